@@ -1,0 +1,7 @@
+/**
+ * Force on the hand: virtual coupling, friction, limiter.
+ *
+ * <p>Uses {@code proxy} for the path that was travelled. Belongs to the haptic thread. Newton along
+ * the grid's axes, millimetres, seconds.
+ */
+package org.palpate.force;

@@ -1,0 +1,60 @@
+package org.palpate.geometry;
+
+/**
+ * A box of whole cells, both ends included; empty while a low end lies above its high end. Mutable:
+ * the one who owns it grows it.
+ */
+public final class IntBox {
+  public int lowX;
+  public int lowY;
+  public int lowZ;
+  public int highX;
+  public int highY;
+  public int highZ;
+
+  public IntBox() {
+    clear();
+  }
+
+  /** Makes the box empty. */
+  public void clear() {
+    lowX = lowY = lowZ = Integer.MAX_VALUE;
+    highX = highY = highZ = Integer.MIN_VALUE;
+  }
+
+  public boolean isEmpty() {
+    return lowX > highX;
+  }
+
+  /** Grows the box so that it holds the cell. */
+  public void include(int i, int j, int k) {
+    lowX = Math.min(lowX, i);
+    lowY = Math.min(lowY, j);
+    lowZ = Math.min(lowZ, k);
+    highX = Math.max(highX, i);
+    highY = Math.max(highY, j);
+    highZ = Math.max(highZ, k);
+  }
+
+  /** Copies the other box. */
+  public IntBox set(IntBox other) {
+    lowX = other.lowX;
+    lowY = other.lowY;
+    lowZ = other.lowZ;
+    highX = other.highX;
+    highY = other.highY;
+    highZ = other.highZ;
+    return this;
+  }
+
+  public boolean contains(int i, int j, int k) {
+    return i >= lowX && i <= highX && j >= lowY && j <= highY && k >= lowZ && k <= highZ;
+  }
+
+  @Override
+  public String toString() {
+    return isEmpty()
+        ? "empty"
+        : "x " + lowX + "-" + highX + ", y " + lowY + "-" + highY + ", z " + lowZ + "-" + highZ;
+  }
+}

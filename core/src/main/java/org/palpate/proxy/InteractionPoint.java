@@ -1,0 +1,20 @@
+package org.palpate.proxy;
+
+import org.palpate.geometry.Vec3;
+
+/**
+ * The interaction point, p, and what the last frame did with it. Written by the solver, in the
+ * haptic thread.
+ */
+public final class InteractionPoint {
+  /** Where it is, grid coordinates. */
+  public final Vec3 position = new Vec3();
+
+  /** The legs of the last frame. */
+  public final LegPath legs = new LegPath();
+
+  /**
+   * Whether a solid stopped a leg, or the straight way from p to d is blocked at the frame's end.
+   */
+  public boolean contact;
+}

@@ -1,0 +1,33 @@
+package org.palpate.proxy;
+
+import org.palpate.geometry.Vec3;
+
+/**
+ * Distances in mm between points in grid coordinates: the axes weigh as their spacing says.
+ *
+ * @param spacingX edge of a voxel along x, mm
+ * @param spacingY edge of a voxel along y, mm
+ * @param spacingZ edge of a voxel along z, mm
+ */
+public record Metric(double spacingX, double spacingY, double spacingZ) {
+
+  public static Metric of(Vec3 spacingMm) {
+    return new Metric(spacingMm.x, spacingMm.y, spacingMm.z);
+  }
+
+  /**
+   * The square of the distance, mm^2. The one formula by which solvers call a point strictly
+   * nearer: no fused multiply-add, same bits on every JDK.
+   */
+  public double squaredDistance(double x0, double y0, double z0, double x1, double y1, double z1) {
+    double x = (x1 - x0) * spacingX;
+    double y = (y1 - y0) * spacingY;
+    double z = (z1 - z0) * spacingZ;
+    return x * x + y * y + z * z;
+  }
+
+  /** The distance, mm. */
+  public double distance(double x0, double y0, double z0, double x1, double y1, double z1) {
+    return Math.sqrt(squaredDistance(x0, y0, z0, x1, y1, z1));
+  }
+}

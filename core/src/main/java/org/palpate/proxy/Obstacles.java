@@ -1,0 +1,54 @@
+package org.palpate.proxy;
+
+import java.util.List;
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.RayCaster;
+import org.palpate.raycast.RayHit;
+import org.palpate.volume.BitCube;
+
+/**
+ * The solids that stand in the way: the union of some bit cubes over one grid. What a solver sees
+ * of the scene.
+ *
+ * <p>Belongs to the haptic thread.
+ */
+public final class Obstacles {
+  private final BitCube[] cubes;
+  private final RayHit candidate = new RayHit();
+
+  /** All of {@code cubes}, which stay the caller's and may change between frames. */
+  public Obstacles(List<BitCube> cubes) {
+    this.cubes = cubes.toArray(new BitCube[0]);
+  }
+
+  /** Whether voxel (i,j,k) is solid in any cube; outside all is empty. */
+  public boolean isSolid(int i, int j, int k) {
+    for (BitCube cube : cubes) {
+      if (cube.get(i, j, k)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The solid voxels of a brick, by brick coordinates, as {@link BitCube#brick}. */
+  public long brick(int brickX, int brickY, int brickZ) {
+    long word = 0;
+    for (BitCube cube : cubes) {
+      word |= cube.brick(brickX, brickY, brickZ);
+    }
+    return word;
+  }
+
+  /** Finds the first hit over all cubes; see {@link RayCaster#cast}. */
+  public boolean cast(RayCaster caster, Ray ray, RayHit hit) {
+    boolean found = false;
+    for (BitCube cube : cubes) {
+      if (caster.cast(cube, ray, candidate) && !(found && hit.t <= candidate.t)) {
+        hit.set(candidate);
+        found = true;
+      }
+    }
+    return found;
+  }
+}

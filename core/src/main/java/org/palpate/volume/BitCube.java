@@ -1,0 +1,284 @@
+package org.palpate.volume;
+
+import org.palpate.geometry.IntBox;
+
+/**
+ * One bit a voxel, in bricks of 4x4x4 voxels that are one {@code long} each, with a level of the
+ * same shape above that says which bricks are not empty.
+ *
+ * <pre>
+ *   brick word    bit  z z y y x x     of the voxel inside its brick
+ *   upper word    bit  Z Z Y Y X X     of the brick inside its block of 4x4x4 bricks, set where the brick is not empty
+ * </pre>
+ *
+ * <p>Invariant: an upper bit is set exactly where its brick word is not 0. Invariant: padding bits,
+ * beyond the size, are clear. Both hold under {@link #set} and {@link #clear}; nothing else is
+ * precalculated, so an edit spoils nothing.
+ *
+ * <p>One thread writes. Reading is free of locks and needs no more than that the writer's changes
+ * were published.
+ */
+public final class BitCube {
+  /** Voxels along an edge of a brick, as a power of two. */
+  public static final int BRICK_SHIFT = 2;
+
+  /** Voxels along an edge of a block of 4x4x4 bricks, as a power of two. */
+  public static final int BLOCK_SHIFT = 4;
+
+  private final int sizeX;
+  private final int sizeY;
+  private final int sizeZ;
+  private final int bricksX;
+  private final int bricksY;
+  private final int bricksZ;
+  private final int blocksX;
+  private final int blocksY;
+  private final long[] bricks;
+  private final long[] blocks;
+  private final IntBox bounds = new IntBox();
+  private long solidCount;
+
+  /**
+   * An empty cube.
+   *
+   * @throws IllegalArgumentException where a size is below 1 or there are more than 2^31-1 bricks
+   */
+  public BitCube(int sizeX, int sizeY, int sizeZ) {
+    if (sizeX < 1 || sizeY < 1 || sizeZ < 1) {
+      throw new IllegalArgumentException(
+          "sizes must be at least 1: sizes=" + sizeX + "x" + sizeY + "x" + sizeZ);
+    }
+    this.sizeX = sizeX;
+    this.sizeY = sizeY;
+    this.sizeZ = sizeZ;
+    bricksX = cellsFor(sizeX, BRICK_SHIFT);
+    bricksY = cellsFor(sizeY, BRICK_SHIFT);
+    bricksZ = cellsFor(sizeZ, BRICK_SHIFT);
+    blocksX = cellsFor(sizeX, BLOCK_SHIFT);
+    blocksY = cellsFor(sizeY, BLOCK_SHIFT);
+    bricks = new long[arrayLength(bricksX, bricksY, bricksZ)];
+    blocks = new long[arrayLength(blocksX, blocksY, cellsFor(sizeZ, BLOCK_SHIFT))];
+  }
+
+  /** Bytes that a cube of this size takes; may be far more than there is. */
+  public static double bytesFor(int sizeX, int sizeY, int sizeZ) {
+    return 8.0 * cells(sizeX, sizeY, sizeZ, BRICK_SHIFT)
+        + 8.0 * cells(sizeX, sizeY, sizeZ, BLOCK_SHIFT);
+  }
+
+  private static double cells(int sizeX, int sizeY, int sizeZ, int shift) {
+    return (double) cellsFor(sizeX, shift) * cellsFor(sizeY, shift) * cellsFor(sizeZ, shift);
+  }
+
+  private static int cellsFor(int voxels, int shift) {
+    return ((voxels - 1) >> shift) + 1;
+  }
+
+  private static int arrayLength(int x, int y, int z) {
+    double cells = (double) x * y * z;
+    if (cells > Integer.MAX_VALUE - 8) {
+      throw new IllegalArgumentException("too many bricks for one cube: " + x + "x" + y + "x" + z);
+    }
+    return x * y * z;
+  }
+
+  public int sizeX() {
+    return sizeX;
+  }
+
+  public int sizeY() {
+    return sizeY;
+  }
+
+  public int sizeZ() {
+    return sizeZ;
+  }
+
+  /** The number of solid voxels. Constant time. */
+  public long solidCount() {
+    return solidCount;
+  }
+
+  /**
+   * A box that holds every solid voxel: tight as long as nothing was cleared, and made tight again
+   * by {@link #tightenBounds}. The cube's own; not to be changed.
+   */
+  public IntBox bounds() {
+    return bounds;
+  }
+
+  /** Whether voxel (i,j,k) is solid; outside the cube nothing is. */
+  public boolean get(int i, int j, int k) {
+    return (brick(i >> BRICK_SHIFT, j >> BRICK_SHIFT, k >> BRICK_SHIFT) >>> bit(i, j, k) & 1) != 0;
+  }
+
+  /** Makes voxel (i,j,k) solid. */
+  public void set(int i, int j, int k) {
+    int index = checkedBrickIndex(i, j, k);
+    long word = bricks[index];
+    long changed = word | 1L << bit(i, j, k);
+    if (changed != word) {
+      putBrick(index, changed, i >> BRICK_SHIFT, j >> BRICK_SHIFT, k >> BRICK_SHIFT);
+      bounds.include(i, j, k);
+    }
+  }
+
+  /** Makes voxel (i,j,k) empty. */
+  public void clear(int i, int j, int k) {
+    int index = checkedBrickIndex(i, j, k);
+    long word = bricks[index];
+    long changed = word & ~(1L << bit(i, j, k));
+    if (changed != word) {
+      putBrick(index, changed, i >> BRICK_SHIFT, j >> BRICK_SHIFT, k >> BRICK_SHIFT);
+    }
+  }
+
+  /** The bit of a voxel inside its brick's word: two bits of z, two of y, two of x. */
+  public static int bit(int i, int j, int k) {
+    return ((k & 3) << 4) | ((j & 3) << 2) | (i & 3);
+  }
+
+  /**
+   * The word of a brick, by brick coordinates (voxel coordinates shifted right by 2); 0 outside.
+   */
+  public long brick(int brickX, int brickY, int brickZ) {
+    return isBrick(brickX, brickY, brickZ) ? bricks[brickIndex(brickX, brickY, brickZ)] : 0;
+  }
+
+  /**
+   * The word of a block of 4x4x4 bricks, by block coordinates (voxel coordinates shifted right by
+   * 4); 0 outside.
+   */
+  public long block(int blockX, int blockY, int blockZ) {
+    int index = (blockZ * blocksY + blockY) * blocksX + blockX;
+    boolean inside =
+        blockX >= 0
+            && blockX < blocksX
+            && blockY >= 0
+            && blockY < blocksY
+            && blockZ >= 0
+            && index < blocks.length;
+    return inside ? blocks[index] : 0;
+  }
+
+  /**
+   * Replaces a whole brick; bits beyond the cube's size must be clear.
+   *
+   * @throws IllegalArgumentException where the word has a padding bit set
+   */
+  public void setBrick(int brickX, int brickY, int brickZ, long word) {
+    if (!isBrick(brickX, brickY, brickZ) || (word & ~insideMask(brickX, brickY, brickZ)) != 0) {
+      throw new IllegalArgumentException(
+          "brick lies outside or has padding bits set: brick="
+              + brickX
+              + ","
+              + brickY
+              + ","
+              + brickZ
+              + " word="
+              + Long.toHexString(word));
+    }
+    putBrick(brickIndex(brickX, brickY, brickZ), word, brickX, brickY, brickZ);
+    includeBrick(brickX, brickY, brickZ, word);
+  }
+
+  public int bricksX() {
+    return bricksX;
+  }
+
+  public int bricksY() {
+    return bricksY;
+  }
+
+  public int bricksZ() {
+    return bricksZ;
+  }
+
+  /** Makes {@link #bounds} tight again after voxels were cleared. Looks at every brick. */
+  public void tightenBounds() {
+    bounds.clear();
+    for (int z = 0; z < bricksZ; z++) {
+      for (int y = 0; y < bricksY; y++) {
+        for (int x = 0; x < bricksX; x++) {
+          includeBrick(x, y, z, bricks[brickIndex(x, y, z)]);
+        }
+      }
+    }
+  }
+
+  /** A copy that shares nothing with this. */
+  public BitCube copy() {
+    BitCube copy = new BitCube(sizeX, sizeY, sizeZ);
+    System.arraycopy(bricks, 0, copy.bricks, 0, bricks.length);
+    System.arraycopy(blocks, 0, copy.blocks, 0, blocks.length);
+    copy.bounds.set(bounds);
+    copy.solidCount = solidCount;
+    return copy;
+  }
+
+  private void includeBrick(int brickX, int brickY, int brickZ, long word) {
+    for (long rest = word; rest != 0; rest &= rest - 1) {
+      int bit = Long.numberOfTrailingZeros(rest);
+      bounds.include(
+          (brickX << BRICK_SHIFT) + (bit & 3),
+          (brickY << BRICK_SHIFT) + (bit >> 2 & 3),
+          (brickZ << BRICK_SHIFT) + (bit >> 4));
+    }
+  }
+
+  private void putBrick(int index, long word, int brickX, int brickY, int brickZ) {
+    solidCount += Long.bitCount(word) - Long.bitCount(bricks[index]);
+    bricks[index] = word;
+    int block = ((brickZ >> 2) * blocksY + (brickY >> 2)) * blocksX + (brickX >> 2);
+    long mark = 1L << bit(brickX, brickY, brickZ);
+    blocks[block] = word == 0 ? blocks[block] & ~mark : blocks[block] | mark;
+  }
+
+  private long insideMask(int brickX, int brickY, int brickZ) {
+    int x = Math.min(4, sizeX - (brickX << BRICK_SHIFT));
+    int y = Math.min(4, sizeY - (brickY << BRICK_SHIFT));
+    int z = Math.min(4, sizeZ - (brickZ << BRICK_SHIFT));
+    long row = (1L << x) - 1;
+    long layer = 0;
+    for (int j = 0; j < y; j++) {
+      layer |= row << (4 * j);
+    }
+    long mask = 0;
+    for (int k = 0; k < z; k++) {
+      mask |= layer << (16 * k);
+    }
+    return mask;
+  }
+
+  private boolean isBrick(int brickX, int brickY, int brickZ) {
+    return brickX >= 0
+        && brickX < bricksX
+        && brickY >= 0
+        && brickY < bricksY
+        && brickZ >= 0
+        && brickZ < bricksZ;
+  }
+
+  private int brickIndex(int brickX, int brickY, int brickZ) {
+    return (brickZ * bricksY + brickY) * bricksX + brickX;
+  }
+
+  private int checkedBrickIndex(int i, int j, int k) {
+    if (i < 0 || i >= sizeX || j < 0 || j >= sizeY || k < 0 || k >= sizeZ) {
+      throw new IndexOutOfBoundsException(
+          "voxel lies outside: voxel="
+              + i
+              + ","
+              + j
+              + ","
+              + k
+              + " sizes="
+              + sizeX
+              + "x"
+              + sizeY
+              + "x"
+              + sizeZ);
+    }
+    return brickIndex(i >> BRICK_SHIFT, j >> BRICK_SHIFT, k >> BRICK_SHIFT);
+  }
+}
