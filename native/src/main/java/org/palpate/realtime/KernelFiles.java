@@ -1,0 +1,44 @@
+package org.palpate.realtime;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.stream.Stream;
+
+/** Reads the small text files in which a kernel tells about itself. Not for the path of a frame. */
+final class KernelFiles {
+  private KernelFiles() {}
+
+  /** The file's first line; empty where there is no such file or it cannot be read. */
+  static Optional<String> line(Path file) {
+    return lines(file).findFirst();
+  }
+
+  /** The file's first line as a number; empty where it is none. */
+  static OptionalLong number(Path file) {
+    return line(file)
+        .map(String::trim)
+        .filter(text -> text.matches("-?\\d{1,18}"))
+        .map(text -> OptionalLong.of(Long.parseLong(text)))
+        .orElseGet(OptionalLong::empty);
+  }
+
+  /** What follows {@code name:} in a file of such lines. */
+  static Optional<String> field(Path file, String name) {
+    return lines(file)
+        .filter(line -> line.startsWith(name + ":"))
+        .map(line -> line.substring(name.length() + 1).trim())
+        .findFirst();
+  }
+
+  /** All lines; none where the file cannot be read, as on a system without it. */
+  static Stream<String> lines(Path file) {
+    try {
+      return Files.readString(file).lines();
+    } catch (IOException e) {
+      return Stream.empty();
+    }
+  }
+}

@@ -1,0 +1,60 @@
+package org.palpate.realtime;
+
+import java.nio.file.Path;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Locale;
+
+/** The system that this process runs on, as far as it can be asked for real time. */
+public final class Realtime {
+  private static final String OS = System.getProperty("os.name").toLowerCase(Locale.ROOT);
+  private static final boolean LINUX = OS.startsWith("linux");
+  private static final boolean WINDOWS = OS.startsWith("windows");
+  private static final boolean WIDE = System.getProperty("sun.arch.data.model", "64").equals("64");
+
+  /** Processors that threads of this process keep to themselves; guarded by the class. */
+  private static final BitSet TAKEN_CPUS = new BitSet();
+
+  private Realtime() {}
+
+  /**
+   * Asks the system for all that is wished for the calling thread. Once in a thread, before its
+   * first frame; never throws for want of a right or a library.
+   *
+   * @return every answer, in the order in which it was asked
+   */
+  public static List<Grant> apply(RealtimeWish wish) {
+    synchronized (TAKEN_CPUS) {
+      try {
+        return ask(wish);
+      } catch (LinkageError e) {
+        return List.of(Grant.refused("class", "no library for real time: " + e.getMessage()));
+      }
+    }
+  }
+
+  private static List<Grant> ask(RealtimeWish wish) {
+    if (LINUX && WIDE) {
+      return new LinuxSetup(new LinuxScheduler(), Path.of("/"), TAKEN_CPUS).apply(wish);
+    }
+    if (WINDOWS && WIDE) {
+      return new WindowsSetup(TAKEN_CPUS).apply(wish);
+    }
+    return List.of(Grant.refused("class", "not known how to ask " + OS));
+  }
+
+  /** The most punctual sleep that the system offers; the JDK's own where there is no better. */
+  public static PreciseSleep sleep() {
+    try {
+      if (LINUX && WIDE) {
+        return new LinuxSleep();
+      }
+      if (WINDOWS && WIDE) {
+        return new WindowsSleep();
+      }
+    } catch (LinkageError | UnsupportedOperationException e) {
+      return new ParkSleep(); // an old Windows, or no C library that JNA can call
+    }
+    return new ParkSleep();
+  }
+}

@@ -1,0 +1,24 @@
+package org.palpate.realtime;
+
+/**
+ * What a haptic thread asks of its system.
+ *
+ * @param schedulingClass {@link SchedulingClass#NORMAL} asks for nothing
+ * @param pin one processor of its own, where another is left for everything else
+ * @param lockMemory the process stays in memory
+ * @param everSleeps whether the thread sleeps in every frame; one that never does is refused a
+ *     real-time class on a machine whose only processor it would keep
+ */
+public record RealtimeWish(
+    SchedulingClass schedulingClass, boolean pin, boolean lockMemory, boolean everSleeps) {
+
+  /** All that helps a loop that sleeps and then spins. */
+  public static RealtimeWish usual() {
+    return new RealtimeWish(SchedulingClass.FIFO, true, true, true);
+  }
+
+  /** Nothing: a thread as any other. */
+  public static RealtimeWish none() {
+    return new RealtimeWish(SchedulingClass.NORMAL, false, false, true);
+  }
+}

@@ -1,0 +1,21 @@
+package org.palpate.realtime;
+
+import java.util.BitSet;
+
+/**
+ * What an operating system can do for the calling thread. Every answer is empty where it was done,
+ * else the system's name of the error.
+ */
+interface Scheduler {
+  /** {@code priority} from 1, the lowest real-time one, to 99. */
+  String setRealtime(SchedulingClass schedulingClass, int priority);
+
+  /** Keeps the thread on these processors. */
+  String setAffinity(BitSet cpus);
+
+  /** Keeps the whole process in memory, now and later. */
+  String lockMemory();
+
+  /** Lets the kernel delay a wake-up by no more than this. */
+  String setTimerSlack(long nanos);
+}
