@@ -1,0 +1,27 @@
+package org.palpate.sync;
+
+import org.palpate.geometry.Vec3;
+
+/** Three doubles that belong together: a position, a force. Starts at zero. */
+public final class PositionProperty extends Property {
+  PositionProperty(Accumulator accumulator, String name, int index, int offset) {
+    super(accumulator, name, index, offset, 3);
+  }
+
+  /** Sets all three. Writer. */
+  public void set(double x, double y, double z) {
+    put(0, x);
+    put(1, y);
+    put(2, z);
+    settle();
+  }
+
+  public void set(Vec3 value) {
+    set(value.x, value.y, value.z);
+  }
+
+  /** Writes the value as last taken into {@code dest}. Reader. */
+  public Vec3 read(Vec3 dest) {
+    return dest.set(takenDouble(0), takenDouble(1), takenDouble(2));
+  }
+}

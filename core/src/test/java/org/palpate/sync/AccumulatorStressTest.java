@@ -1,0 +1,98 @@
+package org.palpate.sync;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.Vec3;
+
+/** A writer and a reader at full speed on two threads. */
+class AccumulatorStressTest {
+  private static final int FRAMES = 1_000_000;
+
+  private final Accumulator accumulator = new Accumulator();
+  private final TouchProperties touch = new TouchProperties(accumulator);
+  private final LinesProperty trail = accumulator.lines("trail", 8);
+  private final NumberProperty rare = accumulator.number("rare");
+  private final AtomicBoolean ended = new AtomicBoolean();
+  private final AtomicReference<String> torn = new AtomicReference<>();
+  private final Vec3 scratch = new Vec3();
+  private double lastFrame;
+  private double lastRare;
+  private long taken;
+
+  @Test
+  void positionAndForceOfTheSameFrameArriveTogetherAndInOrder() throws InterruptedException {
+    Thread reader = new Thread(this::readUntilEnded, "reader");
+    reader.start();
+    for (int frame = 1; frame <= FRAMES; frame++) {
+      write(frame);
+    }
+    ended.set(true);
+    reader.join();
+    assertNull(torn.get());
+    assertEquals(FRAMES, lastFrame, "the last frame arrives");
+    assertEquals(FRAMES / 1000.0, lastRare, "a rare change is not lost between frequent ones");
+    assertTrue(taken > 1, "the threads overlapped: taken=" + taken);
+  }
+
+  private void write(int frame) {
+    if (frame % 1000 == 0) {
+      rare.set(Math.floor(frame / 1000.0));
+    }
+    trail.begin();
+    for (int point = 0; point <= frame % 8; point++) {
+      trail.add(frame, point, -frame);
+    }
+    trail.end();
+    Vec3 at = new Vec3(frame, frame + 0.25, frame + 0.5);
+    touch.publish(at, at, new Vec3(-frame, -2.0 * frame, -3.0 * frame), frame % 2 == 0, frame);
+  }
+
+  private void readUntilEnded() {
+    boolean last;
+    do {
+      last = ended.get();
+      if (accumulator.take()) {
+        taken++;
+        check();
+      }
+    } while (!last);
+  }
+
+  private void check() {
+    double frame = touch.frame().read();
+    double rareNow = rare.read();
+    boolean whole =
+        frame > lastFrame
+            && isAt(touch.device(), frame)
+            && isAt(touch.interactionPoint(), frame)
+            && touch.force().read(scratch).dot(new Vec3(1, 1, 1)) == -6 * frame
+            && touch.contact().read() == (frame % 2 == 0)
+            && rareNow == Math.floor(frame / 1000)
+            && trailIsOf(frame);
+    if (!whole) {
+      torn.compareAndSet(null, "frame=" + frame + " after " + lastFrame + " rare=" + rareNow);
+    }
+    lastFrame = frame;
+    lastRare = rareNow;
+    accumulator.properties().forEach(Property::applied);
+  }
+
+  private boolean isAt(PositionProperty property, double frame) {
+    property.read(scratch);
+    return scratch.x == frame && scratch.y == frame + 0.25 && scratch.z == frame + 0.5;
+  }
+
+  private boolean trailIsOf(double frame) {
+    boolean whole = trail.count() == frame % 8 + 1;
+    for (int point = 0; point < trail.count(); point++) {
+      trail.read(point, scratch);
+      whole &= scratch.x == frame && scratch.y == point && scratch.z == -frame;
+    }
+    return whole;
+  }
+}
