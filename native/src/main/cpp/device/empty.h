@@ -1,0 +1,22 @@
+#ifndef PALPATE_DEVICE_EMPTY_H
+#define PALPATE_DEVICE_EMPTY_H
+
+#include "device/device.h"
+
+namespace palpate {
+
+/**
+ * A device without anything behind it: every read is a new sample at the origin, every force is
+ * taken. It shows what the crossing alone costs. Not listed; opened by the name "empty".
+ */
+class EmptyBackend : public Backend {
+ public:
+  const char* name() const override { return "empty"; }
+  Finding probe(Trace& trace) override;
+  std::unique_ptr<Device> open(const std::string& id, std::shared_ptr<Trace> trace,
+                               std::string& why) override;
+};
+
+}  // namespace palpate
+
+#endif

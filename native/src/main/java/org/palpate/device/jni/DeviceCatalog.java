@@ -1,0 +1,70 @@
+package org.palpate.device.jni;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The devices that can be used here, by back end, and the way to open one. Blocks for as long as
+ * vendors' libraries take, up to a few seconds: not for the haptic thread.
+ */
+public final class DeviceCatalog {
+  private static final int PROBE_WAIT_MILLIS = 5000;
+  private static final int OPEN_WAIT_MILLIS = 10000;
+  private static final List<String> NATIVE_BACKENDS =
+      List.of("hid", "openhaptics", "forcedimension", "virtuose");
+
+  private DeviceCatalog() {}
+
+  /** What each back end found, in the order in which they are listed; none is left out. */
+  public static List<Finding> findings() {
+    List<Finding> all = new ArrayList<>();
+    all.add(builtIn("simulated", "a hand that approaches, presses, slides, taps and tears"));
+    all.add(builtIn("replay", "a recorded trajectory: --device replay:FILE.csv"));
+    for (String backend : NATIVE_BACKENDS) {
+      all.add(probe(backend));
+    }
+    return all;
+  }
+
+  private static Finding builtIn(String backend, String name) {
+    return new Finding(backend, true, "", "", "", List.of(new Finding.Found("", name, true, "")));
+  }
+
+  /** What one native back end found. */
+  public static Finding probe(String backend) {
+    if (!NativeLibrary.isLoaded()) {
+      return new Finding(backend, false, "", "", NativeLibrary.whyNot(), List.of());
+    }
+    String lines = NativeCalls.probe(backend, PROBE_WAIT_MILLIS);
+    if (lines == null) {
+      throw new IllegalArgumentException("no such back end: backend=" + backend);
+    }
+    return Finding.parse(backend, lines);
+  }
+
+  /** Whether {@link #open} knows a back end of that name. */
+  public static boolean isNative(String backend) {
+    return NATIVE_BACKENDS.contains(backend);
+  }
+
+  /**
+   * Opens a device.
+   *
+   * @param backend one of {@code hid}, {@code openhaptics}, {@code forcedimension}, {@code
+   *     virtuose}; {@code empty} for one without anything behind it
+   * @param id serial, name or host as {@link Finding.Found#id} has it; empty for the first
+   * @throws DeviceException where it cannot be opened; its message says why and what to do
+   */
+  public static NativeDevice open(String backend, String id) throws DeviceException {
+    if (!NativeLibrary.isLoaded()) {
+      throw new DeviceException(NativeLibrary.whyNot());
+    }
+    String[] why = {""};
+    long handle = NativeCalls.open(backend, id, OPEN_WAIT_MILLIS, why);
+    if (handle == 0) {
+      String device = id.isEmpty() ? backend : backend + ":" + id;
+      throw new DeviceException("cannot open the device: " + device + ": " + why[0]);
+    }
+    return new NativeDevice(handle);
+  }
+}

@@ -1,0 +1,79 @@
+package org.palpate.device.jni;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.palpate.device.DeviceState;
+import org.palpate.device.ReadStatus;
+import org.palpate.geometry.Vec3;
+
+class NativeDeviceTest {
+
+  @BeforeEach
+  void needsTheNativeLibrary() {
+    Assumptions.assumeTrue(NativeLibrary.isLoaded(), "skipped: " + NativeLibrary.whyNot());
+  }
+
+  @Test
+  void loadsTheLibraryThatTheJarHolds() {
+    assertTrue(NativeLibrary.origin().startsWith("jar:/natives/"), NativeLibrary.origin());
+  }
+
+  @Test
+  void crossesBothWaysAndCountsItsReads() throws DeviceException {
+    DeviceState state = new DeviceState();
+    try (NativeDevice device = DeviceCatalog.open("empty", "")) {
+      assertEquals("empty", device.specification().name());
+      for (int i = 1; i <= 1000; i++) {
+        assertEquals(ReadStatus.FRESH, device.read(state));
+        assertEquals(i, state.timeNanos);
+        assertEquals(1.0, state.qw);
+        assertTrue(device.write(new Vec3(i, 0, 0)));
+      }
+    }
+  }
+
+  @Test
+  void isGoneOnceClosedAndMayBeClosedTwice() throws DeviceException {
+    NativeDevice device = DeviceCatalog.open("empty", "");
+    device.close();
+    device.close();
+    assertEquals(ReadStatus.DISCONNECTED, device.read(new DeviceState()));
+    assertFalse(device.write(new Vec3()));
+    assertEquals("", device.ending());
+  }
+
+  @Test
+  void anOldHandleNeverReachesTheDeviceOpenedAfterIt() throws DeviceException {
+    NativeDevice first = DeviceCatalog.open("empty", "");
+    first.close();
+    try (NativeDevice second = DeviceCatalog.open("empty", "")) {
+      first.close();
+      assertEquals(ReadStatus.DISCONNECTED, first.read(new DeviceState()));
+      assertEquals(ReadStatus.FRESH, second.read(new DeviceState()));
+    }
+  }
+
+  @Test
+  void saysInOneLineWhichBackEndItDoesNotKnow() {
+    DeviceException e =
+        assertThrows(DeviceException.class, () -> DeviceCatalog.open("abacus", "7"));
+    assertEquals("cannot open the device: abacus:7: no such back end", e.getMessage());
+  }
+
+  @Test
+  void namesTheLibraryOfEveryPlatform() {
+    assertEquals(
+        "/natives/linux-x86_64/libpalpate.so", NativeLibrary.resourceName("Linux", "amd64"));
+    assertEquals(
+        "/natives/windows-x86_64/palpate.dll", NativeLibrary.resourceName("Windows 11", "amd64"));
+    assertEquals(
+        "/natives/macos-aarch64/libpalpate.dylib",
+        NativeLibrary.resourceName("Mac OS X", "aarch64"));
+  }
+}
