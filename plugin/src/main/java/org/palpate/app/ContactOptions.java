@@ -1,0 +1,115 @@
+package org.palpate.app;
+
+import java.util.OptionalDouble;
+import org.palpate.host.CollisionChoice;
+import org.palpate.host.SolverKind;
+import picocli.CommandLine.Option;
+
+/** The options that say how it feels: solver, collision, force. */
+public final class ContactOptions {
+
+  @Option(
+      names = "--solver",
+      paramLabel = "NAME",
+      description = {
+        "What moves the interaction point: ${COMPLETION-CANDIDATES}.",
+        "Default: ${DEFAULT-VALUE}. none is collision alone."
+      },
+      defaultValue = "guarded")
+  private SolverKind solver;
+
+  @Option(
+      names = "--collision",
+      paramLabel = "METHOD",
+      description = {
+        "sampled:STEP, gridplanes or exact, for the solvers none, dot and paper.",
+        "Default: exact for none, sampled:1 for dot and paper; the others are always exact."
+      })
+  private String collision;
+
+  @Option(
+      names = "--stiffness",
+      paramLabel = "N/MM",
+      description = "Force for each mm that the device is ahead. Default: 0.5.")
+  private Double stiffness;
+
+  @Option(
+      names = "--friction",
+      paramLabel = "MU",
+      description = "Friction coefficient. Default: ${DEFAULT-VALUE}.",
+      defaultValue = "0.2")
+  private double friction;
+
+  @Option(
+      names = "--max-step",
+      paramLabel = "MM",
+      description = {
+        "The most that the interaction point travels in a frame.",
+        "Default: the larger of 8 shortest and 3 longest voxel edges."
+      })
+  private Double maxStep;
+
+  @Option(names = "--max-force", paramLabel = "N", description = "The largest force ever sent.")
+  private Double maxForce;
+
+  public SolverKind solver() {
+    return solver;
+  }
+
+  /** Force over distance, N/mm of scan, where it was given. */
+  public OptionalDouble stiffnessNewtonPerMm() {
+    return positive("--stiffness", stiffness);
+  }
+
+  /** The friction coefficient, 0 or more. */
+  public double friction() {
+    if (!(friction >= 0) || Double.isInfinite(friction)) {
+      throw PalpateException.wrongUse(
+          "friction must be a number from 0 up", "--friction " + friction, "try --friction 0.2");
+    }
+    return friction;
+  }
+
+  /** w_max in mm, where it was given. */
+  public OptionalDouble maxStepMm() {
+    return positive("--max-step", maxStep);
+  }
+
+  /** The largest force, N, where it was given. */
+  public OptionalDouble maxForceNewton() {
+    return positive("--max-force", maxForce);
+  }
+
+  private static OptionalDouble positive(String option, Double value) {
+    if (value == null) {
+      return OptionalDouble.empty();
+    }
+    if (!(value > 0) || value.isInfinite()) {
+      throw PalpateException.wrongUse(
+          "a positive number is needed", option + " " + value, "try " + option + " 1");
+    }
+    return OptionalDouble.of(value);
+  }
+
+  /** How collisions are found: the method that was given, else the solver's own. */
+  public CollisionChoice collision() {
+    if (collision == null) {
+      return solver.defaultCollision();
+    }
+    CollisionChoice choice = CollisionChoice.parse(collision).orElseThrow(this::notACollision);
+    if (!solver.choosesCollision() && !choice.equals(CollisionChoice.EXACT)) {
+      throw PalpateException.wrongUse(
+          "the solver " + solver + " is always exact",
+          "--collision " + collision,
+          "leave it out, or choose --solver none, dot or paper");
+    }
+    return choice;
+  }
+
+  private PalpateException notACollision() {
+    return PalpateException.wrongUse(
+        "not a way to find collisions",
+        "--collision " + collision,
+        "write sampled:STEP with a positive step in voxels, gridplanes or exact");
+  }
+}

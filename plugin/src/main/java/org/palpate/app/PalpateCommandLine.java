@@ -1,0 +1,137 @@
+package org.palpate.app;
+
+import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
+import java.util.ServiceLoader;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/**
+ * All commands together: finds the one that is asked for, runs it, and turns what goes wrong into
+ * one line and an exit code.
+ */
+public final class PalpateCommandLine {
+  private static final String DEFAULT_COMMAND = "touch";
+  private static final Set<String> ROOT_OPTIONS = Set.of("-h", "--help", "-V", "--version");
+
+  private final PrintStream err;
+  private final CommandLine commandLine;
+
+  /** Commands that print to the given streams. */
+  public PalpateCommandLine(PrintStream out, PrintStream err) {
+    this.err = err;
+    commandLine = new CommandLine(new Root());
+    List.<Callable<Integer>>of().forEach(commandLine::addSubcommand);
+    ServiceLoader.load(CommandProvider.class)
+        .forEach(provider -> commandLine.addSubcommand(provider.command()));
+    commandLine
+        .setOut(new PrintWriter(out, true, StandardCharsets.UTF_8))
+        .setErr(new PrintWriter(err, true, StandardCharsets.UTF_8))
+        .setAbbreviatedOptionsAllowed(false)
+        .setParameterExceptionHandler(this::wrongUse)
+        .setExecutionExceptionHandler(this::failed);
+  }
+
+  /**
+   * Runs one command.
+   *
+   * @param arguments as the process got them; without a command they are those of {@code touch}
+   * @return 0 done, 1 failed at run time, 2 wrong use or bad input
+   */
+  public int run(String... arguments) {
+    return commandLine.execute(withDefaultCommand(arguments));
+  }
+
+  private static String[] withDefaultCommand(String... arguments) {
+    boolean namesNone =
+        arguments.length == 0
+            || (arguments[0].startsWith("-") && !ROOT_OPTIONS.contains(arguments[0]));
+    return namesNone
+        ? Stream.concat(Stream.of(DEFAULT_COMMAND), Arrays.stream(arguments)).toArray(String[]::new)
+        : arguments;
+  }
+
+  private int wrongUse(ParameterException e, String... arguments) {
+    CommandLine command = e.getCommandLine();
+    String name = command.getCommandSpec().qualifiedName();
+    print(
+        "palpate: " + oneLine(reason(e)) + ": " + name + ": see " + name + " --help",
+        e,
+        isDebug(arguments));
+    return PalpateException.WRONG_USE;
+  }
+
+  private static String reason(ParameterException e) {
+    if (e instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
+      String kind =
+          unmatched.getCommandLine().getParent() == null ? "no such command " : "unexpected ";
+      return kind + unmatched.getUnmatched().get(0);
+    }
+    if (e instanceof MissingParameterException missing && !missing.getMissing().isEmpty()) {
+      return "missing " + missing.getMissing().get(0).paramLabel();
+    }
+    return e.getMessage();
+  }
+
+  private int failed(Exception e, CommandLine command, ParseResult result) {
+    boolean debug = isDebug(result.originalArgs().toArray(String[]::new));
+    if (e instanceof PalpateException known) {
+      print("palpate: " + oneLine(known.getMessage()), e, debug);
+      return known.exitCode();
+    }
+    String where = command.getCommandSpec().qualifiedName();
+    print(
+        "palpate: "
+            + oneLine(e.toString())
+            + ": "
+            + where
+            + ": run it with --debug and report what it shows",
+        e,
+        debug);
+    return PalpateException.FAILED;
+  }
+
+  private void print(String line, Exception e, boolean debug) {
+    err.println(line);
+    if (debug) {
+      e.printStackTrace(err);
+    }
+  }
+
+  private static boolean isDebug(String... arguments) {
+    return Arrays.asList(arguments).contains("--debug");
+  }
+
+  private static String oneLine(String text) {
+    return text.replaceAll("\\R+", " ");
+  }
+
+  /** The command without a command, for its help. */
+  @Command(
+      name = "palpate",
+      description = "Touch a segmented 3-D scan with a haptic device. Not a medical device.",
+      mixinStandardHelpOptions = true,
+      versionProvider = VersionProvider.class,
+      synopsisSubcommandLabel = "[COMMAND]",
+      footer = {
+        "",
+        "Without a command it is touch: a live session on the built-in head phantom.",
+        "",
+        "Examples:",
+        "  palpate",
+        "  palpate info --volume scan.nrrd",
+        "  palpate touch --volume scan.nrrd --segment 'bone=>=1500'",
+        "  palpate touch --help"
+      })
+  private static final class Root {}
+}

@@ -1,0 +1,76 @@
+package org.palpate.app;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** The options that say what is touched. */
+public final class VolumeOptions {
+  static final String DEFAULT_PHANTOM = "head:256";
+
+  @Option(
+      names = "--volume",
+      paramLabel = "FILE",
+      description = {
+        "A volume: NRRD, NIfTI, MetaImage, TIFF stack, DICOM file or folder, or raw with --raw."
+      })
+  private Path volume;
+
+  @Option(
+      names = "--raw",
+      paramLabel = "SIZES:TYPE:SPACING",
+      description = "What a raw file holds, as in 256x256x113:u16be:1,1,2.")
+  private String raw;
+
+  @Option(
+      names = "--phantom",
+      paramLabel = "NAME[:EDGE][:grey]",
+      description = {
+        "A volume made by formula: head, sphere, shell, plane, torus or maze.",
+        "Default, without --volume: " + DEFAULT_PHANTOM + "."
+      })
+  private String phantom;
+
+  @Option(
+      names = "--segment",
+      paramLabel = "NAME=SPEC",
+      description = {
+        "What of it is solid; may be given again. SPEC is >=1500, 300..900, label:7,"
+            + " label:7,8,12 or nonzero. Without one, a mask or label volume gives a segment a"
+            + " label."
+      })
+  private List<String> segments = List.of();
+
+  /** The file that was asked for, if one was. */
+  public Optional<Path> volume() {
+    check();
+    return Optional.ofNullable(volume);
+  }
+
+  /** What a raw file holds, if that was said. */
+  public Optional<String> raw() {
+    return Optional.ofNullable(raw);
+  }
+
+  /** The phantom to make where no file was asked for. */
+  public String phantom() {
+    return phantom == null ? DEFAULT_PHANTOM : phantom;
+  }
+
+  /** The segments that were asked for, as they were written, in order. */
+  public List<String> segments() {
+    return segments;
+  }
+
+  private void check() {
+    if (volume != null && phantom != null) {
+      throw PalpateException.wrongUse(
+          "a file and a phantom at once", "--volume and --phantom", "leave one of them out");
+    }
+    if (raw != null && volume == null) {
+      throw PalpateException.wrongUse(
+          "--raw without a file", "--raw " + raw, "name the raw file with --volume FILE");
+    }
+  }
+}

@@ -1,0 +1,33 @@
+package org.palpate.host;
+
+import java.util.Locale;
+
+/** What moves the interaction point. */
+public enum SolverKind {
+  /** Vlasov et al. 2012. */
+  DOT,
+  /** Vlasov et al. 2013, as printed. */
+  PAPER,
+  /** The paper's path finding made exact. */
+  GUARDED,
+  /** Slides on an implicit surface, made exact. */
+  SMOOTH,
+  /** Nothing: the interaction point is the device, collision alone. */
+  NONE;
+
+  /** Whether the collision method is the user's to choose; the others are always exact. */
+  public boolean choosesCollision() {
+    return this == DOT || this == PAPER || this == NONE;
+  }
+
+  /** The collision method where none was chosen. */
+  public CollisionChoice defaultCollision() {
+    return this == DOT || this == PAPER ? CollisionChoice.sampled(1) : CollisionChoice.EXACT;
+  }
+
+  /** As on the command line. */
+  @Override
+  public String toString() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+}

@@ -1,0 +1,16 @@
+package org.palpate.io;
+
+import com.fasterxml.jackson.core.io.NumberOutput;
+
+/** Numbers as tables hold them. */
+public final class CsvNumbers {
+  private CsvNumbers() {}
+
+  /**
+   * The shortest decimal that reads back as the same double, with a dot, alike on every JDK and in
+   * every locale; {@code NaN}, {@code Infinity} or {@code -Infinity} where it is not finite.
+   */
+  public static String text(double value) {
+    return NumberOutput.toString(value, true);
+  }
+}

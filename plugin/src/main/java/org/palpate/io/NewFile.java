@@ -1,0 +1,87 @@
+package org.palpate.io;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+
+/**
+ * A file that is written beside its target and moved over it when whole, so that a failure leaves
+ * the target as it was. One thread.
+ *
+ * <p>A target that is there and is no plain file (a pipe, a terminal) is written straight.
+ */
+public final class NewFile implements AutoCloseable {
+  private final Path target;
+  private final Path written;
+  private final OutputStream stream;
+  private boolean closed;
+
+  /**
+   * Opens the new file.
+   *
+   * @throws IOException where the folder is not there or may not be written to
+   */
+  public NewFile(Path target) throws IOException {
+    boolean exists = Files.exists(target);
+    // a link stays a link: what it points to is replaced
+    this.target = exists ? target.toRealPath() : target.toAbsolutePath();
+    written = exists && !Files.isRegularFile(target) ? this.target : beside(this.target);
+    stream = new BufferedOutputStream(open(), 1 << 16);
+  }
+
+  private static Path beside(Path target) {
+    long process = ProcessHandle.current().pid();
+    return target.resolveSibling(
+        "." + target.getFileName() + "." + process + "-" + System.nanoTime() + ".new");
+  }
+
+  private OutputStream open() throws IOException {
+    return written.equals(target)
+        ? Files.newOutputStream(written)
+        : Files.newOutputStream(written, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+  }
+
+  /** Where to write; buffered. Closed by {@link #commit} or {@link #close}. */
+  public OutputStream stream() {
+    return stream;
+  }
+
+  /** Ends the file and moves it over the target. */
+  public void commit() throws IOException {
+    stream.close();
+    if (!written.equals(target)) {
+      move();
+    }
+    closed = true;
+  }
+
+  private void move() throws IOException {
+    try {
+      Files.move(
+          written, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (AtomicMoveNotSupportedException e) {
+      Files.move(written, target, StandardCopyOption.REPLACE_EXISTING);
+    }
+  }
+
+  /** Forgets what was written, unless it was committed; the target is as it was. */
+  @Override
+  public void close() throws IOException {
+    if (closed) {
+      return;
+    }
+    closed = true;
+    try {
+      stream.close();
+    } finally {
+      if (!written.equals(target)) {
+        Files.deleteIfExists(written);
+      }
+    }
+  }
+}
