@@ -1,0 +1,96 @@
+package org.palpate.volume.phantom;
+
+/**
+ * Diagonal walls of which no two voxels share a face: they hold together by edges and corners
+ * alone, and yet nothing passes that keeps to faces.
+ *
+ * <p>The walls are planes along the four diagonals of a cube, {@link #PERIOD} apart. A voxel with
+ * the sums s0 = i+j+k, s1 = j+k-i, s2 = i+k-j, s3 = i+j-k is wall where one of them is a multiple
+ * of the even period; all four have the parity of s0, so every wall voxel has s0 even, and face
+ * neighbours differ in parity. Half of the pieces into which the planes cut one another are left
+ * out, as doors, by a hash of the seed and the piece.
+ */
+record Maze(long seed) implements Bricks {
+  private static final int PERIOD_SHIFT = 4;
+  static final int PERIOD = 1 << PERIOD_SHIFT;
+
+  /** Grey value that an empty voxel gets from each wall voxel beside it; six stay under half. */
+  private static final int BLEED_GREY = 75;
+
+  private static final int FAMILIES = 4;
+  private static final int DOOR_ONE_IN = 2;
+
+  boolean isWall(int i, int j, int k) {
+    int s0 = i + j + k;
+    if ((s0 & 1) != 0) {
+      return false;
+    }
+    for (int family = 0; family < FAMILIES; family++) {
+      if ((sum(family, i, j, k) & PERIOD - 1) == 0 && !isDoor(family, i, j, k)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static int sum(int family, int i, int j, int k) {
+    int all = i + j + k;
+    return switch (family) {
+      case 0 -> all;
+      case 1 -> all - 2 * i;
+      case 2 -> all - 2 * j;
+      default -> all - 2 * k;
+    };
+  }
+
+  private boolean isDoor(int family, int i, int j, int k) {
+    long hash = mix(seed + family);
+    for (int other = 0; other < FAMILIES; other++) {
+      hash = mix(hash + (sum(other, i, j, k) >> PERIOD_SHIFT));
+    }
+    return Long.remainderUnsigned(hash, DOOR_ONE_IN) == 0;
+  }
+
+  /** Source: Steele, Lea, Flood 2014, the finalizer of SplitMix64. */
+  private static long mix(long value) {
+    long z = value + 0x9E3779B97F4A7C15L;
+    z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
+    z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
+    return z ^ (z >>> 31);
+  }
+
+  @Override
+  public void enterRow(int brickX, int brickY, int brickZ) {}
+
+  @Override
+  public int labels(int brickX, int brickY, int brickZ, int[] dest) {
+    for (int bit = 0; bit < 64; bit++) {
+      boolean wall =
+          isWall(4 * brickX + (bit & 3), 4 * brickY + (bit >> 2 & 3), 4 * brickZ + (bit >> 4));
+      dest[bit] = wall ? 1 : 0;
+    }
+    return MIXED;
+  }
+
+  @Override
+  public int greys(int brickX, int brickY, int brickZ, int[] dest) {
+    for (int bit = 0; bit < 64; bit++) {
+      dest[bit] =
+          grey(4 * brickX + (bit & 3), 4 * brickY + (bit >> 2 & 3), 4 * brickZ + (bit >> 4));
+    }
+    return MIXED;
+  }
+
+  private int grey(int i, int j, int k) {
+    if (((i + j + k) & 1) == 0) {
+      return isWall(i, j, k) ? Phantom.SOLID_GREY : 0;
+    }
+    int walls = 0;
+    for (int side = -1; side <= 1; side += 2) {
+      walls += isWall(i + side, j, k) ? 1 : 0;
+      walls += isWall(i, j + side, k) ? 1 : 0;
+      walls += isWall(i, j, k + side) ? 1 : 0;
+    }
+    return walls * BLEED_GREY;
+  }
+}

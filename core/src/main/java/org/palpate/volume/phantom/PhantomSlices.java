@@ -1,0 +1,41 @@
+package org.palpate.volume.phantom;
+
+/**
+ * Reads a phantom slice by slice, as one would read a file. Four slices are made at a time, so
+ * ascending order is cheapest. Keeps scratch: one thread an instance.
+ */
+public final class PhantomSlices {
+  private static final int SLICES_A_LAYER = 4;
+  private static final int NONE = -1;
+
+  private final PhantomWriter writer;
+  private final int edge;
+  private final boolean grey;
+  private final short[] layer;
+  private int layerIndex = NONE;
+
+  PhantomSlices(PhantomWriter writer, int edge, boolean grey) {
+    this.writer = writer;
+    this.edge = edge;
+    this.grey = grey;
+    layer = new short[SLICES_A_LAYER * edge * edge];
+  }
+
+  /**
+   * Writes slice k into {@code dest}, x fastest.
+   *
+   * @param k from 0 to the edge, not included
+   * @param dest of at least edge * edge values, all of them from 0 to {@link Phantom#SOLID_GREY}
+   */
+  public void read(int k, short[] dest) {
+    if (k < 0 || k >= edge || dest.length < edge * edge) {
+      throw new IllegalArgumentException(
+          "no such slice or too little room: k=" + k + " edge=" + edge + " room=" + dest.length);
+    }
+    if (k / SLICES_A_LAYER != layerIndex) {
+      layerIndex = k / SLICES_A_LAYER;
+      writer.writeLayer(layerIndex, grey, layer);
+    }
+    System.arraycopy(layer, k % SLICES_A_LAYER * edge * edge, dest, 0, edge * edge);
+  }
+}
