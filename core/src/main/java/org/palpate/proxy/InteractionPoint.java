@@ -17,4 +17,10 @@ public final class InteractionPoint {
    * Whether a solid stopped a leg, or the straight way from p to d is blocked at the frame's end.
    */
   public boolean contact;
+
+  /**
+   * How far outside the solids the surface runs on which the solver slides, mm: what is taken off
+   * |p-d| before it is felt. 0 for solvers that slide on the voxels themselves.
+   */
+  public double surfaceHeightMm;
 }
