@@ -31,6 +31,30 @@ public final class Obstacles {
     return false;
   }
 
+  /**
+   * Whether the point touches a closed solid voxel: one that it lies in, on a face, an edge or a
+   * corner of. Exact.
+   */
+  public boolean touches(double x, double y, double z) {
+    int lowX = lowestCell(x);
+    int lowY = lowestCell(y);
+    int lowZ = lowestCell(z);
+    for (int k = lowZ; k <= z; k++) {
+      for (int j = lowY; j <= y; j++) {
+        for (int i = lowX; i <= x; i++) {
+          if (isSolid(i, j, k)) {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  private static int lowestCell(double coordinate) {
+    return (int) Math.ceil(coordinate) - 1;
+  }
+
   /** The solid voxels of a brick, by brick coordinates, as {@link BitCube#brick}. */
   public long brick(int brickX, int brickY, int brickZ) {
     long word = 0;

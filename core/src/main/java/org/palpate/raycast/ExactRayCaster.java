@@ -1,0 +1,262 @@
+package org.palpate.raycast;
+
+import org.palpate.geometry.IntBox;
+import org.palpate.volume.BitCube;
+
+/**
+ * Finds the first solid voxel that a ray touches, exactly: the ray is the segment between its two
+ * ends as they are, voxels are closed, so that a ray that only touches a face, an edge or a corner
+ * hits, and one that passes between two voxels which share an edge or a corner does too.
+ *
+ * <p>How: a walk from cell to cell in floating point. Where two planes are crossed so near to each
+ * other that rounding could hide their order, or a plane so near to the ray's end that it could lie
+ * behind it, every cell that might be touched there is visited, and a solid one counts only where
+ * {@link ExactPredicates} says that it is touched. All other cells of the walk are touched for
+ * sure. Empty bricks, and empty blocks of bricks, are passed in one step.
+ *
+ * <p>Source: J. Amanatides and A. Woo, A fast voxel traversal algorithm for ray tracing, 1987; the
+ * treatment of ties is ours.
+ *
+ * <p>{@link RayHit#t} is accurate to a few roundings. Six finite doubles are taken whatever their
+ * size. Cost: some ten nanoseconds and one step for each voxel near a surface, each empty brick or
+ * block farther off.
+ */
+public final class ExactRayCaster implements RayCaster {
+  /**
+   * Beyond these lengths along an axis the reciprocal could overflow or lose bits: the exhaustive
+   * way is taken.
+   */
+  private static final double SHORTEST = 0x1p-900;
+
+  private static final double LONGEST = 0x1p900;
+
+  private final ExactPredicates exact = new ExactPredicates();
+  private final ExhaustiveRayCaster exhaustive = new ExhaustiveRayCaster(exact);
+  private final AxisWalk x = new AxisWalk();
+  private final AxisWalk y = new AxisWalk();
+  private final AxisWalk z = new AxisWalk();
+  private final RayHit other = new RayHit();
+
+  private BitCube bits;
+  private Ray ray;
+  private RayHit hit;
+  private double start;
+  private double end;
+
+  @Override
+  public boolean cast(BitCube cube, Ray newRay, RayHit newHit) {
+    IntBox box = cube.bounds();
+    if (misses(newRay, box)) {
+      return false;
+    }
+    if (!isOrdinary(newRay)) {
+      return exhaustive.cast(cube, newRay, newHit);
+    }
+    bits = cube;
+    ray = newRay;
+    hit = newHit;
+    return castLayers(box);
+  }
+
+  /** Whether the ray lies on one side of the box. Exact: only comparisons. */
+  private static boolean misses(Ray r, IntBox box) {
+    return beside(r.fromX, r.toX, box.lowX, box.highX)
+        || beside(r.fromY, r.toY, box.lowY, box.highY)
+        || beside(r.fromZ, r.toZ, box.lowZ, box.highZ);
+  }
+
+  private static boolean beside(double from, double to, int low, int high) {
+    return low > high || Math.max(from, to) < low || Math.min(from, to) > (double) high + 1;
+  }
+
+  private static boolean isOrdinary(Ray r) {
+    return isOrdinary(r.toX - r.fromX)
+        && isOrdinary(r.toY - r.fromY)
+        && isOrdinary(r.toZ - r.fromZ);
+  }
+
+  private static boolean isOrdinary(double delta) {
+    double length = Math.abs(delta);
+    return (length >= SHORTEST && length <= LONGEST) || length == 0;
+  }
+
+  /**
+   * A ray that runs within a grid plane touches the cells on both sides of it: walks each side and
+   * takes the first hit.
+   */
+  private boolean castLayers(IntBox box) {
+    int lastX = layersBelow(ray.fromX, ray.toX);
+    int lastY = layersBelow(ray.fromY, ray.toY);
+    int lastZ = layersBelow(ray.fromZ, ray.toZ);
+    if ((lastX | lastY | lastZ) == 0) {
+      return castLayer(box, 0, 0, 0);
+    }
+    boolean found = false;
+    for (int layerX = 0; layerX <= lastX; layerX++) {
+      for (int layerY = 0; layerY <= lastY; layerY++) {
+        for (int layerZ = 0; layerZ <= lastZ; layerZ++) {
+          found = keepFirst(found, castLayer(box, layerX, layerY, layerZ));
+        }
+      }
+    }
+    if (found) {
+      hit.set(other);
+    }
+    return found;
+  }
+
+  private boolean keepFirst(boolean foundBefore, boolean foundNow) {
+    if (foundNow && !(foundBefore && other.t <= hit.t)) {
+      other.set(hit);
+    }
+    return foundBefore || foundNow;
+  }
+
+  private static int layersBelow(double from, double to) {
+    return from == to && from == Math.rint(from) ? 1 : 0;
+  }
+
+  private boolean castLayer(IntBox box, int belowX, int belowY, int belowZ) {
+    x.begin(ray.fromX, ray.toX, (int) Math.floor(ray.fromX) - belowX);
+    y.begin(ray.fromY, ray.toY, (int) Math.floor(ray.fromY) - belowY);
+    z.begin(ray.fromZ, ray.toZ, (int) Math.floor(ray.fromZ) - belowZ);
+    start = 0;
+    end = 1;
+    clip(x, box.lowX, box.highX);
+    clip(y, box.lowY, box.highY);
+    clip(z, box.lowZ, box.highZ);
+    if (start - AxisWalk.doubt(start) > end + AxisWalk.doubt(end)) {
+      return false;
+    }
+    end += AxisWalk.doubt(end);
+    if (start > 0) {
+      enter(x, box.lowX, box.highX);
+      enter(y, box.lowY, box.highY);
+      enter(z, box.lowZ, box.highZ);
+    } else if (bits.get(x.cell, y.cell, z.cell)) {
+      hit.set(0, x.cell, y.cell, z.cell, RayHit.NO_AXIS);
+      return true;
+    }
+    if (brick() == 0) {
+      skipEmpty();
+    }
+    return walk();
+  }
+
+  /** Narrows the walk to the box that holds all solids. */
+  private void clip(AxisWalk axis, int low, int high) {
+    if (axis.step == 0) {
+      return;
+    }
+    int near = axis.step > 0 ? low : high + 1;
+    int far = axis.step > 0 ? high + 1 : low;
+    if (axis.startsBefore(near)) {
+      start = Math.max(start, axis.crossing(near));
+    }
+    end = Math.min(end, axis.crossing(far));
+  }
+
+  /** Sets the walk along an axis to where the ray reaches the box. */
+  private void enter(AxisWalk axis, int low, int high) {
+    boolean up = axis.step > 0;
+    boolean outside = axis.startsBefore(up ? low : high + 1);
+    int first = outside ? (up ? low : high + 1) : (up ? axis.cell + 1 : axis.cell);
+    axis.skipTo(start, first, up ? high + 1 : low);
+  }
+
+  private boolean walk() {
+    while (true) {
+      double t = Math.min(x.next, Math.min(y.next, z.next));
+      if (t > end) {
+        return false;
+      }
+      double together = t + AxisWalk.doubt(t);
+      int crossed =
+          (x.next <= together ? 1 : 0)
+              | (y.next <= together ? 2 : 0)
+              | (z.next <= together ? 4 : 0);
+      boolean sure = (crossed & (crossed - 1)) == 0 && together < 1;
+      if (sure ? crossOne(crossed, t) : crossSeveral(crossed, t)) {
+        return true;
+      }
+    }
+  }
+
+  /** Crosses one plane, with no doubt about it. */
+  private boolean crossOne(int crossed, double t) {
+    AxisWalk axis = crossed == 1 ? x : crossed == 2 ? y : z;
+    axis.advance();
+    long brick = brick();
+    if (brick == 0) {
+      skipEmpty();
+      return false;
+    }
+    if ((brick >>> BitCube.bit(x.cell, y.cell, z.cell) & 1) == 0) {
+      return false;
+    }
+    hit.set(t, x.cell, y.cell, z.cell, crossed >> 1);
+    return true;
+  }
+
+  private long brick() {
+    return bits.brick(
+        x.cell >> BitCube.BRICK_SHIFT,
+        y.cell >> BitCube.BRICK_SHIFT,
+        z.cell >> BitCube.BRICK_SHIFT);
+  }
+
+  /** Goes on to the last cells before the ray leaves the empty brick, or empty block of bricks. */
+  private void skipEmpty() {
+    boolean emptyBlock =
+        bits.block(
+                x.cell >> BitCube.BLOCK_SHIFT,
+                y.cell >> BitCube.BLOCK_SHIFT,
+                z.cell >> BitCube.BLOCK_SHIFT)
+            == 0;
+    int shift = emptyBlock ? BitCube.BLOCK_SHIFT : BitCube.BRICK_SHIFT;
+    double exit = Math.min(x.exit(shift), Math.min(y.exit(shift), z.exit(shift)));
+    x.skipTo(exit, shift);
+    y.skipTo(exit, shift);
+    z.skipTo(exit, shift);
+  }
+
+  /**
+   * Crosses planes whose order is in doubt, or one that may lie behind the ray's end. The cells
+   * that can be touched are those reached by crossing any of them; fewer crossings first, so that
+   * the face that is named belongs to the cell.
+   */
+  private boolean crossSeveral(int crossed, double t) {
+    for (int count = 1; count <= 3; count++) {
+      for (int set = 1; set <= crossed; set++) {
+        if ((set & ~crossed) == 0 && Integer.bitCount(set) == count && touches(set, t)) {
+          return true;
+        }
+      }
+    }
+    advanceAll(crossed);
+    return false;
+  }
+
+  private boolean touches(int set, double t) {
+    int i = x.cell + ((set & 1) != 0 ? x.step : 0);
+    int j = y.cell + ((set & 2) != 0 ? y.step : 0);
+    int k = z.cell + ((set & 4) != 0 ? z.step : 0);
+    if (!bits.get(i, j, k) || !exact.touchesVoxel(ray, i, j, k)) {
+      return false;
+    }
+    hit.set(Math.min(t, 1), i, j, k, Integer.numberOfTrailingZeros(set));
+    return true;
+  }
+
+  private void advanceAll(int crossed) {
+    if ((crossed & 1) != 0) {
+      x.advance();
+    }
+    if ((crossed & 2) != 0) {
+      y.advance();
+    }
+    if ((crossed & 4) != 0) {
+      z.advance();
+    }
+  }
+}

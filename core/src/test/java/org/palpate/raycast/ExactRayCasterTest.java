@@ -1,0 +1,128 @@
+package org.palpate.raycast;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.palpate.testing.ExactOracle;
+import org.palpate.testing.HostileNumbers;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+
+class ExactRayCasterTest {
+  private final ExactRayCaster caster = new ExactRayCaster();
+  private final RayHit hit = new RayHit();
+
+  @Test
+  void hitsAnEdgeSharedByTwoSolids() {
+    BitCube bits = new BitCube(4, 4, 4);
+    bits.set(1, 2, 1);
+    bits.set(2, 1, 1);
+    assertTrue(caster.cast(bits, new Ray().from(1.5, 1.5, 1.5).to(2.5, 2.5, 1.5), hit));
+    assertEquals(0.5, hit.t);
+  }
+
+  @Test
+  void hitsACornerThatIsOnlyTouched() {
+    BitCube bits = new BitCube(4, 4, 4);
+    bits.set(2, 2, 2);
+    assertTrue(caster.cast(bits, new Ray().from(1, 3, 1.5).to(3, 1, 2.5), hit));
+    assertFalse(caster.cast(bits, new Ray().from(1, 3, 1.5).to(3, 1, Math.nextDown(2.5) - 1), hit));
+  }
+
+  @Test
+  void touchesBothSidesOfThePlaneItRunsIn() {
+    BitCube bits = new BitCube(8, 4, 4);
+    bits.set(5, 1, 1);
+    assertTrue(caster.cast(bits, new Ray().from(0.5, 2, 1.5).to(7, 2, 1.5), hit));
+    assertEquals(5, hit.i);
+    bits.clear(5, 1, 1);
+    bits.set(5, 2, 1);
+    assertTrue(caster.cast(bits, new Ray().from(0.5, 2, 1.5).to(7, 2, 1.5), hit));
+  }
+
+  @Test
+  void touchesAVoxelThatBeginsWhereTheRayEnds() {
+    BitCube bits = new BitCube(8, 4, 4);
+    bits.set(5, 1, 1);
+    assertTrue(caster.cast(bits, new Ray().from(0.3, 1.5, 1.5).to(5, 1.5, 1.5), hit));
+    assertFalse(
+        caster.cast(bits, new Ray().from(0.3, 1.5, 1.5).to(Math.nextDown(5.0), 1.5, 1.5), hit));
+  }
+
+  @Test
+  void agreesWithTheExactOracleOnHostileRays() {
+    long seed = Seeds.seed();
+    SplittableRandom random = new SplittableRandom(seed);
+    int hits = 0;
+    for (int scene = 0; scene < 300; scene++) {
+      BitCube bits = randomCube(random);
+      for (int n = 0; n < 300; n++) {
+        Ray ray = hostileRay(random, bits);
+        hits += agrees(bits, ray, "seed=" + seed + " scene=" + scene + " ray " + n) ? 1 : 0;
+      }
+    }
+    assertTrue(hits > 10_000, "too few hits to mean anything: " + hits);
+  }
+
+  private boolean agrees(BitCube bits, Ray ray, String what) {
+    double expected = ExactOracle.firstTouch(bits, ray);
+    boolean found = caster.cast(bits, ray, hit);
+    assertEquals(!Double.isNaN(expected), found, () -> what + " " + ray);
+    if (found) {
+      assertTrue(bits.get(hit.i, hit.j, hit.k), () -> what + " hit an empty voxel");
+      assertTrue(ExactOracle.touches(ray, hit.i, hit.j, hit.k), () -> what + " hit is not touched");
+      assertEquals(expected, hit.t, 1e-13, () -> what + " " + ray);
+    }
+    return found;
+  }
+
+  private static BitCube randomCube(SplittableRandom random) {
+    BitCube bits = new BitCube(random.nextInt(1, 24), random.nextInt(1, 24), random.nextInt(1, 24));
+    long voxels = (long) bits.sizeX() * bits.sizeY() * bits.sizeZ();
+    long solids = Math.max(1, (long) (voxels * Math.pow(random.nextDouble(), 4) * 0.5));
+    for (long n = 0; n < solids; n++) {
+      bits.set(
+          random.nextInt(bits.sizeX()), random.nextInt(bits.sizeY()), random.nextInt(bits.sizeZ()));
+    }
+    return bits;
+  }
+
+  private static Ray hostileRay(SplittableRandom random, BitCube bits) {
+    Ray ray = new Ray();
+    ray.from(
+        HostileNumbers.coordinate(random, bits.sizeX()),
+        HostileNumbers.coordinate(random, bits.sizeY()),
+        HostileNumbers.coordinate(random, bits.sizeZ()));
+    switch (random.nextInt(4)) {
+      case 0 -> diagonal(ray, random);
+      case 1 -> {
+        ray.to(ray.fromX, ray.fromY, ray.fromZ);
+        step(ray, random);
+      }
+      default ->
+          ray.to(
+              HostileNumbers.coordinate(random, bits.sizeX()),
+              HostileNumbers.coordinate(random, bits.sizeY()),
+              HostileNumbers.coordinate(random, bits.sizeZ()));
+    }
+    return ray;
+  }
+
+  private static void diagonal(Ray ray, SplittableRandom random) {
+    double length = random.nextInt(1, 12);
+    ray.to(
+        ray.fromX + random.nextInt(-1, 2) * length,
+        ray.fromY + random.nextInt(-1, 2) * length,
+        ray.fromZ + random.nextInt(-1, 2) * length);
+  }
+
+  private static void step(Ray ray, SplittableRandom random) {
+    double[] steps = {0, 0x1p-20, -0x1p-20, 0.5, 1, -1, Double.MIN_VALUE, 1e-310, 3};
+    ray.toX += steps[random.nextInt(steps.length)];
+    ray.toY += steps[random.nextInt(steps.length)];
+    ray.toZ += steps[random.nextInt(steps.length)];
+  }
+}
