@@ -1,0 +1,295 @@
+package org.palpate.proxy;
+
+import org.palpate.geometry.Vec3;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.RayHit;
+
+/**
+ * The paper's path finding made exact: every leg, as the segment between its two doubles, is
+ * disjoint from every closed solid voxel; each starts bit for bit where the last one ended.
+ *
+ * <p>A frame goes straight towards the device, stops {@link #STOP_SHORT_VOXELS} before what is in
+ * the way, goes on along its face, and where it is stuck climbs a stair of one voxel when it comes
+ * out nearer on top. So a frame ends strictly nearer to the device, by {@link
+ * Metric#squaredDistance} in doubles, or at the same bits: squared distances are finitely many, so
+ * for a device at rest there is no cycle and an end.
+ *
+ * <p>Source: the way of following surfaces is Vlasov et al. 2013, section 4.2; faces as constraints
+ * that are held until the way is free are Zilles and Salisbury 1995. Haptic thread only; allocates
+ * nothing. Cost: a few casts of about the frame's travel.
+ */
+public final class GuardedSolver implements ProxySolver {
+  /**
+   * How far before a face the point stops, in voxels. A power of two, so that face and gap add
+   * without rounding up to coordinates of 2^32; far below what a hand feels, far above the rounding
+   * of coordinates.
+   */
+  public static final double STOP_SHORT_VOXELS = 0x1p-20;
+
+  /**
+   * A leg cut to the path that is left is cut a little shorter, so that rounding cannot exceed
+   * w_max.
+   */
+  private static final double CUT_SHORT = 1 - 0x1p-40;
+
+  private static final int NOTHING_HELD = 0;
+
+  private final Metric metric;
+  private final double maxStepMm;
+  private final ExactRayCaster caster = new ExactRayCaster();
+  private final Ray ray = new Ray();
+  private final RayHit hit = new RayHit();
+  private final Vec3 target = new Vec3();
+  private final Vec3 end = new Vec3();
+  private final Vec3 beforeClimb = new Vec3();
+  private final Vec3 restedAt = new Vec3();
+
+  private Obstacles obstacles;
+  private Vec3 device;
+  private Vec3 p;
+  private LegPath legs;
+  private boolean stopped;
+  private boolean outOfPath;
+  private boolean rests;
+
+  /**
+   * A solver for one grid.
+   *
+   * @param metric the grid's spacing
+   * @param maxStepMm the most the point may travel in one frame, w_max, positive
+   */
+  public GuardedSolver(Metric metric, double maxStepMm) {
+    if (!(maxStepMm > 0)) {
+      throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);
+    }
+    this.metric = metric;
+    this.maxStepMm = maxStepMm;
+  }
+
+  @Override
+  public void reset() {
+    rests = false;
+  }
+
+  @Override
+  public void follow(Obstacles solids, Vec3 devicePosition, InteractionPoint point) {
+    point.legs.clear();
+    if (rests && devicePosition.sameBits(restedAt)) {
+      return; // nothing that the answer depends on has changed: same bits, same contact
+    }
+    begin(solids, devicePosition, point);
+    do {
+      descend(NOTHING_HELD);
+    } while (!outOfPath && !arrived() && climb());
+    point.contact = stopped || (!arrived() && isWayBlocked());
+    rests = legs.count() == 0;
+    restedAt.set(devicePosition);
+  }
+
+  private void begin(Obstacles solids, Vec3 devicePosition, InteractionPoint point) {
+    obstacles = solids;
+    device = devicePosition;
+    p = point.position;
+    legs = point.legs;
+    stopped = false;
+    outOfPath = false;
+  }
+
+  private boolean arrived() {
+    return p.x == device.x && p.y == device.y && p.z == device.z;
+  }
+
+  private boolean isWayBlocked() {
+    return !isFree(device);
+  }
+
+  /**
+   * Moves nearer to the device until stuck, arrived or out of path.
+   *
+   * @param held axes, as bits, along which the point stays where it is
+   */
+  private void descend(int held) {
+    boolean moved = true;
+    while (moved && !outOfPath && !arrived()) {
+      moved = slide(held);
+    }
+  }
+
+  /**
+   * Goes towards the device; each face that stops it takes away an axis, until a leg is free or
+   * none is left.
+   */
+  private boolean slide(int held) {
+    boolean moved = false;
+    int faces = held;
+    while (!outOfPath && aim(faces)) {
+      boolean cut = cutToPathLeft();
+      if (isFree(target)) {
+        outOfPath |= cut;
+        return moveNearer(target, faces != NOTHING_HELD) || moved;
+      }
+      stopped = true;
+      moved |= approach(faces != NOTHING_HELD);
+      faces |= 1 << hit.axis;
+    }
+    return moved;
+  }
+
+  /**
+   * Sets the target: the device, but for the axes that are taken away. False where that is where
+   * the point is.
+   */
+  private boolean aim(int faces) {
+    target.set(
+        (faces & 1) != 0 ? p.x : device.x,
+        (faces & 2) != 0 ? p.y : device.y,
+        (faces & 4) != 0 ? p.z : device.z);
+    return target.x != p.x || target.y != p.y || target.z != p.z;
+  }
+
+  private boolean cutToPathLeft() {
+    double leftMm = maxStepMm - legs.lengthMm();
+    double lengthMm = distance(p, target);
+    if (lengthMm <= leftMm) {
+      return false;
+    }
+    double share = Math.max(0, leftMm / lengthMm * CUT_SHORT);
+    target.set(
+        p.x + share * (target.x - p.x),
+        p.y + share * (target.y - p.y),
+        p.z + share * (target.z - p.z));
+    return true;
+  }
+
+  /**
+   * Whether the straight way from the point to {@code to} touches no solid; else {@link #hit} says
+   * where it does.
+   */
+  private boolean isFree(Vec3 to) {
+    return !obstacles.cast(caster, ray.from(p.x, p.y, p.z).to(to.x, to.y, to.z), hit);
+  }
+
+  /** Goes on the way to the target to just before the face that was hit. */
+  private boolean approach(boolean alongSurface) {
+    int axis = hit.axis;
+    boolean up = target.get(axis) > p.get(axis);
+    int cell = axis == 0 ? hit.i : axis == 1 ? hit.j : hit.k;
+    double stop = up ? cell - STOP_SHORT_VOXELS : cell + 1 + STOP_SHORT_VOXELS;
+    if (up ? stop <= p.get(axis) : stop >= p.get(axis)) {
+      return false;
+    }
+    double share = (stop - p.get(axis)) / (target.get(axis) - p.get(axis));
+    end.set(
+        p.x + share * (target.x - p.x),
+        p.y + share * (target.y - p.y),
+        p.z + share * (target.z - p.z));
+    end.set(axis, stop);
+    int namedAxis = hit.axis;
+    boolean free = isFree(end);
+    hit.axis = namedAxis;
+    return free && moveNearer(end, alongSurface);
+  }
+
+  /** Takes a free leg, if it ends strictly nearer to the device. */
+  private boolean moveNearer(Vec3 to, boolean alongSurface) {
+    if (!(squareToDevice(to) < squareToDevice(p))) {
+      return false;
+    }
+    move(to, alongSurface);
+    return true;
+  }
+
+  private void move(Vec3 to, boolean alongSurface) {
+    legs.add(p.x, p.y, p.z, to.x, to.y, to.z, distance(p, to), alongSurface);
+    p.set(to);
+    outOfPath |= legs.isFull();
+  }
+
+  /** Climbs a stair of one voxel in the first direction in which that leads strictly nearer. */
+  private boolean climb() {
+    for (int axis = 0; axis < 3; axis++) {
+      double toDevice = device.get(axis) - p.get(axis);
+      if ((toDevice <= 0 && climb(axis, 1)) || (toDevice >= 0 && climb(axis, -1))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean climb(int axis, int direction) {
+    double top = topOfStair(axis, direction);
+    if (!mayLeadNearer(axis, top) || !isOpen(axis, direction)) {
+      return false;
+    }
+    end.set(p);
+    end.set(axis, top);
+    if (legs.lengthMm() + distance(p, end) > maxStepMm || !isFree(end)) {
+      return false;
+    }
+    return climbTo(axis);
+  }
+
+  /**
+   * Climbs to {@link #end}, goes on from there with the axis held, and comes back unless that led
+   * nearer.
+   */
+  private boolean climbTo(int axis) {
+    beforeClimb.set(p);
+    int legsBefore = legs.count();
+    double pathBeforeMm = legs.lengthMm();
+    double squareBefore = squareToDevice(p);
+    move(end, true);
+    descend(1 << axis);
+    if (squareToDevice(p) < squareBefore) {
+      return true;
+    }
+    p.set(beforeClimb);
+    legs.truncate(legsBefore, pathBeforeMm);
+    outOfPath = false;
+    return false;
+  }
+
+  /** Just beyond the voxel that the point is in: on a stair as high as that voxel. */
+  private double topOfStair(int axis, int direction) {
+    double cell = Math.floor(p.get(axis));
+    return direction > 0 ? cell + 1 + STOP_SHORT_VOXELS : cell - STOP_SHORT_VOXELS;
+  }
+
+  /**
+   * Were the way on top free for ever, would its end be nearer? Nearly every stair is ruled out
+   * here.
+   */
+  private boolean mayLeadNearer(int axis, double top) {
+    end.set(device);
+    end.set(axis, top);
+    return squareToDevice(end) < squareToDevice(p);
+  }
+
+  /** Whether the voxel on the way up is empty, and one beside its top towards the device. */
+  private boolean isOpen(int axis, int direction) {
+    int i = (int) Math.floor(p.x) + (axis == 0 ? direction : 0);
+    int j = (int) Math.floor(p.y) + (axis == 1 ? direction : 0);
+    int k = (int) Math.floor(p.z) + (axis == 2 ? direction : 0);
+    return !obstacles.isSolid(i, j, k)
+        && ((axis != 0 && isOpenBeside(0, i, j, k))
+            || (axis != 1 && isOpenBeside(1, i, j, k))
+            || (axis != 2 && isOpenBeside(2, i, j, k)));
+  }
+
+  private boolean isOpenBeside(int axis, int i, int j, int k) {
+    double toDevice = device.get(axis) - p.get(axis);
+    int step = toDevice > 0 ? 1 : -1;
+    return toDevice != 0
+        && !obstacles.isSolid(
+            axis == 0 ? i + step : i, axis == 1 ? j + step : j, axis == 2 ? k + step : k);
+  }
+
+  private double distance(Vec3 from, Vec3 to) {
+    return metric.distance(from.x, from.y, from.z, to.x, to.y, to.z);
+  }
+
+  private double squareToDevice(Vec3 from) {
+    return metric.squaredDistance(from.x, from.y, from.z, device.x, device.y, device.z);
+  }
+}

@@ -1,0 +1,210 @@
+package org.palpate.proxy;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.Vec3;
+import org.palpate.testing.HostileNumbers;
+import org.palpate.testing.LegJudge;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+
+class GuardedSolverTest {
+  private static final Metric UNIT = new Metric(1, 1, 1);
+
+  private final InteractionPoint point = new InteractionPoint();
+
+  @Test
+  void goesToAFreeDeviceBitForBit() {
+    Vec3 device = new Vec3(3.1, 0.7, 5.3);
+    follow(new BitCube(8, 8, 8), new Vec3(1.5, 1.5, 1.5), device, 100);
+    assertTrue(point.position.sameBits(device));
+    assertFalse(point.contact);
+    assertEquals(1, point.legs.count());
+  }
+
+  @Test
+  void stopsJustBeforeAWallAndSlidesAlongIt() {
+    BitCube bits = new BitCube(8, 8, 8);
+    for (int j = 0; j < 8; j++) {
+      for (int k = 0; k < 8; k++) {
+        bits.set(4, j, k);
+      }
+    }
+    follow(bits, new Vec3(1.5, 1.5, 1.5), new Vec3(6.5, 5.5, 2.5), 100);
+    assertTrue(point.position.sameBits(new Vec3(4 - GuardedSolver.STOP_SHORT_VOXELS, 5.5, 2.5)));
+    assertTrue(point.contact);
+  }
+
+  @Test
+  void doesNotSlipBetweenTwoSolidsThatShareOnlyAnEdge() {
+    BitCube bits = new BitCube(2, 2, 1);
+    bits.set(1, 0, 0);
+    bits.set(0, 1, 0);
+    follow(bits, new Vec3(0.5, 0.5, 0.5), new Vec3(1.5, 1.5, 0.5), 1);
+    assertTrue(point.position.x < 1 && point.position.y < 1);
+  }
+
+  @Test
+  void climbsAStairOfOneVoxelWhenItComesOutNearerOnTop() {
+    BitCube bits = floorWithStair();
+    follow(bits, new Vec3(2.5, 1.5, 1.5), new Vec3(9.5, 1.5, 0.5), 100);
+    assertEquals(9.5, point.position.x);
+    assertEquals(2 + GuardedSolver.STOP_SHORT_VOXELS, point.position.z);
+  }
+
+  @Test
+  void doesNotBeginAClimbThatDoesNotFitInTheStep() {
+    follow(floorWithStair(), new Vec3(4.9, 1.5, 1.5), new Vec3(9.5, 1.5, 0.5), 0.9);
+    assertTrue(point.position.z < 2, "z=" + point.position.z);
+  }
+
+  private static BitCube floorWithStair() {
+    BitCube bits = new BitCube(12, 3, 4);
+    for (int i = 0; i < 12; i++) {
+      for (int j = 0; j < 3; j++) {
+        bits.set(i, j, 0);
+        if (i >= 5) {
+          bits.set(i, j, 1);
+        }
+      }
+    }
+    return bits;
+  }
+
+  private void follow(BitCube bits, Vec3 start, Vec3 device, double maxStepMm) {
+    GuardedSolver solver = new GuardedSolver(UNIT, maxStepMm);
+    Obstacles obstacles = new Obstacles(List.of(bits));
+    point.position.set(start);
+    LegJudge judge = new LegJudge(bits, start);
+    solver.follow(obstacles, device, point);
+    assertNull(judge.faultOf(point));
+  }
+
+  @Test
+  void keepsTheGuaranteeAndComesNearerOrRestsInHostileScenes() {
+    long seed = Seeds.seed();
+    SplittableRandom random = new SplittableRandom(seed);
+    long legs = 0;
+    for (int scene = 0; scene < 400; scene++) {
+      legs += touchScene(random, "seed=" + seed + " scene=" + scene);
+    }
+    assertTrue(legs > 50_000, "too few legs to mean anything: " + legs);
+  }
+
+  private long touchScene(SplittableRandom random, String what) {
+    BitCube bits = randomScene(random);
+    Metric metric = new Metric(1, 1, random.nextBoolean() ? 1 : random.nextDouble(0.05, 20));
+    double maxStepMm = random.nextInt(4) == 0 ? 1e-3 : random.nextDouble(0.5, 60);
+    GuardedSolver solver = new GuardedSolver(metric, maxStepMm);
+    Obstacles obstacles = new Obstacles(List.of(bits));
+    place(obstacles, metric, hostilePoint(random, bits));
+    LegJudge judge = new LegJudge(bits, point.position);
+    Vec3 device = new Vec3(point.position.x, point.position.y, point.position.z);
+    Vec3 before = new Vec3();
+    for (int frame = 0; frame < 200; frame++) {
+      moveDevice(random, bits, device);
+      before.set(point.position);
+      solver.follow(obstacles, device, point);
+      String frameName = what + " frame=" + frame + " device=" + device;
+      assertNull(judge.faultOf(point), frameName);
+      assertTrue(point.legs.lengthMm() <= maxStepMm, frameName);
+      assertTrue(isNearerOrSame(metric, device, before), frameName);
+    }
+    return judge.legCount();
+  }
+
+  private void place(Obstacles obstacles, Metric metric, Vec3 start) {
+    point.position.set(start);
+    if (obstacles.touches(start.x, start.y, start.z)) {
+      new FreePlace(metric).find(obstacles, start, point.position);
+    }
+  }
+
+  private boolean isNearerOrSame(Metric metric, Vec3 device, Vec3 before) {
+    return point.position.sameBits(before)
+        || square(metric, point.position, device) < square(metric, before, device);
+  }
+
+  private static double square(Metric metric, Vec3 a, Vec3 b) {
+    return metric.squaredDistance(a.x, a.y, a.z, b.x, b.y, b.z);
+  }
+
+  private static void moveDevice(SplittableRandom random, BitCube bits, Vec3 device) {
+    switch (random.nextInt(6)) {
+      case 0 -> device.set(hostilePoint(random, bits));
+      case 1 -> {} // at rest
+      case 2 ->
+          device.set(
+              device.x + random.nextInt(-1, 2) * 0.5,
+              device.y + random.nextInt(-1, 2) * 0.5,
+              device.z + random.nextInt(-1, 2) * 0.5);
+      case 3 -> device.set(Math.nextUp(device.x), Math.nextDown(device.y), device.z);
+      default ->
+          device.set(
+              device.x + random.nextDouble(-1, 1),
+              device.y + random.nextDouble(-1, 1),
+              device.z + random.nextDouble(-1, 1));
+    }
+  }
+
+  private static Vec3 hostilePoint(SplittableRandom random, BitCube bits) {
+    return new Vec3(
+        HostileNumbers.coordinate(random, bits.sizeX()),
+        HostileNumbers.coordinate(random, bits.sizeY()),
+        HostileNumbers.coordinate(random, bits.sizeZ()));
+  }
+
+  private static BitCube randomScene(SplittableRandom random) {
+    BitCube bits = new BitCube(random.nextInt(1, 16), random.nextInt(1, 16), random.nextInt(1, 16));
+    double density = random.nextDouble() * random.nextDouble();
+    int pattern = random.nextInt(4);
+    for (int k = 0; k < bits.sizeZ(); k++) {
+      for (int j = 0; j < bits.sizeY(); j++) {
+        for (int i = 0; i < bits.sizeX(); i++) {
+          boolean solid =
+              switch (pattern) {
+                case 0 -> (i + j + k) % 2 == 0; // checkerboard
+                case 1 -> (i + j) % 4 == 0; // walls joined only by edges
+                case 2 -> (i + j + k) % 5 == 0; // walls joined by edges and corners
+                default -> random.nextDouble() < density;
+              };
+          if (solid) {
+            bits.set(i, j, k);
+          }
+        }
+      }
+    }
+    return bits;
+  }
+
+  @Test
+  void comesToRestWhenTheDeviceRests() {
+    long seed = Seeds.seed();
+    SplittableRandom random = new SplittableRandom(seed);
+    for (int scene = 0; scene < 200; scene++) {
+      BitCube bits = randomScene(random);
+      GuardedSolver solver = new GuardedSolver(UNIT, 8);
+      Obstacles obstacles = new Obstacles(List.of(bits));
+      place(obstacles, UNIT, hostilePoint(random, bits));
+      Vec3 device =
+          new Vec3(random.nextDouble(-4, 20), random.nextDouble(-4, 20), random.nextDouble(-4, 20));
+      int frames = 0;
+      do {
+        solver.follow(obstacles, device, point);
+        frames++;
+      } while (point.legs.count() > 0 && frames < 40);
+      assertTrue(frames < 40, "still moves: seed=" + seed + " scene=" + scene);
+      boolean contact = point.contact;
+      solver.reset();
+      solver.follow(obstacles, device, point);
+      assertEquals(0, point.legs.count());
+      assertEquals(contact, point.contact);
+    }
+  }
+}
