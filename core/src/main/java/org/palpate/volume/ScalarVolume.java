@@ -1,0 +1,152 @@
+package org.palpate.volume;
+
+/**
+ * Grey values over a grid, each stored as narrowly as the values allow.
+ *
+ * <p>One thread fills it slice by slice; any thread may read what no one changes. Values are as the
+ * file means them (after slope and intercept); their unit is the file's, Hounsfield for CT.
+ */
+public abstract class ScalarVolume {
+  /** How a value is kept; floats hold every whole number up to 2^24 exactly. */
+  public enum Storage {
+    UINT8(1, 0, 255),
+    INT16(2, Short.MIN_VALUE, Short.MAX_VALUE),
+    UINT16(2, 0, 65535),
+    FLOAT32(4, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+
+    private final int bytes;
+    private final double low;
+    private final double high;
+
+    Storage(int bytes, double low, double high) {
+      this.bytes = bytes;
+      this.low = low;
+      this.high = high;
+    }
+
+    public int bytes() {
+      return bytes;
+    }
+
+    /** The narrowest storage for whole numbers from {@code low} to {@code high}. */
+    public static Storage forWholeNumbers(double low, double high) {
+      for (Storage storage : values()) {
+        if (low >= storage.low && high <= storage.high) {
+          return storage;
+        }
+      }
+      return FLOAT32;
+    }
+  }
+
+  private final VoxelGrid grid;
+  private final Storage storage;
+  final int sizeX;
+
+  private ScalarVolume(VoxelGrid grid, Storage storage) {
+    this.grid = grid;
+    this.storage = storage;
+    sizeX = grid.sizeX();
+  }
+
+  /** A volume of zeros; look at {@link #bytesFor} first. */
+  public static ScalarVolume of(VoxelGrid grid, Storage storage) {
+    long slice = (long) grid.sizeX() * grid.sizeY();
+    if (slice > Integer.MAX_VALUE - 8) {
+      throw new IllegalArgumentException(
+          "a slice has too many voxels: slice=" + grid.sizeX() + "x" + grid.sizeY());
+    }
+    return switch (storage) {
+      case UINT8 -> new OfBytes(grid);
+      case INT16, UINT16 -> new OfShorts(grid, storage);
+      case FLOAT32 -> new OfFloats(grid);
+    };
+  }
+
+  /** Bytes that the values of such a volume take; may be far more than there is. */
+  public static double bytesFor(VoxelGrid grid, Storage storage) {
+    return (double) grid.sizeX() * grid.sizeY() * grid.sizeZ() * storage.bytes();
+  }
+
+  public VoxelGrid grid() {
+    return grid;
+  }
+
+  public Storage storage() {
+    return storage;
+  }
+
+  /** The value of voxel (i,j,k), which must lie in the grid. */
+  public abstract double value(int i, int j, int k);
+
+  /** Stores a value, rounded and held to the storage's range, at voxel (i,j,k) of the grid. */
+  public abstract void set(int i, int j, int k, double value);
+
+  final int indexInSlice(int i, int j, int k) {
+    assert grid.contains(i, j, k) : "voxel lies outside: voxel=" + i + "," + j + "," + k;
+    return j * sizeX + i;
+  }
+
+  private int nearestWhole(double value) {
+    return (int) Math.rint(Math.max(storage.low, Math.min(storage.high, value)));
+  }
+
+  private static final class OfBytes extends ScalarVolume {
+    private final byte[][] slices;
+
+    OfBytes(VoxelGrid grid) {
+      super(grid, Storage.UINT8);
+      slices = new byte[grid.sizeZ()][grid.sizeX() * grid.sizeY()];
+    }
+
+    @Override
+    public double value(int i, int j, int k) {
+      return slices[k][indexInSlice(i, j, k)] & 0xff;
+    }
+
+    @Override
+    public void set(int i, int j, int k, double value) {
+      slices[k][indexInSlice(i, j, k)] = (byte) super.nearestWhole(value);
+    }
+  }
+
+  private static final class OfShorts extends ScalarVolume {
+    private final short[][] slices;
+    private final int mask;
+
+    OfShorts(VoxelGrid grid, Storage storage) {
+      super(grid, storage);
+      slices = new short[grid.sizeZ()][grid.sizeX() * grid.sizeY()];
+      mask = storage == Storage.UINT16 ? 0xffff : -1; // all ones keeps the sign
+    }
+
+    @Override
+    public double value(int i, int j, int k) {
+      return slices[k][indexInSlice(i, j, k)] & mask;
+    }
+
+    @Override
+    public void set(int i, int j, int k, double value) {
+      slices[k][indexInSlice(i, j, k)] = (short) super.nearestWhole(value);
+    }
+  }
+
+  private static final class OfFloats extends ScalarVolume {
+    private final float[][] slices;
+
+    OfFloats(VoxelGrid grid) {
+      super(grid, Storage.FLOAT32);
+      slices = new float[grid.sizeZ()][grid.sizeX() * grid.sizeY()];
+    }
+
+    @Override
+    public double value(int i, int j, int k) {
+      return slices[k][indexInSlice(i, j, k)];
+    }
+
+    @Override
+    public void set(int i, int j, int k, double value) {
+      slices[k][indexInSlice(i, j, k)] = (float) value;
+    }
+  }
+}

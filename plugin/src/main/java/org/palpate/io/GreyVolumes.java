@@ -1,0 +1,44 @@
+package org.palpate.io;
+
+import org.palpate.io.VolumeHeader.ValueRange;
+import org.palpate.volume.ScalarVolume;
+import org.palpate.volume.ScalarVolume.Storage;
+import org.palpate.volume.VoxelGrid;
+
+/** Keeps the grey values of a volume, for those who need more than bits. */
+public final class GreyVolumes {
+  private GreyVolumes() {}
+
+  /**
+   * Reads all values, as narrowly as the file's type allows.
+   *
+   * @throws VolumeFormatException where they cannot be read or do not fit in memory
+   */
+  public static ScalarVolume read(VolumeReader reader) throws VolumeFormatException {
+    VoxelGrid grid = reader.header().grid();
+    Storage storage = storage(reader.header().values());
+    Memory.require(
+        ScalarVolume.bytesFor(grid, storage), "keeping its grey values", reader.files().get(0));
+    ScalarVolume volume = ScalarVolume.of(grid, storage);
+    reader.read((k, slice) -> store(k, slice, volume));
+    return volume;
+  }
+
+  /** Bytes that the values of such a volume take when kept. */
+  public static double bytesFor(VolumeHeader header) {
+    return ScalarVolume.bytesFor(header.grid(), storage(header.values()));
+  }
+
+  private static Storage storage(ValueRange values) {
+    return values.whole() ? Storage.forWholeNumbers(values.low(), values.high()) : Storage.FLOAT32;
+  }
+
+  private static void store(int k, VoxelSlice slice, ScalarVolume volume) {
+    for (int j = 0; j < slice.sizeY(); j++) {
+      int row = j * slice.sizeX();
+      for (int i = 0; i < slice.sizeX(); i++) {
+        volume.set(i, j, k, slice.value(row + i));
+      }
+    }
+  }
+}

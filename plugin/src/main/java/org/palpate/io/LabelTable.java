@@ -1,0 +1,26 @@
+package org.palpate.io;
+
+import java.util.Collections;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Names and colours of label values.
+ *
+ * @param labels by value, in rising order
+ */
+public record LabelTable(Map<Long, Label> labels) {
+
+  /** Copies the labels. */
+  public LabelTable {
+    labels = Collections.unmodifiableMap(new TreeMap<>(labels));
+  }
+
+  /**
+   * One label.
+   *
+   * @param name as the table has it
+   * @param rgb 0xRRGGBB
+   */
+  public record Label(String name, int rgb) {}
+}

@@ -1,0 +1,55 @@
+package org.palpate.io;
+
+import java.nio.file.Path;
+import org.palpate.volume.VoxelGrid;
+
+/** Looks whether there is memory before any is asked for. */
+final class Memory {
+  /** Left for everything else that runs while a volume is read. */
+  private static final double RESERVE_BYTES = 32e6;
+
+  private Memory() {}
+
+  /** Bytes that can still be had without the reserve. */
+  static double availableBytes() {
+    Runtime runtime = Runtime.getRuntime();
+    double used = (double) runtime.totalMemory() - runtime.freeMemory();
+    return runtime.maxMemory() - used - RESERVE_BYTES;
+  }
+
+  /**
+   * Refuses in words what does not fit.
+   *
+   * @param purpose what the bytes are for
+   */
+  static void require(double bytes, String purpose, Path file) throws VolumeFormatException {
+    if (bytes > availableBytes()) {
+      // garbage counts as used until it is collected
+      System.gc();
+    }
+    if (bytes > availableBytes()) {
+      throw new VolumeFormatException(
+          purpose
+              + " needs "
+              + Numbers.bytes(bytes)
+              + " of memory, "
+              + Numbers.bytes(Math.max(0, availableBytes()))
+              + " are free",
+          file,
+          "give Java more (JAVA_TOOL_OPTIONS=-Xmx...) or crop or halve the volume");
+    }
+  }
+
+  /** A slice of the grid, once it is known to fit. */
+  static VoxelSlice slice(VoxelGrid grid, boolean whole, Path file) throws VolumeFormatException {
+    double count = (double) grid.sizeX() * grid.sizeY();
+    if (count > Integer.MAX_VALUE - 8) {
+      throw new VolumeFormatException(
+          "a slice of " + grid.sizeX() + "x" + grid.sizeY() + " voxels is too large",
+          file,
+          "crop the volume in the tool that wrote it");
+    }
+    require(count * (whole ? 4 : 8), "one slice", file);
+    return new VoxelSlice(grid.sizeX(), grid.sizeY(), whole);
+  }
+}
