@@ -1,0 +1,222 @@
+package org.palpate.proxy.smooth;
+
+import java.util.Arrays;
+import org.palpate.proxy.Obstacles;
+
+/**
+ * The bits of 10x10x10 voxels, and which of the empty ones can be reached from a seed inside it.
+ *
+ * <p>What the seed cannot reach counts as solid: a wall one voxel thick then looks like a half
+ * space from either side, where its own two faces would cancel out.
+ *
+ * <pre>
+ *   layer word w of 3   bit  r r x x x x    row 4 w + r, voxel x; rows and voxels beyond 9 are clear
+ * </pre>
+ *
+ * <p>The bits come from a copy of 16x16x16 voxels at a multiple of 4, which is read anew when the
+ * window leaves it: {@link #forget} after any change of the solids.
+ */
+final class BitWindow {
+  /** Voxels along an edge. */
+  static final int EDGE = 10;
+
+  private static final int WORDS = 3;
+  private static final int AREA_BRICKS = 4;
+  private static final int AREA_EDGE = 16;
+  private static final long ROW_MASK = 0x03FF_03FF_03FF_03FFL;
+  private static final long LAST_WORD_MASK = 0x0000_0000_03FF_03FFL;
+
+  private final long[] area = new long[AREA_EDGE * AREA_BRICKS];
+  private int areaX;
+  private int areaY;
+  private int areaZ;
+  private boolean areaValid;
+  private final long[] free = new long[EDGE * WORDS];
+  private final long[] reached = new long[EDGE * WORDS];
+  private boolean anySolid;
+
+  /** Forgets the copied bits. */
+  void forget() {
+    areaValid = false;
+  }
+
+  /** Reads the voxels from (lowX, lowY, lowZ) on; every empty one counts as reached. */
+  void load(Obstacles obstacles, int lowX, int lowY, int lowZ) {
+    if (!isInArea(lowX, lowY, lowZ)) {
+      copyArea(obstacles, centred(lowX), centred(lowY), centred(lowZ));
+    }
+    int x = lowX - areaX;
+    int y = lowY - areaY;
+    int z = lowZ - areaZ;
+    long solid = 0;
+    for (int layer = 0; layer < EDGE; layer++) {
+      solid |= loadLayer(layer * WORDS, (z + layer) * AREA_BRICKS + (y >> 2), (y & 3) << 4, x);
+    }
+    anySolid = solid != 0;
+  }
+
+  private long loadLayer(int to, int from, int shift, int x) {
+    long a = area[from] >>> x & ROW_MASK;
+    long b = area[from + 1] >>> x & ROW_MASK;
+    long c = area[from + 2] >>> x & ROW_MASK;
+    long first = a;
+    long second = b;
+    long third = c;
+    if (shift != 0) {
+      long d = shift > 32 ? area[from + 3] >>> x & ROW_MASK : 0;
+      first = a >>> shift | b << -shift;
+      second = b >>> shift | c << -shift;
+      third = c >>> shift | d << -shift;
+    }
+    third &= LAST_WORD_MASK;
+    free[to] = reached[to] = first ^ ROW_MASK;
+    free[to + 1] = reached[to + 1] = second ^ ROW_MASK;
+    free[to + 2] = reached[to + 2] = third ^ LAST_WORD_MASK;
+    return first | second | third;
+  }
+
+  private boolean isInArea(int lowX, int lowY, int lowZ) {
+    int room = AREA_EDGE - EDGE;
+    return areaValid
+        && lowX >= areaX
+        && lowX <= areaX + room
+        && lowY >= areaY
+        && lowY <= areaY + room
+        && lowZ >= areaZ
+        && lowZ <= areaZ + room;
+  }
+
+  /** A multiple of 4 that leaves the window about as much room on either side. */
+  private static int centred(int low) {
+    return low - 2 & ~3;
+  }
+
+  private void copyArea(Obstacles obstacles, int lowX, int lowY, int lowZ) {
+    areaX = lowX;
+    areaY = lowY;
+    areaZ = lowZ;
+    areaValid = true;
+    for (int z = 0; z < AREA_BRICKS; z++) {
+      for (int y = 0; y < AREA_BRICKS; y++) {
+        copyRowOfBricks(obstacles, y, z);
+      }
+    }
+  }
+
+  private void copyRowOfBricks(Obstacles obstacles, int y, int z) {
+    int brickX = areaX >> 2;
+    int brickY = (areaY >> 2) + y;
+    int brickZ = (areaZ >> 2) + z;
+    long a = obstacles.brick(brickX, brickY, brickZ);
+    long b = obstacles.brick(brickX + 1, brickY, brickZ);
+    long c = obstacles.brick(brickX + 2, brickY, brickZ);
+    long d = obstacles.brick(brickX + 3, brickY, brickZ);
+    boolean empty = (a | b | c | d) == 0;
+    for (int layer = 0; layer < 4; layer++) {
+      area[(4 * z + layer) * AREA_BRICKS + y] =
+          empty ? 0 : rowsOfBricks(a, b, c, d, AREA_EDGE * layer);
+    }
+  }
+
+  /**
+   * Four rows of 16 voxels from one layer of four bricks side by side: a transposition of 4 by 4
+   * nibbles.
+   */
+  private static long rowsOfBricks(long a, long b, long c, long d, int shift) {
+    long bricks =
+        (a >>> shift & 0xFFFF)
+            | (b >>> shift & 0xFFFF) << 16
+            | (c >>> shift & 0xFFFF) << 32
+            | (d >>> shift) << 48;
+    long swap = (bricks ^ bricks >>> 12) & 0x0000_F0F0_0000_F0F0L;
+    bricks ^= swap ^ swap << 12;
+    swap = (bricks ^ bricks >>> 24) & 0x0000_0000_FF00_FF00L;
+    return bricks ^ swap ^ swap << 24;
+  }
+
+  /** Whether any voxel of the window is solid. */
+  boolean anySolid() {
+    return anySolid;
+  }
+
+  /** Whether the voxel (x,y,z) of the window is empty and counts as reached. */
+  boolean isReached(int x, int y, int z) {
+    return (reached[z * WORDS + (y >> 2)] >>> ((y & 3) << 4 | x) & 1) != 0;
+  }
+
+  /** Whether the voxel (x,y,z) of the window is empty. */
+  boolean isFree(int x, int y, int z) {
+    return (free[z * WORDS + (y >> 2)] >>> ((y & 3) << 4 | x) & 1) != 0;
+  }
+
+  /** The ten bits of a row: set where a voxel is not reached. */
+  int unreachedRow(int y, int z) {
+    return (int) (~reached[z * WORDS + (y >> 2)] >>> ((y & 3) << 4)) & 0x3FF;
+  }
+
+  /** Keeps as reached only what is joined to the empty voxel (x,y,z) by faces inside the window. */
+  void flood(int x, int y, int z) {
+    Arrays.fill(reached, 0);
+    reached[z * WORDS + (y >> 2)] = 1L << ((y & 3) << 4 | x);
+    spreadLayer(z * WORDS, 0, 0, 0);
+    boolean changed = true;
+    while (changed) {
+      changed = false;
+      for (int layer = 1; layer < EDGE; layer++) {
+        changed |= spreadFrom((layer - 1) * WORDS, layer * WORDS);
+      }
+      for (int layer = EDGE - 2; layer >= 0; layer--) {
+        changed |= spreadFrom((layer + 1) * WORDS, layer * WORDS);
+      }
+    }
+  }
+
+  private boolean spreadFrom(int from, int to) {
+    long a = reached[from] & free[to];
+    long b = reached[from + 1] & free[to + 1];
+    long c = reached[from + 2] & free[to + 2];
+    long more = (a & ~reached[to]) | (b & ~reached[to + 1]) | (c & ~reached[to + 2]);
+    boolean adds = more != 0;
+    if (adds) {
+      spreadLayer(to, a, b, c);
+    }
+    return adds;
+  }
+
+  /** Adds three words to a layer's reached voxels and spreads them inside the layer until idle. */
+  private void spreadLayer(int layer, long addA, long addB, long addC) {
+    long freeA = free[layer];
+    long freeB = free[layer + 1];
+    long freeC = free[layer + 2];
+    long a = reached[layer] | addA;
+    long b = reached[layer + 1] | addB;
+    long c = reached[layer + 2] | addC;
+    boolean idle = a == freeA && b == freeB && c == freeC;
+    while (!idle) {
+      long nextA = spreadRows(a | a << 16 | a >>> 16 | b << 48, freeA);
+      long nextB = spreadRows(b | b << 16 | b >>> 16 | c << 48 | a >>> 48, freeB);
+      long nextC = spreadRows(c | c << 16 | c >>> 16 | b >>> 48, freeC);
+      idle = nextA == a && nextB == b && nextC == c;
+      a = nextA;
+      b = nextB;
+      c = nextC;
+    }
+    reached[layer] = a;
+    reached[layer + 1] = b;
+    reached[layer + 2] = c;
+  }
+
+  /** Fills the runs of free voxels that hold a seed, along x both ways. */
+  private static long spreadRows(long seeds, long free) {
+    long up = seeds & free;
+    // A sum carries from the lowest seed of a run to its upper end; rows end in clear bits.
+    long run = (((free + up) ^ free) | up) & free;
+    run |= free & run >>> 1;
+    long pairs = free & free >>> 1;
+    run |= pairs & run >>> 2;
+    long fours = pairs & pairs >>> 2;
+    run |= fours & run >>> 4;
+    long eights = fours & fours >>> 4;
+    return run | (eights & run >>> 8);
+  }
+}

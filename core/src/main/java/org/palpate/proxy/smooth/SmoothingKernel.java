@@ -1,0 +1,88 @@
+package org.palpate.proxy.smooth;
+
+import org.palpate.proxy.Metric;
+
+/**
+ * How bits are smoothed along each axis: by two boxes of whole voxels and a third of one voxel, as
+ * taps between the voxels and quadratic B-splines between the taps. Boxes of whole voxels leave no
+ * ripple of the lattice behind, which scaled B-splines do.
+ *
+ * <p>Where spacing differs between axes the longer voxels get narrower boxes, so that the kernel is
+ * about as wide in millimetres along every axis.
+ *
+ * <p>References: box splines, de Boor, Hoellig and Riemenschneider 1993; normals of digital
+ * surfaces by convolution, Esbelin and Malgouyres 2009, and by integral invariants, Coeurjolly,
+ * Lachaud and Levallois 2013.
+ */
+final class SmoothingKernel {
+  /** Taps along an axis; corner c weighs the voxels c-4 to c+3. */
+  static final int TAPS = 8;
+
+  /** The boxes that are tried, by their two widths in voxels: as many taps as their sum less 1. */
+  private static final int[][] BOXES = {{5, 4}, {4, 3}, {3, 2}, {2, 1}};
+
+  private final int[][] taps = new int[3][];
+  private final double[] sigmaEdges = new double[3];
+  private final double scale;
+
+  /** The kernel for voxels of this spacing, the widest along its shortest axis. */
+  SmoothingKernel(Metric metric) {
+    double shortest = Math.min(metric.spacingX(), Math.min(metric.spacingY(), metric.spacingZ()));
+    double product = 1;
+    for (int axis = 0; axis < 3; axis++) {
+      double ratio = spacing(metric, axis) / shortest;
+      int[] boxes = boxesFor(ratio);
+      taps[axis] = tapsOf(boxes[0], boxes[1]);
+      sigmaEdges[axis] = ratio * sigmaVoxels(boxes);
+      product *= boxes[0] * boxes[1];
+    }
+    scale = 1 / product;
+  }
+
+  private static double spacing(Metric metric, int axis) {
+    return axis == 0 ? metric.spacingX() : axis == 1 ? metric.spacingY() : metric.spacingZ();
+  }
+
+  private static int[] boxesFor(double ratio) {
+    double wanted = sigmaVoxels(BOXES[0]);
+    int[] best = BOXES[0];
+    for (int[] boxes : BOXES) {
+      double off = Math.abs(ratio * sigmaVoxels(boxes) - wanted);
+      if (off < Math.abs(ratio * sigmaVoxels(best) - wanted)) {
+        best = boxes;
+      }
+    }
+    return best;
+  }
+
+  /** The standard deviation of the two boxes and the box of one voxel, one after the other. */
+  private static double sigmaVoxels(int[] boxes) {
+    return Math.sqrt((boxes[0] * boxes[0] + boxes[1] * boxes[1] + 1) / 12.0);
+  }
+
+  private static int[] tapsOf(int wide, int narrow) {
+    int[] result = new int[TAPS];
+    int first = (TAPS - (wide + narrow - 1)) / 2;
+    for (int a = 0; a < wide; a++) {
+      for (int b = 0; b < narrow; b++) {
+        result[first + a + b]++;
+      }
+    }
+    return result;
+  }
+
+  /** The weight of one of the eight taps along an axis; tap t and tap 7-t are equal. */
+  int tap(int axis, int t) {
+    return taps[axis][t];
+  }
+
+  /** What turns a sum of taps over all three axes into a share between 0 and 1. */
+  double scale() {
+    return scale;
+  }
+
+  /** The standard deviation along an axis, in shortest voxel edges. */
+  double sigmaEdges(int axis) {
+    return sigmaEdges[axis];
+  }
+}
