@@ -4,7 +4,7 @@ import org.palpate.proxy.Obstacles;
 
 /** Corner values from the bits alone. */
 final class BitNodes implements NodeSource {
-  /** Bits for one of three sums in a word; no sum of taps is above 20 * 20 * 20. */
+  /** Bits for one of three sums in a word; no sum of taps is above 30 * 30 * 30. */
   private static final int SUM_BITS = 21;
 
   private static final long SUM_MASK = (1L << SUM_BITS) - 1;
@@ -12,12 +12,17 @@ final class BitNodes implements NodeSource {
   /** From the window's low voxel to its middle corner. */
   private static final int TO_MIDDLE = BitWindow.EDGE / 2;
 
+  private static final int HALF_ROW = BitWindow.EDGE / 2;
+  private static final int HALF_MASK = (1 << HALF_ROW) - 1;
+
   private final SmoothingKernel kernel;
   private final BitWindow window = new BitWindow();
-  private final long[] sumsOfRow = new long[1 << BitWindow.EDGE];
+  private final long[] sumsOfLowHalf = new long[1 << HALF_ROW];
+  private final long[] sumsOfHighHalf = new long[1 << HALF_ROW];
   private final long[] rows = new long[BitWindow.EDGE];
   private final long[][] columns = new long[3][BitWindow.EDGE];
-  private final long[] sums = new long[3];
+  private final AxisTaps alongY;
+  private final AxisTaps alongZ;
   private int lowX;
   private int lowY;
   private int lowZ;
@@ -25,8 +30,11 @@ final class BitNodes implements NodeSource {
 
   BitNodes(SmoothingKernel kernel) {
     this.kernel = kernel;
-    for (int row = 0; row < sumsOfRow.length; row++) {
-      sumsOfRow[row] = sumsOf(row);
+    alongY = new AxisTaps(kernel, 1);
+    alongZ = new AxisTaps(kernel, 2);
+    for (int half = 0; half <= HALF_MASK; half++) {
+      sumsOfLowHalf[half] = sumsOf(half);
+      sumsOfHighHalf[half] = sumsOf(half << HALF_ROW);
     }
   }
 
@@ -79,38 +87,60 @@ final class BitNodes implements NodeSource {
 
   private void sum(double[] nodes) {
     for (int z = 0; z < BitWindow.EDGE; z++) {
-      for (int y = 0; y < BitWindow.EDGE; y++) {
-        rows[y] = sumsOfRow[window.unreachedRow(y, z)];
+      for (int word = 0; word < BitWindow.WORDS; word++) {
+        sumRows(window.unreached(z, word), 4 * word);
       }
-      weigh(1, rows);
-      columns[0][z] = sums[0];
-      columns[1][z] = sums[1];
-      columns[2][z] = sums[2];
+      columns[0][z] = alongY.weigh(rows, 0);
+      columns[1][z] = alongY.weigh(rows, 1);
+      columns[2][z] = alongY.weigh(rows, 2);
     }
-    double scale = kernel.scale();
-    for (int y = 0; y < 3; y++) {
-      weigh(2, columns[y]);
-      for (int z = 0; z < 3; z++) {
-        int at = 9 * z + 3 * y;
-        nodes[at] = (sums[z] & SUM_MASK) * scale;
-        nodes[at + 1] = (sums[z] >>> SUM_BITS & SUM_MASK) * scale;
-        nodes[at + 2] = (sums[z] >>> (2 * SUM_BITS)) * scale;
+    for (int z = 0; z < 3; z++) {
+      for (int y = 0; y < 3; y++) {
+        unpack(alongZ.weigh(columns[y], z), 9 * z + 3 * y, nodes);
       }
     }
   }
 
-  /** Weighs ten values by the taps of an axis, for three nodes at once. */
-  private void weigh(int axis, long[] values) {
-    long tap0 = kernel.tap(axis, 0);
-    long tap1 = kernel.tap(axis, 1);
-    long tap2 = kernel.tap(axis, 2);
-    long tap3 = kernel.tap(axis, 3);
-    for (int node = 0; node < 3; node++) {
-      sums[node] =
-          tap0 * (values[node] + values[node + 7])
-              + tap1 * (values[node + 1] + values[node + 6])
-              + tap2 * (values[node + 2] + values[node + 5])
-              + tap3 * (values[node + 3] + values[node + 4]);
+  private void sumRows(long fourRows, int at) {
+    rows[at] = sumOfRow((int) fourRows);
+    rows[at + 1] = sumOfRow((int) (fourRows >>> 16));
+    rows[at + 2] = sumOfRow((int) (fourRows >>> 32));
+    rows[at + 3] = sumOfRow((int) (fourRows >>> 48));
+  }
+
+  private long sumOfRow(int row) {
+    return sumsOfLowHalf[row & HALF_MASK] + sumsOfHighHalf[row >> HALF_ROW & HALF_MASK];
+  }
+
+  private void unpack(long sums, int at, double[] nodes) {
+    double scale = kernel.scale();
+    nodes[at] = (sums & SUM_MASK) * scale;
+    nodes[at + 1] = (sums >>> SUM_BITS & SUM_MASK) * scale;
+    nodes[at + 2] = (sums >>> (2 * SUM_BITS)) * scale;
+  }
+
+  /** Weighs twelve values by the taps of an axis, for one of three nodes. */
+  private static final class AxisTaps {
+    private final long tap0;
+    private final long tap1;
+    private final long tap2;
+    private final long tap3;
+    private final long tap4;
+
+    AxisTaps(SmoothingKernel kernel, int axis) {
+      tap0 = kernel.tap(axis, 0);
+      tap1 = kernel.tap(axis, 1);
+      tap2 = kernel.tap(axis, 2);
+      tap3 = kernel.tap(axis, 3);
+      tap4 = kernel.tap(axis, 4);
+    }
+
+    long weigh(long[] values, int node) {
+      return tap0 * (values[node] + values[node + 9])
+          + tap1 * (values[node + 1] + values[node + 8])
+          + tap2 * (values[node + 2] + values[node + 7])
+          + tap3 * (values[node + 3] + values[node + 6])
+          + tap4 * (values[node + 4] + values[node + 5]);
     }
   }
 

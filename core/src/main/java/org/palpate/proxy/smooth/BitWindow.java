@@ -4,13 +4,13 @@ import java.util.Arrays;
 import org.palpate.proxy.Obstacles;
 
 /**
- * The bits of 10x10x10 voxels, and which of the empty ones can be reached from a seed inside it.
+ * The bits of 12x12x12 voxels, and which of the empty ones can be reached from a seed inside it.
  *
  * <p>What the seed cannot reach counts as solid: a wall one voxel thick then looks like a half
  * space from either side, where its own two faces would cancel out.
  *
  * <pre>
- *   layer word w of 3   bit  r r x x x x    row 4 w + r, voxel x; rows and voxels beyond 9 are clear
+ *   layer word w of 3   bit  r r x x x x    row 4 w + r, voxel x; voxels beyond 11 are clear
  * </pre>
  *
  * <p>The bits come from a copy of 16x16x16 voxels at a multiple of 4, which is read anew when the
@@ -18,13 +18,14 @@ import org.palpate.proxy.Obstacles;
  */
 final class BitWindow {
   /** Voxels along an edge. */
-  static final int EDGE = 10;
+  static final int EDGE = 12;
 
-  private static final int WORDS = 3;
+  /** Words to a layer. */
+  static final int WORDS = 3;
+
   private static final int AREA_BRICKS = 4;
   private static final int AREA_EDGE = 16;
-  private static final long ROW_MASK = 0x03FF_03FF_03FF_03FFL;
-  private static final long LAST_WORD_MASK = 0x0000_0000_03FF_03FFL;
+  private static final long ROW_MASK = 0x0FFF_0FFF_0FFF_0FFFL;
 
   private final long[] area = new long[AREA_EDGE * AREA_BRICKS];
   private int areaX;
@@ -63,15 +64,14 @@ final class BitWindow {
     long second = b;
     long third = c;
     if (shift != 0) {
-      long d = shift > 32 ? area[from + 3] >>> x & ROW_MASK : 0;
+      long d = area[from + 3] >>> x & ROW_MASK;
       first = a >>> shift | b << -shift;
       second = b >>> shift | c << -shift;
       third = c >>> shift | d << -shift;
     }
-    third &= LAST_WORD_MASK;
     free[to] = reached[to] = first ^ ROW_MASK;
     free[to + 1] = reached[to + 1] = second ^ ROW_MASK;
-    free[to + 2] = reached[to + 2] = third ^ LAST_WORD_MASK;
+    free[to + 2] = reached[to + 2] = third ^ ROW_MASK;
     return first | second | third;
   }
 
@@ -88,7 +88,7 @@ final class BitWindow {
 
   /** A multiple of 4 that leaves the window about as much room on either side. */
   private static int centred(int low) {
-    return low - 2 & ~3;
+    return low - 1 & ~3;
   }
 
   private void copyArea(Obstacles obstacles, int lowX, int lowY, int lowZ) {
@@ -149,9 +149,9 @@ final class BitWindow {
     return (free[z * WORDS + (y >> 2)] >>> ((y & 3) << 4 | x) & 1) != 0;
   }
 
-  /** The ten bits of a row: set where a voxel is not reached. */
-  int unreachedRow(int y, int z) {
-    return (int) (~reached[z * WORDS + (y >> 2)] >>> ((y & 3) << 4)) & 0x3FF;
+  /** Four rows of a layer, from row 4 {@code word} on: set where a voxel is not reached. */
+  long unreached(int z, int word) {
+    return reached[z * WORDS + word] ^ ROW_MASK;
   }
 
   /** Keeps as reached only what is joined to the empty voxel (x,y,z) by faces inside the window. */
@@ -160,7 +160,7 @@ final class BitWindow {
     reached[z * WORDS + (y >> 2)] = 1L << ((y & 3) << 4 | x);
     spreadLayer(z * WORDS, 0, 0, 0);
     boolean changed = true;
-    while (changed) {
+    while (changed && !isAllReached()) {
       changed = false;
       for (int layer = 1; layer < EDGE; layer++) {
         changed |= spreadFrom((layer - 1) * WORDS, layer * WORDS);
@@ -169,6 +169,14 @@ final class BitWindow {
         changed |= spreadFrom((layer + 1) * WORDS, layer * WORDS);
       }
     }
+  }
+
+  private boolean isAllReached() {
+    long missing = 0;
+    for (int word = 0; word < EDGE * WORDS; word++) {
+      missing |= free[word] ^ reached[word];
+    }
+    return missing == 0;
   }
 
   private boolean spreadFrom(int from, int to) {
@@ -196,7 +204,8 @@ final class BitWindow {
       long nextA = spreadRows(a | a << 16 | a >>> 16 | b << 48, freeA);
       long nextB = spreadRows(b | b << 16 | b >>> 16 | c << 48 | a >>> 48, freeB);
       long nextC = spreadRows(c | c << 16 | c >>> 16 | b >>> 48, freeC);
-      idle = nextA == a && nextB == b && nextC == c;
+      boolean all = nextA == freeA && nextB == freeB && nextC == freeC;
+      idle = all || (nextA == a && nextB == b && nextC == c);
       a = nextA;
       b = nextB;
       c = nextC;

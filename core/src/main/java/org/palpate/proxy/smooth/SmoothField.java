@@ -45,6 +45,7 @@ final class SmoothField {
   private int cornerZ;
   private boolean loaded;
   private boolean any;
+  private final Vec3 evaluated = new Vec3();
 
   /**
    * A field.
@@ -97,10 +98,13 @@ final class SmoothField {
       cornerZ = atZ;
       loaded = true;
     }
+    if (kept && x == evaluated.x && y == evaluated.y && z == evaluated.z) {
+      return;
+    }
+    evaluated.set(x, y, z);
+    clear();
     if (any) {
       sum(x - atX, y - atY, z - atZ);
-    } else {
-      value = gx = gy = gz = hxx = hyy = hzz = hxy = hxz = hyz = 0;
     }
   }
 
@@ -123,7 +127,6 @@ final class SmoothField {
     double dy0 = v - 0.5;
     double dy1 = -2 * v;
     double dy2 = v + 0.5;
-    clear();
     for (int layer = 0; layer < 3; layer++) {
       int n = 9 * layer;
       double r0 = nodes[n] * x0 + nodes[n + 1] * x1 + nodes[n + 2] * x2;

@@ -15,11 +15,11 @@ import org.palpate.proxy.Metric;
  * Lachaud and Levallois 2013.
  */
 final class SmoothingKernel {
-  /** Taps along an axis; corner c weighs the voxels c-4 to c+3. */
-  static final int TAPS = 8;
+  /** Taps along an axis; corner c weighs the voxels c-5 to c+4. */
+  static final int TAPS = 10;
 
   /** The boxes that are tried, by their two widths in voxels: as many taps as their sum less 1. */
-  private static final int[][] BOXES = {{5, 4}, {4, 3}, {3, 2}, {2, 1}};
+  private static final int[][] BOXES = {{6, 5}, {5, 4}, {4, 3}, {3, 2}, {2, 1}};
 
   private final int[][] taps = new int[3][];
   private final double[] sigmaEdges = new double[3];
@@ -71,7 +71,7 @@ final class SmoothingKernel {
     return result;
   }
 
-  /** The weight of one of the eight taps along an axis; tap t and tap 7-t are equal. */
+  /** The weight of one of the ten taps along an axis; tap t and tap 9-t are equal. */
   int tap(int axis, int t) {
     return taps[axis][t];
   }

@@ -25,9 +25,9 @@ final class NaiveField {
     int[] low = {low(x), low(y), low(z)};
     Set<List<Integer>> reached = flood(low, seed);
     double sum = 0;
-    for (int k = low[2]; k < low[2] + 10; k++) {
-      for (int j = low[1]; j < low[1] + 10; j++) {
-        for (int i = low[0]; i < low[0] + 10; i++) {
+    for (int k = low[2]; k < low[2] + 12; k++) {
+      for (int j = low[1]; j < low[1] + 12; j++) {
+        for (int i = low[0]; i < low[0] + 12; i++) {
           if (!reached.contains(List.of(i, j, k))) {
             sum += weight(0, x - i - 0.5) * weight(1, y - j - 0.5) * weight(2, z - k - 0.5);
           }
@@ -38,7 +38,7 @@ final class NaiveField {
   }
 
   private static int low(double v) {
-    return (int) Math.floor(v + 0.5) - 5;
+    return (int) Math.floor(v + 0.5) - 6;
   }
 
   private double weight(int axis, double offset) {
@@ -85,8 +85,8 @@ final class NaiveField {
   }
 
   private void addAllFree(int[] low, Set<List<Integer>> reached) {
-    for (int n = 0; n < 1000; n++) {
-      List<Integer> voxel = List.of(low[0] + n % 10, low[1] + n / 10 % 10, low[2] + n / 100);
+    for (int n = 0; n < 1728; n++) {
+      List<Integer> voxel = List.of(low[0] + n % 12, low[1] + n / 12 % 12, low[2] + n / 144);
       if (isFree(low, voxel)) {
         reached.add(voxel);
       }
@@ -95,7 +95,7 @@ final class NaiveField {
 
   private boolean isFree(int[] low, List<Integer> voxel) {
     for (int axis = 0; axis < 3; axis++) {
-      if (voxel.get(axis) < low[axis] || voxel.get(axis) >= low[axis] + 10) {
+      if (voxel.get(axis) < low[axis] || voxel.get(axis) >= low[axis] + 12) {
         return false;
       }
     }

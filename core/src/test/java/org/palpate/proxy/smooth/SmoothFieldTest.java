@@ -12,7 +12,7 @@ import org.palpate.volume.BitCube;
 
 class SmoothFieldTest {
   private static final long SEED = Long.getLong("palpate.seed", 20131121L);
-  private static final int[] ISOTROPIC = {5, 4};
+  private static final int[] ISOTROPIC = {6, 5};
 
   private final Random random = new Random(SEED);
 

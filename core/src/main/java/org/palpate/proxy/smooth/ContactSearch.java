@@ -1,0 +1,189 @@
+package org.palpate.proxy.smooth;
+
+import org.palpate.geometry.Vec3;
+
+/**
+ * Finds the point of the level surface that is nearest to the device, by Newton's method with the
+ * curvature from the Hessian. What it visits is virtual: nothing moves.
+ *
+ * <p>A step solves (I - depth K) t = u in the tangent plane, K the curvature of the level surface
+ * and u the tangential part of the way to the device, and drops along the normal by the height
+ * above the level and by t K t / 2.
+ *
+ * <p>References: the god object, Zilles and Salisbury 1995; proxies on implicit surfaces, Salisbury
+ * and Tarr 1997; on volumes, Chan et al. 2011.
+ */
+final class ContactSearch {
+  /** The nearest point was found. */
+  static final int FOUND = 0;
+
+  /** The device lies above the tangent plane of the point that was visited last. */
+  static final int OUTSIDE = 1;
+
+  /** The next step would lead farther than {@link #REACH_EDGES}; the last visited point is kept. */
+  static final int FAR = 2;
+
+  /** The field is too flat here, or the level too far away, to say where its surface runs. */
+  static final int LOST = 3;
+
+  /** How far from its start a search goes; what the start cannot reach is judged in windows. */
+  static final double REACH_EDGES = 3;
+
+  /** Slope below which a direction means nothing, an edge. */
+  static final double LEAST_SLOPE = 0.02;
+
+  private static final double TOLERANCE_EDGES = 2e-3;
+  private static final double DEEPEST_EDGES = 1.6;
+  private static final int MOST_STEPS = 12;
+  private static final double LONGEST_STEP_EDGES = 2.2;
+  private static final double LONGEST_DROP_EDGES = 1;
+  private static final double LARGEST_BEND_EDGES = 0.5;
+
+  /** Keeps the tangential system positive definite near centres of curvature. */
+  private static final double LEAST_DIAGONAL = 0.35;
+
+  private static final double MOST_COUPLING = 0.8;
+
+  /** The point that was visited last, grid coordinates. */
+  final Vec3 at = new Vec3();
+
+  /** The unit normal there, outward, metric. */
+  final Vec3 normal = new Vec3();
+
+  /** The height of the visited point over the level, edges. */
+  double heightEdges;
+
+  /** The tangential distance from the visited point to the foot of the device, edges. */
+  double offsetEdges;
+
+  private final SmoothField field;
+  private final SurfaceLevel level;
+  private final Vec3 edges;
+  private final Vec3 toDevice = new Vec3();
+  private final Vec3 tangent = new Vec3();
+  private final Vec3 step = new Vec3();
+  private double slope;
+  private double depth;
+
+  ContactSearch(SmoothField field, SurfaceLevel level, Vec3 edges) {
+    this.field = field;
+    this.level = level;
+    this.edges = edges;
+  }
+
+  /**
+   * Searches from {@code start}; the field must be seeded and stands at {@link #at} afterwards.
+   *
+   * @return one of the four answers
+   */
+  int search(Vec3 start, Vec3 device) {
+    at.set(start);
+    for (int n = 0; n < MOST_STEPS; n++) {
+      field.evaluate(at.x, at.y, at.z);
+      if (!findNormal() || heightEdges < -DEEPEST_EDGES) {
+        return LOST;
+      }
+      if (!project(device)) {
+        return OUTSIDE;
+      }
+      double tolerance = n == 0 ? 0 : TOLERANCE_EDGES;
+      if (offsetEdges <= tolerance && Math.abs(heightEdges) <= tolerance) {
+        return FOUND;
+      }
+      findStep();
+      if (leavesReach(start) && n > 0) {
+        return FAR;
+      }
+      takeStep();
+    }
+    field.evaluate(at.x, at.y, at.z);
+    return findNormal() && project(device) ? FOUND : LOST;
+  }
+
+  /** Finds normal and height where the field stands; false where the field is too flat. */
+  boolean findNormal() {
+    slope = Math.sqrt(field.gx * field.gx + field.gy * field.gy + field.gz * field.gz);
+    if (slope < LEAST_SLOPE) {
+      return false;
+    }
+    double inverse = -1 / slope;
+    normal.set(field.gx * inverse, field.gy * inverse, field.gz * inverse);
+    heightEdges = (level.share(normal) - field.value) / slope;
+    return true;
+  }
+
+  /** Splits the way to the device along normal and tangent plane; false when it lies above. */
+  private boolean project(Vec3 device) {
+    device.sub(at, toDevice);
+    toDevice.set(toDevice.x * edges.x, toDevice.y * edges.y, toDevice.z * edges.z);
+    double along = toDevice.dot(normal);
+    depth = -along - heightEdges;
+    tangent.set(
+        toDevice.x - along * normal.x,
+        toDevice.y - along * normal.y,
+        toDevice.z - along * normal.z);
+    offsetEdges = tangent.length();
+    return depth > 0;
+  }
+
+  private void findStep() {
+    double bend = 0;
+    if (offsetEdges > 1e-12) {
+      bend = curvedStep();
+    } else {
+      step.set(0, 0, 0);
+    }
+    double drop = -clamp(heightEdges, LONGEST_DROP_EDGES) - clamp(bend, LARGEST_BEND_EDGES);
+    step.set(step.x + drop * normal.x, step.y + drop * normal.y, step.z + drop * normal.z);
+  }
+
+  /** Writes the tangential step; returns how much the surface falls off along it. */
+  private double curvedStep() {
+    double ax = tangent.x / offsetEdges;
+    double ay = tangent.y / offsetEdges;
+    double az = tangent.z / offsetEdges;
+    double bx = normal.y * az - normal.z * ay;
+    double by = normal.z * ax - normal.x * az;
+    double bz = normal.x * ay - normal.y * ax;
+    double hax = field.hxx * ax + field.hxy * ay + field.hxz * az;
+    double hay = field.hxy * ax + field.hyy * ay + field.hyz * az;
+    double haz = field.hxz * ax + field.hyz * ay + field.hzz * az;
+    double hbx = field.hxx * bx + field.hxy * by + field.hxz * bz;
+    double hby = field.hxy * bx + field.hyy * by + field.hyz * bz;
+    double hbz = field.hxz * bx + field.hyz * by + field.hzz * bz;
+    double curvatureA = -(ax * hax + ay * hay + az * haz) / slope;
+    double curvatureAb = -(bx * hax + by * hay + bz * haz) / slope;
+    double curvatureB = -(bx * hbx + by * hby + bz * hbz) / slope;
+    double diagonalA = Math.max(LEAST_DIAGONAL, 1 - depth * curvatureA);
+    double diagonalB = Math.max(LEAST_DIAGONAL, 1 - depth * curvatureB);
+    double coupling = clamp(-depth * curvatureAb, MOST_COUPLING * Math.sqrt(diagonalA * diagonalB));
+    double determinant = diagonalA * diagonalB - coupling * coupling;
+    double alongA = offsetEdges * diagonalB / determinant;
+    double alongB = -offsetEdges * coupling / determinant;
+    double length = Math.sqrt(alongA * alongA + alongB * alongB);
+    if (length > LONGEST_STEP_EDGES) {
+      alongA *= LONGEST_STEP_EDGES / length;
+      alongB *= LONGEST_STEP_EDGES / length;
+    }
+    step.set(ax * alongA + bx * alongB, ay * alongA + by * alongB, az * alongA + bz * alongB);
+    return 0.5
+        * (curvatureA * alongA * alongA
+            + 2 * curvatureAb * alongA * alongB
+            + curvatureB * alongB * alongB);
+  }
+
+  private boolean leavesReach(Vec3 start) {
+    double x = (at.x - start.x) * edges.x + step.x;
+    double y = (at.y - start.y) * edges.y + step.y;
+    double z = (at.z - start.z) * edges.z + step.z;
+    return x * x + y * y + z * z > REACH_EDGES * REACH_EDGES;
+  }
+
+  private void takeStep() {
+    at.set(at.x + step.x / edges.x, at.y + step.y / edges.y, at.z + step.z / edges.z);
+  }
+
+  private static double clamp(double value, double limit) {
+    return Math.max(-limit, Math.min(limit, value));
+  }
+}

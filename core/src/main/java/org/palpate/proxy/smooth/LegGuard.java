@@ -1,0 +1,125 @@
+package org.palpate.proxy.smooth;
+
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.LegPath;
+import org.palpate.proxy.Metric;
+import org.palpate.proxy.Obstacles;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.RayHit;
+
+/**
+ * Moves the interaction point, and only by legs that touch no solid: each leg is cast exactly, as
+ * the segment between its two doubles, before the point moves. Nothing else in this package writes
+ * the point's position, save to take back the legs of a frame.
+ */
+final class LegGuard {
+  /** A leg cut to what is left of w_max is cut a little shorter, so that rounding cannot exceed. */
+  private static final double CUT_SHORT = 1 - 0x1p-40;
+
+  /** What the last cast that was blocked hit. */
+  final RayHit hit = new RayHit();
+
+  private final Metric metric;
+  private final double maxStepMm;
+  private final ExactRayCaster caster = new ExactRayCaster();
+  private final Ray ray = new Ray();
+  private final Vec3 target = new Vec3();
+  private final Vec3 start = new Vec3();
+  private Obstacles obstacles;
+  private Vec3 position;
+  private LegPath legs;
+
+  LegGuard(Metric metric, double maxStepMm) {
+    this.metric = metric;
+    this.maxStepMm = maxStepMm;
+  }
+
+  /** Begins a frame: forgets the point's legs and remembers where it is. */
+  void begin(Obstacles newObstacles, InteractionPoint point) {
+    obstacles = newObstacles;
+    position = point.position;
+    legs = point.legs;
+    legs.clear();
+    start.set(position);
+  }
+
+  /** Takes back all legs of this frame. */
+  void takeBack() {
+    legs.clear();
+    position.set(start);
+  }
+
+  /** Whether the straight way between two points touches no solid; else {@link #hit} says where. */
+  boolean isFree(Vec3 from, Vec3 to) {
+    return !obstacles.cast(caster, ray.from(from.x, from.y, from.z).to(to.x, to.y, to.z), hit);
+  }
+
+  /** Whether the straight way from the point to {@code to} touches no solid. */
+  boolean isFree(Vec3 to) {
+    return isFree(position, to);
+  }
+
+  /** Whether w_max allows to go to {@code to} in one leg. */
+  boolean reaches(Vec3 to) {
+    return distanceMm(position, to) <= maxStepMm - legs.lengthMm();
+  }
+
+  /** Whether there is path and room for another leg in this frame. */
+  boolean canMove() {
+    return !legs.isFull() && legs.lengthMm() < maxStepMm * CUT_SHORT;
+  }
+
+  boolean hasMoved() {
+    return legs.count() != 0;
+  }
+
+  /**
+   * Goes straight to {@code to}, or as far as w_max allows; stays where a solid is in the way.
+   *
+   * @param alongSurface whether the leg slides along a surface
+   * @return whether the way that w_max allows was free
+   */
+  boolean move(Vec3 to, boolean alongSurface) {
+    if (legs.isFull()) {
+      return false;
+    }
+    cutToPathLeft(to, target);
+    if (target.sameBits(position)) {
+      return true;
+    }
+    if (!isFree(target)) {
+      return false;
+    }
+    double lengthMm = distanceMm(position, target);
+    legs.add(
+        position.x, position.y, position.z, target.x, target.y, target.z, lengthMm, alongSurface);
+    position.set(target);
+    return true;
+  }
+
+  /** Writes how far w_max allows to go towards {@code to}. */
+  void cutToPathLeft(Vec3 to, Vec3 dest) {
+    double leftMm = maxStepMm - legs.lengthMm();
+    double lengthMm = distanceMm(position, to);
+    if (lengthMm <= leftMm) {
+      dest.set(to);
+      return;
+    }
+    double share = Math.max(0, leftMm / lengthMm * CUT_SHORT);
+    between(position, to, share, dest);
+  }
+
+  /** Writes the point at {@code share} of the way, rounded. */
+  static void between(Vec3 from, Vec3 to, double share, Vec3 dest) {
+    dest.set(
+        from.x + share * (to.x - from.x),
+        from.y + share * (to.y - from.y),
+        from.z + share * (to.z - from.z));
+  }
+
+  double distanceMm(Vec3 from, Vec3 to) {
+    return metric.distance(from.x, from.y, from.z, to.x, to.y, to.z);
+  }
+}
