@@ -43,8 +43,12 @@ public final class SmoothSolver implements ProxySolver {
   private static final double OPEN_SHARE = 0.02;
 
   private static final double CROSSING_EDGES = 0.02;
+
+  /** How far from voxels the point stays that hold it above the surface, shortest voxel edges. */
+  private static final double CLEARANCE_EDGES = 1e-3;
+
   private static final int MOST_HOPS = 6;
-  private static final double[] LIFTS_EDGES = {.03, .07, .13, .2, .3, .42, .56, .75, 1};
+  private static final double[] LIFTS_EDGES = {.05, .13, .3, .56, 1, 1.4};
 
   private final Metric metric;
   private final double shortestMm;
@@ -221,17 +225,14 @@ public final class SmoothSolver implements ProxySolver {
     if (field.value < OPEN_SHARE && !fly()) {
       return false;
     }
-    switch (search.search(p, device)) {
-      case ContactSearch.FOUND:
-        goTo(search.at);
-        return false;
-      case ContactSearch.FAR:
-        return goTo(search.at);
-      case ContactSearch.OUTSIDE:
-        return search.at.sameBits(p) ? flyOrProject() : goTo(search.at);
-      default:
-        return false;
+    int answer = search.search(p, device);
+    if (answer == ContactSearch.LOST) {
+      return false;
     }
+    if (answer == ContactSearch.OUTSIDE && search.at.sameBits(p)) {
+      return flyOrProject();
+    }
+    return goTo(search.at) && answer != ContactSearch.FOUND;
   }
 
   private boolean flyOrProject() {
@@ -284,16 +285,29 @@ public final class SmoothSolver implements ProxySolver {
 
   /** Goes to a point of the surface, above it where a voxel is in the way; false when it stays. */
   private boolean goTo(Vec3 to) {
-    if (guard.move(to, true)) {
-      return true;
-    }
+    return guard.move(to, true) || goAbove(to) || riseAndGoTo(to);
+  }
+
+  /** Goes as near above {@code to} as the voxels there let it. */
+  private boolean goAbove(Vec3 to) {
     for (double lift : LIFTS_EDGES) {
-      liftedAbove(to, lift, target);
-      if (guard.move(target, true)) {
-        return true;
+      liftedAbove(to, lift, foot);
+      if (guard.isFree(foot)) {
+        lowerOnVoxels(foot, to, target);
+        return guard.move(guard.isFree(target) ? target : foot, true);
       }
     }
-    return riseAndGoTo(to);
+    return false;
+  }
+
+  /** Writes where the way from a free point down to another one is stopped, a little above. */
+  private void lowerOnVoxels(Vec3 from, Vec3 to, Vec3 dest) {
+    if (guard.isFree(from, to)) {
+      dest.set(to);
+    } else {
+      double clearance = CLEARANCE_EDGES / Math.max(CLEARANCE_EDGES, distanceEdges(from, to));
+      LegGuard.between(from, to, Math.max(0, guard.hit.t - clearance), dest);
+    }
   }
 
   /** First rises from where it is, then goes over what is in the way. */

@@ -8,10 +8,11 @@ import org.junit.jupiter.api.Test;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
+import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
 class SmoothFieldTest {
-  private static final long SEED = Long.getLong("palpate.seed", 20131121L);
+  private static final long SEED = Seeds.seed();
   private static final int[] ISOTROPIC = {6, 5};
 
   private final Random random = new Random(SEED);

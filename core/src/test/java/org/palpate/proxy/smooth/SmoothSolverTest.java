@@ -1,0 +1,162 @@
+package org.palpate.proxy.smooth;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.Metric;
+import org.palpate.proxy.Obstacles;
+import org.palpate.testing.LegJudge;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+
+class SmoothSolverTest {
+  private static final Metric UNIT = new Metric(1, 1, 1);
+  private static final Metric TALL = new Metric(0.9, 0.9, 1.8);
+
+  private final SplittableRandom random = new SplittableRandom(Seeds.seed());
+  private final InteractionPoint point = new InteractionPoint();
+  private final Vec3 device = new Vec3();
+
+  @Test
+  void goesToAFreeDeviceBitForBit() {
+    device.set(3.1, 0.7, 5.3);
+    point.position.set(-2, 1, 1);
+    new SmoothSolver(UNIT, 100).follow(obstacles(new BitCube(8, 8, 8)), device, point);
+    assertTrue(point.position.sameBits(device));
+    assertFalse(point.contact);
+    assertEquals(1, point.legs.count());
+  }
+
+  @Test
+  void refusesAStepThatIsNotPositive() {
+    assertThrows(IllegalArgumentException.class, () -> new SmoothSolver(UNIT, 0));
+  }
+
+  @Test
+  void noLegTouchesASolidInAnyWorld() {
+    for (String name : Worlds.NAMES) {
+      wander(name, UNIT, 1500);
+      wander(name, TALL, 700);
+    }
+  }
+
+  private void wander(String name, Metric metric, int frames) {
+    BitCube bits = Worlds.make(name, Seeds.seed());
+    Obstacles obstacles = obstacles(bits);
+    SmoothSolver solver = new SmoothSolver(metric, 8);
+    point.position.set(-3, -3, 45);
+    device.set(point.position);
+    LegJudge judge = new LegJudge(bits, point.position);
+    Vec3 goal = new Vec3();
+    for (int frame = 0; frame < frames; frame++) {
+      if (frame % 40 == 0) {
+        goal.set(anywhere(), anywhere(), anywhere());
+      }
+      approach(goal, frame / 40 % 3 == 0 ? 2 : 0.3);
+      solver.follow(obstacles, device, point);
+      assertNull(judge.faultOf(point), name + " frame " + frame + " seed=" + Seeds.seed());
+      assertTrue(point.legs.lengthMm() <= 8, name);
+    }
+    assertTrue(judge.legCount() > 0, name);
+  }
+
+  /** Moves the device a step towards the goal. */
+  private void approach(Vec3 goal, double step) {
+    double length = UNIT.distance(device.x, device.y, device.z, goal.x, goal.y, goal.z);
+    double share = Math.min(1, step / Math.max(length, 1e-9));
+    LegGuard.between(device, goal, share, device);
+  }
+
+  private double anywhere() {
+    return random.nextDouble() * 1.2 * Worlds.EDGE - 0.1 * Worlds.EDGE;
+  }
+
+  @Test
+  void comesToRestBitForBitInEveryWorldAndStaysThere() {
+    int longest = 0;
+    for (String name : Worlds.NAMES) {
+      BitCube bits = Worlds.make(name, Seeds.seed());
+      Obstacles obstacles = obstacles(bits);
+      SmoothSolver solver = new SmoothSolver(UNIT, 8);
+      point.position.set(-3, -3, 45);
+      device.set(point.position);
+      Vec3 goal = new Vec3();
+      for (int hold = 0; hold < 60; hold++) {
+        goal.set(anywhere(), anywhere(), anywhere());
+        for (int frame = 0; frame < 30; frame++) {
+          approach(goal, 0.4);
+          solver.follow(obstacles, device, point);
+        }
+        longest = Math.max(longest, framesToRest(solver, obstacles, name));
+      }
+    }
+    assertTrue(longest < 200, "longest=" + longest + " seed=" + Seeds.seed());
+  }
+
+  private int framesToRest(SmoothSolver solver, Obstacles obstacles, String name) {
+    Vec3 before = new Vec3();
+    int moving = 0;
+    do {
+      before.set(point.position);
+      solver.follow(obstacles, device, point);
+      moving++;
+      assertTrue(moving < 2000, name + " never rests, seed=" + Seeds.seed());
+    } while (!before.sameBits(point.position));
+    for (int frame = 0; frame < 5; frame++) {
+      solver.follow(obstacles, device, point);
+      assertTrue(before.sameBits(point.position), name);
+      assertEquals(0, point.legs.count());
+    }
+    return moving;
+  }
+
+  /** The skip of a resting frame must not be what makes it rest. */
+  @Test
+  void restsWithoutRememberingThatItRested() {
+    BitCube bits = Worlds.make("maze", Seeds.seed());
+    Obstacles obstacles = obstacles(bits);
+    SmoothSolver solver = new SmoothSolver(UNIT, 8);
+    point.position.set(-3, -3, 45);
+    device.set(20.3, 21.2, 19.9);
+    for (int frame = 0; frame < 300; frame++) {
+      solver.follow(obstacles, device, point);
+    }
+    Vec3 rested = new Vec3().set(point.position);
+    SmoothSolver other = new SmoothSolver(UNIT, 8);
+    other.follow(obstacles, new Vec3(device.x, device.y, Math.nextUp(device.z)), point);
+    other.follow(obstacles, device, point);
+    assertTrue(rested.sameBits(point.position), "rested " + rested + " now " + point.position);
+  }
+
+  @Test
+  void anEditedVoxelIsFeltInTheNextFrame() {
+    BitCube bits = Worlds.make("slope", Seeds.seed());
+    Obstacles obstacles = obstacles(bits);
+    SmoothSolver solver = new SmoothSolver(UNIT, 8);
+    point.position.set(25, 25, 30);
+    device.set(20, 20, 14);
+    for (int frame = 0; frame < 50; frame++) {
+      solver.follow(obstacles, device, point);
+    }
+    double before = point.position.z;
+    for (int k = 0; k < Worlds.EDGE; k++) {
+      bits.clear(20, 20, k);
+      bits.clear(21, 20, k);
+    }
+    solver.reset();
+    solver.follow(obstacles, device, point);
+    assertTrue(point.position.z < before - 1e-3, "before " + before + " now " + point.position);
+  }
+
+  private static Obstacles obstacles(BitCube bits) {
+    return new Obstacles(List.of(bits));
+  }
+}

@@ -1,0 +1,77 @@
+package org.palpate.proxy.smooth;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.palpate.volume.BitCube;
+
+/** Small worlds that are hard to slide on. */
+final class Worlds {
+  /** Voxels along an edge of each. */
+  static final int EDGE = 40;
+
+  /** The names of all worlds. */
+  static final List<String> NAMES =
+      List.of(
+          "dust",
+          "sponge",
+          "maze",
+          "comb",
+          "slits",
+          "holes",
+          "checkerboard",
+          "wire",
+          "cube",
+          "corner",
+          "wedge",
+          "slope",
+          "needles",
+          "sheet");
+
+  private Worlds() {}
+
+  /** Makes a world, the same for the same seed. */
+  static BitCube make(String name, long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    BitCube bits = new BitCube(EDGE, EDGE, EDGE);
+    for (int k = 0; k < EDGE; k++) {
+      for (int j = 0; j < EDGE; j++) {
+        for (int i = 0; i < EDGE; i++) {
+          if (isSolid(name, i, j, k, random)) {
+            bits.set(i, j, k);
+          }
+        }
+      }
+    }
+    return bits;
+  }
+
+  private static boolean isSolid(String name, int i, int j, int k, SplittableRandom random) {
+    return switch (name) {
+      case "dust" -> random.nextDouble() < 0.03;
+      case "sponge" -> random.nextDouble() < 0.35;
+      case "maze" -> isMaze(i, j, k, random);
+      case "comb" -> k < 20 && i % 6 < 3;
+      case "slits" -> k < 20 && i % (2 + j / 8) != 0;
+      case "holes" -> k < 25 && !(i % 7 < 1 + j / 12 && j % 7 < 1 + j / 12);
+      case "checkerboard" -> k < 20 && (i + j + k) % 2 == 0;
+      case "wire" -> j == 20 && k == 20;
+      case "cube" -> isBetween(i, 12, 28) && isBetween(j, 12, 28) && isBetween(k, 12, 28);
+      case "corner" -> i < 12 || k < 12;
+      case "wedge" -> k < 20 && Math.abs(i - 20) < (20 - k) * 0.5;
+      case "slope" -> i + 2 * j + 3 * k < 120;
+      case "needles" -> i % 5 == 0 && j % 5 == 0 && k < 30;
+      case "sheet" -> k == 20 && random.nextDouble() < 0.97;
+      default -> throw new IllegalArgumentException("no such world: " + name);
+    };
+  }
+
+  private static boolean isBetween(int v, int low, int high) {
+    return v >= low && v < high;
+  }
+
+  /** Walls every five voxels, with windows. */
+  private static boolean isMaze(int i, int j, int k, SplittableRandom random) {
+    boolean wall = i % 5 == 0 || j % 5 == 0 || k % 5 == 0;
+    return wall && random.nextDouble() < 0.85;
+  }
+}
