@@ -1,0 +1,247 @@
+// The control of the real-time laboratory: the same paced loop as the Java cells run, without a
+// JVM. What it is late is the machine's share.
+//
+//   palpate-control --wait sleep|absolute|hybrid|spin --frames N --warm-up N --period NANOS
+//                   --priority 0|1..99 --cpu N|-1 --lock 0|1 --out FILE
+//
+// FILE gets one record a frame, six 64-bit integers in the machine's byte order:
+//
+//   due      when the frame should have begun, ns of CLOCK_MONOTONIC
+//   start    when it began
+//   end      when its work was done
+//   delayed  how long this thread was ready to run and did not, in all, ns (the kernel's schedstat)
+//   preempted  how often it was put off its processor, in all
+//   faults   pages that had to come from a disk, in all
+//
+// Standard output gets what the kernel granted, a line each, "class granted fifo 40".
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr int64_t kNanosPerSecond = 1000000000;
+constexpr int64_t kLeastWindowNanos = 20000;
+constexpr int64_t kMostWindowNanos = 400000;
+constexpr int kWindowSleeps = 200;
+constexpr int64_t kWindowSleepNanos = 500000;
+
+struct Record {
+  int64_t due;
+  int64_t start;
+  int64_t end;
+  int64_t delayed;
+  int64_t preempted;
+  int64_t faults;
+};
+
+int64_t nanos() {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return time.tv_sec * kNanosPerSecond + time.tv_nsec;
+}
+
+timespec toTimespec(int64_t value) {
+  return {static_cast<time_t>(value / kNanosPerSecond), static_cast<long>(value % kNanosPerSecond)};
+}
+
+void sleepUntil(int64_t moment) {
+  timespec time = toTimespec(moment);
+  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr);
+}
+
+void sleepFor(int64_t duration) {
+  if (duration > 0) {
+    timespec time = toTimespec(duration);
+    nanosleep(&time, nullptr);
+  }
+}
+
+void spinUntil(int64_t moment) {
+  while (nanos() < moment) {
+  }
+}
+
+/** A quarter more than the 99th percentile of how late this thread wakes. */
+int64_t measureWindow() {
+  std::vector<int64_t> late;
+  for (int i = 0; i < kWindowSleeps; i++) {
+    int64_t due = nanos() + kWindowSleepNanos;
+    sleepUntil(due);
+    late.push_back(nanos() - due);
+  }
+  std::sort(late.begin(), late.end());
+  int64_t covered = late[kWindowSleeps * 99 / 100];
+  return std::clamp(covered + covered / 4, kLeastWindowNanos, kMostWindowNanos);
+}
+
+class Pacer {
+ public:
+  explicit Pacer(const std::string& wait) : wait_(wait) {
+    if (wait_ == "hybrid") {
+      windowNanos_ = measureWindow();
+    }
+  }
+
+  int64_t windowNanos() const { return windowNanos_; }
+
+  void awaitMoment(int64_t due) const {
+    if (wait_ == "spin") {
+      spinUntil(due);
+    } else if (wait_ == "sleep") {
+      sleepFor(due - nanos());
+    } else {
+      sleepUntil(due - windowNanos_);
+      spinUntil(due);
+    }
+  }
+
+ private:
+  std::string wait_;
+  int64_t windowNanos_ = 0;
+};
+
+/** The kernel's own counters of the calling thread. */
+class Counters {
+ public:
+  Counters() : schedstat_(open("/proc/thread-self/schedstat", O_RDONLY | O_CLOEXEC)) {}
+  ~Counters() {
+    if (schedstat_ >= 0) {
+      close(schedstat_);
+    }
+  }
+  Counters(const Counters&) = delete;
+  Counters& operator=(const Counters&) = delete;
+
+  void read(Record& record) const {
+    char text[96];
+    ssize_t length = schedstat_ < 0 ? -1 : pread(schedstat_, text, sizeof text - 1, 0);
+    if (length > 0) {
+      text[length] = 0;
+      char* rest = nullptr;
+      std::strtoll(text, &rest, 10);
+      record.delayed = std::strtoll(rest, nullptr, 10);
+    }
+    rusage usage{};
+    getrusage(RUSAGE_THREAD, &usage);
+    record.preempted = usage.ru_nivcsw;
+    record.faults = usage.ru_majflt;
+  }
+
+ private:
+  int schedstat_;
+};
+
+void tell(const char* wish, bool granted, const std::string& detail) {
+  std::printf("%s %s %s\n", wish, granted ? "granted" : "refused", detail.c_str());
+}
+
+void tellAnswer(const char* wish, int result, const std::string& what) {
+  tell(wish, result == 0, result == 0 ? what : std::strerror(errno));
+}
+
+using Options = std::map<std::string, std::string>;
+
+int64_t number(const Options& options, const char* name, int64_t otherwise) {
+  auto found = options.find(name);
+  return found == options.end() ? otherwise : std::strtoll(found->second.c_str(), nullptr, 10);
+}
+
+void askKernel(const Options& options) {
+  if (number(options, "--lock", 0) != 0) {
+    tellAnswer("memory_lock", mlockall(MCL_CURRENT | MCL_FUTURE), "now and later pages");
+  }
+  tellAnswer("timer_slack", prctl(PR_SET_TIMERSLACK, 1), "1 ns");
+  int cpu = static_cast<int>(number(options, "--cpu", -1));
+  if (cpu >= 0) {
+    cpu_set_t only;
+    CPU_ZERO(&only);
+    CPU_SET(cpu, &only);
+    tellAnswer("affinity", sched_setaffinity(0, sizeof only, &only), "cpu " + std::to_string(cpu));
+  }
+  int priority = static_cast<int>(number(options, "--priority", 0));
+  if (priority > 0) {
+    sched_param param{};
+    param.sched_priority = priority;
+    tellAnswer("class", sched_setscheduler(0, SCHED_FIFO, &param),
+               "fifo " + std::to_string(priority));
+  }
+}
+
+/** Deadlines lie on a fixed grid; one that passed while the loop was held up is left out. */
+int64_t nextDue(int64_t due, int64_t period) {
+  int64_t late = nanos() - due;
+  return due + period * std::max<int64_t>(1, late / period + (late % period == 0 ? 0 : 1));
+}
+
+void run(const Pacer& pacer, int64_t warmUp, int64_t period, std::vector<Record>& records) {
+  Counters counters;
+  int64_t due = nanos() + 5 * period;
+  int64_t frames = static_cast<int64_t>(records.size());
+  for (int64_t i = -warmUp; i < frames; i++) {
+    pacer.awaitMoment(due);
+    Record record{due, nanos(), 0, 0, 0, 0};
+    record.end = nanos();
+    counters.read(record);
+    if (i >= 0) {
+      records[i] = record;
+    }
+    due = nextDue(due, period);
+  }
+}
+
+bool write(const std::string& file, const std::vector<Record>& records) {
+  std::FILE* out = std::fopen(file.c_str(), "wb");
+  if (out == nullptr) {
+    return false;
+  }
+  size_t written = std::fwrite(records.data(), sizeof(Record), records.size(), out);
+  return std::fclose(out) == 0 && written == records.size();
+}
+
+bool parse(int count, char** words, Options& options) {
+  for (int i = 1; i + 1 < count; i += 2) {
+    options[words[i]] = words[i + 1];
+  }
+  const std::string wait = options["--wait"];
+  bool known = wait == "sleep" || wait == "absolute" || wait == "hybrid" || wait == "spin";
+  return count % 2 == 1 && known && options.count("--out") == 1;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  Options options;
+  if (!parse(count, words, options)) {
+    std::fprintf(
+        stderr,
+        "palpate-control: wrong use: arguments: --wait sleep|absolute|hybrid|spin --frames "
+        "N --warm-up N --period NANOS --priority P --cpu N --lock 0|1 --out FILE\n");
+    return 2;
+  }
+  std::vector<Record> records(number(options, "--frames", 1000), Record{});
+  askKernel(options);
+  Pacer pacer(options["--wait"]);
+  std::printf("spin_window_nanos %lld\n", static_cast<long long>(pacer.windowNanos()));
+  run(pacer, number(options, "--warm-up", 1000), number(options, "--period", 1000000), records);
+  if (!write(options["--out"], records)) {
+    std::fprintf(stderr, "palpate-control: cannot write: %s: %s\n", options["--out"].c_str(),
+                 std::strerror(errno));
+    return 1;
+  }
+  return 0;
+}
