@@ -6,7 +6,7 @@ import com.sun.jna.Native;
  * The C library's calls, mapped directly. Addresses are {@code long}, so that a call in a frame
  * makes no object; 64-bit systems only.
  *
- * <p>Source: sched.h, sys/mman.h, sys/prctl.h, time.h, fcntl.h of Linux.
+ * <p>Source: sched.h, sys/mman.h, sys/prctl.h, time.h, fcntl.h, sys/resource.h of Linux.
  */
 final class LinuxLibrary {
   static final int SCHED_FIFO = 1;
@@ -20,6 +20,7 @@ final class LinuxLibrary {
   static final int PR_SET_TIMERSLACK = 29;
   static final int CLOCK_MONOTONIC = 1;
   static final int TIMER_ABSTIME = 1;
+  static final int RUSAGE_THREAD = 1;
   static final int O_RDONLY = 0;
   static final int O_CLOEXEC = 0x80000;
 
@@ -46,4 +47,7 @@ final class LinuxLibrary {
   static native long pread(int descriptor, long buffer, long bytes, long offset);
 
   static native int close(int descriptor);
+
+  /** Fills a {@code struct rusage}. */
+  static native int getrusage(int who, long usage);
 }

@@ -33,8 +33,13 @@ public final class Realtime {
     }
   }
 
+  /** Whether this is a Linux whose C library can be called. */
+  static boolean isLinux() {
+    return LINUX && WIDE;
+  }
+
   private static List<Grant> ask(RealtimeWish wish) {
-    if (LINUX && WIDE) {
+    if (isLinux()) {
       return new LinuxSetup(new LinuxScheduler(), Path.of("/"), TAKEN_CPUS).apply(wish);
     }
     if (WINDOWS && WIDE) {
@@ -46,7 +51,7 @@ public final class Realtime {
   /** The most punctual sleep that the system offers; the JDK's own where there is no better. */
   public static PreciseSleep sleep() {
     try {
-      if (LINUX && WIDE) {
+      if (isLinux()) {
         return new LinuxSleep();
       }
       if (WINDOWS && WIDE) {

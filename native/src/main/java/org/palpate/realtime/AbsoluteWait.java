@@ -1,0 +1,22 @@
+package org.palpate.realtime;
+
+/** The system's sleep to an absolute moment, again where a signal ended it early. */
+final class AbsoluteWait implements DeadlineWait {
+  private final PreciseSleep sleep;
+
+  AbsoluteWait(PreciseSleep sleep) {
+    this.sleep = sleep;
+  }
+
+  @Override
+  public void until(long nanoTime) {
+    while (System.nanoTime() < nanoTime) {
+      sleep.until(nanoTime);
+    }
+  }
+
+  @Override
+  public void close() {
+    sleep.close();
+  }
+}

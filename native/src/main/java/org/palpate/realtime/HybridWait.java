@@ -1,0 +1,74 @@
+package org.palpate.realtime;
+
+import java.util.function.LongSupplier;
+
+/**
+ * Sleeps to a little before the moment, then spins: the processor is free most of the time and the
+ * wake-up is as punctual as a spin.
+ *
+ * <p>A spin that jumps tells that the thread was put off its processor; a jump as long as the
+ * kernel's forced rest of real-time threads is counted as throttling.
+ */
+public final class HybridWait implements DeadlineWait {
+  private final PreciseSleep sleep;
+  private final long windowNanos;
+  private final long throttlingGapNanos;
+  private final LongSupplier clock;
+  private long longestGapNanos;
+  private long throttled;
+
+  HybridWait(PreciseSleep sleep, long windowNanos, Throttling throttling) {
+    this(sleep, windowNanos, throttling, System::nanoTime);
+  }
+
+  HybridWait(PreciseSleep sleep, long windowNanos, Throttling throttling, LongSupplier clock) {
+    this.sleep = sleep;
+    this.windowNanos = windowNanos;
+    this.throttlingGapNanos = throttling.gapNanos();
+    this.clock = clock;
+  }
+
+  @Override
+  public void until(long nanoTime) {
+    long before = clock.getAsLong();
+    if (before < nanoTime - windowNanos) {
+      sleep.until(nanoTime - windowNanos);
+      before = clock.getAsLong();
+    }
+    while (before < nanoTime) {
+      Thread.onSpinWait();
+      long now = clock.getAsLong();
+      noteGap(now - before);
+      before = now;
+    }
+  }
+
+  private void noteGap(long gapNanos) {
+    if (gapNanos > longestGapNanos) {
+      longestGapNanos = gapNanos;
+    }
+    if (gapNanos >= throttlingGapNanos) {
+      throttled++;
+    }
+  }
+
+  /** How long before the moment the sleep ends. */
+  public long windowNanos() {
+    return windowNanos;
+  }
+
+  /** The longest that two looks at the clock lay apart in a spin. */
+  public long longestGapNanos() {
+    return longestGapNanos;
+  }
+
+  /** How often a gap was as long as the rest that the kernel forces on real-time threads. */
+  public long throttled() {
+    return throttled;
+  }
+
+  @Override
+  public void close() {
+    sleep.close();
+  }
+}

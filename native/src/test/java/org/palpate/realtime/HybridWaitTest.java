@@ -1,0 +1,70 @@
+package org.palpate.realtime;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class HybridWaitTest {
+  private static final Throttling USUAL = new Throttling(950_000, 1_000_000);
+
+  private final List<Long> sleptUntil = new ArrayList<>();
+  private long now = 1_000_000;
+  private long step = 100;
+  private long lateNanos;
+
+  @Test
+  void sleepsToTheWindowThenSpinsToTheMoment() {
+    HybridWait wait = hybrid();
+    wait.until(2_000_000);
+    assertEquals(List.of(1_900_000L), sleptUntil);
+    assertEquals(2_000_000, now);
+    assertEquals(step, wait.longestGapNanos());
+  }
+
+  @Test
+  void doesNotSleepInsideTheWindow() {
+    hybrid().until(1_050_000);
+    assertEquals(List.of(), sleptUntil);
+    assertEquals(1_050_000, now);
+  }
+
+  @Test
+  void returnsAtOnceWhereTheMomentHasPassed() {
+    long before = now;
+    hybrid().until(before - 1);
+    assertEquals(before + step, now, "one look at the clock");
+  }
+
+  @Test
+  void doesNotSpinWhereTheSleepWasTooLong() {
+    lateNanos = 5_000_000;
+    HybridWait wait = hybrid();
+    wait.until(2_000_000);
+    assertEquals(0, wait.longestGapNanos());
+  }
+
+  @Test
+  void countsAGapAsLongAsTheForcedRestAsThrottling() {
+    HybridWait wait = hybrid();
+    step = 39_000_000;
+    wait.until(now + 80_000);
+    assertEquals(0, wait.throttled());
+    step = 49_000_000;
+    wait.until(now + 49_000_000 + 80_000);
+    assertEquals(1, wait.throttled());
+    assertEquals(49_000_000, wait.longestGapNanos());
+  }
+
+  private HybridWait hybrid() {
+    return new HybridWait(
+        due -> {
+          sleptUntil.add(due);
+          now = due + lateNanos - step;
+        },
+        100_000,
+        USUAL,
+        () -> now += step);
+  }
+}
