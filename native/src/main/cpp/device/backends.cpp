@@ -1,10 +1,13 @@
 #include "device/device.h"
 #include "device/empty.h"
+#include "hid/hid_backend.h"
 
 namespace palpate {
 
 const std::vector<Backend*>& backends() {
-  static const auto* all = new std::vector<Backend*>{};  // outlives threads that hang in a vendor
+  static const auto* all = new std::vector<Backend*>{
+      new hid::HidBackend(),
+  };  // outlives threads that hang in a vendor
   return *all;
 }
 

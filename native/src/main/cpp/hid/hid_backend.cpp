@@ -1,0 +1,155 @@
+#include "hid/hid_backend.h"
+
+#include <cstdio>
+
+#ifndef _WIN32
+#include <unistd.h>
+#endif
+
+#include "hid/protocol.h"
+
+namespace palpate::hid {
+namespace {
+
+constexpr uint16_t kLogitech = 0x046D;
+constexpr uint16_t k3Dconnexion = 0x256F;
+constexpr uint16_t kWoodenVendor = 0x1234;
+constexpr uint16_t kWoodenProduct = 0x0006;
+constexpr uint16_t kGenericDesktop = 0x01;
+constexpr uint16_t kMultiAxisController = 0x08;
+
+using Opener = std::unique_ptr<Device> (*)(Link, const Listed&, std::shared_ptr<Trace>,
+                                           std::string&);
+
+/** How to open it; nullptr where it is no device of ours. */
+Opener openerOf(const Listed& listed) {
+  if (listed.usagePage == kUsagePage && listed.usage == kUsage) {
+    return openProtocolDevice;
+  }
+  if (listed.vendorId == kWoodenVendor && listed.productId == kWoodenProduct) {
+    return openWoodenHaptics;
+  }
+  const bool maker = listed.vendorId == kLogitech || listed.vendorId == k3Dconnexion;
+  const bool axes = listed.usagePage == kGenericDesktop && listed.usage == kMultiAxisController;
+  return maker && axes ? openSpaceMouse : nullptr;
+}
+
+std::string hex4(uint16_t value) {
+  char text[5];
+  std::snprintf(text, sizeof text, "%04x", value);
+  return text;
+}
+
+std::string idOf(const Listed& listed) {
+  return listed.serial.empty() ? listed.path : listed.serial;
+}
+
+/** Why the device's node cannot be opened by this person; empty where it can. */
+std::string permission(const Listed& listed) {
+#ifdef __linux__
+  const bool node = listed.path.rfind("/dev/", 0) == 0;
+  if (node && access(listed.path.c_str(), R_OK | W_OK) != 0) {
+    return "no permission on " + listed.path +
+           ": put this line into /etc/udev/rules.d/70-palpate.rules, then plug it in again: "
+           "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"" +
+           hex4(listed.vendorId) + "\", ATTRS{idProduct}==\"" + hex4(listed.productId) +
+           "\", TAG+=\"uaccess\"";
+  }
+#else
+  (void)listed;
+#endif
+  return "";
+}
+
+FoundDevice found(const Listed& listed) {
+  FoundDevice device;
+  device.id = idOf(listed);
+  device.name = listed.product.empty() ? hex4(listed.vendorId) + ":" + hex4(listed.productId)
+                                       : listed.product;
+  device.why = permission(listed);
+  device.usable = device.why.empty();
+  return device;
+}
+
+std::string noneLike(const std::string& id, const std::vector<Listed>& all) {
+  std::string seen;
+  for (const Listed& listed : all) {
+    if (openerOf(listed) != nullptr) {
+      seen += (seen.empty() ? "" : ", ") + idOf(listed);
+    }
+  }
+  if (seen.empty()) {
+    return "no HID haptic device is plugged in: plug one in";
+  }
+  return "no HID device has the serial " + id + ": use one of " + seen;
+}
+
+}  // namespace
+
+void Link::close(Trace* trace) {
+  Handle* handle = handle_;
+  handle_ = nullptr;
+  if (handle == nullptr) {
+    return;
+  }
+  if (trace != nullptr) {
+    traced(*trace, "hid_close", api_->close, handle);
+  } else {
+    api_->close(handle);
+  }
+}
+
+Finding HidBackend::probe(Trace& trace) {
+  HidApi& api = HidApi::instance();
+  Finding finding;
+  finding.library = api.library;
+  finding.why = api.whyNot;
+  if (!finding.why.empty()) {
+    return finding;
+  }
+  finding.version = api.version();
+  const std::lock_guard<std::mutex> guard(api.lock);
+  for (const Listed& listed : api.list(trace)) {
+    if (openerOf(listed) != nullptr) {
+      finding.devices.push_back(found(listed));
+      finding.usable = finding.usable || finding.devices.back().usable;
+    }
+  }
+  if (finding.devices.empty()) {
+    finding.why = "no HID haptic device is plugged in";
+  } else if (!finding.usable) {
+    finding.why = finding.devices.front().why;
+  }
+  return finding;
+}
+
+std::unique_ptr<Device> HidBackend::open(const std::string& id, std::shared_ptr<Trace> trace,
+                                         std::string& why) {
+  HidApi& api = HidApi::instance();
+  why = api.whyNot;
+  if (!why.empty()) {
+    return nullptr;
+  }
+  const std::lock_guard<std::mutex> guard(api.lock);
+  const std::vector<Listed> all = api.list(*trace);
+  for (const Listed& listed : all) {
+    const Opener opener = openerOf(listed);
+    if (opener == nullptr || (!id.empty() && id != idOf(listed) && id != listed.path)) {
+      continue;
+    }
+    why = permission(listed);
+    if (!why.empty()) {
+      return nullptr;
+    }
+    Handle* handle = traced(*trace, "hid_open_path", api.openPath, listed.path.c_str());
+    if (handle == nullptr) {
+      why = "hid_open_path " + listed.path + ": " + api.lastError(nullptr);
+      return nullptr;
+    }
+    return opener(Link(api, handle), listed, std::move(trace), why);
+  }
+  why = noneLike(id, all);
+  return nullptr;
+}
+
+}  // namespace palpate::hid

@@ -1,0 +1,52 @@
+#ifndef PALPATE_HID_HID_BACKEND_H
+#define PALPATE_HID_HID_BACKEND_H
+
+#include "device/device.h"
+#include "hid/hidapi.h"
+
+namespace palpate::hid {
+
+/**
+ * Devices that speak HID: hand-built ones with the protocol of docs/hid-protocol.md, WoodenHaptics,
+ * and the 3Dconnexion SpaceMouse as an input without force.
+ */
+class HidBackend : public Backend {
+ public:
+  const char* name() const override { return "hid"; }
+  Finding probe(Trace& trace) override;
+  std::unique_ptr<Device> open(const std::string& id, std::shared_ptr<Trace> trace,
+                               std::string& why) override;
+};
+
+/** A device of hidapi's that is closed when it goes out of use. Moves, does not copy. */
+class Link {
+ public:
+  Link(HidApi& api, Handle* handle) : api_(&api), handle_(handle) {}
+  Link(Link&& other) noexcept : api_(other.api_), handle_(other.handle_) {
+    other.handle_ = nullptr;
+  }
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+  ~Link() { close(nullptr); }
+
+  HidApi& api() const { return *api_; }
+  Handle* handle() const { return handle_; }
+
+  void close(Trace* trace);
+
+ private:
+  HidApi* api_;
+  Handle* handle_;
+};
+
+/** Opens a device of each kind over a link; nullptr with `why` filled where it is not one. */
+std::unique_ptr<Device> openProtocolDevice(Link link, const Listed& listed,
+                                           std::shared_ptr<Trace> trace, std::string& why);
+std::unique_ptr<Device> openWoodenHaptics(Link link, const Listed& listed,
+                                          std::shared_ptr<Trace> trace, std::string& why);
+std::unique_ptr<Device> openSpaceMouse(Link link, const Listed& listed,
+                                       std::shared_ptr<Trace> trace, std::string& why);
+
+}  // namespace palpate::hid
+
+#endif
