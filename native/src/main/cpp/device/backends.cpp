@@ -1,12 +1,18 @@
 #include "device/device.h"
 #include "device/empty.h"
+#include "forcedimension/forcedimension_backend.h"
 #include "hid/hid_backend.h"
+#include "openhaptics/openhaptics_backend.h"
+#include "virtuose/virtuose_backend.h"
 
 namespace palpate {
 
 const std::vector<Backend*>& backends() {
   static const auto* all = new std::vector<Backend*>{
       new hid::HidBackend(),
+      new openhaptics::OpenHapticsBackend(),
+      new forcedimension::ForceDimensionBackend(),
+      new virtuose::VirtuoseBackend(),
   };  // outlives threads that hang in a vendor
   return *all;
 }

@@ -1,0 +1,59 @@
+#include "openhaptics/hdapi.h"
+
+#include <vector>
+
+#include "device/library.h"
+
+namespace palpate::openhaptics {
+namespace {
+
+std::vector<std::string> names() {
+#if defined(_WIN32)
+  return {"HD.dll"};
+#elif defined(__APPLE__)
+  return {"/Library/Frameworks/OpenHaptics.framework/OpenHaptics"};
+#else
+  return {"libHD.so.3", "libHD.so"};
+#endif
+}
+
+}  // namespace
+
+HdApi& HdApi::instance() {
+  static auto* api = new HdApi();  // outlives a servo thread that hangs
+  return *api;
+}
+
+HdApi::HdApi() {
+  Library found(names(), nullptr);
+  if (!found.isFound()) {
+    whyNot = "OpenHaptics is not installed (" + found.whyNot() +
+             "): install the device driver and OpenHaptics from 3D Systems";
+    return;
+  }
+  found.need("hdInitDevice", initDevice);
+  found.need("hdMakeCurrentDevice", makeCurrentDevice);
+  found.need("hdDisableDevice", disableDevice);
+  found.need("hdBeginFrame", beginFrame);
+  found.need("hdEndFrame", endFrame);
+  found.need("hdGetError", getError);
+  found.need("hdGetErrorString", getErrorString);
+  found.need("hdEnable", enable);
+  found.need("hdGetIntegerv", getIntegerv);
+  found.need("hdGetDoublev", getDoublev);
+  found.need("hdGetString", getString);
+  found.need("hdSetDoublev", setDoublev);
+  found.need("hdCheckCalibration", checkCalibration);
+  found.need("hdCheckCalibrationStyle", checkCalibrationStyle);
+  found.need("hdUpdateCalibration", updateCalibration);
+  found.need("hdStartScheduler", startScheduler);
+  found.need("hdStopScheduler", stopScheduler);
+  found.need("hdScheduleAsynchronous", scheduleAsynchronous);
+  found.need("hdUnschedule", unschedule);
+  library = found.name();
+  if (!found.missing().empty()) {
+    whyNot = library + " lacks " + found.missing() + ": install OpenHaptics 3 or newer";
+  }
+}
+
+}  // namespace palpate::openhaptics

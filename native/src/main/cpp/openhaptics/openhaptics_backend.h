@@ -1,0 +1,19 @@
+#ifndef PALPATE_OPENHAPTICS_OPENHAPTICS_BACKEND_H
+#define PALPATE_OPENHAPTICS_OPENHAPTICS_BACKEND_H
+
+#include "device/device.h"
+
+namespace palpate::openhaptics {
+
+/** 3D Systems' (SensAble's) devices through HDAPI: Omni, Touch, Premium. */
+class OpenHapticsBackend : public Backend {
+ public:
+  const char* name() const override { return "openhaptics"; }
+  Finding probe(Trace& trace) override;
+  std::unique_ptr<Device> open(const std::string& id, std::shared_ptr<Trace> trace,
+                               std::string& why) override;
+};
+
+}  // namespace palpate::openhaptics
+
+#endif

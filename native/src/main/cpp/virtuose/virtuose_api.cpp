@@ -1,0 +1,71 @@
+#include "virtuose/virtuose_api.h"
+
+#include <vector>
+
+#include "device/library.h"
+
+namespace palpate::virtuose {
+namespace {
+
+std::vector<std::string> names() {
+#if defined(_WIN32)
+  return {"virtuoseAPI.dll"};
+#elif defined(__APPLE__)
+  return {"libVirtuoseAPI.dylib"};
+#else
+  return {"libVirtuoseAPI.so", "libvirtuose.so"};
+#endif
+}
+
+}  // namespace
+
+VirtuoseApi& VirtuoseApi::instance() {
+  static auto* api = new VirtuoseApi();  // outlives a thread that hangs in it
+  return *api;
+}
+
+VirtuoseApi::VirtuoseApi() {
+  Library found(names(), nullptr);
+  if (!found.isFound()) {
+    whyNot = "Haption's Virtuose API is not installed (" + found.whyNot() +
+             "): install version 4 or newer";
+    return;
+  }
+  library = found.name();
+  if (!found.need("virtOpen", open)) {
+    // Version 3 has its functions in the header alone, over one entry that takes a number.
+    whyNot = library + " is older than version 4: install Virtuose API 4 or newer";
+    return;
+  }
+  found.need("virtClose", close);
+  found.need("virtGetErrorCode", getErrorCode);
+  found.need("virtGetErrorMessage", getErrorMessage);
+  found.need("virtAPIVersion", apiVersion);
+  found.need("virtSetIndexingMode", setIndexingMode);
+  found.need("virtSetForceFactor", setForceFactor);
+  found.need("virtSetSpeedFactor", setSpeedFactor);
+  found.need("virtSetTimeStep", setTimeStep);
+  found.need("virtSetTimeoutValue", setTimeoutValue);
+  found.need("virtSetBaseFrame", setBaseFrame);
+  found.need("virtSetObservationFrame", setObservationFrame);
+  found.need("virtSetCommandType", setCommandType);
+  found.need("virtSaturateTorque", saturateTorque);
+  found.need("virtSetPowerOn", setPowerOn);
+  found.need("virtGetPosition", getPosition);
+  found.need("virtSetForce", setForce);
+  found.need("virtGetButton", getButton);
+  found.need("virtGetDeadMan", getDeadMan);
+  found.need("virtGetEmergencyStop", getEmergencyStop);
+  found.need("virtGetPowerOn", getPowerOn);
+  found.need("virtGetAlarm", getAlarm);
+  if (!found.missing().empty()) {
+    whyNot = library + " lacks " + found.missing() + ": install Virtuose API 4 or newer";
+  }
+}
+
+std::string VirtuoseApi::lastError(Context context) const {
+  const char* text = getErrorMessage(getErrorCode(context));
+  return text != nullptr ? text : "unknown error";
+}
+
+}  // namespace palpate::virtuose
