@@ -27,6 +27,11 @@ public interface HapticDevice extends AutoCloseable {
    */
   boolean write(Vec3 forceNewton);
 
+  /** One line: why nothing more comes from the device; empty while it does. Any thread. */
+  default String ending() {
+    return "";
+  }
+
   /**
    * Sends zero force where the device can still be reached, then lets it go. May be called twice
    * and by any thread.

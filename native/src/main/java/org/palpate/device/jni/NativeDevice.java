@@ -13,10 +13,10 @@ import org.palpate.geometry.Vec3;
  * buffer, without allocation.
  *
  * <p>Positions and forces are in the device's frame: millimetres and newtons, x to the right, y up,
- * z towards the person; {@code WorkspaceDevice} maps them to the world. The C++ layer limits what
- * is written to what the device bears, lets force in only when the hand has held the device still,
- * and zeroes it when samples stay away; each device has a watchdog of its own for when this process
- * stops.
+ * z towards the person; {@link org.palpate.device.WorkspaceDevice} maps them to the world. The C++
+ * layer limits what is written to what the device bears, lets force in only when the hand has held
+ * the device still, and zeroes it when samples stay away; each device has a watchdog of its own for
+ * when this process stops.
  *
  * <p>Read and written by one thread; closed by any.
  */
@@ -127,6 +127,7 @@ public final class NativeDevice implements HapticDevice {
    * One line: why the device is gone, or how its last force was left; empty while all is well and
    * after an orderly close. Any thread.
    */
+  @Override
   public String ending() {
     return NativeCalls.ending(handle);
   }

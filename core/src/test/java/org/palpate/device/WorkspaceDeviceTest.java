@@ -1,0 +1,224 @@
+package org.palpate.device;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+
+class WorkspaceDeviceTest {
+  private static final long SEED = seed();
+  private static final DeviceSpecification OMNI =
+      new DeviceSpecification("omni", "7", 3.3, 0.7, 80, 1_000_000);
+
+  private final Random random = new Random(SEED);
+
+  private static long seed() {
+    String given = System.getProperty("palpate.seed");
+    boolean isNumber = given != null && given.matches("-?\\d+");
+    return isNumber ? Long.parseLong(given) : 20130207L;
+  }
+
+  /** A device that a test moves by hand. */
+  private static final class HandHeld implements HapticDevice {
+    final DeviceState next = new DeviceState();
+    final Vec3 feltNewton = new Vec3();
+
+    @Override
+    public DeviceSpecification specification() {
+      return OMNI;
+    }
+
+    @Override
+    public ReadStatus read(DeviceState state) {
+      next.timeNanos += 1_000_000;
+      state.set(next);
+      return ReadStatus.FRESH;
+    }
+
+    @Override
+    public boolean write(Vec3 forceNewton) {
+      feltNewton.set(forceNewton);
+      return true;
+    }
+
+    @Override
+    public void close() {}
+  }
+
+  private Vec3 randomVec(double size) {
+    return new Vec3(
+        size * random.nextGaussian(), size * random.nextGaussian(), size * random.nextGaussian());
+  }
+
+  /** Gram-Schmidt on random vectors; right-handed. */
+  private RigidTransform randomRotation(Vec3 origin) {
+    Vec3 x = randomVec(1);
+    x.mul(1 / x.length(), x);
+    Vec3 y = randomVec(1);
+    y.sub(x.mul(x.dot(y), new Vec3()), y);
+    y.mul(1 / y.length(), y);
+    Vec3 z = new Vec3(x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z, x.x * y.y - x.y * y.x);
+    return new RigidTransform(x, y, z, origin);
+  }
+
+  private Workspace randomWorkspace() {
+    Vec3 scale =
+        new Vec3(Math.exp(random.nextGaussian()), Math.exp(random.nextGaussian()), Math.exp(1));
+    return new Workspace(randomRotation(randomVec(50)), scale);
+  }
+
+  @Test
+  void noScaleAndNoTurnMakesASpringStifferThanItsShareOrGivesItEnergy() {
+    for (int i = 0; i < 300; i++) {
+      Workspace workspace = randomWorkspace();
+      double stiffness = workspace.stiffnessNewtonPerMm(OMNI, 0.5);
+      Vec3 a = randomVec(1);
+      Vec3 b = randomVec(1);
+      Vec3 forceA = springForce(workspace, stiffness, a);
+      Vec3 forceB = springForce(workspace, stiffness, b);
+      String where = "seed=" + SEED + " i=" + i;
+      double limit = 0.5 * 0.7 * a.dot(a);
+      assertTrue(-forceA.dot(a) <= limit * (1 + 1e-12) && -forceA.dot(a) >= 0, where);
+      assertEquals(forceA.dot(b), forceB.dot(a), 1e-9, where + ": no field of forces with a swirl");
+    }
+  }
+
+  /** What the hand feels of a spring to the world's origin when it is moved by {@code handMm}. */
+  private static Vec3 springForce(Workspace workspace, double stiffness, Vec3 handMm) {
+    Vec3 movedMm = workspace.toWorld(handMm, new Vec3());
+    movedMm.sub(workspace.deviceToWorld().origin(), movedMm);
+    return workspace.toDeviceForce(movedMm.mul(-stiffness, new Vec3()), new Vec3());
+  }
+
+  @Test
+  void fitsTheBoxOfASegmentWithinReachAlongEveryAxis() {
+    Vec3 low = new Vec3(-10, 20, 300);
+    Vec3 high = new Vec3(190, 60, 340);
+    Workspace whole = Workspace.fit(OMNI, RigidTransform.identity(), low, high);
+    Workspace each = Workspace.fitEachAxis(OMNI, RigidTransform.identity(), low, high);
+    assertTrue(new Vec3(90, 40, 320).sameBits(whole.toWorld(new Vec3(), new Vec3())));
+    assertEquals(190, whole.toWorld(new Vec3(80, 0, 0), new Vec3()).x, 1e-9);
+    assertEquals(whole.scale().x, whole.scale().y);
+    assertEquals(60, each.toWorld(new Vec3(0, 80, 0), new Vec3()).y, 1e-9);
+    assertEquals(0.5 * 0.7 / 1.25, whole.stiffnessNewtonPerMm(OMNI, 0.5), 1e-12);
+  }
+
+  @Test
+  void turnsTheOrientationWithTheFrame() {
+    for (int i = 0; i < 300; i++) {
+      RigidTransform frame = randomRotation(new Vec3());
+      HandHeld hand = new HandHeld();
+      Vec3 axis = randomVec(1);
+      axis.mul(1 / axis.length(), axis);
+      double half = random.nextDouble() * 3;
+      hand.next.qx = axis.x * Math.sin(half);
+      hand.next.qy = axis.y * Math.sin(half);
+      hand.next.qz = axis.z * Math.sin(half);
+      hand.next.qw = Math.cos(half);
+      DeviceState seen = readOnce(hand, new Workspace(frame, new Vec3(1, 1, 1)));
+      Vec3 arrow = randomVec(1);
+      Vec3 expected = frame.rotate(rotated(hand.next, arrow), new Vec3());
+      Vec3 difference = rotated(seen, arrow).sub(expected, new Vec3());
+      assertTrue(difference.length() < 1e-9, "seed=" + SEED + " i=" + i + " " + difference);
+    }
+  }
+
+  private static DeviceState readOnce(HapticDevice device, Workspace workspace) {
+    DeviceState state = new DeviceState();
+    new WorkspaceDevice(device, workspace, WorkspaceDevice.Controls.standard()).read(state);
+    return state;
+  }
+
+  /** The rotation of a state's quaternion, written out as v + 2 u x (u x v + w v). */
+  private static Vec3 rotated(DeviceState q, Vec3 v) {
+    double ax = q.qy * v.z - q.qz * v.y + q.qw * v.x;
+    double ay = q.qz * v.x - q.qx * v.z + q.qw * v.y;
+    double az = q.qx * v.y - q.qy * v.x + q.qw * v.z;
+    return new Vec3(
+        v.x + 2 * (q.qy * az - q.qz * ay),
+        v.y + 2 * (q.qz * ax - q.qx * az),
+        v.z + 2 * (q.qx * ay - q.qy * ax));
+  }
+
+  @Test
+  void neitherClutchNorSpeedMakesThePointJump() {
+    HandHeld hand = new HandHeld();
+    Workspace workspace = randomWorkspace();
+    WorkspaceDevice device =
+        new WorkspaceDevice(hand, workspace, WorkspaceDevice.Controls.standard());
+    DeviceState state = new DeviceState();
+    device.read(state);
+    Vec3 lastMm = new Vec3().set(state.positionMm);
+    double mostMm = 0.1 * Math.sqrt(3) * workspace.largestScale() * (1 + 1e-9);
+    for (int i = 0; i < 5000; i++) {
+      hand.next.buttons = random.nextInt(20) == 0 ? random.nextInt(8) : hand.next.buttons;
+      Vec3 step = new Vec3(random.nextDouble(), random.nextDouble(), random.nextDouble());
+      hand.next.positionMm.add(step.mul(0.1, step), hand.next.positionMm);
+      device.read(state);
+      double movedMm = state.positionMm.sub(lastMm, new Vec3()).length();
+      assertTrue(movedMm <= mostMm + 1e-9, "seed=" + SEED + " i=" + i + " movedMm=" + movedMm);
+      assertTrue(!device.isClutched() || movedMm < 1e-12, "seed=" + SEED + " i=" + i);
+      lastMm.set(state.positionMm);
+    }
+  }
+
+  @Test
+  void theClutchTakesTheForceAwayAtOnceAndBringsItBackSlowly() {
+    HandHeld hand = new HandHeld();
+    Workspace same = new Workspace(RigidTransform.identity(), new Vec3(1, 1, 1));
+    WorkspaceDevice device = new WorkspaceDevice(hand, same, new WorkspaceDevice.Controls(1, 0, 1));
+    DeviceState state = new DeviceState();
+    device.read(state);
+    assertEquals(2, felt(device, hand, state));
+    hand.next.buttons = 1;
+    assertEquals(0, felt(device, hand, state));
+    hand.next.buttons = 0;
+    double last = felt(device, hand, state);
+    assertEquals(0, last);
+    for (int i = 0; i < 150; i++) {
+      double now = felt(device, hand, state);
+      assertTrue(now > last && now - last <= 2.0 / 150 + 1e-9, "i=" + i + " now=" + now);
+      last = now;
+    }
+    assertEquals(2, last);
+  }
+
+  private static double felt(WorkspaceDevice device, HandHeld hand, DeviceState state) {
+    device.read(state);
+    device.write(new Vec3(2, 0, 0));
+    return hand.feltNewton.x;
+  }
+
+  @Test
+  void whatIsNotFiniteComesThroughAndChangesNothing() {
+    HandHeld hand = new HandHeld();
+    WorkspaceDevice device =
+        new WorkspaceDevice(hand, randomWorkspace(), WorkspaceDevice.Controls.standard());
+    DeviceState state = new DeviceState();
+    device.read(state);
+    Vec3 beforeMm = new Vec3().set(state.positionMm);
+    hand.next.positionMm.x = Double.NaN;
+    hand.next.buttons = 6;
+    device.read(state);
+    assertFalse(state.positionMm.isFinite());
+    hand.next.positionMm.x = 0;
+    hand.next.buttons = 0;
+    device.read(state);
+    assertTrue(beforeMm.sameBits(state.positionMm), beforeMm + " " + state.positionMm);
+  }
+
+  @Test
+  void refusesAMirrorAndAScaleOfZero() {
+    RigidTransform mirror =
+        new RigidTransform(new Vec3(-1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3());
+    assertThrows(IllegalArgumentException.class, () -> new Workspace(mirror, new Vec3(1, 1, 1)));
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> new Workspace(RigidTransform.identity(), new Vec3(1, 0, 1)));
+  }
+}
