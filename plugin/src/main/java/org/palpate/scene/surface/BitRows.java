@@ -1,0 +1,70 @@
+package org.palpate.scene.surface;
+
+import java.util.Arrays;
+import org.palpate.volume.BitCube;
+
+/** A cube of up to 64 voxels an edge cut out of a bit cube, a row along x to a word. Scratch. */
+final class BitRows {
+  static final int MAX_EDGE = Long.SIZE;
+
+  private final long[] rows = new long[MAX_EDGE * MAX_EDGE];
+  private int edge;
+
+  /** Fills the rows with the voxels from (x,y,z) on; what lies outside the cube is empty. */
+  void load(BitCube bits, int x, int y, int z, int newEdge) {
+    edge = newEdge;
+    Arrays.fill(rows, 0, edge * edge, 0);
+    for (int bz = z >> 2; bz <= (z + edge - 1) >> 2; bz++) {
+      for (int by = y >> 2; by <= (y + edge - 1) >> 2; by++) {
+        for (int bx = x >> 2; bx <= (x + edge - 1) >> 2; bx++) {
+          long word = bits.brick(bx, by, bz);
+          if (word != 0) {
+            scatter(word, (bx << 2) - x, (by << 2) - y, (bz << 2) - z);
+          }
+        }
+      }
+    }
+  }
+
+  private void scatter(long word, int x, int y, int z) {
+    for (int row = 0; row < 16; row++) {
+      long four = (word >>> (4 * row)) & 15;
+      int toY = y + (row & 3);
+      int toZ = z + (row >> 2);
+      if (four != 0 && toY >= 0 && toY < edge && toZ >= 0 && toZ < edge) {
+        rows[toZ * edge + toY] |= x >= 0 ? four << x : four >>> -x;
+      }
+    }
+  }
+
+  /**
+   * Which cells of a row of cells have both solid and empty corners: bit x for the cell between
+   * voxels x and x+1. Bits from {@code edge - 1} on mean nothing.
+   */
+  long mixedCells(int y, int z) {
+    long a = row(y, z);
+    long b = row(y + 1, z);
+    long c = row(y, z + 1);
+    long d = row(y + 1, z + 1);
+    long any = a | b | c | d;
+    long all = a & b & c & d;
+    return (any | (any >>> 1)) & ~(all & (all >>> 1));
+  }
+
+  /** The corners of cell (x,y,z), as {@link SheetTable} numbers them. */
+  int corners(int x, int y, int z) {
+    return (int)
+        (two(x, y, z)
+            | (two(x, y + 1, z) << 2)
+            | (two(x, y, z + 1) << 4)
+            | (two(x, y + 1, z + 1) << 6));
+  }
+
+  private long two(int x, int y, int z) {
+    return (row(y, z) >>> x) & 3;
+  }
+
+  private long row(int y, int z) {
+    return rows[z * edge + y];
+  }
+}

@@ -1,0 +1,98 @@
+package org.palpate.scene.surface;
+
+import java.util.List;
+import org.palpate.volume.BitCube;
+
+/** How full the cells of a coarse grid are, 0 to 1, interpolated between their middles. */
+final class DensityLevel {
+  private static final int FULL = 255;
+
+  private final int sizeX;
+  private final int sizeY;
+  private final int sizeZ;
+  private final int shift;
+  private final byte[] fullness;
+
+  private DensityLevel(int sizeX, int sizeY, int sizeZ, int shift) {
+    this.sizeX = sizeX;
+    this.sizeY = sizeY;
+    this.sizeZ = sizeZ;
+    this.shift = shift;
+    fullness = new byte[Math.multiplyExact(Math.multiplyExact(sizeX, sizeY), sizeZ)];
+  }
+
+  /** The bricks of cubes of one size, taken together. */
+  static DensityLevel ofBricks(List<BitCube> cubes) {
+    BitCube first = cubes.get(0);
+    DensityLevel level =
+        new DensityLevel(first.bricksX(), first.bricksY(), first.bricksZ(), BitCube.BRICK_SHIFT);
+    for (int z = 0; z < level.sizeZ; z++) {
+      for (int y = 0; y < level.sizeY; y++) {
+        for (int x = 0; x < level.sizeX; x++) {
+          long together = 0;
+          for (BitCube cube : cubes) {
+            together |= cube.brick(x, y, z);
+          }
+          level.fullness[level.index(x, y, z)] = (byte) (Long.bitCount(together) * FULL / 64);
+        }
+      }
+    }
+    return level;
+  }
+
+  /** The same with cells twice as large. */
+  DensityLevel half() {
+    DensityLevel half =
+        new DensityLevel((sizeX + 1) / 2, (sizeY + 1) / 2, (sizeZ + 1) / 2, shift + 1);
+    for (int z = 0; z < half.sizeZ; z++) {
+      for (int y = 0; y < half.sizeY; y++) {
+        for (int x = 0; x < half.sizeX; x++) {
+          half.fullness[half.index(x, y, z)] = (byte) meanOfEight(2 * x, 2 * y, 2 * z);
+        }
+      }
+    }
+    return half;
+  }
+
+  private int meanOfEight(int x, int y, int z) {
+    int sum = 0;
+    for (int corner = 0; corner < 8; corner++) {
+      sum += cell(x + (corner & 1), y + ((corner >> 1) & 1), z + (corner >> 2));
+    }
+    return sum / 8;
+  }
+
+  /** The fullness around a point in grid coordinates; outside the grid it is 0. */
+  float at(float x, float y, float z) {
+    float cell = 1f / (1 << shift);
+    float u = x * cell - 0.5f;
+    float v = y * cell - 0.5f;
+    float w = z * cell - 0.5f;
+    int i = (int) Math.floor(u);
+    int j = (int) Math.floor(v);
+    int k = (int) Math.floor(w);
+    u -= i;
+    v -= j;
+    w -= k;
+    float low = mix(mix(cell(i, j, k), cell(i + 1, j, k), u), row(i, j + 1, k, u), v);
+    float high = mix(row(i, j, k + 1, u), row(i, j + 1, k + 1, u), v);
+    return mix(low, high, w) / FULL;
+  }
+
+  private float row(int i, int j, int k, float u) {
+    return mix(cell(i, j, k), cell(i + 1, j, k), u);
+  }
+
+  private static float mix(float a, float b, float share) {
+    return a + (b - a) * share;
+  }
+
+  private int cell(int x, int y, int z) {
+    boolean inside = x >= 0 && x < sizeX && y >= 0 && y < sizeY && z >= 0 && z < sizeZ;
+    return inside ? fullness[index(x, y, z)] & 255 : 0;
+  }
+
+  private int index(int x, int y, int z) {
+    return (z * sizeY + y) * sizeX + x;
+  }
+}

@@ -1,0 +1,171 @@
+package org.palpate.scene.surface;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Locale;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Surfaces as binary STL or PLY files, in world millimetres, outward side counter-clockwise even
+ * where the transform mirrors. The file appears whole or not at all.
+ */
+public final class SurfaceFile {
+  private static final int STL_HEADER_BYTES = 80;
+  private static final int STL_TRIANGLE_BYTES = 50;
+  private static final int PLY_VERTEX_BYTES = 24;
+  private static final int PLY_FACE_BYTES = 13;
+
+  private SurfaceFile() {}
+
+  public static boolean isSurfaceName(Path file) {
+    return isStl(file) || isPly(file);
+  }
+
+  /**
+   * Writes a surface in the format that the file's name ends with.
+   *
+   * @param gridMmToWorld where the surface stands
+   * @throws IllegalArgumentException where the name ends with neither .stl nor .ply
+   */
+  public static void write(WeldedSurface surface, RigidTransform gridMmToWorld, Path file)
+      throws IOException {
+    if (!isSurfaceName(file)) {
+      throw new IllegalArgumentException("not a .stl or .ply name: file=" + file);
+    }
+    Path directory = file.toAbsolutePath().getParent();
+    Path part = Files.createTempFile(directory, ".palpate-", ".part");
+    try {
+      try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(part), 1 << 16)) {
+        if (isStl(file)) {
+          writeStl(surface, gridMmToWorld, out);
+        } else {
+          writePly(surface, gridMmToWorld, out);
+        }
+      }
+      Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(part);
+    }
+  }
+
+  private static boolean isStl(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(".stl");
+  }
+
+  private static boolean isPly(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(".ply");
+  }
+
+  /** Writes binary STL. */
+  static void writeStl(WeldedSurface surface, RigidTransform gridMmToWorld, OutputStream out)
+      throws IOException {
+    byte[] header = new byte[STL_HEADER_BYTES];
+    byte[] title = "Palpate surface, mm".getBytes(StandardCharsets.US_ASCII);
+    System.arraycopy(title, 0, header, 0, title.length);
+    out.write(header);
+    byte[] count = new byte[Integer.BYTES];
+    little(count).putInt(surface.triangleCount());
+    out.write(count);
+    float[] world = toWorld(surface.positionsMm(), gridMmToWorld);
+    boolean mirrored = isMirrored(gridMmToWorld);
+    byte[] bytes = new byte[STL_TRIANGLE_BYTES];
+    ByteBuffer record = little(bytes);
+    int[] corners = surface.triangles();
+    for (int t = 0; t < corners.length; t += 3) {
+      int second = mirrored ? 2 : 1;
+      record.clear();
+      putStl(record, world, 3 * corners[t], 3 * corners[t + second], 3 * corners[t + 3 - second]);
+      out.write(bytes);
+    }
+  }
+
+  private static void putStl(ByteBuffer record, float[] world, int a, int b, int c) {
+    Vec3 u =
+        new Vec3(world[b] - world[a], world[b + 1] - world[a + 1], world[b + 2] - world[a + 2]);
+    Vec3 v =
+        new Vec3(world[c] - world[a], world[c + 1] - world[a + 1], world[c + 2] - world[a + 2]);
+    Vec3 normal = new Vec3(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+    double length = normal.length();
+    normal.mul(length > 0 ? 1 / length : 0, normal);
+    record.putFloat((float) normal.x).putFloat((float) normal.y).putFloat((float) normal.z);
+    for (int corner : new int[] {a, b, c}) {
+      record.putFloat(world[corner]).putFloat(world[corner + 1]).putFloat(world[corner + 2]);
+    }
+    record.putShort((short) 0);
+  }
+
+  /** Writes binary little-endian PLY with normals. */
+  static void writePly(WeldedSurface surface, RigidTransform gridMmToWorld, OutputStream out)
+      throws IOException {
+    out.write(plyHeader(surface).getBytes(StandardCharsets.US_ASCII));
+    float[] world = toWorld(surface.positionsMm(), gridMmToWorld);
+    byte[] vertexBytes = new byte[PLY_VERTEX_BYTES];
+    ByteBuffer vertex = little(vertexBytes);
+    Vec3 normal = new Vec3();
+    for (int i = 0; i < surface.vertexCount(); i++) {
+      short[] packed = surface.normals();
+      normal.set(packed[4 * i], packed[4 * i + 1], packed[4 * i + 2]);
+      gridMmToWorld.rotate(normal.mul(1.0 / SurfaceBrick.FULL_SCALE, normal), normal);
+      vertex.clear();
+      vertex.putFloat(world[3 * i]).putFloat(world[3 * i + 1]).putFloat(world[3 * i + 2]);
+      vertex.putFloat((float) normal.x).putFloat((float) normal.y).putFloat((float) normal.z);
+      out.write(vertexBytes);
+    }
+    byte[] faceBytes = new byte[PLY_FACE_BYTES];
+    ByteBuffer face = little(faceBytes);
+    int second = isMirrored(gridMmToWorld) ? 2 : 1;
+    int[] corners = surface.triangles();
+    for (int t = 0; t < corners.length; t += 3) {
+      face.clear();
+      face.put((byte) 3).putInt(corners[t]).putInt(corners[t + second]);
+      face.putInt(corners[t + 3 - second]);
+      out.write(faceBytes);
+    }
+  }
+
+  private static String plyHeader(WeldedSurface surface) {
+    return "ply\nformat binary_little_endian 1.0\ncomment Palpate surface, mm\nelement vertex "
+        + surface.vertexCount()
+        + "\nproperty float x\nproperty float y\nproperty float z"
+        + "\nproperty float nx\nproperty float ny\nproperty float nz\nelement face "
+        + surface.triangleCount()
+        + "\nproperty list uchar int vertex_indices\nend_header\n";
+  }
+
+  private static ByteBuffer little(byte[] bytes) {
+    return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  private static float[] toWorld(float[] positionsMm, RigidTransform gridMmToWorld) {
+    float[] world = new float[positionsMm.length];
+    Vec3 point = new Vec3();
+    for (int i = 0; i < world.length; i += 3) {
+      point.set(positionsMm[i], positionsMm[i + 1], positionsMm[i + 2]);
+      gridMmToWorld.transform(point, point);
+      world[i] = (float) point.x;
+      world[i + 1] = (float) point.y;
+      world[i + 2] = (float) point.z;
+    }
+    return world;
+  }
+
+  /** Whether a transform turns a right hand into a left one. */
+  public static boolean isMirrored(RigidTransform transform) {
+    Vec3 x = transform.axisX();
+    Vec3 y = transform.axisY();
+    Vec3 z = transform.axisZ();
+    double determinant =
+        x.x * (y.y * z.z - y.z * z.y)
+            - x.y * (y.x * z.z - y.z * z.x)
+            + x.z * (y.x * z.y - y.y * z.x);
+    return determinant < 0;
+  }
+}

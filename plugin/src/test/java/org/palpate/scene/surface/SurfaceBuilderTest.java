@@ -1,0 +1,167 @@
+package org.palpate.scene.surface;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.IntBox;
+import org.palpate.volume.BitCube;
+
+class SurfaceBuilderTest {
+  private static final long PATIENCE_MS = 60_000;
+
+  private final Random random = new Random(Shapes.seed());
+
+  @Test
+  void severalThreadsMakeTheSameBricksAsOne() throws Exception {
+    SurfaceSource source = SurfaceSource.ofBits(blobs(), Shapes.UNIT);
+    assertSameBricks(buildAll(source, 1), buildAll(source, 4));
+  }
+
+  @Test
+  void remeshingTheTouchedBricksAloneGivesTheWholeSurfaceAnew() throws Exception {
+    BitCube bits = blobs();
+    SurfaceSource source = SurfaceSource.ofBits(bits, Shapes.UNIT);
+    Map<Integer, SurfaceBrick> bricks = buildAll(source, 2);
+    IntBox edited = new IntBox();
+    for (int i = 41; i < 47; i++) {
+      bits.set(i, 60, 55);
+      bits.clear(i, 30, 30);
+      edited.include(i, 60, 55);
+      edited.include(i, 30, 30);
+    }
+    int[] touched = touched(source, edited);
+    assertTrue(touched.length < 27, "an edit of a corner touches few bricks: " + touched.length);
+    try (SurfaceBuilder builder = new SurfaceBuilder(2)) {
+      builder
+          .build(
+              source,
+              Openness.EVERYWHERE,
+              SurfaceBuilder.EDITED,
+              touched,
+              (brick, mesh) -> put(bricks, brick, mesh))
+          .await(PATIENCE_MS);
+    }
+    assertSameBricks(buildAll(source, 1), bricks);
+  }
+
+  @Test
+  void aFailingSinkIsReportedToTheOneWhoWaits() {
+    SurfaceSource source = SurfaceSource.ofBits(Shapes.sphere(20, 5), Shapes.UNIT);
+    try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
+      SurfaceBuild build =
+          builder.build(
+              source,
+              Openness.EVERYWHERE,
+              SurfaceBuilder.FINE,
+              (brick, mesh) -> {
+                throw new IllegalStateException("sink is full");
+              });
+      Exception failure = assertThrows(IllegalStateException.class, () -> build.await(PATIENCE_MS));
+      assertEquals("sink is full", failure.getCause().getMessage());
+      assertTrue(build.isDone());
+    }
+  }
+
+  @Test
+  void aCoarseSphereHasAboutTheSameVolumeAndFarFewerTriangles() {
+    BitCube bits = Shapes.sphere(64, 25);
+    WeldedSurface fine = Shapes.surface(SurfaceSource.ofBits(bits, Shapes.UNIT));
+    for (int shift = 1; shift <= 2; shift++) {
+      WeldedSurface coarse = Shapes.surface(CoarseVolume.source(bits, shift, Shapes.UNIT));
+      assertEquals(1, coarse.volumeMm3() / fine.volumeMm3(), 0.08 * shift, "shift " + shift);
+      assertTrue(coarse.triangleCount() < fine.triangleCount() / (3 * shift));
+    }
+  }
+
+  @Test
+  void aThinWallDoesNotVanishWhenSeenCoarse() {
+    BitCube wall = Shapes.cube(40, 40, 40, (x, y, z) -> Math.floor(x) == 17);
+    WeldedSurface coarse = Shapes.surface(CoarseVolume.source(wall, 2, Shapes.UNIT));
+    assertTrue(coarse.areaMm2() > 2 * 35 * 35, "area " + coarse.areaMm2());
+  }
+
+  @Test
+  void aHollowIsLessOpenToLightThanAnOutside() {
+    BitCube shell =
+        Shapes.cube(
+            64,
+            64,
+            64,
+            (x, y, z) -> {
+              double r =
+                  Math.sqrt(Shapes.square(x - 32) + Shapes.square(y - 32) + Shapes.square(z - 32));
+              return r > 12 && r < 28;
+            });
+    DensityOpenness openness = new DensityOpenness(List.of(shell));
+    float outside = openness.at(60, 32, 32, 1, 0, 0);
+    float inside = openness.at(44, 32, 32, -1, 0, 0);
+    assertTrue(outside > 0.9f, "outside " + outside);
+    assertTrue(inside < 0.8f * outside, "inside " + inside);
+  }
+
+  private BitCube blobs() {
+    BitCube bits = Shapes.random(90, 85, 80, 0.002, random);
+    BitCube sphere = Shapes.sphere(80, 30);
+    for (int k = 0; k < 80; k++) {
+      for (int j = 0; j < 80; j++) {
+        for (int i = 0; i < 80; i++) {
+          if (sphere.get(i, j, k)) {
+            bits.set(i, j, k);
+          }
+        }
+      }
+    }
+    return bits;
+  }
+
+  private static int[] touched(SurfaceSource source, IntBox voxels) {
+    BrickLayout layout = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE);
+    IntBox box = layout.touchedBy(voxels, SurfaceExtractor.reach(source.smoothing()), new IntBox());
+    return IntStream.range(0, layout.count())
+        .filter(brick -> box.contains(layout.x(brick), layout.y(brick), layout.z(brick)))
+        .toArray();
+  }
+
+  private static Map<Integer, SurfaceBrick> buildAll(SurfaceSource source, int threads)
+      throws Exception {
+    Map<Integer, SurfaceBrick> bricks = new ConcurrentHashMap<>();
+    try (SurfaceBuilder builder = new SurfaceBuilder(threads)) {
+      SurfaceBuild build =
+          builder.build(
+              source,
+              Openness.EVERYWHERE,
+              SurfaceBuilder.FINE,
+              (brick, mesh) -> put(bricks, brick, mesh));
+      build.await(PATIENCE_MS);
+      assertEquals(1, build.progress());
+    }
+    return bricks;
+  }
+
+  private static void put(Map<Integer, SurfaceBrick> bricks, int brick, SurfaceBrick mesh) {
+    if (mesh == null) {
+      bricks.remove(brick);
+    } else {
+      bricks.put(brick, mesh);
+    }
+  }
+
+  private static void assertSameBricks(
+      Map<Integer, SurfaceBrick> expected, Map<Integer, SurfaceBrick> actual) {
+    assertEquals(expected.keySet(), actual.keySet());
+    expected.forEach(
+        (brick, mesh) -> {
+          assertArrayEquals(mesh.positionsMm(), actual.get(brick).positionsMm());
+          assertArrayEquals(mesh.normals(), actual.get(brick).normals());
+          assertArrayEquals(mesh.triangles(), actual.get(brick).triangles());
+        });
+  }
+}

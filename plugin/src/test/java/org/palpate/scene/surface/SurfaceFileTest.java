@@ -1,0 +1,94 @@
+package org.palpate.scene.surface;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+
+class SurfaceFileTest {
+  private static final RigidTransform MIRRORED =
+      new RigidTransform(
+          new Vec3(-1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3(5, 6, 7));
+
+  private final WeldedSurface sphere =
+      Shapes.surface(SurfaceSource.ofBits(Shapes.sphere(20, 7), Shapes.UNIT));
+
+  @TempDir private Path directory;
+
+  @Test
+  void stlHoldsEveryTriangleWithItsNormalOutwardEvenWhenMirrored() throws Exception {
+    for (RigidTransform place : new RigidTransform[] {RigidTransform.identity(), MIRRORED}) {
+      Path file = directory.resolve("sphere.STL");
+      SurfaceFile.write(sphere, place, file);
+      ByteBuffer stl = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
+      assertEquals(84 + 50 * sphere.triangleCount(), stl.capacity());
+      assertEquals(sphere.triangleCount(), stl.getInt(80));
+      Vec3 middle = place.transform(new Vec3(10, 10, 10), new Vec3());
+      assertEquals(sphere.volumeMm3(), stlVolume(stl, middle), 0.1);
+    }
+  }
+
+  @Test
+  void plyHoldsEveryVertexOnceWithItsNormalOutward() throws Exception {
+    Path file = directory.resolve("sphere.ply");
+    SurfaceFile.write(sphere, MIRRORED, file);
+    byte[] bytes = Files.readAllBytes(file);
+    String text = new String(bytes, StandardCharsets.ISO_8859_1);
+    int body = text.indexOf("end_header\n") + "end_header\n".length();
+    assertTrue(text.contains("element vertex " + sphere.vertexCount() + "\n"));
+    assertTrue(text.contains("element face " + sphere.triangleCount() + "\n"));
+    assertEquals(body + 24 * sphere.vertexCount() + 13 * sphere.triangleCount(), bytes.length);
+    ByteBuffer ply = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    for (int v = 0; v < sphere.vertexCount(); v++) {
+      int at = body + 24 * v;
+      double along =
+          (ply.getFloat(at) - (5 - 10)) * ply.getFloat(at + 12)
+              + (ply.getFloat(at + 4) - 16) * ply.getFloat(at + 16)
+              + (ply.getFloat(at + 8) - 17) * ply.getFloat(at + 20);
+      assertEquals(7, along, 1.0);
+    }
+  }
+
+  @Test
+  void anUnknownEndingIsRefusedAndNothingIsWritten() throws Exception {
+    Path file = directory.resolve("sphere.obj");
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> SurfaceFile.write(sphere, RigidTransform.identity(), file));
+    try (var left = Files.list(directory)) {
+      assertArrayEquals(new Object[0], left.toArray());
+    }
+  }
+
+  /** Sum of signed tetrahedra; also checks that each normal fits its corners. */
+  private static double stlVolume(ByteBuffer stl, Vec3 middle) {
+    double sum = 0;
+    for (int t = 84; t < stl.capacity(); t += 50) {
+      Vec3 normal = vec(stl, t);
+      Vec3 a = vec(stl, t + 12).sub(middle, new Vec3());
+      Vec3 b = vec(stl, t + 24).sub(middle, new Vec3());
+      Vec3 c = vec(stl, t + 36).sub(middle, new Vec3());
+      double volume =
+          a.x * (b.y * c.z - b.z * c.y)
+              + a.y * (b.z * c.x - b.x * c.z)
+              + a.z * (b.x * c.y - b.y * c.x);
+      assertTrue(volume * normal.dot(a) >= -1e-6);
+      sum += volume / 6;
+    }
+    return sum;
+  }
+
+  private static Vec3 vec(ByteBuffer stl, int at) {
+    return new Vec3(stl.getFloat(at), stl.getFloat(at + 4), stl.getFloat(at + 8));
+  }
+}
