@@ -36,6 +36,9 @@ public final class Obstacles {
    * corner of. Exact.
    */
   public boolean touches(double x, double y, double z) {
+    if (!(isNear(x) && isNear(y) && isNear(z))) {
+      return false;
+    }
     int lowX = lowestCell(x);
     int lowY = lowestCell(y);
     int lowZ = lowestCell(z);
@@ -49,6 +52,11 @@ public final class Obstacles {
       }
     }
     return false;
+  }
+
+  /** Whether the cells around a coordinate have numbers at all. */
+  private static boolean isNear(double coordinate) {
+    return Math.abs(coordinate) < Integer.MAX_VALUE - 1;
   }
 
   private static int lowestCell(double coordinate) {
@@ -74,5 +82,17 @@ public final class Obstacles {
       }
     }
     return found;
+  }
+
+  /** The cube at {@code index}, in the order in which they were given. */
+  public BitCube cube(int index) {
+    return cubes[index];
+  }
+
+  /** Puts another cube of the same sizes in the place of one, and returns that. */
+  public BitCube replace(int index, BitCube fresh) {
+    BitCube replaced = cubes[index];
+    cubes[index] = fresh;
+    return replaced;
   }
 }
