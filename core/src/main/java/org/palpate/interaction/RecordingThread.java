@@ -1,0 +1,79 @@
+package org.palpate.interaction;
+
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * Drains a {@link FrameRecorder} into a sink in a thread of its own, some twenty times a second,
+ * until it is closed.
+ *
+ * <pre>
+ *   FrameRecorder recorder = new FrameRecorder();
+ *   try (RecordingThread thread = RecordingThread.start(recorder, new TrajectoryText(file, text))) {
+ *     ... a session over new RecordingDevice(device, recorder) ...
+ *   }   // everything that was recorded is in the file; a failure to write is thrown here
+ * </pre>
+ */
+public final class RecordingThread implements AutoCloseable {
+  private static final long PAUSE_NANOS = 50_000_000;
+
+  private final FrameRecorder recorder;
+  private final FrameRecorder.Sink sink;
+  private final Thread thread = new Thread(this::drainUntilEnded, "palpate-recorder");
+  private volatile boolean ended;
+  private volatile RuntimeException failure;
+
+  private RecordingThread(FrameRecorder recorder, FrameRecorder.Sink sink) {
+    this.recorder = recorder;
+    this.sink = sink;
+  }
+
+  /** Starts draining. */
+  public static RecordingThread start(FrameRecorder recorder, FrameRecorder.Sink sink) {
+    RecordingThread recording = new RecordingThread(recorder, sink);
+    recording.thread.setDaemon(true);
+    recording.thread.start();
+    return recording;
+  }
+
+  private void drainUntilEnded() {
+    try {
+      while (!ended) {
+        recorder.drainTo(sink);
+        LockSupport.parkNanos(this, PAUSE_NANOS);
+      }
+    } catch (RuntimeException e) {
+      failure = e;
+    }
+  }
+
+  /** What the sink threw, after which nothing more is written; null where all is well. */
+  public RuntimeException failure() {
+    return failure;
+  }
+
+  /**
+   * Ends the thread and drains the rest. Call it after the session's last frame.
+   *
+   * @throws RuntimeException what the sink threw, now or before
+   */
+  @Override
+  public void close() {
+    ended = true;
+    LockSupport.unpark(thread);
+    boolean interrupted = false;
+    while (thread.isAlive()) {
+      try {
+        thread.join();
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+    if (failure != null) {
+      throw failure;
+    }
+    recorder.drainTo(sink);
+  }
+}
