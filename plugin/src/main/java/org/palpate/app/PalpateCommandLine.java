@@ -7,8 +7,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.ServiceLoader;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import java.util.stream.Stream;
+import org.palpate.io.CsvFormatException;
+import org.palpate.io.VolumeFormatException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.MissingParameterException;
@@ -31,13 +32,14 @@ public final class PalpateCommandLine {
   public PalpateCommandLine(PrintStream out, PrintStream err) {
     this.err = err;
     commandLine = new CommandLine(new Root());
-    List.<Callable<Integer>>of().forEach(commandLine::addSubcommand);
+    List.of(new InfoCommand(), new DevicesCommand()).forEach(commandLine::addSubcommand);
     ServiceLoader.load(CommandProvider.class)
         .forEach(provider -> commandLine.addSubcommand(provider.command()));
     commandLine
         .setOut(new PrintWriter(out, true, StandardCharsets.UTF_8))
         .setErr(new PrintWriter(err, true, StandardCharsets.UTF_8))
         .setAbbreviatedOptionsAllowed(false)
+        .setCaseInsensitiveEnumValuesAllowed(true)
         .setParameterExceptionHandler(this::wrongUse)
         .setExecutionExceptionHandler(this::failed);
   }
@@ -49,7 +51,15 @@ public final class PalpateCommandLine {
    * @return 0 done, 1 failed at run time, 2 wrong use or bad input
    */
   public int run(String... arguments) {
-    return commandLine.execute(withDefaultCommand(arguments));
+    try {
+      return commandLine.execute(withDefaultCommand(arguments));
+    } catch (OutOfMemoryError e) {
+      print(
+          "palpate: memory ran out: palpate: give Java more, as in JAVA_TOOL_OPTIONS=-Xmx8g",
+          e,
+          isDebug(arguments));
+      return PalpateException.FAILED;
+    }
   }
 
   private static String[] withDefaultCommand(String... arguments) {
@@ -89,19 +99,23 @@ public final class PalpateCommandLine {
       print("palpate: " + oneLine(known.getMessage()), e, debug);
       return known.exitCode();
     }
+    if (e instanceof VolumeFormatException || e instanceof CsvFormatException) {
+      print("palpate: " + oneLine(e.getMessage()), e, debug);
+      return PalpateException.WRONG_USE;
+    }
     String where = command.getCommandSpec().qualifiedName();
     print(
         "palpate: "
             + oneLine(e.toString())
             + ": "
             + where
-            + ": run it with --debug and report what it shows",
+            + ": run it again with --debug and report what it shows",
         e,
         debug);
     return PalpateException.FAILED;
   }
 
-  private void print(String line, Exception e, boolean debug) {
+  private void print(String line, Throwable e, boolean debug) {
     err.println(line);
     if (debug) {
       e.printStackTrace(err);

@@ -13,4 +13,11 @@ public final class CsvNumbers {
   public static String text(double value) {
     return NumberOutput.toString(value, true);
   }
+
+  /** The same for a person: whole numbers without a fraction. */
+  public static String people(double value) {
+    return value == Math.rint(value) && Math.abs(value) < 1e15
+        ? Long.toString((long) value)
+        : text(value);
+  }
 }

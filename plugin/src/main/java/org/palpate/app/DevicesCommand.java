@@ -1,0 +1,85 @@
+package org.palpate.app;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.palpate.device.jni.DeviceCatalog;
+import org.palpate.device.jni.Finding;
+import org.palpate.io.ReportJson;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Tells what can be touched with here. */
+@Command(
+    name = "devices",
+    description = "Tells which devices can be used here, and why not where one cannot.",
+    footer = {"", "Examples:", "  palpate devices", "  palpate devices --json"})
+final class DevicesCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+  @Mixin private OutputOptions output;
+
+  @Option(names = "--json", description = "Print JSON.")
+  private boolean json;
+
+  @Override
+  public Integer call() throws IOException {
+    Report report = new Report("devices", output.report(), List.of());
+    List<Finding> findings = DeviceCatalog.findings();
+    report.put("backends", findings.stream().map(DevicesCommand::entry).toList());
+    PrintWriter out = spec.commandLine().getOut();
+    if (json) {
+      ByteArrayOutputStream text = new ByteArrayOutputStream();
+      ReportJson.write(report.fields(), text);
+      out.print(text.toString(StandardCharsets.UTF_8));
+      out.flush();
+    } else {
+      findings.forEach(finding -> print(finding, out));
+    }
+    report.write();
+    return 0;
+  }
+
+  private static void print(Finding finding, PrintWriter out) {
+    String library = (finding.library() + " " + finding.version()).strip();
+    String state = finding.usable() ? "found" : "not usable: " + finding.why();
+    line(out, finding.backend(), state + (library.isEmpty() ? "" : " (" + library + ")"));
+    for (Finding.Found device : finding.devices()) {
+      String name = device.id().isEmpty() ? device.name() : device.id() + "  " + device.name();
+      line(out, "", device.usable() ? name : name + ": " + device.why());
+    }
+  }
+
+  private static void line(PrintWriter out, String what, String text) {
+    out.println(String.format(Locale.ROOT, "%-15s %s", what, text));
+  }
+
+  private static Map<String, Object> entry(Finding finding) {
+    Map<String, Object> entry = new LinkedHashMap<>();
+    entry.put("name", finding.backend());
+    entry.put("usable", finding.usable());
+    entry.put("why", finding.why());
+    entry.put("library", finding.library());
+    entry.put("library_version", finding.version());
+    List<Object> devices = new ArrayList<>();
+    for (Finding.Found found : finding.devices()) {
+      Map<String, Object> device = new LinkedHashMap<>();
+      device.put("id", found.id());
+      device.put("name", found.name());
+      device.put("usable", found.usable());
+      device.put("why", found.why());
+      devices.add(device);
+    }
+    entry.put("devices", devices);
+    return entry;
+  }
+}

@@ -1,0 +1,145 @@
+package org.palpate.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.CsvNumbers;
+import org.palpate.io.SegmentBuilder;
+import org.palpate.io.SegmentSpec;
+import org.palpate.io.ValueSurvey;
+import org.palpate.io.VolumeHeader;
+import org.palpate.volume.Segment;
+import org.palpate.volume.VoxelGrid;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** Tells what is in a volume. */
+@Command(
+    name = "info",
+    description = "Tells what is in a volume: size, spacing, type, values, segments, memory.",
+    footer = {
+      "",
+      "Examples:",
+      "  palpate info --volume scan.nrrd",
+      "  palpate info --volume scan.nrrd --segment 'bone=>=1500' --report info.json",
+      "  palpate info --volume slices.raw --raw 256x256x113:u16be:1,1,2",
+      "  palpate info --phantom torus:192"
+    })
+final class InfoCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+  @Mixin private VolumeOptions volume;
+  @Mixin private OutputOptions output;
+
+  private PrintWriter out;
+
+  @Override
+  public Integer call() throws IOException {
+    out = spec.commandLine().getOut();
+    VolumeSource source = VolumeSource.open(volume);
+    Report report = new Report("info", output.report(), source.files());
+    printHeader(source);
+    out.flush();
+    ValueSurvey survey = new ValueSurvey(source.header());
+    source.reader().read(survey);
+    ValueSurvey.Found found = survey.found();
+    printValues(found);
+    List<Segment> segments = segments(source, found);
+    printSegments(segments);
+    if (source.asked().isEmpty() && source.isIntensities(found)) {
+      line("segments", "none asked for; choose, for example " + source.proposal(found));
+    }
+    double bytes = SegmentBuilder.bytesFor(source.header().grid(), segments.size());
+    line("memory", CsvNumbers.bytes(bytes) + " for the segments");
+    if (report.isWanted()) {
+      writeReport(report, source, found, segments, bytes);
+    }
+    return 0;
+  }
+
+  private static List<Segment> segments(VolumeSource source, ValueSurvey.Found found)
+      throws IOException {
+    List<SegmentSpec> specs =
+        source.asked().isEmpty() && !source.isIntensities(found)
+            ? source.specsOf(found.labels())
+            : source.asked();
+    return specs.isEmpty() ? List.of() : source.read(specs).segments();
+  }
+
+  private void printHeader(VolumeSource source) {
+    VolumeHeader header = source.header();
+    VoxelGrid grid = header.grid();
+    Vec3 spacing = grid.spacingMm();
+    line("volume", source.name() + " (" + header.format() + ")");
+    line(
+        "size",
+        String.format(
+            Locale.ROOT,
+            "%d x %d x %d voxels, %,d in all",
+            grid.sizeX(),
+            grid.sizeY(),
+            grid.sizeZ(),
+            grid.voxelCount()));
+    line("spacing", triple(spacing.x, spacing.y, spacing.z) + " mm");
+    line(
+        "extent",
+        triple(grid.sizeX() * spacing.x, grid.sizeY() * spacing.y, grid.sizeZ() * spacing.z)
+            + " mm");
+    line("type", header.type().description());
+    line("axes", header.world().description());
+    header.notes().forEach(note -> line("note", note));
+  }
+
+  private static String triple(double x, double y, double z) {
+    return CsvNumbers.people(x) + " x " + CsvNumbers.people(y) + " x " + CsvNumbers.people(z);
+  }
+
+  private void printValues(ValueSurvey.Found found) {
+    String range = CsvNumbers.people(found.low()) + " to " + CsvNumbers.people(found.high());
+    String odd =
+        found.notFinite() == 0
+            ? ""
+            : String.format(Locale.ROOT, ", and %,d that are no numbers", found.notFinite());
+    line("values", found.low() <= found.high() ? range + odd : "none that is a number");
+  }
+
+  private void printSegments(List<Segment> segments) {
+    for (Segment segment : segments) {
+      line(
+          "segment",
+          String.format(
+              Locale.ROOT,
+              "%s: %,d voxels, %s",
+              segment.name(),
+              segment.bits().solidCount(),
+              segment.bits().bounds()));
+    }
+  }
+
+  private void line(String what, String text) {
+    out.println(String.format(Locale.ROOT, "%-9s %s", what, text));
+  }
+
+  private static void writeReport(
+      Report report,
+      VolumeSource source,
+      ValueSurvey.Found found,
+      List<Segment> segments,
+      double bytes)
+      throws IOException {
+    report.putVolume(source, segments);
+    VolumeHeader header = source.header();
+    report
+        .put("format", header.format())
+        .put("type", header.type().description())
+        .put("value_range", List.of(found.low(), found.high()))
+        .put("not_finite", found.notFinite())
+        .put("notes", header.notes())
+        .put("memory_bytes", (long) bytes)
+        .write();
+  }
+}

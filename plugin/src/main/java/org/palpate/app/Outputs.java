@@ -1,0 +1,59 @@
+package org.palpate.app;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Looks at where output goes before any work is done. */
+final class Outputs {
+  private Outputs() {}
+
+  /**
+   * The target, once it is known that it can be written.
+   *
+   * @param option that named it
+   * @param inputs files that must not be written
+   * @throws PalpateException exit code 2
+   */
+  static Path checked(String option, Path target, List<Path> inputs) {
+    Path folder = target.toAbsolutePath().getParent();
+    if (Files.isDirectory(target)) {
+      throw wrong("it is a folder", option, target, "name a file in it");
+    }
+    if (folder == null || !Files.isDirectory(folder)) {
+      throw wrong("there is no such folder", option, target, "make the folder first");
+    }
+    boolean isThere = Files.exists(target);
+    if (isThere ? !Files.isWritable(target) : !Files.isWritable(folder)) {
+      throw wrong("it may not be written", option, target, "choose another place");
+    }
+    for (Path input : inputs) {
+      if (isThere && isSame(target, input)) {
+        throw wrong("it is an input", option, target, "name another file");
+      }
+    }
+    return target;
+  }
+
+  private static boolean isSame(Path a, Path b) {
+    try {
+      return Files.isSameFile(a, b);
+    } catch (IOException e) {
+      return false; // one of them is not there
+    }
+  }
+
+  private static PalpateException wrong(String what, String option, Path target, String remedy) {
+    return PalpateException.wrongUse(what, option + " " + target, remedy);
+  }
+
+  /** What to tell where a target that looked well could not be written. */
+  static PalpateException failed(Path target, IOException cause) {
+    return PalpateException.failed(
+        "could not be written (" + cause.getMessage() + ")",
+        target.toString(),
+        "look at the disk and its permissions",
+        cause);
+  }
+}

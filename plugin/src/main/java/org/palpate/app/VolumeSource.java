@@ -1,0 +1,206 @@
+package org.palpate.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.palpate.io.CsvNumbers;
+import org.palpate.io.LabelTable;
+import org.palpate.io.PhantomReader;
+import org.palpate.io.RawLayout;
+import org.palpate.io.ReadOptions;
+import org.palpate.io.SegmentBuilder;
+import org.palpate.io.SegmentSpec;
+import org.palpate.io.ValueSurvey;
+import org.palpate.io.VolumeDigest;
+import org.palpate.io.VolumeFiles;
+import org.palpate.io.VolumeFormatException;
+import org.palpate.io.VolumeHeader;
+import org.palpate.io.VolumeReader;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.phantom.Phantom;
+
+/** The volume that a command is about: its header understood, its values not read yet. */
+final class VolumeSource {
+  private final String name;
+  private final VolumeReader reader;
+  private final Optional<Phantom> phantom;
+  private final List<SegmentSpec> asked;
+
+  private VolumeSource(
+      String name, VolumeReader reader, Optional<Phantom> phantom, List<SegmentSpec> asked) {
+    this.name = name;
+    this.reader = reader;
+    this.phantom = phantom;
+    this.asked = asked;
+  }
+
+  /**
+   * Opens what the options name.
+   *
+   * @throws VolumeFormatException where a file or an option is not understood
+   */
+  static VolumeSource open(VolumeOptions options) throws VolumeFormatException {
+    List<SegmentSpec> asked = parseSegments(options.segments());
+    Optional<Path> file = options.volume();
+    if (file.isEmpty()) {
+      Phantom phantom = parsePhantom(options.phantom());
+      return new VolumeSource(
+          "phantom " + phantom.spec(), new PhantomReader(phantom), Optional.of(phantom), asked);
+    }
+    ReadOptions reading = ReadOptions.defaults().withProgress(new ProgressLine("reading"));
+    if (options.raw().isPresent()) {
+      reading = reading.withRaw(RawLayout.parse(options.raw().get()));
+    }
+    return new VolumeSource(
+        file.get().toString(), VolumeFiles.open(file.get(), reading), Optional.empty(), asked);
+  }
+
+  private static List<SegmentSpec> parseSegments(List<String> texts) throws VolumeFormatException {
+    List<SegmentSpec> specs = new ArrayList<>();
+    Set<String> names = new HashSet<>();
+    for (String text : texts) {
+      SegmentSpec spec = SegmentSpec.parse(text);
+      if (!names.add(spec.name())) {
+        throw PalpateException.wrongUse(
+            "two segments have one name", "--segment " + text, "give each its own name");
+      }
+      specs.add(spec);
+    }
+    return specs;
+  }
+
+  private static Phantom parsePhantom(String spec) {
+    try {
+      return Phantom.parse(spec);
+    } catch (IllegalArgumentException e) {
+      throw PalpateException.wrongUse(
+          e.getMessage(),
+          "--phantom " + spec,
+          "write NAME[:EDGE][:grey], as in head:256 or torus:192:grey",
+          e);
+    }
+  }
+
+  /** The file or the phantom, for a person. */
+  String name() {
+    return name;
+  }
+
+  VolumeHeader header() {
+    return reader.header();
+  }
+
+  VolumeReader reader() {
+    return reader;
+  }
+
+  /** The segments that were asked for by {@code --segment}. */
+  List<SegmentSpec> asked() {
+    return asked;
+  }
+
+  /** The files that must not be written. */
+  List<Path> files() {
+    return reader.files();
+  }
+
+  /** SHA-256 of the files, or of the phantom's values. */
+  String sha256() throws IOException {
+    return VolumeDigest.sha256(reader);
+  }
+
+  /**
+   * Reads the segments that were asked for, or one for each label.
+   *
+   * @throws PalpateException exit code 2, where none was asked for and the values are intensities
+   */
+  SegmentedVolume segments() throws VolumeFormatException {
+    if (!asked.isEmpty()) {
+      return read(asked);
+    }
+    if (phantom.isPresent() && !phantom.get().grey()) {
+      return phantom.get().segments();
+    }
+    ValueSurvey survey = new ValueSurvey(header());
+    reader.read(survey);
+    ValueSurvey.Found found = survey.found();
+    if (isIntensities(found)) {
+      throw refusal(found);
+    }
+    return read(specsOf(found.labels()));
+  }
+
+  /** Reads segments by the given rules. */
+  SegmentedVolume read(List<SegmentSpec> specs) throws VolumeFormatException {
+    if (phantom.isPresent()) {
+      SegmentBuilder builder = new SegmentBuilder(header().grid(), specs, true);
+      reader.read(builder);
+      return builder.build();
+    }
+    return SegmentBuilder.read(reader, specs);
+  }
+
+  /** Whether it takes a person to say which values are solid. */
+  boolean isIntensities(ValueSurvey.Found found) {
+    return found.labels().isEmpty() || phantom.map(Phantom::grey).orElse(false);
+  }
+
+  /** A segment for each label, by the names of the file where it has any. */
+  List<SegmentSpec> specsOf(List<Long> labels) {
+    List<SegmentSpec> specs = new ArrayList<>();
+    Set<String> names = new HashSet<>();
+    for (long label : labels) {
+      String name = header().labels().map(table -> nameIn(table, label)).orElse("label" + label);
+      specs.add(SegmentSpec.labels(names.add(name) ? name : name + "-" + label, label));
+    }
+    return specs;
+  }
+
+  private static String nameIn(LabelTable table, long label) {
+    LabelTable.Label known = table.labels().get(label);
+    return known == null || known.name().isBlank() ? "label" + label : known.name();
+  }
+
+  private PalpateException refusal(ValueSurvey.Found found) {
+    return PalpateException.wrongUse(
+        "which values are solid is not known, they run from "
+            + CsvNumbers.people(found.low())
+            + " to "
+            + CsvNumbers.people(found.high()),
+        name,
+        "choose with --segment, for example " + proposal(found));
+  }
+
+  /** Arguments to try, for a person. */
+  String proposal(ValueSurvey.Found found) {
+    List<String> proposals = new ArrayList<>();
+    if (phantom.isPresent()) {
+      phantom.get().thresholds().forEach(t -> proposals.add(argument(t.name(), t.atLeast())));
+    } else if (found.thresholds().size() == 2) {
+      proposals.add(argument("bone", found.thresholds().get(1)));
+      proposals.add(argument("tissue", found.thresholds().get(0)));
+    } else {
+      proposals.add("--segment all=nonzero");
+    }
+    return String.join(" or ", proposals);
+  }
+
+  private static String argument(String name, double atLeast) {
+    return String.format(
+        Locale.ROOT, "--segment '%s=>=%s'", name, CsvNumbers.people(rounded(atLeast)));
+  }
+
+  /** To three digits, for a threshold is no more than a proposal. */
+  private static double rounded(double value) {
+    if (value == 0) {
+      return 0;
+    }
+    double unit = Math.pow(10, Math.floor(Math.log10(Math.abs(value))) - 2);
+    return unit >= 1 ? Math.rint(value / unit) * unit : Math.rint(value * (1 / unit)) / (1 / unit);
+  }
+}

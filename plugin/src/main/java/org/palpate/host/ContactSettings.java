@@ -1,0 +1,31 @@
+package org.palpate.host;
+
+import java.util.OptionalDouble;
+import org.palpate.geometry.Vec3;
+
+/**
+ * How touching is to be done.
+ *
+ * @param solver what moves the interaction point
+ * @param collision how collisions are found; exact where the solver does not let one choose
+ * @param stiffnessNewtonPerMm force over distance, of scan; the device's own default where empty
+ * @param friction coefficient, 0 or more
+ * @param maxStepMm w_max, the most that the point travels in a frame; {@link #defaultMaxStepMm}
+ *     where empty
+ * @param maxForceNewton the largest force; the device's maximum where empty
+ */
+public record ContactSettings(
+    SolverKind solver,
+    CollisionChoice collision,
+    OptionalDouble stiffnessNewtonPerMm,
+    double friction,
+    OptionalDouble maxStepMm,
+    OptionalDouble maxForceNewton) {
+
+  /** The larger of 8 shortest and 3 longest voxel edges, mm. */
+  public static double defaultMaxStepMm(Vec3 spacingMm) {
+    double shortest = Math.min(spacingMm.x, Math.min(spacingMm.y, spacingMm.z));
+    double longest = Math.max(spacingMm.x, Math.max(spacingMm.y, spacingMm.z));
+    return Math.max(8 * shortest, 3 * longest);
+  }
+}

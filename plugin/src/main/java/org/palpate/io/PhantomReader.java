@@ -1,0 +1,57 @@
+package org.palpate.io;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.palpate.volume.phantom.Phantom;
+import org.palpate.volume.phantom.PhantomSlices;
+
+/** Reads a phantom as if it were a file. No file holds it. */
+public final class PhantomReader implements VolumeReader {
+  private final Phantom phantom;
+
+  public PhantomReader(Phantom phantom) {
+    this.phantom = phantom;
+  }
+
+  @Override
+  public VolumeHeader header() {
+    return new VolumeHeader(
+        phantom.grey() ? "phantom, grey values" : "phantom, labels",
+        phantom.grid(),
+        VoxelType.UINT16,
+        new VolumeHeader.ValueRange(0, Phantom.SOLID_GREY, true),
+        VolumeHeader.World.UNKNOWN,
+        phantom.grey() ? Optional.empty() : Optional.of(labelTable()),
+        List.of("made by formula, not read from a file"));
+  }
+
+  private LabelTable labelTable() {
+    Map<Long, LabelTable.Label> labels = new TreeMap<>();
+    for (Phantom.Label label : phantom.labels()) {
+      labels.put((long) label.value(), new LabelTable.Label(label.name(), label.rgb()));
+    }
+    return new LabelTable(labels);
+  }
+
+  @Override
+  public void read(SliceSink sink) throws VolumeFormatException {
+    int edge = phantom.edge();
+    PhantomSlices slices = phantom.slices();
+    short[] values = new short[edge * edge];
+    VoxelSlice slice = new VoxelSlice(edge, edge, true);
+    for (int k = 0; k < edge; k++) {
+      slices.read(k, values);
+      Arrays.setAll(slice.wholes(), n -> values[n]);
+      sink.accept(k, slice);
+    }
+  }
+
+  @Override
+  public List<Path> files() {
+    return List.of();
+  }
+}

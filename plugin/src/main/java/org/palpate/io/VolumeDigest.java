@@ -1,0 +1,57 @@
+package org.palpate.io;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+
+/** The SHA-256 by which a report says which volume it is about. */
+public final class VolumeDigest {
+  private VolumeDigest() {}
+
+  /**
+   * Of a volume's files, one after the other as they are read, hexadecimal; of a volume without
+   * files, its values as little-endian 32 bit whole numbers. Reads everything once.
+   */
+  public static String sha256(VolumeReader reader) throws IOException {
+    MessageDigest digest = newDigest();
+    if (reader.files().isEmpty()) {
+      reader.read((k, slice) -> update(digest, slice));
+    }
+    for (Path file : reader.files()) {
+      update(digest, file);
+    }
+    return HexFormat.of().formatHex(digest.digest());
+  }
+
+  private static MessageDigest newDigest() {
+    try {
+      return MessageDigest.getInstance("SHA-256");
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java platform has SHA-256", e);
+    }
+  }
+
+  private static void update(MessageDigest digest, VoxelSlice slice) {
+    byte[] bytes = new byte[4 * slice.count()];
+    for (int n = 0; n < slice.count(); n++) {
+      int value = slice.wholes()[n];
+      for (int b = 0; b < 4; b++) {
+        bytes[4 * n + b] = (byte) (value >> 8 * b);
+      }
+    }
+    digest.update(bytes);
+  }
+
+  private static void update(MessageDigest digest, Path file) throws IOException {
+    byte[] buffer = new byte[1 << 16];
+    try (InputStream in = Files.newInputStream(file)) {
+      for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {
+        digest.update(buffer, 0, n);
+      }
+    }
+  }
+}
