@@ -34,7 +34,7 @@ public final class Report {
   public Report(String command, Optional<Path> file, List<Path> inputs) {
     this.file = file.map(path -> Outputs.checked("--report", path, inputs));
     fields.put("version", VersionProvider.version());
-    fields.put("java", System.getProperty("java.vm.name") + " " + Runtime.version());
+    fields.put("java", Runtime.version() + " " + System.getProperty("java.vm.name"));
     fields.put("command", command);
   }
 

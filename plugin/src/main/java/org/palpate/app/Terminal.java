@@ -2,15 +2,13 @@ package org.palpate.app;
 
 /** Whether a person is looking. */
 final class Terminal {
-  /** Set by the launcher, which can tell; later JDKs have a console even without a terminal. */
+  /** Set by the launcher, which can tell; the JDK cannot tell for each stream. */
   private static final String PROPERTY = "palpate.terminal";
 
   private Terminal() {}
 
-  /** Whether standard error goes to a terminal, as far as can be told. */
+  /** Whether standard error goes to a terminal, as far as is known. */
   static boolean isThere() {
-    String told = System.getProperty(PROPERTY);
-    boolean consoleTells = Runtime.version().feature() < 22;
-    return told == null ? consoleTells && System.console() != null : Boolean.parseBoolean(told);
+    return Boolean.getBoolean(PROPERTY);
   }
 }

@@ -20,4 +20,9 @@ public final class CsvNumbers {
         ? Long.toString((long) value)
         : text(value);
   }
+
+  /** Bytes for a person, as in "4.3 GB". */
+  public static String bytes(double count) {
+    return Numbers.bytes(count);
+  }
 }

@@ -13,7 +13,8 @@ import java.util.Locale;
 
 /**
  * Reads a trajectory: a header that names {@code t_ms,x,y,z} in any order, perhaps {@code
- * qx,qy,qz,qw} and more, then a line a sample. Lines that are empty or start with # are passed over.
+ * qx,qy,qz,qw} and more, then a line a sample. Lines that are empty or start with # are passed
+ * over.
  */
 public final class TrajectoryCsv {
   private static final List<String> NEEDED = List.of("t_ms", "x", "y", "z");
@@ -101,7 +102,10 @@ public final class TrajectoryCsv {
     }
     if (checked && needed[0] < lastMs) {
       throw new CsvFormatException(
-          "time runs backward, from " + CsvNumbers.text(lastMs) + " to " + CsvNumbers.text(needed[0]),
+          "time runs backward, from "
+              + CsvNumbers.text(lastMs)
+              + " to "
+              + CsvNumbers.text(needed[0]),
           file,
           lineNumber,
           "sort the rows, or meet it with --raw-device");
@@ -126,7 +130,10 @@ public final class TrajectoryCsv {
       dest[n] = number(word, names.get(n));
       if (checked && !Double.isFinite(dest[n])) {
         throw new CsvFormatException(
-            names.get(n) + " is " + word, file, lineNumber, "mend the row, or meet it with --raw-device");
+            names.get(n) + " is " + word,
+            file,
+            lineNumber,
+            "mend the row, or meet it with --raw-device");
       }
     }
   }

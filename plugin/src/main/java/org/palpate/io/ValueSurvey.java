@@ -102,7 +102,9 @@ public final class ValueSurvey implements SliceSink {
     lastCount.followed += follows ? 1 : 0;
   }
 
-  /** A bin for each of 65,536 ranges of doubles, in their order: sign, exponent, top of mantissa. */
+  /**
+   * A bin for each of 65,536 ranges of doubles, in their order: sign, exponent, top of mantissa.
+   */
   private static int bin(double value) {
     int bits = Float.floatToRawIntBits((float) value) >>> 16;
     return (bits & 0x8000) != 0 ? ~bits & 0xffff : bits | 0x8000;
@@ -136,12 +138,15 @@ public final class ValueSurvey implements SliceSink {
   }
 
   private List<Long> labels() {
-    boolean mayBeLabels = counts.size() <= MOST_LABELS && counts.keySet().stream().allMatch(ValueSurvey::isWhole);
+    boolean mayBeLabels =
+        counts.size() <= MOST_LABELS && counts.keySet().stream().allMatch(ValueSurvey::isWhole);
     if (!mayBeLabels) {
       return List.of();
     }
     List<Long> labels = new ArrayList<>();
-    counts.keySet().stream().filter(value -> value != 0).forEach(value -> labels.add(value.longValue()));
+    counts.keySet().stream()
+        .filter(value -> value != 0)
+        .forEach(value -> labels.add(value.longValue()));
     if (counts.size() <= 2) {
       // a mask without 0 has its lower value as background
       return labels.subList(labels.size() == 2 ? 1 : 0, labels.size());

@@ -40,7 +40,7 @@ public final class VolumeDigest {
     for (int n = 0; n < slice.count(); n++) {
       int value = slice.wholes()[n];
       for (int b = 0; b < 4; b++) {
-        bytes[4 * n + b] = (byte) (value >> 8 * b);
+        bytes[4 * n + b] = (byte) (value >> (8 * b));
       }
     }
     digest.update(bytes);
