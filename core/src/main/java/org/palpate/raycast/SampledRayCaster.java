@@ -1,0 +1,63 @@
+package org.palpate.raycast;
+
+import org.palpate.volume.BitCube;
+
+/**
+ * Samples the voxels under points a fixed step apart, from the ray's start until its end is
+ * reached, the end included. A baseline: a solid that lies between two samples is missed.
+ *
+ * <p>A point belongs to the voxel of its rounded-down coordinates. The hit lies at the sample that
+ * found it. Coordinates up to 1e100; costs a look-up a step inside the box of the solid voxels, and
+ * nothing outside.
+ *
+ * <p>Source: Vlasov, Friese, Wolter 2013, section 4.1 and figure 3, with a step of 1 voxel.
+ */
+public final class SampledRayCaster implements RayCaster {
+  private final double stepVoxels;
+  private final RayClip near = new RayClip();
+
+  /** Samples {@code stepVoxels} apart in grid coordinates; the paper's step is 1. */
+  public SampledRayCaster(double stepVoxels) {
+    if (!(stepVoxels > 0) || stepVoxels == Double.POSITIVE_INFINITY) {
+      throw new IllegalArgumentException(
+          "step must be positive and finite: stepVoxels=" + stepVoxels);
+    }
+    this.stepVoxels = stepVoxels;
+  }
+
+  @Override
+  public boolean cast(BitCube bits, Ray ray, RayHit hit) {
+    if (!near.clip(ray, bits.bounds())) {
+      return false;
+    }
+    double dx = ray.toX - ray.fromX;
+    double dy = ray.toY - ray.fromY;
+    double dz = ray.toZ - ray.fromZ;
+    double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    double lastAt = near.to * length;
+    for (double n = Math.floor(near.from * length / stepVoxels); ; n++) {
+      double at = n * stepVoxels;
+      if (at >= length) {
+        return sample(bits, ray.toX, ray.toY, ray.toZ, 1, hit);
+      }
+      double t = at / length;
+      if (sample(bits, ray.fromX + t * dx, ray.fromY + t * dy, ray.fromZ + t * dz, t, hit)) {
+        return true;
+      }
+      if (at > lastAt) {
+        return false;
+      }
+    }
+  }
+
+  static boolean sample(BitCube bits, double x, double y, double z, double t, RayHit hit) {
+    int i = (int) Math.floor(x);
+    int j = (int) Math.floor(y);
+    int k = (int) Math.floor(z);
+    if (!bits.get(i, j, k)) {
+      return false;
+    }
+    hit.set(t, i, j, k, RayHit.NO_AXIS);
+    return true;
+  }
+}
