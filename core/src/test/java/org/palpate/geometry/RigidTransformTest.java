@@ -1,0 +1,59 @@
+package org.palpate.geometry;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+class RigidTransformTest {
+  /** Turns by a right angle about z, then moves. */
+  private static final RigidTransform QUARTER_TURN =
+      new RigidTransform(
+          new Vec3(0, 1, 0), new Vec3(-1, 0, 0), new Vec3(0, 0, 1), new Vec3(5, 6, 7));
+
+  @Test
+  void turnsThenMoves() {
+    Vec3 image = QUARTER_TURN.transform(new Vec3(1, 2, 3), new Vec3());
+    assertTrue(image.sameBits(new Vec3(3, 7, 10)), "" + image);
+    Vec3 direction = QUARTER_TURN.rotate(new Vec3(1, 2, 3), new Vec3());
+    assertTrue(direction.sameBits(new Vec3(-2, 1, 3)), "" + direction);
+  }
+
+  @Test
+  void theInverseTakesBack() {
+    Vec3 point = new Vec3(1, 2, 3);
+    QUARTER_TURN.transform(point, point);
+    QUARTER_TURN.inverseTransform(point, point);
+    assertTrue(point.sameBits(new Vec3(1, 2, 3)), "in place too: " + point);
+  }
+
+  @Test
+  void tellsOrthonormalAxesFromOthers() {
+    assertTrue(QUARTER_TURN.isOrthonormal());
+    assertTrue(RigidTransform.identity().isOrthonormal());
+    Vec3 x = new Vec3(1, 0, 0);
+    Vec3 skewed = new Vec3(0.1, 0.995, 0);
+    assertFalse(new RigidTransform(x, skewed, new Vec3(0, 0, 1), x).isOrthonormal());
+    Vec3 tooLong = new Vec3(0, 1.01, 0);
+    assertFalse(new RigidTransform(x, tooLong, new Vec3(0, 0, 1), x).isOrthonormal());
+  }
+
+  @Test
+  void sameBitsTellsNegativeZeroAndFindsNanEqual() {
+    assertFalse(new Vec3(0, 0, 0).sameBits(new Vec3(-0.0, 0, 0)));
+    assertTrue(new Vec3(Double.NaN, 0, 0).sameBits(new Vec3(Double.NaN, 0, 0)));
+    assertEquals(3, new Vec3(1, 2, 2).length());
+    assertFalse(new Vec3(0, Double.NEGATIVE_INFINITY, 0).isFinite());
+  }
+
+  @Test
+  void componentsGoByAxis() {
+    Vec3 vector = new Vec3();
+    for (int axis = 0; axis < 3; axis++) {
+      vector.set(axis, axis + 1);
+      assertEquals(axis + 1, vector.get(axis));
+    }
+    assertTrue(vector.sameBits(new Vec3(1, 2, 3)));
+  }
+}
