@@ -1,0 +1,36 @@
+package org.palpate.proxy;
+
+import org.palpate.geometry.Vec3;
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.RayCaster;
+import org.palpate.raycast.RayHit;
+
+/**
+ * Collision without response: p is the device, through whatever stands there, and the contact flag
+ * says whether its last move hit a solid. w_max does not bound it.
+ */
+public final class CollisionOnlySolver implements ProxySolver {
+  private final RayCaster caster;
+  private final Metric metric;
+  private final Ray ray = new Ray();
+  private final RayHit hit = new RayHit();
+
+  /** A solver that keeps scratch; contact is as {@code caster} sees it. */
+  public CollisionOnlySolver(RayCaster caster, Metric metric) {
+    this.caster = caster;
+    this.metric = metric;
+  }
+
+  @Override
+  public void follow(Obstacles obstacles, Vec3 device, InteractionPoint point) {
+    Vec3 p = point.position;
+    ray.from(p.x, p.y, p.z).to(device.x, device.y, device.z);
+    point.contact = obstacles.cast(caster, ray, hit);
+    point.legs.clear();
+    if (!p.sameBits(device)) {
+      double lengthMm = metric.distance(p.x, p.y, p.z, device.x, device.y, device.z);
+      point.legs.add(p.x, p.y, p.z, device.x, device.y, device.z, lengthMm, false);
+      p.set(device);
+    }
+  }
+}
