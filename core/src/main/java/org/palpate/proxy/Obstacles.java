@@ -74,6 +74,9 @@ public final class Obstacles {
 
   /** Finds the first hit over all cubes; see {@link RayCaster#cast}. */
   public boolean cast(RayCaster caster, Ray ray, RayHit hit) {
+    if (cubes.length == 1) {
+      return caster.cast(cubes[0], ray, hit);
+    }
     boolean found = false;
     for (BitCube cube : cubes) {
       if (caster.cast(cube, ray, candidate) && !(found && hit.t <= candidate.t)) {

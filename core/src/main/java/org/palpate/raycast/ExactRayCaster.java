@@ -49,8 +49,17 @@ public final class ExactRayCaster implements RayCaster {
     if (misses(newRay, box)) {
       return false;
     }
-    if (!isOrdinary(newRay)) {
+    double dx = newRay.toX - newRay.fromX;
+    double dy = newRay.toY - newRay.fromY;
+    double dz = newRay.toZ - newRay.fromZ;
+    if (!isOrdinary(dx) || !isOrdinary(dy) || !isOrdinary(dz)) {
       return exhaustive.cast(cube, newRay, newHit);
+    }
+    if (NearRayWalk.isNear(dx, dy, dz)) {
+      int answer = NearRayWalk.walk(cube, newRay, newHit);
+      if (answer != NearRayWalk.DOUBT) {
+        return answer == NearRayWalk.HIT;
+      }
     }
     bits = cube;
     ray = newRay;
@@ -67,12 +76,6 @@ public final class ExactRayCaster implements RayCaster {
 
   private static boolean beside(double from, double to, int low, int high) {
     return low > high || Math.max(from, to) < low || Math.min(from, to) > (double) high + 1;
-  }
-
-  private static boolean isOrdinary(Ray r) {
-    return isOrdinary(r.toX - r.fromX)
-        && isOrdinary(r.toY - r.fromY)
-        && isOrdinary(r.toZ - r.fromZ);
   }
 
   private static boolean isOrdinary(double delta) {
