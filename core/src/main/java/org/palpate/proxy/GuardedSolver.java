@@ -44,6 +44,8 @@ public final class GuardedSolver implements ProxySolver {
   private final Vec3 end = new Vec3();
   private final Vec3 beforeClimb = new Vec3();
   private final Vec3 restedAt = new Vec3();
+  private final PointVoxel voxel = new PointVoxel();
+  private final FruitlessClimbs fruitless;
 
   private Obstacles obstacles;
   private Vec3 device;
@@ -52,6 +54,8 @@ public final class GuardedSolver implements ProxySolver {
   private boolean stopped;
   private boolean outOfPath;
   private boolean rests;
+  private boolean pathTooShort;
+  private double nearestClimb;
 
   /**
    * A solver for one grid.
@@ -65,11 +69,13 @@ public final class GuardedSolver implements ProxySolver {
     }
     this.metric = metric;
     this.maxStepMm = maxStepMm;
+    fruitless = new FruitlessClimbs(metric);
   }
 
   @Override
   public void reset() {
     rests = false;
+    fruitless.forget();
   }
 
   @Override
@@ -94,6 +100,7 @@ public final class GuardedSolver implements ProxySolver {
     legs = point.legs;
     stopped = false;
     outOfPath = false;
+    voxel.locate(solids, p);
   }
 
   private boolean arrived() {
@@ -124,6 +131,12 @@ public final class GuardedSolver implements ProxySolver {
     boolean moved = false;
     int faces = held;
     while (!outOfPath && aim(faces)) {
+      int stop = voxel.stopOnWayTo(target);
+      if (stop >= 0) {
+        stopped = true;
+        faces |= 1 << stop;
+        continue;
+      }
       boolean cut = cutToPathLeft();
       if (isFree(target)) {
         outOfPath |= cut;
@@ -167,7 +180,8 @@ public final class GuardedSolver implements ProxySolver {
    * where it does.
    */
   private boolean isFree(Vec3 to) {
-    return !obstacles.cast(caster, ray.from(p.x, p.y, p.z).to(to.x, to.y, to.z), hit);
+    return voxel.contains(to)
+        || !obstacles.cast(caster, ray.from(p.x, p.y, p.z).to(to.x, to.y, to.z), hit);
   }
 
   /** Goes on the way to the target to just before the face that was hit. */
@@ -203,31 +217,64 @@ public final class GuardedSolver implements ProxySolver {
   private void move(Vec3 to, boolean alongSurface) {
     legs.add(p.x, p.y, p.z, to.x, to.y, to.z, distance(p, to), alongSurface);
     p.set(to);
+    voxel.locate(obstacles, p);
     outOfPath |= legs.isFull();
   }
 
-  /** Climbs a stair of one voxel in the first direction in which that leads strictly nearer. */
+  /**
+   * Climbs a stair of one voxel in the first direction in which that leads strictly nearer. Where
+   * no climb did so from this voxel, none will until the device has come nearer to where they ended
+   * by as much as they were too far.
+   */
   private boolean climb() {
+    int sides = sidesOfDevice();
+    double distanceMm = Math.sqrt(squareToDevice(p));
+    if (fruitless.holds(voxel, sides, device, distanceMm)) {
+      return false;
+    }
+    nearestClimb = Double.POSITIVE_INFINITY;
+    pathTooShort = false;
     for (int axis = 0; axis < 3; axis++) {
       double toDevice = device.get(axis) - p.get(axis);
       if ((toDevice <= 0 && climb(axis, 1)) || (toDevice >= 0 && climb(axis, -1))) {
         return true;
       }
     }
+    if (!pathTooShort) {
+      fruitless.remember(voxel, sides, device, Math.sqrt(nearestClimb));
+    }
     return false;
   }
 
+  /** On which side of the point the device lies along each axis: two bits an axis. */
+  private int sidesOfDevice() {
+    return side(0) | (side(1) << 2) | (side(2) << 4);
+  }
+
+  private int side(int axis) {
+    double toDevice = device.get(axis) - p.get(axis);
+    return toDevice > 0 ? 1 : toDevice < 0 ? 2 : 0;
+  }
+
   private boolean climb(int axis, int direction) {
+    if (!isOpen(axis, direction)) {
+      return false;
+    }
     double top = topOfStair(axis, direction);
-    if (!mayLeadNearer(axis, top) || !isOpen(axis, direction)) {
+    end.set(device);
+    end.set(axis, top);
+    double nearest = squareToDevice(end); // were the way on top free for ever
+    if (nearest >= squareToDevice(p)) {
+      nearestClimb = Math.min(nearestClimb, nearest);
       return false;
     }
     end.set(p);
     end.set(axis, top);
-    if (legs.lengthMm() + distance(p, end) > maxStepMm || !isFree(end)) {
+    if (legs.lengthMm() + distance(p, end) > maxStepMm) {
+      pathTooShort = true;
       return false;
     }
-    return climbTo(axis);
+    return (voxel.isInsideBut(axis) || isFree(end)) && climbTo(axis);
   }
 
   /**
@@ -241,10 +288,14 @@ public final class GuardedSolver implements ProxySolver {
     double squareBefore = squareToDevice(p);
     move(end, true);
     descend(1 << axis);
-    if (squareToDevice(p) < squareBefore) {
+    double square = squareToDevice(p);
+    if (square < squareBefore) {
       return true;
     }
+    nearestClimb = Math.min(nearestClimb, square);
+    pathTooShort |= outOfPath;
     p.set(beforeClimb);
+    voxel.locate(obstacles, p);
     legs.truncate(legsBefore, pathBeforeMm);
     outOfPath = false;
     return false;
@@ -252,25 +303,15 @@ public final class GuardedSolver implements ProxySolver {
 
   /** Just beyond the voxel that the point is in: on a stair as high as that voxel. */
   private double topOfStair(int axis, int direction) {
-    double cell = Math.floor(p.get(axis));
+    int cell = voxel.cell(axis);
     return direction > 0 ? cell + 1 + STOP_SHORT_VOXELS : cell - STOP_SHORT_VOXELS;
-  }
-
-  /**
-   * Were the way on top free for ever, would its end be nearer? Nearly every stair is ruled out
-   * here.
-   */
-  private boolean mayLeadNearer(int axis, double top) {
-    end.set(device);
-    end.set(axis, top);
-    return squareToDevice(end) < squareToDevice(p);
   }
 
   /** Whether the voxel on the way up is empty, and one beside its top towards the device. */
   private boolean isOpen(int axis, int direction) {
-    int i = (int) Math.floor(p.x) + (axis == 0 ? direction : 0);
-    int j = (int) Math.floor(p.y) + (axis == 1 ? direction : 0);
-    int k = (int) Math.floor(p.z) + (axis == 2 ? direction : 0);
+    int i = voxel.cell(0) + (axis == 0 ? direction : 0);
+    int j = voxel.cell(1) + (axis == 1 ? direction : 0);
+    int k = voxel.cell(2) + (axis == 2 ? direction : 0);
     return !obstacles.isSolid(i, j, k)
         && ((axis != 0 && isOpenBeside(0, i, j, k))
             || (axis != 1 && isOpenBeside(1, i, j, k))
