@@ -38,7 +38,7 @@ constexpr int64_t kNanosPerSecond = 1000000000;
 constexpr int64_t kLeastWindowNanos = 20000;
 constexpr int64_t kMostWindowNanos = 400000;
 constexpr int kWindowSleeps = 200;
-constexpr int64_t kWindowSleepNanos = 500000;
+constexpr int64_t kWindowSleepNanos = 900000;
 
 struct Record {
   int64_t due;
@@ -182,10 +182,14 @@ void askKernel(const Options& options) {
   }
 }
 
-/** Deadlines lie on a fixed grid; one that passed while the loop was held up is left out. */
-int64_t nextDue(int64_t due, int64_t period) {
-  int64_t late = nanos() - due;
-  return due + period * std::max<int64_t>(1, late / period + (late % period == 0 ? 0 : 1));
+/**
+ * Deadlines lie on a fixed grid; the next is the first that is at least half a period away, as in
+ * the haptic loop.
+ */
+int64_t nextDue(int64_t due, int64_t began, int64_t period) {
+  int64_t late = began - due;
+  int64_t missed = late > period / 2 ? (late + period / 2) / period : 0;
+  return due + (missed + 1) * period;
 }
 
 void run(const Pacer& pacer, int64_t warmUp, int64_t period, std::vector<Record>& records) {
@@ -200,7 +204,7 @@ void run(const Pacer& pacer, int64_t warmUp, int64_t period, std::vector<Record>
     if (i >= 0) {
       records[i] = record;
     }
-    due = nextDue(due, period);
+    due = nextDue(due, record.start, period);
   }
 }
 

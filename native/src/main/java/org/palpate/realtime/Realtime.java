@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalInt;
 
 /** The system that this process runs on, as far as it can be asked for real time. */
 public final class Realtime {
@@ -14,6 +15,9 @@ public final class Realtime {
 
   /** Processors that threads of this process keep to themselves; guarded by the class. */
   private static final BitSet TAKEN_CPUS = new BitSet();
+
+  /** The real-time priority that is asked for where no vendor's thread wants a lower one. */
+  public static final int USUAL_PRIORITY = RealtimePriority.USUAL;
 
   private Realtime() {}
 
@@ -46,6 +50,22 @@ public final class Realtime {
       return new WindowsSetup(TAKEN_CPUS).apply(wish);
     }
     return List.of(Grant.refused("class", "not known how to ask " + OS));
+  }
+
+  /**
+   * The processor that a thread of another process should be given, as {@link #apply} would choose
+   * for the first of ours; empty where nothing would be left for the rest, or nothing is known.
+   */
+  public static OptionalInt quietProcessor() {
+    return CpuTopology.read(Path.of("/")).choose(new BitSet());
+  }
+
+  /** How much of a processor real-time threads may have, as {@code 950 of 1000 ms}. */
+  public static String throttlingInWords() {
+    Throttling throttling = Throttling.read(Path.of("/"));
+    return throttling.limits()
+        ? throttling.runtimeMicros() / 1000 + " of " + throttling.periodMicros() / 1000 + " ms"
+        : "none";
   }
 
   /** The most punctual sleep that the system offers; the JDK's own where there is no better. */

@@ -12,13 +12,14 @@ final class SpinWindow {
   static final long MOST_NANOS = 400_000;
 
   private static final int SLEEPS = 200;
-  private static final long SLEEP_NANOS = 500_000;
+  private static final long SLEEP_NANOS =
+      900_000; // about a frame's, since an idle processor sleeps deeper the longer it may
   private static final double COVERED_PERCENTILE = 99;
   private static final long LARGEST_NANOS = 10_000_000_000L;
 
   private SpinWindow() {}
 
-  /** Sleeps for about a tenth of a second; {@link #MOST_NANOS} at most. */
+  /** Sleeps for about a fifth of a second; {@link #MOST_NANOS} at most. */
   static long measureNanos(PreciseSleep sleep) {
     return measureNanos(sleep, System::nanoTime);
   }
@@ -31,6 +32,7 @@ final class SpinWindow {
       lateness.recordValue(Math.min(LARGEST_NANOS, Math.max(0, clock.getAsLong() - due)));
     }
     long covered = lateness.getValueAtPercentile(COVERED_PERCENTILE);
+    // A quarter more, since the machine was seen for a moment only.
     return Math.min(MOST_NANOS, Math.max(LEAST_NANOS, covered + covered / 4));
   }
 }

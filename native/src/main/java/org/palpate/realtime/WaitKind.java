@@ -17,7 +17,7 @@ public enum WaitKind {
 
   /**
    * Makes the wait. Called by the thread that will wait, under the scheduling it will have, since
-   * {@link #HYBRID} measures for a tenth of a second how late this thread wakes.
+   * {@link #HYBRID} measures for a fifth of a second how late this thread wakes.
    */
   public DeadlineWait create() {
     return switch (this) {

@@ -92,6 +92,20 @@ record Cell(
         jdk, collector, waiting, scheduling, workload, neighbour, other, heapMb, seconds, repeat);
   }
 
+  Cell withHeap(int otherHeapMb) {
+    return new Cell(
+        jdk,
+        collector,
+        waiting,
+        scheduling,
+        workload,
+        neighbour,
+        jit,
+        otherHeapMb,
+        seconds,
+        repeat);
+  }
+
   Cell lasting(int otherSeconds) {
     return new Cell(
         jdk,

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
-class WarmUpTest {
+class SteadyWarmUpTest {
   private static final long LIMIT_NANOS = 1_000_000_000;
 
   private long now;
@@ -15,7 +15,7 @@ class WarmUpTest {
 
   @Test
   void endsWhenTheFrameIsCompiledAndItsTimeSteady() {
-    WarmUp.Result result =
+    SteadyWarmUp.Result result =
         run(
             () -> {
               boolean interpreted = frames < 3_000;
@@ -29,7 +29,7 @@ class WarmUpTest {
 
   @Test
   void goesOnWhileTheCompilerWorksThoughTheTimeIsSteady() {
-    WarmUp.Result result =
+    SteadyWarmUp.Result result =
         run(
             () -> {
               now += 1_000;
@@ -41,24 +41,24 @@ class WarmUpTest {
 
   @Test
   void saysThatTheFrameNeverBecameSteady() {
-    WarmUp.Result result = run(() -> now += frames / 500 % 2 == 0 ? 1_000 : 3_000);
+    SteadyWarmUp.Result result = run(() -> now += frames / 500 % 2 == 0 ? 1_000 : 3_000);
     assertFalse(result.steady());
     assertTrue(result.nanos() >= LIMIT_NANOS, "nanos=" + result.nanos());
   }
 
   @Test
   void isNotMisledByOneSlowFrame() {
-    WarmUp.Result result = run(() -> now += frames == 1_234 ? 5_000_000 : 1_000);
+    SteadyWarmUp.Result result = run(() -> now += frames == 1_234 ? 5_000_000 : 1_000);
     assertTrue(result.steady());
     assertEquals(2_000, result.frames());
   }
 
-  private WarmUp.Result run(Runnable frame) {
+  private SteadyWarmUp.Result run(Runnable frame) {
     Runnable counted =
         () -> {
           frame.run();
           frames++;
         };
-    return new WarmUp(() -> now, () -> compiledMillis).run(counted, LIMIT_NANOS);
+    return new SteadyWarmUp(() -> now, () -> compiledMillis).run(counted, LIMIT_NANOS);
   }
 }

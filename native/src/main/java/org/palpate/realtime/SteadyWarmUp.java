@@ -12,7 +12,7 @@ import java.util.function.LongSupplier;
  * <p>Steady: over four batches of 500 frames the median time of a frame stayed within a quarter of
  * the least of them, and the JVM compiled nothing new.
  */
-public final class WarmUp {
+public final class SteadyWarmUp {
   private static final int FRAMES_A_BATCH = 500;
   private static final int STEADY_BATCHES = 4;
   private static final int STEADY_SHARE = 4; // a quarter
@@ -28,11 +28,11 @@ public final class WarmUp {
   private int quietBatches;
 
   /** With the JVM's own clock and compiler. */
-  public WarmUp() {
-    this(System::nanoTime, WarmUp::compilationMillis);
+  public SteadyWarmUp() {
+    this(System::nanoTime, SteadyWarmUp::compilationMillis);
   }
 
-  WarmUp(LongSupplier clock, LongSupplier compileMillis) {
+  SteadyWarmUp(LongSupplier clock, LongSupplier compileMillis) {
     this.clock = clock;
     this.compileMillis = compileMillis;
   }

@@ -1,0 +1,180 @@
+package org.palpate.benchmarks.jitter;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.HdrHistogram.Histogram;
+
+/** One page that holds everything, its pictures too, and needs no network. */
+final class HtmlReport {
+  private static final double NANOS_A_MICRO = 1e3;
+  private static final List<Double> PERCENTILES = List.of(50.0, 99.0, 99.9, 99.99, 99.999);
+  private static final String STYLE =
+      "body{font:15px/1.45 system-ui,sans-serif;max-width:1160px;margin:2em auto;padding:0 1em;"
+          + "color:#222}table{border-collapse:collapse;font-size:13px;margin:1em 0}"
+          + "td,th{border-bottom:1px solid #ddd;padding:3px 8px;text-align:right}"
+          + "td:first-child,th:first-child,.l{text-align:left}th{background:#f4f4f4}"
+          + "img{max-width:100%;display:block}summary{cursor:pointer}.bad{color:#b00020}";
+
+  private final JitterRun run;
+  private final Map<String, String> machine;
+  private final Path plots;
+  private final StringBuilder html = new StringBuilder();
+
+  /**
+   * @param plots where the pictures are
+   */
+  HtmlReport(JitterRun run, Map<String, String> machine, Path plots) {
+    this.run = run;
+    this.machine = machine;
+    this.plots = plots;
+  }
+
+  /** The page. */
+  String page() throws IOException {
+    html.append("<!doctype html><html lang=\"en\"><meta charset=\"utf-8\">")
+        .append("<title>How late is this JVM?</title><style>" + STYLE + "</style>")
+        .append("<h1>How late is this JVM?</h1>")
+        .append("<p>A loop at 1 kHz, a fresh process a row. Late: how long after its deadline a")
+        .append(" frame began. Curves are corrected for frames that were left out while the loop")
+        .append(" was held up (coordinated omission); the tables show both. A percentile that")
+        .append(" needs more frames than a cell has equals its maximum.</p>");
+    addMachine();
+    for (Table table : run.tables()) {
+      addTable(table);
+    }
+    addCells();
+    addLeft();
+    return html.append("</html>\n").toString();
+  }
+
+  private void addMachine() {
+    html.append("<table>");
+    machine.forEach(
+        (name, value) ->
+            html.append("<tr><th>")
+                .append(escaped(name.replace('_', ' ')))
+                .append("</th><td class=l>")
+                .append(escaped(value))
+                .append("</td></tr>"));
+    html.append("</table>");
+  }
+
+  private void addTable(Table table) throws IOException {
+    html.append("<h2>").append(escaped(table.name())).append("</h2><p>");
+    html.append(escaped(table.question())).append("</p>");
+    addPicture(Plots.curvesName(table));
+    html.append("<table><tr><th>cell</th>");
+    PERCENTILES.forEach(p -> html.append("<th>p").append(number(p)).append("</th>"));
+    html.append("<th>max</th><th>corrected p99.9</th><th>work p99.9</th><th>omitted</th>");
+    html.append("<th>&gt; 1.5 ms</th><th>&gt; 10 ms</th><th class=l>causes of the worst ten</th>");
+    html.append("<th>machine busy</th></tr>");
+    for (Cell cell : table.cells()) {
+      CellResult result = run.results().get(cell.key());
+      if (result != null) {
+        addRow(result);
+      }
+    }
+    html.append("</table>");
+  }
+
+  private void addRow(CellResult result) {
+    Delays delays = result.delays();
+    html.append("<tr><td><a href=\"#" + result.cell().key() + "\">")
+        .append(escaped(result.cell().key()))
+        .append("</a></td>");
+    PERCENTILES.forEach(p -> addCell(micros(delays.lateness(), p)));
+    addCell(number(delays.lateness().getMaxValue() / NANOS_A_MICRO));
+    addCell(micros(delays.corrected(), 99.9));
+    addCell(micros(delays.work(), 99.9));
+    addCell(Long.toString(delays.omitted()));
+    addCell(Long.toString(delays.overOneAndAHalfMillis()));
+    addCell(Long.toString(delays.overTenMillis()));
+    html.append("<td class=l>").append(escaped(Causes.inWords(result.causes()))).append("</td>");
+    addCell(Math.round(100 * result.machine().busyShare()) + " %");
+    html.append("</tr>");
+  }
+
+  private void addCells() throws IOException {
+    html.append("<h2>Cells</h2>");
+    for (CellResult result : run.results().values()) {
+      html.append("<details id=\"" + result.cell().key() + "\"><summary>")
+          .append(escaped(result.cell().key()))
+          .append("</summary>");
+      addPicture(Plots.timelineName(result.cell()));
+      addCauses(result);
+      addAnswers(result);
+      html.append("</details>");
+    }
+  }
+
+  private void addCauses(CellResult result) {
+    html.append("<table><tr><th>at, s</th><th>late, us</th><th>work, us</th>");
+    html.append("<th class=l>cause</th><th class=l>evidence</th></tr>");
+    for (Cause cause : result.causes()) {
+      html.append("<tr>");
+      addCell(number((cause.dueNanos() - result.firstDueNanos()) / 1e9));
+      addCell(number(cause.latenessNanos() / NANOS_A_MICRO));
+      addCell(number(cause.workNanos() / NANOS_A_MICRO));
+      html.append("<td class=l>").append(escaped(cause.kind().label())).append("</td>");
+      html.append("<td class=l>").append(escaped(cause.evidence())).append("</td></tr>");
+    }
+    html.append("</table>");
+  }
+
+  private void addAnswers(CellResult result) {
+    html.append("<p>");
+    result.answers().stringPropertyNames().stream()
+        .sorted()
+        .forEach(name -> html.append(escaped(name + ": " + result.answer(name))).append("<br>"));
+    if (!result.cell().isControl()) {
+      html.append("<code>")
+          .append(escaped(String.join(" ", JvmCommand.flags(result.cell()))))
+          .append("</code>");
+    }
+    html.append("</p>");
+  }
+
+  private void addLeft() {
+    if (!run.left().isEmpty()) {
+      html.append("<h2>Left out</h2><ul>");
+      run.left()
+          .forEach(
+              (key, why) ->
+                  html.append("<li class=bad>").append(escaped(key + ": " + why)).append("</li>"));
+      html.append("</ul>");
+    }
+  }
+
+  private void addPicture(String name) throws IOException {
+    Path picture = plots.resolve(name);
+    if (Files.exists(picture)) {
+      String bytes = Base64.getEncoder().encodeToString(Files.readAllBytes(picture));
+      html.append("<img loading=lazy alt=\"" + name + "\" src=\"data:image/png;base64,")
+          .append(bytes)
+          .append("\">");
+    }
+  }
+
+  private void addCell(String text) {
+    html.append("<td>").append(escaped(text)).append("</td>");
+  }
+
+  private static String micros(Histogram histogram, double percentile) {
+    return number(histogram.getValueAtPercentile(percentile) / NANOS_A_MICRO);
+  }
+
+  private static String number(double value) {
+    return value == Math.rint(value)
+        ? Long.toString((long) value)
+        : String.format(Locale.ROOT, value < 100 ? "%.2f" : "%.0f", value);
+  }
+
+  static String escaped(String text) {
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+  }
+}

@@ -1,0 +1,165 @@
+package org.palpate.benchmarks.jitter;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.regex.Pattern;
+import java.util.regex.PatternSyntaxException;
+import org.palpate.app.OutputOptions;
+import org.palpate.app.PalpateException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code palpate jitter}: how late this JVM, these JVMs, these collectors run a frame, and why. */
+@Command(
+    name = "jitter",
+    description = {
+      "How late this JVM wakes up and runs a frame, and why: a fresh process for every cell of a"
+          + " table of JDKs, collectors, waits, scheduling and work, beside the same loop in C++.",
+      "Run again with the same folder, it goes on where it ended."
+    },
+    footer = {
+      "",
+      "Examples:",
+      "  palpate jitter --quick --out jitter",
+      "  palpate jitter --out jitter --table waits --table collectors",
+      "  palpate jitter --out jitter --jdk /opt/jdk-25 --cells '.*zgc-hybrid-fifo.*' --seconds 60",
+      "  palpate jitter --out jitter --list"
+    })
+public final class JitterCommand implements Callable<Integer> {
+  private static final int QUICK_SECONDS = 3;
+  private static final int USUAL_SECONDS = 10;
+
+  @Spec private CommandSpec spec;
+
+  @Mixin private OutputOptions output;
+
+  @Option(names = "--out", paramLabel = "DIR", required = true, description = "Where files go.")
+  private Path folder;
+
+  @Option(names = "--quick", description = "A dozen cells, under two minutes.")
+  private boolean quick;
+
+  @Option(
+      names = "--table",
+      paramLabel = "NAME",
+      description =
+          "Only this table; may be given again. One of: machine, simplest, waits,"
+              + " collectors, workloads, compilers, heaps, recommended.")
+  private List<String> tables = new ArrayList<>();
+
+  @Option(
+      names = "--cells",
+      paramLabel = "REGEX",
+      description = "Only cells whose name matches; --list shows the names.")
+  private String cells = ".*";
+
+  @Option(
+      names = "--jdk",
+      paramLabel = "DIR",
+      description =
+          "A Java installation; may be given again. Default: all found here, the newest"
+              + " of every release.")
+  private List<Path> homes = new ArrayList<>();
+
+  @Option(
+      names = "--seconds",
+      paramLabel = "S",
+      description = "How long a cell is measured (10; 3 with --quick).")
+  private int seconds;
+
+  @Option(names = "--heap", paramLabel = "MB", description = "Heap of a cell (512).")
+  private int heapMb = 512;
+
+  @Option(names = "--list", description = "Show the cells and about how long they take, and end.")
+  private boolean list;
+
+  @Override
+  public Integer call() throws Exception {
+    PrintWriter out = spec.commandLine().getOut();
+    List<Table> chosen = chosenTables();
+    List<Cell> all = JitterRun.cells(chosen);
+    if (all.isEmpty()) {
+      throw PalpateException.wrongUse("no cell matches", cells, "--list shows their names");
+    }
+    out.println(all.size() + " cells, about " + JitterRun.minutes(JitterRun.secondsFor(all)));
+    if (list) {
+      all.forEach(cell -> out.println("  " + cell.key()));
+      return 0;
+    }
+    return measure(chosen, out);
+  }
+
+  private int measure(List<Table> chosen, PrintWriter out)
+      throws IOException, InterruptedException {
+    Path root = Files.createDirectories(folder).toRealPath();
+    var machine = MachineFacts.read();
+    JitterRun run = new JitterRun(chosen, new CellRunner(root, ""), out);
+    run.run();
+    if (run.results().isEmpty()) {
+      String first = run.left().values().iterator().next();
+      throw PalpateException.failed("no cell ran", first, "look into " + root, null);
+    }
+    ReportFiles files = new ReportFiles(root, run, machine);
+    files.write();
+    if (output.report().isPresent()) {
+      files.writeJson(output.report().get());
+    }
+    out.println(root.resolve("index.html"));
+    return 0;
+  }
+
+  private List<Table> chosenTables() {
+    List<Jdk> jdks = jdks();
+    int chosenSeconds = seconds > 0 ? seconds : quick ? QUICK_SECONDS : USUAL_SECONDS;
+    Tables known = new Tables(jdks, heapMb, chosenSeconds);
+    for (String name : tables) {
+      if (!Tables.NAMES.contains(name)) {
+        throw PalpateException.wrongUse(
+            "no such table", name, "choose of " + String.join(", ", Tables.NAMES));
+      }
+    }
+    List<Table> all = quick ? known.quick() : known.all();
+    return all.stream()
+        .filter(table -> tables.isEmpty() || tables.contains(table.name()))
+        .map(this::matching)
+        .filter(table -> !table.cells().isEmpty())
+        .toList();
+  }
+
+  private Table matching(Table table) {
+    Pattern pattern;
+    try {
+      pattern = Pattern.compile(cells);
+    } catch (PatternSyntaxException e) {
+      throw PalpateException.wrongUse(
+          e.getDescription(), "--cells " + cells, "give a regular expression", e);
+    }
+    List<Cell> found =
+        table.cells().stream().filter(cell -> pattern.matcher(cell.key()).matches()).toList();
+    return new Table(table.name(), table.question(), found);
+  }
+
+  private List<Jdk> jdks() {
+    if (homes.isEmpty()) {
+      return Jdks.found();
+    }
+    List<Jdk> jdks = new ArrayList<>();
+    for (Path home : homes) {
+      try {
+        jdks.add(Jdk.at(home));
+      } catch (IOException e) {
+        throw PalpateException.wrongUse(
+            "no Java installation", home.toString(), "give the folder that holds bin/java", e);
+      }
+    }
+    return jdks;
+  }
+}

@@ -1,0 +1,112 @@
+package org.palpate.benchmarks.jitter;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** Runs all cells of some tables, tells how far it is, and gathers what they found. */
+final class JitterRun {
+  /** What a process costs beside its measured time, s: start, warm-up, analysis. */
+  static final int SECONDS_BESIDE = 4;
+
+  private static final double NANOS_A_MICRO = 1e3;
+
+  private final List<Table> tables;
+  private final CellRunner runner;
+  private final PrintWriter out;
+  private final Map<String, CellResult> results = new LinkedHashMap<>();
+  private final Map<String, String> left = new LinkedHashMap<>();
+
+  JitterRun(List<Table> tables, CellRunner runner, PrintWriter out) {
+    this.tables = tables;
+    this.runner = runner;
+    this.out = out;
+  }
+
+  /** The cells of the tables, each once, in their order. */
+  static List<Cell> cells(List<Table> tables) {
+    Map<String, Cell> byKey = new LinkedHashMap<>();
+    tables.forEach(table -> table.cells().forEach(cell -> byKey.putIfAbsent(cell.key(), cell)));
+    return List.copyOf(byKey.values());
+  }
+
+  /** About how long these cells take, s. */
+  static int secondsFor(List<Cell> cells) {
+    return cells.stream()
+        .mapToInt(cell -> cell.seconds() + (cell.isControl() ? 2 : SECONDS_BESIDE))
+        .sum();
+  }
+
+  /** Runs what is not whole yet; a cell that fails is told and left out. */
+  void run() throws InterruptedException {
+    List<Cell> cells = cells(tables);
+    for (int i = 0; i < cells.size(); i++) {
+      Cell cell = cells.get(i);
+      String outcome = runOne(cell);
+      String rest = minutes(secondsFor(notWhole(cells.subList(i + 1, cells.size()))));
+      out.printf(
+          Locale.ROOT,
+          "[%d/%d] %s  %s  (%s left)%n",
+          i + 1,
+          cells.size(),
+          cell.key(),
+          outcome,
+          rest);
+      out.flush();
+    }
+  }
+
+  private List<Cell> notWhole(List<Cell> cells) {
+    return cells.stream().filter(cell -> !runner.folder(cell).isWhole()).toList();
+  }
+
+  private String runOne(Cell cell) throws InterruptedException {
+    try {
+      Optional<String> why = runner.run(cell);
+      if (why.isPresent()) {
+        left.put(cell.key(), why.get());
+        return "left out: " + why.get();
+      }
+      CellResult result = CellResult.of(cell, runner.folder(cell));
+      results.put(cell.key(), result);
+      return inShort(result);
+    } catch (IOException e) {
+      left.put(cell.key(), e.getMessage());
+      return "failed: " + e.getMessage();
+    }
+  }
+
+  private static String inShort(CellResult result) {
+    var lateness = result.delays().lateness();
+    return String.format(
+        Locale.ROOT,
+        "late p50 %.1f p99 %.1f p99.9 %.1f max %.1f us, worst: %s",
+        lateness.getValueAtPercentile(50) / NANOS_A_MICRO,
+        lateness.getValueAtPercentile(99) / NANOS_A_MICRO,
+        lateness.getValueAtPercentile(99.9) / NANOS_A_MICRO,
+        lateness.getMaxValue() / NANOS_A_MICRO,
+        result.causes().get(0).kind().label());
+  }
+
+  static String minutes(int seconds) {
+    return seconds / 60 + " min " + seconds % 60 + " s";
+  }
+
+  /** What the cells found, by their keys, in the order of the run. */
+  Map<String, CellResult> results() {
+    return results;
+  }
+
+  /** Why cells have no result, by their keys. */
+  Map<String, String> left() {
+    return left;
+  }
+
+  List<Table> tables() {
+    return tables;
+  }
+}

@@ -1,0 +1,117 @@
+package org.palpate.benchmarks.jitter;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.HdrHistogram.Histogram;
+import org.palpate.io.CsvNumbers;
+import org.palpate.io.NewFile;
+import org.palpate.io.ReportJson;
+
+/** Writes what a run found: tables, histograms, pictures, one page. */
+final class ReportFiles {
+  private static final double NANOS_A_MICRO = 1e3;
+
+  private final Path folder;
+  private final JitterRun run;
+  private final Map<String, String> machine;
+
+  /**
+   * @param machine facts to tell with the figures
+   */
+  ReportFiles(Path folder, JitterRun run, Map<String, String> machine) {
+    this.folder = folder;
+    this.run = run;
+    this.machine = machine;
+  }
+
+  /** Writes everything; what was there of an earlier report is replaced. */
+  void write() throws IOException {
+    writeTable();
+    writeHistograms();
+    writeJson(folder.resolve("jitter.json"));
+    Path plots = Files.createDirectories(folder.resolve("plots"));
+    new Plots(plots).write(run);
+    try (NewFile page = new NewFile(folder.resolve("index.html"))) {
+      page.stream()
+          .write(new HtmlReport(run, machine, plots).page().getBytes(StandardCharsets.UTF_8));
+      page.commit();
+    }
+  }
+
+  private void writeTable() throws IOException {
+    StringBuilder text = new StringBuilder();
+    for (CellResult result : run.results().values()) {
+      Map<String, Object> row = Rows.flat(result);
+      if (text.length() == 0) {
+        text.append(String.join(",", row.keySet())).append('\n');
+      }
+      text.append(row.values().stream().map(ReportFiles::field).collect(Collectors.joining(",")))
+          .append('\n');
+    }
+    try (NewFile file = new NewFile(folder.resolve("cells.csv"))) {
+      file.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
+      file.commit();
+    }
+  }
+
+  private static String field(Object value) {
+    return value instanceof Double number ? CsvNumbers.text(number) : value.toString();
+  }
+
+  private void writeHistograms() throws IOException {
+    Path histograms = Files.createDirectories(folder.resolve("hgrm"));
+    for (CellResult result : run.results().values()) {
+      String key = result.cell().key();
+      write(histograms.resolve(key + ".late.hgrm"), result.delays().lateness());
+      write(histograms.resolve(key + ".late-corrected.hgrm"), result.delays().corrected());
+      write(histograms.resolve(key + ".period.hgrm"), result.delays().period());
+      write(histograms.resolve(key + ".work.hgrm"), result.delays().work());
+    }
+  }
+
+  private static void write(Path path, Histogram histogram) throws IOException {
+    try (NewFile file = new NewFile(path)) {
+      PrintStream stream = new PrintStream(file.stream(), false, StandardCharsets.UTF_8);
+      histogram.outputPercentileDistribution(stream, NANOS_A_MICRO);
+      stream.flush();
+      file.commit();
+    }
+  }
+
+  /** Writes all figures as one JSON object. */
+  void writeJson(Path path) throws IOException {
+    try (NewFile file = new NewFile(path)) {
+      ReportJson.write(json(), file.stream());
+      file.commit();
+    }
+  }
+
+  private Map<String, Object> json() {
+    Map<String, Object> report = new LinkedHashMap<>();
+    String version = ReportFiles.class.getPackage().getImplementationVersion();
+    report.put("version", version);
+    report.put("java", System.getProperty("java.version"));
+    report.put("command", "jitter");
+    report.put("machine", machine);
+    List<Object> tables = new ArrayList<>();
+    for (Table table : run.tables()) {
+      tables.add(
+          Map.of(
+              "name", table.name(),
+              "question", table.question(),
+              "cells", table.cells().stream().map(Cell::key).toList()));
+    }
+    report.put("tables", tables);
+    report.put("cells", run.results().values().stream().map(Rows::nested).toList());
+    report.put("left_out", run.left());
+    return report;
+  }
+}
