@@ -112,6 +112,15 @@ final class ContactSearch {
     return true;
   }
 
+  /** The sum of the level's principal curvatures there, an edge; positive where it bulges out. */
+  double sumOfCurvatures() {
+    double along =
+        normal.x * (field.hxx * normal.x + 2 * field.hxy * normal.y)
+            + normal.y * (field.hyy * normal.y + 2 * field.hyz * normal.z)
+            + normal.z * (field.hzz * normal.z + 2 * field.hxz * normal.x);
+    return (along - field.hxx - field.hyy - field.hzz) / slope;
+  }
+
   /** Splits the way to the device along normal and tangent plane; false when it lies above. */
   private boolean project(Vec3 device) {
     device.sub(at, toDevice);

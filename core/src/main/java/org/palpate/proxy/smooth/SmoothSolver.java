@@ -6,6 +6,7 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.raycast.RayHit;
 
 /**
  * Slides the interaction point on an implicit surface that is made on the fly from the voxels
@@ -16,11 +17,11 @@ import org.palpate.proxy.ProxySolver;
  *
  * <p>Rest: a frame counts only if it lowers a potential, the distance to the device plus what the
  * point lies below the surface ({@link #potential}), a fixed function of point, device and solids
- * in doubles. It may rise by no more than the device moved since the last frame, and has to fall by
- * {@link #LEAST_FALL_EDGES} where the device did not move; else the frame is taken back. So for a
- * device at rest the potential, never negative, falls by at least that much in every frame that
- * moves the point: there are finitely many such frames, no cycle, and then the point rests bit for
- * bit. Arriving at the device ends it too: the way to go is then of length 0. The same rule is the
+ * in doubles, bounded below. It may rise by no more than the device moved since the last frame, and
+ * has to fall by {@link #LEAST_FALL_EDGES} where the device did not move; else the frame is taken
+ * back. So for a device at rest the potential falls by at least that much in every frame that moves
+ * the point: there are finitely many such frames, no cycle, and then the point rests bit for bit.
+ * Arriving at the device ends it too: the way to go is then of length 0. The same rule is the
  * hysteresis between places that are about equally near.
  *
  * <p>References: Zilles and Salisbury 1995, Salisbury and Tarr 1997, Chan et al. 2011. Haptic
@@ -39,6 +40,15 @@ public final class SmoothSolver implements ProxySolver {
   /** Deeper below the surface than this counts the same: slits are all inside. */
   private static final double DEEPEST_EDGES = 1;
 
+  /**
+   * What an edge above the surface takes off an edge of distance: nearly all, so that going over
+   * what stands out costs next to nothing, and below 1, so that coming down pays.
+   */
+  private static final double LIFT_WEIGHT = 0.98;
+
+  /** Higher above the surface than this counts the same. */
+  private static final double HIGHEST_EDGES = 2;
+
   /** Shares of solid below this are the open: there is no surface near. */
   private static final double OPEN_SHARE = 0.02;
 
@@ -46,6 +56,14 @@ public final class SmoothSolver implements ProxySolver {
 
   /** How far from voxels the point stays that hold it above the surface, shortest voxel edges. */
   private static final double CLEARANCE_EDGES = 1e-3;
+
+  /** The path over which curvature is smoothed, and the ripple of it that voxels make. */
+  private static final double BEND_PATH_EDGES = 12;
+
+  private static final double BEND_RIPPLE_EDGES = 0.2;
+
+  /** What leaving the surface for the voxels must gain beside, so that modes do not flicker. */
+  private static final double TOLL_EDGES = 0.3;
 
   private static final int MOST_HOPS = 6;
   private static final double[] LIFTS_EDGES = {.05, .13, .3, .56, 1, 1.4};
@@ -60,9 +78,13 @@ public final class SmoothSolver implements ProxySolver {
   private final ContactSearch search;
   private final Vec3 target = new Vec3();
   private final Vec3 foot = new Vec3();
+  private final Vec3 low = new Vec3();
+  private final Vec3 up = new Vec3();
   private final Vec3 lastDevice = new Vec3(Double.NaN, 0, 0);
   private final Vec3 restedAt = new Vec3(Double.NaN, 0, 0);
 
+  private double nearerEdges;
+  private boolean onSurface;
   private Obstacles obstacles;
   private Vec3 device;
   private InteractionPoint point;
@@ -89,7 +111,7 @@ public final class SmoothSolver implements ProxySolver {
     onVoxels = new GuardedSolver(metric, maxStepMm);
     NodeSource nodes = new BitNodes(new SmoothingKernel(metric));
     field = new SmoothField(nodes, edges);
-    level = new SurfaceLevel(nodes);
+    level = new SurfaceLevel(nodes, edges);
     search = new ContactSearch(field, level, edges);
   }
 
@@ -148,35 +170,56 @@ public final class SmoothSolver implements ProxySolver {
     slide();
     if (guard.hasMoved() && isBelow(highest)) {
       point.surfaceHeightMm = shortestMm * heightOnSurface();
+      onSurface = true;
       return;
     }
     guard.takeBack();
     onVoxels.reset();
     onVoxels.follow(obstacles, device, point);
-    if (guard.hasMoved() && isBelow(highest)) {
+    double toll = onSurface ? TOLL_EDGES : 0;
+    if (guard.hasMoved() && isBelow(highest - toll)) {
       point.surfaceHeightMm = shortestMm * heightOnVoxels();
+      onSurface = false;
     } else {
       guard.takeBack();
     }
   }
 
-  /** The height of the surface's share at the point over solid, edges: more where it was lifted. */
+  /** How high the point is over what it stands for, as the field says, where it slides on it. */
   private double heightOnSurface() {
-    double lifted = Math.max(0, Math.min(1, search.heightEdges));
-    return SurfaceLevel.HEIGHT_EDGES * below() + lifted;
+    double most = level.heightEdges() + HIGHEST_EDGES;
+    double height = level.heightEdges() + overLevel() - nearerWhereBent();
+    return Math.max(0, Math.min(most, height));
+  }
+
+  /**
+   * How much nearer the level runs where the surface is bent: smoothed over the path, for single
+   * curvatures carry the ripple of the voxels, but never far from what they say.
+   */
+  private double nearerWhereBent() {
+    double now = level.nearerWhereBent(search.sumOfCurvatures());
+    double share = Math.min(1, point.legs.lengthMm() / (shortestMm * BEND_PATH_EDGES));
+    double smoothed = nearerEdges + share * (now - nearerEdges);
+    nearerEdges = Math.max(now - BEND_RIPPLE_EDGES, Math.min(now + BEND_RIPPLE_EDGES, smoothed));
+    return nearerEdges;
   }
 
   /** The same where voxels hold the point: 0 where they stand alone, and deep between them. */
   private double heightOnVoxels() {
-    double share = level.share(search.normal);
-    double above = Math.max(0, Math.min(1, 2 * field.value / share - 1));
-    return SurfaceLevel.HEIGHT_EDGES * Math.min(above, below());
+    if (!search.findNormal()) {
+      return 0;
+    }
+    double crowd = 2 * field.value / level.share(search.normal) - 1;
+    return Math.max(0, Math.min(1, crowd)) * Math.min(level.heightEdges(), heightOnSurface());
   }
 
-  /** From 1 on the surface to 0 at half solid. */
-  private double below() {
-    double share = level.share(search.normal);
-    return Math.max(0, Math.min(1, (0.5 - field.value) / (0.5 - share)));
+  /** How far the point lies over the level, where the field was evaluated last. */
+  private double overLevel() {
+    if (!search.findNormal()) {
+      return field.value < OPEN_SHARE ? HIGHEST_EDGES : 0;
+    }
+    double over = level.over(field.value, search.normal);
+    return Math.max(-level.heightEdges(), Math.min(HIGHEST_EDGES, over));
   }
 
   private double allowedRise() {
@@ -189,17 +232,15 @@ public final class SmoothSolver implements ProxySolver {
   }
 
   /**
-   * What falls: the distance to the device and, weighed, how far the point lies below the surface
-   * as the field's plane shows it; in shortest edges.
+   * What falls: the distance to the device, with most of the height above the surface taken off and
+   * the depth below it added, weighed; in shortest edges.
    */
   private double potential() {
     field.seed(p.x, p.y, p.z);
     field.evaluate(p.x, p.y, p.z);
-    double below = 0;
-    if (search.findNormal()) {
-      below = (field.value - level.share(search.normal)) / level.slope();
-    }
-    return distanceEdges(p, device) + DEPTH_WEIGHT * Math.max(0, Math.min(DEEPEST_EDGES, below));
+    double over = overLevel();
+    double weighed = over > 0 ? -LIFT_WEIGHT * over : DEPTH_WEIGHT * Math.min(DEEPEST_EDGES, -over);
+    return distanceEdges(p, device) + weighed;
   }
 
   private double distanceEdges(Vec3 from, Vec3 to) {
@@ -310,14 +351,44 @@ public final class SmoothSolver implements ProxySolver {
     }
   }
 
-  /** First rises from where it is, then goes over what is in the way. */
+  /** First rises from where it is, along faces that lean over it, then goes over and down. */
   private boolean riseAndGoTo(Vec3 to) {
+    up.set(search.normal);
+    double over = heightOver(to);
     for (double lift : LIFTS_EDGES) {
-      liftedAbove(p, lift, foot);
-      liftedAbove(to, lift, target);
-      if (guard.isFree(p, foot) && guard.isFree(foot, target)) {
-        return guard.move(foot, true) && guard.move(target, true);
+      if (!rise(lift, foot)) {
+        return false;
       }
+      liftedAbove(to, Math.max(0, over) + lift, target);
+      if (guard.isFree(foot, target)) {
+        lowerOnVoxels(target, to, low);
+        return guard.move(foot, true) && guard.move(guard.isFree(foot, low) ? low : target, true);
+      }
+    }
+    return false;
+  }
+
+  /** How high the point is over the tangent plane of {@code to}, edges. */
+  private double heightOver(Vec3 to) {
+    return (p.x - to.x) * edges.x * search.normal.x
+        + (p.y - to.y) * edges.y * search.normal.y
+        + (p.z - to.z) * edges.z * search.normal.z;
+  }
+
+  /**
+   * Writes where a rise by {@code lift} leads; a face in the way takes its axis off {@link #up}.
+   */
+  private boolean rise(double lift, Vec3 dest) {
+    for (int tries = 0; tries < 3; tries++) {
+      dest.set(
+          p.x + lift * up.x / edges.x, p.y + lift * up.y / edges.y, p.z + lift * up.z / edges.z);
+      if (guard.isFree(dest)) {
+        return true;
+      }
+      if (guard.hit.axis == RayHit.NO_AXIS) {
+        return false;
+      }
+      up.set(guard.hit.axis, 0);
     }
     return false;
   }
