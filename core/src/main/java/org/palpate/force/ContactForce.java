@@ -8,7 +8,8 @@ import org.palpate.proxy.Metric;
 /**
  * Force on the hand: the virtual coupling k(p-d) that pulls it back to the interaction point, less
  * the height at which the solver's surface runs, and dry friction against the way that the point
- * slid.
+ * slid. Where the solver asks for it the coupling hands over without a jump, see {@link
+ * ForceHandOver}.
  *
  * <p>Source: Vlasov et al. 2013, section 5.1, equations (3) and (4). Zero where undefined. Haptic
  * thread; allocates nothing.
@@ -17,6 +18,8 @@ public final class ContactForce {
   private final Metric metric;
   private ForceSettings settings;
   private final Vec3 slide = new Vec3();
+  private final ForceHandOver handOver;
+  private final ConeFriction cone;
   private double slideLengthMm;
   private long frictionSkipped;
 
@@ -24,6 +27,8 @@ public final class ContactForce {
   public ContactForce(Metric metric, ForceSettings settings) {
     this.metric = metric;
     this.settings = settings;
+    handOver = new ForceHandOver(metric);
+    cone = new ConeFriction(metric);
   }
 
   public ForceSettings settings() {
@@ -49,10 +54,26 @@ public final class ContactForce {
    */
   public void compute(InteractionPoint point, Vec3 device, Vec3 forceNewton) {
     couple(point, device, forceNewton);
-    if (settings.skipsFriction() && isFrictionless(point.legs)) {
+    handOver(point, device, forceNewton);
+    if (settings.form() == FrictionForm.CONE) {
+      cone.add(point, device, settings, forceNewton);
+    } else if (settings.skipsFriction() && isFrictionless(point.legs)) {
       frictionSkipped++;
     } else {
       addFriction(point.legs, forceNewton);
+    }
+  }
+
+  /** How often the coupling force was held back because the point jumped. */
+  public long handOvers() {
+    return handOver.events();
+  }
+
+  private void handOver(InteractionPoint point, Vec3 device, Vec3 force) {
+    if (point.handsOver) {
+      handOver.limit(force, device, settings.stiffnessNewtonPerMm());
+    } else {
+      handOver.forget();
     }
   }
 

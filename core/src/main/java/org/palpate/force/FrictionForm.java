@@ -1,6 +1,6 @@
 package org.palpate.force;
 
-/** How the part of the coupling force that presses on the surface is found. */
+/** How friction is computed. */
 public enum FrictionForm {
   /** sqrt(|Fc|^2 - (Fc.v/|v|)^2), what equation (4) says. */
   EQUATION_4,
@@ -8,5 +8,7 @@ public enum FrictionForm {
    * |Fc| - |Fc.v/|v||, which the paper gives as easier; not equal to it: at 45 degrees 0.29 against
    * 0.71 of |Fc|. For comparison.
    */
-  SHORTER
+  SHORTER,
+  /** Static and sliding friction with a cone each; see {@link ConeFriction}. */
+  CONE
 }

@@ -122,6 +122,8 @@ public final class HapticFrame {
     if (wanted != solver) {
       solver = wanted;
       solver.reset();
+      point.surfaceHeightMm = 0;
+      point.handsOver = false;
     }
   }
 

@@ -23,4 +23,10 @@ public final class InteractionPoint {
    * |p-d| before it is felt. 0 for solvers that slide on the voxels themselves.
    */
   public double surfaceHeightMm;
+
+  /**
+   * Whether the coupling force is to change no faster than the device moves, so that a jump of the
+   * point is no knock. False for solvers whose force is their jump.
+   */
+  public boolean handsOver;
 }

@@ -146,6 +146,7 @@ public final class SmoothSolver implements ProxySolver {
     device = devicePosition;
     point = moved;
     p = moved.position;
+    moved.handsOver = true;
     guard.begin(solids, moved);
   }
 
