@@ -1,0 +1,69 @@
+package org.palpate.accuracy;
+
+import java.util.SplittableRandom;
+import org.palpate.geometry.Vec3;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.SurfaceTruth;
+
+/** Bits that sample a surface known by formula, with voxels of any size and with noise. */
+final class SampledSolids {
+  private static final int[][] NEIGHBOURS = {
+    {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}
+  };
+
+  private SampledSolids() {}
+
+  /** The voxels whose centres are inside. */
+  static BitCube of(SurfaceTruth truth, double edgeMm, Vec3 spacingMm) {
+    BitCube bits =
+        new BitCube(
+            (int) (edgeMm / spacingMm.x),
+            (int) (edgeMm / spacingMm.y),
+            (int) (edgeMm / spacingMm.z));
+    Vec3 centre = new Vec3();
+    for (int k = 0; k < bits.sizeZ(); k++) {
+      for (int j = 0; j < bits.sizeY(); j++) {
+        for (int i = 0; i < bits.sizeX(); i++) {
+          centre.set((i + 0.5) * spacingMm.x, (j + 0.5) * spacingMm.y, (k + 0.5) * spacingMm.z);
+          if (truth.signedDistance(centre) < 0) {
+            bits.set(i, j, k);
+          }
+        }
+      }
+    }
+    return bits;
+  }
+
+  /** A copy in which a share of the voxels on either side of the border changed sides. */
+  static BitCube flipped(BitCube bits, double share, long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    BitCube noisy = bits.copy();
+    for (int k = 0; k < bits.sizeZ(); k++) {
+      for (int j = 0; j < bits.sizeY(); j++) {
+        for (int i = 0; i < bits.sizeX(); i++) {
+          if (isBorder(bits, i, j, k) && random.nextDouble() < share) {
+            flip(noisy, i, j, k);
+          }
+        }
+      }
+    }
+    return noisy;
+  }
+
+  private static boolean isBorder(BitCube bits, int i, int j, int k) {
+    for (int[] n : NEIGHBOURS) {
+      if (bits.get(i, j, k) != bits.get(i + n[0], j + n[1], k + n[2])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static void flip(BitCube bits, int i, int j, int k) {
+    if (bits.get(i, j, k)) {
+      bits.clear(i, j, k);
+    } else {
+      bits.set(i, j, k);
+    }
+  }
+}
