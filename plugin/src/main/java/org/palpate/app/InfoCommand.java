@@ -11,6 +11,7 @@ import org.palpate.io.SegmentBuilder;
 import org.palpate.io.SegmentSpec;
 import org.palpate.io.ValueSurvey;
 import org.palpate.io.VolumeHeader;
+import org.palpate.io.VolumeWords;
 import org.palpate.volume.Segment;
 import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Command;
@@ -91,6 +92,7 @@ final class InfoCommand implements Callable<Integer> {
             + " mm");
     line("type", header.type().description());
     line("axes", header.world().description());
+    VolumeWords.place(header).forEach(words -> line("", words));
     header.notes().forEach(note -> line("note", note));
   }
 

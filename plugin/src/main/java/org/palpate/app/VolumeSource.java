@@ -137,11 +137,6 @@ final class VolumeSource {
 
   /** Reads segments by the given rules. */
   SegmentedVolume read(List<SegmentSpec> specs) throws VolumeFormatException {
-    if (phantom.isPresent()) {
-      SegmentBuilder builder = new SegmentBuilder(header().grid(), specs, true);
-      reader.read(builder);
-      return builder.build();
-    }
     return SegmentBuilder.read(reader, specs);
   }
 
@@ -156,7 +151,9 @@ final class VolumeSource {
     Set<String> names = new HashSet<>();
     for (long label : labels) {
       String name = header().labels().map(table -> nameIn(table, label)).orElse("label" + label);
-      specs.add(SegmentSpec.labels(names.add(name) ? name : name + "-" + label, label));
+      SegmentSpec spec = SegmentSpec.labels(names.add(name) ? name : name + "-" + label, label);
+      int rgb = header().labels().map(table -> rgbIn(table, label)).orElse(spec.rgb());
+      specs.add(spec.withRgb(rgb));
     }
     return specs;
   }
@@ -164,6 +161,11 @@ final class VolumeSource {
   private static String nameIn(LabelTable table, long label) {
     LabelTable.Label known = table.labels().get(label);
     return known == null || known.name().isBlank() ? "label" + label : known.name();
+  }
+
+  private static int rgbIn(LabelTable table, long label) {
+    LabelTable.Label known = table.labels().get(label);
+    return known == null ? SegmentSpec.ANY_COLOUR : known.rgb();
   }
 
   private PalpateException refusal(ValueSurvey.Found found) {

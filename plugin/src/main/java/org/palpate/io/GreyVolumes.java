@@ -17,8 +17,7 @@ public final class GreyVolumes {
   public static ScalarVolume read(VolumeReader reader) throws VolumeFormatException {
     VoxelGrid grid = reader.header().grid();
     Storage storage = storage(reader.header().values());
-    Memory.require(
-        ScalarVolume.bytesFor(grid, storage), "keeping its grey values", reader.files().get(0));
+    Memory.require(ScalarVolume.bytesFor(grid, storage), "keeping its grey values", reader.place());
     ScalarVolume volume = ScalarVolume.of(grid, storage);
     reader.read((k, slice) -> store(k, slice, volume));
     return volume;

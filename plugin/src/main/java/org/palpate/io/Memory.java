@@ -1,6 +1,5 @@
 package org.palpate.io;
 
-import java.nio.file.Path;
 import org.palpate.volume.VoxelGrid;
 
 /** Looks whether there is memory before any is asked for. */
@@ -22,7 +21,7 @@ final class Memory {
    *
    * @param purpose what the bytes are for
    */
-  static void require(double bytes, String purpose, Path file) throws VolumeFormatException {
+  static void require(double bytes, String purpose, String place) throws VolumeFormatException {
     if (bytes > availableBytes()) {
       // garbage counts as used until it is collected
       System.gc();
@@ -35,21 +34,22 @@ final class Memory {
               + " of memory, "
               + Numbers.bytes(Math.max(0, availableBytes()))
               + " are free",
-          file,
+          place,
           "give Java more (JAVA_TOOL_OPTIONS=-Xmx...) or crop or halve the volume");
     }
   }
 
   /** A slice of the grid, once it is known to fit. */
-  static VoxelSlice slice(VoxelGrid grid, boolean whole, Path file) throws VolumeFormatException {
+  static VoxelSlice slice(VoxelGrid grid, boolean whole, String place)
+      throws VolumeFormatException {
     double count = (double) grid.sizeX() * grid.sizeY();
     if (count > Integer.MAX_VALUE - 8) {
       throw new VolumeFormatException(
           "a slice of " + grid.sizeX() + "x" + grid.sizeY() + " voxels is too large",
-          file,
+          place,
           "crop the volume in the tool that wrote it");
     }
-    require(count * (whole ? 4 : 8), "one slice", file);
+    require(count * (whole ? 4 : 8), "one slice", place);
     return new VoxelSlice(grid.sizeX(), grid.sizeY(), whole);
   }
 }

@@ -33,6 +33,11 @@ final class Numbers {
     };
   }
 
+  /** For a person: whole numbers without a dot, others as short as they can be. */
+  static String text(double value) {
+    return CsvNumbers.people(value);
+  }
+
   /** Bytes in words, as in "4.3 GB". */
   static String bytes(double count) {
     String[] units = {"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};

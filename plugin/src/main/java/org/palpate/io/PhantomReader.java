@@ -51,6 +51,11 @@ public final class PhantomReader implements VolumeReader {
   }
 
   @Override
+  public String place() {
+    return "phantom " + phantom.spec();
+  }
+
+  @Override
   public List<Path> files() {
     return List.of();
   }

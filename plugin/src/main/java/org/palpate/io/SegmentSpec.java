@@ -7,8 +7,12 @@ import java.util.Arrays;
  *
  * @param name what the person calls it
  * @param rule how voxels are chosen
+ * @param rgb colour for drawing, 0xRRGGBB, or {@link #ANY_COLOUR}
  */
-public record SegmentSpec(String name, Rule rule) {
+public record SegmentSpec(String name, Rule rule, int rgb) {
+  /** Whoever builds the segment chooses its colour. */
+  public static final int ANY_COLOUR = -1;
+
   private static final String OPTION = "--segment ";
 
   /** How voxels are chosen by their values. */
@@ -61,17 +65,22 @@ public record SegmentSpec(String name, Rule rule) {
 
   /** Values from {@code low} to {@code high}, both inside. */
   public static SegmentSpec range(String name, double low, double high) {
-    return new SegmentSpec(name, new Range(low, high));
+    return new SegmentSpec(name, new Range(low, high), ANY_COLOUR);
   }
 
   /** Values that are one of the labels. */
   public static SegmentSpec labels(String name, long... labels) {
-    return new SegmentSpec(name, new Labels(labels));
+    return new SegmentSpec(name, new Labels(labels), ANY_COLOUR);
   }
 
   /** Values other than 0. */
   public static SegmentSpec nonzero(String name) {
-    return new SegmentSpec(name, new Nonzero());
+    return new SegmentSpec(name, new Nonzero(), ANY_COLOUR);
+  }
+
+  /** The same in a colour, 0xRRGGBB. */
+  public SegmentSpec withRgb(int colour) {
+    return new SegmentSpec(name, rule, colour);
   }
 
   /**

@@ -33,6 +33,11 @@ final class StreamedVolume implements VolumeReader {
   }
 
   @Override
+  public String place() {
+    return files.get(0).toString();
+  }
+
+  @Override
   public List<Path> files() {
     return files;
   }
@@ -40,7 +45,7 @@ final class StreamedVolume implements VolumeReader {
   @Override
   public void read(SliceSink sink) throws VolumeFormatException {
     VoxelGrid grid = header.grid();
-    VoxelSlice slice = Memory.slice(grid, header.values().whole(), files.get(0));
+    VoxelSlice slice = Memory.slice(grid, header.values().whole(), place());
     int k = 0;
     try (SampleStream samples = opener.open()) {
       if (extra.position() == 3) {
@@ -56,7 +61,7 @@ final class StreamedVolume implements VolumeReader {
     } catch (EOFException e) {
       throw new VolumeFormatException(
           "data end after " + k + " of " + grid.sizeZ() + " slices",
-          files.get(0),
+          place(),
           "the file was cut short; copy or export it again",
           e);
     } catch (IOException e) {
@@ -67,7 +72,7 @@ final class StreamedVolume implements VolumeReader {
   private VolumeFormatException unreadable(IOException e, int k) {
     return new VolumeFormatException(
         "data are damaged in slice " + k + " (" + e.getMessage() + ")",
-        files.get(0),
+        place(),
         "copy or export the file again",
         e);
   }

@@ -25,6 +25,11 @@ public final class VolumeFormatException extends IOException {
 
   /** The same with the exception behind it, for {@code --debug}. */
   public VolumeFormatException(String what, Path where, String remedy, Throwable cause) {
+    this(what, where.toString(), remedy, cause);
+  }
+
+  /** The same with the exception behind it, for {@code --debug}. */
+  public VolumeFormatException(String what, String where, String remedy, Throwable cause) {
     this(what, where, remedy);
     initCause(cause);
   }

@@ -20,6 +20,12 @@ public interface VolumeReader {
    */
   void read(SliceSink sink) throws VolumeFormatException;
 
-  /** Every file that holds part of the volume, in the order in which they are read. */
+  /** Where it comes from, as messages name it: a path, or a phantom. */
+  String place();
+
+  /**
+   * Every file that holds part of the volume, in the order in which they are read; none where it
+   * comes from no file.
+   */
   List<Path> files();
 }
