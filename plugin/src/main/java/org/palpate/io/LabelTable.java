@@ -10,6 +10,8 @@ import java.util.TreeMap;
  * @param labels by value, in rising order
  */
 public record LabelTable(Map<Long, Label> labels) {
+  /** No names: says only that values are labels. */
+  public static final LabelTable EMPTY = new LabelTable(Map.of());
 
   /** Copies the labels. */
   public LabelTable {

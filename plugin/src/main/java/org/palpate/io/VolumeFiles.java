@@ -2,6 +2,8 @@ package org.palpate.io;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
 
 /** Finds out what format a file has, and opens it. */
 public final class VolumeFiles {
@@ -26,10 +28,22 @@ public final class VolumeFiles {
     if (startsWith(start, NrrdHeader.MAGIC)) {
       return NrrdReader.open(file, options);
     }
+    if (hasEnding(file, ".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz")
+        || NiftiHeader.isNifti(BinaryData.isGzip(start) ? NiftiHeader.start(file) : start)) {
+      return NiftiReader.open(file, options);
+    }
+    if (hasEnding(file, ".mha", ".mhd") || MetaHeader.isMeta(start)) {
+      return MetaReader.open(file, options);
+    }
     throw new VolumeFormatException(
         "it is in no format that is known",
         file,
         "give NRRD, NIfTI, MetaImage, TIFF or DICOM, or say with --raw what a raw file holds");
+  }
+
+  private static boolean hasEnding(Path file, String... endings) {
+    String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+    return Arrays.stream(endings).anyMatch(name::endsWith);
   }
 
   private static boolean startsWith(byte[] start, String text) {
