@@ -28,6 +28,9 @@ public final class VolumeFiles {
     if (startsWith(start, NrrdHeader.MAGIC)) {
       return NrrdReader.open(file, options);
     }
+    if (TiffFile.isTiff(start)) {
+      return TiffReader.open(file, options);
+    }
     if (hasEnding(file, ".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz")
         || NiftiHeader.isNifti(BinaryData.isGzip(start) ? NiftiHeader.start(file) : start)) {
       return NiftiReader.open(file, options);

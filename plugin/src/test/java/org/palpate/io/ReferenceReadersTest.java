@@ -66,6 +66,26 @@ class ReferenceReadersTest {
     requireWorld(reader, 3, 2, 1, 3, 2, 1);
   }
 
+  // tifffile 2026.3.3: tifffile.imread(file).transpose(2, 1, 0)
+  @ParameterizedTest
+  @CsvSource({
+    "u16_bigtiff, 61789cdd",
+    "u16_deflate, 61789cdd",
+    "u16_imagej, 61789cdd",
+    "u16_lzw_pred, 61789cdd",
+    "u16_tiled64, 61789cdd",
+    "u16be_none, 61789cdd",
+    "u16le_none, 61789cdd",
+    "u8_packbits, 7cfb6bfd",
+  })
+  void tiffAgreesWithTifffile(String name, String crc) throws Exception {
+    VolumeReader reader =
+        open("formats/tiff/CThead_z41-56_" + name + ".tif", OptionalInt.empty());
+    assertEquals(crc, VoxelCrc.of(reader));
+    double spacingZ = name.equals("u16_imagej") ? 2 : 1;
+    requireWorld(reader, 3, 2, 1, 3, 2, spacingZ);
+  }
+
   // nibabel: numpy.asanyarray(image.dataobj), and image.affine applied to voxels 0,0,0 and 3,2,1
   @ParameterizedTest
   @CsvSource({
