@@ -20,12 +20,7 @@ import java.util.zip.InflaterInputStream;
  * @param byteCount bytes over all files, decompressed
  */
 record BinaryData(
-    List<Path> files,
-    Start start,
-    VoxelType type,
-    ByteOrder order,
-    Scaling scaling,
-    long byteCount)
+    List<Path> files, Start start, VoxelType type, ByteOrder order, Scaling scaling, long byteCount)
     implements SampleStream.Opener {
 
   /** Deflate makes at most so many bytes of one. */

@@ -19,8 +19,7 @@ final class FilePattern {
     return isPattern ? expand(header, words) : List.of(value);
   }
 
-  private static List<String> expand(Path header, String[] words)
-      throws VolumeFormatException {
+  private static List<String> expand(Path header, String[] words) throws VolumeFormatException {
     if (!words[0].matches("[^%]*%(0?[1-9])?[du][^%]*")) {
       throw wrong(header, "the pattern '" + words[0] + "' has not one number like %03d");
     }

@@ -35,7 +35,8 @@ final class ImagejDescription {
   }
 
   int channels() {
-    return Math.max(1, Math.min(1 << 15, Numbers.positiveInt(values.getOrDefault("channels", "1"))));
+    return Math.max(
+        1, Math.min(1 << 15, Numbers.positiveInt(values.getOrDefault("channels", "1"))));
   }
 
   int frames() {

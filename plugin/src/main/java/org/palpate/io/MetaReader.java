@@ -46,8 +46,7 @@ final class MetaReader {
     List<Path> dataFiles = dataFiles();
     boolean text = !header.isTrue("BinaryData") && header.fields().containsKey("BinaryData");
     BinaryData data = data(dataFiles, type, text);
-    SampleStream.Opener opener =
-        text ? () -> new TextSamples(textStream(data), type) : data;
+    SampleStream.Opener opener = text ? () -> new TextSamples(textStream(data), type) : data;
     VolumeHeader described =
         new VolumeHeader(
             "MetaImage, " + (text ? "text" : data.start().deflated() ? "compressed" : "raw"),

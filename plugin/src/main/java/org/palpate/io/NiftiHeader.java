@@ -172,8 +172,7 @@ final class NiftiHeader {
   }
 
   VolumeFormatException wrong(String what) {
-    return new VolumeFormatException(
-        what, file, "write the file anew with the tool it came from");
+    return new VolumeFormatException(what, file, "write the file anew with the tool it came from");
   }
 
   private double real(int first, int secondOffset, int n) {

@@ -75,7 +75,9 @@ record NiftiPlace(List<Vec3> stepsMm, Vec3 firstCentreMm, boolean isKnown) {
     Vec3 z = new Vec3(s * (b * d + a * c), s * (c * d - a * b), 1 - s * (b * b + c * c));
     double handedness = header.pixdim(0) < 0 ? -1 : 1;
     Vec3[] steps = {
-      x.mul(header.pixdim(1), x), y.mul(header.pixdim(2), y), z.mul(header.pixdim(3) * handedness, z)
+      x.mul(header.pixdim(1), x),
+      y.mul(header.pixdim(2), y),
+      z.mul(header.pixdim(3) * handedness, z)
     };
     Vec3 centre = new Vec3(header.quatern(3), header.quatern(4), header.quatern(5));
     return new NiftiPlace(List.of(steps), centre, true);

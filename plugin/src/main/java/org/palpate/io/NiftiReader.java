@@ -29,7 +29,8 @@ final class NiftiReader {
     int[] sizes = sizes(header);
     ExtraAxis extra = extra(header, options, notes);
     NiftiPlace place = NiftiPlace.of(header, notes);
-    VoxelGrid grid = Grids.of(sizes, place.stepsMm().toArray(new Vec3[0]), place.firstCentreMm(), headerFile);
+    VoxelGrid grid =
+        Grids.of(sizes, place.stepsMm().toArray(new Vec3[0]), place.firstCentreMm(), headerFile);
     boolean gzip = BinaryData.isGzip(Inputs.start(dataFile, 2));
     BinaryData data =
         new BinaryData(
@@ -53,7 +54,9 @@ final class NiftiReader {
     return new StreamedVolume(described, files, data, extra, options.progress());
   }
 
-  /** The file beside it with the other ending, plain or gzip, where it has the first; else itself. */
+  /**
+   * The file beside it with the other ending, plain or gzip, where it has the first; else itself.
+   */
   private static Path partner(Path file, String from, String to) throws VolumeFormatException {
     String name = file.getFileName().toString();
     String lower = name.toLowerCase(Locale.ROOT);

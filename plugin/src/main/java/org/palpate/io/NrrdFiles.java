@@ -15,7 +15,8 @@ final class NrrdFiles {
       return List.of(header.file());
     }
     String value = header.required("data file");
-    List<String> names = value.startsWith("LIST") ? header.dataList() : FilePattern.names(header.file(), value);
+    List<String> names =
+        value.startsWith("LIST") ? header.dataList() : FilePattern.names(header.file(), value);
     if (names.isEmpty()) {
       throw header.wrong("its list of data files is empty");
     }

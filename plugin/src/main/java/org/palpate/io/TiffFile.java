@@ -103,8 +103,7 @@ final class TiffFile {
           "a page of it has " + count + " tags", file, "write the file anew");
     }
     int entryBytes = big ? 20 : 12;
-    ByteBuffer body =
-        bytes(channel, at + countBytes, (int) count * entryBytes + (big ? 8 : 4));
+    ByteBuffer body = bytes(channel, at + countBytes, (int) count * entryBytes + (big ? 8 : 4));
     Map<Integer, double[]> page = new HashMap<>();
     for (int n = 0; n < count; n++) {
       readEntry(channel, body.slice(n * entryBytes, entryBytes).order(order), page);

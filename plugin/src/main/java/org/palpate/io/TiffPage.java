@@ -134,8 +134,7 @@ final class TiffPage {
     for (int n = 0; n < pieces; n++) {
       double end = offsets()[n] + byteCounts()[n];
       if (!(offsets()[n] >= 0 && byteCounts()[n] >= 0 && end <= tiff.length())) {
-        throw wrong(
-            "its data end at byte " + Numbers.text(end) + " of " + tiff.length());
+        throw wrong("its data end at byte " + Numbers.text(end) + " of " + tiff.length());
       }
     }
     double bytes = (double) width() * height() * type().bytes();
@@ -143,7 +142,12 @@ final class TiffPage {
     double most = (double) tiff.length() * (compression == 1 ? 1 : MOST_INFLATION);
     if (bytes > most || tileBytes > most + 4096 || tileBytes > Integer.MAX_VALUE - 8) {
       throw wrong(
-          "its size, " + width() + "x" + height() + ", is more than " + tiff.length()
+          "its size, "
+              + width()
+              + "x"
+              + height()
+              + ", is more than "
+              + tiff.length()
               + " bytes can hold");
     }
   }

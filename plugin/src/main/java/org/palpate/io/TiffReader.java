@@ -14,8 +14,8 @@ import org.palpate.io.VolumeHeader.World;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Reads TIFF stacks, a slice a page; also those of ImageJ, with their spacing, calibration, time and
- * channels, and its large ones that have one page and slices behind it.
+ * Reads TIFF stacks, a slice a page; also those of ImageJ, with their spacing, calibration, time
+ * and channels, and its large ones that have one page and slices behind it.
  *
  * <p>Source: TIFF Revision 6.0; ImageJ's description tag as its TiffEncoder writes it.
  */

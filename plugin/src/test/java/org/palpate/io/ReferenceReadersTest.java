@@ -79,8 +79,7 @@ class ReferenceReadersTest {
     "u8_packbits, 7cfb6bfd",
   })
   void tiffAgreesWithTifffile(String name, String crc) throws Exception {
-    VolumeReader reader =
-        open("formats/tiff/CThead_z41-56_" + name + ".tif", OptionalInt.empty());
+    VolumeReader reader = open("formats/tiff/CThead_z41-56_" + name + ".tif", OptionalInt.empty());
     assertEquals(crc, VoxelCrc.of(reader));
     double spacingZ = name.equals("u16_imagej") ? 2 : 1;
     requireWorld(reader, 3, 2, 1, 3, 2, spacingZ);
