@@ -9,9 +9,9 @@ final class AbsoluteWait implements DeadlineWait {
   }
 
   @Override
-  public void until(long nanoTime) {
-    while (System.nanoTime() < nanoTime) {
-      sleep.until(nanoTime);
+  public void awaitUntil(long deadlineNanos) {
+    while (System.nanoTime() < deadlineNanos && !Thread.currentThread().isInterrupted()) {
+      sleep.until(deadlineNanos);
     }
   }
 

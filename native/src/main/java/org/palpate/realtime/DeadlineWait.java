@@ -1,14 +1,12 @@
 package org.palpate.realtime;
 
-/** Waits until a moment and never returns before it. Belongs to one thread; allocates nothing. */
-public interface DeadlineWait extends AutoCloseable {
-  /**
-   * Waits; returns at once where the moment has passed.
-   *
-   * @param nanoTime on the clock of {@link System#nanoTime}
-   */
-  void until(long nanoTime);
+import org.palpate.interaction.Pacer;
 
+/**
+ * A way to wait that may hold something of the system's. Belongs to one thread. On the clock of
+ * {@link System#nanoTime}.
+ */
+public interface DeadlineWait extends Pacer, AutoCloseable {
   /** Lets go what the system lent. Not while the thread waits. */
   @Override
   default void close() {}

@@ -29,13 +29,13 @@ public final class HybridWait implements DeadlineWait {
   }
 
   @Override
-  public void until(long nanoTime) {
+  public void awaitUntil(long deadlineNanos) {
     long before = clock.getAsLong();
-    if (before < nanoTime - windowNanos) {
-      sleep.until(nanoTime - windowNanos);
+    if (before < deadlineNanos - windowNanos && !Thread.currentThread().isInterrupted()) {
+      sleep.until(deadlineNanos - windowNanos);
       before = clock.getAsLong();
     }
-    while (before < nanoTime) {
+    while (before < deadlineNanos && !Thread.currentThread().isInterrupted()) {
       Thread.onSpinWait();
       long now = clock.getAsLong();
       noteGap(now - before);

@@ -5,9 +5,10 @@ import java.util.concurrent.locks.LockSupport;
 /** Parks until the moment has come. */
 final class ParkWait implements DeadlineWait {
   @Override
-  public void until(long nanoTime) {
+  public void awaitUntil(long deadlineNanos) {
     long rest;
-    while ((rest = nanoTime - System.nanoTime()) > 0) {
+    while ((rest = deadlineNanos - System.nanoTime()) > 0
+        && !Thread.currentThread().isInterrupted()) {
       LockSupport.parkNanos(rest);
     }
   }

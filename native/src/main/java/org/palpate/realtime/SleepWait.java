@@ -1,16 +1,13 @@
 package org.palpate.realtime;
 
-/**
- * {@code Thread.sleep} until the moment has come. An interrupt is kept and ends the wait early, the
- * one exception to its promise.
- */
+/** {@code Thread.sleep} until the moment has come. */
 final class SleepWait implements DeadlineWait {
   private static final int NANOS_PER_MILLI = 1_000_000;
 
   @Override
-  public void until(long nanoTime) {
+  public void awaitUntil(long deadlineNanos) {
     long rest;
-    while ((rest = nanoTime - System.nanoTime()) > 0) {
+    while ((rest = deadlineNanos - System.nanoTime()) > 0) {
       try {
         Thread.sleep(rest / NANOS_PER_MILLI, (int) (rest % NANOS_PER_MILLI));
       } catch (InterruptedException e) {

@@ -3,8 +3,8 @@ package org.palpate.realtime;
 /** Spins until the moment has come. */
 final class SpinWait implements DeadlineWait {
   @Override
-  public void until(long nanoTime) {
-    while (System.nanoTime() < nanoTime) {
+  public void awaitUntil(long deadlineNanos) {
+    while (System.nanoTime() < deadlineNanos && !Thread.currentThread().isInterrupted()) {
       Thread.onSpinWait();
     }
   }

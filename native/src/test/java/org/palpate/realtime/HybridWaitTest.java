@@ -1,6 +1,7 @@
 package org.palpate.realtime;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -17,7 +18,7 @@ class HybridWaitTest {
   @Test
   void sleepsToTheWindowThenSpinsToTheMoment() {
     HybridWait wait = hybrid();
-    wait.until(2_000_000);
+    wait.awaitUntil(2_000_000);
     assertEquals(List.of(1_900_000L), sleptUntil);
     assertEquals(2_000_000, now);
     assertEquals(step, wait.longestGapNanos());
@@ -25,7 +26,7 @@ class HybridWaitTest {
 
   @Test
   void doesNotSleepInsideTheWindow() {
-    hybrid().until(1_050_000);
+    hybrid().awaitUntil(1_050_000);
     assertEquals(List.of(), sleptUntil);
     assertEquals(1_050_000, now);
   }
@@ -33,7 +34,7 @@ class HybridWaitTest {
   @Test
   void returnsAtOnceWhereTheMomentHasPassed() {
     long before = now;
-    hybrid().until(before - 1);
+    hybrid().awaitUntil(before - 1);
     assertEquals(before + step, now, "one look at the clock");
   }
 
@@ -41,18 +42,27 @@ class HybridWaitTest {
   void doesNotSpinWhereTheSleepWasTooLong() {
     lateNanos = 5_000_000;
     HybridWait wait = hybrid();
-    wait.until(2_000_000);
+    wait.awaitUntil(2_000_000);
     assertEquals(0, wait.longestGapNanos());
+  }
+
+  @Test
+  void returnsEarlyWhenInterruptedAndLeavesTheFlag() {
+    Thread.currentThread().interrupt();
+    hybrid().awaitUntil(2_000_000);
+    assertTrue(Thread.interrupted());
+    assertEquals(List.of(), sleptUntil);
+    assertTrue(now < 2_000_000, "nanos=" + now);
   }
 
   @Test
   void countsAGapAsLongAsTheForcedRestAsThrottling() {
     HybridWait wait = hybrid();
     step = 39_000_000;
-    wait.until(now + 80_000);
+    wait.awaitUntil(now + 80_000);
     assertEquals(0, wait.throttled());
     step = 49_000_000;
-    wait.until(now + 49_000_000 + 80_000);
+    wait.awaitUntil(now + 49_000_000 + 80_000);
     assertEquals(1, wait.throttled());
     assertEquals(49_000_000, wait.longestGapNanos());
   }

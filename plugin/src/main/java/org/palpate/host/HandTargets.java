@@ -16,7 +16,7 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /** Finds what a simulated hand can press: points where rays from all around first meet a solid. */
-final class HandTargets {
+public final class HandTargets {
   private static final int RAYS = 512;
 
   /** The turn from one direction to the next, which spreads them evenly over the ball. */
@@ -25,7 +25,7 @@ final class HandTargets {
   private HandTargets() {}
 
   /** The target in world mm; the whole grid where nothing is solid. */
-  static HandTarget of(SegmentedVolume volume) {
+  public static HandTarget of(SegmentedVolume volume) {
     VoxelGrid grid = volume.grid();
     IntBox box = solidBox(volume);
     List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();

@@ -1,12 +1,14 @@
 package org.palpate.benchmarks.jitter;
 
+import org.palpate.io.VolumeFormatException;
+
 /** What a cell runs once a period. Belongs to the measured thread, but for {@link #close}. */
 interface CellFrame extends Runnable, AutoCloseable {
-  /** Makes the frame of a workload. */
-  static CellFrame of(CellTask task) {
+  /** Makes the frame of a workload; the thread that calls does all that takes long. */
+  static CellFrame of(CellTask task) throws VolumeFormatException {
     return switch (task.workload()) {
       case EMPTY -> () -> {};
-      default -> throw new IllegalArgumentException("no such frame: " + task.workload());
+      case FRAME -> new HapticCellFrame(CellScene.read(task.scene()));
     };
   }
 

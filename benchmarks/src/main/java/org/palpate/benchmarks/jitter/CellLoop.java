@@ -78,7 +78,7 @@ final class CellLoop implements Runnable {
 
   /** All of a paced frame but the sleep. */
   private void rehearse(DeadlineWait wait, ThreadCounters counters) {
-    wait.until(System.nanoTime() + REHEARSED_WAIT_NANOS);
+    wait.awaitUntil(System.nanoTime() + REHEARSED_WAIT_NANOS);
     frame.run();
     counters.read();
   }
@@ -92,7 +92,7 @@ final class CellLoop implements Runnable {
   private void pace(DeadlineWait wait, ThreadCounters counters, Samples noted) {
     long due = System.nanoTime() + task.periodNanos();
     while (!noted.isFull()) {
-      wait.until(due);
+      wait.awaitUntil(due);
       long start = System.nanoTime();
       frame.run();
       long end = System.nanoTime();

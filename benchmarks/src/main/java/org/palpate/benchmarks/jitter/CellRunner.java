@@ -26,7 +26,7 @@ final class CellRunner {
 
   /**
    * @param root where every cell has its folder
-   * @param scene see {@link CellTask#scene}
+   * @param scene what is touched; see {@link CellScene}
    */
   CellRunner(Path root, String scene) {
     this.root = root;

@@ -12,8 +12,7 @@ import org.palpate.realtime.WaitKind;
  * @param neighbour what else the JVM does
  * @param frames how many are measured
  * @param periodNanos how far frames lie apart
- * @param scene options of the scene, as the command line has them, a word a line; empty for the
- *     head phantom
+ * @param scene what is touched; see {@link CellScene}
  * @param training whether the run is for an archive of classes alone
  */
 record CellTask(

@@ -11,6 +11,7 @@ import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
 import org.palpate.app.OutputOptions;
 import org.palpate.app.PalpateException;
+import org.palpate.app.VolumeOptions;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -38,6 +39,8 @@ public final class JitterCommand implements Callable<Integer> {
   private static final int USUAL_SECONDS = 10;
 
   @Spec private CommandSpec spec;
+
+  @Mixin private VolumeOptions volume;
 
   @Mixin private OutputOptions output;
 
@@ -101,7 +104,7 @@ public final class JitterCommand implements Callable<Integer> {
       throws IOException, InterruptedException {
     Path root = Files.createDirectories(folder).toRealPath();
     var machine = MachineFacts.read();
-    JitterRun run = new JitterRun(chosen, new CellRunner(root, ""), out);
+    JitterRun run = new JitterRun(chosen, new CellRunner(root, CellScene.textOf(volume)), out);
     run.run();
     if (run.results().isEmpty()) {
       String first = run.left().values().iterator().next();

@@ -5,9 +5,7 @@ enum Workload {
   /** Nothing: the paper's simplest Java application. */
   EMPTY("empty"),
   /** One haptic frame on the scene, with the simulated device. */
-  FRAME("frame"),
-  /** The same, with the view drawing beside it. */
-  FRAME_AND_VIEW("view");
+  FRAME("frame");
 
   private final String label;
 

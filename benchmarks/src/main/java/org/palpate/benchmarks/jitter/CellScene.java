@@ -1,0 +1,67 @@
+package org.palpate.benchmarks.jitter;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.StringJoiner;
+import org.palpate.app.PalpateException;
+import org.palpate.app.VolumeOptions;
+import org.palpate.io.RawLayout;
+import org.palpate.io.ReadOptions;
+import org.palpate.io.SegmentBuilder;
+import org.palpate.io.SegmentSpec;
+import org.palpate.io.VolumeFiles;
+import org.palpate.io.VolumeFormatException;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.phantom.Phantom;
+
+/**
+ * What is touched, as text that goes from the command to the process of a cell: a line a word,
+ * {@code phantom head:256}, or {@code volume FILE}, {@code raw LAYOUT} and a {@code segment
+ * NAME=SPEC} each.
+ */
+final class CellScene {
+  private CellScene() {}
+
+  /** The command line's options as text. */
+  static String textOf(VolumeOptions options) {
+    if (options.volume().isEmpty()) {
+      return "phantom " + options.phantom();
+    }
+    if (options.segments().isEmpty()) {
+      throw PalpateException.wrongUse(
+          "which values are solid is not said",
+          "--volume " + options.volume().get(),
+          "choose with --segment, for example --segment 'bone=>=1500'");
+    }
+    StringJoiner lines = new StringJoiner("\n");
+    lines.add("volume " + options.volume().get().toAbsolutePath());
+    options.raw().ifPresent(layout -> lines.add("raw " + layout));
+    options.segments().forEach(segment -> lines.add("segment " + segment));
+    return lines.toString();
+  }
+
+  /**
+   * Makes or reads the volume.
+   *
+   * @throws VolumeFormatException where the file is not understood
+   */
+  static SegmentedVolume read(String text) throws VolumeFormatException {
+    Path file = null;
+    ReadOptions options = ReadOptions.defaults();
+    List<SegmentSpec> segments = new ArrayList<>();
+    for (String line : text.lines().toList()) {
+      String value = line.substring(line.indexOf(' ') + 1);
+      switch (line.substring(0, line.indexOf(' '))) {
+        case "phantom" -> {
+          return Phantom.parse(value).segments();
+        }
+        case "volume" -> file = Path.of(value);
+        case "raw" -> options = options.withRaw(RawLayout.parse(value));
+        case "segment" -> segments.add(SegmentSpec.parse(value));
+        default -> throw new IllegalArgumentException("not a scene: " + text);
+      }
+    }
+    return SegmentBuilder.read(VolumeFiles.open(file, options), segments);
+  }
+}

@@ -1,0 +1,47 @@
+package org.palpate.realtime;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Test;
+import org.palpate.interaction.ThreadSetup.Granted;
+
+class RealtimeThreadTest {
+  @Test
+  void tellsNothingOfWhatWasNotAsked() throws InterruptedException {
+    Granted granted = setUp(new RealtimeThread(RealtimeWish.none(), WaitKind.PARK));
+    assertEquals("default", granted.schedulingClass());
+    assertEquals("any", granted.affinity());
+    assertFalse(granted.memoryLocked());
+  }
+
+  @Test
+  void grantsOrRefusesTheClassAndNeverBothOrNeither() throws InterruptedException {
+    RealtimeWish wish = new RealtimeWish(SchedulingClass.FIFO, false, false, true);
+    Granted granted = setUp(new RealtimeThread(wish, WaitKind.HYBRID));
+    boolean refused = granted.refusals().stream().anyMatch(line -> line.startsWith("class:"));
+    assertEquals(refused, granted.schedulingClass().equals("default"), granted.toString());
+  }
+
+  @Test
+  void waitsInEveryKnownWayUntilTheDeadlineHasPassed() throws InterruptedException {
+    for (WaitKind kind : WaitKind.values()) {
+      try (DeadlineWait wait = kind.create()) {
+        long deadline = System.nanoTime() + 2_000_000;
+        wait.awaitUntil(deadline);
+        assertTrue(System.nanoTime() >= deadline, kind.toString());
+      }
+    }
+  }
+
+  private static Granted setUp(RealtimeThread thread) throws InterruptedException {
+    AtomicReference<Granted> granted = new AtomicReference<>();
+    Thread runner = new Thread(() -> granted.set(thread.setUp()));
+    runner.start();
+    runner.join();
+    thread.close();
+    return granted.get();
+  }
+}
