@@ -3,56 +3,56 @@
 #include <string.h>
 
 const uint8_t palpate_report_descriptor[] = {
-    0x06, 0x00, 0xFF,       /* usage page 0xFF00, vendor defined */
-    0x09, 0x50,             /* usage 0x50 */
-    0xA1, 0x01,             /* collection, application */
-    0x15, 0x00,             /*   bytes from 0 .. */
-    0x26, 0xFF, 0x00,       /*   .. to 255 */
-    0x75, 0x08,             /*   8 bits each */
-    0x85, PALPATE_IN_ID,    /*   report 1 */
-    0x09, 0x51,             /*   usage 0x51 */
-    0x95, 47,               /*   47 of them after the id */
-    0x81, 0x02,             /*   input: data, variable, absolute */
-    0x85, PALPATE_OUT_ID,   /*   report 2 */
-    0x09, 0x52,             /*   usage 0x52 */
-    0x95, 23,               /*   23 of them */
-    0x91, 0x02,             /*   output */
+    0x06, 0x00,
+    0xFF,       /* usage page 0xFF00, vendor defined */
+    0x09, 0x50, /* usage 0x50 */
+    0xA1, 0x01, /* collection, application */
+    0x15, 0x00, /*   bytes from 0 .. */
+    0x26, 0xFF,
+    0x00,                          /*   .. to 255 */
+    0x75, 0x08,                    /*   8 bits each */
+    0x85, PALPATE_IN_ID,           /*   report 1 */
+    0x09, 0x51,                    /*   usage 0x51 */
+    0x95, 47,                      /*   47 of them after the id */
+    0x81, 0x02,                    /*   input: data, variable, absolute */
+    0x85, PALPATE_OUT_ID,          /*   report 2 */
+    0x09, 0x52,                    /*   usage 0x52 */
+    0x95, 23,                      /*   23 of them */
+    0x91, 0x02,                    /*   output */
     0x85, PALPATE_CAPABILITIES_ID, /* report 3 */
-    0x09, 0x53,             /*   usage 0x53 */
-    0x95, 31,               /*   31 of them */
-    0xB1, 0x02,             /*   feature */
-    0xC0,                   /* end of collection */
+    0x09, 0x53,                    /*   usage 0x53 */
+    0x95, 31,                      /*   31 of them */
+    0xB1, 0x02,                    /*   feature */
+    0xC0,                          /* end of collection */
 };
 const size_t palpate_report_descriptor_bytes = sizeof(palpate_report_descriptor);
 
 /* Little-endian whatever the processor is. */
-static void put16(uint8_t *to, uint16_t value) {
+static void put16(uint8_t* to, uint16_t value) {
   to[0] = (uint8_t)value;
   to[1] = (uint8_t)(value >> 8);
 }
 
-static void put32(uint8_t *to, uint32_t value) {
+static void put32(uint8_t* to, uint32_t value) {
   put16(to, (uint16_t)value);
   put16(to + 2, (uint16_t)(value >> 16));
 }
 
-static uint16_t get16(const uint8_t *from) { return (uint16_t)(from[0] | from[1] << 8); }
+static uint16_t get16(const uint8_t* from) { return (uint16_t)(from[0] | from[1] << 8); }
 
-static uint32_t get32(const uint8_t *from) {
-  return get16(from) | (uint32_t)get16(from + 2) << 16;
-}
+static uint32_t get32(const uint8_t* from) { return get16(from) | (uint32_t)get16(from + 2) << 16; }
 
 static int16_t clamp(int16_t value, uint16_t most) {
   const int32_t limit = most > 32767 ? 32767 : most;
   return (int16_t)(value > limit ? limit : value < -limit ? -limit : value);
 }
 
-void palpate_device_init(palpate_device *device, const palpate_capabilities *capabilities) {
+void palpate_device_init(palpate_device* device, const palpate_capabilities* capabilities) {
   memset(device, 0, sizeof *device);
   device->capabilities = *capabilities;
 }
 
-int palpate_device_out(palpate_device *device, const uint8_t *report, size_t length,
+int palpate_device_out(palpate_device* device, const uint8_t* report, size_t length,
                        uint32_t now_us) {
   int axis;
   if (length != PALPATE_OUT_BYTES || report[0] != PALPATE_OUT_ID) {
@@ -71,7 +71,7 @@ int palpate_device_out(palpate_device *device, const uint8_t *report, size_t len
   return 1;
 }
 
-static uint8_t state_flags(const palpate_device *device, const palpate_pose *pose) {
+static uint8_t state_flags(const palpate_device* device, const palpate_pose* pose) {
   const int has_sensor = (device->capabilities.flags & PALPATE_HAS_HAND_SENSOR) != 0;
   uint8_t flags = 0;
   if (pose->calibrated) flags |= PALPATE_CALIBRATED;
@@ -82,7 +82,7 @@ static uint8_t state_flags(const palpate_device *device, const palpate_pose *pos
   return flags;
 }
 
-void palpate_device_in(palpate_device *device, const palpate_pose *pose, uint32_t now_us,
+void palpate_device_in(palpate_device* device, const palpate_pose* pose, uint32_t now_us,
                        uint8_t report[PALPATE_IN_BYTES]) {
   int i;
   memset(report, 0, PALPATE_IN_BYTES);
@@ -106,9 +106,9 @@ void palpate_device_in(palpate_device *device, const palpate_pose *pose, uint32_
   put32(report + 44, device->echoed_us);
 }
 
-void palpate_device_feature(const palpate_device *device,
+void palpate_device_feature(const palpate_device* device,
                             uint8_t report[PALPATE_CAPABILITIES_BYTES]) {
-  const palpate_capabilities *can = &device->capabilities;
+  const palpate_capabilities* can = &device->capabilities;
   memset(report, 0, PALPATE_CAPABILITIES_BYTES);
   report[0] = PALPATE_CAPABILITIES_ID;
   report[1] = PALPATE_VERSION;
@@ -126,7 +126,7 @@ void palpate_device_feature(const palpate_device *device,
   report[25] = can->flags;
 }
 
-static int host_is_silent(palpate_device *device, uint32_t now_us) {
+static int host_is_silent(palpate_device* device, uint32_t now_us) {
   const uint32_t silent_us = now_us - device->heard_us; /* right across the wrap of the clock */
   if (!device->listening) {
     return 1;
@@ -141,8 +141,8 @@ static int host_is_silent(palpate_device *device, uint32_t now_us) {
   return 0;
 }
 
-void palpate_device_motors(palpate_device *device, uint32_t now_us, palpate_motors *motors) {
-  const palpate_capabilities *can = &device->capabilities;
+void palpate_device_motors(palpate_device* device, uint32_t now_us, palpate_motors* motors) {
+  const palpate_capabilities* can = &device->capabilities;
   int axis;
   memset(motors, 0, sizeof *motors);
   if (host_is_silent(device, now_us) || !device->force_on) {

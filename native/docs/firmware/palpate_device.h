@@ -107,25 +107,25 @@ typedef struct {
 extern const uint8_t palpate_report_descriptor[];
 extern const size_t palpate_report_descriptor_bytes;
 
-void palpate_device_init(palpate_device *device, const palpate_capabilities *capabilities);
+void palpate_device_init(palpate_device* device, const palpate_capabilities* capabilities);
 
 /* Takes an OUT report as it came, id first. Returns 0 where it is not one of ours. */
-int palpate_device_out(palpate_device *device, const uint8_t *report, size_t length,
+int palpate_device_out(palpate_device* device, const uint8_t* report, size_t length,
                        uint32_t now_us);
 
 /* Writes the next IN report; call once a report interval. */
-void palpate_device_in(palpate_device *device, const palpate_pose *pose, uint32_t now_us,
+void palpate_device_in(palpate_device* device, const palpate_pose* pose, uint32_t now_us,
                        uint8_t report[PALPATE_IN_BYTES]);
 
 /* Writes the capabilities as feature report 3. */
-void palpate_device_feature(const palpate_device *device,
+void palpate_device_feature(const palpate_device* device,
                             uint8_t report[PALPATE_CAPABILITIES_BYTES]);
 
 /*
  * What the motors are to do now: the force last heard, within the maximum; zero where the host has
  * been silent for watchdog_ms. Call from the motor loop, at least once a millisecond.
  */
-void palpate_device_motors(palpate_device *device, uint32_t now_us, palpate_motors *motors);
+void palpate_device_motors(palpate_device* device, uint32_t now_us, palpate_motors* motors);
 
 #ifdef __cplusplus
 }

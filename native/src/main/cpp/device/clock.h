@@ -1,6 +1,7 @@
 #ifndef PALPATE_DEVICE_CLOCK_H
 #define PALPATE_DEVICE_CLOCK_H
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 
@@ -9,12 +10,29 @@ namespace palpate {
 constexpr int64_t kNanosPerMilli = 1000000;
 constexpr int64_t kNanosPerSecond = 1000000000;
 
-/** Nanoseconds on a clock that never goes back. */
+/** What steadyNanos says instead of the time, where it is not 0: a test's own time. */
+inline std::atomic<int64_t> heldNanos{0};
+
+/** Nanoseconds on a clock that never goes back; for what a test must be able to bring about. */
 inline int64_t steadyNanos() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
+  const int64_t held = heldNanos.load(std::memory_order_relaxed);
+  return held != 0 ? held
+                   : std::chrono::duration_cast<std::chrono::nanoseconds>(
+                         std::chrono::steady_clock::now().time_since_epoch())
+                         .count();
 }
+
+/** A moment in real time until which to wait for another thread. */
+class Deadline {
+ public:
+  explicit Deadline(int64_t waitNanos)
+      : until_(std::chrono::steady_clock::now() + std::chrono::nanoseconds(waitNanos)) {}
+
+  bool isOver() const { return std::chrono::steady_clock::now() >= until_; }
+
+ private:
+  std::chrono::steady_clock::time_point until_;
+};
 
 }  // namespace palpate
 

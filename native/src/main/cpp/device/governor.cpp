@@ -102,10 +102,10 @@ void Governor::slew(double seconds, double (&force)[3]) {
 
 void Governor::clampForce(const double (&wanted)[3], double share, double seconds,
                           double (&dest)[3]) {
-  if (share == 0 || !isFinite(wanted)) {
+  const double size = length(wanted);
+  if (share == 0 || size == 0 || !isFinite(wanted)) {
     std::fill(std::begin(dest), std::end(dest), 0.0);  // zero is never slewed
   } else {
-    const double size = length(wanted);
     const double factor = std::isfinite(size) ? within(size, heatLimitNewton()) * share : 0;
     scaleInto(wanted, factor, dest);
     slew(seconds, dest);

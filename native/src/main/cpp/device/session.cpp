@@ -46,7 +46,8 @@ Slot& slotOf(int64_t handle) {
 uint64_t generationOf(int64_t handle) { return static_cast<uint64_t>(handle) >> kSlotBits; }
 
 bool isCurrent(int64_t handle) {
-  return handle > 0 && slotOf(handle).state.load() >> kPhaseBits == generationOf(handle);
+  return generationOf(handle) > 0 &&
+         slotOf(handle).state.load() >> kPhaseBits == generationOf(handle);
 }
 
 bool move(Slot& slot, uint64_t generation, Phase from, Phase to) {
@@ -91,6 +92,18 @@ bool writeFrom(Slot& slot) {
   return slot.device->write(slot.limited);
 }
 
+std::atomic<int> threadsUnderWay{0};
+
+/** Runs `work` on a thread of its own that counts as under way until it is done. */
+template <typename Work>
+void runDetached(Work work) {
+  threadsUnderWay++;
+  std::thread([work] {
+    work();
+    threadsUnderWay--;
+  }).detach();
+}
+
 /** What a helper thread leaves for the one that waits, whichever comes first. */
 template <typename R>
 struct Errand {
@@ -106,7 +119,7 @@ struct Errand {
 /** Runs `work` beside; false where it takes longer. `late` gets what comes after all. */
 template <typename R, typename Work, typename Late>
 bool runBeside(const std::shared_ptr<Errand<R>>& errand, int64_t waitNanos, Work work, Late late) {
-  std::thread([errand, work, late] {
+  runDetached([errand, work, late] {
     R result{};
     try {
       result = work(*errand);
@@ -122,7 +135,7 @@ bool runBeside(const std::shared_ptr<Errand<R>>& errand, int64_t waitNanos, Work
     errand->result = std::move(result);
     errand->isDone = true;
     errand->done.notify_all();
-  }).detach();
+  });
   std::unique_lock<std::mutex> guard(errand->lock);
   errand->done.wait_for(guard, std::chrono::nanoseconds(waitNanos), [&] { return errand->isDone; });
   errand->isAbandoned = !errand->isDone;
@@ -233,13 +246,13 @@ Session::Closed Session::close(int64_t handle, int64_t waitNanos) noexcept {
   if (!isCurrent(handle) || slot.state.load() == stateOf(generation, kFree)) {
     return Closed::kAlready;
   }
-  const int64_t until = steadyNanos() + waitNanos;
+  const Deadline deadline(waitNanos);
   while (slot.state.load() != stateOf(generation, kFree)) {
     if (move(slot, generation, kIdle, kClosing)) {
-      std::thread([&slot, generation] { letGo(slot, generation); }).detach();
+      runDetached([&slot, generation] { letGo(slot, generation); });
     }
     move(slot, generation, kBusy, kLeaving);
-    if (steadyNanos() >= until) {
+    if (deadline.isOver()) {
       slot.trace->end(hungFor(*slot.trace, slot.specification));
       return Closed::kHung;
     }
@@ -257,6 +270,8 @@ Specification Session::specification(int64_t handle) {
   const std::lock_guard<std::mutex> guard(slot.about);
   return isCurrent(handle) ? slot.specification : Specification();
 }
+
+int Session::underWay() { return threadsUnderWay.load(); }
 
 std::string Session::ending(int64_t handle) {
   Slot& slot = slotOf(handle);

@@ -40,6 +40,9 @@ class Session {
 
   static Specification specification(int64_t handle);
 
+  /** How many threads are inside a vendor's opening, looking or closing, hanging ones too. */
+  static int underWay();
+
   /** One line: why nothing more comes; empty while it does. */
   static std::string ending(int64_t handle);
 };

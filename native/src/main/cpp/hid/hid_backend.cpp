@@ -99,6 +99,53 @@ void Link::close(Trace* trace) {
   }
 }
 
+void Link::failed(const char* call, int& inARow, Trace& trace, Counters& counters) {
+  counters.errors++;
+  if (++inARow >= kMostFailures) {
+    gone_ = true;
+    trace.end(std::string("the device is gone: ") + call + ": " + api_->lastError(handle_));
+  }
+}
+
+int Link::read(uint8_t* bytes, size_t length, Trace& trace, Counters& counters) {
+  const int got =
+      gone_ ? -1 : traced(trace, "hid_read_timeout", api_->readTimeout, handle_, bytes, length, 0);
+  if (got >= 0) {
+    failedReads_ = 0;
+    return got;
+  }
+  if (!gone_) {
+    failed("hid_read_timeout", failedReads_, trace, counters);
+  }
+  return gone_ ? -1 : 0;
+}
+
+bool Link::send(const uint8_t* bytes, size_t length, Trace& trace) {
+  return traced(trace, "hid_write", api_->write, handle_, bytes, length) ==
+         static_cast<int>(length);
+}
+
+bool Link::write(const uint8_t* bytes, size_t length, Trace& trace, Counters& counters) {
+  if (gone_) {
+    return false;
+  }
+  if (send(bytes, length, trace)) {
+    failedWrites_ = 0;
+  } else {
+    failed("hid_write", failedWrites_, trace, counters);
+  }
+  return !gone_;
+}
+
+bool Link::closeWith(const uint8_t* bytes, size_t length, Trace& trace) {
+  bool sent = false;
+  for (int i = 0; i < kGoodbyes && !sent; i++) {
+    sent = send(bytes, length, trace);
+  }
+  close(&trace);
+  return sent;
+}
+
 Finding HidBackend::probe(Trace& trace) {
   HidApi& api = HidApi::instance();
   Finding finding;

@@ -32,11 +32,35 @@ class Link {
   HidApi& api() const { return *api_; }
   Handle* handle() const { return handle_; }
 
+  /**
+   * One read without waiting: how many bytes, 0 for none or for a failure that is let pass, -1
+   * where so many failed in a row that the device is gone, which `trace` then knows.
+   */
+  int read(uint8_t* bytes, size_t length, Trace& trace, Counters& counters);
+
+  /** One write; `isGone` is set as for a read. */
+  bool write(const uint8_t* bytes, size_t length, Trace& trace, Counters& counters);
+
+  /** Whether the device is gone. */
+  bool isGone() const { return gone_; }
+
+  /** Sends the last report until it is taken, three times at most, then lets go. */
+  bool closeWith(const uint8_t* bytes, size_t length, Trace& trace);
+
   void close(Trace* trace);
 
  private:
+  static constexpr int kMostFailures = 5;
+  static constexpr int kGoodbyes = 3;
+
+  void failed(const char* call, int& inARow, Trace& trace, Counters& counters);
+  bool send(const uint8_t* bytes, size_t length, Trace& trace);
+
   HidApi* api_;
   Handle* handle_;
+  int failedReads_ = 0;
+  int failedWrites_ = 0;
+  bool gone_ = false;
 };
 
 /** Opens a device of each kind over a link; nullptr with `why` filled where it is not one. */

@@ -22,51 +22,33 @@ class ProtocolDevice : public Device {
   /** So many reports at once are drained; a device that sends faster is faulty. */
   static constexpr int kMostReadsAFrame = 64;
   static constexpr size_t kMostMerged = 4;
-  /** So many writes in a row may fail before the device counts as gone. */
-  static constexpr int kMostFailedWrites = 3;
-  static constexpr int kGoodbyes = 3;
 
   bool takeAll(const uint8_t* bytes, size_t length, Sample& sample);
   bool take(const uint8_t* report, Sample& sample);
   void countLateness();
-  bool send(const Wrench& wrench, bool ending);
-  ReadStatus gone(const std::string& why);
+  void pack(const Wrench& wrench, bool ending, uint8_t (&report)[kOutBytes]);
 
   Link link_;
   ReportOrder order_;
   int64_t arrivedNanos_ = 0;
   uint32_t deviceMicros_ = 0;
   uint16_t outSequence_ = 0;
-  int failedWrites_ = 0;
-  bool gone_ = false;
+  bool faulty_ = false;
   bool taken_ = false;
 };
 
-ReadStatus ProtocolDevice::gone(const std::string& why) {
-  gone_ = true;
-  trace().end(why);
-  return ReadStatus::kDisconnected;
-}
-
 ReadStatus ProtocolDevice::read(Sample& sample) {
-  if (gone_) {
-    return ReadStatus::kDisconnected;
-  }
   uint8_t bytes[kMostMerged * kInBytes];
   bool fresh = false;
-  for (int i = 0; i < kMostReadsAFrame; i++) {
-    const int length = traced(trace(), "hid_read_timeout", link_.api().readTimeout, link_.handle(),
-                              bytes, sizeof bytes, 0);
-    if (length < 0) {
-      return gone("the device is gone: hid_read_timeout: " + link_.api().lastError(link_.handle()));
-    }
-    if (length == 0) {
+  for (int i = 0; i < kMostReadsAFrame && !faulty_; i++) {
+    const int length = link_.read(bytes, sizeof bytes, trace(), counters());
+    if (length <= 0) {
       break;
     }
     fresh = takeAll(bytes, static_cast<size_t>(length), sample) || fresh;
-    if (gone_) {
-      return ReadStatus::kDisconnected;
-    }
+  }
+  if (faulty_ || link_.isGone()) {
+    return ReadStatus::kDisconnected;
   }
   if (fresh) {
     countLateness();
@@ -81,7 +63,7 @@ bool ProtocolDevice::takeAll(const uint8_t* bytes, size_t length, Sample& sample
     return false;
   }
   bool fresh = false;
-  for (size_t at = 0; at < length && !gone_; at += kInBytes) {
+  for (size_t at = 0; at < length && !faulty_; at += kInBytes) {
     const bool taken = take(bytes + at, sample);
     counters().merged += taken && fresh ? 1 : 0;
     fresh = taken || fresh;
@@ -96,7 +78,8 @@ bool ProtocolDevice::take(const uint8_t* report, Sample& sample) {
   }
   const InReport in = unpackIn(report);
   if (in.fault >= kFatalFault) {
-    gone("the device reports fault " + std::to_string(in.fault) + ": switch it off and on");
+    faulty_ = true;
+    trace().end("the device reports fault " + std::to_string(in.fault) + ": switch it off and on");
     return false;
   }
   if (!order_.isNewer(in.sequence, counters())) {
@@ -117,36 +100,20 @@ void ProtocolDevice::countLateness() {
   taken_ = true;
 }
 
-bool ProtocolDevice::send(const Wrench& wrench, bool ending) {
-  uint8_t report[kOutBytes];
+void ProtocolDevice::pack(const Wrench& wrench, bool ending, uint8_t (&report)[kOutBytes]) {
   packOut(wrench, ending, ++outSequence_, deviceMicros_, report);
-  return traced(trace(), "hid_write", link_.api().write, link_.handle(),
-                static_cast<const unsigned char*>(report),
-                sizeof report) == static_cast<int>(sizeof report);
 }
 
 bool ProtocolDevice::write(const Wrench& wrench) {
-  if (gone_) {
-    return false;
-  }
-  if (send(wrench, false)) {
-    failedWrites_ = 0;
-    return true;
-  }
-  counters().errors++;
-  if (++failedWrites_ >= kMostFailedWrites) {
-    gone("the device takes no force: hid_write: " + link_.api().lastError(link_.handle()));
-  }
-  return !gone_;
+  uint8_t report[kOutBytes];
+  pack(wrench, false, report);
+  return !faulty_ && link_.write(report, sizeof report, trace(), counters());
 }
 
 bool ProtocolDevice::close() {
-  bool sent = false;
-  for (int i = 0; i < kGoodbyes && !sent; i++) {
-    sent = send(Wrench(), true);
-  }
-  link_.close(&trace());
-  return sent;
+  uint8_t report[kOutBytes];
+  pack(Wrench(), true, report);
+  return link_.closeWith(report, sizeof report, trace());
 }
 
 Specification specify(const Capabilities& can, const Listed& listed) {

@@ -18,7 +18,7 @@ class SpaceMouse : public Device {
       : Device(std::move(trace), std::move(specification)), link_(std::move(link)) {}
 
   ReadStatus read(Sample& sample) override;
-  bool write(const Wrench&) override { return !gone_; }
+  bool write(const Wrench&) override { return !link_.isGone(); }
   bool close() override {
     link_.close(&trace());
     return true;
@@ -40,7 +40,6 @@ class SpaceMouse : public Device {
   double positionMm_[3] = {0, 0, 0};
   uint32_t buttons_ = 0;
   int64_t movedNanos_ = 0;
-  bool gone_ = false;
 };
 
 void SpaceMouse::take(const uint8_t* report, size_t length) {
@@ -70,20 +69,14 @@ void SpaceMouse::move(int64_t nowNanos) {
 
 ReadStatus SpaceMouse::read(Sample& sample) {
   uint8_t report[64];
-  for (int i = 0; i < kMostReadsAFrame && !gone_; i++) {
-    const int length = traced(trace(), "hid_read_timeout", link_.api().readTimeout, link_.handle(),
-                              report, sizeof report, 0);
-    if (length == 0) {
+  for (int i = 0; i < kMostReadsAFrame; i++) {
+    const int length = link_.read(report, sizeof report, trace(), counters());
+    if (length <= 0) {
       break;
     }
-    if (length < 0) {
-      gone_ = true;
-      trace().end("the device is gone: hid_read_timeout: " + link_.api().lastError(link_.handle()));
-    } else {
-      take(report, static_cast<size_t>(length));
-    }
+    take(report, static_cast<size_t>(length));
   }
-  if (gone_) {
+  if (link_.isGone()) {
     return ReadStatus::kDisconnected;
   }
   const int64_t now = steadyNanos();

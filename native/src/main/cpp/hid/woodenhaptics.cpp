@@ -26,20 +26,16 @@ class WoodenHaptics : public Device {
   static constexpr size_t kInBytes = 8;
   static constexpr size_t kOutBytes = 9;
   static constexpr int kMostReadsAFrame = 64;
-  static constexpr int kMostFailedWrites = 3;
-  static constexpr int kGoodbyes = 3;
   /** What its amplifiers deliver at most. */
   static constexpr double kMostMilliampere = 3000;
 
   void take(const uint8_t* report);
   void fill(Sample& sample);
-  bool send(const double (&forceNewton)[3]);
+  void pack(const double (&forceNewton)[3], uint8_t (&report)[kOutBytes]);
 
   Link link_;
   WoodenArm arm_;
   bool started_ = false;
-  bool gone_ = false;
-  int failedWrites_ = 0;
   int16_t last_[3] = {0, 0, 0};
   double counts_[3] = {0, 0, 0};
   double anglesRad_[3] = {0, 0, 0};
@@ -72,16 +68,12 @@ void WoodenHaptics::fill(Sample& sample) {
 ReadStatus WoodenHaptics::read(Sample& sample) {
   uint8_t report[64];
   bool fresh = false;
-  for (int i = 0; i < kMostReadsAFrame && !gone_; i++) {
-    const int length = traced(trace(), "hid_read_timeout", link_.api().readTimeout, link_.handle(),
-                              report, sizeof report, 0);
-    if (length == 0) {
+  for (int i = 0; i < kMostReadsAFrame; i++) {
+    const int length = link_.read(report, sizeof report, trace(), counters());
+    if (length <= 0) {
       break;
     }
-    if (length < 0) {
-      gone_ = true;
-      trace().end("the device is gone: hid_read_timeout: " + link_.api().lastError(link_.handle()));
-    } else if (length != static_cast<int>(kInBytes)) {
+    if (length != static_cast<int>(kInBytes)) {
       counters().wrongLength++;
     } else {
       counters().merged += fresh ? 1 : 0;
@@ -89,7 +81,7 @@ ReadStatus WoodenHaptics::read(Sample& sample) {
       fresh = true;
     }
   }
-  if (gone_) {
+  if (link_.isGone()) {
     return ReadStatus::kDisconnected;
   }
   if (fresh) {
@@ -98,45 +90,29 @@ ReadStatus WoodenHaptics::read(Sample& sample) {
   return fresh ? ReadStatus::kFresh : ReadStatus::kRepeated;
 }
 
-bool WoodenHaptics::send(const double (&forceNewton)[3]) {
-  uint8_t report[kOutBytes] = {0};
+void WoodenHaptics::pack(const double (&forceNewton)[3], uint8_t (&report)[kOutBytes]) {
   double ampere[3];
   const double theirs[3] = {forceNewton[2], forceNewton[0], forceNewton[1]};
   woodenCurrents(arm_, anglesRad_, theirs, ampere);
+  std::fill(std::begin(report), std::end(report), uint8_t{0});
   for (int body = 0; body < 3; body++) {
     const double milli = std::round(ampere[body] * 1000);
     putInt16(report + 1 + 2 * body,
              static_cast<int16_t>(std::clamp(milli, -kMostMilliampere, kMostMilliampere)));
   }
-  return traced(trace(), "hid_write", link_.api().write, link_.handle(),
-                static_cast<const unsigned char*>(report),
-                sizeof report) == static_cast<int>(sizeof report);
 }
 
 bool WoodenHaptics::write(const Wrench& wrench) {
-  if (gone_) {
-    return false;
-  }
-  if (send(wrench.forceNewton)) {
-    failedWrites_ = 0;
-    return true;
-  }
-  counters().errors++;
-  if (++failedWrites_ >= kMostFailedWrites) {
-    gone_ = true;
-    trace().end("the device takes no force: hid_write: " + link_.api().lastError(link_.handle()));
-  }
-  return !gone_;
+  uint8_t report[kOutBytes];
+  pack(wrench.forceNewton, report);
+  return link_.write(report, sizeof report, trace(), counters());
 }
 
 bool WoodenHaptics::close() {
   const double none[3] = {0, 0, 0};
-  bool sent = false;
-  for (int i = 0; i < kGoodbyes && !sent; i++) {
-    sent = send(none);
-  }
-  link_.close(&trace());
-  return sent;
+  uint8_t report[kOutBytes];
+  pack(none, report);
+  return link_.closeWith(report, sizeof report, trace());
 }
 
 }  // namespace

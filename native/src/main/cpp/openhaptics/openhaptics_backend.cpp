@@ -12,6 +12,8 @@
 namespace palpate::openhaptics {
 namespace {
 
+constexpr int kDeepestStack = 10000;
+
 /** One device of HDAPI's. The servo loop talks to it; this hands over. One thread. */
 class OpenHapticsDevice : public Device {
  public:
@@ -54,9 +56,9 @@ void keepForEver(Servo* servo) {
 }
 
 /** The first error on the library's stack as text; empty where there is none. */
-std::string errorNow(HdApi& api, Trace& trace) {
+std::string errorNow(HdApi& api, Trace& trace, int most = 8) {
   std::string first;
-  for (int i = 0; i < 8; i++) {
+  for (int i = 0; i < most; i++) {
     const ErrorInfo info = traced(trace, "hdGetError", api.getError);
     if (info.code == kSuccess) {
       break;
@@ -135,8 +137,8 @@ void OpenHapticsDevice::stopServo() {
     return;
   }
   servo_->end();
-  const int64_t until = steadyNanos() + kLastTickNanos;
-  while (!servo_->hasSentZero() && steadyNanos() < until) {
+  const Deadline deadline(kLastTickNanos);
+  while (!servo_->hasSentZero() && !deadline.isOver()) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
 }
@@ -144,15 +146,19 @@ void OpenHapticsDevice::stopServo() {
 bool OpenHapticsDevice::close() {
   stopServo();
   const std::lock_guard<std::mutex> guard(api_.lock);
-  const bool zeroSent = servo_->hasSentZero();
-  if (--api_.openDevices == 0) {
+  const bool stopped = --api_.openDevices == 0;
+  if (stopped) {
     traced(trace(), "hdStopScheduler", api_.stopScheduler);
+    if (!servo_->hasSentZero()) {
+      servo_->sendZero();  // no tick came back to do it, and none is left to meet here
+    }
   }
+  const bool zeroSent = servo_->hasSentZero();
   if (scheduled_ != kInvalidHandle) {
     traced(trace(), "hdUnschedule", api_.unschedule, scheduled_);
   }
   traced(trace(), "hdDisableDevice", api_.disableDevice, device_);
-  if (zeroSent) {
+  if (stopped || zeroSent) {
     delete servo_;
   } else {
     keepForEver(servo_);
@@ -228,6 +234,7 @@ std::unique_ptr<Device> OpenHapticsBackend::open(const std::string& id,
     return nullptr;
   }
   std::unique_lock<std::mutex> guard(api.lock);
+  errorNow(api, *trace, kDeepestStack);  // what an earlier session left
   const DeviceHandle device =
       traced(*trace, "hdInitDevice", api.initDevice, id.empty() ? nullptr : id.c_str());
   why = errorNow(api, *trace);

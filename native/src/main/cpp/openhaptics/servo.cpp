@@ -41,10 +41,20 @@ unsigned Servo::run() {
   reading.tick = ++ticks_;
   reading.failures = failures_;
   readings_.publish(reading);
-  if (last) {
-    zeroSent_.store(true);
+  const bool done = last && reading.error == kSuccess;
+  if (done) {
+    zeroSent_.store(true);  // from here on this may be deleted
   }
-  return last ? kCallbackDone : kCallbackContinue;
+  return done ? kCallbackDone : kCallbackContinue;
+}
+
+void Servo::sendZero() {
+  Reading reading;
+  traced(trace_, "hdBeginFrame", api_.beginFrame, device_);
+  setForce(Wrench());
+  traced(trace_, "hdEndFrame", api_.endFrame, device_);
+  drainErrors(reading);
+  zeroSent_.store(reading.error == kSuccess);
 }
 
 void Servo::readState(Sample& sample) {

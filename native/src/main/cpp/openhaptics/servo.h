@@ -44,6 +44,9 @@ class Servo {
   /** Any thread: the next tick sends zero and is the last. */
   void end() { ending_.store(true); }
 
+  /** Sends zero in a frame of its own, once the scheduler has stopped. */
+  void sendZero();
+
   /** Whether the last tick has sent its zero. */
   bool hasSentZero() const { return zeroSent_.load(); }
 

@@ -1,0 +1,183 @@
+// Stands in for hidapi: its C interface over AF_UNIX SOCK_SEQPACKET, which keeps reports apart.
+// Each socket in the folder PALPATE_FAKE_HID is a device; the file's name is
+// VENDOR-PRODUCT-PAGE-USAGE-SERIAL.sock, numbers in hexadecimal.
+#include <dirent.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <cwchar>
+#include <string>
+
+#include "substitutes/panel.h"
+
+using substitutes::Call;
+
+struct hid_device_info {
+  char* path;
+  unsigned short vendor_id;
+  unsigned short product_id;
+  wchar_t* serial_number;
+  unsigned short release_number;
+  wchar_t* manufacturer_string;
+  wchar_t* product_string;
+  unsigned short usage_page;
+  unsigned short usage;
+  int interface_number;
+  hid_device_info* next;
+  int bus_type;
+};
+
+struct hid_device {
+  int socket;
+  std::string path;
+};
+
+namespace {
+
+constexpr char kData = 'D';
+constexpr char kFeature = 'F';
+
+int connectTo(const std::string& path, char purpose) {
+  const int descriptor = socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0);
+  sockaddr_un address = {};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
+  if (connect(descriptor, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0 ||
+      send(descriptor, &purpose, 1, MSG_NOSIGNAL) != 1) {
+    close(descriptor);
+    return -1;
+  }
+  return descriptor;
+}
+
+wchar_t* wide(const char* text) {
+  auto* copy = static_cast<wchar_t*>(std::calloc(std::strlen(text) + 1, sizeof(wchar_t)));
+  for (size_t i = 0; text[i] != 0; i++) {
+    copy[i] = static_cast<wchar_t>(text[i]);
+  }
+  return copy;
+}
+
+hid_device_info* infoOf(const std::string& folder, const char* file) {
+  unsigned vendor = 0;
+  unsigned product = 0;
+  unsigned page = 0;
+  unsigned usage = 0;
+  char serial[64];
+  if (std::sscanf(file, "%x-%x-%x-%x-%63[^.].sock", &vendor, &product, &page, &usage, serial) !=
+      5) {
+    return nullptr;
+  }
+  auto* info = static_cast<hid_device_info*>(std::calloc(1, sizeof(hid_device_info)));
+  info->path = strdup((folder + "/" + file).c_str());
+  info->vendor_id = static_cast<unsigned short>(vendor);
+  info->product_id = static_cast<unsigned short>(product);
+  info->usage_page = static_cast<unsigned short>(page);
+  info->usage = static_cast<unsigned short>(usage);
+  info->serial_number = wide(serial);
+  info->manufacturer_string = wide("nobody");
+  info->product_string = wide("Fake haptic device");
+  return info;
+}
+
+}  // namespace
+
+extern "C" {
+
+int hid_init() { return 0; }
+
+hid_device_info* hid_enumerate(unsigned short, unsigned short) {
+  const Call call("hid_enumerate", false);
+  const char* folder = std::getenv("PALPATE_FAKE_HID");
+  DIR* entries = folder != nullptr && !call.fails() ? opendir(folder) : nullptr;
+  hid_device_info* first = nullptr;
+  while (entries != nullptr) {
+    const dirent* entry = readdir(entries);
+    if (entry == nullptr) {
+      break;
+    }
+    hid_device_info* info = infoOf(folder, entry->d_name);
+    if (info != nullptr) {
+      info->next = first;
+      first = info;
+    }
+  }
+  if (entries != nullptr) {
+    closedir(entries);
+  }
+  return first;
+}
+
+void hid_free_enumeration(hid_device_info* info) {
+  const Call call("hid_free_enumeration", false);
+  while (info != nullptr) {
+    hid_device_info* next = info->next;
+    std::free(info->path);
+    std::free(info->serial_number);
+    std::free(info->manufacturer_string);
+    std::free(info->product_string);
+    std::free(info);
+    info = next;
+  }
+}
+
+hid_device* hid_open_path(const char* path) {
+  const Call call("hid_open_path", false);
+  const int descriptor = call.fails() ? -1 : connectTo(path, kData);
+  return descriptor < 0 ? nullptr : new hid_device{descriptor, path};
+}
+
+int hid_write(hid_device* device, const unsigned char* bytes, size_t length) {
+  const Call call("hid_write");
+  if (call.fails()) {
+    return -1;
+  }
+  const ssize_t sent = send(device->socket, bytes, length, MSG_NOSIGNAL | MSG_DONTWAIT);
+  return sent < 0 ? -1 : static_cast<int>(sent);
+}
+
+int hid_read_timeout(hid_device* device, unsigned char* bytes, size_t length, int millis) {
+  const Call call("hid_read_timeout");
+  if (call.fails()) {
+    return -1;
+  }
+  pollfd wait = {device->socket, POLLIN, 0};
+  if (poll(&wait, 1, millis) <= 0) {
+    return 0;
+  }
+  const ssize_t got = recv(device->socket, bytes, length, 0);
+  if (call.givesNaN() && got > 0) {
+    std::memset(bytes + 1, 0xFF, static_cast<size_t>(got) - 1);
+  }
+  return got <= 0 ? -1 : static_cast<int>(got);
+}
+
+int hid_get_feature_report(hid_device* device, unsigned char* bytes, size_t length) {
+  const Call call("hid_get_feature_report");
+  const int descriptor = call.fails() ? -1 : connectTo(device->path, kFeature);
+  if (descriptor < 0) {
+    return -1;
+  }
+  const ssize_t got = recv(descriptor, bytes, length, 0);
+  close(descriptor);
+  if (call.givesNaN() && got > 0) {
+    std::memset(bytes, 0xFF, static_cast<size_t>(got));
+  }
+  return got <= 0 ? -1 : static_cast<int>(got);
+}
+
+void hid_close(hid_device* device) {
+  const Call call("hid_close");
+  close(device->socket);
+  delete device;
+}
+
+const wchar_t* hid_error(hid_device*) { return L"No such device"; }
+
+const char* hid_version_str() { return "0.13.1-substitute"; }
+}
