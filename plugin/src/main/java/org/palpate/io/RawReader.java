@@ -1,5 +1,6 @@
 package org.palpate.io;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.palpate.io.VolumeHeader.ValueRange;
@@ -16,11 +17,20 @@ final class RawReader {
         Grids.ofSpacing(
             new int[] {layout.sizeX(), layout.sizeY(), layout.sizeZ()}, layout.spacingMm(), file);
     VoxelType type = layout.type();
+    List<Path> files = Files.isDirectory(file) ? RawFolder.files(file) : List.of(file);
     double needed = (double) grid.voxelCount() * type.bytes();
-    long length = Inputs.length(file);
+    long length = 0;
+    for (Path part : files) {
+      length += Inputs.length(part);
+    }
     if (needed != length) {
       throw new VolumeFormatException(
-          "its length is " + length + " bytes, --raw asks for " + (long) needed,
+          "its length is "
+              + length
+              + " bytes"
+              + (files.size() > 1 ? " in " + files.size() + " files" : "")
+              + ", --raw asks for "
+              + (long) needed,
           file,
           "correct the sizes or the type of --raw");
     }
@@ -33,11 +43,15 @@ final class RawReader {
             World.UNKNOWN,
             java.util.Optional.empty(),
             List.of());
-    return new StreamedVolume(
-        header,
-        List.of(file),
-        () -> new BinarySamples(Inputs.open(file, 0), type, layout.order(), Scaling.NONE),
-        ExtraAxis.NONE,
-        options.progress());
+    BinaryData data =
+        new BinaryData(
+            files,
+            new BinaryData.Start(0, false, false),
+            type,
+            layout.order(),
+            Scaling.NONE,
+            length);
+    data.requireEnough();
+    return new StreamedVolume(header, files, data, ExtraAxis.NONE, options.progress());
   }
 }

@@ -3,6 +3,7 @@ package org.palpate.io;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 
 /**
@@ -21,7 +22,7 @@ public final class ValueSurvey implements SliceSink {
 
   private static final int BINS = 1 << 16;
 
-  private final boolean hasLabelTable;
+  private final Optional<LabelTable> table;
   private final boolean exact;
   private final int exactLow;
   private final long[] bins = new long[BINS];
@@ -46,7 +47,7 @@ public final class ValueSurvey implements SliceSink {
   /** A survey of a volume with this header. */
   public ValueSurvey(VolumeHeader header) {
     VolumeHeader.ValueRange range = header.values();
-    hasLabelTable = header.labels().isPresent();
+    table = header.labels();
     exact = range.whole() && range.high() - range.low() < BINS;
     exactLow = exact ? (int) range.low() : 0;
   }
@@ -151,7 +152,13 @@ public final class ValueSurvey implements SliceSink {
       // a mask without 0 has its lower value as background
       return labels.subList(labels.size() == 2 ? 1 : 0, labels.size());
     }
-    return hasLabelTable || (low >= 0 && isFlat()) ? labels : List.of();
+    return isTableOf(labels) || (low >= 0 && isFlat()) ? labels : List.of();
+  }
+
+  /** Whether the table has every label; one without names says that all values are labels. */
+  private boolean isTableOf(List<Long> labels) {
+    return table.isPresent()
+        && (table.get().labels().isEmpty() || table.get().labels().keySet().containsAll(labels));
   }
 
   private static boolean isWhole(double value) {

@@ -1,6 +1,7 @@
 package org.palpate.io;
 
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
@@ -18,15 +19,26 @@ public final class VolumeFiles {
    * @throws VolumeFormatException where it is no volume, is damaged, or needs to be told more
    */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
+    if (Files.isDirectory(file) && options.raw().isEmpty()) {
+      return DicomFolder.open(file, options);
+    }
     if (options.raw().isPresent()) {
       return RawReader.open(file, options.raw().get(), options);
     }
+    return LabelledReader.of(openFile(file, options), file);
+  }
+
+  private static VolumeReader openFile(Path file, ReadOptions options)
+      throws VolumeFormatException {
     if (Inputs.length(file) == 0) {
       throw new VolumeFormatException("it is empty", file, "copy or export it again");
     }
     byte[] start = Inputs.start(file, START_BYTES);
     if (startsWith(start, NrrdHeader.MAGIC)) {
       return NrrdReader.open(file, options);
+    }
+    if (DicomFile.isDicom(start)) {
+      return DicomReader.open(file, options);
     }
     if (TiffFile.isTiff(start)) {
       return TiffReader.open(file, options);
@@ -37,6 +49,12 @@ public final class VolumeFiles {
     }
     if (hasEnding(file, ".mha", ".mhd") || MetaHeader.isMeta(start)) {
       return MetaReader.open(file, options);
+    }
+    if (hasEnding(file, ".dcm", ".ima")) {
+      throw new VolumeFormatException(
+          "it has not the beginning of a DICOM file (128 bytes, then DICM)",
+          file,
+          "export it again, or convert it with gdcmconv --raw IN OUT (free, from GDCM)");
     }
     throw new VolumeFormatException(
         "it is in no format that is known",

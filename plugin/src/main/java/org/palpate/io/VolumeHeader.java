@@ -29,6 +29,11 @@ public record VolumeHeader(
     notes = List.copyOf(notes);
   }
 
+  /** The same with a table of labels. */
+  VolumeHeader withLabels(LabelTable table) {
+    return new VolumeHeader(format, grid, type, values, world, Optional.of(table), notes);
+  }
+
   /**
    * The values that the stored type allows, scaled: a bound, not what is there.
    *

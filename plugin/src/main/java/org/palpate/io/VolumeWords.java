@@ -18,8 +18,13 @@ public final class VolumeWords {
   public static List<String> place(VolumeHeader header) {
     Vec3 first = header.grid().gridToWorld(new Vec3(0.5, 0.5, 0.5), new Vec3());
     String centre =
-        "first voxel's centre at " + short4(first.x) + ", " + short4(first.y) + ", "
-            + short4(first.z) + " mm";
+        "first voxel's centre at "
+            + short4(first.x)
+            + ", "
+            + short4(first.y)
+            + ", "
+            + short4(first.z)
+            + " mm";
     if (header.world() == World.UNKNOWN) {
       return List.of(centre);
     }
