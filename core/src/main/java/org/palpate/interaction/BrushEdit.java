@@ -43,8 +43,8 @@ public final class BrushEdit extends Edit {
 
   /** Any ball fits: what lies outside the grid is left out. */
   @Override
-  void check(VoxelGrid grid) {
-    metric = Metric.of(grid.spacingMm());
+  void check(VoxelGrid grid, Metric gridMetric) {
+    metric = gridMetric;
     box.lowX = lowest(centre.x, metric.spacingX());
     box.lowY = lowest(centre.y, metric.spacingY());
     box.lowZ = lowest(centre.z, metric.spacingZ());

@@ -1,5 +1,6 @@
 package org.palpate.interaction;
 
+import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.volume.VoxelGrid;
 
@@ -38,7 +39,7 @@ public abstract sealed class Edit permits VoxelEdit, BrushEdit, SwapEdit {
    *
    * @throws IllegalArgumentException with the values
    */
-  abstract void check(VoxelGrid grid);
+  abstract void check(VoxelGrid grid, Metric gridMetric);
 
   final void finish() {
     done = true;

@@ -2,6 +2,7 @@ package org.palpate.interaction;
 
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReferenceArray;
+import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.volume.VoxelGrid;
 
@@ -15,6 +16,7 @@ public final class EditQueue {
   public static final int DEFAULT_CAPACITY = 1024;
 
   private final VoxelGrid grid;
+  private final Metric metric;
   private final int segments;
   private final AtomicReferenceArray<Edit> slots;
   private final AtomicLong offered = new AtomicLong();
@@ -32,6 +34,7 @@ public final class EditQueue {
    */
   public EditQueue(VoxelGrid grid, int segments, int capacity) {
     this.grid = grid;
+    metric = Metric.of(grid.spacingMm());
     this.segments = segments;
     slots = new AtomicReferenceArray<>(capacity);
   }
@@ -47,7 +50,7 @@ public final class EditQueue {
       throw new IllegalArgumentException(
           "no such segment: segment=" + edit.segment() + " segments=" + segments);
     }
-    edit.check(grid);
+    edit.check(grid, metric);
     while (true) {
       long at = offered.get();
       if (at - taken.get() >= slots.length()) {

@@ -81,12 +81,19 @@ public final class HapticLoop implements AutoCloseable {
     try {
       frame.release();
     } catch (Throwable thrown) {
-      if (failure == null) {
-        return thrown;
-      }
-      failure.addSuppressed(thrown);
+      return joined(failure, thrown);
     }
     return failure;
+  }
+
+  private static Throwable joined(Throwable first, Throwable second) {
+    if (first == null) {
+      return second;
+    }
+    if (first != second) {
+      first.addSuppressed(second);
+    }
+    return first;
   }
 
   private void finish(LoopEnd.Cause cause, Throwable failure) {

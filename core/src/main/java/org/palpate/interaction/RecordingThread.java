@@ -41,6 +41,7 @@ public final class RecordingThread implements AutoCloseable {
         recorder.drainTo(sink);
         LockSupport.parkNanos(this, PAUSE_NANOS);
       }
+      recorder.drainTo(sink);
     } catch (RuntimeException e) {
       failure = e;
     }
@@ -52,7 +53,7 @@ public final class RecordingThread implements AutoCloseable {
   }
 
   /**
-   * Ends the thread and drains the rest. Call it after the session's last frame.
+   * Drains the rest and ends the thread. Call it after the session's last frame.
    *
    * @throws RuntimeException what the sink threw, now or before
    */
@@ -74,6 +75,5 @@ public final class RecordingThread implements AutoCloseable {
     if (failure != null) {
       throw failure;
     }
-    recorder.drainTo(sink);
   }
 }

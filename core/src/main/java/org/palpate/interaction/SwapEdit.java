@@ -1,5 +1,6 @@
 package org.palpate.interaction;
 
+import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -32,7 +33,7 @@ public final class SwapEdit extends Edit {
   }
 
   @Override
-  void check(VoxelGrid grid) {
+  void check(VoxelGrid grid, Metric gridMetric) {
     boolean fits =
         fresh.sizeX() == grid.sizeX()
             && fresh.sizeY() == grid.sizeY()

@@ -1,5 +1,6 @@
 package org.palpate.interaction;
 
+import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -21,7 +22,7 @@ public final class VoxelEdit extends Edit {
   }
 
   @Override
-  void check(VoxelGrid grid) {
+  void check(VoxelGrid grid, Metric gridMetric) {
     if (!grid.contains(i, j, k)) {
       throw new IllegalArgumentException("voxel lies outside: voxel=" + i + "," + j + "," + k);
     }
