@@ -14,7 +14,7 @@ public final class DensityOpenness implements Openness {
   private static final int LEVELS = 3;
 
   /** How fast light goes with what stands in the way; chosen by eye on a skull. */
-  private static final float STRENGTH = 1.5f;
+  private static final float STRENGTH = 2.0f;
 
   private static final float TILT_COS = 0.57f;
   private static final float TILT_SIN = 0.82f;

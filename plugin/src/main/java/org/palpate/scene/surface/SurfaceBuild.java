@@ -3,17 +3,21 @@ package org.palpate.scene.surface;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 
 /** How far the extraction of some bricks is. Any thread may ask, stop it or wait. */
 public final class SurfaceBuild {
   private final int count;
+  private final Runnable whenDone;
   private final CountDownLatch left;
+  private final AtomicInteger ended = new AtomicInteger();
   private final AtomicReference<Throwable> failure = new AtomicReference<>();
   private volatile boolean stopped;
 
-  SurfaceBuild(int count) {
+  SurfaceBuild(int count, Runnable whenDone) {
     this.count = count;
+    this.whenDone = whenDone;
     left = new CountDownLatch(count);
   }
 
@@ -22,6 +26,19 @@ public final class SurfaceBuild {
     try {
       if (!stopped && failure.get() == null) {
         work.run();
+      }
+    } catch (RuntimeException | Error problem) {
+      failure.compareAndSet(null, problem);
+    } finally {
+      end();
+    }
+  }
+
+  private void end() {
+    try {
+      boolean isLast = ended.incrementAndGet() == count;
+      if (isLast && !stopped && failure.get() == null) {
+        whenDone.run();
       }
     } catch (RuntimeException | Error problem) {
       failure.compareAndSet(null, problem);

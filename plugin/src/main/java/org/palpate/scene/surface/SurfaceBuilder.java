@@ -59,10 +59,11 @@ public final class SurfaceBuilder implements AutoCloseable {
     return thread;
   }
 
-  /** Extracts every brick of a source. */
-  public SurfaceBuild build(SurfaceSource source, Openness openness, int urgency, Sink sink) {
+  /** Extracts every brick of a source; {@code whenDone} runs after the last, where none failed. */
+  public SurfaceBuild build(
+      SurfaceSource source, Openness openness, int urgency, Sink sink, Runnable whenDone) {
     int count = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE).count();
-    return build(source, openness, urgency, IntStream.range(0, count).toArray(), sink);
+    return build(source, openness, urgency, IntStream.range(0, count).toArray(), sink, whenDone);
   }
 
   /**
@@ -71,8 +72,13 @@ public final class SurfaceBuilder implements AutoCloseable {
    * @return how far it is; a failure in the extraction or the sink is reported there
    */
   public SurfaceBuild build(
-      SurfaceSource source, Openness openness, int urgency, int[] bricks, Sink sink) {
-    SurfaceBuild build = new SurfaceBuild(bricks.length);
+      SurfaceSource source,
+      Openness openness,
+      int urgency,
+      int[] bricks,
+      Sink sink,
+      Runnable whenDone) {
+    SurfaceBuild build = new SurfaceBuild(bricks.length, whenDone);
     for (int brick : bricks) {
       threads.execute(
           new BrickTask(

@@ -46,7 +46,8 @@ class SurfaceBuilderTest {
               Openness.EVERYWHERE,
               SurfaceBuilder.EDITED,
               touched,
-              (brick, mesh) -> put(bricks, brick, mesh))
+              (brick, mesh) -> put(bricks, brick, mesh),
+              () -> {})
           .await(PATIENCE_MS);
     }
     assertSameBricks(buildAll(source, 1), bricks);
@@ -63,7 +64,8 @@ class SurfaceBuilderTest {
               SurfaceBuilder.FINE,
               (brick, mesh) -> {
                 throw new IllegalStateException("sink is full");
-              });
+              },
+              () -> {});
       Exception failure = assertThrows(IllegalStateException.class, () -> build.await(PATIENCE_MS));
       assertEquals("sink is full", failure.getCause().getMessage());
       assertTrue(build.isDone());
@@ -139,7 +141,8 @@ class SurfaceBuilderTest {
               source,
               Openness.EVERYWHERE,
               SurfaceBuilder.FINE,
-              (brick, mesh) -> put(bricks, brick, mesh));
+              (brick, mesh) -> put(bricks, brick, mesh),
+              () -> {});
       build.await(PATIENCE_MS);
       assertEquals(1, build.progress());
     }

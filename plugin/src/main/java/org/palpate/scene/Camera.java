@@ -1,0 +1,138 @@
+package org.palpate.scene;
+
+import java.util.List;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Where the picture is taken from: a point looked at, a distance and a turn about it. Immutable;
+ * each move gives a new one. Scene frame, mm.
+ */
+public final class Camera {
+  /** Height of what is seen over its distance: an angle of 28 degrees. */
+  public static final double HEIGHT_PER_DISTANCE = 0.5;
+
+  private static final double MARGIN = 1.06;
+  private static final double SHORTEST_DISTANCE_MM = 1e-3;
+
+  private final Vec3 target;
+  private final Vec3 right;
+  private final Vec3 up;
+  private final Vec3 back;
+  private final double distanceMm;
+
+  private Camera(Vec3 target, Vec3 back, Vec3 upHint, double distanceMm) {
+    this.target = target;
+    this.back = unit(back);
+    right = unit(cross(upHint, this.back));
+    up = cross(this.back, right);
+    this.distanceMm = distanceMm;
+  }
+
+  /**
+   * A camera that sees all of some points.
+   *
+   * @param middle what it looks at, scene frame, mm
+   * @param points that must be in the picture, such as the corners of boxes
+   * @param aspect width of the picture over its height
+   */
+  public static Camera seeing(Vec3 middle, List<Vec3> points, StandardView view, double aspect) {
+    Camera unit = new Camera(new Vec3().set(middle), view.towardsEye(), view.up(), 1);
+    double half = HEIGHT_PER_DISTANCE / 2;
+    double distance = SHORTEST_DISTANCE_MM;
+    for (Vec3 point : points) {
+      Vec3 from = point.sub(middle, new Vec3());
+      double needed =
+          Math.max(
+              Math.abs(from.dot(unit.up)) / half, Math.abs(from.dot(unit.right)) / (half * aspect));
+      distance = Math.max(distance, from.dot(unit.back) + MARGIN * needed);
+    }
+    return unit.zoom(distance);
+  }
+
+  /** The same rolled half round: what was up is down. */
+  public Camera upsideDown() {
+    return new Camera(target, back, up.mul(-1, new Vec3()), distanceMm);
+  }
+
+  /** The scene turned before the camera: to the right and upwards, radians. */
+  public Camera orbit(double rightRadians, double upRadians) {
+    Vec3 turned = combine(back, Math.cos(rightRadians), right, -Math.sin(rightRadians));
+    Vec3 raised = combine(turned, Math.cos(upRadians), up, -Math.sin(upRadians));
+    Vec3 newUp = combine(up, Math.cos(upRadians), turned, Math.sin(upRadians));
+    return new Camera(target, raised, newUp, distanceMm);
+  }
+
+  /** Moved sideways and up by so many picture heights. */
+  public Camera pan(double rightHeights, double upHeights) {
+    double height = distanceMm * HEIGHT_PER_DISTANCE;
+    Vec3 moved = combine(right, -rightHeights * height, up, -upHeights * height);
+    return new Camera(moved.add(target, moved), back, up, distanceMm);
+  }
+
+  /** Nearer by a factor below 1, further by one above. */
+  public Camera zoom(double factor) {
+    return new Camera(target, back, up, distanceMm * factor);
+  }
+
+  public Vec3 eye() {
+    return combine(target, 1, back, distanceMm);
+  }
+
+  /** Unit, to the right of the picture; not to be changed, as the others. */
+  public Vec3 right() {
+    return right;
+  }
+
+  public Vec3 up() {
+    return up;
+  }
+
+  /** Unit, towards the one who looks. */
+  public Vec3 back() {
+    return back;
+  }
+
+  public double distanceMm() {
+    return distanceMm;
+  }
+
+  /**
+   * The view for an eye.
+   *
+   * @param eye 0 for one, -1 for the left and 1 for the right of two
+   */
+  public Matrix4 view(int eye) {
+    Vec3 at = combine(eye(), 1, right, eye * eyeShiftMm());
+    return Matrix4.view(right, up, back, at);
+  }
+
+  /** The perspective for an eye, near and far around a ball of {@code radiusMm}. */
+  public Matrix4 perspective(int eye, double aspect, Vec3 middle, double radiusMm) {
+    double depth = back.dot(eye().sub(middle, new Vec3()));
+    double far = Math.max(depth + 1.2 * radiusMm, 0.02 * radiusMm);
+    double near = Math.max(depth - 1.2 * radiusMm, 0.004 * far);
+    double halfWidth = HEIGHT_PER_DISTANCE / 2 * aspect;
+    double shift = -eye * eyeShiftMm() / (distanceMm * halfWidth);
+    return Matrix4.perspective(HEIGHT_PER_DISTANCE, aspect, near, far, shift);
+  }
+
+  /** Half the distance between two eyes that look at the target: one in sixty of the distance. */
+  private double eyeShiftMm() {
+    return distanceMm / 60;
+  }
+
+  private static Vec3 combine(Vec3 a, double shareOfA, Vec3 b, double shareOfB) {
+    return new Vec3(
+        a.x * shareOfA + b.x * shareOfB,
+        a.y * shareOfA + b.y * shareOfB,
+        a.z * shareOfA + b.z * shareOfB);
+  }
+
+  private static Vec3 cross(Vec3 a, Vec3 b) {
+    return new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+  }
+
+  private static Vec3 unit(Vec3 vector) {
+    return vector.mul(1 / vector.length(), new Vec3());
+  }
+}

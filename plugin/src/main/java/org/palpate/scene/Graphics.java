@@ -1,0 +1,56 @@
+package org.palpate.scene;
+
+import com.jogamp.opengl.GLException;
+import com.jogamp.opengl.GLProfile;
+
+/** Whether this machine can draw. */
+public final class Graphics {
+  private static final String PACKAGES =
+      "libgl1 libglx-mesa0 libgl1-mesa-dri libx11-6 libxxf86vm1 libxrender1 libxrandr2 libxcursor1"
+          + " libxi6";
+
+  private Graphics() {}
+
+  /** Whether a display is named here; always so where windows do not need one to be named. */
+  public static boolean hasDisplay() {
+    String system = System.getProperty("os.name", "");
+    boolean isX11 = !system.startsWith("Windows") && !system.startsWith("Mac");
+    String display = System.getenv("DISPLAY");
+    return !isX11 || (display != null && !display.isBlank());
+  }
+
+  /**
+   * The profile to draw with, OpenGL 3.3 core or later.
+   *
+   * @throws GraphicsException where there is none, with the reason
+   */
+  static GLProfile profile() throws GraphicsException {
+    if (!hasDisplay()) {
+      throw new GraphicsException(
+          "there is no display", "set DISPLAY, or install xvfb and start it by xvfb-run", null);
+    }
+    try {
+      if (!GLProfile.isAvailable(GLProfile.GL3)) {
+        throw new GraphicsException(
+            "the graphics driver has no OpenGL 3.3",
+            "install a newer driver, or " + PACKAGES,
+            null);
+      }
+      return GLProfile.get(GLProfile.GL3);
+    } catch (GLException | UnsatisfiedLinkError | NoClassDefFoundError e) {
+      throw refused(e);
+    } catch (RuntimeException e) {
+      // JOGL wraps a missing or dead X server in bare RuntimeExceptions.
+      throw refused(e);
+    }
+  }
+
+  /** What a driver's refusal means for a person. */
+  static GraphicsException refused(Throwable cause) {
+    String reason = cause.getMessage() == null ? cause.toString() : cause.getMessage();
+    return new GraphicsException(
+        "OpenGL cannot be used (" + reason.lines().findFirst().orElse("") + ")",
+        "check DISPLAY and install " + PACKAGES,
+        cause);
+  }
+}

@@ -1,0 +1,117 @@
+package org.palpate.scene;
+
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+
+/** A 4x4 matrix, column by column, as OpenGL has it. Immutable. */
+public final class Matrix4 {
+  private final double[] m;
+
+  private Matrix4(double... columns) {
+    m = columns;
+  }
+
+  /** A pose. */
+  public static Matrix4 of(RigidTransform pose) {
+    Vec3 x = pose.axisX();
+    Vec3 y = pose.axisY();
+    Vec3 z = pose.axisZ();
+    Vec3 o = pose.origin();
+    return new Matrix4(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, o.x, o.y, o.z, 1);
+  }
+
+  /** The view from {@code eye} of a camera with the given unit axes; it looks along -back. */
+  public static Matrix4 view(Vec3 right, Vec3 up, Vec3 back, Vec3 eye) {
+    return new Matrix4(
+        right.x,
+        up.x,
+        back.x,
+        0,
+        right.y,
+        up.y,
+        back.y,
+        0,
+        right.z,
+        up.z,
+        back.z,
+        0,
+        -right.dot(eye),
+        -up.dot(eye),
+        -back.dot(eye),
+        1);
+  }
+
+  /**
+   * A perspective.
+   *
+   * @param heightPerDistance of what is seen at a distance, tangents of half the angle times 2
+   * @param aspect width over height
+   * @param shift how far the window is moved sideways at the near plane, for a stereo eye
+   */
+  public static Matrix4 perspective(
+      double heightPerDistance, double aspect, double near, double far, double shift) {
+    double yScale = 2 / heightPerDistance;
+    double depth = (near + far) / (near - far);
+    return new Matrix4(
+        yScale / aspect,
+        0,
+        0,
+        0,
+        0,
+        yScale,
+        0,
+        0,
+        shift,
+        0,
+        depth,
+        -1,
+        0,
+        0,
+        2 * near * far / (near - far),
+        0);
+  }
+
+  /** This after {@code first}. */
+  public Matrix4 times(Matrix4 first) {
+    double[] product = new double[16];
+    for (int column = 0; column < 4; column++) {
+      for (int row = 0; row < 4; row++) {
+        double sum = 0;
+        for (int i = 0; i < 4; i++) {
+          sum += m[4 * i + row] * first.m[4 * column + i];
+        }
+        product[4 * column + row] = sum;
+      }
+    }
+    return new Matrix4(product);
+  }
+
+  /**
+   * The image of a point after the division by w.
+   *
+   * @return w, which is not positive for a point behind the eye
+   */
+  public double project(Vec3 point, Vec3 dest) {
+    double w = row(3, point);
+    dest.set(row(0, point) / w, row(1, point) / w, row(2, point) / w);
+    return w;
+  }
+
+  private double row(int row, Vec3 p) {
+    return m[row] * p.x + m[4 + row] * p.y + m[8 + row] * p.z + m[12 + row];
+  }
+
+  /** Component of a row: what a plane of the view frustum is made from. */
+  public double at(int row, int column) {
+    return m[4 * column + row];
+  }
+
+  /** As OpenGL takes it. */
+  public float[] toFloats() {
+    float[] floats = new float[16];
+    for (int i = 0; i < 16; i++) {
+      floats[i] = (float) m[i];
+    }
+    return floats;
+  }
+}

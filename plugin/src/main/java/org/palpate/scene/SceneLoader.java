@@ -1,0 +1,154 @@
+package org.palpate.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeoutException;
+import java.util.stream.IntStream;
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.scene.surface.BrickLayout;
+import org.palpate.scene.surface.CoarseVolume;
+import org.palpate.scene.surface.DensityOpenness;
+import org.palpate.scene.surface.Openness;
+import org.palpate.scene.surface.SurfaceBrick;
+import org.palpate.scene.surface.SurfaceBuild;
+import org.palpate.scene.surface.SurfaceBuilder;
+import org.palpate.scene.surface.SurfaceExtractor;
+import org.palpate.scene.surface.SurfaceSource;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Gives the segments of a volume their surfaces, in the background: a quarter of the resolution
+ * first, then a half, then all. Any thread; closed by whoever opened it.
+ */
+public final class SceneLoader implements AutoCloseable {
+  /** Levels in the order in which they are made. */
+  private static final int[] COARSE_FIRST = {2, 1, 0};
+
+  private final SceneModel model;
+  private final SurfaceBuilder builder;
+  private final VoxelGrid grid;
+  private final Openness openness;
+  private final List<SceneObject> objects = new ArrayList<>();
+  private final List<SurfaceSource> sources = new ArrayList<>();
+  private final List<SurfaceBuild> builds = new ArrayList<>();
+
+  /** Adds the segments of a volume to a model and begins with their surfaces. */
+  public SceneLoader(SceneModel model, SegmentedVolume volume, int threads) {
+    this.model = model;
+    grid = volume.grid();
+    builder = new SurfaceBuilder(threads);
+    List<Segment> segments = volume.segments();
+    openness =
+        segments.isEmpty()
+            ? Openness.EVERYWHERE
+            : new DensityOpenness(segments.stream().map(Segment::bits).toList());
+    segments.forEach(this::add);
+    for (int level : COARSE_FIRST) {
+      for (int i = 0; i < objects.size(); i++) {
+        builds.add(build(i, level));
+      }
+    }
+  }
+
+  private void add(Segment segment) {
+    IntBox box = segment.bits().bounds();
+    Vec3 spacing = grid.spacingMm();
+    Vec3 low = new Vec3();
+    Vec3 high = new Vec3(grid.sizeX(), grid.sizeY(), grid.sizeZ());
+    if (!box.isEmpty()) {
+      low.set(box.lowX, box.lowY, box.lowZ);
+      high.set(box.highX + 1, box.highY + 1, box.highZ + 1);
+    }
+    low.set(low.x * spacing.x, low.y * spacing.y, low.z * spacing.z);
+    high.set(high.x * spacing.x, high.y * spacing.y, high.z * spacing.z);
+    RigidTransform pose = grid.gridMmToWorld();
+    objects.add(model.add(segment.name(), segment.rgb(), pose, low, high));
+    sources.add(SurfaceSource.ofBits(segment.bits(), spacing));
+  }
+
+  private SurfaceBuild build(int number, int level) {
+    SceneObject object = objects.get(number);
+    SurfaceSource fine = sources.get(number);
+    SurfaceSource source =
+        level == 0 ? fine : CoarseVolume.source(fine.bits(), level, fine.spacingMm());
+    Openness light = level == 0 ? openness : scaled(1 << level);
+    int urgency = level == 0 ? SurfaceBuilder.FINE : SurfaceBuilder.COARSE;
+    return builder.build(
+        source,
+        light,
+        urgency,
+        (brick, mesh) -> put(object, level, brick, mesh),
+        () -> complete(object, level));
+  }
+
+  private Openness scaled(int factor) {
+    return (x, y, z, nx, ny, nz) -> openness.at(x * factor, y * factor, z * factor, nx, ny, nz);
+  }
+
+  private static void put(SceneObject object, int level, int brick, SurfaceBrick mesh) {
+    Map<Integer, SurfaceBrick> bricks = object.bricks(level);
+    if (mesh == null) {
+      bricks.remove(brick);
+    } else {
+      bricks.put(brick, mesh);
+    }
+  }
+
+  private void complete(SceneObject object, int level) {
+    object.setComplete(level);
+    model.surfaceChanged();
+  }
+
+  /** The share of the work that is done, 0 to 1. */
+  public double progress() {
+    return builds.stream().mapToDouble(SurfaceBuild::progress).average().orElse(1);
+  }
+
+  /**
+   * Waits for every surface.
+   *
+   * @throws TimeoutException where it takes longer
+   */
+  public void await(long timeoutMillis) throws InterruptedException, TimeoutException {
+    for (SurfaceBuild build : builds) {
+      build.await(timeoutMillis);
+    }
+  }
+
+  /**
+   * Remeshes what an edit touched, before all other work; coarser levels follow nothing until they
+   * are asked for anew. The bits must have been changed and published before.
+   *
+   * @param segment the number of the segment
+   * @param voxels a box about the edited voxels
+   */
+  public SurfaceBuild edited(int segment, IntBox voxels) {
+    SurfaceSource source = sources.get(segment);
+    SceneObject object = objects.get(segment);
+    BrickLayout layout = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE);
+    int reach = SurfaceExtractor.reach(source.smoothing());
+    IntBox box = layout.touchedBy(voxels, reach, new IntBox());
+    int[] touched =
+        IntStream.range(0, layout.count())
+            .filter(brick -> box.contains(layout.x(brick), layout.y(brick), layout.z(brick)))
+            .toArray();
+    return builder.build(
+        source,
+        openness,
+        SurfaceBuilder.EDITED,
+        touched,
+        (brick, mesh) -> put(object, 0, brick, mesh),
+        model::surfaceChanged);
+  }
+
+  /** Stops the work; what is there stays. */
+  @Override
+  public void close() {
+    builder.close();
+  }
+}

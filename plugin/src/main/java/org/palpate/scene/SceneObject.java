@@ -1,0 +1,78 @@
+package org.palpate.scene;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.scene.surface.SurfaceBrick;
+
+/**
+ * A segment as it is drawn. Its surface comes brick by brick from any thread; all else is changed
+ * through {@link SceneModel}, whose lock guards it.
+ */
+public final class SceneObject {
+  /** Levels of detail: 0 is every voxel, each further one half of the resolution. */
+  public static final int LEVELS = 3;
+
+  private final String name;
+  private final Vec3 lowMm;
+  private final Vec3 highMm;
+  private final List<Map<Integer, SurfaceBrick>> levels;
+  private final boolean[] complete = new boolean[LEVELS];
+  int rgb;
+  double opacity = 1;
+  boolean visible = true;
+  RigidTransform pose;
+
+  SceneObject(String name, int rgb, RigidTransform pose, Vec3 lowMm, Vec3 highMm) {
+    this.name = name;
+    this.rgb = rgb;
+    this.pose = pose;
+    this.lowMm = lowMm;
+    this.highMm = highMm;
+    levels =
+        List.of(new ConcurrentHashMap<>(), new ConcurrentHashMap<>(), new ConcurrentHashMap<>());
+  }
+
+  public String name() {
+    return name;
+  }
+
+  /** A corner of the box about its solid voxels, grid mm: bit 0 of the number is x, 1 y, 2 z. */
+  public Vec3 corner(int number) {
+    return new Vec3(
+        (number & 1) == 0 ? lowMm.x : highMm.x,
+        (number & 2) == 0 ? lowMm.y : highMm.y,
+        (number & 4) == 0 ? lowMm.z : highMm.z);
+  }
+
+  /** The bricks of a level by their numbers; may change while read. */
+  public Map<Integer, SurfaceBrick> bricks(int level) {
+    return levels.get(level);
+  }
+
+  synchronized void setComplete(int level) {
+    complete[level] = true;
+  }
+
+  /** The finest level that is whole; -1 while there is none. */
+  public synchronized int finestComplete() {
+    for (int level = 0; level < LEVELS; level++) {
+      if (complete[level]) {
+        return level;
+      }
+    }
+    return -1;
+  }
+
+  /** Whether a level is whole. */
+  public synchronized boolean isComplete(int level) {
+    return complete[level];
+  }
+
+  /** Triangles of a level so far. */
+  public long triangleCount(int level) {
+    return levels.get(level).values().stream().mapToLong(SurfaceBrick::triangleCount).sum();
+  }
+}

@@ -1,0 +1,115 @@
+package org.palpate.scene.gl;
+
+import com.jogamp.common.nio.Buffers;
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.nio.ByteBuffer;
+import org.palpate.geometry.Vec3;
+import org.palpate.scene.Matrix4;
+import org.palpate.scene.surface.SurfaceBrick;
+
+/** A brick in the memory of the graphics card, with its box. */
+final class GlMesh {
+  private static final int VERTEX_BYTES = 20;
+  private static final int NORMAL_OFFSET = 12;
+  private static final int SHORT_INDEX_LIMIT = 1 << 16;
+
+  private final SurfaceBrick brick;
+  private final int[] vertexArray = new int[1];
+  private final int[] buffers = new int[2];
+  private final boolean shortIndices;
+  private final Vec3 low = new Vec3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
+  private final Vec3 high = new Vec3(-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE);
+
+  /** Uploads a brick. */
+  GlMesh(GL3 gl, SurfaceBrick brick) {
+    this.brick = brick;
+    shortIndices = brick.vertexCount() <= SHORT_INDEX_LIMIT;
+    gl.glGenVertexArrays(1, vertexArray, 0);
+    gl.glGenBuffers(2, buffers, 0);
+    gl.glBindVertexArray(vertexArray[0]);
+    ByteBuffer vertices = vertices();
+    gl.glBindBuffer(GL.GL_ARRAY_BUFFER, buffers[0]);
+    gl.glBufferData(GL.GL_ARRAY_BUFFER, vertices.limit(), vertices, GL.GL_STATIC_DRAW);
+    ByteBuffer indices = indices();
+    gl.glBindBuffer(GL.GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
+    gl.glBufferData(GL.GL_ELEMENT_ARRAY_BUFFER, indices.limit(), indices, GL.GL_STATIC_DRAW);
+    gl.glEnableVertexAttribArray(0);
+    gl.glVertexAttribPointer(0, 3, GL.GL_FLOAT, false, VERTEX_BYTES, 0);
+    gl.glEnableVertexAttribArray(1);
+    gl.glVertexAttribPointer(1, 4, GL.GL_SHORT, true, VERTEX_BYTES, NORMAL_OFFSET);
+    gl.glBindVertexArray(0);
+  }
+
+  private ByteBuffer vertices() {
+    float[] positions = brick.positionsMm();
+    short[] normals = brick.normals();
+    ByteBuffer bytes = Buffers.newDirectByteBuffer(brick.vertexCount() * VERTEX_BYTES);
+    for (int v = 0; v < brick.vertexCount(); v++) {
+      for (int axis = 0; axis < 3; axis++) {
+        float place = positions[3 * v + axis];
+        bytes.putFloat(place);
+        low.set(axis, Math.min(low.get(axis), place));
+        high.set(axis, Math.max(high.get(axis), place));
+      }
+      for (int part = 0; part < 4; part++) {
+        bytes.putShort(normals[4 * v + part]);
+      }
+    }
+    return bytes.flip();
+  }
+
+  private ByteBuffer indices() {
+    int[] triangles = brick.triangles();
+    ByteBuffer bytes = Buffers.newDirectByteBuffer(triangles.length * (shortIndices ? 2 : 4));
+    for (int index : triangles) {
+      if (shortIndices) {
+        bytes.putShort((short) index);
+      } else {
+        bytes.putInt(index);
+      }
+    }
+    return bytes.flip();
+  }
+
+  /** Whether this still shows the given brick. */
+  boolean shows(SurfaceBrick other) {
+    return brick == other;
+  }
+
+  int triangleCount() {
+    return brick.triangleCount();
+  }
+
+  /**
+   * Whether the box is wholly outside one plane of the view.
+   *
+   * @param toClip from grid mm to clip coordinates
+   */
+  boolean isOutside(Matrix4 toClip) {
+    for (int plane = 0; plane < 6; plane++) {
+      int row = plane >> 1;
+      double sign = (plane & 1) == 0 ? 1 : -1;
+      double best = toClip.at(3, 3) + sign * toClip.at(row, 3);
+      for (int axis = 0; axis < 3; axis++) {
+        double factor = toClip.at(3, axis) + sign * toClip.at(row, axis);
+        best += factor * (factor > 0 ? high.get(axis) : low.get(axis));
+      }
+      if (best < 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void draw(GL3 gl) {
+    gl.glBindVertexArray(vertexArray[0]);
+    int type = shortIndices ? GL.GL_UNSIGNED_SHORT : GL.GL_UNSIGNED_INT;
+    gl.glDrawElements(GL.GL_TRIANGLES, brick.triangles().length, type, 0);
+  }
+
+  void dispose(GL3 gl) {
+    gl.glDeleteVertexArrays(1, vertexArray, 0);
+    gl.glDeleteBuffers(2, buffers, 0);
+  }
+}

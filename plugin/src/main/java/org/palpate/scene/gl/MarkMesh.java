@@ -1,0 +1,182 @@
+package org.palpate.scene.gl;
+
+import com.jogamp.common.nio.Buffers;
+import java.nio.FloatBuffer;
+import java.util.Arrays;
+import java.util.List;
+import org.palpate.geometry.Vec3;
+
+/** Triangles of balls, tubes and cones, made anew for each picture. Scene frame, mm. */
+final class MarkMesh {
+  static final int FLOATS_A_VERTEX = 10;
+
+  private static final int AROUND = 14;
+  private static final int BALL_RINGS = 10;
+  private static final int BALL_AROUND = 20;
+
+  private float[] floats = new float[1 << 16];
+  private int used;
+  private float red;
+  private float green;
+  private float blue;
+  private float alpha;
+
+  void clear() {
+    used = 0;
+  }
+
+  int vertexCount() {
+    return used / FLOATS_A_VERTEX;
+  }
+
+  FloatBuffer buffer() {
+    FloatBuffer buffer = Buffers.newDirectFloatBuffer(used);
+    buffer.put(floats, 0, used);
+    return buffer.flip();
+  }
+
+  MarkMesh colour(int rgb, double opacity) {
+    red = ((rgb >> 16) & 255) / 255f;
+    green = ((rgb >> 8) & 255) / 255f;
+    blue = (rgb & 255) / 255f;
+    alpha = (float) opacity;
+    return this;
+  }
+
+  void ball(Vec3 middle, double radius) {
+    for (int ring = 0; ring < BALL_RINGS; ring++) {
+      for (int i = 0; i < BALL_AROUND; i++) {
+        Vec3 a = onBall(ring, i);
+        Vec3 b = onBall(ring + 1, i);
+        Vec3 c = onBall(ring + 1, i + 1);
+        Vec3 d = onBall(ring, i + 1);
+        for (Vec3 n : new Vec3[] {a, b, c, a, c, d}) {
+          vertex(along(middle, n, radius), n);
+        }
+      }
+    }
+  }
+
+  private static Vec3 onBall(int ring, int i) {
+    double polar = Math.PI * ring / BALL_RINGS;
+    double turn = 2 * Math.PI * i / BALL_AROUND;
+    return new Vec3(
+        Math.sin(polar) * Math.cos(turn), Math.sin(polar) * Math.sin(turn), Math.cos(polar));
+  }
+
+  /** A round bar; with two radii a cone. */
+  void bar(Vec3 from, Vec3 to, double fromRadius, double toRadius) {
+    Vec3 axis = to.sub(from, new Vec3());
+    double length = axis.length();
+    if (!(length > 0)) {
+      return;
+    }
+    axis.mul(1 / length, axis);
+    Vec3 u = across(axis);
+    Vec3 v = cross(axis, u);
+    double lean = (fromRadius - toRadius) / length;
+    for (int i = 0; i < AROUND; i++) {
+      Vec3 side = around(u, v, i);
+      Vec3 next = around(u, v, i + 1);
+      Vec3 n = along(side, axis, lean);
+      Vec3 m = along(next, axis, lean);
+      Vec3 a = along(from, side, fromRadius);
+      Vec3 b = along(from, next, fromRadius);
+      Vec3 c = along(to, next, toRadius);
+      Vec3 d = along(to, side, toRadius);
+      vertex(a, n);
+      vertex(b, m);
+      vertex(c, m);
+      vertex(a, n);
+      vertex(c, m);
+      vertex(d, n);
+      vertex(from, back(axis));
+      vertex(b, back(axis));
+      vertex(a, back(axis));
+    }
+  }
+
+  /** A tube through points, balls in its bends. */
+  void tube(List<Vec3> points, double radius) {
+    for (int i = 0; i + 1 < points.size(); i++) {
+      bar(points.get(i), points.get(i + 1), radius, radius);
+    }
+  }
+
+  /** A spring with a number of turns. */
+  void spring(Vec3 from, Vec3 to, int turns, double coilRadius, double wireRadius) {
+    Vec3 axis = to.sub(from, new Vec3());
+    double length = axis.length();
+    if (!(length > 0)) {
+      return;
+    }
+    Vec3 u = across(axis.mul(1 / length, axis));
+    Vec3 v = cross(axis, u);
+    int steps = 12 * turns;
+    Vec3 last = from;
+    for (int i = 1; i <= steps; i++) {
+      double share = (double) i / steps;
+      double swell = Math.min(1, 6 * Math.min(share, 1 - share)) * coilRadius;
+      double angle = 2 * Math.PI * turns * share;
+      Vec3 at = along(from, axis, share * length);
+      at = along(along(at, u, swell * Math.cos(angle)), v, swell * Math.sin(angle));
+      bar(last, at, wireRadius, wireRadius);
+      last = at;
+    }
+  }
+
+  /** An arrow whose head takes at most half of it. */
+  void arrow(Vec3 from, Vec3 to, double radius) {
+    Vec3 axis = to.sub(from, new Vec3());
+    double length = axis.length();
+    if (!(length > 0)) {
+      return;
+    }
+    double head = Math.min(length / 2, 6 * radius);
+    Vec3 neck = along(from, axis, (length - head) / length);
+    bar(from, neck, radius, radius);
+    bar(neck, to, 2.6 * radius, 0);
+  }
+
+  private static Vec3 around(Vec3 u, Vec3 v, int i) {
+    double angle = 2 * Math.PI * i / AROUND;
+    return along(u.mul(Math.cos(angle), new Vec3()), v, Math.sin(angle));
+  }
+
+  private static Vec3 across(Vec3 axis) {
+    Vec3 helper = Math.abs(axis.x) < 0.7 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0);
+    Vec3 u = cross(axis, helper);
+    return u.mul(1 / u.length(), u);
+  }
+
+  private static Vec3 cross(Vec3 a, Vec3 b) {
+    return new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+  }
+
+  private static Vec3 back(Vec3 axis) {
+    return axis.mul(-1, new Vec3());
+  }
+
+  private static Vec3 along(Vec3 from, Vec3 direction, double distance) {
+    return new Vec3(
+        from.x + direction.x * distance,
+        from.y + direction.y * distance,
+        from.z + direction.z * distance);
+  }
+
+  private void vertex(Vec3 at, Vec3 normal) {
+    if (used + FLOATS_A_VERTEX > floats.length) {
+      floats = Arrays.copyOf(floats, 2 * floats.length);
+    }
+    floats[used++] = (float) at.x;
+    floats[used++] = (float) at.y;
+    floats[used++] = (float) at.z;
+    floats[used++] = (float) normal.x;
+    floats[used++] = (float) normal.y;
+    floats[used++] = (float) normal.z;
+    floats[used++] = red;
+    floats[used++] = green;
+    floats[used++] = blue;
+    floats[used++] = alpha;
+  }
+}

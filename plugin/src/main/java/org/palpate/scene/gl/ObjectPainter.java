@@ -1,0 +1,154 @@
+package org.palpate.scene.gl;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Map;
+import org.palpate.scene.Matrix4;
+import org.palpate.scene.SceneObject;
+import org.palpate.scene.SceneState;
+import org.palpate.scene.SceneState.DrawnObject;
+import org.palpate.scene.surface.SurfaceBrick;
+import org.palpate.scene.surface.SurfaceFile;
+
+/** Surfaces: uploads bricks that came or changed, draws those that are seen. */
+final class ObjectPainter {
+  /** More triangles than this are drawn coarser while the camera moves. */
+  private static final long TRIANGLES_WHILE_MOVING = 400_000;
+
+  private final GlProgram program;
+  private final Map<SceneObject, List<Map<Integer, GlMesh>>> meshes = new HashMap<>();
+  private long drawnTriangles;
+  private long allTriangles;
+
+  ObjectPainter(GL3 gl) {
+    program = new GlProgram(gl, Shaders.MESH_VERTEX, Shaders.MESH_FRAGMENT);
+  }
+
+  /** Triangles of the last picture that were sent to be drawn. */
+  long drawnTriangles() {
+    return drawnTriangles;
+  }
+
+  /** Triangles of the visible segments in full detail. */
+  long allTriangles() {
+    return allTriangles;
+  }
+
+  /** Draws the opaque segments, then the transparent ones, the nearest surface of each. */
+  void draw(GL3 gl, SceneState state, Matrix4 toEye, Matrix4 projection) {
+    drawnTriangles = 0;
+    allTriangles = state.objects().stream().mapToLong(o -> o.object().triangleCount(0)).sum();
+    program.use(gl);
+    program.set(gl, "projection", projection);
+    gl.glEnable(GL.GL_DEPTH_TEST);
+    gl.glDepthFunc(GL.GL_LESS);
+    gl.glDepthMask(true);
+    List<DrawnObject> transparent = new ArrayList<>();
+    for (DrawnObject object : state.objects()) {
+      if (object.opacity() >= 1) {
+        drawObject(gl, state, object, toEye, projection);
+      } else {
+        transparent.add(object);
+      }
+    }
+    transparent.sort(Comparator.comparingDouble(o -> depth(o, toEye)));
+    transparent.forEach(object -> drawTransparent(gl, state, object, toEye, projection));
+  }
+
+  private static double depth(DrawnObject object, Matrix4 toEye) {
+    var middle =
+        object.object().corner(0).add(object.object().corner(7), object.object().corner(0));
+    middle.mul(0.5, middle);
+    object.pose().transform(middle, middle);
+    toEye.project(middle, middle);
+    return middle.z;
+  }
+
+  private void drawTransparent(
+      GL3 gl, SceneState state, DrawnObject object, Matrix4 toEye, Matrix4 projection) {
+    gl.glColorMask(false, false, false, false);
+    drawObject(gl, state, object, toEye, projection);
+    gl.glColorMask(true, true, true, true);
+    gl.glEnable(GL.GL_BLEND);
+    gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
+    gl.glDepthFunc(GL.GL_EQUAL);
+    drawObject(gl, state, object, toEye, projection);
+    gl.glDepthFunc(GL.GL_LESS);
+    gl.glDisable(GL.GL_BLEND);
+  }
+
+  private void drawObject(
+      GL3 gl, SceneState state, DrawnObject object, Matrix4 toEye, Matrix4 projection) {
+    int level = level(state, object.object());
+    if (level < 0) {
+      return;
+    }
+    Map<Integer, GlMesh> uploaded = upload(gl, object.object(), level);
+    Matrix4 gridToEye = toEye.times(Matrix4.of(object.pose()));
+    Matrix4 toClip = projection.times(gridToEye);
+    program.set(gl, "toEye", gridToEye);
+    program.setRgb(gl, "colour", object.rgb());
+    program.set(gl, "opacity", object.opacity());
+    gl.glFrontFace(SurfaceFile.isMirrored(object.pose()) ? GL.GL_CW : GL.GL_CCW);
+    for (GlMesh mesh : uploaded.values()) {
+      if (!mesh.isOutside(toClip)) {
+        mesh.draw(gl);
+        drawnTriangles += mesh.triangleCount();
+      }
+    }
+    gl.glBindVertexArray(0);
+    gl.glFrontFace(GL.GL_CCW);
+  }
+
+  private int level(SceneState state, SceneObject object) {
+    int finest = object.finestComplete();
+    if (finest < 0 || !state.moving()) {
+      return finest;
+    }
+    int level = finest;
+    while (allTriangles >> (2 * level) > TRIANGLES_WHILE_MOVING
+        && level + 1 < SceneObject.LEVELS
+        && object.isComplete(level + 1)) {
+      level++;
+    }
+    return level;
+  }
+
+  private Map<Integer, GlMesh> upload(GL3 gl, SceneObject object, int level) {
+    Map<Integer, GlMesh> uploaded =
+        meshes
+            .computeIfAbsent(
+                object, key -> List.of(new HashMap<>(), new HashMap<>(), new HashMap<>()))
+            .get(level);
+    Map<Integer, SurfaceBrick> wanted = object.bricks(level);
+    dropStale(gl, uploaded, wanted);
+    wanted.forEach(
+        (number, brick) -> uploaded.computeIfAbsent(number, key -> new GlMesh(gl, brick)));
+    return uploaded;
+  }
+
+  private static void dropStale(
+      GL3 gl, Map<Integer, GlMesh> uploaded, Map<Integer, SurfaceBrick> wanted) {
+    for (Iterator<Map.Entry<Integer, GlMesh>> all = uploaded.entrySet().iterator();
+        all.hasNext(); ) {
+      Map.Entry<Integer, GlMesh> entry = all.next();
+      if (!entry.getValue().shows(wanted.get(entry.getKey()))) {
+        entry.getValue().dispose(gl);
+        all.remove();
+      }
+    }
+  }
+
+  void dispose(GL3 gl) {
+    for (List<Map<Integer, GlMesh>> levels : meshes.values()) {
+      levels.forEach(level -> level.values().forEach(mesh -> mesh.dispose(gl)));
+    }
+    meshes.clear();
+    program.dispose(gl);
+  }
+}

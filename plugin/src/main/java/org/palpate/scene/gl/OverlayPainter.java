@@ -1,0 +1,132 @@
+package org.palpate.scene.gl;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL3;
+import java.util.List;
+import org.palpate.geometry.Vec3;
+import org.palpate.scene.Camera;
+import org.palpate.scene.SceneState;
+import org.palpate.scene.Theme;
+import org.palpate.scene.WorldAxes;
+
+/** Text in the corner, help in the middle, the letters of the patient's directions. */
+final class OverlayPainter {
+  private static final int TEXT_PIXELS = 14;
+  private static final int HALF_PIXELS_OF_TRIAD = 34;
+
+  /** A letter this close to the line of sight would lie on the others. */
+  private static final double TOO_STEEP = 0.28;
+
+  private final GlProgram program;
+  private final StreamBuffer buffer;
+  private final FlatBatch batch = new FlatBatch();
+  private GlyphAtlas atlas;
+  private int atlasPixels;
+
+  OverlayPainter(GL3 gl) {
+    program = new GlProgram(gl, Shaders.FLAT_VERTEX, Shaders.FLAT_FRAGMENT);
+    buffer = new StreamBuffer(gl, 2, 2, 4);
+  }
+
+  /**
+   * Draws all text.
+   *
+   * @param scale pixels of the picture for one of the text
+   */
+  void draw(GL3 gl, SceneState state, int width, int height, double scale) {
+    prepareAtlas(gl, (int) Math.round(TEXT_PIXELS * scale));
+    batch.clear();
+    lines(state.overlay(), state.look().theme(), 14 * scale, 12 * scale, scale);
+    if (state.look().axes().hasLetters()) {
+      triad(state.camera(), state.look().theme(), 58 * scale, height - 58 * scale, scale);
+    }
+    help(state, width, height, scale);
+    send(gl, width, height);
+  }
+
+  private void prepareAtlas(GL3 gl, int pixels) {
+    if (atlas == null || pixels != atlasPixels) {
+      if (atlas != null) {
+        atlas.dispose(gl);
+      }
+      atlas = new GlyphAtlas(gl, pixels);
+      atlasPixels = pixels;
+    }
+  }
+
+  private void lines(List<String> lines, Theme theme, double x, double y, double scale) {
+    double at = y;
+    for (String line : lines) {
+      batch.colour(theme.text(), 0.92);
+      atlas.add(batch, line, x, at);
+      at += atlas.lineHeight() + 2 * scale;
+    }
+  }
+
+  private void help(SceneState state, int width, int height, double scale) {
+    List<String> lines = state.help();
+    if (lines.isEmpty()) {
+      return;
+    }
+    int widest = lines.stream().mapToInt(atlas::width).max().orElse(0);
+    double step = atlas.lineHeight() + 3 * scale;
+    double left = (width - widest) / 2.0;
+    double top = (height - lines.size() * step) / 2;
+    double edge = 22 * scale;
+    batch.colour(state.look().theme().below(), 0.86);
+    batch.panel(left - edge, top - edge, left + widest + edge, top + lines.size() * step + edge);
+    for (String line : lines) {
+      batch.colour(state.look().theme().text(), 1);
+      atlas.add(batch, line, left, top);
+      top += step;
+    }
+  }
+
+  /** Both ends of each axis as seen by the camera, with their letters, the nearer ends bright. */
+  private void triad(Camera camera, Theme theme, double x, double y, double scale) {
+    double half = HALF_PIXELS_OF_TRIAD * scale;
+    for (int i = 0; i < 6; i++) {
+      int axis = i >> 1;
+      boolean positive = (i & 1) == 0;
+      Vec3 direction = new Vec3();
+      direction.set(axis, positive ? 1 : -1);
+      double right = direction.dot(camera.right());
+      double up = direction.dot(camera.up());
+      double near = direction.dot(camera.back());
+      double length = Math.hypot(right, up);
+      if (length > TOO_STEEP) {
+        double strength = 0.75 + 0.25 * near;
+        batch.colour(theme.quiet(), 0.8 * strength);
+        batch.line(x, y, x + half * right, y - half * up, 1.6 * scale);
+        String letter = WorldAxes.letter(axis, positive);
+        double reach = half + 11 * scale / length;
+        double atX = x + reach * right - atlas.width(letter) / 2.0;
+        double atY = y - reach * up - atlas.lineHeight() / 2.0;
+        batch.colour(theme.text(), strength);
+        atlas.add(batch, letter, atX, atY);
+      }
+    }
+  }
+
+  private void send(GL3 gl, int width, int height) {
+    gl.glDisable(GL.GL_DEPTH_TEST);
+    gl.glEnable(GL.GL_BLEND);
+    gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
+    gl.glActiveTexture(GL.GL_TEXTURE0);
+    gl.glBindTexture(GL.GL_TEXTURE_2D, atlas.texture());
+    program.use(gl);
+    program.set(gl, "size", width, height);
+    program.set(gl, "atlas", 0);
+    buffer.draw(gl, batch.buffer(), batch.vertexCount());
+    gl.glDisable(GL.GL_BLEND);
+    gl.glEnable(GL.GL_DEPTH_TEST);
+  }
+
+  void dispose(GL3 gl) {
+    if (atlas != null) {
+      atlas.dispose(gl);
+    }
+    program.dispose(gl);
+    buffer.dispose(gl);
+  }
+}

@@ -1,0 +1,189 @@
+package org.palpate.scene.gl;
+
+import com.jogamp.common.nio.Buffers;
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL2ES2;
+import com.jogamp.opengl.GL2GL3;
+import com.jogamp.opengl.GL3;
+import java.nio.FloatBuffer;
+import org.palpate.geometry.Vec3;
+import org.palpate.scene.Camera;
+import org.palpate.scene.Matrix4;
+import org.palpate.scene.SceneState;
+import org.palpate.scene.Stereo;
+
+/**
+ * Draws a scene's state. What stands still (surfaces, slices, background) is drawn into a picture
+ * of its own and kept, with its depth, until it changes; a frame in which only the hand moved
+ * copies it and draws a few hundred triangles. One thread, with the context current.
+ */
+public final class SceneRenderer {
+  private static final int EYES = 2;
+
+  private final GlTarget[] still = new GlTarget[EYES];
+  private final long[] stillRevision = {-1, -1};
+  private final GlTarget composed = new GlTarget();
+  private GlProgram background;
+  private GlProgram present;
+  private ObjectPainter objects;
+  private MarkPainter marks;
+  private OverlayPainter overlay;
+  private SlicePainter slices;
+  private int[] emptyArray;
+  private long stillDrawn;
+
+  /** Makes what a context needs; again for a new context after {@link #dispose} or its loss. */
+  public void init(GL3 gl) {
+    background = new GlProgram(gl, Shaders.SCREEN_VERTEX, Shaders.BACKGROUND_FRAGMENT);
+    present = new GlProgram(gl, Shaders.SCREEN_VERTEX, Shaders.PRESENT_FRAGMENT);
+    objects = new ObjectPainter(gl);
+    marks = new MarkPainter(gl);
+    overlay = new OverlayPainter(gl);
+    slices = new SlicePainter(gl);
+    emptyArray = new int[1];
+    gl.glGenVertexArrays(1, emptyArray, 0);
+    for (int eye = 0; eye < EYES; eye++) {
+      still[eye] = new GlTarget();
+      stillRevision[eye] = -1;
+    }
+  }
+
+  /** How often what stands still was drawn anew. */
+  public long stillDrawn() {
+    return stillDrawn;
+  }
+
+  /** Triangles in the last picture of what stands still. */
+  public long drawnTriangles() {
+    return objects.drawnTriangles();
+  }
+
+  /** Triangles of the visible segments in full detail. */
+  public long allTriangles() {
+    return objects.allTriangles();
+  }
+
+  /**
+   * Draws a picture into the framebuffer that is bound.
+   *
+   * @param framebuffer where to, 0 for a window
+   * @param width of it, pixels
+   * @param scale each pixel is the mean of this many squared
+   */
+  public void draw(GL3 gl, SceneState state, int framebuffer, int width, int height, int scale) {
+    Stereo stereo = state.look().stereo();
+    int[] eyes = stereo == Stereo.OFF ? new int[] {0} : new int[] {-1, 1};
+    for (int eye : eyes) {
+      int wide = stereo == Stereo.SIDE_BY_SIDE ? width / 2 : width;
+      if (wide > 0 && height > 0) {
+        compose(gl, state, eye, wide * scale, height * scale, scale);
+        gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, framebuffer);
+        show(gl, stereo, eye, wide, height, scale);
+      }
+    }
+    gl.glBindVertexArray(0);
+    gl.glUseProgram(0);
+  }
+
+  private void compose(GL3 gl, SceneState state, int eye, int width, int height, int scale) {
+    Camera camera = state.camera();
+    Matrix4 toEye = camera.view(eye);
+    double aspect = (double) width / height;
+    Matrix4 projection = camera.perspective(eye, aspect, state.middle(), state.radiusMm());
+    GlTarget target = still[Math.max(0, eye)];
+    boolean resized = target.resize(gl, width, height);
+    if (resized || stillRevision[Math.max(0, eye)] != state.stillRevision()) {
+      drawStill(gl, state, target, toEye, projection);
+      stillRevision[Math.max(0, eye)] = state.stillRevision();
+    }
+    composed.resize(gl, width, height);
+    composed.copyFrom(gl, target);
+    composed.bind(gl);
+    state.marks().ifPresent(shown -> marks.draw(gl, state, shown, toEye, projection));
+    overlay.draw(gl, state, width, height, scale);
+  }
+
+  private void drawStill(
+      GL3 gl, SceneState state, GlTarget target, Matrix4 toEye, Matrix4 projection) {
+    target.bind(gl);
+    gl.glDepthMask(true);
+    gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT);
+    gl.glDisable(GL.GL_DEPTH_TEST);
+    background.use(gl);
+    background.setRgb(gl, "above", state.look().theme().above());
+    background.setRgb(gl, "below", state.look().theme().below());
+    drawScreen(gl);
+    gl.glEnable(GL.GL_DEPTH_TEST);
+    state.look().slices().ifPresent(planes -> slices.draw(gl, planes, toEye, projection));
+    objects.draw(gl, state, toEye, projection);
+    stillDrawn++;
+  }
+
+  private void show(GL3 gl, Stereo stereo, int eye, int width, int height, int scale) {
+    int left = stereo == Stereo.SIDE_BY_SIDE && eye > 0 ? width : 0;
+    if (stereo == Stereo.QUAD_BUFFER) {
+      gl.glDrawBuffer(eye < 0 ? GL2GL3.GL_BACK_LEFT : GL2GL3.GL_BACK_RIGHT);
+    }
+    gl.glViewport(left, 0, width, height);
+    gl.glDisable(GL.GL_DEPTH_TEST);
+    gl.glActiveTexture(GL.GL_TEXTURE0);
+    gl.glBindTexture(GL.GL_TEXTURE_2D, composed.colour());
+    present.use(gl);
+    present.set(gl, "picture", 0);
+    present.set(gl, "scale", scale);
+    present.set(gl, "corner", left, 0);
+    present.set(gl, "eye", stereo == Stereo.ANAGLYPH ? eye : 0);
+    if (stereo == Stereo.ANAGLYPH) {
+      gl.glColorMask(eye < 0, eye > 0, eye > 0, true);
+    }
+    drawScreen(gl);
+    gl.glColorMask(true, true, true, true);
+    gl.glEnable(GL.GL_DEPTH_TEST);
+  }
+
+  private void drawScreen(GL3 gl) {
+    gl.glBindVertexArray(emptyArray[0]);
+    gl.glDrawArrays(GL.GL_TRIANGLES, 0, 3);
+    gl.glBindVertexArray(0);
+  }
+
+  /**
+   * Reads how deep the still picture is at a pixel, counted from the upper left of the window.
+   *
+   * @param at receives the place in the scene frame
+   * @return whether there is a surface
+   */
+  public boolean pick(
+      GL3 gl, SceneState state, double x, double y, int width, int height, int scale, Vec3 at) {
+    if (still[0].framebuffer() == 0) {
+      return false;
+    }
+    gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, still[0].framebuffer());
+    FloatBuffer depth = Buffers.newDirectFloatBuffer(1);
+    int column = (int) (x * scale);
+    int row = (int) ((height - 1 - y) * scale);
+    gl.glReadPixels(column, row, 1, 1, GL2ES2.GL_DEPTH_COMPONENT, GL.GL_FLOAT, depth);
+    gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, 0);
+    double found = depth.get(0);
+    if (!(found < 1)) {
+      return false;
+    }
+    Ndc.toScene(state, (double) width / height, 2 * x / width - 1, 1 - 2 * y / height, found, at);
+    return true;
+  }
+
+  /** Gives everything back. */
+  public void dispose(GL3 gl) {
+    background.dispose(gl);
+    present.dispose(gl);
+    objects.dispose(gl);
+    marks.dispose(gl);
+    overlay.dispose(gl);
+    slices.dispose(gl);
+    composed.dispose(gl);
+    for (GlTarget target : still) {
+      target.dispose(gl);
+    }
+    gl.glDeleteVertexArrays(1, emptyArray, 0);
+  }
+}

@@ -1,0 +1,200 @@
+package org.palpate.scene.gl;
+
+/** The sources of the shader programs, without their version line. */
+final class Shaders {
+  private Shaders() {}
+
+  /** Light in the camera's frame: a key from the upper left, a fill, a rim, the sky above. */
+  private static final String LIGHT =
+      """
+      vec3 linear(vec3 c) { return pow(c, vec3(2.2)); }
+      vec3 lit(vec3 colour, vec3 n, vec3 toEye, float open, float shine) {
+        vec3 key = normalize(vec3(-0.45, 0.55, 0.70));
+        vec3 fill = normalize(vec3(0.75, 0.05, 0.60));
+        float k = max(dot(n, key), 0.0);
+        float f = max(dot(n, fill), 0.0);
+        float sky = 0.5 + 0.5 * n.y;
+        vec3 ambient = mix(vec3(0.11, 0.10, 0.095), vec3(0.25, 0.27, 0.30), sky);
+        float shade = mix(0.35, 1.0, open);
+        vec3 light = ambient * open * open
+            + vec3(1.00, 0.97, 0.92) * 0.92 * k * shade
+            + vec3(0.80, 0.88, 1.00) * 0.24 * f * open;
+        vec3 h = normalize(key + toEye);
+        float spec = pow(max(dot(n, h), 0.0), 42.0) * shine * open * step(0.0, k - 0.001);
+        float rim = pow(1.0 - max(dot(n, toEye), 0.0), 3.0) * 0.10 * open;
+        return colour * light + vec3(spec) + vec3(0.75, 0.85, 1.0) * rim;
+      }
+      vec3 shown(vec3 c) { return pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2)); }
+      """;
+
+  static final String MESH_VERTEX =
+      """
+      layout(location = 0) in vec3 position;
+      layout(location = 1) in vec4 normalAndOpenness;
+      uniform mat4 toEye;
+      uniform mat4 projection;
+      out vec3 eyePosition;
+      out vec3 eyeNormal;
+      out float openness;
+      void main() {
+        vec4 p = toEye * vec4(position, 1);
+        eyePosition = p.xyz;
+        eyeNormal = mat3(toEye) * normalAndOpenness.xyz;
+        openness = normalAndOpenness.w;
+        gl_Position = projection * p;
+      }
+      """;
+
+  static final String MESH_FRAGMENT =
+      LIGHT
+          + """
+          in vec3 eyePosition;
+          in vec3 eyeNormal;
+          in float openness;
+          uniform vec3 colour;
+          uniform float opacity;
+          out vec4 result;
+          void main() {
+            vec3 toEye = normalize(-eyePosition);
+            vec3 n = normalize(eyeNormal);
+            bool inside = !gl_FrontFacing;
+            if (inside) n = -n;
+            vec3 c = lit(linear(colour), n, toEye, clamp(openness, 0.0, 1.0), inside ? 0.0 : 0.16);
+            if (inside) c *= 0.6;
+            result = vec4(shown(c), opacity);
+          }
+          """;
+
+  static final String MARK_VERTEX =
+      """
+      layout(location = 0) in vec3 position;
+      layout(location = 1) in vec3 normal;
+      layout(location = 2) in vec4 colour;
+      uniform mat4 toEye;
+      uniform mat4 projection;
+      out vec3 eyePosition;
+      out vec3 eyeNormal;
+      out vec4 tint;
+      void main() {
+        vec4 p = toEye * vec4(position, 1);
+        eyePosition = p.xyz;
+        eyeNormal = mat3(toEye) * normal;
+        tint = colour;
+        gl_Position = projection * p;
+      }
+      """;
+
+  static final String MARK_FRAGMENT =
+      LIGHT
+          + """
+          in vec3 eyePosition;
+          in vec3 eyeNormal;
+          in vec4 tint;
+          uniform float opacity;
+          out vec4 result;
+          void main() {
+            vec3 n = normalize(eyeNormal);
+            vec3 c = lit(linear(tint.rgb) * 1.25, n, normalize(-eyePosition), 1.0, 0.35);
+            result = vec4(shown(c), tint.a * opacity);
+          }
+          """;
+
+  /** A triangle that covers the picture; {@code place} runs from 0 to 1. */
+  static final String SCREEN_VERTEX =
+      """
+      out vec2 place;
+      void main() {
+        place = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+        gl_Position = vec4(place * 2.0 - 1.0, 1.0, 1.0);
+      }
+      """;
+
+  static final String BACKGROUND_FRAGMENT =
+      """
+      in vec2 place;
+      uniform vec3 above;
+      uniform vec3 below;
+      out vec4 result;
+      void main() {
+        float d = length((place - vec2(0.5, 0.55)) * vec2(1.1, 1.0));
+        float noise = fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453);
+        vec3 c = mix(above, below, smoothstep(0.0, 0.85, d));
+        result = vec4(c + (noise - 0.5) / 255.0, 1);
+      }
+      """;
+
+  /** Shows a drawn picture, each pixel the mean of {@code scale} squared drawn ones. */
+  static final String PRESENT_FRAGMENT =
+      """
+      in vec2 place;
+      uniform sampler2D picture;
+      uniform int scale;
+      uniform vec2 corner;
+      uniform int eye;
+      out vec4 result;
+      void main() {
+        ivec2 from = ivec2(gl_FragCoord.xy - corner) * scale;
+        vec3 sum = vec3(0);
+        for (int y = 0; y < scale; y++)
+          for (int x = 0; x < scale; x++)
+            sum += texelFetch(picture, from + ivec2(x, y), 0).rgb;
+        vec3 c = sum / float(scale * scale);
+        float grey = dot(c, vec3(0.299, 0.587, 0.114));
+        if (eye != 0) c = mix(vec3(grey), c, 0.5);
+        result = vec4(c, 1);
+      }
+      """;
+
+  static final String FLAT_VERTEX =
+      """
+      layout(location = 0) in vec2 position;
+      layout(location = 1) in vec2 texture;
+      layout(location = 2) in vec4 colour;
+      uniform vec2 size;
+      out vec2 at;
+      out vec4 tint;
+      void main() {
+        at = texture;
+        tint = colour;
+        gl_Position = vec4(position / size * vec2(2, -2) + vec2(-1, 1), 0, 1);
+      }
+      """;
+
+  /** Letters and panels; a texture place below 0 is a panel. */
+  static final String FLAT_FRAGMENT =
+      """
+      in vec2 at;
+      in vec4 tint;
+      uniform sampler2D atlas;
+      out vec4 result;
+      void main() {
+        float cover = at.x < 0.0 ? 1.0 : texture(atlas, at).r;
+        result = vec4(tint.rgb, tint.a * cover);
+      }
+      """;
+
+  static final String SLICE_VERTEX =
+      """
+      layout(location = 0) in vec3 position;
+      layout(location = 1) in vec2 texture;
+      uniform mat4 toEye;
+      uniform mat4 projection;
+      out vec2 at;
+      void main() {
+        at = texture;
+        gl_Position = projection * toEye * vec4(position, 1);
+      }
+      """;
+
+  static final String SLICE_FRAGMENT =
+      """
+      in vec2 at;
+      uniform sampler2D slice;
+      out vec4 result;
+      void main() {
+        float grey = texture(slice, at).r;
+        if (grey < 0.02) discard;
+        result = vec4(vec3(grey), 1);
+      }
+      """;
+}

@@ -1,0 +1,111 @@
+package org.palpate.scene.gl;
+
+import com.jogamp.common.nio.Buffers;
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL2ES2;
+import com.jogamp.opengl.GL3;
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.util.Arrays;
+import org.palpate.geometry.Vec3;
+import org.palpate.scene.Matrix4;
+import org.palpate.scene.SlicePlanes;
+
+/** Up to three planes of grey values. */
+final class SlicePainter {
+  private static final int[][] CORNERS = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+
+  private final GlProgram program;
+  private final StreamBuffer buffer;
+  private final int[] textures = new int[3];
+  private final int[] shown = {-1, -1, -1};
+  private SlicePlanes.Grey source;
+
+  SlicePainter(GL3 gl) {
+    program = new GlProgram(gl, Shaders.SLICE_VERTEX, Shaders.SLICE_FRAGMENT);
+    buffer = new StreamBuffer(gl, 3, 2);
+    gl.glGenTextures(3, textures, 0);
+  }
+
+  void draw(GL3 gl, SlicePlanes slices, Matrix4 toEye, Matrix4 projection) {
+    if (source != slices.grey()) {
+      source = slices.grey();
+      Arrays.fill(shown, -1);
+    }
+    program.use(gl);
+    program.set(gl, "toEye", toEye);
+    program.set(gl, "projection", projection);
+    program.set(gl, "slice", 0);
+    gl.glActiveTexture(GL.GL_TEXTURE0);
+    for (int axis = 0; axis < 3; axis++) {
+      if (slices.plane(axis) >= 0) {
+        gl.glBindTexture(GL.GL_TEXTURE_2D, textures[axis]);
+        upload(gl, slices, axis);
+        buffer.draw(gl, corners(slices, axis), CORNERS.length);
+      }
+    }
+  }
+
+  private void upload(GL3 gl, SlicePlanes slices, int axis) {
+    if (shown[axis] == slices.plane(axis)) {
+      return;
+    }
+    shown[axis] = slices.plane(axis);
+    int width = source.size((axis + 1) % 3);
+    int height = source.size((axis + 2) % 3);
+    ByteBuffer bytes = Buffers.newDirectByteBuffer(width * height);
+    double scale = 255 / (source.white() - source.black());
+    for (int v = 0; v < height; v++) {
+      for (int u = 0; u < width; u++) {
+        double grey = (value(axis, shown[axis], u, v) - source.black()) * scale;
+        bytes.put((byte) (int) Math.max(0, Math.min(255, grey)));
+      }
+    }
+    gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1);
+    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MIN_FILTER, GL.GL_LINEAR);
+    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MAG_FILTER, GL.GL_LINEAR);
+    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_WRAP_S, GL.GL_CLAMP_TO_EDGE);
+    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_WRAP_T, GL.GL_CLAMP_TO_EDGE);
+    gl.glTexImage2D(
+        GL.GL_TEXTURE_2D,
+        0,
+        GL2ES2.GL_R8,
+        width,
+        height,
+        0,
+        GL2ES2.GL_RED,
+        GL.GL_UNSIGNED_BYTE,
+        bytes.flip());
+  }
+
+  private double value(int axis, int plane, int u, int v) {
+    int[] voxel = new int[3];
+    voxel[axis] = plane;
+    voxel[(axis + 1) % 3] = u;
+    voxel[(axis + 2) % 3] = v;
+    return source.value(voxel[0], voxel[1], voxel[2]);
+  }
+
+  private FloatBuffer corners(SlicePlanes slices, int axis) {
+    FloatBuffer floats = Buffers.newDirectFloatBuffer(5 * CORNERS.length);
+    Vec3 spacing = slices.spacingMm();
+    Vec3 at = new Vec3();
+    int u = (axis + 1) % 3;
+    int v = (axis + 2) % 3;
+    for (int[] corner : CORNERS) {
+      at.set(axis, (slices.plane(axis) + 0.5) * spacing.get(axis));
+      at.set(u, corner[0] * source.size(u) * spacing.get(u));
+      at.set(v, corner[1] * source.size(v) * spacing.get(v));
+      slices.pose().transform(at, at);
+      floats.put((float) at.x).put((float) at.y).put((float) at.z);
+      floats.put(corner[0]).put(corner[1]);
+    }
+    return floats.flip();
+  }
+
+  void dispose(GL3 gl) {
+    gl.glDeleteTextures(3, textures, 0);
+    program.dispose(gl);
+    buffer.dispose(gl);
+  }
+}
