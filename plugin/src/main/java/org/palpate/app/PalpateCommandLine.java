@@ -32,7 +32,8 @@ public final class PalpateCommandLine {
   public PalpateCommandLine(PrintStream out, PrintStream err) {
     this.err = err;
     commandLine = new CommandLine(new Root());
-    List.of(new InfoCommand(), new DevicesCommand()).forEach(commandLine::addSubcommand);
+    List.of(new InfoCommand(), new DevicesCommand(), new RenderCommand())
+        .forEach(commandLine::addSubcommand);
     ServiceLoader.load(CommandProvider.class)
         .forEach(provider -> commandLine.addSubcommand(provider.command()));
     commandLine

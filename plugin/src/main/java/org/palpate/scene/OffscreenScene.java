@@ -1,14 +1,11 @@
 package org.palpate.scene;
 
-import com.jogamp.common.nio.Buffers;
-import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLCapabilities;
 import com.jogamp.opengl.GLDrawableFactory;
 import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLOffscreenAutoDrawable;
 import com.jogamp.opengl.GLProfile;
-import java.nio.ByteBuffer;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.gl.SceneRenderer;
 
@@ -16,8 +13,6 @@ import org.palpate.scene.gl.SceneRenderer;
  * Draws a scene into memory; needs a display to reach the driver, but opens no window. One thread.
  */
 public final class OffscreenScene implements AutoCloseable {
-  private static final int BYTES_A_PIXEL = 4;
-
   private final int width;
   private final int height;
   private final int scale;
@@ -79,29 +74,13 @@ public final class OffscreenScene implements AutoCloseable {
 
   /** Draws a state and reads it back. */
   public Picture draw(SceneState state) {
-    int[] rgb = new int[width * height];
+    Picture[] picture = new Picture[1];
     withContext(
         gl -> {
           renderer.draw(gl, state, gl.getDefaultDrawFramebuffer(), width, height, scale);
-          read(gl, rgb);
+          picture[0] = PixelReader.read(gl, width, height);
         });
-    return new Picture(width, height, rgb);
-  }
-
-  private void read(GL3 gl, int[] rgb) {
-    gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, gl.getDefaultReadFramebuffer());
-    ByteBuffer bytes = Buffers.newDirectByteBuffer(width * height * BYTES_A_PIXEL);
-    gl.glPixelStorei(GL.GL_PACK_ALIGNMENT, 1);
-    gl.glReadPixels(0, 0, width, height, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, bytes);
-    for (int y = 0; y < height; y++) {
-      for (int x = 0; x < width; x++) {
-        int at = ((height - 1 - y) * width + x) * BYTES_A_PIXEL;
-        rgb[y * width + x] =
-            ((bytes.get(at) & 255) << 16)
-                | ((bytes.get(at + 1) & 255) << 8)
-                | (bytes.get(at + 2) & 255);
-      }
-    }
+    return picture[0];
   }
 
   /** Writes the place that a pixel of the last picture shows into {@code at}. */

@@ -17,6 +17,7 @@ import org.palpate.scene.surface.SurfaceBuild;
 import org.palpate.scene.surface.SurfaceBuilder;
 import org.palpate.scene.surface.SurfaceExtractor;
 import org.palpate.scene.surface.SurfaceSource;
+import org.palpate.scene.surface.WeldedSurface;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
@@ -28,6 +29,8 @@ import org.palpate.volume.VoxelGrid;
 public final class SceneLoader implements AutoCloseable {
   /** Levels in the order in which they are made. */
   private static final int[] COARSE_FIRST = {2, 1, 0};
+
+  private static final double SURROUNDING_OPACITY = 0.3;
 
   private final SceneModel model;
   private final SurfaceBuilder builder;
@@ -48,6 +51,7 @@ public final class SceneLoader implements AutoCloseable {
             ? Openness.EVERYWHERE
             : new DensityOpenness(segments.stream().map(Segment::bits).toList());
     segments.forEach(this::add);
+    showWhatIsInside();
     for (int level : COARSE_FIRST) {
       for (int i = 0; i < objects.size(); i++) {
         builds.add(build(i, level));
@@ -69,6 +73,15 @@ public final class SceneLoader implements AutoCloseable {
     RigidTransform pose = grid.gridMmToWorld();
     objects.add(model.add(segment.name(), segment.rgb(), pose, low, high));
     sources.add(SurfaceSource.ofBits(segment.bits(), spacing));
+  }
+
+  /** Draws a segment that surrounds all others, such as skin, translucent. */
+  private void showWhatIsInside() {
+    for (SceneObject object : objects) {
+      if (objects.size() > 1 && objects.stream().allMatch(object::surrounds)) {
+        model.setOpacity(object, SURROUNDING_OPACITY);
+      }
+    }
   }
 
   private SurfaceBuild build(int number, int level) {
@@ -144,6 +157,12 @@ public final class SceneLoader implements AutoCloseable {
         touched,
         (brick, mesh) -> put(object, 0, brick, mesh),
         model::surfaceChanged);
+  }
+
+  /** The finest surfaces of all segments; whole only after {@link #await}. */
+  public WeldedSurface weldedSurface() {
+    return WeldedSurface.together(
+        objects.stream().map(object -> WeldedSurface.of(object.bricks(0).values())).toList());
   }
 
   /** Stops the work; what is there stays. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.UnaryOperator;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
@@ -16,6 +17,9 @@ import org.palpate.scene.SceneState.Look;
  * for none.
  */
 public final class SceneModel {
+  /** One count for all models, so that a renderer never takes one for the other. */
+  private static final AtomicLong REVISIONS = new AtomicLong();
+
   private final WorldAxes axes;
   private final List<SceneObject> objects = new ArrayList<>();
   private final List<Runnable> redrawRequests = new CopyOnWriteArrayList<>();
@@ -58,7 +62,7 @@ public final class SceneModel {
     synchronized (this) {
       objects.add(object);
       fitBall();
-      stillRevision++;
+      stillRevision = REVISIONS.incrementAndGet();
     }
     requestRedraw();
     return object;
@@ -73,7 +77,7 @@ public final class SceneModel {
   public void look(StandardView view, double aspect) {
     synchronized (this) {
       camera = Camera.seeing(middle, corners(), view, aspect);
-      stillRevision++;
+      stillRevision = REVISIONS.incrementAndGet();
     }
     requestRedraw();
   }
@@ -87,7 +91,7 @@ public final class SceneModel {
     synchronized (this) {
       camera = move.apply(camera);
       moving = stillMoving;
-      stillRevision++;
+      stillRevision = REVISIONS.incrementAndGet();
     }
     requestRedraw();
   }
@@ -115,12 +119,22 @@ public final class SceneModel {
         true);
   }
 
-  /** Colours a segment: 0xRRGGBB, and 0 to 1. */
-  public void setColour(SceneObject object, int rgb, double opacity) {
+  /** Colours a segment: 0xRRGGBB. */
+  public void setColour(SceneObject object, int rgb) {
     change(
         () -> {
-          boolean differs = object.rgb != rgb || object.opacity != opacity;
+          boolean differs = object.rgb != rgb;
           object.rgb = rgb;
+          return differs;
+        },
+        true);
+  }
+
+  /** Makes a segment opaque, 1, or less so; 0 hides it. */
+  public void setOpacity(SceneObject object, double opacity) {
+    change(
+        () -> {
+          boolean differs = object.opacity != opacity;
           object.opacity = opacity;
           return differs;
         },
@@ -205,7 +219,7 @@ public final class SceneModel {
     synchronized (this) {
       differs = change.apply();
       if (differs && still) {
-        stillRevision++;
+        stillRevision = REVISIONS.incrementAndGet();
       }
     }
     if (differs) {

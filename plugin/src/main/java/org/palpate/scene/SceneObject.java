@@ -47,6 +47,16 @@ public final class SceneObject {
         (number & 4) == 0 ? lowMm.z : highMm.z);
   }
 
+  /** Whether the box of this holds that of another, or is it. */
+  boolean surrounds(SceneObject other) {
+    return lowMm.x <= other.lowMm.x
+        && lowMm.y <= other.lowMm.y
+        && lowMm.z <= other.lowMm.z
+        && highMm.x >= other.highMm.x
+        && highMm.y >= other.highMm.y
+        && highMm.z >= other.highMm.z;
+  }
+
   /** The bricks of a level by their numbers; may change while read. */
   public Map<Integer, SurfaceBrick> bricks(int level) {
     return levels.get(level);

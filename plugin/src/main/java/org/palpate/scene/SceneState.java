@@ -46,5 +46,21 @@ public record SceneState(
   public record DrawnObject(SceneObject object, int rgb, double opacity, RigidTransform pose) {}
 
   /** How it is drawn. */
-  public record Look(Theme theme, WorldAxes axes, Stereo stereo, Optional<SlicePlanes> slices) {}
+  public record Look(Theme theme, WorldAxes axes, Stereo stereo, Optional<SlicePlanes> slices) {
+    /** The same in another kind of stereo. */
+    public Look with(Stereo other) {
+      return new Look(theme, axes, other, slices);
+    }
+
+    /** The same with other slices. */
+    public Look with(Optional<SlicePlanes> other) {
+      return new Look(theme, axes, stereo, other);
+    }
+
+    /** The same, dark where it was light. */
+    public Look withOtherTheme() {
+      Theme other = theme == Theme.DARK ? Theme.LIGHT : Theme.DARK;
+      return new Look(other, axes, stereo, slices);
+    }
+  }
 }

@@ -61,7 +61,10 @@ final class Shaders {
             if (inside) n = -n;
             vec3 c = lit(linear(colour), n, toEye, clamp(openness, 0.0, 1.0), inside ? 0.0 : 0.16);
             if (inside) c *= 0.6;
-            result = vec4(shown(c), opacity);
+            // Glass shows most at its rim; what is opaque stays so.
+            float rim = pow(1.0 - max(dot(n, toEye), 0.0), 2.0);
+            float cover = opacity < 1.0 ? min(1.0, opacity * mix(0.5, 2.0, rim)) : 1.0;
+            result = vec4(shown(c), cover);
           }
           """;
 
@@ -117,9 +120,8 @@ final class Shaders {
       out vec4 result;
       void main() {
         float d = length((place - vec2(0.5, 0.55)) * vec2(1.1, 1.0));
-        float noise = fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453);
         vec3 c = mix(above, below, smoothstep(0.0, 0.85, d));
-        result = vec4(c + (noise - 0.5) / 255.0, 1);
+        result = vec4(c, 1);
       }
       """;
 

@@ -1,21 +1,18 @@
 package org.palpate.scene.surface;
 
-import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Locale;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
  * Surfaces as binary STL or PLY files, in world millimetres, outward side counter-clockwise even
- * where the transform mirrors. The file appears whole or not at all.
+ * where the transform mirrors.
  */
 public final class SurfaceFile {
   private static final int STL_HEADER_BYTES = 80;
@@ -25,38 +22,28 @@ public final class SurfaceFile {
 
   private SurfaceFile() {}
 
+  /** Whether a file's name ends with .stl or .ply. */
   public static boolean isSurfaceName(Path file) {
     return isStl(file) || isPly(file);
   }
 
   /**
-   * Writes a surface in the format that the file's name ends with.
+   * Writes a surface as binary STL, or as binary little-endian PLY with normals.
    *
    * @param gridMmToWorld where the surface stands
-   * @throws IllegalArgumentException where the name ends with neither .stl nor .ply
    */
-  public static void write(WeldedSurface surface, RigidTransform gridMmToWorld, Path file)
+  public static void write(
+      WeldedSurface surface, RigidTransform gridMmToWorld, boolean stl, OutputStream out)
       throws IOException {
-    if (!isSurfaceName(file)) {
-      throw new IllegalArgumentException("not a .stl or .ply name: file=" + file);
-    }
-    Path directory = file.toAbsolutePath().getParent();
-    Path part = Files.createTempFile(directory, ".palpate-", ".part");
-    try {
-      try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(part), 1 << 16)) {
-        if (isStl(file)) {
-          writeStl(surface, gridMmToWorld, out);
-        } else {
-          writePly(surface, gridMmToWorld, out);
-        }
-      }
-      Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
-    } finally {
-      Files.deleteIfExists(part);
+    if (stl) {
+      writeStl(surface, gridMmToWorld, out);
+    } else {
+      writePly(surface, gridMmToWorld, out);
     }
   }
 
-  private static boolean isStl(Path file) {
+  /** Whether a file's name ends with .stl. */
+  public static boolean isStl(Path file) {
     return file.toString().toLowerCase(Locale.ROOT).endsWith(".stl");
   }
 
@@ -64,9 +51,8 @@ public final class SurfaceFile {
     return file.toString().toLowerCase(Locale.ROOT).endsWith(".ply");
   }
 
-  /** Writes binary STL. */
-  static void writeStl(WeldedSurface surface, RigidTransform gridMmToWorld, OutputStream out)
-      throws IOException {
+  private static void writeStl(
+      WeldedSurface surface, RigidTransform gridMmToWorld, OutputStream out) throws IOException {
     byte[] header = new byte[STL_HEADER_BYTES];
     byte[] title = "Palpate surface, mm".getBytes(StandardCharsets.US_ASCII);
     System.arraycopy(title, 0, header, 0, title.length);
@@ -102,9 +88,8 @@ public final class SurfaceFile {
     record.putShort((short) 0);
   }
 
-  /** Writes binary little-endian PLY with normals. */
-  static void writePly(WeldedSurface surface, RigidTransform gridMmToWorld, OutputStream out)
-      throws IOException {
+  private static void writePly(
+      WeldedSurface surface, RigidTransform gridMmToWorld, OutputStream out) throws IOException {
     out.write(plyHeader(surface).getBytes(StandardCharsets.US_ASCII));
     float[] world = toWorld(surface.positionsMm(), gridMmToWorld);
     byte[] vertexBytes = new byte[PLY_VERTEX_BYTES];

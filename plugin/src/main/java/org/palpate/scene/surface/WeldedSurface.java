@@ -2,6 +2,7 @@ package org.palpate.scene.surface;
 
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.List;
 
 /**
  * Bricks made one: every vertex once. Immutable by convention: its arrays are not to be changed.
@@ -28,6 +29,26 @@ public final class WeldedSurface {
     Welder welder = new Welder(vertices, corners);
     bricks.forEach(welder::add);
     return welder.welded();
+  }
+
+  /** Several surfaces side by side, not welded to each other. */
+  public static WeldedSurface together(List<WeldedSurface> parts) {
+    WeldedSurface all =
+        new WeldedSurface(
+            new float[parts.stream().mapToInt(part -> part.positionsMm.length).sum()],
+            new short[parts.stream().mapToInt(part -> part.normals.length).sum()],
+            new int[parts.stream().mapToInt(part -> part.triangles.length).sum()]);
+    int vertices = 0;
+    int corners = 0;
+    for (WeldedSurface part : parts) {
+      System.arraycopy(part.positionsMm, 0, all.positionsMm, 3 * vertices, part.positionsMm.length);
+      System.arraycopy(part.normals, 0, all.normals, 4 * vertices, part.normals.length);
+      for (int corner : part.triangles) {
+        all.triangles[corners++] = corner + vertices;
+      }
+      vertices += part.vertexCount();
+    }
+    return all;
   }
 
   /** x, y, z of each vertex, grid millimetres. */

@@ -21,7 +21,7 @@ class SurfaceExtractorTest {
 
   @Test
   void aSurfaceOfRandomVoxelsIsClosed() {
-    for (int round = 0; round < 30; round++) {
+    for (int round = 0; round < 12; round++) {
       BitCube bits = Shapes.random(9, 8, 7, 0.1 + 0.8 * random.nextDouble(), random);
       assertClosed(Shapes.surface(SurfaceSource.ofBits(bits, new Vec3(1, 0.5, 2))));
     }
@@ -144,7 +144,7 @@ class SurfaceExtractorTest {
     BitCube bits = Shapes.random(17, 19, 13, 0.4, random);
     SurfaceSource source = SurfaceSource.ofBits(bits, new Vec3(0.977, 0.977, 1.4));
     Set<List<Float>> expected = triangles(Shapes.bricks(source, 40));
-    for (int edge : new int[] {1, 3, 8, 17}) {
+    for (int edge : new int[] {5, 8, 17}) {
       assertEquals(expected, triangles(Shapes.bricks(source, edge)), "brick edge " + edge + said());
       assertClosed(WeldedSurface.of(Shapes.bricks(source, edge)));
     }

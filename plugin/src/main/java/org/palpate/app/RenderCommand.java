@@ -1,0 +1,277 @@
+package org.palpate.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeoutException;
+import javax.imageio.ImageIO;
+import org.palpate.io.NewFile;
+import org.palpate.io.VolumeHeader;
+import org.palpate.scene.Graphics;
+import org.palpate.scene.GraphicsException;
+import org.palpate.scene.OffscreenScene;
+import org.palpate.scene.Picture;
+import org.palpate.scene.SceneLoader;
+import org.palpate.scene.SceneModel;
+import org.palpate.scene.SceneObject;
+import org.palpate.scene.StandardView;
+import org.palpate.scene.Stereo;
+import org.palpate.scene.Theme;
+import org.palpate.scene.WorldAxes;
+import org.palpate.scene.surface.SurfaceFile;
+import org.palpate.scene.surface.WeldedSurface;
+import org.palpate.volume.SegmentedVolume;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Makes a picture of a volume's segments, or writes their surface. */
+@Command(
+    name = "render",
+    description = {
+      "Makes a picture of the scene, as PNG, or writes its surface, as STL or PLY, world mm.",
+      "Where there is no display it starts one of its own, if Xvfb is installed."
+    },
+    footer = {
+      "",
+      "Examples:",
+      "  palpate render --out head.png",
+      "  palpate render --volume scan.nrrd --segment 'bone=>=1500' --out x.png --size 1280x960",
+      "  palpate render --phantom torus:192 --view head --theme light --out torus.png",
+      "  palpate render --phantom head:256 --trajectory t.csv --out touched.png",
+      "  palpate render --volume labels.nrrd --out labels.ply"
+    })
+final class RenderCommand implements Callable<Integer> {
+  private static final long PATIENCE_MS = 600_000;
+  private static final int SMOOTHING_SCALE = 2;
+  private static final int LARGEST_EDGE = 8192;
+
+  @Spec private CommandSpec spec;
+  @Mixin private VolumeOptions volume;
+  @Mixin private OutputOptions output;
+
+  @Option(
+      names = "--out",
+      paramLabel = "FILE",
+      required = true,
+      description = "The picture, .png, or the surface, .stl or .ply.")
+  private Path outFile;
+
+  @Option(
+      names = "--size",
+      paramLabel = "WxH",
+      defaultValue = "1280x960",
+      description = "Pixels of the picture. Default: ${DEFAULT-VALUE}.")
+  private String size;
+
+  @Option(
+      names = "--view",
+      paramLabel = "NAME",
+      defaultValue = "oblique",
+      description = "From where: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+  private StandardView view;
+
+  @Option(
+      names = "--upside-down",
+      description = "Turn the picture half round, for a file whose axes point the wrong way.")
+  private boolean upsideDown;
+
+  @Option(
+      names = "--zoom",
+      paramLabel = "FACTOR",
+      defaultValue = "1",
+      description = "Nearer by this factor. Default: ${DEFAULT-VALUE}.")
+  private double zoom;
+
+  @Option(
+      names = "--theme",
+      paramLabel = "NAME",
+      defaultValue = "dark",
+      description = "${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+  private Theme theme;
+
+  @Option(
+      names = "--opacity",
+      paramLabel = "NAME=SHARE",
+      description = {
+        "How opaque a segment is, 0 (hidden) to 1; may be given again. Default: 1, but 0.3 for a",
+        "segment that surrounds all others."
+      })
+  private Map<String, Double> opacities = new LinkedHashMap<>();
+
+  @Option(
+      names = "--stereo",
+      paramLabel = "NAME",
+      defaultValue = "off",
+      description = "off, anaglyph or side-by-side. Default: ${DEFAULT-VALUE}.",
+      converter = StereoConverter.class)
+  private Stereo stereo;
+
+  private int width;
+  private int height;
+
+  @Override
+  public Integer call() throws IOException {
+    parseSize();
+    check();
+    boolean surfaceOnly = SurfaceFile.isSurfaceName(outFile);
+    if (!surfaceOnly && !Graphics.hasDisplay()) {
+      return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
+    }
+    VolumeSource source = VolumeSource.open(volume);
+    Outputs.checked("--out", outFile, source.files());
+    Report report = new Report("render", output.report(), source.files());
+    SegmentedVolume segments = source.segments();
+    SceneModel model = new SceneModel(axes(source.header().world()), theme);
+    long started = System.nanoTime();
+    try (SceneLoader loader =
+        new SceneLoader(model, segments, Runtime.getRuntime().availableProcessors())) {
+      awaitSurfaces(loader, source);
+      report.put("surface_ms", millisSince(started));
+      report.put("triangles", triangles(model));
+      if (surfaceOnly) {
+        writeSurface(loader, segments);
+      } else {
+        report.put("draw_ms", drawPicture(model));
+      }
+    }
+    report.putVolume(source, segments.segments());
+    report.write();
+    return 0;
+  }
+
+  private void parseSize() {
+    String[] parts = size.toLowerCase(Locale.ROOT).split("x", -1);
+    try {
+      width = Integer.parseInt(parts[0]);
+      height = Integer.parseInt(parts[parts.length - 1]);
+    } catch (NumberFormatException e) {
+      width = 0;
+    }
+    boolean fits = width >= 16 && height >= 16 && width <= LARGEST_EDGE && height <= LARGEST_EDGE;
+    if (parts.length != 2 || !fits) {
+      throw PalpateException.wrongUse(
+          "not a size from 16 to " + LARGEST_EDGE, "--size " + size, "try --size 1280x960");
+    }
+  }
+
+  private void check() {
+    if (!(zoom > 0) || Double.isInfinite(zoom)) {
+      throw PalpateException.wrongUse(
+          "a positive number is needed", "--zoom " + zoom, "try --zoom 2");
+    }
+    if (stereo == Stereo.QUAD_BUFFER) {
+      throw PalpateException.wrongUse(
+          "a picture has no two buffers", "--stereo quad-buffer", "try --stereo side-by-side");
+    }
+    String name = outFile.toString().toLowerCase(Locale.ROOT);
+    if (!name.endsWith(".png") && !SurfaceFile.isSurfaceName(outFile)) {
+      throw PalpateException.wrongUse(
+          "not a kind of file that can be made", "--out " + outFile, "use .png, .stl or .ply");
+    }
+  }
+
+  /** The scene's name for the way a file's axes point. */
+  static WorldAxes axes(VolumeHeader.World world) {
+    return switch (world) {
+      case LPS -> WorldAxes.LPS;
+      case RAS -> WorldAxes.RAS;
+      case LAS -> WorldAxes.LAS;
+      case UNKNOWN -> WorldAxes.UNKNOWN;
+    };
+  }
+
+  private static void awaitSurfaces(SceneLoader loader, VolumeSource source) {
+    try {
+      loader.await(PATIENCE_MS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw interrupted(source, e);
+    } catch (TimeoutException e) {
+      throw interrupted(source, e);
+    }
+  }
+
+  private static PalpateException interrupted(VolumeSource source, Exception cause) {
+    return PalpateException.failed(
+        "the surface was not made",
+        source.name(),
+        "try again on a machine with more to give",
+        cause);
+  }
+
+  private static long triangles(SceneModel model) {
+    return model.objects().stream().mapToLong(object -> object.triangleCount(0)).sum();
+  }
+
+  private static double millisSince(long nanos) {
+    return (System.nanoTime() - nanos) / 1e6;
+  }
+
+  private double drawPicture(SceneModel model) throws IOException {
+    double aspect = (double) width / height;
+    model.look(view, aspect);
+    model.moveCamera(camera -> (upsideDown ? camera.upsideDown() : camera).zoom(1 / zoom), false);
+    model.changeLook(look -> look.with(stereo));
+    opacities.forEach((name, share) -> setOpacity(model, name, share));
+    try (OffscreenScene scene = new OffscreenScene(width, height, SMOOTHING_SCALE)) {
+      long started = System.nanoTime();
+      Picture picture = scene.draw(model.state());
+      double millis = millisSince(started);
+      writePicture(picture);
+      return millis;
+    } catch (GraphicsException e) {
+      throw PalpateException.failed(e.what(), "render", e.remedy(), e);
+    }
+  }
+
+  private static void setOpacity(SceneModel model, String name, double share) {
+    SceneObject object =
+        model.objects().stream()
+            .filter(each -> each.name().equals(name))
+            .findFirst()
+            .orElseThrow(
+                () ->
+                    PalpateException.wrongUse(
+                        "there is no such segment", "--opacity " + name, "see palpate info"));
+    if (!(share >= 0 && share <= 1)) {
+      throw PalpateException.wrongUse(
+          "not a share from 0 to 1", "--opacity " + name + "=" + share, "try --opacity name=0.5");
+    }
+    model.setOpacity(object, share);
+  }
+
+  private void writePicture(Picture picture) {
+    try (NewFile file = new NewFile(outFile)) {
+      ImageIO.write(picture.toImage(), "png", file.stream());
+      file.commit();
+    } catch (IOException e) {
+      throw Outputs.failed(outFile, e);
+    }
+  }
+
+  private void writeSurface(SceneLoader loader, SegmentedVolume segments) {
+    try (NewFile file = new NewFile(outFile)) {
+      WeldedSurface surface = loader.weldedSurface();
+      SurfaceFile.write(
+          surface, segments.grid().gridMmToWorld(), SurfaceFile.isStl(outFile), file.stream());
+      file.commit();
+    } catch (IOException e) {
+      throw Outputs.failed(outFile, e);
+    }
+  }
+
+  /** Takes a name with hyphens. */
+  static final class StereoConverter implements ITypeConverter<Stereo> {
+    @Override
+    public Stereo convert(String name) {
+      return Stereo.valueOf(name.toUpperCase(Locale.ROOT).replace('-', '_'));
+    }
+  }
+}

@@ -1,0 +1,143 @@
+package org.palpate.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.sync.Accumulator;
+import org.palpate.sync.TouchProperties;
+import org.palpate.volume.VoxelGrid;
+
+class TouchSyncTest {
+  private static final long PATIENCE_S = 60;
+
+  private final TouchProperties properties = new TouchProperties(new Accumulator());
+  private final VoxelGrid grid =
+      new VoxelGrid(
+          10,
+          10,
+          10,
+          new Vec3(1, 1, 2),
+          new RigidTransform(
+              new Vec3(0, 1, 0), new Vec3(1, 0, 0), new Vec3(0, 0, 1), new Vec3(5, 6, 7)));
+  private final SceneModel model = new SceneModel(WorldAxes.RAS, Theme.DARK);
+  private final TouchSync sync = new TouchSync(properties, grid, model, List::of);
+  private final AtomicInteger redraws = new AtomicInteger();
+
+  @Test
+  void aThousandFramesBetweenTwoTicksAreOneRedrawOfTheLast() {
+    model.onChange(redraws::incrementAndGet);
+    for (int frame = 1; frame <= 1000; frame++) {
+      publish(frame / 1000.0, frame);
+    }
+    sync.run();
+    assertEquals(1, redraws.get());
+    Vec3 device = model.state().marks().orElseThrow().device();
+    assertEquals(-5 - 0, device.x, 1e-12, "RAS x goes to the right, the scene's to the left");
+    assertEquals(-(6 + 1.0), device.y, 1e-12, "grid x is the world's y");
+    assertEquals(7, device.z, 1e-12);
+  }
+
+  @Test
+  void aHandAtRestCausesNoRedraw() {
+    model.onChange(redraws::incrementAndGet);
+    publish(1, 1);
+    sync.run();
+    for (int frame = 2; frame < 100; frame++) {
+      publish(1, frame);
+      sync.run();
+    }
+    assertEquals(1, redraws.get());
+    assertEquals(1, sync.applications());
+  }
+
+  @Test
+  void whatARendererThatThrowsMissedIsAppliedAtTheNextTick() {
+    AtomicInteger calls = new AtomicInteger();
+    model.onChange(
+        () -> {
+          if (calls.incrementAndGet() == 1) {
+            throw new IllegalStateException("renderer");
+          }
+        });
+    publish(3, 1);
+    assertThrows(IllegalStateException.class, sync::run);
+    sync.run();
+    assertEquals(2, calls.get());
+    assertEquals(-(6 + 3.0), model.state().marks().orElseThrow().device().y, 1e-12);
+  }
+
+  @Test
+  void theThreadGoesOnWhenATickThrows() throws Exception {
+    CountDownLatch ticks = new CountDownLatch(5);
+    Runnable failing =
+        () -> {
+          ticks.countDown();
+          throw new IllegalStateException("tick");
+        };
+    try (SynchronizationThread thread = new SynchronizationThread(failing)) {
+      thread.start();
+      assertTrue(ticks.await(PATIENCE_S, TimeUnit.SECONDS));
+    }
+  }
+
+  @Test
+  void aPictureIsDrawnForRequestsThatCameWhileDrawing() throws Exception {
+    CountDownLatch drawing = new CountDownLatch(1);
+    CountDownLatch goOn = new CountDownLatch(1);
+    CountDownLatch twice = new CountDownLatch(2);
+    Runnable draw =
+        () -> {
+          drawing.countDown();
+          await(goOn);
+          twice.countDown();
+        };
+    try (DrawThread thread = new DrawThread(draw, e -> {})) {
+      thread.start();
+      thread.request();
+      await(drawing);
+      for (int i = 0; i < 100; i++) {
+        thread.request();
+      }
+      goOn.countDown();
+      await(twice);
+    }
+  }
+
+  @Test
+  void closingDoesNotWaitForADrawingThatHangs() {
+    CountDownLatch never = new CountDownLatch(1);
+    CountDownLatch drawing = new CountDownLatch(1);
+    DrawThread thread =
+        new DrawThread(
+            () -> {
+              drawing.countDown();
+              await(never);
+            },
+            e -> {});
+    thread.start();
+    thread.request();
+    await(drawing);
+    thread.close();
+    never.countDown();
+  }
+
+  private void publish(double x, long frame) {
+    properties.publish(new Vec3(x, 0, 0), new Vec3(x, 0, 0), new Vec3(), false, frame);
+  }
+
+  private static void await(CountDownLatch latch) {
+    try {
+      assertTrue(latch.await(PATIENCE_S, TimeUnit.SECONDS));
+    } catch (InterruptedException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+}

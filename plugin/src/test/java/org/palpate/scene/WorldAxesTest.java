@@ -1,0 +1,44 @@
+package org.palpate.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.scene.surface.SurfaceFile;
+
+class WorldAxesTest {
+  @Test
+  void theSceneGoesLeftBackAndUpWhateverTheWorldDoes() {
+    Vec3 left = new Vec3(1, 0, 0);
+    assertEquals(1, WorldAxes.LPS.swap(left, new Vec3()).x);
+    assertEquals(-1, WorldAxes.RAS.swap(left, new Vec3()).x);
+    assertEquals(-1, WorldAxes.LAS.swap(new Vec3(0, 1, 0), new Vec3()).y);
+  }
+
+  @Test
+  void aLeftHandedWorldMirrorsAndTheOthersDoNot() {
+    RigidTransform pose = RigidTransform.identity();
+    assertTrue(SurfaceFile.isMirrored(WorldAxes.LAS.toScene(pose)));
+    assertFalse(SurfaceFile.isMirrored(WorldAxes.RAS.toScene(pose)));
+    assertFalse(SurfaceFile.isMirrored(WorldAxes.LPS.toScene(pose)));
+  }
+
+  @Test
+  void everyStandardViewHasUprightLetters() {
+    assertEquals("L", WorldAxes.letter(0, true));
+    assertEquals("A", WorldAxes.letter(1, false));
+    assertEquals("H", WorldAxes.letter(2, true));
+    Camera front = Camera.seeing(new Vec3(), List.of(), StandardView.FRONT, 1);
+    assertEquals(1, front.right().x, 1e-12, "the patient's left is on the right");
+    assertEquals(1, front.up().z, 1e-12);
+    Camera back = Camera.seeing(new Vec3(), List.of(), StandardView.BACK, 1);
+    assertEquals(-1, back.right().x, 1e-12);
+    Camera foot = Camera.seeing(new Vec3(), List.of(), StandardView.FOOT, 1);
+    assertEquals(1, foot.right().x, 1e-12, "as radiologists look: from the foot");
+    assertEquals(-1, foot.up().y, 1e-12);
+  }
+}
