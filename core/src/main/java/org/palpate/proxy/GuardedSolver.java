@@ -172,6 +172,9 @@ public final class GuardedSolver implements ProxySolver {
         p.x + share * (target.x - p.x),
         p.y + share * (target.y - p.y),
         p.z + share * (target.z - p.z));
+    if (distance(p, target) > leftMm) {
+      target.set(p); // so far out that doubles lie farther apart than the path that is left
+    }
     return true;
   }
 

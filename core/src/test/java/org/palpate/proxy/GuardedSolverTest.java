@@ -191,7 +191,7 @@ class GuardedSolverTest {
       BitCube bits = randomScene(random);
       GuardedSolver solver = new GuardedSolver(UNIT, 8);
       Obstacles obstacles = new Obstacles(List.of(bits));
-      place(obstacles, UNIT, hostilePoint(random, bits));
+      place(obstacles, UNIT, new Vec3(random.nextInt(-4, 20), random.nextInt(-4, 20) + 0.5, 1));
       Vec3 device =
           new Vec3(random.nextDouble(-4, 20), random.nextDouble(-4, 20), random.nextDouble(-4, 20));
       int frames = 0;
