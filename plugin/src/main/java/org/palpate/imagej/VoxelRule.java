@@ -1,0 +1,38 @@
+package org.palpate.imagej;
+
+import java.util.Locale;
+
+/**
+ * Which values of a stack belong to a segment. Values are raw, as ImageJ keeps them.
+ *
+ * @param name of the segment
+ * @param lower the least value that belongs to it
+ * @param upper the largest
+ * @param rgb colour for drawing, 0xRRGGBB
+ */
+record VoxelRule(String name, double lower, double upper, int rgb) {
+  /**
+   * Colours that colour-blind people can tell apart. Source: M. Okabe and K. Ito, Color universal
+   * design, 2008.
+   */
+  private static final int[] PALETTE = {
+    0xE6C99F, 0x56B4E9, 0xE69F00, 0x009E73, 0xCC79A7, 0xF0E442, 0x0072B2, 0xD55E00
+  };
+
+  static VoxelRule threshold(String name, double lower, double upper) {
+    return new VoxelRule(name, lower, upper, PALETTE[0]);
+  }
+
+  /** The segment of one value of a label image. */
+  static VoxelRule label(int value) {
+    return new VoxelRule(
+        String.format(Locale.ROOT, "label %d", value),
+        value,
+        value,
+        PALETTE[value % PALETTE.length]);
+  }
+
+  boolean holds(float value) {
+    return value >= lower && value <= upper;
+  }
+}
