@@ -61,28 +61,14 @@ final class BitNodes implements NodeSource {
     if (empty) {
       return false;
     }
-    if (isInWindow(seedX, seedY, seedZ)
-        && window.isFree(seedX - lowX, seedY - lowY, seedZ - lowZ)) {
-      window.flood(seedX - lowX, seedY - lowY, seedZ - lowZ);
-    }
+    window.floodFrom(seedX - lowX, seedY - lowY, seedZ - lowZ);
     sum(nodes);
     return true;
   }
 
   @Override
   public boolean holdsFor(int seedX, int seedY, int seedZ) {
-    return empty
-        || !isInWindow(seedX, seedY, seedZ)
-        || window.isReached(seedX - lowX, seedY - lowY, seedZ - lowZ);
-  }
-
-  private boolean isInWindow(int i, int j, int k) {
-    return i >= lowX
-        && i < lowX + BitWindow.EDGE
-        && j >= lowY
-        && j < lowY + BitWindow.EDGE
-        && k >= lowZ
-        && k < lowZ + BitWindow.EDGE;
+    return empty || window.holdsFor(seedX - lowX, seedY - lowY, seedZ - lowZ);
   }
 
   private void sum(double[] nodes) {

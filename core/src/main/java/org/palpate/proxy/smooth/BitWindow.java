@@ -154,8 +154,24 @@ final class BitWindow {
     return reached[z * WORDS + word] ^ ROW_MASK;
   }
 
+  /** Floods from the voxel (x,y,z) if it lies in the window and is empty; else all is reached. */
+  void floodFrom(int x, int y, int z) {
+    if (isInside(x, y, z) && isFree(x, y, z)) {
+      flood(x, y, z);
+    }
+  }
+
+  /** Whether a flood from the voxel (x,y,z) would reach the same, as far as it is in the window. */
+  boolean holdsFor(int x, int y, int z) {
+    return !isInside(x, y, z) || isReached(x, y, z);
+  }
+
+  private static boolean isInside(int x, int y, int z) {
+    return x >= 0 && x < EDGE && y >= 0 && y < EDGE && z >= 0 && z < EDGE;
+  }
+
   /** Keeps as reached only what is joined to the empty voxel (x,y,z) by faces inside the window. */
-  void flood(int x, int y, int z) {
+  private void flood(int x, int y, int z) {
     Arrays.fill(reached, 0);
     reached[z * WORDS + (y >> 2)] = 1L << ((y & 3) << 4 | x);
     spreadLayer(z * WORDS, 0, 0, 0);

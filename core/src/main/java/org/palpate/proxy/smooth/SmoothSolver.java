@@ -91,12 +91,33 @@ public final class SmoothSolver implements ProxySolver {
   private Vec3 p;
 
   /**
-   * A solver for one grid.
+   * A solver that knows the bits alone.
    *
    * @param metric the grid's spacing
    * @param maxStepMm the most the point may travel in one frame, w_max, positive
    */
   public SmoothSolver(Metric metric, double maxStepMm) {
+    this(
+        metric,
+        maxStepMm,
+        new BitNodes(new SmoothingKernel(metric, SmoothingKernel.FOR_BITS)));
+  }
+
+  /**
+   * A solver that knows the grey values of which the solids were made by a threshold. Bits that
+   * were edited since are felt as they are.
+   *
+   * @param metric the grid's spacing
+   * @param maxStepMm the most the point may travel in one frame, w_max, positive
+   */
+  public SmoothSolver(Metric metric, double maxStepMm, GreySurface grey) {
+    this(
+        metric,
+        maxStepMm,
+        new GreyNodes(new SmoothingKernel(metric, SmoothingKernel.FOR_GREY), grey));
+  }
+
+  private SmoothSolver(Metric metric, double maxStepMm, NodeSource nodes) {
     if (!(maxStepMm > 0)) {
       throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);
     }
@@ -109,7 +130,6 @@ public final class SmoothSolver implements ProxySolver {
             metric.spacingZ() / shortestMm);
     guard = new LegGuard(metric, maxStepMm);
     onVoxels = new GuardedSolver(metric, maxStepMm);
-    NodeSource nodes = new BitNodes(new SmoothingKernel(metric));
     field = new SmoothField(nodes, edges);
     level = new SurfaceLevel(nodes, edges);
     search = new ContactSearch(field, level, edges);

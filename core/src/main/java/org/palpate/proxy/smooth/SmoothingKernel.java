@@ -25,13 +25,23 @@ final class SmoothingKernel {
   private final double[] sigmaEdges = new double[3];
   private final double scale;
 
-  /** The kernel for voxels of this spacing, the widest along its shortest axis. */
-  SmoothingKernel(Metric metric) {
+  /** For bits: wide enough to hide stairs. */
+  static final int FOR_BITS = 0;
+
+  /** For grey values, which know where between two voxels the surface runs. */
+  static final int FOR_GREY = 2;
+
+  /**
+   * The kernel for voxels of this spacing.
+   *
+   * @param widest {@link #FOR_BITS} or {@link #FOR_GREY}, the boxes along the shortest axis
+   */
+  SmoothingKernel(Metric metric, int widest) {
     double shortest = Math.min(metric.spacingX(), Math.min(metric.spacingY(), metric.spacingZ()));
     double product = 1;
     for (int axis = 0; axis < 3; axis++) {
       double ratio = spacing(metric, axis) / shortest;
-      int[] boxes = boxesFor(ratio);
+      int[] boxes = boxesFor(ratio, widest);
       taps[axis] = tapsOf(boxes[0], boxes[1]);
       sigmaEdges[axis] = ratio * sigmaVoxels(boxes);
       product *= boxes[0] * boxes[1];
@@ -43,13 +53,13 @@ final class SmoothingKernel {
     return axis == 0 ? metric.spacingX() : axis == 1 ? metric.spacingY() : metric.spacingZ();
   }
 
-  private static int[] boxesFor(double ratio) {
-    double wanted = sigmaVoxels(BOXES[0]);
-    int[] best = BOXES[0];
-    for (int[] boxes : BOXES) {
-      double off = Math.abs(ratio * sigmaVoxels(boxes) - wanted);
+  private static int[] boxesFor(double ratio, int widest) {
+    double wanted = sigmaVoxels(BOXES[widest]);
+    int[] best = BOXES[widest];
+    for (int n = widest; n < BOXES.length; n++) {
+      double off = Math.abs(ratio * sigmaVoxels(BOXES[n]) - wanted);
       if (off < Math.abs(ratio * sigmaVoxels(best) - wanted)) {
-        best = boxes;
+        best = BOXES[n];
       }
     }
     return best;

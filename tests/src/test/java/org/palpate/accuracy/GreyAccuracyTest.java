@@ -1,0 +1,100 @@
+package org.palpate.accuracy;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.benchmarks.accuracy.Accuracy;
+import org.palpate.benchmarks.accuracy.AccuracyMeter;
+import org.palpate.benchmarks.accuracy.SlideTrajectory;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.Metric;
+import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.smooth.GreySurface;
+import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.volume.phantom.Phantom;
+
+/** Errors of the smooth solver's force where it knows the grey values. */
+class GreyAccuracyTest {
+  private static final int EDGE = 192;
+  private static final int FRAMES = 3000;
+  private static final long SEED = 7;
+  private static final Metric UNIT = new Metric(1, 1, 1);
+
+  @Test
+  void aPlaneIsFeltToAThirdOfADegree() {
+    check("plane", 0, new double[][] {{2, 0.3, 1}, {5, 0.3, 1}, {10, 0.3, 1}}, 0.02);
+  }
+
+  @Test
+  void aSphereIsFeltToHalfADegree() {
+    check("sphere", 0, new double[][] {{2, 0.5, 2}, {5, 0.5, 2}, {10, 0.5, 2}}, 0.02);
+  }
+
+  @Test
+  void aTorusIsFeltToADegree() {
+    check("torus", 0, new double[][] {{2, 0.8, 3}, {5, 0.8, 3}, {10, 1.2, 5}}, 0.03);
+  }
+
+  @Test
+  void tenPercentOfNoiseIsWithinTwoDegrees() {
+    for (String name : List.of("plane", "sphere", "torus")) {
+      check(name, 0.1, new double[][] {{5, 2, 8}}, 0.1);
+    }
+  }
+
+  @Test
+  void anEditIsFeltAgainstTheGreyValues() {
+    GreySolids solids = new GreySolids(Phantom.parse("plane:64:grey"), 0, SEED);
+    Obstacles obstacles = new Obstacles(List.of(solids.bits));
+    SmoothSolver solver = solver(solids);
+    InteractionPoint point = new InteractionPoint();
+    point.position.set(32, 32, 62);
+    Vec3 device = new Vec3(32.2, 31.7, 28);
+    follow(solver, obstacles, device, point);
+    double before = point.position.z;
+    for (int k = 0; k < 64; k++) {
+      for (int n = 0; n < 25; n++) {
+        solids.bits.clear(30 + n % 5, 30 + n / 5, k);
+      }
+    }
+    solver.reset();
+    follow(solver, obstacles, device, point);
+    assertTrue(point.position.z < before - 1, "before " + before + " now " + point.position);
+  }
+
+  private static void follow(
+      SmoothSolver solver, Obstacles obstacles, Vec3 device, InteractionPoint point) {
+    for (int frame = 0; frame < 50; frame++) {
+      solver.follow(obstacles, device, point);
+    }
+  }
+
+  /** Each row: depth, the most degrees rms, the most at all. */
+  private static void check(String name, double noise, double[][] rows, double heightStd) {
+    Phantom phantom = Phantom.parse(name + ":" + EDGE + ":grey");
+    GreySolids solids = new GreySolids(phantom, noise, SEED);
+    for (double[] row : rows) {
+      for (double speed : new double[] {0.05, 0.3, 2}) {
+        SlideTrajectory slide =
+            new SlideTrajectory(
+                phantom.truth().orElseThrow(), EDGE, row[0], speed, FRAMES, SEED);
+        Accuracy accuracy =
+            new AccuracyMeter(phantom.truth().orElseThrow(), UNIT, slide, row[0])
+                .measure(solver(solids), new Obstacles(List.of(solids.bits)));
+        assertTrue(accuracy.angleRmsDegrees() <= row[1], accuracy::toString);
+        assertTrue(accuracy.angleWorstDegrees() <= row[2], accuracy::toString);
+        assertTrue(accuracy.heightStdMm() <= heightStd, accuracy::toString);
+        assertEquals(1, accuracy.lag(), noise == 0 ? 0.02 : 0.05, accuracy::toString);
+        assertEquals(0, accuracy.lostFrames());
+      }
+    }
+  }
+
+  private static SmoothSolver solver(GreySolids solids) {
+    double half = Phantom.HALF_GREY;
+    return new SmoothSolver(UNIT, 8, new GreySurface(solids.volume, half, half));
+  }
+}
