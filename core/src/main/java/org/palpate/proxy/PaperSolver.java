@@ -17,11 +17,11 @@ import org.palpate.raycast.RayCaster;
  */
 public final class PaperSolver implements ProxySolver {
   /**
-   * Line 13's epsilon: so far before the collision point p stops, voxels. As near to a step as
-   * makes no difference, so that p comes to the last free sample; a smaller one ends in the solid
-   * as often as not, and then p stays where it is.
+   * Line 13's epsilon: so far before the collision point p stops, voxels. The largest number below
+   * 1: p comes to the last free sample of a step of 1. A smaller one lets p stall away from the
+   * surface, its stop being in the solid, or creep towards it.
    */
-  public static final double EPSILON_VOXELS = 1 - 0x1p-20;
+  public static final double EPSILON_VOXELS = 1 - 0x1p-53;
 
   private final BorderVoxels border;
   private final PathWalk p2;
