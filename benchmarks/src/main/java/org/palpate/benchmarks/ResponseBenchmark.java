@@ -1,0 +1,118 @@
+package org.palpate.benchmarks;
+
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OperationsPerInvocation;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.BorderVoxels;
+import org.palpate.proxy.DotSolver;
+import org.palpate.proxy.GuardedSolver;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.Metric;
+import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.PaperSolver;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.raycast.SampledRayCaster;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.Phantom;
+
+/**
+ * Time of one frame of response, by solver, on one and the same trajectory: the hand comes down and
+ * slides under the surface. {@link AlternatingForks} runs it so that solvers take turns.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+@Fork(1)
+@Warmup(iterations = 3, time = 1) // the listing as printed is slow to reach its steady state
+@Measurement(iterations = 5, time = 1)
+public class ResponseBenchmark {
+  private static final int FRAMES = 20_000;
+  private static final double MAX_STEP_VOXELS = 8;
+  private static final long SEED = 7;
+
+  @Param({"twin", "guarded", "paper", "dot"})
+  public String solver;
+
+  @Param({"sphere:256", "plane:256", "torus:256"})
+  public String scene;
+
+  @Param({"5"})
+  public double depth;
+
+  @Param({"0.05", "0.3", "2"})
+  public double speed;
+
+  private final Vec3 device = new Vec3();
+  private final InteractionPoint point = new InteractionPoint();
+  private Trajectory trajectory;
+  private Obstacles obstacles;
+  private PlainTwin twin;
+  private ProxySolver follower;
+
+  /** Makes the phantom and the trajectory. */
+  @Setup
+  public void prepare() {
+    Phantom phantom = Phantom.parse(scene);
+    BitCube bits = phantom.segments().segments().get(0).bits();
+    trajectory =
+        Trajectories.slide(
+            phantom.truth().orElseThrow(), phantom.edge(), depth, speed, FRAMES, SEED);
+    obstacles = new Obstacles(List.of(bits));
+    twin = new PlainTwin(bits, MAX_STEP_VOXELS);
+    follower = solver.equals("twin") ? null : follower(solver);
+  }
+
+  private static ProxySolver follower(String name) {
+    Metric metric = new Metric(1, 1, 1);
+    SampledRayCaster sampled = new SampledRayCaster(1);
+    return switch (name) {
+      case "guarded" -> new GuardedSolver(metric, MAX_STEP_VOXELS);
+      case "paper" -> new PaperSolver(sampled, metric, MAX_STEP_VOXELS, BorderVoxels.onTheFly());
+      case "dot" -> new DotSolver(sampled, metric, MAX_STEP_VOXELS, BorderVoxels.onTheFly());
+      default -> throw new IllegalArgumentException("no such solver: " + name);
+    };
+  }
+
+  /** The whole trajectory, counted by frames. */
+  @Benchmark
+  @OperationsPerInvocation(FRAMES)
+  public double pressAndSlide() {
+    return follower == null ? twinFrames() : followerFrames();
+  }
+
+  private double twinFrames() {
+    trajectory.at(0, device);
+    twin.place(device.x, device.y, device.z);
+    double sum = 0;
+    for (int frame = 0; frame < FRAMES; frame++) {
+      trajectory.at(frame, device);
+      twin.frame(device.x, device.y, device.z);
+      sum += twin.x();
+    }
+    return sum;
+  }
+
+  private double followerFrames() {
+    trajectory.at(0, point.position);
+    follower.reset();
+    double sum = 0;
+    for (int frame = 0; frame < FRAMES; frame++) {
+      trajectory.at(frame, device);
+      follower.follow(obstacles, device, point);
+      sum += point.position.x;
+    }
+    return sum;
+  }
+}
