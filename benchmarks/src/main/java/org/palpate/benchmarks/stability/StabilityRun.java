@@ -1,0 +1,122 @@
+package org.palpate.benchmarks.stability;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
+import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
+import org.palpate.benchmarks.stability.Trial.SolverChoice;
+import org.palpate.proxy.BorderVoxels;
+import org.palpate.proxy.DotSolver;
+import org.palpate.proxy.GuardedSolver;
+import org.palpate.proxy.Metric;
+import org.palpate.proxy.PaperSolver;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.raycast.SampledRayCaster;
+
+/** Runs the whole study and leaves tables and plots in a folder. */
+public final class StabilityRun {
+  private static final double WANTED_MARGIN = 2;
+
+  private StabilityRun() {}
+
+  /** The solvers that are compared. */
+  public static List<SolverChoice> solvers() {
+    return List.of(
+        new SolverChoice("guarded", GuardedSolver::new),
+        new SolverChoice("smooth", SmoothSolver::new),
+        new SolverChoice("paper", StabilityRun::paper),
+        new SolverChoice("dot", StabilityRun::dot));
+  }
+
+  private static ProxySolver paper(Metric metric, double maxStepMm) {
+    return new PaperSolver(new SampledRayCaster(1), metric, maxStepMm, BorderVoxels.onTheFly());
+  }
+
+  private static ProxySolver dot(Metric metric, double maxStepMm) {
+    return new DotSolver(new SampledRayCaster(1), metric, maxStepMm, BorderVoxels.onTheFly());
+  }
+
+  /**
+   * Runs it.
+   *
+   * @param folder made where it is not there
+   * @param quick fewer values in each sweep
+   * @param out hears what is found
+   * @param progress hears what runs
+   * @return the least margin of the default stiffness over the sweep, by device
+   */
+  public static Map<String, Double> run(
+      Path folder, boolean quick, PrintWriter out, PrintWriter progress) throws IOException {
+    Files.createDirectories(folder);
+    StabilityStudy study =
+        new StabilityStudy(
+            quick,
+            solvers(),
+            line -> {
+              progress.println(line);
+              progress.flush();
+            });
+    tellTheory(folder, study.theory(), out);
+    Map<String, Double> margins = tellDevices(folder, study.devices(), out);
+    tellShapes(folder, study.shapes(), out);
+    out.flush();
+    return margins;
+  }
+
+  private static void tellTheory(Path folder, List<TheoryRow> rows, PrintWriter out)
+      throws IOException {
+    StabilityTables.writeTheory(folder.resolve("stability-theory.csv"), rows);
+    List<Double> dampings = rows.stream().map(TheoryRow::damping).distinct().toList();
+    for (double damping : dampings) {
+      String name = "stability-theory-b" + damping + ".png";
+      StabilityPlots.plotTheory(folder.resolve(name), rows, damping);
+    }
+    double least = rows.stream().mapToDouble(row -> row.largest() / row.passive()).min().orElse(0);
+    out.printf(
+        Locale.ROOT, "theory: model over passive bound, least of %d: %.2f%n", rows.size(), least);
+  }
+
+  private static Map<String, Double> tellDevices(Path folder, List<DeviceRow> rows, PrintWriter out)
+      throws IOException {
+    StabilityTables.writeDevices(folder.resolve("stability-devices.csv"), rows);
+    Map<String, Double> margins = StabilityStudy.leastMargins(rows);
+    StabilityPlots.plotMargins(folder.resolve("stability-devices.png"), margins);
+    margins.forEach(
+        (device, margin) ->
+            out.printf(
+                Locale.ROOT,
+                "device %s: least margin of the default stiffness %.2f%s%n",
+                device,
+                margin,
+                margin < WANTED_MARGIN ? " (below 2)" : ""));
+    return margins;
+  }
+
+  private static void tellShapes(Path folder, List<DeviceRow> rows, PrintWriter out)
+      throws IOException {
+    StabilityTables.writeDevices(folder.resolve("stability-shapes.csv"), rows);
+    for (String device :
+        rows.stream().map(row -> row.trial().device().name()).distinct().toList()) {
+      String name = "stability-shapes-" + device.toLowerCase(Locale.ROOT) + ".png";
+      StabilityPlots.plotPlay(folder.resolve(name), rows, device);
+    }
+    for (DeviceRow row : rows) {
+      out.printf(
+          Locale.ROOT,
+          "shape %s by %s with %s: margin %.2f, play %.4f mm, energy back %.3f mJ, rise %.2f N/ms%n",
+          row.trial().shape().name(),
+          row.trial().solver().name(),
+          row.trial().device().name(),
+          row.margin(),
+          row.atDefault().playMm(),
+          row.atDefault().energyBackMillijoule(),
+          row.atDefault().riseNewtonPerMs());
+    }
+  }
+}

@@ -1,0 +1,73 @@
+package org.palpate.benchmarks.stability;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
+import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
+import org.palpate.io.CsvNumbers;
+import org.palpate.io.NewFile;
+
+/** Writes the study's rows as CSV files: a header, a row a line, numbers to read back. */
+final class StabilityTables {
+  private StabilityTables() {}
+
+  static void writeTheory(Path file, List<TheoryRow> rows) throws IOException {
+    StringBuilder text =
+        new StringBuilder(
+            "rate_hz,delay_samples,damping_ns_per_m,largest_n_per_m,passive_n_per_m\n");
+    for (TheoryRow row : rows) {
+      append(
+          text,
+          number(row.sampling().rateHz()),
+          Integer.toString(row.sampling().delaySamples()),
+          number(row.damping()),
+          number(row.largest()),
+          number(row.passive()));
+    }
+    write(file, text);
+  }
+
+  static void writeDevices(Path file, List<DeviceRow> rows) throws IOException {
+    StringBuilder text =
+        new StringBuilder(
+            "device,grip,shape,solver,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
+                + "default_n_per_m,largest_n_per_m,margin,play_mm,energy_back_mj,rise_n_per_ms\n");
+    for (DeviceRow row : rows) {
+      Trial trial = row.trial();
+      append(
+          text,
+          trial.device().name(),
+          trial.grip().name(),
+          trial.shape().name(),
+          trial.solver().name(),
+          number(trial.sampling().rateHz()),
+          Integer.toString(trial.sampling().delaySamples()),
+          number(trial.device().handleKg()),
+          number(trial.device().dampingNewtonSecondPerM()),
+          number(row.defaultStiffness()),
+          number(row.largest()),
+          number(row.margin()),
+          number(row.atDefault().playMm()),
+          number(row.atDefault().energyBackMillijoule()),
+          number(row.atDefault().riseNewtonPerMs()));
+    }
+    write(file, text);
+  }
+
+  private static String number(double value) {
+    return CsvNumbers.text(value);
+  }
+
+  private static void append(StringBuilder text, String... cells) {
+    text.append(String.join(",", cells)).append('\n');
+  }
+
+  private static void write(Path file, StringBuilder text) throws IOException {
+    try (NewFile out = new NewFile(file)) {
+      out.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
+      out.commit();
+    }
+  }
+}

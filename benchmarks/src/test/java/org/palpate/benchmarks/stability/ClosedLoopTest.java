@@ -1,0 +1,135 @@
+package org.palpate.benchmarks.stability;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
+import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
+import org.palpate.device.DeviceState;
+import org.palpate.device.ReadStatus;
+import org.palpate.geometry.Vec3;
+
+class ClosedLoopTest {
+  private static final DeviceModel BARE =
+      new DeviceModel("bare", 1000, 1, 0.1, 2, 1).withFineEncoder();
+
+  @TempDir private Path folder;
+
+  @Test
+  void aBareHandleRestsBelowTheTheorysStiffnessAndShakesAboveIt() {
+    for (int delay = 0; delay <= 2; delay++) {
+      Sampling sampling = new Sampling(1000, delay);
+      double passive = sampling.passiveNewtonPerM(BARE.dampingNewtonSecondPerM());
+      Trial trial =
+          new Trial(BARE, Grip.NONE, sampling, TouchedShape.wall(), StabilityStudy.GUARDED, false);
+      assertTrue(trial.run(passive * 0.7).rests(), "delay=" + delay);
+      assertFalse(trial.run(passive * 1.4).rests(), "delay=" + delay);
+      double largest = StiffnessSearch.largest(trial);
+      assertTrue(largest > passive * 0.7 && largest < passive * 1.1, "largest=" + largest);
+    }
+  }
+
+  @Test
+  void theTheoryIsColgatesForNoDelay() {
+    assertEquals(2 * 3 * 1000, new Sampling(1000, 0).passiveNewtonPerM(3), 1e-9);
+    assertEquals(3 * 1000 / 2.5, new Sampling(1000, 2).passiveNewtonPerM(3), 1e-9);
+  }
+
+  @Test
+  void aForceTakesHoldAfterTheDelayAndStaysForOneFrame() {
+    for (int delay = 0; delay <= 2; delay++) {
+      assertEquals(delay + 1, framesUntilPushed(delay), "delay=" + delay);
+    }
+  }
+
+  /** Pushes once, sideways, in the first frame. */
+  private static int framesUntilPushed(int delay) {
+    Reach reach = new Reach(new Vec3(0, 0, 1), new Vec3(0, 0, -1), 1, 1);
+    Plant plant = new Plant(BARE, Grip.NONE, new Sampling(1000, delay), reach, 1);
+    DeviceState sample = new DeviceState();
+    for (int frame = 0; frame < 10; frame++) {
+      assertEquals(ReadStatus.FRESH, plant.read(sample));
+      if (sample.positionMm.x > 0) {
+        return frame;
+      }
+      plant.write(frame == 0 ? new Vec3(100, 0, 0) : new Vec3());
+    }
+    return -1;
+  }
+
+  @Test
+  void theHandsWishIsSmoothAndItsRateIsItsDerivative() {
+    Reach reach = new Reach(new Vec3(), new Vec3(0, 0, 1), 0.2, 0.5);
+    for (double t = 0.001; t < 0.9; t += 0.0137) {
+      double slope = (reach.share(t + 1e-6) - reach.share(t - 1e-6)) / 2e-6;
+      assertEquals(slope, reach.shareRate(t), 1e-5, "t=" + t);
+    }
+    assertEquals(1, reach.share(0.5));
+    assertEquals(0, reach.share(5));
+  }
+
+  @Test
+  void aWallWithoutStiffnessGivesNoEnergy() {
+    Trial trial =
+        new Trial(
+            BARE,
+            Grip.FIRM,
+            new Sampling(1000, 1),
+            TouchedShape.wall(),
+            StabilityStudy.GUARDED,
+            true);
+    assertEquals(0, trial.run(0).energyBackMillijoule());
+    assertEquals(0, trial.run(0).riseNewtonPerMs());
+  }
+
+  @Test
+  void everyShapeStopsTheHand() {
+    for (TouchedShape shape : TouchedShape.all()) {
+      Trial trial =
+          new Trial(
+              DeviceModel.KNOWN.get(0),
+              Grip.FIRM,
+              new Sampling(1000, 1),
+              shape,
+              StabilityStudy.GUARDED,
+              true);
+      Trial.Outcome outcome = trial.run(200);
+      assertTrue(outcome.rests(), shape.name() + " " + outcome);
+      assertTrue(outcome.riseNewtonPerMs() > 0, shape.name() + " " + outcome);
+    }
+  }
+
+  @Test
+  void tablesAndPlotsAreWritten() throws IOException {
+    Trial trial =
+        new Trial(
+            DeviceModel.KNOWN.get(0),
+            Grip.FIRM,
+            new Sampling(1000, 1),
+            TouchedShape.wall(),
+            StabilityStudy.GUARDED,
+            true);
+    DeviceRow row = new DeviceRow(trial, 200, 500, new Trial.Outcome(true, 0.01, 0.2, 0.03));
+    TheoryRow theory = new TheoryRow(new Sampling(1000, 1), 2, 1200, 1333);
+    Path table = folder.resolve("devices.csv");
+    StabilityTables.writeDevices(table, List.of(row));
+    StabilityTables.writeTheory(folder.resolve("theory.csv"), List.of(theory));
+    assertEquals(
+        "Touch,firm,wall,guarded,1000.0,1,0.05,0.5,200.0,500.0,2.5,0.01,0.2,0.03",
+        Files.readAllLines(table).get(1));
+    Map<String, Double> margins = StabilityStudy.leastMargins(List.of(row));
+    assertEquals(Map.of("Touch", 2.5), margins);
+    StabilityPlots.plotTheory(folder.resolve("theory.png"), List.of(theory), 2);
+    StabilityPlots.plotMargins(folder.resolve("margins.png"), margins);
+    StabilityPlots.plotPlay(folder.resolve("play.png"), List.of(row), "Touch");
+    assertTrue(Files.size(folder.resolve("play.png")) > 1000);
+  }
+}
