@@ -10,7 +10,7 @@ final class LinuxScheduler implements Scheduler {
   private static final int MASK_BYTES = 128; // 1024 processors, the C library's cpu_set_t
 
   @Override
-  public String setRealtime(SchedulingClass schedulingClass, int priority) {
+  public String setRealtime(int tid, SchedulingClass schedulingClass, int priority) {
     int policy =
         schedulingClass == SchedulingClass.ROUND_ROBIN
             ? LinuxLibrary.SCHED_RR
@@ -19,7 +19,7 @@ final class LinuxScheduler implements Scheduler {
       param.setInt(0, priority);
       return answer(
           LinuxLibrary.sched_setscheduler(
-              0, policy | LinuxLibrary.SCHED_RESET_ON_FORK, Pointer.nativeValue(param)));
+              tid, policy | LinuxLibrary.SCHED_RESET_ON_FORK, Pointer.nativeValue(param)));
     }
   }
 

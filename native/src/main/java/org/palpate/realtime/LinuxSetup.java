@@ -47,6 +47,9 @@ final class LinuxSetup {
     if (wish.schedulingClass() != SchedulingClass.NORMAL) {
       grants.add(setRealtime(wish, topology));
     }
+    if (wish.raiseVm() && wish.schedulingClass() != SchedulingClass.NORMAL) {
+      grants.add(raiseVm());
+    }
     return grants;
   }
 
@@ -98,9 +101,21 @@ final class LinuxSetup {
     String name = wish.schedulingClass().name().toLowerCase(Locale.ROOT);
     return answer(
         "class",
-        scheduler.setRealtime(wish.schedulingClass(), priority),
+        scheduler.setRealtime(0, wish.schedulingClass(), priority),
         name + " " + priority,
         ASK_FOR_PRIORITY);
+  }
+
+  private Grant raiseVm() {
+    Path tasks = root.resolve("proc/self/task");
+    int priority = Math.max(1, RealtimePriority.belowThreadsIn(tasks) - 1);
+    List<Integer> threads = VmThreads.in(tasks);
+    String error = threads.isEmpty() ? "no thread of a known name" : "";
+    for (int tid : threads) {
+      String answer = scheduler.setRealtime(tid, SchedulingClass.FIFO, priority);
+      error = error.isEmpty() ? answer : error;
+    }
+    return answer("vm_threads", error, "fifo " + priority, ASK_FOR_PRIORITY);
   }
 
   private static Grant answer(String wish, String error, String what, String advice) {

@@ -6,19 +6,25 @@ package org.palpate.realtime;
  * @param schedulingClass {@link SchedulingClass#NORMAL} asks for nothing
  * @param pin one processor of its own, where another is left for everything else
  * @param lockMemory the process stays in memory
+ * @param raiseVm the JVM's own threads that stop and release all others compete the same way, one
+ *     priority below, so that a pause does not wait for ordinary threads
  * @param everSleeps whether the thread sleeps in every frame; one that never does is refused a
  *     real-time class on a machine whose only processor it would keep
  */
 public record RealtimeWish(
-    SchedulingClass schedulingClass, boolean pin, boolean lockMemory, boolean everSleeps) {
+    SchedulingClass schedulingClass,
+    boolean pin,
+    boolean lockMemory,
+    boolean raiseVm,
+    boolean everSleeps) {
 
   /** All that helps a loop that sleeps and then spins. */
   public static RealtimeWish usual() {
-    return new RealtimeWish(SchedulingClass.FIFO, true, true, true);
+    return new RealtimeWish(SchedulingClass.FIFO, true, true, true, true);
   }
 
   /** Nothing: a thread as any other. */
   public static RealtimeWish none() {
-    return new RealtimeWish(SchedulingClass.NORMAL, false, false, true);
+    return new RealtimeWish(SchedulingClass.NORMAL, false, false, false, true);
   }
 }

@@ -3,12 +3,17 @@ package org.palpate.realtime;
 import java.util.BitSet;
 
 /**
- * What an operating system can do for the calling thread. Every answer is empty where it was done,
- * else the system's name of the error.
+ * What an operating system can do for the calling thread, where no other is named. Every answer is
+ * empty where it was done, else the system's name of the error.
  */
 interface Scheduler {
-  /** {@code priority} from 1, the lowest real-time one, to 99. */
-  String setRealtime(SchedulingClass schedulingClass, int priority);
+  /**
+   * Sets how a thread of this process competes.
+   *
+   * @param tid its number, 0 for the calling thread
+   * @param priority from 1, the lowest real-time one, to 99
+   */
+  String setRealtime(int tid, SchedulingClass schedulingClass, int priority);
 
   /** Keeps the thread on these processors. */
   String setAffinity(BitSet cpus);

@@ -33,6 +33,9 @@ final class WindowsSetup {
     if (wish.schedulingClass() != SchedulingClass.NORMAL) {
       grants.add(joinMultimediaClass());
     }
+    if (wish.raiseVm()) {
+      grants.add(Grant.refused("vm_threads", "Windows: not known how"));
+    }
     return grants;
   }
 

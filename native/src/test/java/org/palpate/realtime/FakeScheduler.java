@@ -14,8 +14,8 @@ final class FakeScheduler implements Scheduler {
   }
 
   @Override
-  public String setRealtime(SchedulingClass schedulingClass, int priority) {
-    asked.add(schedulingClass + " " + priority);
+  public String setRealtime(int tid, SchedulingClass schedulingClass, int priority) {
+    asked.add((tid == 0 ? "" : tid + " ") + schedulingClass + " " + priority);
     return error;
   }
 

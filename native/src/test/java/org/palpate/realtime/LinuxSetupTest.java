@@ -24,11 +24,15 @@ class LinuxSetupTest {
   @Test
   void grantsEverythingToRootOnFourProcessors() throws IOException {
     machine("0-3", ROOT_CAPABILITIES, "8388608");
+    write("proc/self/task/12/comm", "VM Thread\n");
+    write("proc/self/task/13/comm", "VM Periodic Tas\n");
     FakeScheduler scheduler = new FakeScheduler("");
     List<Grant> grants = setup(scheduler).apply(RealtimeWish.usual());
-    assertEquals(List.of("lock", "slack 1", "cpus 3", "FIFO 40"), scheduler.asked);
+    assertEquals(List.of("lock", "slack 1", "cpus 3", "FIFO 40", "12 FIFO 39"), scheduler.asked);
     assertEquals(
-        "memory_lock granted, timer_slack granted, affinity granted, class granted", words(grants));
+        "memory_lock granted, timer_slack granted, affinity granted, class granted,"
+            + " vm_threads granted",
+        words(grants));
     assertEquals("{3}", taken.toString());
   }
 
@@ -49,7 +53,7 @@ class LinuxSetupTest {
     machine("0", ROOT_CAPABILITIES, "unlimited");
     FakeScheduler scheduler = new FakeScheduler("");
     List<Grant> grants =
-        setup(scheduler).apply(new RealtimeWish(SchedulingClass.FIFO, true, false, false));
+        setup(scheduler).apply(new RealtimeWish(SchedulingClass.FIFO, true, false, false, false));
     assertEquals("timer_slack granted, affinity refused, class refused", words(grants));
     assertEquals(List.of("slack 1"), scheduler.asked);
   }
@@ -88,8 +92,22 @@ class LinuxSetupTest {
     machine("0-3", ROOT_CAPABILITIES, "unlimited");
     thread(17, "servo", 99);
     FakeScheduler scheduler = new FakeScheduler("");
-    setup(scheduler).apply(new RealtimeWish(SchedulingClass.ROUND_ROBIN, false, false, true));
+    setup(scheduler)
+        .apply(new RealtimeWish(SchedulingClass.ROUND_ROBIN, false, false, false, true));
     assertEquals(List.of("slack 1", "ROUND_ROBIN 40"), scheduler.asked);
+  }
+
+  @Test
+  void raisesTheThreadsThatASafepointWaitsForOneBelow() throws IOException {
+    machine("0-3", ROOT_CAPABILITIES, "unlimited");
+    write("proc/self/task/12/comm", "VM Thread\n");
+    write("proc/self/task/14/comm", "GC Thread#1\n");
+    write("proc/self/task/15/comm", "G1 Conc#0\n");
+    thread(17, "servo", 20);
+    FakeScheduler scheduler = new FakeScheduler("");
+    setup(scheduler).apply(RealtimeWish.usual());
+    List<String> raised = scheduler.asked.stream().filter(a -> a.contains("FIFO 18")).toList();
+    assertEquals(List.of("12 FIFO 18", "14 FIFO 18"), raised.stream().sorted().toList());
   }
 
   @Test

@@ -18,7 +18,8 @@ class RealtimeTest {
         new Thread(
             () ->
                 grants.addAll(
-                    Realtime.apply(new RealtimeWish(SchedulingClass.FIFO, true, false, true))));
+                    Realtime.apply(
+                        new RealtimeWish(SchedulingClass.FIFO, true, false, true, true))));
     thread.start();
     thread.join();
     assertFalse(grants.isEmpty());

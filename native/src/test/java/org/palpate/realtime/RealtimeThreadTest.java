@@ -19,7 +19,7 @@ class RealtimeThreadTest {
 
   @Test
   void grantsOrRefusesTheClassAndNeverBothOrNeither() throws InterruptedException {
-    RealtimeWish wish = new RealtimeWish(SchedulingClass.FIFO, false, false, true);
+    RealtimeWish wish = new RealtimeWish(SchedulingClass.FIFO, false, false, false, true);
     Granted granted = setUp(new RealtimeThread(wish, WaitKind.HYBRID));
     boolean refused = granted.refusals().stream().anyMatch(line -> line.startsWith("class:"));
     assertEquals(refused, granted.schedulingClass().equals("default"), granted.toString());

@@ -84,9 +84,11 @@ final class CellLoop implements Runnable {
   }
 
   private RealtimeWish wish() {
-    return task.scheduling() == Scheduling.NORMAL
-        ? RealtimeWish.none()
-        : new RealtimeWish(SchedulingClass.FIFO, true, true, task.waiting().sleeps());
+    if (!task.scheduling().isRealtime()) {
+      return RealtimeWish.none();
+    }
+    boolean raiseVm = task.scheduling() == Scheduling.FIFO_WITH_VM;
+    return new RealtimeWish(SchedulingClass.FIFO, true, true, raiseVm, task.waiting().sleeps());
   }
 
   private void pace(DeadlineWait wait, ThreadCounters counters, Samples noted) {

@@ -40,7 +40,7 @@ record CellResult(
     Samples samples = Samples.read(folder.samples());
     Machine machine = MachineWatch.read(folder.machine());
     List<JvmEvent> events = eventsOf(folder);
-    boolean realtime = cell.scheduling() == Scheduling.FIFO;
+    boolean realtime = cell.scheduling().isRealtime();
     long from = samples.due(0);
     long to = samples.end(samples.count() - 1);
     List<JvmEvent> measured =

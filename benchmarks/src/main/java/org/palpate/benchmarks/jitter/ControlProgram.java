@@ -83,7 +83,7 @@ final class ControlProgram {
 
   /** The command line of a control cell. */
   List<String> command(Cell cell, CellFolder folder, int frames, long periodNanos) {
-    boolean fifo = cell.scheduling() == Scheduling.FIFO;
+    boolean fifo = cell.scheduling().isRealtime();
     OptionalInt cpu = fifo ? Realtime.quietProcessor() : OptionalInt.empty();
     List<String> command = new ArrayList<>(List.of(program.toString()));
     command.addAll(List.of("--wait", Cell.lower(cell.waiting())));

@@ -13,16 +13,23 @@ final class JitterRun {
   /** What a process costs beside its measured time, s: start, warm-up, analysis. */
   static final int SECONDS_BESIDE = 4;
 
+  private static final String TIME_IS_UP = "the time is up; the same command again goes on";
   private static final double NANOS_A_MICRO = 1e3;
 
   private final List<Table> tables;
   private final CellRunner runner;
+  private final long budgetSeconds;
+  private final long beganNanos = System.nanoTime();
   private final PrintWriter out;
   private final Map<String, CellResult> results = new LinkedHashMap<>();
   private final Map<String, String> left = new LinkedHashMap<>();
 
-  JitterRun(List<Table> tables, CellRunner runner, PrintWriter out) {
+  /**
+   * @param budgetSeconds no cell is begun later than this
+   */
+  JitterRun(List<Table> tables, CellRunner runner, long budgetSeconds, PrintWriter out) {
     this.tables = tables;
+    this.budgetSeconds = budgetSeconds;
     this.runner = runner;
     this.out = out;
   }
@@ -66,7 +73,7 @@ final class JitterRun {
 
   private String runOne(Cell cell) throws InterruptedException {
     try {
-      Optional<String> why = runner.run(cell);
+      Optional<String> why = isTimeUp(cell) ? Optional.of(TIME_IS_UP) : runner.run(cell);
       if (why.isPresent()) {
         left.put(cell.key(), why.get());
         return "left out: " + why.get();
@@ -78,6 +85,11 @@ final class JitterRun {
       left.put(cell.key(), e.getMessage());
       return "failed: " + e.getMessage();
     }
+  }
+
+  private boolean isTimeUp(Cell cell) {
+    long seconds = (System.nanoTime() - beganNanos) / 1_000_000_000L;
+    return seconds > budgetSeconds && !runner.folder(cell).isWhole();
   }
 
   private static String inShort(CellResult result) {

@@ -1,10 +1,12 @@
 package org.palpate.benchmarks.jitter;
 
+import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.HdrHistogram.Histogram;
 import org.HdrHistogram.HistogramIterationValue;
@@ -123,8 +125,9 @@ final class Plots {
             .theme(Styler.ChartTheme.XChart)
             .build();
     chart.getStyler().setYAxisLogarithmic(true);
+    chart.getStyler().setChartBackgroundColor(Color.WHITE);
     chart.getStyler().setMarkerSize(7);
-    chart.getStyler().setLocale(java.util.Locale.ROOT);
+    chart.getStyler().setLocale(Locale.ROOT);
     return chart;
   }
 }

@@ -34,18 +34,21 @@ final class SafepointPairs {
         long id = event.getLong("safepointId");
         long start = FlightEvents.epochNanos(event.getStartTime());
         long end = ends.getOrDefault(id, FlightEvents.epochNanos(event.getEndTime()));
-        events.add(safepoint(id, start, end, clock));
+        long stopped = FlightEvents.epochNanos(event.getEndTime());
+        events.add(safepoint(id, start, stopped, end, clock));
       }
     }
   }
 
-  private JvmEvent safepoint(long id, long start, long end, ClockMap clock) {
+  private JvmEvent safepoint(long id, long start, long stopped, long end, ClockMap clock) {
+    boolean slowToStop = 2 * (stopped - start) > end - start;
+    String slow = slowToStop ? ", most of it until all threads stood still" : "";
     boolean forCollector = recorded.stream().anyMatch(event -> isPauseWithin(event, start, end));
     return new JvmEvent(
         forCollector ? JvmEvent.Kind.GC_PAUSE : JvmEvent.Kind.SAFEPOINT,
         clock.toNanoTime(start),
         clock.toNanoTime(end),
-        operations.getOrDefault(id, "an operation without a name"),
+        operations.getOrDefault(id, "an operation without a name") + slow,
         false);
   }
 

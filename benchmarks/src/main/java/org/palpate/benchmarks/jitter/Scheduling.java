@@ -5,12 +5,19 @@ enum Scheduling {
   /** As any thread. */
   NORMAL("normal"),
   /** SCHED_FIFO, one processor of its own, memory locked. */
-  FIFO("fifo");
+  FIFO("fifo"),
+  /** The same, and the JVM's own threads that a pause waits for one priority below. */
+  FIFO_WITH_VM("fifovm");
 
   private final String label;
 
   Scheduling(String label) {
     this.label = label;
+  }
+
+  /** Whether the thread runs before all ordinary ones. */
+  boolean isRealtime() {
+    return this != NORMAL;
   }
 
   String label() {

@@ -74,7 +74,7 @@ final class Tables {
   private Cell best(Jdk jdk) {
     return Cell.of(jdk, heapMb, seconds)
         .with(Collector.zgcOf(jdk.release()))
-        .with(WaitKind.HYBRID, Scheduling.FIFO)
+        .with(WaitKind.HYBRID, Scheduling.FIFO_WITH_VM)
         .with(Workload.FRAME, Neighbour.ALLOCATES);
   }
 
@@ -82,7 +82,7 @@ final class Tables {
     List<Cell> cells = new ArrayList<>();
     for (WaitKind wait :
         List.of(WaitKind.SLEEP, WaitKind.ABSOLUTE, WaitKind.HYBRID, WaitKind.SPIN)) {
-      for (Scheduling scheduling : Scheduling.values()) {
+      for (Scheduling scheduling : List.of(Scheduling.NORMAL, Scheduling.FIFO)) {
         cells.add(Cell.control(wait, scheduling, seconds, 0));
       }
     }
@@ -118,10 +118,11 @@ final class Tables {
         jdk -> {
           List<Cell> cells = new ArrayList<>();
           for (WaitKind wait : WaitKind.values()) {
-            for (Scheduling scheduling : Scheduling.values()) {
+            for (Scheduling scheduling : List.of(Scheduling.NORMAL, Scheduling.FIFO)) {
               cells.add(best(jdk).with(wait, scheduling).with(Workload.EMPTY, Neighbour.ALLOCATES));
             }
           }
+          cells.add(best(jdk).with(Workload.EMPTY, Neighbour.ALLOCATES));
           return cells;
         });
   }
