@@ -2,6 +2,7 @@ package org.palpate.app;
 
 import java.util.OptionalDouble;
 import org.palpate.host.CollisionChoice;
+import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
 import picocli.CommandLine.Option;
 
@@ -54,6 +55,12 @@ public final class ContactOptions {
 
   public SolverKind solver() {
     return solver;
+  }
+
+  /** All of them together, checked. */
+  public ContactSettings settings() {
+    return new ContactSettings(
+        solver, collision(), stiffnessNewtonPerMm(), friction(), maxStepMm(), maxForceNewton());
   }
 
   /** Force over distance, N/mm of scan, where it was given. */

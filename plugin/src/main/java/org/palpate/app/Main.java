@@ -11,6 +11,8 @@ public final class Main {
   public static void main(String[] arguments) {
     PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
     PrintStream err = new PrintStream(System.err, true, StandardCharsets.UTF_8);
-    System.exit(new PalpateCommandLine(out, err).run(arguments));
+    int exitCode = new PalpateCommandLine(out, err).run(arguments);
+    EndOfProcess.commandDone(exitCode);
+    System.exit(exitCode);
   }
 }

@@ -3,7 +3,9 @@ package org.palpate.app;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** Looks at where output goes before any work is done. */
 final class Outputs {
@@ -34,6 +36,21 @@ final class Outputs {
       }
     }
     return target;
+  }
+
+  /**
+   * Refuses two outputs in one file.
+   *
+   * @throws PalpateException exit code 2
+   */
+  static void checkDistinct(List<Path> targets) {
+    Set<Path> seen = new HashSet<>();
+    for (Path target : targets) {
+      if (!seen.add(target.toAbsolutePath().normalize())) {
+        throw PalpateException.wrongUse(
+            "two outputs have one file", target.toString(), "name a file for each");
+      }
+    }
   }
 
   private static boolean isSame(Path a, Path b) {

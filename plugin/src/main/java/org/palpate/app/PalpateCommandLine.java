@@ -32,7 +32,12 @@ public final class PalpateCommandLine {
   public PalpateCommandLine(PrintStream out, PrintStream err) {
     this.err = err;
     commandLine = new CommandLine(new Root());
-    List.of(new InfoCommand(), new DevicesCommand(), new RenderCommand())
+    List.of(
+            new TouchCommand(),
+            new ReplayCommand(),
+            new InfoCommand(),
+            new RenderCommand(),
+            new DevicesCommand())
         .forEach(commandLine::addSubcommand);
     ServiceLoader.load(CommandProvider.class)
         .forEach(provider -> commandLine.addSubcommand(provider.command()));

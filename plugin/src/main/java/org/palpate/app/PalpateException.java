@@ -33,6 +33,11 @@ public final class PalpateException extends RuntimeException {
     return new PalpateException(FAILED, line(what, where, remedy), cause);
   }
 
+  /** Failed at run time, with a line that is whole already: exit code 1. */
+  public static PalpateException failed(String line, Throwable cause) {
+    return new PalpateException(FAILED, line, cause);
+  }
+
   /** The exit code of the process, 1 or 2. */
   public int exitCode() {
     return exitCode;

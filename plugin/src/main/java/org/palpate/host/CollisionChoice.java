@@ -46,4 +46,19 @@ public record CollisionChoice(Method method, double stepVoxels) {
       return Optional.empty();
     }
   }
+
+  /** As on the command line. */
+  @Override
+  public String toString() {
+    return switch (method) {
+      case SAMPLED -> SAMPLED_PREFIX + stepText();
+      case GRIDPLANES -> "gridplanes";
+      case EXACT -> "exact";
+    };
+  }
+
+  private String stepText() {
+    long whole = (long) stepVoxels;
+    return whole == stepVoxels ? Long.toString(whole) : Double.toString(stepVoxels);
+  }
 }

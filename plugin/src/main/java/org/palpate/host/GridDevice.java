@@ -50,6 +50,11 @@ public final class GridDevice implements HapticDevice {
   }
 
   @Override
+  public String ending() {
+    return device.ending();
+  }
+
+  @Override
   public void close() {
     device.close();
   }

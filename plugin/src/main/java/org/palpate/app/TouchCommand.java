@@ -1,0 +1,171 @@
+package org.palpate.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
+import org.palpate.host.ContactScene;
+import org.palpate.host.ContactSettings;
+import org.palpate.host.TouchSession;
+import org.palpate.interaction.LoopEnd;
+import org.palpate.interaction.LoopSettings;
+import org.palpate.io.CsvNumbers;
+import org.palpate.volume.SegmentedVolume;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** The main job: a live session. */
+@Command(
+    name = "touch",
+    description = {
+      "Touches a volume, live: a device is read and answered with a force a thousand times a second.",
+      "Ends on Ctrl-C, after --seconds, or when the device goes away; zero force is sent last."
+    },
+    footer = {
+      "",
+      "Examples:",
+      "  palpate touch --seconds 10 --headless --report r.json",
+      "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --record t.csv",
+      "  palpate touch --phantom torus:192 --device simulated:7 --solver paper",
+      "  palpate touch --volume labels.nrrd --device hid"
+    })
+final class TouchCommand implements Callable<Integer> {
+  private static final double FASTEST_HZ = 100_000;
+
+  @Spec private CommandSpec spec;
+  @Mixin private VolumeOptions volume;
+  @Mixin private ContactOptions contact;
+  @Mixin private OutputOptions output;
+
+  @Option(
+      names = "--device",
+      paramLabel = "NAME[:ID]",
+      defaultValue = "simulated",
+      description = {
+        "simulated[:SEED], replay:T.csv, hid[:SERIAL], openhaptics[:NAME],",
+        "forcedimension[:SERIAL] or virtuose:HOST. Default: ${DEFAULT-VALUE}."
+      })
+  private String device;
+
+  @Option(
+      names = "--rate",
+      paramLabel = "HZ",
+      defaultValue = "1000",
+      description = "Frames a second. Default: ${DEFAULT-VALUE}.")
+  private double rateHz;
+
+  @Option(names = "--seconds", paramLabel = "S", description = "End after so many seconds.")
+  private Double seconds;
+
+  @Option(names = "--headless", description = "Open no window.")
+  private boolean headless;
+
+  @Option(
+      names = "--record",
+      paramLabel = "T.csv",
+      description = "Record what the device sends, for replay.")
+  private Path recordFile;
+
+  private PrintWriter out;
+
+  @Override
+  public Integer call() throws IOException {
+    out = spec.commandLine().getOut();
+    checkNumbers();
+    ContactSettings settings = contact.settings();
+    DeviceChoice choice = DeviceChoice.parse(device);
+    VolumeSource source = VolumeSource.open(volume);
+    List<Path> inputs = new ArrayList<>(source.files());
+    inputs.addAll(choice.files());
+    Report report = new Report("touch", output.report(), inputs);
+    Optional<Path> record =
+        Optional.ofNullable(recordFile).map(path -> Outputs.checked("--record", path, inputs));
+    checkDistinct(record);
+    sayFirst(source, choice, settings);
+    SegmentedVolume segments = source.segments();
+    ContactScene scene = new ContactScene(segments, settings);
+    HandTarget target = scene.handTarget();
+    LoopSettings loop = LoopSettings.ofRate(rateHz);
+    try (HapticDevice opened = choice.open(target, source.header().world(), loop.periodNanos())) {
+      TouchReport measured = run(scene, opened, choice, loop, record);
+      measured.print(out);
+      if (report.isWanted()) {
+        report.putVolume(source, segments.segments());
+        measured.putInto(report);
+        report.put("solver", settings.solver().toString());
+        report.put("collision", settings.collision().toString());
+      }
+      report.write();
+      return measured.exitCode();
+    }
+  }
+
+  private void checkNumbers() {
+    if (!(rateHz > 0) || rateHz > FASTEST_HZ) {
+      throw PalpateException.wrongUse(
+          "no rate for a loop", "--rate " + CsvNumbers.people(rateHz), "try --rate 1000");
+    }
+    if (seconds != null && (!(seconds > 0) || seconds.isInfinite())) {
+      throw PalpateException.wrongUse(
+          "a positive number is needed", "--seconds " + seconds, "try --seconds 10");
+    }
+  }
+
+  private void checkDistinct(Optional<Path> record) {
+    List<Path> outputs = new ArrayList<>();
+    output.report().ifPresent(outputs::add);
+    record.ifPresent(outputs::add);
+    Outputs.checkDistinct(outputs);
+  }
+
+  private void sayFirst(VolumeSource source, DeviceChoice choice, ContactSettings settings) {
+    out.println(
+        "palpate "
+            + VersionProvider.version()
+            + ": "
+            + source.name()
+            + ", device "
+            + choice
+            + ", solver "
+            + settings.solver());
+    if (!headless && System.getenv("DISPLAY") == null) {
+      out.println("there is no display: goes on without a window");
+    }
+    out.flush();
+  }
+
+  private TouchReport run(
+      ContactScene scene,
+      HapticDevice opened,
+      DeviceChoice choice,
+      LoopSettings loop,
+      Optional<Path> record)
+      throws IOException {
+    RealtimeThread realtime = new RealtimeThread();
+    Recording recording = record.isPresent() ? new Recording(record.get()) : null;
+    try (recording;
+        TouchSession session =
+            new TouchSession(
+                scene,
+                opened,
+                choice.defaultStiffness(opened),
+                loop.with(realtime, realtime),
+                Optional.ofNullable(recording).map(Recording::recorder),
+                end -> {})) {
+      SessionWatch watch = new SessionWatch(session, Optional.ofNullable(seconds), out);
+      LoopEnd end = watch.run();
+      if (recording != null) {
+        recording.finish();
+      }
+      return new TouchReport(session, end, choice, opened, watch.seconds());
+    }
+  }
+}

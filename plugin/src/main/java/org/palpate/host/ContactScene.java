@@ -1,0 +1,144 @@
+package org.palpate.host;
+
+import java.util.List;
+import org.palpate.device.DeviceSpecification;
+import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
+import org.palpate.force.ForceSettings;
+import org.palpate.geometry.Vec3;
+import org.palpate.interaction.EditQueue;
+import org.palpate.interaction.FramePublisher;
+import org.palpate.interaction.FrameSettings;
+import org.palpate.interaction.HapticFrame;
+import org.palpate.proxy.BorderVoxels;
+import org.palpate.proxy.CollisionOnlySolver;
+import org.palpate.proxy.DotSolver;
+import org.palpate.proxy.GuardedSolver;
+import org.palpate.proxy.Metric;
+import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.PaperSolver;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.raycast.GridPlanesRayCaster;
+import org.palpate.raycast.RayCaster;
+import org.palpate.raycast.SampledRayCaster;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * What can be touched and how: builds obstacles, solvers and frames out of a volume and settings.
+ *
+ * <p>Any thread builds; what is built belongs to the one that runs it.
+ */
+public final class ContactScene {
+  private final SegmentedVolume volume;
+  private final ContactSettings settings;
+  private final Metric metric;
+  private final double maxStepMm;
+  private final EditQueue edits;
+
+  /** A scene over a volume whose bits the haptic thread alone will change. */
+  public ContactScene(SegmentedVolume volume, ContactSettings settings) {
+    this.volume = volume;
+    this.settings = settings;
+    Vec3 spacing = volume.grid().spacingMm();
+    metric = Metric.of(spacing);
+    maxStepMm = settings.maxStepMm().orElseGet(() -> ContactSettings.defaultMaxStepMm(spacing));
+    edits = new EditQueue(volume.grid(), volume.segments().size());
+  }
+
+  public VoxelGrid grid() {
+    return volume.grid();
+  }
+
+  public SegmentedVolume volume() {
+    return volume;
+  }
+
+  public ContactSettings settings() {
+    return settings;
+  }
+
+  public Metric metric() {
+    return metric;
+  }
+
+  /** w_max, the most that the interaction point travels in a frame, mm. */
+  public double maxStepMm() {
+    return maxStepMm;
+  }
+
+  /** Where changes of the segments are queued while a session runs. */
+  public EditQueue edits() {
+    return edits;
+  }
+
+  /** What a simulated hand goes for, world mm. */
+  public HandTarget handTarget() {
+    return HandTargets.of(volume);
+  }
+
+  /** All segments as one obstacle each. */
+  public Obstacles newObstacles() {
+    List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
+    return new Obstacles(cubes);
+  }
+
+  /** A solver as the settings want it. */
+  public ProxySolver newSolver() {
+    return switch (settings.solver()) {
+      case GUARDED -> new GuardedSolver(metric, maxStepMm);
+      case SMOOTH -> new SmoothSolver(metric, maxStepMm);
+      case DOT -> new DotSolver(newCaster(), metric, maxStepMm, BorderVoxels.onTheFly());
+      case PAPER -> new PaperSolver(newCaster(), metric, maxStepMm, BorderVoxels.onTheFly());
+      case NONE -> new CollisionOnlySolver(newCaster(), metric);
+    };
+  }
+
+  private RayCaster newCaster() {
+    return switch (settings.collision().method()) {
+      case SAMPLED -> new SampledRayCaster(settings.collision().stepVoxels());
+      case GRIDPLANES -> new GridPlanesRayCaster();
+      case EXACT -> new ExactRayCaster();
+    };
+  }
+
+  /**
+   * Stiffness and friction.
+   *
+   * @param defaultNewtonPerMm stiffness where the settings give none
+   */
+  public ForceSettings force(double defaultNewtonPerMm) {
+    return ForceSettings.of(
+        settings.stiffnessNewtonPerMm().orElse(defaultNewtonPerMm), settings.friction());
+  }
+
+  /** The settings of a live session's frame with a device. */
+  public FrameSettings liveFrame(DeviceSpecification device, double defaultNewtonPerMm) {
+    FrameSettings live = FrameSettings.live(device, force(defaultNewtonPerMm));
+    return settings.maxForceNewton().isPresent()
+        ? live.withMaxForce(settings.maxForceNewton().getAsDouble())
+        : live;
+  }
+
+  /**
+   * A frame over this scene that carries out its edits.
+   *
+   * @param gridDevice delivers grid coordinates, takes forces along the grid's axes
+   */
+  public HapticFrame newFrame(
+      HapticDevice gridDevice, FrameSettings frame, FramePublisher publisher) {
+    return new HapticFrame(
+        gridDevice, newSolver(), newObstacles(), metric, frame, edits, publisher);
+  }
+
+  /** A frame that edits nothing and tells no one, to warm up with. */
+  HapticFrame newRehearsal(HapticDevice gridDevice, FrameSettings frame) {
+    EditQueue none = new EditQueue(volume.grid(), volume.segments().size(), 1);
+    return new HapticFrame(
+        gridDevice, newSolver(), newObstacles(), metric, frame, none, FramePublisher.NONE);
+  }
+}

@@ -1,0 +1,67 @@
+package org.palpate.host;
+
+import org.palpate.device.DeviceSpecification;
+import org.palpate.device.DeviceState;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.ReadStatus;
+import org.palpate.device.Trajectory;
+import org.palpate.geometry.Vec3;
+
+/** Gives a sample of a trajectory at each read, for frames that are driven without a clock. */
+final class TrajectoryDevice implements HapticDevice {
+  /** Time between samples where the trajectory's own does not count. */
+  static final long FRAME_NANOS = 1_000_000;
+
+  private static final DeviceSpecification SPECIFICATION =
+      new DeviceSpecification(
+          "replay", "", Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0, FRAME_NANOS);
+
+  private final Trajectory trajectory;
+  private final boolean ownTimes;
+  private final Vec3 lastPosition = new Vec3();
+  private int next;
+
+  /**
+   * A device at the first sample.
+   *
+   * @param ownTimes whether samples carry the trajectory's times; else each is a new one
+   */
+  TrajectoryDevice(Trajectory trajectory, boolean ownTimes) {
+    this.trajectory = trajectory;
+    this.ownTimes = ownTimes;
+  }
+
+  @Override
+  public DeviceSpecification specification() {
+    return SPECIFICATION;
+  }
+
+  @Override
+  public ReadStatus read(DeviceState state) {
+    if (next == trajectory.size()) {
+      return ReadStatus.DISCONNECTED;
+    }
+    trajectory.read(next, state);
+    if (!ownTimes) {
+      state.timeNanos = next * FRAME_NANOS;
+    }
+    lastPosition.set(state.positionMm);
+    next++;
+    return ReadStatus.FRESH;
+  }
+
+  /** The position that was read last, as the trajectory has it. The device's own. */
+  Vec3 lastPosition() {
+    return lastPosition;
+  }
+
+  @Override
+  public boolean write(Vec3 forceNewton) {
+    return true;
+  }
+
+  @Override
+  public void close() {
+    // nothing is held
+  }
+}
