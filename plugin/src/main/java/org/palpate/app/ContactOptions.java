@@ -13,11 +13,11 @@ public final class ContactOptions {
       names = "--solver",
       paramLabel = "NAME",
       description = {
-        "What moves the interaction point: ${COMPLETION-CANDIDATES}.",
+        "What moves the interaction point: dot, paper, guarded, smooth or none.",
         "Default: ${DEFAULT-VALUE}. none is collision alone."
       },
       defaultValue = "guarded")
-  private SolverKind solver;
+  private String solverName;
 
   @Option(
       names = "--collision",
@@ -53,14 +53,21 @@ public final class ContactOptions {
   @Option(names = "--max-force", paramLabel = "N", description = "The largest force ever sent.")
   private Double maxForce;
 
+  /** What moves the interaction point. */
   public SolverKind solver() {
-    return solver;
+    return SolverKind.parse(solverName)
+        .orElseThrow(
+            () ->
+                PalpateException.wrongUse(
+                    "no such solver",
+                    "--solver " + solverName,
+                    "choose dot, paper, guarded, smooth or none"));
   }
 
   /** All of them together, checked. */
   public ContactSettings settings() {
     return new ContactSettings(
-        solver, collision(), stiffnessNewtonPerMm(), friction(), maxStepMm(), maxForceNewton());
+        solver(), collision(), stiffnessNewtonPerMm(), friction(), maxStepMm(), maxForceNewton());
   }
 
   /** Force over distance, N/mm of scan, where it was given. */
@@ -100,6 +107,7 @@ public final class ContactOptions {
 
   /** How collisions are found: the method that was given, else the solver's own. */
   public CollisionChoice collision() {
+    SolverKind solver = solver();
     if (collision == null) {
       return solver.defaultCollision();
     }

@@ -1,5 +1,6 @@
 package org.palpate.app;
 
+import java.io.IOException;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
@@ -110,6 +111,11 @@ public final class PalpateCommandLine {
       return PalpateException.WRONG_USE;
     }
     String where = command.getCommandSpec().qualifiedName();
+    if (e instanceof IOException) {
+      String what = "reading or writing failed (" + e.getMessage() + ")";
+      print("palpate: " + oneLine(what) + ": " + where + ": look at the disk", e, debug);
+      return PalpateException.FAILED;
+    }
     print(
         "palpate: "
             + oneLine(e.toString())

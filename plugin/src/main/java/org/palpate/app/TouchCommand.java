@@ -15,6 +15,7 @@ import org.palpate.host.TouchSession;
 import org.palpate.interaction.LoopEnd;
 import org.palpate.interaction.LoopSettings;
 import org.palpate.io.CsvNumbers;
+import org.palpate.realtime.RealtimeThread;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -149,9 +150,9 @@ final class TouchCommand implements Callable<Integer> {
       LoopSettings loop,
       Optional<Path> record)
       throws IOException {
-    RealtimeThread realtime = new RealtimeThread();
     Recording recording = record.isPresent() ? new Recording(record.get()) : null;
     try (recording;
+        RealtimeThread realtime = RealtimeThread.recommended();
         TouchSession session =
             new TouchSession(
                 scene,

@@ -78,11 +78,7 @@ final class VolumeSource {
     try {
       return Phantom.parse(spec);
     } catch (IllegalArgumentException e) {
-      throw PalpateException.wrongUse(
-          e.getMessage(),
-          "--phantom " + spec,
-          "write NAME[:EDGE][:grey], as in head:256 or torus:192:grey",
-          e);
+      throw PalpateException.wrongUse(e.getMessage(), e);
     }
   }
 

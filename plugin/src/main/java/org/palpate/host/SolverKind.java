@@ -1,6 +1,8 @@
 package org.palpate.host;
 
+import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
 
 /** What moves the interaction point. */
 public enum SolverKind {
@@ -14,6 +16,11 @@ public enum SolverKind {
   SMOOTH,
   /** Nothing: the interaction point is the device, collision alone. */
   NONE;
+
+  /** The solver of that name, as {@link #toString} has it; empty where there is none. */
+  public static Optional<SolverKind> parse(String name) {
+    return Arrays.stream(values()).filter(kind -> kind.toString().equals(name)).findFirst();
+  }
 
   /** Whether the collision method is the user's to choose; the others are always exact. */
   public boolean choosesCollision() {

@@ -27,10 +27,10 @@ public final class NewFile implements AutoCloseable {
    * @throws IOException where the folder is not there or may not be written to
    */
   public NewFile(Path target) throws IOException {
-    boolean exists = Files.exists(target);
+    boolean isNoPlainFile = Files.exists(target) && !Files.isRegularFile(target);
     // a link stays a link: what it points to is replaced
-    this.target = exists ? target.toRealPath() : target.toAbsolutePath();
-    written = exists && !Files.isRegularFile(target) ? this.target : beside(this.target);
+    this.target = Files.isRegularFile(target) ? target.toRealPath() : target.toAbsolutePath();
+    written = isNoPlainFile ? this.target : beside(this.target);
     stream = new BufferedOutputStream(open(), 1 << 16);
   }
 

@@ -4,6 +4,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.MalformedInputException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -58,6 +59,8 @@ public final class TrajectoryCsv {
       throw new CsvFormatException("no such file", file, "check the path");
     } catch (MalformedInputException e) {
       throw new CsvFormatException("it is no text", file, "give a table with t_ms,x,y,z");
+    } catch (FileSystemException e) {
+      throw new CsvFormatException("it cannot be read", file, "check that you may read it");
     }
   }
 
