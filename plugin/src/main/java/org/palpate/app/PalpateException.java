@@ -22,6 +22,12 @@ public final class PalpateException extends RuntimeException {
     return new PalpateException(WRONG_USE, line(what, where, remedy), null);
   }
 
+  /** Wrong use or bad input that was noticed by {@code cause}: exit code 2. */
+  public static PalpateException wrongUse(
+      String what, String where, String remedy, Throwable cause) {
+    return wrongUse(line(what, where, remedy), cause);
+  }
+
   /** Wrong use or bad input, with a line that is whole already: exit code 2. */
   public static PalpateException wrongUse(String line, Throwable cause) {
     return new PalpateException(WRONG_USE, line, cause);
