@@ -1,0 +1,134 @@
+package org.palpate.io;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.zip.GZIPOutputStream;
+
+/**
+ * Writes a volume as NRRD or NIfTI, by the ending of its name, slice by slice. The file is written
+ * beside its target and moved over it when whole; an input is never written over.
+ */
+public final class VolumeWriter {
+  private VolumeWriter() {}
+
+  /**
+   * Writes all values of a volume, in the narrowest type that holds what its header allows.
+   *
+   * @param target ends in {@code .nrrd}, {@code .nii} or {@code .nii.gz}
+   * @throws VolumeFormatException where the volume cannot be read, or the target is no place to
+   *     write to
+   */
+  public static void write(VolumeReader volume, Path target) throws VolumeFormatException {
+    String name = target.getFileName().toString().toLowerCase(Locale.ROOT);
+    boolean nifti = name.endsWith(".nii") || name.endsWith(".nii.gz");
+    if (!nifti && !name.endsWith(".nrrd")) {
+      throw new VolumeFormatException(
+          "volumes are not written in this format", target, "name it .nrrd, .nii or .nii.gz");
+    }
+    refuseInputs(volume, target);
+    VoxelType type = type(volume.header());
+    byte[] header =
+        nifti
+            ? NiftiHeaderWriter.of(volume.header(), type)
+            : NrrdHeaderWriter.of(volume.header(), type);
+    try (NewFile file = new NewFile(target)) {
+      OutputStream out = file.stream();
+      if (!nifti) {
+        out.write(header);
+        out = writeGzip(volume, type, out, new byte[0]);
+      } else if (name.endsWith(".gz")) {
+        out = writeGzip(volume, type, out, header);
+      } else {
+        out.write(header);
+        writeSamples(volume, type, out);
+      }
+      out.flush();
+      file.commit();
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new VolumeFormatException(
+          "cannot be written (" + e.getClass().getSimpleName() + ")",
+          target,
+          "choose a folder that exists, may be written to and has room",
+          e);
+    }
+  }
+
+  private static OutputStream writeGzip(
+      VolumeReader volume, VoxelType type, OutputStream out, byte[] header) throws IOException {
+    GZIPOutputStream gzip = new GZIPOutputStream(out, Inputs.BUFFER_BYTES);
+    gzip.write(header);
+    writeSamples(volume, type, gzip);
+    gzip.finish();
+    return out;
+  }
+
+  private static void refuseInputs(VolumeReader volume, Path target) throws VolumeFormatException {
+    for (Path input : volume.files()) {
+      try {
+        if (Files.exists(target) && Files.isSameFile(input, target)) {
+          throw new VolumeFormatException(
+              "it is the volume that is read", target, "write to another file");
+        }
+      } catch (VolumeFormatException e) {
+        throw e;
+      } catch (IOException e) {
+        throw Inputs.unreadable(target, e);
+      }
+    }
+  }
+
+  /** The stored type where values are as stored, else one that holds every scaled value. */
+  private static VoxelType type(VolumeHeader header) {
+    VolumeHeader.ValueRange values = header.values();
+    boolean asStored = values.low() >= header.type().low() && values.high() <= header.type().high();
+    if (values.whole()) {
+      return asStored
+          ? header.type()
+          : values.low() >= VoxelType.INT16.low() && values.high() <= VoxelType.INT16.high()
+              ? VoxelType.INT16
+              : VoxelType.INT32;
+    }
+    return header.type() == VoxelType.FLOAT32
+            && values.equals(VolumeHeader.ValueRange.of(header.type()))
+        ? VoxelType.FLOAT32
+        : VoxelType.FLOAT64;
+  }
+
+  private static void writeSamples(VolumeReader volume, VoxelType type, OutputStream out)
+      throws VolumeFormatException {
+    int count = volume.header().grid().sizeX() * volume.header().grid().sizeY();
+    Memory.require((double) count * type.bytes(), "one slice", volume.place());
+    ByteBuffer bytes =
+        ByteBuffer.allocate(Math.multiplyExact(count, type.bytes())).order(ByteOrder.LITTLE_ENDIAN);
+    volume.read(
+        (k, slice) -> {
+          bytes.clear();
+          for (int n = 0; n < count; n++) {
+            put(slice.value(n), type, bytes);
+          }
+          try {
+            out.write(bytes.array(), 0, bytes.position());
+          } catch (IOException e) {
+            throw new VolumeFormatException(
+                "cannot be written", "slice " + k, "look whether there is room on the disk", e);
+          }
+        });
+  }
+
+  private static void put(double value, VoxelType type, ByteBuffer bytes) {
+    switch (type) {
+      case INT8, UINT8 -> bytes.put((byte) (int) value);
+      case INT16, UINT16 -> bytes.putShort((short) (int) value);
+      case INT32 -> bytes.putInt((int) value);
+      case FLOAT32 -> bytes.putFloat((float) value);
+      default -> bytes.putDouble(value);
+    }
+  }
+}

@@ -1,0 +1,147 @@
+package org.palpate.io;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.VolumeHeader.World;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.phantom.Phantom;
+
+class VolumeWriterTest {
+  private static final double WORLD_TOLERANCE_MM = 1e-9;
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @ValueSource(strings = {"head.nrrd", "head.nii", "head.nii.gz"})
+  void aPhantomReadsBackEqual(String name) throws Exception {
+    for (String spec : List.of("head:48", "torus:32:grey")) {
+      VolumeReader phantom = new PhantomReader(Phantom.parse(spec));
+      assertEquals(VoxelCrc.of(phantom), VoxelCrc.of(writtenAndOpened(phantom, name)));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "formats/nifti/functional.nii",
+        "formats/nifti/anatomical.nii",
+        "formats/nifti/reoriented_anat_moved.nii",
+        "formats/dicom/CT_small.dcm",
+        "formats/nrrd/BallBinary30x30x30_gz.nrrd",
+        "LIDC/dicom_10slices"
+      })
+  void aScanReadsBackEqualAndInTheSamePlace(String name) throws Exception {
+    VolumeReader scan = VolumeFiles.open(TestData.file(name), time(name));
+    for (String target : List.of("scan.nrrd", "scan.nii.gz")) {
+      VolumeReader read = writtenAndOpened(scan, target);
+      assertEquals(VoxelCrc.of(scan), VoxelCrc.of(read), target);
+      Vec3 expected = asRas(scan, new Vec3(3.5, 2.5, 0.5));
+      Vec3 actual = asRas(read, new Vec3(3.5, 2.5, 0.5));
+      assertEquals(expected.x, actual.x, WORLD_TOLERANCE_MM, target);
+      assertEquals(expected.y, actual.y, WORLD_TOLERANCE_MM, target);
+      assertEquals(expected.z, actual.z, WORLD_TOLERANCE_MM, target);
+    }
+  }
+
+  private static ReadOptions time(String name) {
+    return name.contains("functional")
+        ? ReadOptions.defaults().withTime(1)
+        : ReadOptions.defaults();
+  }
+
+  private static Vec3 asRas(VolumeReader reader, Vec3 grid) {
+    Vec3 world = reader.header().grid().gridToWorld(grid, new Vec3());
+    return reader.header().world() == World.LPS ? new Vec3(-world.x, -world.y, world.z) : world;
+  }
+
+  @Test
+  void segmentsReadBackWithTheirNamesAndColours() throws Exception {
+    SegmentedVolume volume = Phantom.parse("head:48").segments();
+    VolumeReader read = writtenAndOpened(new SegmentReader(volume, World.LPS), "a.nrrd");
+    for (int n = 0; n < volume.segments().size(); n++) {
+      Segment segment = volume.segments().get(n);
+      LabelTable.Label label = read.header().labels().get().labels().get(n + 1L);
+      assertEquals(new LabelTable.Label(segment.name(), segment.rgb()), label);
+      assertEquals(
+          segment.bits().solidCount(),
+          SegmentBuilder.read(read, List.of(SegmentSpec.labels("s", n + 1)))
+              .segments()
+              .get(0)
+              .bits()
+              .solidCount());
+    }
+  }
+
+  @Test
+  void aFailureLeavesTheTargetAndNoOtherFileBehind() throws Exception {
+    Path target = Files.writeString(folder.resolve("kept.nrrd"), "kept");
+    VolumeReader broken = failing();
+    assertThrows(VolumeFormatException.class, () -> VolumeWriter.write(broken, target));
+    assertEquals("kept", Files.readString(target));
+    try (Stream<Path> files = Files.list(folder)) {
+      assertEquals(1, files.count());
+    }
+  }
+
+  @Test
+  void anInputIsNeverWrittenOver() throws Exception {
+    Path file = folder.resolve("in.nrrd");
+    VolumeWriter.write(new PhantomReader(Phantom.parse("sphere:16")), file);
+    VolumeReader reader = VolumeFiles.open(file, ReadOptions.defaults());
+    VolumeFormatException refused =
+        assertThrows(VolumeFormatException.class, () -> VolumeWriter.write(reader, file));
+    assertTrue(refused.getMessage().contains("the volume that is read"));
+  }
+
+  @Test
+  void anotherEndingIsRefused() {
+    VolumeReader phantom = new PhantomReader(Phantom.parse("sphere:16"));
+    assertThrows(
+        VolumeFormatException.class, () -> VolumeWriter.write(phantom, folder.resolve("a.png")));
+  }
+
+  private VolumeReader writtenAndOpened(VolumeReader volume, String name) throws Exception {
+    Path file = folder.resolve(name);
+    VolumeWriter.write(volume, file);
+    return VolumeFiles.open(file, ReadOptions.defaults());
+  }
+
+  /** A volume that breaks off after its first slice. */
+  private static VolumeReader failing() {
+    PhantomReader whole = new PhantomReader(Phantom.parse("sphere:16"));
+    return new VolumeReader() {
+      @Override
+      public VolumeHeader header() {
+        return whole.header();
+      }
+
+      @Override
+      public void read(SliceSink sink) throws VolumeFormatException {
+        sink.accept(0, new VoxelSlice(16, 16, true));
+        throw new VolumeFormatException("breaks off", place(), "is made to");
+      }
+
+      @Override
+      public String place() {
+        return "test";
+      }
+
+      @Override
+      public List<Path> files() {
+        return List.of();
+      }
+    };
+  }
+}
