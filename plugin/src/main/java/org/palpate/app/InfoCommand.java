@@ -2,21 +2,27 @@ package org.palpate.app;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.CsvNumbers;
 import org.palpate.io.SegmentBuilder;
+import org.palpate.io.SegmentReader;
 import org.palpate.io.SegmentSpec;
 import org.palpate.io.ValueSurvey;
 import org.palpate.io.VolumeHeader;
+import org.palpate.io.VolumeReader;
 import org.palpate.io.VolumeWords;
+import org.palpate.io.VolumeWriter;
 import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** Tells what is in a volume. */
@@ -28,6 +34,7 @@ import picocli.CommandLine.Spec;
       "Examples:",
       "  palpate info --volume scan.nrrd",
       "  palpate info --volume scan.nrrd --segment 'bone=>=1500' --report info.json",
+      "  palpate info --volume scan.nrrd --segment 'bone=>=1500' --export bone.nii.gz",
       "  palpate info --volume slices.raw --raw 256x256x113:u16be:1,1,2",
       "  palpate info --phantom torus:192"
     })
@@ -35,6 +42,14 @@ final class InfoCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
   @Mixin private OutputOptions output;
+
+  @Option(
+      names = "--export",
+      paramLabel = "FILE",
+      description = {
+        "Write the volume, or the segments asked for as labels, to a .nrrd, .nii or .nii.gz file."
+      })
+  private Path export;
 
   private PrintWriter out;
 
@@ -51,6 +66,9 @@ final class InfoCommand implements Callable<Integer> {
     printValues(found);
     List<Segment> segments = segments(source, found);
     printSegments(segments);
+    if (export != null) {
+      export(source, segments);
+    }
     if (source.asked().isEmpty() && source.isIntensities(found)) {
       line("segments", "none asked for; choose, for example " + source.proposal(found));
     }
@@ -120,6 +138,17 @@ final class InfoCommand implements Callable<Integer> {
               segment.bits().solidCount(),
               segment.bits().bounds()));
     }
+  }
+
+  private void export(VolumeSource source, List<Segment> segments) throws IOException {
+    Path target = Outputs.checked("--export", export, source.files());
+    VolumeHeader header = source.header();
+    VolumeReader written =
+        source.asked().isEmpty()
+            ? source.reader()
+            : new SegmentReader(new SegmentedVolume(header.grid(), segments), header.world());
+    VolumeWriter.write(written, target);
+    line("written", target.toString());
   }
 
   private void line(String what, String text) {

@@ -3,6 +3,7 @@ package org.palpate.app;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import picocli.CommandLine.Option;
 
 /** The options that say what is touched. */
@@ -22,6 +23,23 @@ public final class VolumeOptions {
       paramLabel = "SIZES:TYPE:SPACING",
       description = "What a raw file holds, as in 256x256x113:u16be:1,1,2.")
   private String raw;
+
+  @Option(
+      names = "--time",
+      paramLabel = "N",
+      description = "Which time step or component of a file with several, from 0.")
+  private Integer time;
+
+  @Option(
+      names = "--series",
+      paramLabel = "N",
+      description = "Which series of a DICOM folder, by its number in the list or its UID.")
+  private String series;
+
+  @Option(
+      names = "--resample",
+      description = "Make slices in between where those of a DICOM series are uneven.")
+  private boolean resample;
 
   @Option(
       names = "--phantom",
@@ -51,6 +69,21 @@ public final class VolumeOptions {
   /** What a raw file holds, if that was said. */
   public Optional<String> raw() {
     return Optional.ofNullable(raw);
+  }
+
+  /** Which time step or component, if that was said. */
+  public OptionalInt time() {
+    return time == null ? OptionalInt.empty() : OptionalInt.of(time);
+  }
+
+  /** Which series of a folder, if that was said. */
+  public Optional<String> series() {
+    return Optional.ofNullable(series);
+  }
+
+  /** Whether uneven slices may be resampled. */
+  public boolean resample() {
+    return resample;
   }
 
   /** The phantom to make where no file was asked for. */

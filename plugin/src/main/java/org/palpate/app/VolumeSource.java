@@ -52,12 +52,25 @@ final class VolumeSource {
       return new VolumeSource(
           "phantom " + phantom.spec(), new PhantomReader(phantom), Optional.of(phantom), asked);
     }
-    ReadOptions reading = ReadOptions.defaults().withProgress(new ProgressLine("reading"));
+    return new VolumeSource(
+        file.get().toString(),
+        VolumeFiles.open(file.get(), reading(options)),
+        Optional.empty(),
+        asked);
+  }
+
+  private static ReadOptions reading(VolumeOptions options) throws VolumeFormatException {
+    ReadOptions reading =
+        ReadOptions.defaults()
+            .withProgress(new ProgressLine("reading"))
+            .withResample(options.resample());
     if (options.raw().isPresent()) {
       reading = reading.withRaw(RawLayout.parse(options.raw().get()));
     }
-    return new VolumeSource(
-        file.get().toString(), VolumeFiles.open(file.get(), reading), Optional.empty(), asked);
+    if (options.time().isPresent()) {
+      reading = reading.withTime(options.time().getAsInt());
+    }
+    return options.series().isPresent() ? reading.withSeries(options.series().get()) : reading;
   }
 
   private static List<SegmentSpec> parseSegments(List<String> texts) throws VolumeFormatException {
