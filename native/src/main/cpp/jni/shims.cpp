@@ -55,7 +55,7 @@ int64_t nanos(jint millis) { return static_cast<int64_t>(millis) * palpate::kNan
 
 extern "C" {
 
-/** Two jlong: {handle or 0}; where it is 0, why[0] says why not. */
+/** The handle, or 0 with why[0] set. */
 JNIEXPORT jlong JNICALL Java_org_palpate_device_jni_NativeCalls_open(JNIEnv* env, jclass,
                                                                      jstring backend, jstring id,
                                                                      jint waitMillis,
@@ -129,6 +129,10 @@ JNIEXPORT jint JNICALL Java_org_palpate_device_jni_NativeCalls_close(JNIEnv*, jc
 JNIEXPORT jstring JNICALL Java_org_palpate_device_jni_NativeCalls_ending(JNIEnv* env, jclass,
                                                                          jlong handle) {
   return text(env, Session::ending(handle));
+}
+
+JNIEXPORT jint JNICALL Java_org_palpate_device_jni_NativeCalls_underWay(JNIEnv*, jclass) {
+  return Session::underWay();
 }
 
 JNIEXPORT void JNICALL Java_org_palpate_device_jni_NativeCalls_nothing(JNIEnv*, jclass) {}

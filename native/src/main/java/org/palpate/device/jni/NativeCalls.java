@@ -39,6 +39,9 @@ final class NativeCalls {
 
   static native String ending(long handle);
 
+  /** How many threads are inside a vendor's opening, looking or closing, hanging ones too. */
+  static native int underWay();
+
   /** Nothing at all: the yardstick of what the others cost. */
   static native void nothing();
 }

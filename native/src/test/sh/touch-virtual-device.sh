@@ -1,0 +1,19 @@
+#!/bin/sh
+# Runs palpate with a hand-built device that does not exist: the unmodified hidapi finds it behind
+# umockdev as /dev/hidraw0, its firmware is docs/firmware/palpate_device.c, a hand moves it at 1 kHz.
+#
+#   native/src/test/sh/touch-virtual-device.sh [COMMAND [ARGUMENT ...]]
+#
+# Without arguments: touch --device hid --seconds 10 --headless. At the end the device says what it
+# felt. Needs umockdev libumockdev-dev libhidapi-hidraw0 pkg-config cmake g++ (Debian's names).
+set -eu
+module=$(CDPATH='' cd -- "$(dirname -- "$0")/../../.." && pwd -P)
+build=$module/target/cmake-tests
+[ $# -gt 0 ] || set -- touch --device hid --seconds 10 --headless
+cmake -S "$module" -B "$build" -DPALPATE_TESTS=ON -DPALPATE_JNI=OFF >/dev/null
+cmake --build "$build" --target help | grep -q umock_hid || {
+  echo "palpate: no umockdev: virtual device: apt-get install libumockdev-dev umockdev pkg-config" >&2
+  exit 1
+}
+cmake --build "$build" --target umock_hid >/dev/null
+LD_PRELOAD=libumockdev-preload.so.0 exec "$build/umock_hid" "$module/../palpate" "$@"
