@@ -41,14 +41,15 @@ final class LinuxSetup {
     }
     grants.add(setTimerSlack());
     CpuTopology topology = CpuTopology.read(root);
+    int priority = RealtimePriority.belowThreadsIn(root.resolve("proc/self/task"));
     if (wish.pin()) {
       grants.add(pin(topology));
     }
     if (wish.schedulingClass() != SchedulingClass.NORMAL) {
-      grants.add(setRealtime(wish, topology));
+      grants.add(setRealtime(wish, topology, priority));
     }
     if (wish.raiseVm() && wish.schedulingClass() != SchedulingClass.NORMAL) {
-      grants.add(raiseVm());
+      grants.add(raiseVm(Math.max(1, priority - 1)));
     }
     return grants;
   }
@@ -93,11 +94,10 @@ final class LinuxSetup {
     return grant;
   }
 
-  private Grant setRealtime(RealtimeWish wish, CpuTopology topology) {
+  private Grant setRealtime(RealtimeWish wish, CpuTopology topology, int priority) {
     if (!wish.everSleeps() && topology.allowed().cardinality() < 2) {
       return Grant.refused("class", "a thread that never sleeps would keep the only processor");
     }
-    int priority = RealtimePriority.belowThreadsIn(root.resolve("proc/self/task"));
     String name = wish.schedulingClass().name().toLowerCase(Locale.ROOT);
     return answer(
         "class",
@@ -106,10 +106,8 @@ final class LinuxSetup {
         ASK_FOR_PRIORITY);
   }
 
-  private Grant raiseVm() {
-    Path tasks = root.resolve("proc/self/task");
-    int priority = Math.max(1, RealtimePriority.belowThreadsIn(tasks) - 1);
-    List<Integer> threads = VmThreads.in(tasks);
+  private Grant raiseVm(int priority) {
+    List<Integer> threads = VmThreads.in(root.resolve("proc/self/task"));
     String error = threads.isEmpty() ? "no thread of a known name" : "";
     for (int tid : threads) {
       String answer = scheduler.setRealtime(tid, SchedulingClass.FIFO, priority);

@@ -16,18 +16,23 @@ import org.palpate.benchmarks.jitter.JvmEvent.Kind;
  * kernel counts.
  */
 final class CauseFinder {
+  private static final int INTERPRETER_FACTOR = 50;
+
   private final List<JvmEvent> events;
   private final Machine machine;
   private final boolean realtime;
+  private final long usualWorkNanos;
 
   /**
    * @param events on the samples' clock
+   * @param usualWorkNanos how long a frame's work usually takes
    * @param realtime whether the loop ran before all ordinary threads, so that a compiler or
    *     collector beside it cannot have had its processor
    */
-  CauseFinder(List<JvmEvent> events, Machine machine, boolean realtime) {
+  CauseFinder(List<JvmEvent> events, Machine machine, long usualWorkNanos, boolean realtime) {
     this.events = List.copyOf(events);
     this.machine = machine;
+    this.usualWorkNanos = usualWorkNanos;
     this.realtime = realtime;
   }
 
@@ -67,13 +72,19 @@ final class CauseFinder {
     if (shares.isHalf(shares.work) && shares.deoptimizations > 0) {
       return Cause.Kind.DEOPTIMIZATION;
     }
-    if (shares.isHalf(shares.work) && 2 * shares.compilation >= shares.work) {
+    if (shares.isHalf(shares.work) && mayHaveRunInterpreted(shares)) {
       return Cause.Kind.JIT;
     }
     if (shares.faults > 0) {
       return Cause.Kind.PAGING;
     }
     return shares.isHalf(shares.stolen) ? Cause.Kind.STEAL : Cause.Kind.OUTSIDE;
+  }
+
+  /** Interpreted code is some tens of times slower than compiled code, not hundreds of times. */
+  private boolean mayHaveRunInterpreted(Shares shares) {
+    return 2 * shares.compilation >= shares.work
+        && shares.work <= INTERPRETER_FACTOR * usualWorkNanos;
   }
 
   private Cause.Kind whatStoppedIt(Shares shares) {

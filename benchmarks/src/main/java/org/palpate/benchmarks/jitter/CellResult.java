@@ -45,10 +45,12 @@ record CellResult(
     long to = samples.end(samples.count() - 1);
     List<JvmEvent> measured =
         events.stream().filter(e -> e.startNanos() <= to && e.endNanos() >= from).toList();
+    Delays delays = Delays.of(samples, CellRunner.PERIOD_NANOS);
+    long usualWork = delays.work().getValueAtPercentile(50);
     return new CellResult(
         cell,
-        Delays.of(samples, CellRunner.PERIOD_NANOS),
-        new CauseFinder(measured, machine, realtime).worst(samples, WORST),
+        delays,
+        new CauseFinder(measured, machine, usualWork, realtime).worst(samples, WORST),
         Timeline.of(samples, STRETCHES),
         from,
         folder.readAnswers(),

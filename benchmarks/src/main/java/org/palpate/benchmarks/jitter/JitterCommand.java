@@ -32,12 +32,13 @@ import picocli.CommandLine.Spec;
       "  palpate jitter --quick --out jitter",
       "  palpate jitter --out jitter --table waits --table collectors",
       "  palpate jitter --out jitter --jdk /opt/jdk-25 --cells '.*zgc-hybrid-fifo.*' --seconds 60",
+      "  palpate jitter --out jitter --minutes 20",
       "  palpate jitter --out jitter --list"
     })
 public final class JitterCommand implements Callable<Integer> {
   private static final int QUICK_SECONDS = 3;
   // On a busy machine processes start slowly; what was begun and the report fit into two minutes.
-  private static final long QUICK_BUDGET_SECONDS = 90;
+  private static final double QUICK_BUDGET_SECONDS = 90;
   private static final int USUAL_SECONDS = 10;
 
   @Spec private CommandSpec spec;
@@ -80,6 +81,14 @@ public final class JitterCommand implements Callable<Integer> {
       description = "How long a cell is measured (10; 3 with --quick).")
   private int seconds;
 
+  @Option(
+      names = "--minutes",
+      paramLabel = "M",
+      description =
+          "Begin no cell later than this, and report what there is (1.5 with --quick);"
+              + " 0 reports without running any.")
+  private Double minutes;
+
   @Option(names = "--heap", paramLabel = "MB", description = "Heap of a cell (512).")
   private int heapMb = 512;
 
@@ -106,9 +115,8 @@ public final class JitterCommand implements Callable<Integer> {
       throws IOException, InterruptedException {
     Path root = Files.createDirectories(folder).toRealPath();
     var machine = MachineFacts.read();
-    long budget = quick ? QUICK_BUDGET_SECONDS : Long.MAX_VALUE;
     JitterRun run =
-        new JitterRun(chosen, new CellRunner(root, CellScene.textOf(volume)), budget, out);
+        new JitterRun(chosen, new CellRunner(root, CellScene.textOf(volume)), budgetSeconds(), out);
     run.run();
     if (run.results().isEmpty()) {
       String first = run.left().values().iterator().next();
@@ -121,6 +129,13 @@ public final class JitterCommand implements Callable<Integer> {
     }
     out.println(root.resolve("index.html"));
     return 0;
+  }
+
+  private double budgetSeconds() {
+    if (minutes != null) {
+      return 60 * minutes;
+    }
+    return quick ? QUICK_BUDGET_SECONDS : Double.POSITIVE_INFINITY;
   }
 
   private List<Table> chosenTables() {

@@ -18,7 +18,7 @@ final class JitterRun {
 
   private final List<Table> tables;
   private final CellRunner runner;
-  private final long budgetSeconds;
+  private final double budgetSeconds;
   private final long beganNanos = System.nanoTime();
   private final PrintWriter out;
   private final Map<String, CellResult> results = new LinkedHashMap<>();
@@ -27,7 +27,7 @@ final class JitterRun {
   /**
    * @param budgetSeconds no cell is begun later than this
    */
-  JitterRun(List<Table> tables, CellRunner runner, long budgetSeconds, PrintWriter out) {
+  JitterRun(List<Table> tables, CellRunner runner, double budgetSeconds, PrintWriter out) {
     this.tables = tables;
     this.budgetSeconds = budgetSeconds;
     this.runner = runner;
@@ -88,7 +88,7 @@ final class JitterRun {
   }
 
   private boolean isTimeUp(Cell cell) {
-    long seconds = (System.nanoTime() - beganNanos) / 1_000_000_000L;
+    double seconds = (System.nanoTime() - beganNanos) / 1e9;
     return seconds > budgetSeconds && !runner.folder(cell).isWhole();
   }
 

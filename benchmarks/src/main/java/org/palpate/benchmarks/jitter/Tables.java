@@ -11,13 +11,13 @@ final class Tables {
   static final List<String> NAMES =
       List.of(
           "machine",
+          "recommended",
           "simplest",
           "waits",
           "collectors",
           "workloads",
           "compilers",
-          "heaps",
-          "recommended");
+          "heaps");
 
   private static final int TIMES_LONGER = 6;
 
@@ -40,13 +40,13 @@ final class Tables {
   List<Table> all() {
     return List.of(
         machine(),
+        recommended(),
         simplest(),
         waits(),
         collectors(),
         workloads(),
         compilers(),
-        heaps(),
-        recommended());
+        heaps());
   }
 
   /** A dozen cells that show what matters. */

@@ -17,6 +17,7 @@ class CauseFinderTest {
   private static final int FRAMES = 1_000;
   private static final int LATE = 500;
   private static final long DUE = LATE * MILLI;
+  private static final long USUAL_WORK = 50 * MICRO;
   private static final Machine QUIET = new Machine(List.of());
 
   private final List<JvmEvent> events = new ArrayList<>();
@@ -105,6 +106,12 @@ class CauseFinderTest {
   }
 
   @Test
+  void workThatIsTooLongEvenForAnInterpreterIsNotTheJit() {
+    event(Kind.COMPILATION, DUE, DUE + 9 * MILLI, "c2 Frame.run");
+    assertEquals(Cause.Kind.OUTSIDE, worst(late(10 * MICRO, 9 * MILLI, 0), QUIET, true).kind());
+  }
+
+  @Test
   void stolenTimeAboutThenIsTheHypervisors() {
     Machine robbed =
         new Machine(
@@ -138,7 +145,7 @@ class CauseFinderTest {
     }
     late.sort(Collections.reverseOrder());
     List<Long> found =
-        new CauseFinder(List.of(), QUIET, true)
+        new CauseFinder(List.of(), QUIET, USUAL_WORK, true)
             .worst(samples, 10).stream().map(Cause::latenessNanos).toList();
     assertEquals(late.subList(0, 10), found, "seed=" + seed);
   }
@@ -160,6 +167,6 @@ class CauseFinderTest {
   }
 
   private Cause worst(Samples samples, Machine machine, boolean realtime) {
-    return new CauseFinder(events, machine, realtime).worst(samples, 1).get(0);
+    return new CauseFinder(events, machine, USUAL_WORK, realtime).worst(samples, 1).get(0);
   }
 }
