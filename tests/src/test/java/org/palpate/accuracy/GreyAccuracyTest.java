@@ -79,8 +79,7 @@ class GreyAccuracyTest {
     for (double[] row : rows) {
       for (double speed : new double[] {0.05, 0.3, 2}) {
         SlideTrajectory slide =
-            new SlideTrajectory(
-                phantom.truth().orElseThrow(), EDGE, row[0], speed, FRAMES, SEED);
+            new SlideTrajectory(phantom.truth().orElseThrow(), EDGE, row[0], speed, FRAMES, SEED);
         Accuracy accuracy =
             new AccuracyMeter(phantom.truth().orElseThrow(), UNIT, slide, row[0])
                 .measure(solver(solids), new Obstacles(List.of(solids.bits)));

@@ -1,0 +1,64 @@
+package org.palpate.endtoend;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.SplittableRandom;
+import java.util.function.ToIntFunction;
+import org.junit.jupiter.api.Assumptions;
+
+/** Small files that tests make, and the folder of real scans. */
+final class TestFiles {
+  private TestFiles() {}
+
+  /** A file of the folder of real scans; the test is skipped, and says so, where it is absent. */
+  static Path scan(String name) {
+    Path file = Path.of(System.getProperty("palpate.data", "../shared/data"), name);
+    Assumptions.assumeTrue(
+        Files.exists(file), () -> "skipped: there is no " + file + " (-Dpalpate.data=DIR)");
+    return file;
+  }
+
+  /** An NRRD file of bytes, x fastest, spacing 1, 1, 2. */
+  static Path nrrd(Path file, int edge, ToIntFunction<int[]> value) throws IOException {
+    return Files.write(file, nrrdBytes(edge, value));
+  }
+
+  static byte[] nrrdBytes(int edge, ToIntFunction<int[]> value) {
+    byte[] header =
+        ("NRRD0004\ntype: uint8\ndimension: 3\nsizes: "
+                + (edge + " " + edge + " " + edge)
+                + "\nspace: left-posterior-superior\n"
+                + "space directions: (1,0,0) (0,1,0) (0,0,2)\nspace origin: (-10,-20,30)\n"
+                + "encoding: raw\n\n")
+            .getBytes(StandardCharsets.US_ASCII);
+    byte[] bytes = java.util.Arrays.copyOf(header, header.length + edge * edge * edge);
+    int at = header.length;
+    for (int k = 0; k < edge; k++) {
+      for (int j = 0; j < edge; j++) {
+        for (int i = 0; i < edge; i++) {
+          bytes[at++] = (byte) value.applyAsInt(new int[] {i, j, k});
+        }
+      }
+    }
+    return bytes;
+  }
+
+  /** A seeded walk through a cube of an edge in mm, some of its steps long. */
+  static Path trajectory(Path file, int frames, double edgeMm, long seed) throws IOException {
+    SplittableRandom random = new SplittableRandom(seed);
+    StringBuilder text = new StringBuilder("t_ms,x,y,z\n");
+    double[] p = {0.5 * edgeMm, 0.5 * edgeMm, 1.1 * edgeMm};
+    for (int frame = 0; frame < frames; frame++) {
+      double step = frame % 50 == 49 ? edgeMm / 4 : 0.4;
+      for (int axis = 0; axis < 3; axis++) {
+        double pull = (0.5 * edgeMm - p[axis]) * 0.02;
+        p[axis] += pull + step * (2 * random.nextDouble() - 1);
+      }
+      text.append(String.format(Locale.ROOT, "%d,%s,%s,%s%n", frame, p[0], p[1], p[2]));
+    }
+    return Files.writeString(file, text.toString().replace("\r", ""));
+  }
+}

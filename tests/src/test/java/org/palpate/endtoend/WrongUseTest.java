@@ -1,0 +1,115 @@
+package org.palpate.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class WrongUseTest {
+  @TempDir private Path folder;
+
+  static Stream<String> wrongArguments() {
+    return Stream.of(
+        "frobnicate",
+        "touch --frobnicate",
+        "touch extra",
+        "touch --solver fast",
+        "touch --collision sampled:0",
+        "touch --solver guarded --collision gridplanes",
+        "touch --stiffness -1",
+        "touch --stiffness NaN",
+        "touch --friction -0.1",
+        "touch --max-step 0",
+        "touch --max-force much",
+        "touch --rate 0",
+        "touch --seconds -1",
+        "touch --device banana",
+        "touch --device replay",
+        "touch --device simulated:x",
+        "touch --phantom cow",
+        "touch --phantom head:3",
+        "touch --phantom head:64 --volume x.nrrd",
+        "touch --phantom sphere:32:grey",
+        "touch --raw 1x1x1:u8:1,1,1",
+        "touch --volume /no/such/file.nrrd",
+        "touch --segment bone",
+        "touch --segment bone=>=many",
+        "touch --segment a=nonzero --segment a=>=1",
+        "touch --report /no/such/folder/r.json",
+        "touch --headless --record /no/such/folder/t.csv",
+        "replay",
+        "replay --trajectory /no/such/file.csv",
+        "info --volume /no/such/file.nrrd",
+        "info --solver guarded");
+  }
+
+  @ParameterizedTest
+  @MethodSource("wrongArguments")
+  void isToldInOneLineWithExitCodeTwo(String arguments) {
+    CommandRun.of((Object[]) arguments.split(" ")).mustRefuse();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"touch", "replay", "info", "devices", "render", "jitter"})
+  void helpShowsExamplesAndSucceeds(String command) {
+    CommandRun run = CommandRun.of(command, "--help").mustSucceed();
+    assertTrue(run.out().contains("Examples:"), run.out());
+    assertTrue(run.out().contains("palpate " + command), run.out());
+  }
+
+  @Test
+  void helpWithoutACommandNamesAllCommands() {
+    CommandRun run = CommandRun.of("--help").mustSucceed();
+    for (String command : new String[] {"touch", "replay", "info", "render", "devices", "jitter"}) {
+      assertTrue(run.out().contains(command), command + " is not in: " + run.out());
+    }
+  }
+
+  @Test
+  void aStackTraceIsShownOnlyWithDebug() {
+    String[] quiet = {"info", "--volume", "/no/such/file.nrrd"};
+    assertFalse(CommandRun.of((Object[]) quiet).err().contains("\tat "));
+    CommandRun loud = CommandRun.of("info", "--volume", "/no/such/file.nrrd", "--debug");
+    assertTrue(loud.err().contains("\tat "), loud.err());
+    assertEquals(2, loud.exitCode());
+  }
+
+  @Test
+  void anInputIsNeverWritten() throws IOException {
+    Path volume = TestFiles.nrrd(folder.resolve("v.nrrd"), 16, v -> v[0] > 8 ? 1 : 0);
+    Path trajectory = TestFiles.trajectory(folder.resolve("t.csv"), 20, 16, 1);
+    byte[] volumeBytes = Files.readAllBytes(volume);
+    byte[] trajectoryBytes = Files.readAllBytes(trajectory);
+    Path link = Files.createSymbolicLink(folder.resolve("link.csv"), trajectory);
+    for (Path target : new Path[] {volume, trajectory, link}) {
+      for (String option : new String[] {"--out", "--legs", "--report"}) {
+        CommandRun.of("replay", "--volume", volume, "--trajectory", trajectory, option, target)
+            .mustRefuse();
+      }
+    }
+    assertEquals(-1, java.util.Arrays.mismatch(volumeBytes, Files.readAllBytes(volume)));
+    assertEquals(-1, java.util.Arrays.mismatch(trajectoryBytes, Files.readAllBytes(trajectory)));
+  }
+
+  @Test
+  void intensitiesAreRefusedWithValuesToChooseFrom() throws IOException {
+    Path volume =
+        TestFiles.nrrd(
+            folder.resolve("grey.nrrd"), 24, v -> (v[0] * 7 + v[1] * 3 + v[2] * 5) % 251);
+    Path trajectory = TestFiles.trajectory(folder.resolve("t.csv"), 20, 24, 1);
+    String line =
+        CommandRun.of("replay", "--volume", volume, "--trajectory", trajectory).mustRefuse();
+    assertTrue(line.contains("0 to 250") && line.contains("--segment 'bone=>="), line);
+    CommandRun info = CommandRun.of("info", "--volume", volume).mustSucceed();
+    assertTrue(info.out().contains("--segment 'bone=>="), info.out());
+  }
+}
