@@ -8,7 +8,8 @@ import org.palpate.geometry.Vec3;
  *
  * <p>A step solves (I - depth K) t = u in the tangent plane, K the curvature of the level surface
  * and u the tangential part of the way to the device, and drops along the normal by the height
- * above the level and by t K t / 2.
+ * above the level and by t K t / 2. Near a centre of curvature steps overshoot: one that brings
+ * little halves those that follow.
  *
  * <p>References: the god object, Zilles and Salisbury 1995; proxies on implicit surfaces, Salisbury
  * and Tarr 1997; on volumes, Chan et al. 2011.
@@ -38,6 +39,11 @@ final class ContactSearch {
   private static final double LONGEST_STEP_EDGES = 2.2;
   private static final double LONGEST_DROP_EDGES = 1;
   private static final double LARGEST_BEND_EDGES = 0.5;
+
+  /** A step that leaves more than this share of the offset makes the next ones shorter. */
+  private static final double SLOW_SHARE = 0.7;
+
+  private static final double LEAST_DAMPING = 0.25;
 
   /** Keeps the tangential system positive definite near centres of curvature. */
   private static final double LEAST_DIAGONAL = 0.35;
@@ -78,6 +84,8 @@ final class ContactSearch {
    */
   int search(Vec3 start, Vec3 device) {
     at.set(start);
+    double damping = 1;
+    double lastOffset = Double.POSITIVE_INFINITY;
     for (int n = 0; n < MOST_STEPS; n++) {
       field.evaluate(at.x, at.y, at.z);
       if (!findNormal() || heightEdges < -DEEPEST_EDGES) {
@@ -90,7 +98,11 @@ final class ContactSearch {
       if (offsetEdges <= tolerance && Math.abs(heightEdges) <= tolerance) {
         return FOUND;
       }
-      findStep();
+      if (offsetEdges > SLOW_SHARE * lastOffset) {
+        damping = Math.max(LEAST_DAMPING, damping / 2);
+      }
+      lastOffset = offsetEdges;
+      findStep(damping);
       if (leavesReach(start) && n > 0) {
         return FAR;
       }
@@ -135,10 +147,10 @@ final class ContactSearch {
     return depth > 0;
   }
 
-  private void findStep() {
+  private void findStep(double damping) {
     double bend = 0;
     if (offsetEdges > 1e-12) {
-      bend = curvedStep();
+      bend = curvedStep(damping);
     } else {
       step.set(0, 0, 0);
     }
@@ -147,7 +159,7 @@ final class ContactSearch {
   }
 
   /** Writes the tangential step; returns how much the surface falls off along it. */
-  private double curvedStep() {
+  private double curvedStep(double damping) {
     double ax = tangent.x / offsetEdges;
     double ay = tangent.y / offsetEdges;
     double az = tangent.z / offsetEdges;
@@ -167,8 +179,8 @@ final class ContactSearch {
     double diagonalB = Math.max(LEAST_DIAGONAL, 1 - depth * curvatureB);
     double coupling = clamp(-depth * curvatureAb, MOST_COUPLING * Math.sqrt(diagonalA * diagonalB));
     double determinant = diagonalA * diagonalB - coupling * coupling;
-    double alongA = offsetEdges * diagonalB / determinant;
-    double alongB = -offsetEdges * coupling / determinant;
+    double alongA = damping * offsetEdges * diagonalB / determinant;
+    double alongB = -damping * offsetEdges * coupling / determinant;
     double length = Math.sqrt(alongA * alongA + alongB * alongB);
     if (length > LONGEST_STEP_EDGES) {
       alongA *= LONGEST_STEP_EDGES / length;

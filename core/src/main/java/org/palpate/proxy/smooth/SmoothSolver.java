@@ -97,10 +97,7 @@ public final class SmoothSolver implements ProxySolver {
    * @param maxStepMm the most the point may travel in one frame, w_max, positive
    */
   public SmoothSolver(Metric metric, double maxStepMm) {
-    this(
-        metric,
-        maxStepMm,
-        new BitNodes(new SmoothingKernel(metric, SmoothingKernel.FOR_BITS)));
+    this(metric, maxStepMm, new BitNodes(new SmoothingKernel(metric, SmoothingKernel.FOR_BITS)));
   }
 
   /**

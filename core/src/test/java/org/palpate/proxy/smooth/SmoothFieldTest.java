@@ -134,7 +134,8 @@ class SmoothFieldTest {
   private static SmoothField field(Vec3 spacing) {
     double shortest = Math.min(spacing.x, Math.min(spacing.y, spacing.z));
     Vec3 edges = spacing.mul(1 / shortest, new Vec3());
-    return new SmoothField(new BitNodes(new SmoothingKernel(Metric.of(spacing), SmoothingKernel.FOR_BITS)), edges);
+    return new SmoothField(
+        new BitNodes(new SmoothingKernel(Metric.of(spacing), SmoothingKernel.FOR_BITS)), edges);
   }
 
   private BitCube randomBits(double share) {
