@@ -8,6 +8,7 @@ import java.util.concurrent.Callable;
 import org.palpate.app.OutputOptions;
 import org.palpate.app.PalpateException;
 import org.palpate.app.Report;
+import org.palpate.benchmarks.accuracy.AccuracyRun;
 import org.palpate.benchmarks.stability.StabilityRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -23,7 +24,8 @@ import picocli.CommandLine.Spec;
       "",
       "Examples:",
       "  palpate bench --stability --out figures",
-      "  palpate bench --stability --quick --out figures"
+      "  palpate bench --stability --quick --out figures",
+      "  palpate bench --accuracy --out figures"
     })
 public final class BenchCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
@@ -37,6 +39,14 @@ public final class BenchCommand implements Callable<Integer> {
       })
   private boolean stability;
 
+  @Option(
+      names = "--accuracy",
+      description = {
+        "Run time against error, for every solver and collision method:",
+        "solvers pressed into surfaces known by formula and slid along them."
+      })
+  private boolean accuracy;
+
   @Option(names = "--quick", description = "Fewer values in each sweep.")
   private boolean quick;
 
@@ -49,14 +59,20 @@ public final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    if (!stability) {
-      throw PalpateException.wrongUse("nothing to measure was chosen", "bench", "add --stability");
+    if (!stability && !accuracy) {
+      throw PalpateException.wrongUse(
+          "nothing to measure was chosen", "bench", "add --stability or --accuracy");
     }
     PrintWriter out = spec.commandLine().getOut();
     PrintWriter progress = spec.commandLine().getErr();
     Report report = new Report("bench", output.report(), List.of());
     try {
-      report.put("least_margin", StabilityRun.run(folder, quick, out, progress));
+      if (stability) {
+        report.put("least_margin", StabilityRun.run(folder, quick, out, progress));
+      }
+      if (accuracy) {
+        report.put("time_over_twin", AccuracyRun.run(folder, quick, out, progress));
+      }
     } catch (IOException e) {
       throw PalpateException.failed(
           "cannot write", folder.toString(), "choose a folder that may be written to", e);

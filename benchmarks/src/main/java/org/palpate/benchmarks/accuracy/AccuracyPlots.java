@@ -1,0 +1,80 @@
+package org.palpate.benchmarks.accuracy;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.knowm.xchart.BitmapEncoder;
+import org.knowm.xchart.BitmapEncoder.BitmapFormat;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries.XYSeriesRenderStyle;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+import org.palpate.io.NewFile;
+
+/** Draws the study's rows as PNG files. */
+final class AccuracyPlots {
+  private static final int WIDTH = 1000;
+  private static final int HEIGHT = 640;
+
+  private AccuracyPlots() {}
+
+  /** Time against the angle of the force, every solver on every slide: the whole front. */
+  static void plotFront(Path file, List<AccuracyRow> rows) throws IOException {
+    XYChart chart =
+        new XYChartBuilder()
+            .width(WIDTH)
+            .height(HEIGHT)
+            .title("Run time against error of the force, every shape, depth and speed")
+            .xAxisTitle("nanoseconds a frame")
+            .yAxisTitle("angle of the force to the true normal, degrees rms")
+            .build();
+    chart.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);
+    chart.getStyler().setDefaultSeriesRenderStyle(XYSeriesRenderStyle.Scatter);
+    chart.getStyler().setMarkerSize(7);
+    Map<String, List<AccuracyRow>> bySolver = new LinkedHashMap<>();
+    for (AccuracyRow row : rows) {
+      bySolver.computeIfAbsent(row.solver(), name -> new ArrayList<>()).add(row);
+    }
+    bySolver.forEach((solver, own) -> addSolver(chart, solver, own));
+    save(chart, file);
+  }
+
+  private static void addSolver(XYChart chart, String solver, List<AccuracyRow> rows) {
+    double[] nanos = rows.stream().mapToDouble(AccuracyRow::nanosPerFrame).toArray();
+    double[] degrees = rows.stream().mapToDouble(row -> row.accuracy().angleRmsDegrees()).toArray();
+    chart.addSeries(solver, nanos, degrees);
+  }
+
+  /** The angle of the force frame by frame. */
+  static void plotSlide(Path file, String title, Map<String, double[]> anglesBySolver)
+      throws IOException {
+    XYChart chart =
+        new XYChartBuilder()
+            .width(WIDTH)
+            .height(HEIGHT)
+            .title(title)
+            .xAxisTitle("way along the surface, voxels")
+            .yAxisTitle("angle of the force to the true normal, degrees")
+            .build();
+    anglesBySolver.forEach((solver, angles) -> addSlide(chart, solver, angles));
+    save(chart, file);
+  }
+
+  private static void addSlide(XYChart chart, String solver, double[] angles) {
+    double[] way = new double[angles.length];
+    for (int frame = 0; frame < way.length; frame++) {
+      way[frame] = 0.05 * frame;
+    }
+    chart.addSeries(solver, way, angles).setMarker(SeriesMarkers.NONE);
+  }
+
+  private static void save(XYChart chart, Path file) throws IOException {
+    try (NewFile out = new NewFile(file)) {
+      BitmapEncoder.saveBitmap(chart, out.stream(), BitmapFormat.PNG);
+      out.commit();
+    }
+  }
+}

@@ -1,0 +1,64 @@
+package org.palpate.benchmarks.accuracy;
+
+import java.util.List;
+import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.smooth.GreySurface;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.ScalarVolume;
+import org.palpate.volume.ScalarVolume.Storage;
+import org.palpate.volume.phantom.Phantom;
+import org.palpate.volume.phantom.PhantomSlices;
+import org.palpate.volume.phantom.SurfaceTruth;
+
+/** A phantom as bits and as grey values, and its surface by formula. */
+final class AccuracyScene {
+  final Phantom phantom;
+  final SurfaceTruth truth;
+  final BitCube bits;
+  final Obstacles obstacles;
+
+  /** The grey values and what they make of the surface. */
+  final GreySurface grey;
+
+  /** The solids that the threshold makes of the grey values. */
+  final Obstacles greyObstacles;
+
+  AccuracyScene(String kind, int edge) {
+    phantom = Phantom.parse(kind + ":" + edge);
+    truth = phantom.truth().orElseThrow();
+    bits = phantom.segments().segments().get(0).bits();
+    obstacles = new Obstacles(List.of(bits));
+    ScalarVolume volume = read(Phantom.parse(kind + ":" + edge + ":grey"));
+    grey = new GreySurface(volume, Phantom.HALF_GREY, Phantom.HALF_GREY);
+    greyObstacles = new Obstacles(List.of(threshold(volume)));
+  }
+
+  private static ScalarVolume read(Phantom phantom) {
+    int edge = phantom.edge();
+    ScalarVolume volume = ScalarVolume.of(phantom.grid(), Storage.INT16);
+    PhantomSlices slices = phantom.slices();
+    short[] slice = new short[edge * edge];
+    for (int k = 0; k < edge; k++) {
+      slices.read(k, slice);
+      for (int n = 0; n < slice.length; n++) {
+        volume.set(n % edge, n / edge, k, slice[n]);
+      }
+    }
+    return volume;
+  }
+
+  private static BitCube threshold(ScalarVolume volume) {
+    int edge = volume.grid().sizeX();
+    BitCube bits = new BitCube(edge, edge, edge);
+    for (int k = 0; k < edge; k++) {
+      for (int j = 0; j < edge; j++) {
+        for (int i = 0; i < edge; i++) {
+          if (volume.value(i, j, k) >= Phantom.HALF_GREY) {
+            bits.set(i, j, k);
+          }
+        }
+      }
+    }
+    return bits;
+  }
+}

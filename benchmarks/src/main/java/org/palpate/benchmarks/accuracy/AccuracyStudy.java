@@ -1,0 +1,112 @@
+package org.palpate.benchmarks.accuracy;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Consumer;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.Metric;
+
+/** Runs every solver along every slide: first for its errors, then, taking turns, for its time. */
+final class AccuracyStudy {
+  static final List<String> SHAPES = List.of("plane", "sphere", "torus");
+
+  private static final int EDGE = 192;
+  private static final long SEED = 7;
+  private static final int ROUNDS = 7;
+  private static final int WARM_UP_ROUNDS = 2;
+  private static final Metric UNIT = new Metric(1, 1, 1);
+
+  private final double[] depths;
+  private final double[] speeds;
+  private final int frames;
+  private final Consumer<String> progress;
+
+  AccuracyStudy(boolean quick, Consumer<String> progress) {
+    depths = quick ? new double[] {5} : new double[] {2, 5, 10};
+    speeds = quick ? new double[] {0.3} : new double[] {0.05, 0.3, 2};
+    frames = quick ? 3000 : 20000;
+    this.progress = progress;
+  }
+
+  List<AccuracyRow> rows() {
+    List<AccuracyRow> rows = new ArrayList<>();
+    for (String shape : SHAPES) {
+      AccuracyScene scene = new AccuracyScene(shape, EDGE);
+      for (double depth : depths) {
+        for (double speed : speeds) {
+          progress.accept(shape + ", " + depth + " voxels deep, " + speed + " a frame");
+          rows.addAll(slide(scene, shape, depth, speed));
+        }
+      }
+    }
+    return rows;
+  }
+
+  private List<AccuracyRow> slide(AccuracyScene scene, String shape, double depth, double speed) {
+    SlideTrajectory slide = new SlideTrajectory(scene.truth, EDGE, depth, speed, frames, SEED);
+    List<Contestant> contestants = Contestant.all(scene);
+    double[] nanos = times(contestants, slide);
+    List<AccuracyRow> rows = new ArrayList<>();
+    for (int n = 0; n < contestants.size(); n++) {
+      Contestant one = contestants.get(n);
+      Accuracy accuracy =
+          new AccuracyMeter(scene.truth, UNIT, slide, depth).measure(one.solver(), one.obstacles());
+      rows.add(new AccuracyRow(one.name(), shape, depth, speed, accuracy, nanos[n]));
+    }
+    return rows;
+  }
+
+  /** Medians over rounds in which all take turns. */
+  private static double[] times(List<Contestant> contestants, SlideTrajectory slide) {
+    double[][] nanos = new double[contestants.size()][ROUNDS];
+    for (int round = -WARM_UP_ROUNDS; round < ROUNDS; round++) {
+      for (int n = 0; n < contestants.size(); n++) {
+        double time = time(contestants.get(n), slide);
+        if (round >= 0) {
+          nanos[n][round] = time;
+        }
+      }
+    }
+    return Arrays.stream(nanos).mapToDouble(AccuracyStudy::median).toArray();
+  }
+
+  private static double time(Contestant one, SlideTrajectory slide) {
+    InteractionPoint point = new InteractionPoint();
+    Vec3 device = new Vec3();
+    one.solver().reset();
+    slide.device(0, point.position);
+    long begin = System.nanoTime();
+    for (int frame = 0; frame < slide.frames(); frame++) {
+      one.solver().follow(one.obstacles(), slide.device(frame, device), point);
+    }
+    return (System.nanoTime() - begin) / (double) slide.frames();
+  }
+
+  private static double median(double[] values) {
+    Arrays.sort(values);
+    return values[values.length / 2];
+  }
+
+  /** Angles of the force to the true normal, frame by frame, along a piece of a slide. */
+  static double[] angles(AccuracyScene scene, Contestant one, double depth, int count) {
+    SlideTrajectory slide = new SlideTrajectory(scene.truth, EDGE, depth, 0.05, count, SEED);
+    InteractionPoint point = new InteractionPoint();
+    Vec3 device = new Vec3();
+    Vec3 normal = new Vec3();
+    one.solver().reset();
+    slide.device(0, point.position);
+    double[] angles = new double[count];
+    for (int frame = 0; frame < slide.frames(); frame++) {
+      one.solver().follow(one.obstacles(), slide.device(frame, device), point);
+      if (frame >= slide.slideStart()) {
+        Vec3 force = point.position.sub(device, device);
+        double cosine = force.dot(slide.normal(frame, normal)) / force.length();
+        angles[frame - slide.slideStart()] =
+            Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, cosine))));
+      }
+    }
+    return angles;
+  }
+}
