@@ -36,7 +36,8 @@ import picocli.CommandLine.Spec;
       "  palpate touch --seconds 10 --headless --report r.json",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --record t.csv",
       "  palpate touch --phantom torus:192 --device simulated:7 --solver paper",
-      "  palpate touch --volume labels.nrrd --device hid"
+      "  palpate touch --volume labels.nrrd --device hid",
+      "  palpate touch --explain"
     })
 final class TouchCommand implements Callable<Integer> {
   private static final double FASTEST_HZ = 100_000;
@@ -75,11 +76,20 @@ final class TouchCommand implements Callable<Integer> {
       description = "Record what the device sends, for replay.")
   private Path recordFile;
 
+  @Option(
+      names = "--explain",
+      description = "Tell what real time needs, what this JVM and this system give, and end.")
+  private boolean explain;
+
   private PrintWriter out;
 
   @Override
   public Integer call() throws IOException {
     out = spec.commandLine().getOut();
+    if (explain) {
+      new RealtimeExplanation(out).print();
+      return 0;
+    }
     checkNumbers();
     ContactSettings settings = contact.settings();
     DeviceChoice choice = DeviceChoice.parse(device);

@@ -1,0 +1,41 @@
+package org.palpate.realtime;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+
+class RecommendedJvmTest {
+  @Test
+  void asksForGenerationsWhereTheyAreNotTheOnlyChoice() {
+    assertEquals(List.of("-XX:+UseZGC", "-XX:-UsePerfData"), flags(17));
+    assertEquals(List.of("-XX:+UseZGC", "-XX:+ZGenerational", "-XX:-UsePerfData"), flags(21));
+    assertEquals(List.of("-XX:+UseZGC", "-XX:-UsePerfData"), flags(25));
+  }
+
+  @Test
+  void tellsWhatIsSetAndWhatIsMissing() {
+    List<String> lines = RecommendedJvm.explain(25, List.of("-XX:+UseZGC", "-Xmx1g"));
+    assertTrue(lines.get(0).startsWith("-XX:+UseZGC: set: "), lines.get(0));
+    assertTrue(lines.get(1).startsWith("-XX:-UsePerfData: missing: "), lines.get(1));
+  }
+
+  @Test
+  void isWhatTheLauncherSets() throws IOException {
+    Path launcher = Path.of("../palpate");
+    Assumptions.assumeTrue(Files.exists(launcher), "skipped: no launcher beside this module");
+    String text = Files.readString(launcher);
+    for (String flag : flags(21)) {
+      assertTrue(text.contains(flag), flag);
+    }
+  }
+
+  private static List<String> flags(int release) {
+    return RecommendedJvm.of(release).stream().map(RecommendedJvm.Setting::flag).toList();
+  }
+}
