@@ -1,0 +1,88 @@
+package org.palpate.guarantee;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.palpate.host.SolverKind;
+import org.palpate.io.ReadOptions;
+import org.palpate.io.SegmentBuilder;
+import org.palpate.io.SegmentSpec;
+import org.palpate.io.VolumeFiles;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.phantom.Phantom;
+
+class SessionLegsTest {
+  private static final int FRAMES = 10_000;
+
+  @ParameterizedTest
+  @CsvSource({
+    "head:128, GUARDED", "sphere:96, GUARDED", "shell:96, GUARDED",
+    "plane:96, GUARDED", "torus:96, GUARDED", "maze:64, GUARDED",
+    "head:128, SMOOTH", "sphere:96, SMOOTH", "shell:96, SMOOTH",
+    "plane:96, SMOOTH", "torus:96, SMOOTH", "maze:64, SMOOTH"
+  })
+  void noLegTouchesASolidOnAPhantom(String phantom, SolverKind solver) throws IOException {
+    isKept(phantom, Phantom.parse(phantom).segments(), solver);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "CThead/CThead_u16gz.nrrd, bone=>=1500, GUARDED",
+    "CThead/CThead_u16gz.nrrd, bone=>=1500, SMOOTH",
+    "labels/HN-Atlas-labels.nrrd, all=nonzero, GUARDED",
+    "labels/Skull.nrrd, skull=nonzero, GUARDED"
+  })
+  void noLegTouchesASolidOnAScan(String file, String segment, SolverKind solver)
+      throws IOException {
+    isKept(file, scan(file, segment), solver);
+  }
+
+  private static void isKept(String name, SegmentedVolume volume, SolverKind solver)
+      throws IOException {
+    long seed = Seeds.seed();
+    SessionLegs session = SessionLegs.of(volume, solver, seed, FRAMES);
+    String where = name + " by " + solver + ", seed " + seed + ": " + session.firstFault();
+    assertEquals(0, session.legsThroughSolids(), where);
+    assertEquals(0, session.brokenChains(), where);
+    assertTrue(
+        session.contactFrames() > FRAMES / 20, where + " contact " + session.contactFrames());
+  }
+
+  @Test
+  void theBaselinesGoThroughSolids() throws IOException {
+    for (SolverKind solver : List.of(SolverKind.PAPER, SolverKind.DOT)) {
+      long violations = 0;
+      for (String name : List.of("head:128", "sphere:96", "shell:96", "torus:96", "maze:64")) {
+        SegmentedVolume volume = Phantom.parse(name).segments();
+        SessionLegs session = SessionLegs.of(volume, solver, 1, FRAMES);
+        violations += session.legsThroughSolids();
+        System.out.printf(
+            Locale.ROOT,
+            "%s on %s: %,d of %,d legs touch a solid%n",
+            solver,
+            name,
+            session.legsThroughSolids(),
+            session.legs());
+      }
+      assertTrue(violations > 0, solver + " kept the guarantee, which README denies");
+    }
+  }
+
+  private static SegmentedVolume scan(String name, String segment) throws IOException {
+    Path file = Path.of(System.getProperty("palpate.data", "../shared/data"), name);
+    Assumptions.assumeTrue(
+        Files.exists(file), () -> "skipped: there is no " + file + " (-Dpalpate.data=DIR)");
+    return SegmentBuilder.read(
+        VolumeFiles.open(file, ReadOptions.defaults()), List.of(SegmentSpec.parse(segment)));
+  }
+}
