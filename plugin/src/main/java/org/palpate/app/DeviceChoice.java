@@ -16,6 +16,7 @@ import org.palpate.device.jni.DeviceException;
 import org.palpate.force.ForceSettings;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.host.PointerDevice;
 import org.palpate.io.TrajectoryCsv;
 import org.palpate.io.VolumeHeader;
 
@@ -28,9 +29,10 @@ import org.palpate.io.VolumeHeader;
 record DeviceChoice(String name, String id) {
   private static final String SIMULATED = "simulated";
   private static final String REPLAY = "replay";
+  private static final String MOUSE = "mouse";
   private static final String FORMS =
       "write simulated[:SEED], replay:T.csv, hid[:SERIAL], openhaptics[:NAME],"
-          + " forcedimension[:SERIAL] or virtuose:HOST";
+          + " forcedimension[:SERIAL], virtuose:HOST or mouse";
   private static final Set<String> NEED_ID = Set.of(REPLAY, "virtuose");
   private static final long DEFAULT_SEED = 1;
 
@@ -46,6 +48,7 @@ record DeviceChoice(String name, String id) {
     boolean known =
         name.equals(SIMULATED)
             || name.equals(REPLAY)
+            || name.equals(MOUSE)
             || (DeviceCatalog.isNative(name) && !name.equals("empty"));
     if (!known) {
       throw choice.wrong("there is no such device");
@@ -83,7 +86,7 @@ record DeviceChoice(String name, String id) {
 
   /** Whether it feels what is sent: a hand holds it. */
   boolean isReal() {
-    return !name.equals(SIMULATED) && !name.equals(REPLAY);
+    return !name.equals(SIMULATED) && !name.equals(REPLAY) && !name.equals(MOUSE);
   }
 
   /**
@@ -96,6 +99,7 @@ record DeviceChoice(String name, String id) {
       throws IOException {
     return switch (name) {
       case SIMULATED -> new SimulatedDevice(seed(), target, periodNanos);
+      case MOUSE -> new PointerDevice(target, periodNanos);
       case REPLAY -> openReplay();
       default -> openReal(target, world);
     };

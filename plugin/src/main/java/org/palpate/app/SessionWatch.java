@@ -23,11 +23,22 @@ final class SessionWatch {
   private final PrintWriter out;
   private final CountDownLatch stopAsked = new CountDownLatch(1);
   private final boolean onTerminal = Terminal.isThere();
+  private Optional<LiveView> view = Optional.empty();
   private long beganNanos;
   private long endedNanos;
   private boolean began;
   private long lastLineNanos;
   private long lastLineFrames;
+
+  /** Asks the session to end. Any thread, any number of times. */
+  void stop() {
+    stopAsked.countDown();
+  }
+
+  /** Shows the session in a window while it runs; before {@link #run}. */
+  void show(LiveView shown) {
+    view = Optional.of(shown);
+  }
 
   SessionWatch(TouchSession session, Optional<Double> limitSeconds, PrintWriter out) {
     this.session = session;
@@ -40,9 +51,11 @@ final class SessionWatch {
     EndOfProcess endOfProcess = EndOfProcess.asks(stopAsked::countDown);
     try {
       session.start();
+      view.ifPresent(LiveView::start);
       watch();
       LoopEnd end = session.stop();
       endedNanos = System.nanoTime();
+      view.ifPresent(LiveView::close);
       session.takeUnseen();
       clearLine();
       return end;
@@ -93,7 +106,7 @@ final class SessionWatch {
   }
 
   private void takeUnseen() {
-    if (began) {
+    if (began && view.isEmpty()) {
       session.takeUnseen();
     }
   }

@@ -16,6 +16,8 @@ import org.palpate.interaction.LoopEnd;
 import org.palpate.interaction.LoopSettings;
 import org.palpate.io.CsvNumbers;
 import org.palpate.realtime.RealtimeThread;
+import org.palpate.scene.Graphics;
+import org.palpate.scene.WorldAxes;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -37,6 +39,7 @@ import picocli.CommandLine.Spec;
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --record t.csv",
       "  palpate touch --phantom torus:192 --device simulated:7 --solver paper",
       "  palpate touch --volume labels.nrrd --device hid",
+      "  palpate touch --device mouse",
       "  palpate touch --explain"
     })
 final class TouchCommand implements Callable<Integer> {
@@ -53,7 +56,7 @@ final class TouchCommand implements Callable<Integer> {
       defaultValue = "simulated",
       description = {
         "simulated[:SEED], replay:T.csv, hid[:SERIAL], openhaptics[:NAME],",
-        "forcedimension[:SERIAL] or virtuose:HOST. Default: ${DEFAULT-VALUE}."
+        "forcedimension[:SERIAL], virtuose:HOST, or mouse in the window. Default: ${DEFAULT-VALUE}."
       })
   private String device;
 
@@ -106,7 +109,8 @@ final class TouchCommand implements Callable<Integer> {
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
     try (HapticDevice opened = choice.open(target, source.header().world(), loop.periodNanos())) {
-      TouchReport measured = run(scene, opened, choice, loop, record);
+      WorldAxes axes = RenderCommand.axes(source.header().world());
+      TouchReport measured = run(scene, opened, choice, loop, record, axes);
       measured.print(out);
       if (report.isWanted()) {
         report.putVolume(source, segments.segments());
@@ -147,7 +151,7 @@ final class TouchCommand implements Callable<Integer> {
             + choice
             + ", solver "
             + settings.solver());
-    if (!headless && System.getenv("DISPLAY") == null) {
+    if (!headless && !Graphics.hasDisplay()) {
       out.println("there is no display: goes on without a window");
     }
     out.flush();
@@ -158,7 +162,8 @@ final class TouchCommand implements Callable<Integer> {
       HapticDevice opened,
       DeviceChoice choice,
       LoopSettings loop,
-      Optional<Path> record)
+      Optional<Path> record,
+      WorldAxes axes)
       throws IOException {
     Recording recording = record.isPresent() ? new Recording(record.get()) : null;
     try (recording;
@@ -172,11 +177,27 @@ final class TouchCommand implements Callable<Integer> {
                 Optional.ofNullable(recording).map(Recording::recorder),
                 end -> {})) {
       SessionWatch watch = new SessionWatch(session, Optional.ofNullable(seconds), out);
+      Optional<LiveView> view = view(session, scene, opened, axes, watch);
+      view.ifPresent(watch::show);
       LoopEnd end = watch.run();
       if (recording != null) {
         recording.finish();
       }
-      return new TouchReport(session, end, choice, opened, watch.seconds());
+      return new TouchReport(session, end, choice, opened, watch.seconds(), view);
     }
+  }
+
+  private Optional<LiveView> view(
+      TouchSession session,
+      ContactScene scene,
+      HapticDevice opened,
+      WorldAxes axes,
+      SessionWatch watch) {
+    if (headless || !Graphics.hasDisplay()) {
+      return Optional.empty();
+    }
+    String solver = scene.settings().solver().toString();
+    return Optional.of(
+        new LiveView(session, scene.volume(), axes, opened, solver, out, watch::stop));
   }
 }

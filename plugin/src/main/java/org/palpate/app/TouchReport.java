@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import org.palpate.device.HapticDevice;
 import org.palpate.host.TouchSession;
 import org.palpate.interaction.FrameCounts;
@@ -20,6 +21,7 @@ final class TouchReport {
   private final DeviceChoice choice;
   private final HapticDevice device;
   private final double watchedSeconds;
+  private final Optional<LiveView> view;
   private final LoopReport loop;
 
   /** Of a session that has ended. */
@@ -28,12 +30,14 @@ final class TouchReport {
       LoopEnd end,
       DeviceChoice choice,
       HapticDevice device,
-      double watchedSeconds) {
+      double watchedSeconds,
+      Optional<LiveView> view) {
     this.session = session;
     this.end = end;
     this.choice = choice;
     this.device = device;
     this.watchedSeconds = watchedSeconds;
+    this.view = view;
     loop = session.report();
   }
 
@@ -143,10 +147,11 @@ final class TouchReport {
   private Map<String, Object> sync() {
     SyncCounts counts = session.syncCounts();
     Map<String, Object> fields = new LinkedHashMap<>();
-    fields.put("rate_hz", watchedSeconds > 0 ? session.ticks() / watchedSeconds : 0.0);
+    double unseen = watchedSeconds > 0 ? session.ticks() / watchedSeconds : 0;
+    fields.put("rate_hz", view.map(LiveView::rateHz).orElse(unseen));
     fields.put("writes", counts.writes());
     fields.put("applied", counts.applied());
-    fields.put("redraws", 0);
+    fields.put("redraws", view.map(LiveView::redraws).orElse(0L));
     return fields;
   }
 }

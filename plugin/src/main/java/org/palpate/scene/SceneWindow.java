@@ -45,7 +45,7 @@ public final class SceneWindow implements AutoCloseable {
   private volatile boolean ended;
 
   /**
-   * Opens a window.
+   * A window that is not yet shown.
    *
    * @param onEnd told once when the window is gone and was not closed by {@link #close}
    * @throws GraphicsException where there is no display or no driver, with what to do
@@ -65,6 +65,18 @@ public final class SceneWindow implements AutoCloseable {
       window.addWindowListener(new Ending());
       window.addMouseListener(input);
       window.addKeyListener(input.keys());
+    } catch (GLException e) {
+      throw Graphics.refused(e);
+    }
+  }
+
+  /**
+   * Shows the window and begins to draw; once, when the input is set up.
+   *
+   * @throws GraphicsException where the driver refuses
+   */
+  public void show() throws GraphicsException {
+    try {
       window.setVisible(true);
     } catch (GLException e) {
       throw Graphics.refused(e);

@@ -25,6 +25,7 @@ class SceneWindowWindowTest {
   @Test
   void drawsWhenAskedAndGivesASnapshot() throws Exception {
     try (SceneWindow window = new SceneWindow(model, "test", 200, 150, end -> {})) {
+      window.show();
       CompletableFuture<Picture> picture = new CompletableFuture<>();
       window.takeSnapshot(picture::complete);
       Picture taken = picture.get(PATIENCE_S, TimeUnit.SECONDS);
@@ -37,6 +38,7 @@ class SceneWindowWindowTest {
   void aDrawingThatFailsIsToldOnceAndTheModelGoesOn() throws Exception {
     CompletableFuture<SceneWindow.End> told = new CompletableFuture<>();
     try (SceneWindow window = new SceneWindow(model, "test", 200, 150, told::complete)) {
+      window.show();
       window.takeSnapshot(
           taken -> {
             throw new IllegalStateException("the driver fails");
@@ -54,6 +56,7 @@ class SceneWindowWindowTest {
   void closingTwiceDoesNoHarmAndTellsNoOne() throws Exception {
     CompletableFuture<SceneWindow.End> told = new CompletableFuture<>();
     SceneWindow window = new SceneWindow(model, "test", 200, 150, told::complete);
+    window.show();
     window.close();
     window.close();
     assertTrue(!told.isDone());
@@ -61,7 +64,9 @@ class SceneWindowWindowTest {
 
   @Test
   void aSecondWindowAfterTheFirstStillDraws() throws Exception {
-    new SceneWindow(model, "first", 100, 100, end -> {}).close();
+    SceneWindow first = new SceneWindow(model, "first", 100, 100, end -> {});
+    first.show();
+    first.close();
     drawsWhenAskedAndGivesASnapshot();
   }
 }
