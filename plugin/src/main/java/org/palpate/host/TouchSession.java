@@ -35,8 +35,8 @@ import org.palpate.sync.TouchProperties;
  * <p>Made, supervised and closed by one thread; {@link #stop} is for any.
  */
 public final class TouchSession implements AutoCloseable {
-  /** Frames that are rehearsed before force comes on, so that they find compiled code. */
-  private static final int WARM_UP_FRAMES = 30_000;
+  /** The least frames that are rehearsed before force comes on, so that they find compiled code. */
+  private static final int WARM_UP_LEAST_FRAMES = 10_000;
 
   private static final long WARM_UP_NANOS = 1_000_000_000L;
   private static final long WARM_UP_SEED = 1;
@@ -76,7 +76,7 @@ public final class TouchSession implements AutoCloseable {
     HandTarget target = scene.handTarget();
     HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, periodNanos);
     HapticFrame rehearsal = scene.newRehearsal(new GridDevice(hand, scene.grid()), frameSettings);
-    return new WarmUp(rehearsal, WARM_UP_FRAMES, WARM_UP_NANOS, NanoClock.SYSTEM);
+    return new WarmUp(rehearsal, WARM_UP_LEAST_FRAMES, WARM_UP_NANOS, NanoClock.SYSTEM);
   }
 
   /** Starts the haptic thread: it warms up, then force is on. */

@@ -10,7 +10,7 @@ import org.palpate.realtime.HybridWait;
 import org.palpate.realtime.Realtime;
 import org.palpate.realtime.RealtimeWish;
 import org.palpate.realtime.SchedulingClass;
-import org.palpate.realtime.SteadyWarmUp;
+import org.palpate.interaction.SteadyWarmUp;
 import org.palpate.realtime.ThreadCounters;
 
 /**
@@ -24,6 +24,7 @@ final class CellLoop implements Runnable {
   static final String THREAD_NAME = "palpate-haptic";
 
   private static final long WARM_UP_NANOS = 2_500_000_000L;
+  private static final int WARM_UP_LEAST_FRAMES = 10_000;
   private static final long REHEARSED_WAIT_NANOS = 1_000;
   private static final int PACED_WARM_UP_FRAMES = 300;
 
@@ -66,7 +67,7 @@ final class CellLoop implements Runnable {
     noteGrants(Realtime.apply(wish()));
     try (DeadlineWait wait = task.waiting().create();
         ThreadCounters counters = new ThreadCounters()) {
-      noteWarmUp(new SteadyWarmUp().run(() -> rehearse(wait, counters), WARM_UP_NANOS));
+      noteWarmUp(warmUp(wait, counters));
       pace(wait, counters, new Samples(PACED_WARM_UP_FRAMES));
       long before = allocatedBytes();
       pace(wait, counters, samples);
@@ -74,6 +75,11 @@ final class CellLoop implements Runnable {
       answers.setProperty("allocated_bytes", Long.toString(Math.max(0, after - before)));
       noteWait(wait);
     }
+  }
+
+  private SteadyWarmUp.Result warmUp(DeadlineWait wait, ThreadCounters counters) {
+    Runnable rehearsed = () -> rehearse(wait, counters);
+    return new SteadyWarmUp().run(rehearsed, WARM_UP_LEAST_FRAMES, WARM_UP_NANOS);
   }
 
   /** All of a paced frame but the sleep. */

@@ -1,4 +1,4 @@
-package org.palpate.realtime;
+package org.palpate.interaction;
 
 import java.lang.management.CompilationMXBean;
 import java.lang.management.ManagementFactory;
@@ -7,7 +7,7 @@ import java.util.function.LongSupplier;
 
 /**
  * Runs a frame over and over until its time is steady, so that the first touch does not run
- * interpreted code.
+ * interpreted code. One thread, once.
  *
  * <p>Steady: over four batches of 500 frames the median time of a frame stayed within a quarter of
  * the least of them, and the JVM compiled nothing new.
@@ -19,7 +19,7 @@ public final class SteadyWarmUp {
   // Medians below this differ by the clock's own steps.
   private static final long CLOCK_STEP_NANOS = 60;
 
-  private final LongSupplier clock;
+  private final NanoClock clock;
   private final LongSupplier compileMillis;
   private final long[] times = new long[FRAMES_A_BATCH];
   private final long[] medians = new long[STEADY_BATCHES];
@@ -27,12 +27,17 @@ public final class SteadyWarmUp {
   private long compiledBefore;
   private int quietBatches;
 
-  /** With the JVM's own clock and compiler. */
+  /** With the machine's clock and the JVM's compiler. */
   public SteadyWarmUp() {
-    this(System::nanoTime, SteadyWarmUp::compilationMillis);
+    this(NanoClock.SYSTEM);
   }
 
-  SteadyWarmUp(LongSupplier clock, LongSupplier compileMillis) {
+  /** With the JVM's compiler. */
+  public SteadyWarmUp(NanoClock clock) {
+    this(clock, SteadyWarmUp::compilationMillis);
+  }
+
+  SteadyWarmUp(NanoClock clock, LongSupplier compileMillis) {
     this.clock = clock;
     this.compileMillis = compileMillis;
   }
@@ -48,28 +53,29 @@ public final class SteadyWarmUp {
    * Runs the frame in the calling thread until it is steady or the time is up.
    *
    * @param frame one frame
+   * @param leastFrames not before so many, since what a frame does varies from one to the next
    * @param limitNanos the most time to take; a batch that was begun is ended
    * @return what was found
    */
-  public Result run(Runnable frame, long limitNanos) {
-    long began = clock.getAsLong();
+  public Result run(Runnable frame, int leastFrames, long limitNanos) {
+    long began = clock.nanoTime();
     compiledBefore = compileMillis.getAsLong();
     boolean steady = false;
-    while (!steady && clock.getAsLong() - began < limitNanos) {
+    while (!steady && clock.nanoTime() - began < limitNanos) {
       medians[batches % STEADY_BATCHES] = medianOfBatch(frame);
       batches++;
       noteCompiler();
-      steady = isSteady();
+      steady = (long) batches * FRAMES_A_BATCH >= leastFrames && isSteady();
     }
     long frames = (long) batches * FRAMES_A_BATCH;
-    return new Result(steady, frames, clock.getAsLong() - began, lastMedian());
+    return new Result(steady, frames, clock.nanoTime() - began, lastMedian());
   }
 
   private long medianOfBatch(Runnable frame) {
     for (int i = 0; i < FRAMES_A_BATCH; i++) {
-      long start = clock.getAsLong();
+      long start = clock.nanoTime();
       frame.run();
-      times[i] = clock.getAsLong() - start;
+      times[i] = clock.nanoTime() - start;
     }
     Arrays.sort(times);
     return times[FRAMES_A_BATCH / 2];

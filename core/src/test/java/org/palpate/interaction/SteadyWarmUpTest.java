@@ -1,4 +1,4 @@
-package org.palpate.realtime;
+package org.palpate.interaction;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -12,6 +12,7 @@ class SteadyWarmUpTest {
   private long now;
   private long frames;
   private long compiledMillis;
+  private int leastFrames;
 
   @Test
   void endsWhenTheFrameIsCompiledAndItsTimeSteady() {
@@ -53,12 +54,18 @@ class SteadyWarmUpTest {
     assertEquals(2_000, result.frames());
   }
 
+  @Test
+  void runsTheLeastFramesThoughItIsSteadyBefore() {
+    leastFrames = 10_000;
+    assertEquals(10_000, run(() -> now += 1_000).frames());
+  }
+
   private SteadyWarmUp.Result run(Runnable frame) {
     Runnable counted =
         () -> {
           frame.run();
           frames++;
         };
-    return new SteadyWarmUp(() -> now, () -> compiledMillis).run(counted, LIMIT_NANOS);
+    return new SteadyWarmUp(() -> now, () -> compiledMillis).run(counted, leastFrames, LIMIT_NANOS);
   }
 }
