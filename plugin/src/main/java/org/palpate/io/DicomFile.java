@@ -188,11 +188,33 @@ record DicomFile(
               + pieces.get(0).length(),
           "the file was cut short; copy or export it again");
     }
+    requireInflatable(needed);
     if (!plain && pieces.size() < frameCount()) {
       throw wrong("it has " + frameCount() + " frames in " + pieces.size() + " fragments", CONVERT);
     }
     if (!plain && frameCount() > 1 && pieces.size() != frameCount()) {
       throw wrong("its frames are split into fragments", CONVERT);
+    }
+  }
+
+  /** Refuses more pixels than the compressed bytes can become. */
+  private void requireInflatable(double needed) throws VolumeFormatException {
+    double stored = 0;
+    for (Piece piece : pieces) {
+      stored += piece.length();
+    }
+    double most =
+        switch (syntax.coding()) {
+          case RLE -> 64; // 2 bytes for 128
+          case JPEG_LOSSLESS -> 8.0 * bitsAllocated() / 8; // a bit a pixel
+          case JPEG_2000 -> 20_000; // an even picture of 2000x2000 takes some 400 bytes
+          default -> Double.POSITIVE_INFINITY;
+        };
+    if (needed > stored * most) {
+      throw wrong(
+          "its header promises " + Numbers.text(needed) + " bytes of pixels, it has "
+              + Numbers.text(stored) + " compressed",
+          "the file was cut short; copy or export it again");
     }
   }
 

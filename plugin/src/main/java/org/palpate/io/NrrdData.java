@@ -75,6 +75,7 @@ record NrrdData(
             files);
     for (Path file : files) {
       data.requireEnough(file);
+      data.requireEnoughBzip2(file);
     }
     return data;
   }
@@ -159,6 +160,25 @@ record NrrdData(
               + (encoding == Encoding.RAW ? "" : " (" + encoding.description() + ")"),
           file,
           "the file was cut short or its sizes are wrong; copy or export it again");
+    }
+  }
+
+  /** Bzip2 has no useful bound: where a file promises much, its bytes are counted first. */
+  private void requireEnoughBzip2(Path file) throws VolumeFormatException {
+    double plausible = (double) Inputs.length(file) * BinaryData.MOST_INFLATION;
+    if (encoding != Encoding.BZIP2 || bytesPerFile <= plausible) {
+      return;
+    }
+    try (InputStream in = decoded(file)) {
+      in.skipNBytes(bytesPerFile);
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new VolumeFormatException(
+          "its header promises " + bytesPerFile + " bytes of data and it holds fewer",
+          file,
+          "the file was cut short or its sizes are wrong; copy or export it again",
+          e);
     }
   }
 

@@ -11,9 +11,6 @@ final class TiffPage {
           254, 256, 257, 258, 259, 262, 270, 273, 277, 278, 279, 282, 283, 284, 296, 317, 322, 323,
           324, 325, 339);
 
-  /** No encoding makes more bytes of one: LZW makes 4096 of 12 bits. */
-  private static final int MOST_INFLATION = 2800;
-
   private final TiffFile tiff;
   private final Map<Integer, double[]> tags;
 
@@ -139,7 +136,7 @@ final class TiffPage {
     }
     double bytes = (double) width() * height() * type().bytes();
     double tileBytes = (double) tileWidth() * tileHeight() * type().bytes();
-    double most = (double) tiff.length() * (compression == 1 ? 1 : MOST_INFLATION);
+    double most = (double) tiff.length() * mostInflation(compression);
     if (bytes > most || tileBytes > most + 4096 || tileBytes > Integer.MAX_VALUE - 8) {
       throw wrong(
           "its size, "
@@ -150,6 +147,16 @@ final class TiffPage {
               + tiff.length()
               + " bytes can hold");
     }
+  }
+
+  /** Bytes that one byte can become. */
+  private static int mostInflation(int compression) {
+    return switch (compression) {
+      case 1 -> 1;
+      case 5 -> 2800; // 4096 of 12 bits
+      case 32773 -> 64; // 128 of 2 bytes
+      default -> BinaryData.MOST_INFLATION;
+    };
   }
 
   VolumeFormatException wrong(String what) {
