@@ -212,8 +212,11 @@ record DicomFile(
         };
     if (needed > stored * most) {
       throw wrong(
-          "its header promises " + Numbers.text(needed) + " bytes of pixels, it has "
-              + Numbers.text(stored) + " compressed",
+          "its header promises "
+              + Numbers.text(needed)
+              + " bytes of pixels, it has "
+              + Numbers.text(stored)
+              + " compressed",
           "the file was cut short; copy or export it again");
     }
   }

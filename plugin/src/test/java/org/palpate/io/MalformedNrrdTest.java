@@ -95,7 +95,8 @@ class MalformedNrrdTest {
     long before = allocatedBytes();
     VolumeFormatException refused =
         assertThrows(VolumeFormatException.class, () -> openAndRead(file));
-    assertTrue(allocatedBytes() - before < LITTLE_BYTES, "allocated " + (allocatedBytes() - before));
+    assertTrue(
+        allocatedBytes() - before < LITTLE_BYTES, "allocated " + (allocatedBytes() - before));
     assertEquals(1, refused.getMessage().lines().count());
     assertTrue(refused.getMessage().split(": ", -1).length >= 3, refused.getMessage());
   }
@@ -109,8 +110,7 @@ class MalformedNrrdTest {
     } catch (IOException | UnsupportedOperationException e) {
       assumeTrue(false, "skipped: this system makes no links (" + e + ")");
     }
-    Path header =
-        Files.writeString(inside.resolve("a.nhdr"), GOOD + "data file: a.raw\n");
+    Path header = Files.writeString(inside.resolve("a.nhdr"), GOOD + "data file: a.raw\n");
     VolumeFormatException refused =
         assertThrows(VolumeFormatException.class, () -> openAndRead(header));
     assertTrue(refused.getMessage().contains("outside its folder"), refused.getMessage());
