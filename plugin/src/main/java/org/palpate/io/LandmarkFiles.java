@@ -29,9 +29,11 @@ public final class LandmarkFiles {
    */
   public static void writeFcsv(Path target, List<Landmark> landmarks) throws IOException {
     String head =
-        "# Markups fiducial file version = 4.11\n"
-            + "# CoordinateSystem = LPS\n"
-            + "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
+        """
+        # Markups fiducial file version = 4.11
+        # CoordinateSystem = LPS
+        # columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID
+        """;
     write(target, landmarks, head, LandmarkFiles::fcsvRow);
   }
 
