@@ -22,6 +22,12 @@ import org.palpate.raycast.SampledRayCaster;
 /** Runs the whole study and leaves tables and plots in a folder. */
 public final class StabilityRun {
   private static final double WANTED_MARGIN = 2;
+  private static final long SEED = 7;
+
+  /** 10^8 frames a solver. */
+  private static final int ROUNDS = 1000;
+
+  private static final int QUICK_ROUNDS = 30;
 
   private StabilityRun() {}
 
@@ -65,6 +71,7 @@ public final class StabilityRun {
     tellTheory(folder, study.theory(), out);
     Map<String, Double> margins = tellDevices(folder, study.devices(), out);
     tellShapes(folder, study.shapes(), out);
+    tellLongRuns(quick, out, progress);
     out.flush();
     return margins;
   }
@@ -96,6 +103,31 @@ public final class StabilityRun {
                 margin,
                 margin < WANTED_MARGIN ? " (below 2)" : ""));
     return margins;
+  }
+
+  private static void tellLongRuns(boolean quick, PrintWriter out, PrintWriter progress) {
+    for (SolverChoice solver : solvers().subList(0, 2)) {
+      LongRun run = new LongRun(solver, SEED);
+      LongRun.Found found =
+          run.run(
+              quick ? QUICK_ROUNDS : ROUNDS,
+              line -> {
+                progress.println(line + " by " + solver.name());
+                progress.flush();
+              });
+      out.printf(
+          Locale.ROOT,
+          "long run by %s: %d frames, %d in contact, %d rounds that differ from the first, %d that"
+              + " allocate, %.0f ns a frame at first and %.0f at last (seed %d)%n",
+          solver.name(),
+          found.frames(),
+          found.contactFrames(),
+          found.differingRounds(),
+          found.allocatingRounds(),
+          found.firstNanosPerFrame(),
+          found.lastNanosPerFrame(),
+          SEED);
+    }
   }
 
   private static void tellShapes(Path folder, List<DeviceRow> rows, PrintWriter out)

@@ -108,6 +108,16 @@ class ClosedLoopTest {
   }
 
   @Test
+  void aClosedMotionLeavesTheSameBitsEveryRound() {
+    for (Trial.SolverChoice solver : StabilityRun.solvers().subList(0, 2)) {
+      LongRun.Found found = new LongRun(solver, 7).run(20, line -> {});
+      assertEquals(20L * LongRun.ROUND_FRAMES, found.frames());
+      assertEquals(0, found.differingRounds(), solver.name());
+      assertTrue(found.contactFrames() > found.frames() / 10, found.toString());
+    }
+  }
+
+  @Test
   void tablesAndPlotsAreWritten() throws IOException {
     Trial trial =
         new Trial(

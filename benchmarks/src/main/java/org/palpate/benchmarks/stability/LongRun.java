@@ -1,0 +1,162 @@
+package org.palpate.benchmarks.stability;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Consumer;
+import org.palpate.benchmarks.stability.Trial.SolverChoice;
+import org.palpate.device.DeviceState;
+import org.palpate.device.HandTarget;
+import org.palpate.device.ReplayDevice;
+import org.palpate.device.SimulatedDevice;
+import org.palpate.device.Trajectory;
+import org.palpate.force.ForceSettings;
+import org.palpate.geometry.Vec3;
+import org.palpate.interaction.EditQueue;
+import org.palpate.interaction.FrameOutcome;
+import org.palpate.interaction.FramePublisher;
+import org.palpate.interaction.FrameSettings;
+import org.palpate.interaction.HapticFrame;
+import org.palpate.proxy.Metric;
+import org.palpate.proxy.Obstacles;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.phantom.Phantom;
+
+/**
+ * The same closed motion of a hand over a head phantom, again and again: whether each round leaves
+ * the same bits as the first, allocates nothing, and takes no longer.
+ */
+public final class LongRun {
+  /** Frames of one round. */
+  public static final int ROUND_FRAMES = 100_000;
+
+  private static final long PERIOD_NANOS = 1_000_000;
+  private static final int TIMED_ROUNDS = 10;
+  private static final long HASH_FACTOR = 0x9E3779B97F4A7C15L;
+
+  private final SegmentedVolume head = Phantom.parse("head:128").segments();
+  private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+  private final ReplayDevice device;
+  private final HapticFrame frame;
+  private long nowNanos;
+
+  /**
+   * What a long run found.
+   *
+   * @param frames all frames
+   * @param contactFrames those in contact
+   * @param differingRounds rounds whose points or forces differ from the first round's by a bit
+   * @param allocatingRounds rounds after the warm ones in which the thread allocated
+   * @param firstNanosPerFrame median of the first warm rounds
+   * @param lastNanosPerFrame median of the last rounds
+   */
+  public record Found(
+      long frames,
+      long contactFrames,
+      long differingRounds,
+      long allocatingRounds,
+      double firstNanosPerFrame,
+      double lastNanosPerFrame) {}
+
+  /** A run of one solver with a seeded hand. */
+  public LongRun(SolverChoice solver, long seed) {
+    Metric metric = Metric.of(head.grid().spacingMm());
+    device = new ReplayDevice("closed motion", motion(seed));
+    List<Segment> segments = head.segments();
+    frame =
+        new HapticFrame(
+            device,
+            solver.maker().make(metric, 8),
+            new Obstacles(segments.stream().map(Segment::bits).toList()),
+            metric,
+            FrameSettings.live(device.specification(), ForceSettings.of(0.5, 0.2)),
+            new EditQueue(head.grid(), segments.size()),
+            FramePublisher.NONE);
+  }
+
+  /** A round that starts and ends at the same free place. */
+  private Trajectory motion(long seed) {
+    double edge = head.grid().sizeX();
+    HandTarget target =
+        HandTarget.ofBox(
+            new Vec3(0.1 * edge, 0.1 * edge, 0.1 * edge),
+            new Vec3(0.9 * edge, 0.9 * edge, 0.9 * edge),
+            1);
+    SimulatedDevice hand = new SimulatedDevice(seed, target, PERIOD_NANOS);
+    Trajectory motion = new Trajectory();
+    DeviceState sample = new DeviceState();
+    Vec3 home = new Vec3(-1.25, -2.5, -3.75);
+    int homeFrames = ROUND_FRAMES / 20;
+    for (int n = 0; n < ROUND_FRAMES; n++) {
+      hand.read(sample);
+      boolean atHome = n < homeFrames || n >= ROUND_FRAMES - homeFrames;
+      Vec3 at = atHome ? home : sample.positionMm;
+      motion.add(n, at.x, at.y, at.z);
+    }
+    return motion;
+  }
+
+  /**
+   * Runs rounds.
+   *
+   * @param rounds how many, at least 20
+   * @param progress hears of every tenth
+   */
+  public Found run(int rounds, Consumer<String> progress) {
+    double[] nanos = new double[rounds];
+    long first = 0;
+    long differing = 0;
+    long allocating = 0;
+    for (int round = 0; round < rounds; round++) {
+      long allocated = threads.getCurrentThreadAllocatedBytes();
+      long began = System.nanoTime();
+      long hash = round();
+      nanos[round] = (double) (System.nanoTime() - began) / ROUND_FRAMES;
+      allocated = threads.getCurrentThreadAllocatedBytes() - allocated;
+      first = round == 0 ? hash : first;
+      differing += hash == first ? 0 : 1;
+      allocating += round >= TIMED_ROUNDS && allocated > 0 ? 1 : 0;
+      if (round % TIMED_ROUNDS == 0) {
+        progress.accept("long run: round " + round + " of " + rounds);
+      }
+    }
+    return new Found(
+        frame.counts().frames(),
+        frame.counts().contactFrames(),
+        differing,
+        allocating,
+        median(nanos, TIMED_ROUNDS),
+        median(nanos, rounds - TIMED_ROUNDS));
+  }
+
+  /** One round; the answer depends on every bit of every point and force. */
+  private long round() {
+    device.rewind();
+    long hash = 0;
+    Vec3 point = frame.point().position;
+    Vec3 force = frame.forceNewton();
+    for (int n = 0; n < ROUND_FRAMES; n++) {
+      FrameOutcome outcome = frame.run(nowNanos);
+      assert outcome == FrameOutcome.RUNNING;
+      nowNanos += PERIOD_NANOS;
+      hash = mixed(mixed(hash, point), force);
+    }
+    return hash;
+  }
+
+  private static long mixed(long hash, Vec3 value) {
+    long mixed = hash;
+    mixed = (mixed ^ Double.doubleToRawLongBits(value.x)) * HASH_FACTOR;
+    mixed = (mixed ^ Double.doubleToRawLongBits(value.y)) * HASH_FACTOR;
+    mixed = (mixed ^ Double.doubleToRawLongBits(value.z)) * HASH_FACTOR;
+    return mixed ^ (mixed >>> 29);
+  }
+
+  private static double median(double[] values, int from) {
+    double[] some = Arrays.copyOfRange(values, from, from + TIMED_ROUNDS);
+    Arrays.sort(some);
+    return (some[TIMED_ROUNDS / 2 - 1] + some[TIMED_ROUNDS / 2]) / 2;
+  }
+}
