@@ -66,6 +66,11 @@ final class CellFolder {
     return Files.exists(answers());
   }
 
+  /** Makes the cell one that did not run. */
+  void forget() throws IOException {
+    Files.deleteIfExists(answers());
+  }
+
   void writeAnswers(Properties values) throws IOException {
     write(answers(), values);
   }

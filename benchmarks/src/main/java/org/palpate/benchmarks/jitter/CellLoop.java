@@ -4,13 +4,13 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Properties;
+import org.palpate.interaction.SteadyWarmUp;
 import org.palpate.realtime.DeadlineWait;
 import org.palpate.realtime.Grant;
 import org.palpate.realtime.HybridWait;
 import org.palpate.realtime.Realtime;
 import org.palpate.realtime.RealtimeWish;
 import org.palpate.realtime.SchedulingClass;
-import org.palpate.interaction.SteadyWarmUp;
 import org.palpate.realtime.ThreadCounters;
 
 /**

@@ -37,6 +37,15 @@ final class CellRunner {
     return new CellFolder(root.resolve("cells").resolve(cell.key()));
   }
 
+  /** Whether the cell ran to its end, with the same task. */
+  boolean isWhole(Cell cell) throws IOException {
+    CellFolder folder = folder(cell);
+    return folder.isWhole()
+        && (cell.isControl()
+            || CellFolder.read(folder.cell())
+                .equals(task(cell, frames(cell), false).toProperties()));
+  }
+
   /**
    * Runs the cell, unless it is whole already.
    *
@@ -44,10 +53,11 @@ final class CellRunner {
    * @throws IOException where it was run and failed
    */
   Optional<String> run(Cell cell) throws IOException, InterruptedException {
-    CellFolder folder = folder(cell);
-    if (folder.isWhole()) {
+    if (isWhole(cell)) {
       return Optional.empty();
     }
+    CellFolder folder = folder(cell);
+    folder.forget();
     Files.createDirectories(folder.path());
     return cell.isControl() ? runControl(cell, folder) : runJvm(cell, folder);
   }

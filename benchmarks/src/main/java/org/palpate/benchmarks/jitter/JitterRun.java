@@ -2,6 +2,7 @@ package org.palpate.benchmarks.jitter;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -49,7 +50,7 @@ final class JitterRun {
   }
 
   /** Runs what is not whole yet; a cell that fails is told and left out. */
-  void run() throws InterruptedException {
+  void run() throws IOException, InterruptedException {
     List<Cell> cells = cells(tables);
     for (int i = 0; i < cells.size(); i++) {
       Cell cell = cells.get(i);
@@ -67,8 +68,14 @@ final class JitterRun {
     }
   }
 
-  private List<Cell> notWhole(List<Cell> cells) {
-    return cells.stream().filter(cell -> !runner.folder(cell).isWhole()).toList();
+  private List<Cell> notWhole(List<Cell> cells) throws IOException {
+    List<Cell> rest = new ArrayList<>();
+    for (Cell cell : cells) {
+      if (!runner.isWhole(cell)) {
+        rest.add(cell);
+      }
+    }
+    return rest;
   }
 
   private String runOne(Cell cell) throws InterruptedException {
@@ -87,9 +94,9 @@ final class JitterRun {
     }
   }
 
-  private boolean isTimeUp(Cell cell) {
+  private boolean isTimeUp(Cell cell) throws IOException {
     double seconds = (System.nanoTime() - beganNanos) / 1e9;
-    return seconds > budgetSeconds && !runner.folder(cell).isWhole();
+    return seconds > budgetSeconds && !runner.isWhole(cell);
   }
 
   private static String inShort(CellResult result) {
