@@ -109,6 +109,9 @@ final class LegGuard {
     }
     double share = Math.max(0, leftMm / lengthMm * CUT_SHORT);
     between(position, to, share, dest);
+    if (distanceMm(position, dest) > leftMm) {
+      dest.set(position); // so far out that doubles lie farther apart than the path that is left
+    }
   }
 
   /** Writes the point at {@code share} of the way, rounded. */

@@ -54,13 +54,15 @@ public final class SmoothSolver implements ProxySolver {
 
   private static final double CROSSING_EDGES = 0.02;
 
+  private static final int MOST_HALVINGS = 60;
+
   /** How far from voxels the point stays that hold it above the surface, shortest voxel edges. */
   private static final double CLEARANCE_EDGES = 1e-3;
 
   /** The path over which curvature is smoothed, and the ripple of it that voxels make. */
   private static final double BEND_PATH_EDGES = 12;
 
-  private static final double BEND_RIPPLE_EDGES = 0.2;
+  private static final double BEND_RIPPLE_EDGES = 0.05;
 
   /** What leaving the surface for the voxels must gain beside, so that modes do not flicker. */
   private static final double TOLL_EDGES = 0.3;
@@ -320,7 +322,7 @@ public final class SmoothSolver implements ProxySolver {
     if (!isInside(high)) {
       return false;
     }
-    while ((high - low) * length > CROSSING_EDGES) {
+    for (int n = 0; n < MOST_HALVINGS && (high - low) * length > CROSSING_EDGES; n++) {
       double middle = 0.5 * (low + high);
       if (isInside(middle)) {
         high = middle;

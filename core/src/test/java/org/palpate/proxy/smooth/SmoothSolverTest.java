@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -154,6 +156,31 @@ class SmoothSolverTest {
     solver.reset();
     solver.follow(obstacles, device, point);
     assertTrue(point.position.z < before - 1e-3, "before " + before + " now " + point.position);
+  }
+
+  @Test
+  void allocatesNothingInAWarmFrame() {
+    var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    Obstacles obstacles = obstacles(Worlds.make("sponge", Seeds.seed()));
+    SmoothSolver solver = new SmoothSolver(UNIT, 8);
+    point.position.set(-3, -3, 45);
+    device.set(point.position);
+    Vec3 goal = new Vec3(20, 22, 18);
+    slideAndTurn(solver, obstacles, goal, 2000);
+    long thread = Thread.currentThread().getId();
+    long before = threads.getThreadAllocatedBytes(thread);
+    slideAndTurn(solver, obstacles, goal, 20000);
+    assertEquals(0, threads.getThreadAllocatedBytes(thread) - before, 200);
+  }
+
+  private void slideAndTurn(SmoothSolver solver, Obstacles obstacles, Vec3 goal, int frames) {
+    for (int frame = 0; frame < frames; frame++) {
+      if (frame % 50 == 0) {
+        goal.set(goal.y, goal.z + frame % 7 - 3, goal.x);
+      }
+      approach(goal, 0.3);
+      solver.follow(obstacles, device, point);
+    }
   }
 
   private static Obstacles obstacles(BitCube bits) {
