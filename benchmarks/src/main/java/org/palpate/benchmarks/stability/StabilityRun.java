@@ -117,7 +117,7 @@ public final class StabilityRun {
               });
       out.printf(
           Locale.ROOT,
-          "long run by %s: %d frames, %d in contact, %d rounds that differ from the first, %d that"
+          "long run by %s: %d frames, %d in contact, %d rounds that differ from the second, %d that"
               + " allocate, %.0f ns a frame at first and %.0f at last (seed %d)%n",
           solver.name(),
           found.frames(),
