@@ -42,26 +42,56 @@ final class CellScene {
   }
 
   /**
+   * Looks at the header and the segments, so that a mistake is told before any cell runs.
+   *
+   * @throws VolumeFormatException where the file or a segment is not understood
+   */
+  static void check(String text) throws VolumeFormatException {
+    Parsed parsed = parse(text);
+    if (parsed.file() != null) {
+      VolumeFiles.open(parsed.file(), parsed.options());
+    }
+  }
+
+  /**
    * Makes or reads the volume.
    *
    * @throws VolumeFormatException where the file is not understood
    */
   static SegmentedVolume read(String text) throws VolumeFormatException {
+    Parsed parsed = parse(text);
+    return parsed.file() == null
+        ? parsed.phantom().segments()
+        : SegmentBuilder.read(VolumeFiles.open(parsed.file(), parsed.options()), parsed.segments());
+  }
+
+  private static Parsed parse(String text) throws VolumeFormatException {
     Path file = null;
+    Phantom phantom = null;
     ReadOptions options = ReadOptions.defaults();
     List<SegmentSpec> segments = new ArrayList<>();
     for (String line : text.lines().toList()) {
       String value = line.substring(line.indexOf(' ') + 1);
       switch (line.substring(0, line.indexOf(' '))) {
-        case "phantom" -> {
-          return Phantom.parse(value).segments();
-        }
+        case "phantom" -> phantom = phantomOf(value);
         case "volume" -> file = Path.of(value);
         case "raw" -> options = options.withRaw(RawLayout.parse(value));
         case "segment" -> segments.add(SegmentSpec.parse(value));
         default -> throw new IllegalArgumentException("not a scene: " + text);
       }
     }
-    return SegmentBuilder.read(VolumeFiles.open(file, options), segments);
+    return new Parsed(phantom, file, options, segments);
   }
+
+  private static Phantom phantomOf(String spec) {
+    try {
+      return Phantom.parse(spec);
+    } catch (IllegalArgumentException e) {
+      throw PalpateException.wrongUse(
+          e.getMessage(), "--phantom " + spec, "write NAME[:EDGE], as in head:256", e);
+    }
+  }
+
+  private record Parsed(
+      Phantom phantom, Path file, ReadOptions options, List<SegmentSpec> segments) {}
 }

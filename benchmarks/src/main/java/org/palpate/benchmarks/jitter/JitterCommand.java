@@ -36,6 +36,7 @@ import picocli.CommandLine.Spec;
       "  palpate jitter --out jitter --list"
     })
 public final class JitterCommand implements Callable<Integer> {
+  private static final int LEAST_HEAP_MB = 128;
   private static final int QUICK_SECONDS = 3;
   // On a busy machine processes start slowly; what was begun and the report fit into two minutes.
   private static final double QUICK_BUDGET_SECONDS = 90;
@@ -98,6 +99,7 @@ public final class JitterCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     PrintWriter out = spec.commandLine().getOut();
+    check();
     List<Table> chosen = chosenTables();
     List<Cell> all = JitterRun.cells(chosen);
     if (all.isEmpty()) {
@@ -111,12 +113,25 @@ public final class JitterCommand implements Callable<Integer> {
     return measure(chosen, out);
   }
 
+  private void check() {
+    if (seconds < 0 || heapMb < LEAST_HEAP_MB || (minutes != null && !(minutes >= 0))) {
+      throw PalpateException.wrongUse(
+          "a number is out of range",
+          "--seconds " + seconds + " --heap " + heapMb + " --minutes " + minutes,
+          "give seconds from 1, a heap from " + LEAST_HEAP_MB + " MB, minutes from 0");
+    }
+    if (Files.exists(folder) && !Files.isDirectory(folder)) {
+      throw PalpateException.wrongUse("not a folder", "--out " + folder, "name a new folder");
+    }
+  }
+
   private int measure(List<Table> chosen, PrintWriter out)
       throws IOException, InterruptedException {
+    String scene = CellScene.textOf(volume);
+    CellScene.check(scene);
     Path root = Files.createDirectories(folder).toRealPath();
     var machine = MachineFacts.read();
-    JitterRun run =
-        new JitterRun(chosen, new CellRunner(root, CellScene.textOf(volume)), budgetSeconds(), out);
+    JitterRun run = new JitterRun(chosen, new CellRunner(root, scene), budgetSeconds(), out);
     run.run();
     if (run.results().isEmpty()) {
       String first = run.left().values().iterator().next();
