@@ -1,0 +1,23 @@
+package org.palpate.imagej;
+
+import ij.IJ;
+
+/** "About Palpate": what it is, its version, and what it is not. */
+public final class AboutPalpate extends PalpateCommand {
+  /** Made by ImageJ. */
+  public AboutPalpate() {
+    super("About Palpate");
+  }
+
+  @Override
+  void execute() {
+    String version = AboutPalpate.class.getPackage().getImplementationVersion();
+    IJ.showMessage(
+        "About Palpate",
+        "Palpate "
+            + (version == null ? "(not packed)" : version)
+            + "\nTouch a segmented 3-D scan with a haptic device.\n"
+            + "After Vlasov, Friese and Wolter, 2013. Apache License 2.0.\n \n"
+            + "Not a medical device. Not yet tried on haptic hardware.");
+  }
+}

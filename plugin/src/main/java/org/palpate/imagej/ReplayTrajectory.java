@@ -1,0 +1,82 @@
+package org.palpate.imagej;
+
+import ij.IJ;
+import ij.gui.GenericDialog;
+import ij.measure.ResultsTable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.palpate.device.Trajectory;
+import org.palpate.host.ContactScene;
+import org.palpate.host.ReplayRun;
+import org.palpate.io.CsvFormatException;
+import org.palpate.io.TrajectoryCsv;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+
+/**
+ * "Replay Trajectory...": runs the frames of a recorded trajectory over the stack in front, off line, and shows device, point
+ * and force of each in the table "Palpate Frames".
+ */
+public final class ReplayTrajectory extends PalpateCommand {
+  static final String TABLE = "Palpate Frames";
+
+  /** Made by ImageJ. */
+  public ReplayTrajectory() {
+    super("Replay Trajectory");
+  }
+
+  @Override
+  void execute() throws StackRefused {
+    StackVolume volume = StackVolume.shownIn(IJ.getImage());
+    GenericDialog dialog = new GenericDialog("Replay Trajectory");
+    dialog.addFileField("Trajectory", "", 30);
+    dialog.showDialog();
+    if (dialog.wasCanceled()) {
+      return;
+    }
+    Path file = Path.of(dialog.getNextString().strip());
+    TouchOptions options = TouchOptions.ask(volume);
+    if (options != null) {
+      replay(volume, options, read(file));
+    }
+  }
+
+  private static Trajectory read(Path file) throws StackRefused {
+    Trajectory trajectory = new Trajectory();
+    try {
+      TrajectoryCsv.read(file, true, trajectory::add);
+    } catch (IOException | CsvFormatException e) {
+      throw new StackRefused("The trajectory cannot be read: " + e.getMessage());
+    }
+    return trajectory;
+  }
+
+  private static void replay(StackVolume volume, TouchOptions options, Trajectory trajectory)
+      throws StackRefused {
+    StackGeometry geometry = StackGeometry.of(volume.image());
+    List<Segment> segments = StackSegments.of(volume, options.rules(volume), k -> {});
+    ContactScene scene =
+        new ContactScene(
+            new SegmentedVolume(geometry.grid(), segments), options.contactSettings());
+    ResultsTable table = new ResultsTable();
+    try {
+      new ReplayRun(scene, trajectory, true, false)
+          .run(
+              (frame, device, point, force, state, freed) -> {
+                table.incrementCounter();
+                table.addValue("t (ms)", trajectory.timeMs(frame));
+                table.addValue("px (mm)", point.x);
+                table.addValue("py (mm)", point.y);
+                table.addValue("pz (mm)", point.z);
+                table.addValue("fx (N)", force.x);
+                table.addValue("fy (N)", force.y);
+                table.addValue("fz (N)", force.z);
+                table.addValue("contact", state.contact ? 1 : 0);
+              });
+    } catch (IOException e) {
+      throw new StackRefused("The replay failed: " + e.getMessage());
+    }
+    table.show(TABLE);
+  }
+}

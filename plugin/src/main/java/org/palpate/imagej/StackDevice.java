@@ -1,0 +1,86 @@
+package org.palpate.imagej;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.ReplayDevice;
+import org.palpate.device.SimulatedDevice;
+import org.palpate.device.Trajectory;
+import org.palpate.device.Workspace;
+import org.palpate.device.WorkspaceDevice;
+import org.palpate.device.jni.DeviceCatalog;
+import org.palpate.device.jni.DeviceException;
+import org.palpate.force.ForceSettings;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.CsvFormatException;
+import org.palpate.io.TrajectoryCsv;
+
+/**
+ * A device as the dialog names it: {@code simulated}, {@code replay:FILE.csv}, or a back end with what tells its devices
+ * apart, as in {@code hid:SERIAL}.
+ *
+ * @param device positions in world mm
+ * @param defaultNewtonPerMm stiffness where the user gave none
+ */
+record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
+  private static final long SEED = 1;
+
+  /** Half of what a real device renders stably. */
+  private static final double STIFFNESS_SHARE = 0.5;
+
+  /**
+   * Opens a device.
+   *
+   * @param target what is to be in reach
+   * @throws StackRefused where there is no such device, or its recording cannot be read
+   */
+  static StackDevice open(String choice, HandTarget target, long periodNanos) throws StackRefused {
+    int colon = choice.indexOf(':');
+    String name = colon < 0 ? choice : choice.substring(0, colon);
+    String id = colon < 0 ? "" : choice.substring(colon + 1);
+    if (name.equals("simulated")) {
+      HapticDevice hand = new SimulatedDevice(SEED, target, periodNanos);
+      return new StackDevice(hand, ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM);
+    }
+    if (name.equals("replay")) {
+      return new StackDevice(replay(id), ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM);
+    }
+    return openReal(name, id, target);
+  }
+
+  private static HapticDevice replay(String file) throws StackRefused {
+    Trajectory trajectory = new Trajectory();
+    try {
+      TrajectoryCsv.read(Path.of(file), false, trajectory::add);
+    } catch (IOException | CsvFormatException e) {
+      throw new StackRefused("The trajectory cannot be read: " + e.getMessage());
+    }
+    return new ReplayDevice("replay", trajectory);
+  }
+
+  private static StackDevice openReal(String name, String id, HandTarget target) throws StackRefused {
+    if (!DeviceCatalog.isNative(name)) {
+      throw new StackRefused(
+          "There is no device \"" + name + "\": write simulated, replay:FILE.csv, or see Plugins > Palpate > Devices...");
+    }
+    try {
+      HapticDevice opened = DeviceCatalog.open(name, id);
+      Workspace workspace =
+          Workspace.fit(opened.specification(), stackAxes(), target.lowMm(), target.highMm());
+      HapticDevice mapped =
+          new WorkspaceDevice(opened, workspace, WorkspaceDevice.Controls.standard());
+      return new StackDevice(
+          mapped, STIFFNESS_SHARE * mapped.specification().maxStiffnessNewtonPerMm());
+    } catch (DeviceException e) {
+      throw new StackRefused(e.getMessage());
+    }
+  }
+
+  /** As the stack is seen on the screen: right is right, up is against y, towards the person is against z. */
+  private static RigidTransform stackAxes() {
+    return new RigidTransform(
+        new Vec3(1, 0, 0), new Vec3(0, -1, 0), new Vec3(0, 0, -1), new Vec3());
+  }
+}
