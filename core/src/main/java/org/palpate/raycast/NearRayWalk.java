@@ -38,32 +38,27 @@ final class NearRayWalk {
     final double fromX = ray.fromX;
     final double fromY = ray.fromY;
     final double fromZ = ray.fromZ;
-    final double dx = ray.toX - fromX;
-    final double dy = ray.toY - fromY;
-    final double dz = ray.toZ - fromZ;
     int i = (int) Math.floor(fromX);
     int j = (int) Math.floor(fromY);
     int k = (int) Math.floor(fromZ);
     if (i == fromX || j == fromY || k == fromZ) {
       return DOUBT;
     }
-    // A component that is 0 has an infinite reciprocal, and its next plane is crossed at +infinity:
-    // never.
-    final double inverseX = 1 / dx;
-    final double inverseY = 1 / dy;
-    final double inverseZ = 1 / dz;
-    final int aheadX = dx < 0 ? 0 : 1;
-    final int aheadY = dy < 0 ? 0 : 1;
-    final int aheadZ = dz < 0 ? 0 : 1;
-    double nextX = (i + aheadX - fromX) * inverseX;
-    double nextY = (j + aheadY - fromY) * inverseY;
-    double nextZ = (k + aheadZ - fromZ) * inverseZ;
-    long brick =
-        bits.brick(i >> BitCube.BRICK_SHIFT, j >> BitCube.BRICK_SHIFT, k >> BitCube.BRICK_SHIFT);
-    if (((brick >>> BitCube.bit(i, j, k)) & 1) != 0) {
+    long brick = brickOf(bits, i, j, k);
+    if (isSolid(brick, i, j, k)) {
       hit.set(0, i, j, k, RayHit.NO_AXIS);
       return HIT;
     }
+    // Of a component that is 0 the reciprocal is infinite, and the next plane crossed there: never.
+    final double inverseX = 1 / (ray.toX - fromX);
+    final double inverseY = 1 / (ray.toY - fromY);
+    final double inverseZ = 1 / (ray.toZ - fromZ);
+    final int aheadX = inverseX < 0 ? 0 : 1; // from a cell's number to that of the plane ahead
+    final int aheadY = inverseY < 0 ? 0 : 1;
+    final int aheadZ = inverseZ < 0 ? 0 : 1;
+    double nextX = (i + aheadX - fromX) * inverseX;
+    double nextY = (j + aheadY - fromY) * inverseY;
+    double nextZ = (k + aheadZ - fromZ) * inverseZ;
     while (true) {
       int axis = nextX < nextY ? (nextX < nextZ ? 0 : 2) : (nextY < nextZ ? 1 : 2);
       double t = axis == 0 ? nextX : axis == 1 ? nextY : nextZ;
@@ -71,39 +66,49 @@ final class NearRayWalk {
       if (t > 1 + doubt) {
         return MISS;
       }
-      int crossed; // not 0 in the bits above a brick where the step leads out of it
-      double later;
-      if (axis == 0) {
-        later = nextY < nextZ ? nextY : nextZ;
-        crossed = i;
-        i += aheadX + aheadX - 1;
-        crossed ^= i;
-        nextX = (i + aheadX - fromX) * inverseX;
-      } else if (axis == 1) {
-        later = nextX < nextZ ? nextX : nextZ;
-        crossed = j;
-        j += aheadY + aheadY - 1;
-        crossed ^= j;
-        nextY = (j + aheadY - fromY) * inverseY;
-      } else {
-        later = nextX < nextY ? nextX : nextY;
-        crossed = k;
-        k += aheadZ + aheadZ - 1;
-        crossed ^= k;
-        nextZ = (k + aheadZ - fromZ) * inverseZ;
-      }
-      if (later - t <= doubt || t + doubt >= 1) {
+      if (median(nextX, nextY, nextZ) - t <= doubt || t + doubt >= 1) {
         return DOUBT;
       }
-      if (crossed >>> BitCube.BRICK_SHIFT != 0) {
-        brick =
-            bits.brick(
-                i >> BitCube.BRICK_SHIFT, j >> BitCube.BRICK_SHIFT, k >> BitCube.BRICK_SHIFT);
+      int cellBefore;
+      if (axis == 0) {
+        cellBefore = i;
+        i += 2 * aheadX - 1;
+        nextX = (i + aheadX - fromX) * inverseX;
+      } else if (axis == 1) {
+        cellBefore = j;
+        j += 2 * aheadY - 1;
+        nextY = (j + aheadY - fromY) * inverseY;
+      } else {
+        cellBefore = k;
+        k += 2 * aheadZ - 1;
+        nextZ = (k + aheadZ - fromZ) * inverseZ;
       }
-      if (((brick >>> BitCube.bit(i, j, k)) & 1) != 0) {
+      brick =
+          leavesBrick(cellBefore, axis == 0 ? i : axis == 1 ? j : k)
+              ? brickOf(bits, i, j, k)
+              : brick;
+      if (isSolid(brick, i, j, k)) {
         hit.set(t, i, j, k, axis);
         return HIT;
       }
     }
+  }
+
+  private static double median(double a, double b, double c) {
+    double low = a < b ? a : b;
+    double high = a < b ? b : a;
+    return c < low ? low : c < high ? c : high;
+  }
+
+  private static boolean leavesBrick(int cellBefore, int cell) {
+    return ((cellBefore ^ cell) >>> BitCube.BRICK_SHIFT) != 0;
+  }
+
+  private static boolean isSolid(long brick, int i, int j, int k) {
+    return ((brick >>> BitCube.bit(i, j, k)) & 1) != 0;
+  }
+
+  private static long brickOf(BitCube bits, int i, int j, int k) {
+    return bits.brick(i >> BitCube.BRICK_SHIFT, j >> BitCube.BRICK_SHIFT, k >> BitCube.BRICK_SHIFT);
   }
 }

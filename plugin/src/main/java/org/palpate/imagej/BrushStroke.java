@@ -5,7 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.palpate.geometry.Vec3;
 
-/** Voxels of a stack that a spherical brush changed, with their values before and after: can be undone and done again. */
+/**
+ * Voxels of a stack that a spherical brush changed, with their values before and after: can be
+ * undone and done again.
+ */
 final class BrushStroke {
   private record Change(int i, int j, int k, float before, float after) {}
 
@@ -25,7 +28,12 @@ final class BrushStroke {
    * @param rule only voxels change that belong to it, or not, other than {@code value} does
    */
   static BrushStroke paint(
-      StackVolume volume, Vec3 centreGrid, Vec3 spacingMm, double radiusMm, float value, VoxelRule rule) {
+      StackVolume volume,
+      Vec3 centreGrid,
+      Vec3 spacingMm,
+      double radiusMm,
+      float value,
+      VoxelRule rule) {
     BrushStroke stroke = new BrushStroke(volume);
     int lowK = low(centreGrid.z, radiusMm / spacingMm.z);
     int highK = high(centreGrid.z, radiusMm / spacingMm.z, volume.slices());

@@ -8,8 +8,9 @@ import java.util.Deque;
 import org.palpate.geometry.Vec3;
 
 /**
- * "Correct Segment...": adds or removes the voxels of a ball around the interaction point, in the stack and in what is felt,
- * or undoes and redoes that. The stack is what is kept: save it to keep the correction.
+ * "Correct Segment...": adds or removes the voxels of a ball around the interaction point, in the
+ * stack and in what is felt, or undoes and redoes that. The stack is what is kept: save it to keep
+ * the correction.
  */
 public final class CorrectSegment extends PalpateCommand {
   private static final String ADD = "add";
@@ -77,7 +78,8 @@ public final class CorrectSegment extends PalpateCommand {
     IJ.showStatus("Palpate: " + stroke.size() + " voxels changed");
   }
 
-  private static void paint(StackSession session, boolean add, double radiusMm) throws StackRefused {
+  private static void paint(StackSession session, boolean add, double radiusMm)
+      throws StackRefused {
     Vec3 tip = session.tipGrid();
     if (!tip.isFinite()) {
       throw new StackRefused("The first frame has not run yet: touch the volume first.");
@@ -102,6 +104,7 @@ public final class CorrectSegment extends PalpateCommand {
     if (rule.upper() < 255) {
       return rule.upper() + 1;
     }
-    throw new StackRefused("The segment holds the value 0 too: there is no value to remove voxels with.");
+    throw new StackRefused(
+        "The segment holds the value 0 too: there is no value to remove voxels with.");
   }
 }

@@ -17,7 +17,12 @@ public final class Devices extends PalpateCommand {
     for (Finding finding : DeviceCatalog.findings()) {
       row(rows, finding.backend(), finding.usable() ? "found" : "not usable", "", finding.why());
       for (Finding.Found device : finding.devices()) {
-        row(rows, finding.backend(), device.usable() ? "device" : "not usable", device.id(), device.usable() ? device.name() : device.why());
+        row(
+            rows,
+            finding.backend(),
+            device.usable() ? "device" : "not usable",
+            device.id(),
+            device.usable() ? device.name() : device.why());
       }
     }
     new TextWindow("Palpate Devices", "Back end\tState\tId\tWhat", rows.toString(), 720, 320);

@@ -15,8 +15,9 @@ import org.palpate.io.Landmark;
 import org.palpate.io.LandmarkFiles;
 
 /**
- * "Landmarks": puts a named point where the interaction point is, into the table "Palpate Landmarks" in calibrated units and
- * into the stack's overlay. A macro can give a name, and a folder to save the table and a file for 3D Slicer in.
+ * "Landmarks": puts a named point where the interaction point is, into the table "Palpate
+ * Landmarks" in calibrated units and into the stack's overlay. A macro can give a name, and a
+ * folder to save the table and a file for 3D Slicer in.
  */
 public final class Landmarks extends PalpateCommand {
   static final String TABLE = "Palpate Landmarks";

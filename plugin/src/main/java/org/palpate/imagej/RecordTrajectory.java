@@ -15,7 +15,10 @@ import org.palpate.interaction.TrajectoryText;
 import org.palpate.io.CsvNumbers;
 import org.palpate.io.NewFile;
 
-/** "Record Trajectory...": touches the stack in front and writes what the device sends into a file that replays. */
+/**
+ * "Record Trajectory...": touches the stack in front and writes what the device sends into a file
+ * that replays.
+ */
 public final class RecordTrajectory extends PalpateCommand {
   /** Made by ImageJ. */
   public RecordTrajectory() {
@@ -50,7 +53,8 @@ public final class RecordTrajectory extends PalpateCommand {
       writer.flush();
       file.commit();
     } catch (IOException | UncheckedIOException e) {
-      throw new StackRefused("The trajectory cannot be written to " + target + ": " + e.getMessage());
+      throw new StackRefused(
+          "The trajectory cannot be written to " + target + ": " + e.getMessage());
     }
     IJ.showStatus("Palpate: " + recorder.recorded() + " samples recorded in " + target);
   }

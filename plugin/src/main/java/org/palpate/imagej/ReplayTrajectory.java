@@ -9,14 +9,13 @@ import java.util.List;
 import org.palpate.device.Trajectory;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
-import org.palpate.io.CsvFormatException;
 import org.palpate.io.TrajectoryCsv;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
 /**
- * "Replay Trajectory...": runs the frames of a recorded trajectory over the stack in front, off line, and shows device, point
- * and force of each in the table "Palpate Frames".
+ * "Replay Trajectory...": runs the frames of a recorded trajectory over the stack in front, off
+ * line, and shows device, point and force of each in the table "Palpate Frames".
  */
 public final class ReplayTrajectory extends PalpateCommand {
   static final String TABLE = "Palpate Frames";
@@ -46,7 +45,7 @@ public final class ReplayTrajectory extends PalpateCommand {
     Trajectory trajectory = new Trajectory();
     try {
       TrajectoryCsv.read(file, true, trajectory::add);
-    } catch (IOException | CsvFormatException e) {
+    } catch (IOException e) {
       throw new StackRefused("The trajectory cannot be read: " + e.getMessage());
     }
     return trajectory;
@@ -57,8 +56,7 @@ public final class ReplayTrajectory extends PalpateCommand {
     StackGeometry geometry = StackGeometry.of(volume.image());
     List<Segment> segments = StackSegments.of(volume, options.rules(volume), k -> {});
     ContactScene scene =
-        new ContactScene(
-            new SegmentedVolume(geometry.grid(), segments), options.contactSettings());
+        new ContactScene(new SegmentedVolume(geometry.grid(), segments), options.contactSettings());
     ResultsTable table = new ResultsTable();
     try {
       new ReplayRun(scene, trajectory, true, false)

@@ -15,17 +15,27 @@ final class Sessions {
    */
   static void begin(StackSession session) throws StackRefused {
     if (!CURRENT.compareAndSet(null, session)) {
-      throw new StackRefused("A volume is being touched already: press Escape to end that first.");
+      throw busy();
     }
+  }
+
+  /**
+   * Says before anything is set up what {@link #begin} would say.
+   *
+   * @throws StackRefused where a session runs
+   */
+  static void refuseSecond() throws StackRefused {
+    if (CURRENT.get() != null) {
+      throw busy();
+    }
+  }
+
+  private static StackRefused busy() {
+    return new StackRefused("A volume is being touched already: press Escape to end that first.");
   }
 
   static void end(StackSession session) {
     CURRENT.compareAndSet(session, null);
-  }
-
-  /** Whether a session runs. */
-  static boolean isRunning() {
-    return CURRENT.get() != null;
   }
 
   /**
@@ -36,7 +46,8 @@ final class Sessions {
   static StackSession current() throws StackRefused {
     StackSession session = CURRENT.get();
     if (session == null) {
-      throw new StackRefused("No volume is being touched: begin by Plugins > Palpate > Touch Volume...");
+      throw new StackRefused(
+          "No volume is being touched: begin by Plugins > Palpate > Touch Volume...");
     }
     return session;
   }

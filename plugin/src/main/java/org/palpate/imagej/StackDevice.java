@@ -14,12 +14,11 @@ import org.palpate.device.jni.DeviceException;
 import org.palpate.force.ForceSettings;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.io.CsvFormatException;
 import org.palpate.io.TrajectoryCsv;
 
 /**
- * A device as the dialog names it: {@code simulated}, {@code replay:FILE.csv}, or a back end with what tells its devices
- * apart, as in {@code hid:SERIAL}.
+ * A device as the dialog names it: {@code simulated}, {@code replay:FILE.csv}, or a back end with
+ * what tells its devices apart, as in {@code hid:SERIAL}.
  *
  * @param device positions in world mm
  * @param defaultNewtonPerMm stiffness where the user gave none
@@ -54,16 +53,19 @@ record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
     Trajectory trajectory = new Trajectory();
     try {
       TrajectoryCsv.read(Path.of(file), false, trajectory::add);
-    } catch (IOException | CsvFormatException e) {
+    } catch (IOException e) {
       throw new StackRefused("The trajectory cannot be read: " + e.getMessage());
     }
     return new ReplayDevice("replay", trajectory);
   }
 
-  private static StackDevice openReal(String name, String id, HandTarget target) throws StackRefused {
+  private static StackDevice openReal(String name, String id, HandTarget target)
+      throws StackRefused {
     if (!DeviceCatalog.isNative(name)) {
       throw new StackRefused(
-          "There is no device \"" + name + "\": write simulated, replay:FILE.csv, or see Plugins > Palpate > Devices...");
+          "There is no device \""
+              + name
+              + "\": write simulated, replay:FILE.csv, or see Plugins > Palpate > Devices...");
     }
     try {
       HapticDevice opened = DeviceCatalog.open(name, id);
@@ -78,7 +80,10 @@ record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
     }
   }
 
-  /** As the stack is seen on the screen: right is right, up is against y, towards the person is against z. */
+  /**
+   * As the stack is seen on the screen: right is right, up is against y, towards the person is
+   * against z.
+   */
   private static RigidTransform stackAxes() {
     return new RigidTransform(
         new Vec3(1, 0, 0), new Vec3(0, -1, 0), new Vec3(0, 0, -1), new Vec3());

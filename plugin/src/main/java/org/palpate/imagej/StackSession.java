@@ -18,10 +18,11 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
 /**
- * A stack being touched, from "Touch Volume..." until Escape, the end of its time, the device's end, or the image closes.
+ * A stack being touched, from "Touch Volume..." until Escape, the end of its time, the device's
+ * end, or the image closes.
  *
- * <p>{@link #run} keeps the thread of the command that began it; other commands ask {@link #tipGrid} and add landmarks or
- * brush strokes meanwhile, from their own threads.
+ * <p>{@link #run} keeps the thread of the command that began it; other commands ask {@link
+ * #tipGrid} and add landmarks or brush strokes meanwhile, from their own threads.
  */
 final class StackSession implements AutoCloseable {
   private static final double RATE_HZ = 1000;
@@ -54,11 +55,9 @@ final class StackSession implements AutoCloseable {
         StackSegments.of(volume, rules, k -> IJ.showProgress(k + 1, volume.slices()));
     refuseEmpty(segments, options);
     ContactScene scene =
-        new ContactScene(
-            new SegmentedVolume(geometry.grid(), segments), options.contactSettings());
+        new ContactScene(new SegmentedVolume(geometry.grid(), segments), options.contactSettings());
     LoopSettings loop = LoopSettings.ofRate(RATE_HZ);
-    StackDevice device =
-        StackDevice.open(options.device(), scene.handTarget(), loop.periodNanos());
+    StackDevice device = StackDevice.open(options.device(), scene.handTarget(), loop.periodNanos());
     session =
         new TouchSession(
             scene, device.device(), device.defaultNewtonPerMm(), loop, recorder, end -> {});
@@ -70,7 +69,11 @@ final class StackSession implements AutoCloseable {
     long solids = segments.stream().mapToLong(segment -> segment.bits().solidCount()).sum();
     if (solids == 0) {
       throw new StackRefused(
-          "No voxel has a value from " + options.lower() + " to " + options.upper() + ": choose other thresholds.");
+          "No voxel has a value from "
+              + options.lower()
+              + " to "
+              + options.upper()
+              + ": choose other thresholds.");
     }
   }
 
@@ -102,7 +105,9 @@ final class StackSession implements AutoCloseable {
 
   private boolean isOver(long beganNanos, double seconds) {
     boolean late =
-        seconds > 0 && beganNanos != 0 && System.nanoTime() - beganNanos >= seconds * NANOS_PER_SECOND;
+        seconds > 0
+            && beganNanos != 0
+            && System.nanoTime() - beganNanos >= seconds * NANOS_PER_SECOND;
     return late || stopAsked || watcher.isClosed() || IJ.escapePressed();
   }
 
@@ -119,7 +124,12 @@ final class StackSession implements AutoCloseable {
         String.format(
             Locale.ROOT,
             "Palpate: (%.2f, %.2f, %.2f) %s, %s, %.2f N; Escape ends",
-            at.x, at.y, at.z, geometry.unit(), status.contact() ? "contact" : "free", status.forceNewton()));
+            at.x,
+            at.y,
+            at.z,
+            geometry.unit(),
+            status.contact() ? "contact" : "free",
+            status.forceNewton()));
   }
 
   /** Asks the session to end. Any thread. */

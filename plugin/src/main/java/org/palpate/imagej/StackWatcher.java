@@ -14,9 +14,10 @@ import org.palpate.volume.Segment;
 /**
  * Carries what changes in the stack (paint, macro, filter) over to what is touched.
  *
- * <p>ImageJ tells that an image was updated, for scrolling too, and not where. So the listener only sets a flag, and {@link
- * #carryOver} compares every slice with a copy of the bits and queues what differs: voxel by voxel, or, where there is much, a
- * cube made aside. {@link #carryOver} is called by one thread at a time.
+ * <p>ImageJ tells that an image was updated, for scrolling too, and not where. So the listener only
+ * sets a flag, and {@link #carryOver} compares every slice with a copy of the bits and queues what
+ * differs: voxel by voxel, or, where there is much, a cube made aside. {@link #carryOver} is called
+ * by one thread at a time.
  */
 final class StackWatcher implements ImageListener, AutoCloseable {
   /** More changed voxels than this are handed over as a whole cube. */
@@ -56,7 +57,10 @@ final class StackWatcher implements ImageListener, AutoCloseable {
     return closed;
   }
 
-  /** Carries over what changed since the last call, where ImageJ told of a change. Returns the voxels that changed. */
+  /**
+   * Carries over what changed since the last call, where ImageJ told of a change. Returns the
+   * voxels that changed.
+   */
   int carryOverWhenUpdated() {
     if (!updated) {
       return 0;

@@ -11,10 +11,11 @@ import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
 
 /**
- * What the user chose in the dialog of "Touch Volume...", which a macro gives by the first words of its labels; kept in
- * ImageJ's preferences.
+ * What the user chose in the dialog of "Touch Volume...", which a macro gives by the first words of
+ * its labels; kept in ImageJ's preferences.
  *
- * @param labels whether the image is taken as labels, a segment a label; else the values from lower to upper are one segment
+ * @param labels whether the image is taken as labels, a segment a label; else the values from lower
+ *     to upper are one segment
  * @param lower the least value of the segment
  * @param upper the largest
  * @param solver what moves the interaction point
@@ -42,12 +43,19 @@ record TouchOptions(
     GenericDialog dialog = new GenericDialog("Touch Volume");
     dialog.addCheckbox("Labels: a segment a value", Prefs.get(PREFIX + "labels", false));
     dialog.addNumericField(
-        "Lower threshold", hasThreshold ? shown.getMinThreshold() : Prefs.get(PREFIX + "lower", 1), 2);
+        "Lower threshold",
+        hasThreshold ? shown.getMinThreshold() : Prefs.get(PREFIX + "lower", 1),
+        2);
     dialog.addNumericField(
-        "Upper threshold", hasThreshold ? shown.getMaxThreshold() : Prefs.get(PREFIX + "upper", 65535), 2);
-    dialog.addChoice("Solver", solvers(), Prefs.get(PREFIX + "solver", SolverKind.GUARDED.toString()));
-    dialog.addNumericField("Stiffness (0: device default)", Prefs.get(PREFIX + "stiffness", 0), 3, 8, "N/mm");
-    dialog.addNumericField("Friction", Prefs.get(PREFIX + "friction", ForceSettings.DEFAULT_FRICTION), 2);
+        "Upper threshold",
+        hasThreshold ? shown.getMaxThreshold() : Prefs.get(PREFIX + "upper", 65535),
+        2);
+    dialog.addChoice(
+        "Solver", solvers(), Prefs.get(PREFIX + "solver", SolverKind.GUARDED.toString()));
+    dialog.addNumericField(
+        "Stiffness (0: device default)", Prefs.get(PREFIX + "stiffness", 0), 3, 8, "N/mm");
+    dialog.addNumericField(
+        "Friction", Prefs.get(PREFIX + "friction", ForceSettings.DEFAULT_FRICTION), 2);
     dialog.addStringField("Device", Prefs.get(PREFIX + "device", "simulated"), 24);
     dialog.addNumericField("Time (0: until Escape)", Prefs.get(PREFIX + "seconds", 0), 1, 8, "s");
     dialog.addHelp(HELP);
@@ -75,7 +83,8 @@ record TouchOptions(
       throw new StackRefused("A field does not hold a number: " + dialog.getErrorMessage());
     }
     SolverKind kind = SolverKind.valueOf(solver.toUpperCase(Locale.ROOT));
-    return new TouchOptions(labels, lower, upper, kind, stiffness, friction, device.strip(), seconds);
+    return new TouchOptions(
+        labels, lower, upper, kind, stiffness, friction, device.strip(), seconds);
   }
 
   private static String[] solvers() {
@@ -84,7 +93,8 @@ record TouchOptions(
 
   private void check() throws StackRefused {
     if (!labels && !(lower <= upper)) {
-      throw new StackRefused("The lower threshold " + lower + " lies above the upper one, " + upper + ".");
+      throw new StackRefused(
+          "The lower threshold " + lower + " lies above the upper one, " + upper + ".");
     }
     if (!(stiffnessNewtonPerMm >= 0) || !(friction >= 0) || !(seconds >= 0)) {
       throw new StackRefused("Stiffness, friction and time must be 0 or more.");
@@ -107,7 +117,12 @@ record TouchOptions(
     OptionalDouble stiffness =
         stiffnessNewtonPerMm > 0 ? OptionalDouble.of(stiffnessNewtonPerMm) : OptionalDouble.empty();
     return new ContactSettings(
-        solver, solver.defaultCollision(), stiffness, friction, OptionalDouble.empty(), OptionalDouble.empty());
+        solver,
+        solver.defaultCollision(),
+        stiffness,
+        friction,
+        OptionalDouble.empty(),
+        OptionalDouble.empty());
   }
 
   /** What makes the segments of a stack. */

@@ -7,7 +7,10 @@ import java.util.Optional;
 import org.palpate.interaction.FrameRecorder;
 import org.palpate.interaction.LoopEnd;
 
-/** "Touch Volume...": touches the stack in front until Escape, the end of its time, or the image closes. */
+/**
+ * "Touch Volume...": touches the stack in front until Escape, the end of its time, or the image
+ * closes.
+ */
 public final class TouchVolume extends PalpateCommand {
   /** Made by ImageJ. */
   public TouchVolume() {
@@ -40,15 +43,14 @@ public final class TouchVolume extends PalpateCommand {
   /** Runs a session to its end and says how it ended. */
   static void touch(StackVolume volume, TouchOptions options, Optional<FrameRecorder> recorder)
       throws StackRefused {
-    if (Sessions.isRunning()) {
-      Sessions.begin(null);
-    }
+    Sessions.refuseSecond();
     try (StackSession session = new StackSession(volume, options, recorder)) {
       Sessions.begin(session);
       try {
         tell(session, session.run(options.seconds()));
       } finally {
         Sessions.end(session);
+        CorrectSegment.forget();
       }
     }
   }
@@ -56,7 +58,10 @@ public final class TouchVolume extends PalpateCommand {
   private static void tell(StackSession session, LoopEnd end) throws StackRefused {
     IJ.showProgress(1);
     IJ.showStatus(
-        String.format(Locale.ROOT, "Palpate: ended after %d frames, zero force sent", session.status().frames()));
+        String.format(
+            Locale.ROOT,
+            "Palpate: ended after %d frames, zero force sent",
+            session.status().frames()));
     if (end.failure() != null) {
       throw new StackRefused("Touching ended by a failure: " + end.failure().getMessage());
     }
