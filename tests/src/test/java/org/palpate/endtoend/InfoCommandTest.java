@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
@@ -121,10 +122,10 @@ class InfoCommandTest {
         "NRRD0004\ntype: double\ndimension: 3\nsizes: 10000 10000 10000\nencoding: raw\n\n";
     byte[][] bad = {
       {},
-      "hello".getBytes(),
+      "hello".getBytes(StandardCharsets.US_ASCII),
       Arrays.copyOf(whole, whole.length - 1),
       Arrays.copyOf(whole, 60),
-      lie.getBytes()
+      lie.getBytes(StandardCharsets.US_ASCII)
     };
     for (int n = 0; n < bad.length; n++) {
       Path file = Files.write(folder.resolve("bad" + n + ".nrrd"), bad[n]);

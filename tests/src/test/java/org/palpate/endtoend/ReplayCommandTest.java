@@ -295,7 +295,7 @@ class ReplayCommandTest {
     replay("--out", file("f"), "--legs", file("l")).mustSucceed();
     assertEquals(FRAMES_HEADER, Files.readAllLines(file("f")).get(0));
     assertEquals("frame,leg,x0,y0,z0,x1,y1,z1", Files.readAllLines(file("l")).get(0));
-    String given = Files.readAllLines(trajectory).get(1).split(",")[1];
+    String given = Files.readAllLines(trajectory).get(1).split(",", -1)[1];
     assertEquals(Double.parseDouble(given), rows(file("f"))[0][2]);
   }
 

@@ -73,7 +73,7 @@ class TouchCommandTest {
     Path report = folder.resolve("r.json");
     CommandRun.of("replay", "--phantom", "sphere:48", "--trajectory", recording, "--report", report)
         .mustSucceed();
-    long samples = Files.readAllLines(recording).size() - 1;
+    long samples = Files.readAllLines(recording).size() - 1L;
     assertEquals(Long.toString(samples), FlatJson.read(report).get("/frames"));
     assertTrue(samples > 0, "nothing was recorded");
   }
