@@ -28,7 +28,7 @@ final class AccuracyPlots {
             .width(WIDTH)
             .height(HEIGHT)
             .title("Run time against error of the force, every shape, depth and speed")
-            .xAxisTitle("nanoseconds a frame")
+            .xAxisTitle("nanoseconds of processor time a frame")
             .yAxisTitle("angle of the force to the true normal, degrees rms")
             .build();
     chart.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);

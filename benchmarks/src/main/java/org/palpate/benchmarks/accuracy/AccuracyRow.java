@@ -7,7 +7,7 @@ package org.palpate.benchmarks.accuracy;
  * @param shape the phantom
  * @param depth voxels
  * @param speed voxels a frame
- * @param nanosPerFrame median of passes that took turns with the other solvers'
+ * @param nanosPerFrame processor time, median of passes that took turns with the other solvers'
  */
 record AccuracyRow(
     String solver,

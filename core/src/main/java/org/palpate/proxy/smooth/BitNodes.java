@@ -12,13 +12,11 @@ final class BitNodes implements NodeSource {
   /** From the window's low voxel to its middle corner. */
   private static final int TO_MIDDLE = BitWindow.EDGE / 2;
 
-  private static final int HALF_ROW = BitWindow.EDGE / 2;
-  private static final int HALF_MASK = (1 << HALF_ROW) - 1;
+  private static final int ROW_MASK = (1 << BitWindow.EDGE) - 1;
 
   private final SmoothingKernel kernel;
   private final BitWindow window = new BitWindow();
-  private final long[] sumsOfLowHalf = new long[1 << HALF_ROW];
-  private final long[] sumsOfHighHalf = new long[1 << HALF_ROW];
+  private final long[] sumsOfRow = new long[1 << BitWindow.EDGE];
   private final long[] rows = new long[BitWindow.EDGE];
   private final long[][] columns = new long[3][BitWindow.EDGE];
   private final AxisTaps alongY;
@@ -32,9 +30,8 @@ final class BitNodes implements NodeSource {
     this.kernel = kernel;
     alongY = new AxisTaps(kernel, 1);
     alongZ = new AxisTaps(kernel, 2);
-    for (int half = 0; half <= HALF_MASK; half++) {
-      sumsOfLowHalf[half] = sumsOf(half);
-      sumsOfHighHalf[half] = sumsOf(half << HALF_ROW);
+    for (int row = 0; row <= ROW_MASK; row++) {
+      sumsOfRow[row] = sumsOf(row);
     }
   }
 
@@ -73,12 +70,15 @@ final class BitNodes implements NodeSource {
 
   private void sum(double[] nodes) {
     for (int z = 0; z < BitWindow.EDGE; z++) {
+      long unreached = 0;
       for (int word = 0; word < BitWindow.WORDS; word++) {
-        sumRows(window.unreached(z, word), 4 * word);
+        long fourRows = window.unreached(z, word);
+        unreached |= fourRows;
+        sumRows(fourRows, 4 * word);
       }
-      columns[0][z] = alongY.weigh(rows, 0);
-      columns[1][z] = alongY.weigh(rows, 1);
-      columns[2][z] = alongY.weigh(rows, 2);
+      columns[0][z] = unreached == 0 ? 0 : alongY.weigh(rows, 0);
+      columns[1][z] = unreached == 0 ? 0 : alongY.weigh(rows, 1);
+      columns[2][z] = unreached == 0 ? 0 : alongY.weigh(rows, 2);
     }
     for (int z = 0; z < 3; z++) {
       for (int y = 0; y < 3; y++) {
@@ -88,14 +88,10 @@ final class BitNodes implements NodeSource {
   }
 
   private void sumRows(long fourRows, int at) {
-    rows[at] = sumOfRow((int) fourRows);
-    rows[at + 1] = sumOfRow((int) (fourRows >>> 16));
-    rows[at + 2] = sumOfRow((int) (fourRows >>> 32));
-    rows[at + 3] = sumOfRow((int) (fourRows >>> 48));
-  }
-
-  private long sumOfRow(int row) {
-    return sumsOfLowHalf[row & HALF_MASK] + sumsOfHighHalf[row >> HALF_ROW & HALF_MASK];
+    rows[at] = sumsOfRow[(int) fourRows & ROW_MASK];
+    rows[at + 1] = sumsOfRow[(int) (fourRows >>> 16) & ROW_MASK];
+    rows[at + 2] = sumsOfRow[(int) (fourRows >>> 32) & ROW_MASK];
+    rows[at + 3] = sumsOfRow[(int) (fourRows >>> 48) & ROW_MASK];
   }
 
   private void unpack(long sums, int at, double[] nodes) {

@@ -217,9 +217,9 @@ final class BitWindow {
     long c = reached[layer + 2] | addC;
     boolean idle = a == freeA && b == freeB && c == freeC;
     while (!idle) {
-      long nextA = spreadRows(a | a << 16 | a >>> 16 | b << 48, freeA);
-      long nextB = spreadRows(b | b << 16 | b >>> 16 | c << 48 | a >>> 48, freeB);
-      long nextC = spreadRows(c | c << 16 | c >>> 16 | b >>> 48, freeC);
+      long nextA = spreadColumns(spreadRows(a | b << 48, freeA), freeA);
+      long nextB = spreadColumns(spreadRows(b | nextA >>> 48 | c << 48, freeB), freeB);
+      long nextC = spreadColumns(spreadRows(c | nextB >>> 48, freeC), freeC);
       boolean all = nextA == freeA && nextB == freeB && nextC == freeC;
       idle = all || (nextA == a && nextB == b && nextC == c);
       a = nextA;
@@ -229,6 +229,15 @@ final class BitWindow {
     reached[layer] = a;
     reached[layer + 1] = b;
     reached[layer + 2] = c;
+  }
+
+  /** Fills the runs of free voxels that hold a seed, along y both ways, inside a word. */
+  private static long spreadColumns(long seeds, long free) {
+    long pairs = free & free << 16;
+    long up = seeds | (free & seeds << 16);
+    up |= pairs & up << 32;
+    long down = up | (free & up >>> 16);
+    return down | (free & free >>> 16 & down >>> 32);
   }
 
   /** Fills the runs of free voxels that hold a seed, along x both ways. */

@@ -68,6 +68,7 @@ final class ContactSearch {
   private final Vec3 toDevice = new Vec3();
   private final Vec3 tangent = new Vec3();
   private final Vec3 step = new Vec3();
+  private long normalOf = -1;
   private double slope;
   private double depth;
 
@@ -114,6 +115,10 @@ final class ContactSearch {
 
   /** Finds normal and height where the field stands; false where the field is too flat. */
   boolean findNormal() {
+    if (field.evaluation == normalOf) {
+      return slope >= LEAST_SLOPE;
+    }
+    normalOf = field.evaluation;
     slope = Math.sqrt(field.gx * field.gx + field.gy * field.gy + field.gz * field.gz);
     if (slope < LEAST_SLOPE) {
       return false;

@@ -1,7 +1,7 @@
 package org.palpate.proxy.smooth;
 
 import org.palpate.proxy.Obstacles;
-import org.palpate.volume.ScalarVolume;
+import org.palpate.volume.VoxelGrid;
 
 /**
  * Corner values from grey values where the bits are what a threshold made of them, and from the
@@ -16,12 +16,16 @@ final class GreyNodes implements NodeSource {
   private static final int INSET = (BitWindow.EDGE - EDGE) / 2;
 
   private static final int TO_MIDDLE = BitWindow.EDGE / 2;
+
+  /** The share at the threshold. */
+  private static final double HALF = 0.5;
+
   private static final int TAPS = 6;
   private static final int FIRST_TAP = (SmoothingKernel.TAPS - TAPS) / 2;
 
   private final SmoothingKernel kernel;
-  private final GreySurface grey;
-  private final ScalarVolume volume;
+  private final ShareCache shares;
+  private final VoxelGrid grid;
   private final BitWindow window = new BitWindow();
   private final double[] row = new double[EDGE];
   private final double[] alongX = new double[3 * EDGE];
@@ -33,8 +37,8 @@ final class GreyNodes implements NodeSource {
 
   GreyNodes(SmoothingKernel kernel, GreySurface grey) {
     this.kernel = kernel;
-    this.grey = grey;
-    volume = grey.volume();
+    shares = new ShareCache(grey);
+    grid = grey.volume().grid();
   }
 
   @Override
@@ -94,16 +98,16 @@ final class GreyNodes implements NodeSource {
   }
 
   private double shareOfEmpty(int x, int y, int z) {
-    if (!volume.grid().contains(lowX + x, lowY + y, lowZ + z)) {
+    if (!grid.contains(lowX + x, lowY + y, lowZ + z)) {
       return 0;
     }
-    double value = volume.value(lowX + x, lowY + y, lowZ + z);
-    return value < grey.threshold() ? grey.share(value) : 0;
+    double share = shares.share(lowX + x, lowY + y, lowZ + z);
+    return share <= HALF ? share : 0;
   }
 
   private double shareOfSolid(int x, int y, int z) {
-    double value = volume.value(lowX + x, lowY + y, lowZ + z);
-    return value < grey.threshold() ? 1 : grey.share(value);
+    double share = shares.share(lowX + x, lowY + y, lowZ + z);
+    return share >= HALF ? share : 1;
   }
 
   @Override

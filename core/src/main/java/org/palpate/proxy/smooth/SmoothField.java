@@ -16,6 +16,9 @@ final class SmoothField {
   /** The share of solid at the point that was evaluated last. */
   double value;
 
+  /** Changes whenever value and derivatives do. */
+  long evaluation;
+
   /** Its gradient, a metric edge. */
   double gx;
 
@@ -102,6 +105,7 @@ final class SmoothField {
       return;
     }
     evaluated.set(x, y, z);
+    evaluation++;
     clear();
     if (any) {
       sum(x - atX, y - atY, z - atZ);
