@@ -10,6 +10,8 @@ import org.palpate.app.PalpateException;
 import org.palpate.app.Report;
 import org.palpate.benchmarks.accuracy.AccuracyRun;
 import org.palpate.benchmarks.stability.StabilityRun;
+import org.palpate.benchmarks.stress.StressSession;
+import org.palpate.benchmarks.stress.StressTotals;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -25,7 +27,8 @@ import picocli.CommandLine.Spec;
       "Examples:",
       "  palpate bench --stability --out figures",
       "  palpate bench --stability --quick --out figures",
-      "  palpate bench --accuracy --out figures"
+      "  palpate bench --accuracy --out figures",
+      "  palpate bench --stress --frames 20000000 --seed 7"
     })
 public final class BenchCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
@@ -47,21 +50,37 @@ public final class BenchCommand implements Callable<Integer> {
       })
   private boolean accuracy;
 
+  @Option(
+      names = "--stress",
+      description = {
+        "Hostile scenes and hands against the guarantee, every leg judged exactly.",
+        "Run again with the same folder, it goes on where it ended."
+      })
+  private boolean stress;
+
+  @Option(
+      names = "--frames",
+      paramLabel = "N",
+      description = "With --stress: frames in all (10000000).")
+  private long frames = 10_000_000;
+
+  @Option(names = "--seed", paramLabel = "S", description = "With --stress: which attack (7).")
+  private long seed = 7;
+
   @Option(names = "--quick", description = "Fewer values in each sweep.")
   private boolean quick;
 
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      required = true,
-      description = "Where tables and plots go; made where it is not there.")
-  private Path folder;
+      description = "Where files go (palpate-bench); made where it is not there.")
+  private Path folder = Path.of("palpate-bench");
 
   @Override
   public Integer call() {
-    if (!stability && !accuracy) {
+    if (!stability && !accuracy && !stress) {
       throw PalpateException.wrongUse(
-          "nothing to measure was chosen", "bench", "add --stability or --accuracy");
+          "nothing to measure was chosen", "bench", "add --stability, --accuracy or --stress");
     }
     PrintWriter out = spec.commandLine().getOut();
     PrintWriter progress = spec.commandLine().getErr();
@@ -73,6 +92,12 @@ public final class BenchCommand implements Callable<Integer> {
       if (accuracy) {
         report.put("time_over_twin", AccuracyRun.run(folder, quick, out, progress));
       }
+      if (stress) {
+        attack(report, out, progress);
+      }
+    } catch (StressSession.FailedCaseException e) {
+      throw PalpateException.failed(
+          "a promise was broken (" + e.summary() + ")", e.place(), "see replay.txt there", e);
     } catch (IOException e) {
       throw PalpateException.failed(
           "cannot write", folder.toString(), "choose a folder that may be written to", e);
@@ -81,5 +106,16 @@ public final class BenchCommand implements Callable<Integer> {
       report.write();
     }
     return 0;
+  }
+
+  private void attack(Report report, PrintWriter out, PrintWriter progress) throws IOException {
+    StressSession session = new StressSession(folder, seed, progress);
+    StressTotals totals = session.run(frames);
+    out.println(
+        totals.frames() + " frames, " + totals.legs() + " legs, 0 violations, seed " + seed);
+    out.println();
+    session.printBaselines(out);
+    report.put("seed", seed).put("frames", totals.frames()).put("legs", totals.legs());
+    report.put("violations", 0).put("exact_decisions", totals.exactDecisions());
   }
 }

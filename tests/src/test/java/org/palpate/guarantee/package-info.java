@@ -1,6 +1,8 @@
 /**
- * The guarantee, over whole sessions on phantoms and scans, decided in rational arithmetic.
+ * The guarantee, over whole sessions on phantoms and scans, and under attack by hostile scenes and
+ * hands, decided exactly.
  *
- * <p>Uses {@code host}, as a session does, and the oracle of {@code testing}. Grid coordinates.
+ * <p>Uses {@code host}, as a session does, the oracle of {@code testing}, and the attack of {@code
+ * benchmarks}. Grid coordinates.
  */
 package org.palpate.guarantee;

@@ -1,0 +1,104 @@
+package org.palpate.benchmarks.stress;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import org.palpate.proxy.GuardedSolver;
+
+/**
+ * {@code palpate bench --stress}: a run that says how far it is, keeps its totals in a folder, goes
+ * on from them, and leaves the smallest case of what failed.
+ */
+public final class StressSession {
+  private static final long NANOS_BETWEEN_LINES = 5_000_000_000L;
+  private static final int BASELINE_CASES = 100;
+
+  private final Path folder;
+  private final long seed;
+  private final PrintWriter progress;
+  private long lastLineNanos = System.nanoTime();
+
+  /** A session that keeps its files in a folder, which is made where it is not there. */
+  public StressSession(Path folder, long seed, PrintWriter progress) {
+    this.folder = folder;
+    this.seed = seed;
+    this.progress = progress;
+  }
+
+  /**
+   * Runs until so many frames of this seed are done in all, those of earlier runs counted.
+   *
+   * @return the totals
+   * @throws FailedCaseException where a promise was broken; the case lies in the folder
+   */
+  public StressTotals run(long frames) throws IOException {
+    Files.createDirectories(folder);
+    Path file = folder.resolve("stress-" + seed + ".properties");
+    StressTotals totals = StressTotals.read(file);
+    try {
+      FailedCase failed =
+          new StressRun(seed, GuardedSolver::new)
+              .untilFrames(totals, frames, now -> tell(now, frames, file));
+      totals.write(file);
+      if (failed != null) {
+        Path place = folder.resolve("failed-" + failed.caseSeed());
+        failed.write(place, "guarded");
+        throw new FailedCaseException(failed.summary(), place);
+      }
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    }
+    return totals;
+  }
+
+  private void tell(StressTotals totals, long frames, Path file) {
+    if (System.nanoTime() - lastLineNanos < NANOS_BETWEEN_LINES) {
+      return;
+    }
+    lastLineNanos = System.nanoTime();
+    progress.printf(
+        Locale.ROOT,
+        "%.1f %%: %d frames, %d legs, no fault%n",
+        100.0 * totals.frames / frames,
+        totals.frames,
+        totals.legs);
+    progress.flush();
+    try {
+      totals.write(file);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Prints what other ways lose on the first cases of the seed. */
+  public void printBaselines(PrintWriter out) {
+    BaselineLosses losses = new BaselineLosses(seed);
+    losses.run(BASELINE_CASES);
+    losses.print(out);
+  }
+
+  /** A promise was broken. */
+  public static final class FailedCaseException extends IOException {
+    private static final long serialVersionUID = 1L;
+    private final String summary;
+    private final String place;
+
+    FailedCaseException(String summary, Path place) {
+      super(summary);
+      this.summary = summary;
+      this.place = place.toString();
+    }
+
+    public String summary() {
+      return summary;
+    }
+
+    /** The folder of the case. */
+    public String place() {
+      return place;
+    }
+  }
+}
