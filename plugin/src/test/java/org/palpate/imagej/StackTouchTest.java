@@ -1,0 +1,171 @@
+package org.palpate.imagej;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import ij.ImagePlus;
+import ij.ImageStack;
+import ij.process.ByteProcessor;
+import ij.process.ColorProcessor;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.ReplayDevice;
+import org.palpate.device.Trajectory;
+import org.palpate.geometry.Vec3;
+import org.palpate.host.CollisionChoice;
+import org.palpate.host.ContactScene;
+import org.palpate.host.ContactSettings;
+import org.palpate.host.GridDevice;
+import org.palpate.host.SolverKind;
+import org.palpate.interaction.EditQueue;
+import org.palpate.interaction.FramePublisher;
+import org.palpate.interaction.HapticFrame;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+
+class StackTouchTest {
+  private static final VoxelRule BRIGHT = VoxelRule.threshold("bright", 100, 255);
+
+  @Test
+  void aSegmentHoldsTheVoxelsBetweenItsThresholds() throws StackRefused {
+    ImagePlus image = stack();
+    paint(image, 3, 4, 5, 100);
+    paint(image, 0, 0, 0, 255);
+    paint(image, 9, 7, 5, 99);
+    BitCube bits = segments(image).get(0).bits();
+    assertEquals(2, bits.solidCount());
+    assertTrue(bits.get(3, 4, 5));
+    assertTrue(bits.get(0, 0, 0));
+  }
+
+  @Test
+  void labelsAreTheValuesOtherThanBackground() throws StackRefused {
+    ImagePlus image = stack();
+    paint(image, 1, 1, 1, 7);
+    paint(image, 2, 1, 1, 3);
+    assertEquals(Set.of(3, 7), StackSegments.labels(StackVolume.shownIn(image)));
+  }
+
+  @Test
+  void anImageWithoutLabelsIsRefused() {
+    assertThrows(StackRefused.class, () -> StackSegments.labels(StackVolume.shownIn(stack())));
+  }
+
+  @Test
+  void aColourImageAndASingleSliceAreRefusedInWords() {
+    ImagePlus colour = new ImagePlus("c", new ColorProcessor(4, 4));
+    ImagePlus single = new ImagePlus("s", new ByteProcessor(4, 4));
+    assertTrue(refusal(colour).contains("colour"));
+    assertTrue(refusal(single).contains("single image"));
+  }
+
+  private static String refusal(ImagePlus image) {
+    return assertThrows(StackRefused.class, () -> StackVolume.shownIn(image)).getMessage();
+  }
+
+  @Test
+  void calibrationGivesMillimetresWhateverTheUnit() throws StackRefused {
+    ImagePlus image = stack();
+    image.getCalibration().setUnit("micron");
+    image.getCalibration().pixelWidth = 500;
+    image.getCalibration().pixelHeight = 250;
+    image.getCalibration().pixelDepth = 2000;
+    image.getCalibration().xOrigin = 2;
+    StackGeometry geometry = StackGeometry.of(image);
+    assertEquals("(0.5, 0.25, 2.0)", geometry.grid().spacingMm().toString());
+    Vec3 at = geometry.gridToCalibrated(new Vec3(3, 2, 1), new Vec3());
+    assertEquals("(500.0, 500.0, 2000.0)", at.toString());
+  }
+
+  @Test
+  void whatIsPaintedInTheStackIsCarriedOverVoxelByVoxelAndInBulk() throws StackRefused {
+    ImagePlus image = stack();
+    StackVolume volume = StackVolume.shownIn(image);
+    List<Segment> segments = segments(image);
+    ContactScene scene = scene(StackGeometry.of(image), segments);
+    EditQueue edits = scene.edits();
+    BitCube bits = segments.get(0).bits();
+    HapticFrame frame = frame(scene);
+    try (StackWatcher watcher = new StackWatcher(volume, List.of(BRIGHT), segments, edits)) {
+      assertEquals(0, watcher.carryOverWhenUpdated());
+      paint(image, 3, 4, 5, 200);
+      image.updateAndDraw();
+      watcher.imageUpdated(image);
+      assertEquals(1, watcher.carryOverWhenUpdated());
+      frame.run(1_000_000);
+      assertTrue(bits.get(3, 4, 5));
+      for (int k = 0; k < volume.slices(); k++) {
+        volume.slice(k).setValue(255);
+        volume.slice(k).fill();
+      }
+      assertEquals(10 * 8 * 6 - 1, watcher.carryOver());
+      for (int n = 2; !edits.isIdle(); n++) {
+        frame.run(n * 1_000_000L);
+      }
+      assertTrue(frame.counts().freed() > 0, "the point was inside what came");
+    }
+  }
+
+  private static ContactScene scene(StackGeometry geometry, List<Segment> segments) {
+    ContactSettings settings =
+        new ContactSettings(
+            SolverKind.GUARDED,
+            CollisionChoice.EXACT,
+            OptionalDouble.empty(),
+            0.2,
+            OptionalDouble.empty(),
+            OptionalDouble.empty());
+    return new ContactScene(new SegmentedVolume(geometry.grid(), segments), settings);
+  }
+
+  /** A frame of a device that rests in the middle of the stack. */
+  private static HapticFrame frame(ContactScene scene) {
+    Trajectory rest = new Trajectory();
+    for (int n = 0; n < 10_000; n++) {
+      rest.add(n, 5.5, 4.5, 3.5);
+    }
+    HapticDevice device = new ReplayDevice("rest", rest);
+    return scene.newFrame(
+        new GridDevice(device, scene.grid()),
+        scene.liveFrame(device.specification(), 0.5),
+        FramePublisher.NONE);
+  }
+
+  @Test
+  void aBrushStrokeIsUndoneAndDoneAgainToTheVoxel() throws StackRefused {
+    ImagePlus image = stack();
+    StackVolume volume = StackVolume.shownIn(image);
+    Vec3 spacing = new Vec3(1, 1, 2);
+    BrushStroke stroke =
+        BrushStroke.paint(volume, new Vec3(4.5, 4.5, 2.5), spacing, 1.5, 100, BRIGHT);
+    assertEquals(9, stroke.size()); // a disc of nine voxels; the next slices are 2 mm off
+    assertEquals(9, segments(image).get(0).bits().solidCount());
+    stroke.undo();
+    assertEquals(0, segments(image).get(0).bits().solidCount());
+    stroke.redo();
+    assertEquals(9, segments(image).get(0).bits().solidCount());
+    assertFalse(BRIGHT.holds(99));
+  }
+
+  private static List<Segment> segments(ImagePlus image) throws StackRefused {
+    return StackSegments.of(StackVolume.shownIn(image), List.of(BRIGHT), k -> {});
+  }
+
+  private static void paint(ImagePlus image, int i, int j, int k, int value) {
+    image.getStack().getProcessor(k + 1).set(i, j, value);
+  }
+
+  private static ImagePlus stack() {
+    ImageStack slices = new ImageStack(10, 8);
+    for (int k = 0; k < 6; k++) {
+      slices.addSlice(new ByteProcessor(10, 8));
+    }
+    return new ImagePlus("stack", slices);
+  }
+}
