@@ -28,6 +28,8 @@ public final class HapticLoop implements AutoCloseable {
   /** The haptic thread's name. */
   public static final String THREAD_NAME = "palpate-haptic";
 
+  private static final int MOST_WARM_UP_WAITS = 10;
+
   private final HapticFrame frame;
   private final LoopSettings settings;
   private final LoopCycle cycle;
@@ -36,7 +38,11 @@ public final class HapticLoop implements AutoCloseable {
   private final CountDownLatch ended = new CountDownLatch(1);
   private final Thread thread = new Thread(this::run, THREAD_NAME);
   private volatile ThreadSetup.Granted granted = ThreadSetup.Granted.NOTHING;
-  private volatile boolean framesRun;
+
+  // Of the thread that supervises.
+  private boolean supervised;
+  private long supervisedNanos;
+  private long watchedSinceNanos;
 
   /**
    * A loop that has not started.
@@ -65,7 +71,6 @@ public final class HapticLoop implements AutoCloseable {
     try {
       granted = settings.threadSetup().setUp();
       settings.warmUp().run();
-      framesRun = true;
       cause = cycle.run();
     } catch (Throwable thrown) {
       failure = thrown;
@@ -110,20 +115,21 @@ public final class HapticLoop implements AutoCloseable {
 
   /**
    * Ends the session by force where no frame has begun for longer than {@code hangNanos}. To be
-   * called now and then, say at 30 Hz, by any one thread that is not the haptic one.
+   * called now and then, say at 30 Hz, by any one thread that is not the haptic one. Where that
+   * thread too stood still, as in a process that was stopped, the loop is given its time again.
    *
    * @param nowNanos on the loop's clock
    * @return whether the session has ended, now or before
    */
   public boolean supervise(long nowNanos) {
-    if (end.get() != null) {
-      return true;
+    boolean stoodStill = nowNanos - supervisedNanos > settings.hangNanos() / 2;
+    if (!supervised || stoodStill) {
+      supervised = true;
+      watchedSinceNanos = nowNanos;
     }
-    boolean hangs =
-        framesRun
-            && cycle.status().frames() > 0
-            && nowNanos - cycle.lastBeganNanos() > settings.hangNanos();
-    if (hangs) {
+    supervisedNanos = nowNanos;
+    long quietNanos = Math.min(nowNanos - watchedSinceNanos, nowNanos - cycle.lastBeganNanos());
+    if (end.get() == null && cycle.hasBegun() && quietNanos > settings.hangNanos()) {
       endByForce();
     }
     return end.get() != null;
@@ -141,7 +147,7 @@ public final class HapticLoop implements AutoCloseable {
 
   /**
    * Asks the loop to end after its frame, waits for that, and ends it by force where it does not
-   * come within {@code hangNanos}. Calling it again is harmless.
+   * come within {@code hangNanos}; a warm-up is given ten times that. Calling it again is harmless.
    *
    * @return how the loop ended, now or before
    */
@@ -150,8 +156,11 @@ public final class HapticLoop implements AutoCloseable {
     if (thread.getState() == Thread.State.NEW) {
       finish(LoopEnd.Cause.STOPPED, null);
     }
-    if (!awaitEnd(settings.hangNanos() + settings.periodNanos(), TimeUnit.NANOSECONDS)) {
-      endByForce();
+    long patienceNanos = settings.hangNanos() + settings.periodNanos();
+    for (int waits = 1; !awaitEnd(patienceNanos, TimeUnit.NANOSECONDS); waits++) {
+      if (cycle.hasBegun() || waits == MOST_WARM_UP_WAITS) {
+        endByForce();
+      }
     }
     return end.get();
   }

@@ -19,6 +19,7 @@ final class LoopCycle {
   private final AtomicLong firstBeganNanos = new AtomicLong();
   private final AtomicLong lastBeganNanos = new AtomicLong();
   private final AtomicLong frames = new AtomicLong();
+  private volatile boolean begun;
   private volatile boolean stopAsked;
 
   LoopCycle(HapticFrame frame, LoopSettings settings) {
@@ -28,10 +29,6 @@ final class LoopCycle {
 
   void askToStop() {
     stopAsked = true;
-  }
-
-  boolean isStopAsked() {
-    return stopAsked;
   }
 
   /** Runs frames until asked to stop or the device is gone. Throws what a frame throws. */
@@ -54,12 +51,14 @@ final class LoopCycle {
   }
 
   private void noteBeginning(long began, long lateness) {
-    if (frames.getPlain() == 0) {
-      firstBeganNanos.set(began);
-    } else {
+    if (begun) {
       period.record(began - lastBeganNanos.getPlain());
+      lastBeganNanos.lazySet(began);
+    } else {
+      firstBeganNanos.set(began);
+      lastBeganNanos.set(began);
+      begun = true;
     }
-    lastBeganNanos.lazySet(began);
     latenessNanos.lazySet(Math.max(0, lateness));
     if (lateness > settings.periodNanos() / 2) {
       lateFrames.lazySet(lateFrames.getPlain() + 1);
@@ -74,6 +73,11 @@ final class LoopCycle {
     }
     long missed = late > periodNanos / 2 ? (late + periodNanos / 2) / periodNanos : 0;
     return deadline + (missed + 1) * periodNanos;
+  }
+
+  /** Whether the first frame has begun; any thread. */
+  boolean hasBegun() {
+    return begun;
   }
 
   /** When the last frame began; any thread. */

@@ -153,24 +153,42 @@ class HapticLoopTest {
 
   @Test
   void aFrameThatDoesNotComeBackIsEndedByForceAndWritesNoMore() {
-    List<HapticLoop> loops = new ArrayList<>();
+    for (int hanging : new int[] {0, 50}) {
+      ends.clear();
+      ScriptedDevice stuck = new ScriptedDevice(null);
+      HapticLoop loop = new HapticLoop(floor.frame(stuck), settings(), ends::add);
+      stuck.script =
+          (read, state) -> {
+            boolean ended = loop.supervise(clock.nowNanos);
+            for (int tick = 1; read == hanging && !ended; tick++) {
+              assertEquals(tick > 10, loop.supervise(clock.nowNanos += 100 * MS));
+              ended = loop.end() != null;
+            }
+            return pressed(state, read);
+          };
+      loop.run();
+      assertEquals(LoopEnd.Cause.HUNG, loop.end().cause());
+      assertEquals(1, stuck.closed);
+      assertEquals(0, stuck.lastForce().length());
+      assertEquals(1, ends.size());
+    }
+  }
+
+  @Test
+  void aProcessThatWasStoppedAsAWholeIsNotTakenForAHang() {
+    HapticLoop[] loops = new HapticLoop[1];
     device.script =
         (read, state) -> {
+          assertFalse(loops[0].supervise(clock.nowNanos));
           if (read == 50) {
-            assertFalse(loops.get(0).supervise(clock.nowNanos + MS));
-            assertTrue(loops.get(0).supervise(clock.nowNanos + 2000 * MS));
-            assertTrue(loops.get(0).supervise(clock.nowNanos + 2001 * MS));
+            clock.nowNanos += 10_000 * MS;
+            assertFalse(loops[0].supervise(clock.nowNanos));
           }
-          return pressed(state, read);
+          return read == 100 ? ReadStatus.DISCONNECTED : pressed(state, read);
         };
-    loops.add(loop());
-    loops.get(0).run();
-    boolean interrupted = Thread.interrupted();
-    assertFalse(interrupted, "the loop's own thread, not this one, is interrupted");
-    assertEquals(LoopEnd.Cause.HUNG, loops.get(0).end().cause());
-    assertEquals(1, device.closed);
-    assertEquals(0, device.lastForce().length());
-    assertEquals(1, ends.size());
+    loops[0] = loop();
+    loops[0].run();
+    assertEquals(LoopEnd.Cause.DEVICE_GONE, loops[0].end().cause());
   }
 
   @Test
@@ -214,6 +232,27 @@ class HapticLoopTest {
     assertEquals(written - 1, loop.report().frames());
     assertEquals(1, ends.size());
     assertEquals(0, device.closed, "who opened it closes it");
+  }
+
+  @Test
+  void stopWaitsForAWarmUpThatIsLongerThanAHang() throws InterruptedException {
+    long hangNanos = 200 * MS;
+    CountDownLatch warm = new CountDownLatch(1);
+    LoopSettings slow =
+        new LoopSettings(
+            MS, clock, clock, ThreadSetup.NONE, () -> awaitUninterruptibly(warm), hangNanos);
+    HapticLoop loop = new HapticLoop(floor.frame(device), slow, ends::add);
+    loop.start();
+    Thread later =
+        new Thread(
+            () -> {
+              assertFalse(loop.awaitEnd(hangNanos * 3 / 2, TimeUnit.NANOSECONDS));
+              warm.countDown();
+            });
+    later.start();
+    assertEquals(LoopEnd.Cause.STOPPED, loop.stop().cause());
+    later.join();
+    assertEquals(0, device.closed);
   }
 
   @Test
