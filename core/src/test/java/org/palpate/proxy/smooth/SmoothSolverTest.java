@@ -170,7 +170,8 @@ class SmoothSolverTest {
     long thread = Thread.currentThread().getId();
     long before = threads.getThreadAllocatedBytes(thread);
     slideAndTurn(solver, obstacles, goal, 20000);
-    assertEquals(0, threads.getThreadAllocatedBytes(thread) - before, 200);
+    long allocated = threads.getThreadAllocatedBytes(thread) - before;
+    assertTrue(allocated <= 200, "allocated=" + allocated);
   }
 
   private void slideAndTurn(SmoothSolver solver, Obstacles obstacles, Vec3 goal, int frames) {
