@@ -143,6 +143,7 @@ public final class GuardedSolver implements ProxySolver {
         return moveNearer(target, faces != NOTHING_HELD) || moved;
       }
       stopped = true;
+      assert hit.axis != RayHit.NO_AXIS : "the point touches a solid at " + p;
       moved |= approach(faces != NOTHING_HELD);
       faces |= 1 << hit.axis;
     }

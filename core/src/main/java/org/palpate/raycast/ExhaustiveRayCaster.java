@@ -66,7 +66,10 @@ final class ExhaustiveRayCaster implements RayCaster {
     return found;
   }
 
-  /** Where the ray enters the voxel: the latest crossing of the three planes that face it. */
+  /**
+   * Where the ray enters the voxel: the latest crossing of the three planes that face it. Where all
+   * crossings are so early that they round to 0, any plane that the start lies before.
+   */
   private void enter(Ray r, int i, int j, int k) {
     candidate.set(0, i, j, k, RayHit.NO_AXIS);
     enterAlong(r.fromX, r.toX, i, 0);
@@ -77,7 +80,8 @@ final class ExhaustiveRayCaster implements RayCaster {
   private void enterAlong(double from, double to, int cell, int axis) {
     double plane = to > from ? cell : (double) cell + 1;
     double t = from == to ? 0 : share(plane, from, to);
-    if (t > candidate.t) {
+    boolean startsBefore = to > from ? from < plane : from > plane;
+    if (t > candidate.t || (startsBefore && candidate.axis == RayHit.NO_AXIS)) {
       candidate.t = Math.min(t, 1);
       candidate.axis = axis;
     }

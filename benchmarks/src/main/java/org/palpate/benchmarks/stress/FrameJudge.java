@@ -108,13 +108,26 @@ final class FrameJudge {
     }
     heldPathMm += point.legs.lengthMm();
     heldMoves += before.sameBits(point.position) ? 0 : 1;
-    if (!isFine(point.position) || !isFine(device)) {
+    double leastUsedMm = leastUsedMm();
+    if (!(leastUsedMm > 0) || !isFine(point.position) || !isFine(device)) {
       return null;
     }
-    double needed = Math.ceil(heldPathMm / maxStepMm) + FRAMES_TO_SETTLE;
+    double needed = Math.ceil(heldPathMm / leastUsedMm) + FRAMES_TO_SETTLE;
     return heldMoves <= needed
         ? null
         : "for a device at rest it took " + heldMoves + " frames to go " + heldPathMm + " mm";
+  }
+
+  /**
+   * What a frame on the way uses of w_max at least: a climb that does not fit in what is left is
+   * not begun, so all but the highest stair that fits in a frame.
+   */
+  private double leastUsedMm() {
+    double stairMm = 0;
+    for (double edgeMm : new double[] {metric.spacingX(), metric.spacingY(), metric.spacingZ()}) {
+      stairMm = edgeMm <= maxStepMm ? Math.max(stairMm, edgeMm) : stairMm;
+    }
+    return maxStepMm - stairMm;
   }
 
   private boolean isFine(Vec3 at) {
