@@ -8,10 +8,14 @@ import java.util.concurrent.Callable;
 import org.palpate.app.OutputOptions;
 import org.palpate.app.PalpateException;
 import org.palpate.app.Report;
+import org.palpate.app.VirtualDisplay;
 import org.palpate.benchmarks.accuracy.AccuracyRun;
 import org.palpate.benchmarks.stability.StabilityRun;
 import org.palpate.benchmarks.stress.StressSession;
 import org.palpate.benchmarks.stress.StressTotals;
+import org.palpate.benchmarks.sync.SyncRun;
+import org.palpate.scene.Graphics;
+import org.palpate.scene.GraphicsException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -28,6 +32,7 @@ import picocli.CommandLine.Spec;
       "  palpate bench --stability --out figures",
       "  palpate bench --stability --quick --out figures",
       "  palpate bench --accuracy --out figures",
+      "  palpate bench --sync --out figures",
       "  palpate bench --stress --frames 20000000 --seed 7"
     })
 public final class BenchCommand implements Callable<Integer> {
@@ -67,6 +72,14 @@ public final class BenchCommand implements Callable<Integer> {
   @Option(names = "--seed", paramLabel = "S", description = "With --stress: which attack (7).")
   private long seed = 7;
 
+  @Option(
+      names = "--sync",
+      description = {
+        "What changing the scene costs the haptic thread: directly, by the paper's",
+        "synchronized accumulators, by wait-free ones. Draws, so it needs OpenGL."
+      })
+  private boolean sync;
+
   @Option(names = "--quick", description = "Fewer values in each sweep.")
   private boolean quick;
 
@@ -78,9 +91,14 @@ public final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    if (!stability && !accuracy && !stress) {
+    if (!stability && !accuracy && !sync && !stress) {
       throw PalpateException.wrongUse(
-          "nothing to measure was chosen", "bench", "add --stability, --accuracy or --stress");
+          "nothing to measure was chosen",
+          "bench",
+          "add --stability, --accuracy, --sync or --stress");
+    }
+    if (sync && !Graphics.hasDisplay()) {
+      return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
     PrintWriter out = spec.commandLine().getOut();
     PrintWriter progress = spec.commandLine().getErr();
@@ -92,12 +110,20 @@ public final class BenchCommand implements Callable<Integer> {
       if (accuracy) {
         report.put("time_over_twin", AccuracyRun.run(folder, quick, out, progress));
       }
+      if (sync) {
+        report.put("sync_work_p99_us", SyncRun.run(folder, quick, out, progress));
+      }
       if (stress) {
         attack(report, out, progress);
       }
     } catch (StressSession.FailedCaseException e) {
       throw PalpateException.failed(
           "a promise was broken (" + e.summary() + ")", e.place(), "see replay.txt there", e);
+    } catch (GraphicsException e) {
+      throw PalpateException.failed(e.what(), "bench --sync", e.remedy(), e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return PalpateException.FAILED;
     } catch (IOException e) {
       throw PalpateException.failed(
           "cannot write", folder.toString(), "choose a folder that may be written to", e);

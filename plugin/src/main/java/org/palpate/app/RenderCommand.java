@@ -2,12 +2,16 @@ package org.palpate.app;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeoutException;
 import javax.imageio.ImageIO;
+import org.palpate.host.ContactScene;
 import org.palpate.io.NewFile;
 import org.palpate.io.VolumeHeader;
 import org.palpate.scene.Graphics;
@@ -17,6 +21,7 @@ import org.palpate.scene.Picture;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.SceneObject;
+import org.palpate.scene.SceneState;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
@@ -54,6 +59,7 @@ final class RenderCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
+  @Mixin private ContactOptions contact;
   @Mixin private OutputOptions output;
 
   @Option(
@@ -73,9 +79,19 @@ final class RenderCommand implements Callable<Integer> {
   @Option(
       names = "--view",
       paramLabel = "NAME",
-      defaultValue = "oblique",
-      description = "From where: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+      description = {
+        "From where: ${COMPLETION-CANDIDATES}.",
+        "Default: oblique, or the one that sees best what the trajectory touches."
+      })
   private StandardView view;
+
+  @Option(
+      names = "--trajectory",
+      paramLabel = "T.csv",
+      description = {
+        "Device positions, t_ms,x,y,z in world mm: run to the end, the last contact is shown."
+      })
+  private Path trajectory;
 
   @Option(
       names = "--upside-down",
@@ -125,10 +141,13 @@ final class RenderCommand implements Callable<Integer> {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
     VolumeSource source = VolumeSource.open(volume);
-    Outputs.checked("--out", outFile, source.files());
-    Report report = new Report("render", output.report(), source.files());
+    List<Path> inputs = new ArrayList<>(source.files());
+    Optional.ofNullable(trajectory).ifPresent(inputs::add);
+    Outputs.checked("--out", outFile, inputs);
+    Report report = new Report("render", output.report(), inputs);
     SegmentedVolume segments = source.segments();
     SceneModel model = new SceneModel(axes(source.header().world()), theme);
+    showHand(model, segments);
     long started = System.nanoTime();
     try (SceneLoader loader =
         new SceneLoader(model, segments, Runtime.getRuntime().availableProcessors())) {
@@ -187,6 +206,19 @@ final class RenderCommand implements Callable<Integer> {
     };
   }
 
+  private void showHand(SceneModel model, SegmentedVolume segments) throws IOException {
+    if (trajectory != null) {
+      ContactScene scene = new ContactScene(segments, contact.settings());
+      model.setMarks(Optional.of(TouchedMarks.of(trajectory, scene, model.axes())));
+    }
+  }
+
+  private StandardView chosenView(SceneState state) {
+    return Optional.ofNullable(view)
+        .or(() -> state.marks().map(hand -> TouchedMarks.viewOf(hand.point(), state.middle())))
+        .orElse(StandardView.OBLIQUE);
+  }
+
   private static void awaitSurfaces(SceneLoader loader, VolumeSource source) {
     try {
       loader.await(PATIENCE_MS);
@@ -216,7 +248,7 @@ final class RenderCommand implements Callable<Integer> {
 
   private double drawPicture(SceneModel model) throws IOException {
     double aspect = (double) width / height;
-    model.look(view, aspect);
+    model.look(chosenView(model.state()), aspect);
     model.moveCamera(camera -> (upsideDown ? camera.upsideDown() : camera).zoom(1 / zoom), false);
     model.changeLook(look -> look.with(stereo));
     opacities.forEach((name, share) -> setOpacity(model, name, share));

@@ -13,11 +13,11 @@ import java.util.List;
  * A display of our own where there is none: starts Xvfb on a free number and runs the command again
  * in a new JVM that draws there, because a process cannot change its display once Java has started.
  */
-final class VirtualDisplay {
+public final class VirtualDisplay {
   private static final String SERVER = "Xvfb";
 
   /** Runs the same command with a display; its exit code is the answer. */
-  int rerun(List<String> arguments) {
+  public int rerun(List<String> arguments) {
     Process server = start();
     try {
       String number = displayNumber(server);

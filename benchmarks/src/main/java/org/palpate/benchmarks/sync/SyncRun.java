@@ -1,0 +1,167 @@
+package org.palpate.benchmarks.sync;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.knowm.xchart.BitmapEncoder;
+import org.knowm.xchart.BitmapEncoder.BitmapFormat;
+import org.knowm.xchart.CategoryChart;
+import org.knowm.xchart.CategoryChartBuilder;
+import org.palpate.host.CollisionChoice;
+import org.palpate.host.ContactScene;
+import org.palpate.host.ContactSettings;
+import org.palpate.host.SolverKind;
+import org.palpate.io.CsvNumbers;
+import org.palpate.io.NewFile;
+import org.palpate.scene.GraphicsException;
+import org.palpate.volume.phantom.Phantom;
+
+/**
+ * Runs the experiment: each way in turn, several rounds, over the head phantom, and leaves a table
+ * and a picture.
+ */
+public final class SyncRun {
+  private static final double WARM_UP_SECONDS = 2;
+  private static final double SECONDS = 5;
+  private static final double QUICK_SECONDS = 2;
+  private static final double[] PERCENTILES = {50, 99, 99.9, 100};
+
+  private SyncRun() {}
+
+  /**
+   * Runs it.
+   *
+   * @param folder made where it is not there
+   * @return the median over the rounds of the 99th percentile of a frame's work, microseconds, by
+   *     way
+   */
+  public static Map<String, Double> run(
+      Path folder, boolean quick, PrintWriter out, PrintWriter progress)
+      throws IOException, GraphicsException, InterruptedException {
+    Files.createDirectories(folder);
+    List<SyncRow> rows = rows(quick, progress);
+    tell(rows, out);
+    writeTable(folder.resolve("sync.csv"), rows);
+    plot(folder.resolve("sync.png"), rows);
+    Map<String, Double> p99 = new LinkedHashMap<>();
+    for (SyncWay way : SyncWay.values()) {
+      p99.put(way.title(), median(rows, way, 99));
+    }
+    return p99;
+  }
+
+  private static List<SyncRow> rows(boolean quick, PrintWriter progress)
+      throws GraphicsException, InterruptedException {
+    ContactSettings settings =
+        new ContactSettings(
+            SolverKind.GUARDED,
+            CollisionChoice.EXACT,
+            OptionalDouble.empty(),
+            0.2,
+            OptionalDouble.empty(),
+            OptionalDouble.empty());
+    ContactScene scene =
+        new ContactScene(Phantom.parse(quick ? "head:96" : "head:256").segments(), settings);
+    List<SyncRow> rows = new ArrayList<>();
+    try (SyncTrial trial = new SyncTrial(scene)) {
+      trial.run(SyncWay.OURS, 0, WARM_UP_SECONDS);
+      for (int round = 1; round <= (quick ? 1 : 3); round++) {
+        for (SyncWay way : SyncWay.values()) {
+          progress.println("sync: round " + round + ", " + way.title());
+          progress.flush();
+          rows.add(trial.run(way, round, quick ? QUICK_SECONDS : SECONDS));
+        }
+      }
+    }
+    return rows;
+  }
+
+  private static void tell(List<SyncRow> rows, PrintWriter out) {
+    out.printf(
+        "%-20s %5s %9s %10s %10s %10s %10s %11s %8s%n",
+        "way", "round", "rate Hz", "work p50", "p99", "p99.9", "max us", "period p99", "redraws");
+    for (SyncRow row : rows) {
+      out.printf(
+          Locale.ROOT,
+          "%-20s %5d %9.1f %10.1f %10.1f %10.1f %10.1f %11.1f %8d%n",
+          row.way().title(),
+          row.round(),
+          row.rateHz(),
+          row.workMicros(50),
+          row.workMicros(99),
+          row.workMicros(99.9),
+          row.workMicros(100),
+          row.periodMicros(99),
+          row.redraws());
+    }
+    out.flush();
+  }
+
+  private static void writeTable(Path file, List<SyncRow> rows) throws IOException {
+    StringBuilder text =
+        new StringBuilder(
+            "way,round,rate_hz,work_p50_us,work_p99_us,work_p99_9_us,work_max_us,period_p50_us,"
+                + "period_p99_us,period_p99_9_us,period_max_us,redraws\n");
+    for (SyncRow row : rows) {
+      text.append('"').append(row.way().title()).append("\",").append(row.round()).append(',');
+      text.append(CsvNumbers.text(row.rateHz())).append(',');
+      for (double percentile : PERCENTILES) {
+        text.append(CsvNumbers.text(row.workMicros(percentile))).append(',');
+      }
+      for (double percentile : PERCENTILES) {
+        text.append(CsvNumbers.text(row.periodMicros(percentile))).append(',');
+      }
+      text.append(row.redraws()).append('\n');
+    }
+    try (NewFile out = new NewFile(file)) {
+      out.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
+      out.commit();
+    }
+  }
+
+  private static double median(List<SyncRow> rows, SyncWay way, double percentile) {
+    double[] values =
+        rows.stream()
+            .filter(row -> row.way() == way)
+            .mapToDouble(row -> row.workMicros(percentile))
+            .sorted()
+            .toArray();
+    return values[values.length / 2];
+  }
+
+  private static void plot(Path file, List<SyncRow> rows) throws IOException {
+    CategoryChart chart =
+        new CategoryChartBuilder()
+            .width(900)
+            .height(560)
+            .title("A haptic frame that changes the scene (median of the rounds)")
+            .xAxisTitle("how it changes the scene")
+            .yAxisTitle("work of a frame, microseconds")
+            .build();
+    chart.getStyler().setYAxisLogarithmic(true);
+    List<String> ways = new ArrayList<>();
+    for (SyncWay way : SyncWay.values()) {
+      ways.add(way.title());
+    }
+    for (double percentile : PERCENTILES) {
+      List<Double> values = new ArrayList<>();
+      for (SyncWay way : SyncWay.values()) {
+        values.add(median(rows, way, percentile));
+      }
+      String name = percentile == 100 ? "largest" : CsvNumbers.people(percentile) + " %";
+      chart.addSeries(name, ways, values);
+    }
+    try (NewFile out = new NewFile(file)) {
+      BitmapEncoder.saveBitmap(chart, out.stream(), BitmapFormat.PNG);
+      out.commit();
+    }
+  }
+}
