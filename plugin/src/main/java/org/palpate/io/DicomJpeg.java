@@ -3,25 +3,19 @@ package org.palpate.io;
 import com.github.jaiimageio.jpeg2000.impl.J2KImageReaderSpi;
 import com.twelvemonkeys.imageio.plugins.jpeg.JPEGImageReaderSpi;
 import java.awt.image.Raster;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import javax.imageio.ImageReader;
 import javax.imageio.spi.IIORegistry;
 import javax.imageio.spi.ImageReaderSpi;
 import javax.imageio.stream.ImageInputStream;
-import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /**
  * Decodes frames in lossless JPEG and in reversible JPEG 2000, by libraries that give back every
  * pixel as it was. Sizes are looked up in the stream before a library sees it.
  */
 final class DicomJpeg {
-  private static final int J2K_SIZE = 0xFF51;
-  private static final int J2K_CODING = 0xFF52;
-  private static final int J2K_TILE = 0xFF90;
   private static final int JPEG_LOSSLESS = 0xFFC3;
   private static final int JPEG_SCAN = 0xFFDA;
-  private static final int J2K_REVERSIBLE = 1;
 
   private DicomJpeg() {}
 
@@ -56,7 +50,7 @@ final class DicomJpeg {
 
   private static Raster raster(ImageReaderSpi spi, byte[] bytes) throws IOException {
     ImageReader reader = spi.createReaderInstance();
-    try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
+    try (ImageInputStream in = new EndingImageStream(bytes)) {
       reader.setInput(in, true, true);
       return reader.canReadRaster() && spi instanceof J2KImageReaderSpi
           ? reader.readRaster(0, null)
@@ -64,42 +58,22 @@ final class DicomJpeg {
     } catch (RuntimeException e) {
       // the libraries meet damaged data with whatever exception comes up inside
       throw new IOException("a compressed picture is damaged", e);
+    } catch (Error e) {
+      if (e.getClass() != Error.class) {
+        throw e;
+      }
+      // JJ2000 throws a bare Error where a tile cannot be read
+      throw new IOException("a compressed picture is damaged", e);
     } finally {
       reader.dispose();
     }
   }
 
   private static void checkJpeg2000(DicomFile dicom, byte[] bytes) throws IOException {
-    boolean sized = false;
-    for (int at = 2; at + 4 <= bytes.length; at += 2 + word(bytes, at + 2)) {
-      int marker = word(bytes, at);
-      if (marker == J2K_SIZE) {
-        sized = true;
-        requireSize(dicom, quad(bytes, at + 6), quad(bytes, at + 10));
-        requireOnlyTilesInside(bytes, at, dicom);
-      } else if (marker == J2K_CODING && (word(bytes, at + 12) & 0xff) != J2K_REVERSIBLE) {
-        throw dicom.wrong(
-            "it is compressed as JPEG 2000 with loss, which cannot be read pixel for pixel",
-            "convert it with gdcmconv --raw IN OUT (free, from GDCM)");
-      } else if (marker == J2K_TILE) {
-        break;
-      }
-    }
-    if (!sized) {
-      throw new IOException("a compressed picture has no size");
-    }
-  }
-
-  /** The picture begins at 0, its tiles are as many as it needs, and it has one component. */
-  private static void requireOnlyTilesInside(byte[] bytes, int at, DicomFile dicom)
-      throws IOException {
-    double across = Math.ceil(dicom.columns() / Math.max(1.0, (double) quad(bytes, at + 22)));
-    double down = Math.ceil(dicom.rows() / Math.max(1.0, (double) quad(bytes, at + 26)));
-    boolean shifted =
-        (quad(bytes, at + 14) | quad(bytes, at + 18) | quad(bytes, at + 30) | quad(bytes, at + 34))
-            != 0;
-    if (shifted || across * down > 65535 || word(bytes, at + 38) != 1) {
-      throw new IOException("a compressed picture is no grey picture of its size");
+    if (!Jpeg2000Stream.isReversible(bytes, dicom.columns(), dicom.rows())) {
+      throw dicom.wrong(
+          "it is compressed as JPEG 2000 with loss, which cannot be read pixel for pixel",
+          "convert it with gdcmconv --raw IN OUT (free, from GDCM)");
     }
   }
 
@@ -117,7 +91,7 @@ final class DicomJpeg {
     throw new IOException("a compressed picture is no lossless JPEG");
   }
 
-  private static void requireSize(DicomFile dicom, long width, long height) throws IOException {
+  private static void requireSize(DicomFile dicom, int width, int height) throws IOException {
     if (width != dicom.columns() || height != dicom.rows()) {
       throw new IOException("a compressed picture has another size than its header says");
     }
@@ -128,9 +102,5 @@ final class DicomJpeg {
       throw new IOException("a compressed picture ends early");
     }
     return (bytes[at] & 0xff) << 8 | (bytes[at + 1] & 0xff);
-  }
-
-  private static long quad(byte[] bytes, int at) throws IOException {
-    return (long) word(bytes, at) << 16 | word(bytes, at + 2);
   }
 }

@@ -1,0 +1,152 @@
+package org.palpate.io;
+
+import java.io.IOException;
+
+/**
+ * Looks through the markers of a JPEG 2000 codestream before a library is given it: the library
+ * trusts them, and would search without end for a tile that is not there.
+ *
+ * <p>Source: ITU-T T.800, annex A.
+ */
+final class Jpeg2000Stream {
+  private static final int START = 0xFF4F;
+  private static final int SIZE = 0xFF51;
+  private static final int CODING = 0xFF52;
+  private static final int TILE_PART = 0xFF90;
+  private static final int TILE_DATA = 0xFF93;
+  private static final int END = 0xFFD9;
+  private static final int REVERSIBLE = 1;
+  private static final int MOST_LEVELS = 32;
+  private static final int MOST_LAYERS = 1024;
+  private static final int MOST_TILES = 65535;
+  private static final int TILE_PART_BYTES = 12;
+
+  private final byte[] bytes;
+  private final int columns;
+  private final int rows;
+  private int tiles;
+  private boolean reversible;
+
+  private Jpeg2000Stream(byte[] bytes, int columns, int rows) {
+    this.bytes = bytes;
+    this.columns = columns;
+    this.rows = rows;
+  }
+
+  /**
+   * Whether every pixel comes back as it was.
+   *
+   * @throws IOException where the stream is not whole, or no grey picture of this size
+   */
+  static boolean isReversible(byte[] bytes, int columns, int rows) throws IOException {
+    Jpeg2000Stream stream = new Jpeg2000Stream(bytes, columns, rows);
+    int firstTilePart = stream.readMainHeader();
+    stream.readTileParts(firstTilePart);
+    return stream.reversible;
+  }
+
+  /** Gives where the first tile part begins. */
+  private int readMainHeader() throws IOException {
+    boolean coded = false;
+    require(word(0) == START && word(2) == SIZE, "begins otherwise");
+    int at = 2;
+    for (; word(at) != TILE_PART; at += 2 + segmentLength(at)) {
+      if (word(at) == SIZE) {
+        require(tiles == 0, "has two sizes");
+        readSize(at);
+      } else if (word(at) == CODING) {
+        require(!coded, "has two ways of coding");
+        coded = true;
+        readCoding(at);
+      }
+    }
+    require(coded, "does not say how it is coded");
+    return at;
+  }
+
+  private void readSize(int at) throws IOException {
+    require(
+        quad(at + 6) == columns && quad(at + 10) == rows, "has another size than its header says");
+    require(
+        (quad(at + 14) | quad(at + 18) | quad(at + 30) | quad(at + 34)) == 0, "is shifted");
+    require(word(at + 38) == 1 && segmentLength(at) == 41, "has several components");
+    require(octet(at + 41) == 1 && octet(at + 42) == 1, "is subsampled");
+    long across = (columns - 1) / Math.max(1, quad(at + 22)) + 1;
+    long down = (rows - 1) / Math.max(1, quad(at + 26)) + 1;
+    require(quad(at + 22) > 0 && quad(at + 26) > 0, "has empty tiles");
+    require(across * down <= MOST_TILES, "has too many tiles");
+    tiles = (int) (across * down);
+  }
+
+  private void readCoding(int at) throws IOException {
+    int layers = word(at + 6);
+    int levels = octet(at + 9);
+    require(layers >= 1 && layers <= MOST_LAYERS && levels <= MOST_LEVELS, "is coded strangely");
+    boolean precincts = (octet(at + 4) & 1) != 0;
+    require(segmentLength(at) == 12 + (precincts ? levels + 1 : 0), "is coded strangely");
+    require(
+        octet(at + 10) <= 8 && octet(at + 11) <= 8 && octet(at + 10) + octet(at + 11) <= 8,
+        "has blocks of a strange size");
+    reversible = octet(at + 13) == REVERSIBLE;
+  }
+
+  /** Every tile is there, its parts in order and as many as they say. */
+  private void readTileParts(int first) throws IOException {
+    int[] parts = new int[tiles];
+    int[] promised = new int[tiles];
+    int at = first;
+    while (at + 2 <= bytes.length && word(at) == TILE_PART) {
+      long length = quad(at + 6);
+      int tile = word(at + 4);
+      require(segmentLength(at) == 10 && tile < tiles, "has a tile that is not in it");
+      require(octet(at + 10) == parts[tile]++, "has tile parts out of order");
+      int told = octet(at + 11);
+      require(promised[tile] == 0 || told == 0 || told == promised[tile], "contradicts itself");
+      promised[tile] = Math.max(promised[tile], told);
+      int end = length == 0 ? bytes.length : (int) Math.min(bytes.length, at + length);
+      require(length == 0 || length == (long) end - at, "ends inside a tile");
+      requireTileData(at + TILE_PART_BYTES, end);
+      at = end;
+    }
+    for (int tile = 0; tile < tiles; tile++) {
+      require(
+          parts[tile] > 0 && (promised[tile] == 0 || promised[tile] == parts[tile]),
+          "lacks a tile");
+    }
+    require(at >= bytes.length - 2 || word(at) == END, "goes on after its tiles");
+  }
+
+  /** The tile's own markers are short, do not change the coding, and end in data. */
+  private void requireTileData(int from, int end) throws IOException {
+    int at = from;
+    while (at + 2 <= end && word(at) != TILE_DATA) {
+      require(word(at) != CODING && word(at) != SIZE, "changes inside a tile");
+      at += 2 + segmentLength(at);
+    }
+    require(at + 2 <= end, "has a tile without data");
+  }
+
+  private int segmentLength(int at) throws IOException {
+    require(word(at) >= 0xFF4F && word(at + 2) >= 2, "has a damaged marker");
+    return word(at + 2);
+  }
+
+  private int octet(int at) throws IOException {
+    require(at < bytes.length, "ends early");
+    return bytes[at] & 0xff;
+  }
+
+  private int word(int at) throws IOException {
+    return octet(at) << 8 | octet(at + 1);
+  }
+
+  private long quad(int at) throws IOException {
+    return (long) word(at) << 16 | word(at + 2);
+  }
+
+  private static void require(boolean holds, String otherwise) throws IOException {
+    if (!holds) {
+      throw new IOException("a compressed picture " + otherwise);
+    }
+  }
+}
