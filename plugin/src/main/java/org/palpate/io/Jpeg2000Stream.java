@@ -67,8 +67,7 @@ final class Jpeg2000Stream {
   private void readSize(int at) throws IOException {
     require(
         quad(at + 6) == columns && quad(at + 10) == rows, "has another size than its header says");
-    require(
-        (quad(at + 14) | quad(at + 18) | quad(at + 30) | quad(at + 34)) == 0, "is shifted");
+    require((quad(at + 14) | quad(at + 18) | quad(at + 30) | quad(at + 34)) == 0, "is shifted");
     require(word(at + 38) == 1 && segmentLength(at) == 41, "has several components");
     require(octet(at + 41) == 1 && octet(at + 42) == 1, "is subsampled");
     long across = (columns - 1) / Math.max(1, quad(at + 22)) + 1;
