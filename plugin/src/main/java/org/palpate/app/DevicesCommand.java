@@ -11,7 +11,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.palpate.device.jni.DeviceCatalog;
+import org.palpate.device.jni.DeviceException;
 import org.palpate.device.jni.Finding;
+import org.palpate.device.jni.NativeDevice;
 import org.palpate.io.ReportJson;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -23,7 +25,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "devices",
     description = "Tells which devices can be used here, and why not where one cannot.",
-    footer = {"", "Examples:", "  palpate devices", "  palpate devices --json"})
+    footer = {"", "Examples:", "  palpate devices", "  palpate devices --json", "  palpate devices --watch hid:SN0001"})
 final class DevicesCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private OutputOptions output;
@@ -31,8 +33,45 @@ final class DevicesCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print JSON.")
   private boolean json;
 
+  @Option(
+      names = "--watch",
+      paramLabel = "NAME[:ID]",
+      description = "Show one device live: position, buttons, rate; Enter draws a gentle force.")
+  private String watched;
+
+  @Option(names = "--seconds", description = "How long to watch; until Ctrl-C without it.")
+  private double seconds = Double.POSITIVE_INFINITY;
+
   @Override
   public Integer call() throws IOException {
+    return watched == null ? list() : watch();
+  }
+
+  private int watch() throws IOException {
+    int colon = watched.indexOf(':');
+    String name = colon < 0 ? watched : watched.substring(0, colon);
+    String id = colon < 0 ? "" : watched.substring(colon + 1);
+    if (!DeviceCatalog.isNative(name)) {
+      throw PalpateException.wrongUse(
+          "there is no such device to watch",
+          "--watch " + watched,
+          "write hid, openhaptics, forcedimension or virtuose, with :ID where there are several");
+    }
+    try (NativeDevice device = DeviceCatalog.open(name, id)) {
+      // Zero force goes first on Ctrl-C too.
+      Runtime.getRuntime().addShutdownHook(new Thread(device::close, "palpate-device-end"));
+      String ending =
+          new DeviceWatch(device, System.in, spec.commandLine().getOut()).watch(seconds);
+      if (!ending.isEmpty()) {
+        throw PalpateException.failed("the device went: " + watched + ": " + ending, null);
+      }
+      return 0;
+    } catch (DeviceException e) {
+      throw PalpateException.failed(e.getMessage(), e);
+    }
+  }
+
+  private int list() throws IOException {
     Report report = new Report("devices", output.report(), List.of());
     List<Finding> findings = DeviceCatalog.findings();
     report.put("backends", findings.stream().map(DevicesCommand::entry).toList());

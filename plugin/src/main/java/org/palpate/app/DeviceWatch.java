@@ -1,0 +1,95 @@
+package org.palpate.app;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.palpate.device.DeviceState;
+import org.palpate.device.ReadStatus;
+import org.palpate.device.jni.NativeDevice;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Shows one device live in its own frame: position, buttons, rate; draws a gentle force when the
+ * person presses Enter. One thread, which reads and writes the device at 1 kHz.
+ */
+final class DeviceWatch {
+  private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
+  private static final int FRAMES_A_LINE = 100;
+  private static final int PUSH_FRAMES = 300;
+
+  /** Of what the device bears at most, so that it can be felt and does no harm. */
+  private static final double PUSH_SHARE = 0.1;
+
+  private final NativeDevice device;
+  private final PrintWriter out;
+  private final InputStream keys;
+  private final DeviceState state = new DeviceState();
+  private final Vec3 forceNewton = new Vec3();
+  private int fresh;
+  private int pushing;
+
+  DeviceWatch(NativeDevice device, InputStream keys, PrintWriter out) {
+    this.device = device;
+    this.keys = keys;
+    this.out = out;
+  }
+
+  /** Watches until the device goes or the time is over; returns why it went, or nothing. */
+  String watch(double seconds) throws IOException {
+    out.println(
+        device.specification().name()
+            + ": Enter draws "
+            + format("%.2f N upwards for 0.3 s, Ctrl-C ends", pushNewton()));
+    long start = System.nanoTime();
+    for (long frame = 1; frame * 1e-3 <= seconds; frame++) {
+      LockSupport.parkNanos(start + frame * FRAME_NANOS - System.nanoTime());
+      if (!step()) {
+        return device.ending();
+      }
+      if (frame % FRAMES_A_LINE == 0) {
+        show(frame);
+      }
+    }
+    return "";
+  }
+
+  private boolean step() throws IOException {
+    ReadStatus status = device.read(state);
+    fresh += status == ReadStatus.FRESH ? 1 : 0;
+    forceNewton.set(0, pushing > 0 ? pushNewton() : 0, 0);
+    pushing = Math.max(0, pushing - 1);
+    return status != ReadStatus.DISCONNECTED && device.write(forceNewton);
+  }
+
+  private double pushNewton() {
+    double most = device.specification().maxForceNewton();
+    return Double.isFinite(most) ? PUSH_SHARE * most : 0;
+  }
+
+  private void show(long frame) throws IOException {
+    while (keys.available() > 0 && keys.read() >= 0) {
+      pushing = PUSH_FRAMES;
+    }
+    int samplesPerSecond = fresh * 1000 / FRAMES_A_LINE;
+    fresh = 0;
+    out.println(
+        format(
+            "%7.1f s  %8.2f %8.2f %8.2f mm  buttons %s  %d samples/s%s%s",
+            frame * 1e-3,
+            state.positionMm.x,
+            state.positionMm.y,
+            state.positionMm.z,
+            Integer.toBinaryString(state.buttons),
+            samplesPerSecond,
+            device.isWaitingForHand() ? "  hold it still to let force in" : "",
+            pushing > 0 ? "  pushing" : ""));
+    out.flush();
+  }
+
+  private static String format(String pattern, Object... values) {
+    return String.format(Locale.ROOT, pattern, values);
+  }
+}
