@@ -25,7 +25,13 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "devices",
     description = "Tells which devices can be used here, and why not where one cannot.",
-    footer = {"", "Examples:", "  palpate devices", "  palpate devices --json", "  palpate devices --watch hid:SN0001"})
+    footer = {
+      "",
+      "Examples:",
+      "  palpate devices",
+      "  palpate devices --json",
+      "  palpate devices --watch hid:SN0001"
+    })
 final class DevicesCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private OutputOptions output;

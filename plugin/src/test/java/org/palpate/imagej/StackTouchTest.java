@@ -9,6 +9,7 @@ import ij.ImagePlus;
 import ij.ImageStack;
 import ij.process.ByteProcessor;
 import ij.process.ColorProcessor;
+import ij.process.ImageProcessor;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -101,8 +102,9 @@ class StackTouchTest {
       frame.run(1_000_000);
       assertTrue(bits.get(3, 4, 5));
       for (int k = 0; k < volume.slices(); k++) {
-        volume.slice(k).setValue(255);
-        volume.slice(k).fill();
+        ImageProcessor slice = volume.slice(k);
+        slice.setValue(255);
+        slice.fill();
       }
       assertEquals(10 * 8 * 6 - 1, watcher.carryOver());
       for (int n = 2; !edits.isIdle(); n++) {

@@ -74,8 +74,8 @@ class SharpEdgeTest {
     BitCube bits = new BitCube(EDGE, EDGE, EDGE);
     for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
       double x = n % EDGE + 0.5 - MIDDLE;
-      double y = n / EDGE % EDGE + 0.5 - MIDDLE;
-      double z = n / (EDGE * EDGE) + 0.5 - MIDDLE;
+      double y = (double) (n / EDGE % EDGE) + 0.5 - MIDDLE;
+      double z = (double) (n / (EDGE * EDGE)) + 0.5 - MIDDLE;
       double u = cosine * x + sine * y;
       double v = -sine * x + cosine * y;
       if (u < SIDE_U && v < SIDE_V && u > -15 && v > -15 && Math.abs(z) < 15) {
