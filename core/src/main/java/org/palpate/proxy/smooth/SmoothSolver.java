@@ -21,7 +21,9 @@ import org.palpate.raycast.RayHit;
  * has to fall by {@link #LEAST_FALL_EDGES} where the device did not move; else the frame is taken
  * back. So for a device at rest the potential falls by at least that much in every frame that moves
  * the point: there are finitely many such frames, no cycle, and then the point rests bit for bit.
- * Arriving at the device ends it too: the way to go is then of length 0. The same rule is the
+ * Arriving at the device ends it too. A flight in the open towards a device beyond w_max may raise
+ * the potential, but while the device rests only from nearer than every flight before: there are
+ * finitely many of these as well, and after the last one the potential falls. The same rule is the
  * hysteresis between places that are about equally near.
  *
  * <p>References: Zilles and Salisbury 1995, Salisbury and Tarr 1997, Chan et al. 2011. Haptic
@@ -86,6 +88,7 @@ public final class SmoothSolver implements ProxySolver {
   private final Vec3 restedAt = new Vec3(Double.NaN, 0, 0);
 
   private double nearerEdges;
+  private double lastFlightEdges;
   private boolean onSurface;
   private Obstacles obstacles;
   private Vec3 device;
@@ -150,7 +153,7 @@ public final class SmoothSolver implements ProxySolver {
     }
     obstacles = solids;
     field.use(solids);
-    if (!goStraight()) {
+    if (!reachDevice() && !flyOn()) {
       followSurface();
     }
     point.contact = !p.sameBits(device) && isWayBlocked();
@@ -179,7 +182,34 @@ public final class SmoothSolver implements ProxySolver {
         (int) Math.floor(device.x), (int) Math.floor(device.y), (int) Math.floor(device.z));
   }
 
-  /** Where the device can be seen the point goes there. */
+  /** Where the device is near enough and can be seen the point goes there. */
+  private boolean reachDevice() {
+    return guard.reaches(device) && goStraight();
+  }
+
+  /**
+   * In the open, with the device farther than w_max, the point flies straight on. While the device
+   * rests it does so only from nearer than it ever did, so that such frames come to an end.
+   */
+  private boolean flyOn() {
+    if (guard.reaches(device)) {
+      return false;
+    }
+    if (!device.sameBits(lastDevice)) {
+      lastFlightEdges = Double.POSITIVE_INFINITY;
+    }
+    double fromEdges = distanceEdges(p, device);
+    field.seed(p.x, p.y, p.z);
+    field.evaluate(p.x, p.y, p.z);
+    boolean mayFly = field.value < OPEN_SHARE && fromEdges < lastFlightEdges;
+    if (!mayFly || !goStraight()) {
+      return false;
+    }
+    lastFlightEdges = fromEdges;
+    return true;
+  }
+
+  /** Goes towards the device as far as w_max allows, where nothing is in the way. */
   private boolean goStraight() {
     boolean hopeless = guard.reaches(device) && deviceIsInSolid();
     return !hopeless && guard.move(device, false);
@@ -255,7 +285,7 @@ public final class SmoothSolver implements ProxySolver {
    * What falls: the distance to the device, with most of the height above the surface taken off and
    * the depth below it added, weighed; in shortest edges.
    */
-  private double potential() {
+  double potential() {
     field.seed(p.x, p.y, p.z);
     field.evaluate(p.x, p.y, p.z);
     double over = overLevel();

@@ -120,6 +120,49 @@ class SmoothSolverTest {
     return moving;
   }
 
+  @Test
+  void thePotentialFallsInEveryFrameThatMovesWhileTheDeviceRests() {
+    int moving = 0;
+    for (String name : Worlds.NAMES) {
+      Obstacles obstacles = obstacles(Worlds.make(name, Seeds.seed()));
+      SmoothSolver solver = new SmoothSolver(UNIT, 0.4);
+      point.position.set(-3, -3, 45);
+      device.set(point.position);
+      for (int hold = 0; hold < 40; hold++) {
+        device.set(anywhere(), anywhere(), anywhere());
+        solver.follow(obstacles, device, point);
+        moving += framesThatFall(solver, obstacles, name);
+      }
+    }
+    assertTrue(moving > 1000, "too few frames to mean anything: " + moving);
+  }
+
+  private int framesThatFall(SmoothSolver solver, Obstacles obstacles, String name) {
+    int frames = 0;
+    double flight = Double.POSITIVE_INFINITY;
+    double before = solver.potential();
+    double from = distanceToDevice();
+    solver.follow(obstacles, device, point);
+    while (point.legs.count() > 0 && !point.position.sameBits(device)) {
+      double after = solver.potential();
+      if (after > before - SmoothSolver.LEAST_FALL_EDGES) {
+        assertTrue(from < flight, name + ": " + before + " to " + after + " " + Seeds.seed());
+        assertFalse(point.legs.slid(0), name);
+        flight = from;
+      }
+      before = after;
+      from = distanceToDevice();
+      frames++;
+      solver.follow(obstacles, device, point);
+    }
+    return frames;
+  }
+
+  private double distanceToDevice() {
+    Vec3 p = point.position;
+    return UNIT.distance(p.x, p.y, p.z, device.x, device.y, device.z);
+  }
+
   /** The skip of a resting frame must not be what makes it rest. */
   @Test
   void restsWithoutRememberingThatItRested() {
