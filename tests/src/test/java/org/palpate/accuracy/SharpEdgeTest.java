@@ -73,13 +73,16 @@ class SharpEdgeTest {
   private static BitCube cube(double cosine, double sine) {
     BitCube bits = new BitCube(EDGE, EDGE, EDGE);
     for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
-      double x = n % EDGE + 0.5 - MIDDLE;
-      double y = (double) (n / EDGE % EDGE) + 0.5 - MIDDLE;
-      double z = (double) (n / (EDGE * EDGE)) + 0.5 - MIDDLE;
+      int i = n % EDGE;
+      int j = n / EDGE % EDGE;
+      int k = n / (EDGE * EDGE);
+      double x = i + 0.5 - MIDDLE;
+      double y = j + 0.5 - MIDDLE;
+      double z = k + 0.5 - MIDDLE;
       double u = cosine * x + sine * y;
       double v = -sine * x + cosine * y;
       if (u < SIDE_U && v < SIDE_V && u > -15 && v > -15 && Math.abs(z) < 15) {
-        bits.set(n % EDGE, n / EDGE % EDGE, n / (EDGE * EDGE));
+        bits.set(i, j, k);
       }
     }
     return bits;
