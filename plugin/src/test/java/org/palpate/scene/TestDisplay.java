@@ -1,10 +1,13 @@
 package org.palpate.scene;
 
+import java.io.File;
 import java.io.IOException;
 import java.net.StandardProtocolFamily;
 import java.net.UnixDomainSocketAddress;
 import java.nio.channels.SocketChannel;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Assumptions;
 
@@ -15,7 +18,14 @@ import org.junit.jupiter.api.Assumptions;
 final class TestDisplay {
   private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(20);
 
-  private static Process server;
+  /**
+   * The server is ended by a shell that waits until this process is gone: ended any earlier it
+   * would take its clients' process with it.
+   */
+  private static final String SERVE =
+      "Xvfb \"$1\" -screen 0 1280x1024x24 +extension GLX -nolisten tcp & server=$!;"
+          + " while kill -0 \"$2\" 2>/dev/null && kill -0 $server 2>/dev/null; do sleep 1; done;"
+          + " kill $server";
 
   private TestDisplay() {}
 
@@ -46,25 +56,23 @@ final class TestDisplay {
   }
 
   private static boolean start(String display) {
+    if (!isInstalled()) {
+      return false;
+    }
+    String process = Long.toString(ProcessHandle.current().pid());
     try {
-      server =
-          new ProcessBuilder(
-                  "Xvfb",
-                  display,
-                  "-screen",
-                  "0",
-                  "1280x1024x24",
-                  "+extension",
-                  "GLX",
-                  "-nolisten",
-                  "tcp")
-              .redirectErrorStream(true)
-              .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-              .start();
-      Runtime.getRuntime().addShutdownHook(new Thread(server::destroy));
+      new ProcessBuilder("sh", "-c", SERVE, "serve", display, process)
+          .redirectErrorStream(true)
+          .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+          .start();
       return true;
     } catch (IOException e) {
       return false;
     }
+  }
+
+  private static boolean isInstalled() {
+    return Arrays.stream(System.getenv("PATH").split(File.pathSeparator))
+        .anyMatch(folder -> Files.isExecutable(Path.of(folder, "Xvfb")));
   }
 }
