@@ -1,4 +1,4 @@
-package org.palpate.benchmarks;
+package org.palpate.benchmarks.command;
 
 import java.io.IOException;
 import java.io.PrintWriter;

@@ -1,4 +1,4 @@
-package org.palpate.benchmarks;
+package org.palpate.benchmarks.command;
 
 import java.util.concurrent.Callable;
 import org.palpate.app.CommandProvider;
