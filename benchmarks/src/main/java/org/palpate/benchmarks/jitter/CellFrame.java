@@ -9,6 +9,7 @@ interface CellFrame extends Runnable, AutoCloseable {
     return switch (task.workload()) {
       case EMPTY -> () -> {};
       case FRAME -> new HapticCellFrame(CellScene.read(task.scene()));
+      case FRAME_AND_VIEW -> new ViewedCellFrame(CellScene.read(task.scene()));
     };
   }
 

@@ -3,12 +3,14 @@ package org.palpate.benchmarks.jitter;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.concurrent.TimeUnit;
+import org.palpate.scene.Graphics;
 
 /** Runs cells, each in a fresh process, one after the other. Belongs to one thread. */
 final class CellRunner {
@@ -99,7 +101,15 @@ final class CellRunner {
       finish(jvm.training(cell, folder), folder, cell.seconds() + SECONDS_TO_SPARE);
     }
     CellFolder.write(folder.cell(), task(cell, frames(cell), false).toProperties());
-    watched(jvm.measuring(cell, folder), cell, folder);
+    List<String> command = new ArrayList<>();
+    if (cell.workload() == Workload.FRAME_AND_VIEW && !Graphics.hasDisplay()) {
+      if (!Programs.has("xvfb-run")) {
+        return Optional.of("no display, and no xvfb-run to make one");
+      }
+      command.addAll(List.of("xvfb-run", "-a"));
+    }
+    command.addAll(jvm.measuring(cell, folder));
+    watched(command, cell, folder);
     return Optional.empty();
   }
 
@@ -155,6 +165,7 @@ final class CellRunner {
         throw new IOException("did not end in " + seconds + " s: see " + folder.output());
       }
     } finally {
+      process.descendants().forEach(ProcessHandle::destroyForcibly);
       process.destroyForcibly();
     }
     if (process.exitValue() != 0) {

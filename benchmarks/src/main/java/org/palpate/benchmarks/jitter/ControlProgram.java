@@ -1,6 +1,5 @@
 package org.palpate.benchmarks.jitter;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -70,12 +69,9 @@ final class ControlProgram {
   }
 
   private static String compiler() throws IOException {
-    for (String folder : System.getenv("PATH").split(File.pathSeparator, -1)) {
-      for (String name : List.of("c++", "g++", "clang++")) {
-        Path candidate = Path.of(folder, name);
-        if (Files.isExecutable(candidate)) {
-          return candidate.toString();
-        }
+    for (String name : List.of("c++", "g++", "clang++")) {
+      if (Programs.has(name)) {
+        return name;
       }
     }
     throw new IOException("no C++ compiler on the path");

@@ -145,7 +145,7 @@ final class Tables {
   private Table workloads() {
     return forEachJdk(
         "workloads",
-        "What do the haptic frame and a neighbour cost?",
+        "What do the haptic frame, the view and a neighbour cost?",
         jdk -> {
           List<Cell> cells = new ArrayList<>();
           for (Workload workload : Workload.values()) {

@@ -5,7 +5,9 @@ enum Workload {
   /** Nothing: the paper's simplest Java application. */
   EMPTY("empty"),
   /** One haptic frame on the scene, with the simulated device. */
-  FRAME("frame");
+  FRAME("frame"),
+  /** The same, with the view drawn beside it, off screen. */
+  FRAME_AND_VIEW("view");
 
   private final String label;
 
