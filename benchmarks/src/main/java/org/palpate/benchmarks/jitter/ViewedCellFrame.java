@@ -26,6 +26,7 @@ final class ViewedCellFrame implements CellFrame {
   private final HapticCellFrame frame;
   private final SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.LIGHT);
   private final CountDownLatch drawn = new CountDownLatch(1);
+  private final Thread viewThread = new Thread(this::draw, "view");
   private volatile boolean closed;
   private volatile Exception failure;
 
@@ -39,9 +40,8 @@ final class ViewedCellFrame implements CellFrame {
     try (SceneLoader loader = new SceneLoader(model, volume, 1)) {
       loader.await(PATIENCE_MILLIS);
       model.look(StandardView.FRONT, (double) WIDTH / HEIGHT);
-      Thread thread = new Thread(this::draw, "view");
-      thread.setDaemon(true);
-      thread.start();
+      viewThread.setDaemon(true);
+      viewThread.start();
       drawn.await(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException | TimeoutException e) {
       throw new IllegalStateException("the surfaces were not made", e);
@@ -71,8 +71,14 @@ final class ViewedCellFrame implements CellFrame {
     frame.run();
   }
 
+  /** Ends the drawing before the JVM takes the display away. */
   @Override
   public void close() {
     closed = true;
+    try {
+      viewThread.join(PATIENCE_MILLIS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 }
