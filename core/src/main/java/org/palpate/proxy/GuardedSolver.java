@@ -10,10 +10,10 @@ import org.palpate.raycast.RayHit;
  * disjoint from every closed solid voxel; each starts bit for bit where the last one ended.
  *
  * <p>A frame goes straight towards the device, stops {@link #STOP_SHORT_VOXELS} before what is in
- * the way, goes on along its face, and where it is stuck climbs a stair of one voxel when it comes
- * out nearer on top. So a frame ends strictly nearer to the device, by {@link
- * Metric#squaredDistance} in doubles, or at the same bits: squared distances are finitely many, so
- * for a device at rest there is no cycle and an end.
+ * the way, goes on along its face, and where it is stuck climbs a stair of one voxel, or of a few
+ * where it is far behind, when it comes out nearer on top. So a frame ends strictly nearer to the
+ * device, by {@link Metric#squaredDistance} in doubles, or at the same bits: squared distances are
+ * finitely many, so for a device at rest there is no cycle and an end.
  *
  * <p>Source: the way of following surfaces is Vlasov et al. 2013, section 4.2; faces as constraints
  * that are held until the way is free are Zilles and Salisbury 1995. Haptic thread only; allocates
@@ -33,10 +33,22 @@ public final class GuardedSolver implements ProxySolver {
    */
   private static final double CUT_SHORT = 1 - 0x1p-40;
 
+  /**
+   * From how far behind the device, in shortest voxel edges, a climb goes up more than one stair.
+   * The farther the device, the less a step along a convex surface brings: on a torus pressed 10
+   * voxels deep one stair alone leaves the point up to 15 % farther away than the paper's way does;
+   * below 8 it would cost a quarter of the frame's time for 1 %.
+   */
+  private static final double FAR_VOXELS = 8;
+
+  /** A fourth stair was measured to bring nothing. */
+  private static final int STAIRS_IF_FAR = 3;
+
   private static final int NOTHING_HELD = 0;
 
   private final Metric metric;
   private final double maxStepMm;
+  private final double farMm;
   private final ExactRayCaster caster = new ExactRayCaster();
   private final Ray ray = new Ray();
   private final RayHit hit = new RayHit();
@@ -69,6 +81,7 @@ public final class GuardedSolver implements ProxySolver {
     }
     this.metric = metric;
     this.maxStepMm = maxStepMm;
+    farMm = FAR_VOXELS * metric.shortestEdgeMm();
     fruitless = new FruitlessClimbs(metric);
   }
 
@@ -261,6 +274,16 @@ public final class GuardedSolver implements ProxySolver {
   }
 
   private boolean climb(int axis, int direction) {
+    double squareBefore = squareToDevice(p);
+    return aimAtStair(axis, direction, squareBefore) && climbTo(axis, direction, squareBefore);
+  }
+
+  /**
+   * Sets {@link #end} to the top of the stair beside the point. False where there is none, where
+   * nothing up there is nearer to the device than before, or where the way up is blocked or too
+   * long for this frame.
+   */
+  private boolean aimAtStair(int axis, int direction, double squareBefore) {
     if (!isOpen(axis, direction)) {
       return false;
     }
@@ -268,7 +291,7 @@ public final class GuardedSolver implements ProxySolver {
     end.set(device);
     end.set(axis, top);
     double nearest = squareToDevice(end); // were the way on top free for ever
-    if (nearest >= squareToDevice(p)) {
+    if (nearest >= squareBefore) {
       nearestClimb = Math.min(nearestClimb, nearest);
       return false;
     }
@@ -278,25 +301,28 @@ public final class GuardedSolver implements ProxySolver {
       pathTooShort = true;
       return false;
     }
-    return (voxel.isInsideBut(axis) || isFree(end)) && climbTo(axis);
+    return voxel.isInsideBut(axis) || isFree(end);
   }
 
   /**
-   * Climbs to {@link #end}, goes on from there with the axis held, and comes back unless that led
-   * nearer.
+   * Climbs to {@link #end}, goes on from there with the axis held, far from the device up a few
+   * stairs more, and comes back unless that led nearer.
    */
-  private boolean climbTo(int axis) {
+  private boolean climbTo(int axis, int direction, double squareBefore) {
     beforeClimb.set(p);
     int legsBefore = legs.count();
     double pathBeforeMm = legs.lengthMm();
-    double squareBefore = squareToDevice(p);
-    move(end, true);
-    descend(1 << axis);
-    double square = squareToDevice(p);
-    if (square < squareBefore) {
-      return true;
-    }
-    nearestClimb = Math.min(nearestClimb, square);
+    int stairs = squareBefore > farMm * farMm ? STAIRS_IF_FAR : 1;
+    do {
+      move(end, true);
+      descend(1 << axis);
+      double square = squareToDevice(p);
+      if (square < squareBefore) {
+        return true;
+      }
+      nearestClimb = Math.min(nearestClimb, square);
+      stairs--;
+    } while (stairs > 0 && !outOfPath && aimAtStair(axis, direction, squareBefore));
     pathTooShort |= outOfPath;
     p.set(beforeClimb);
     voxel.locate(obstacles, p);

@@ -30,4 +30,9 @@ public record Metric(double spacingX, double spacingY, double spacingZ) {
   public double distance(double x0, double y0, double z0, double x1, double y1, double z1) {
     return Math.sqrt(squaredDistance(x0, y0, z0, x1, y1, z1));
   }
+
+  /** The shortest edge of a voxel, mm. */
+  public double shortestEdgeMm() {
+    return Math.min(spacingX, Math.min(spacingY, spacingZ));
+  }
 }
