@@ -5,9 +5,6 @@ package org.palpate.volume.phantom;
  * from blocks to bricks to voxels, so that most shapes are never looked at. Owned scratch.
  */
 final class Locality {
-  /** How much farther than its ball a locality reaches: walls look at points one voxel off. */
-  private static final double REACH_VOXELS = 1.0;
-
   /** More than all rounding in a shape's value, whose sizes stay under 1e4 voxels. */
   private static final double ROUNDING_VOXELS = 1e-6;
 
@@ -15,7 +12,6 @@ final class Locality {
   private final int[] changing;
   private int changingCount;
   private long insideFixed;
-  private double nearest;
 
   Locality(Shape[] shapes) {
     this.shapes = shapes;
@@ -35,12 +31,10 @@ final class Locality {
   void narrow(Locality parent, double x, double y, double z, double radius) {
     changingCount = 0;
     insideFixed = parent.insideFixed;
-    nearest = Double.POSITIVE_INFINITY;
-    double limit = radius + REACH_VOXELS + ROUNDING_VOXELS;
+    double limit = radius + ROUNDING_VOXELS;
     for (int n = 0; n < parent.changingCount; n++) {
       int shape = parent.changing[n];
       double value = shapes[shape].at(x, y, z);
-      nearest = Math.min(nearest, Math.abs(value));
       if (Math.abs(value) <= limit) {
         changing[changingCount++] = shape;
       } else if (value <= 0) {
@@ -49,19 +43,12 @@ final class Locality {
     }
   }
 
-  /** Whether no shape's surface comes within the ball and one voxel more. */
+  /** Whether no shape's surface comes within the ball. */
   boolean isUniform() {
     return changingCount == 0;
   }
 
-  /**
-   * Whether no shape's surface comes within {@code radius} of the point that it was narrowed to.
-   */
-  boolean isClear(double radius) {
-    return nearest > radius + ROUNDING_VOXELS;
-  }
-
-  /** A bit for each shape that the point, which must lie within reach, is inside of. */
+  /** A bit for each shape that the point, which must lie within the ball, is inside of. */
   long insideShapes(double x, double y, double z) {
     long inside = insideFixed;
     for (int n = 0; n < changingCount; n++) {
@@ -69,6 +56,29 @@ final class Locality {
       if (shapes[shape].at(x, y, z) <= 0) {
         inside |= 1L << shape;
       }
+    }
+    return inside;
+  }
+
+  /** In how many ways a point within the ball may lie to the surfaces there, at most. */
+  long sides() {
+    return 1L << changingCount;
+  }
+
+  /** On which of the {@link #sides} the point lies. */
+  int side(double x, double y, double z) {
+    int side = 0;
+    for (int n = 0; n < changingCount; n++) {
+      side |= (shapes[changing[n]].at(x, y, z) <= 0 ? 1 : 0) << n;
+    }
+    return side;
+  }
+
+  /** A bit for each shape that a point on this side is inside of. */
+  long insideShapesAt(int side) {
+    long inside = insideFixed;
+    for (int n = 0; n < changingCount; n++) {
+      inside |= (side >> n & 1L) << changing[n];
     }
     return inside;
   }

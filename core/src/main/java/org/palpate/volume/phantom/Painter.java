@@ -5,8 +5,14 @@ package org.palpate.volume.phantom;
  * points in it, except for walls, which are whole voxels in both. Owned scratch: one thread.
  */
 final class Painter implements Bricks {
-  private static final int SUBDIVISIONS = 4;
-  private static final int SAMPLES = SUBDIVISIONS * SUBDIVISIONS * SUBDIVISIONS;
+  /** Of three surfaces. */
+  private static final int MOST_SIDES = 8;
+
+  /** Of a voxel; and points in an octant. */
+  private static final int OCTANTS = 8;
+
+  /** From the centre of an octant to its corner. */
+  private static final double OCTANT_RADIUS = 0.4331;
 
   /** From the centre of a row of four bricks to the farthest voxel centre: (7.5, 1.5, 1.5). */
   private static final double ROW_RADIUS = 7.8;
@@ -17,11 +23,17 @@ final class Painter implements Bricks {
   /** From the centre of a voxel to its corner. */
   private static final double VOXEL_RADIUS = 0.8661;
 
+  /** Walls look at points one voxel off. */
+  private static final double WALL_REACH = 1;
+
   private final Anatomy anatomy;
   private final Locality space;
   private final Locality row;
   private final Locality brick;
   private final Locality voxel;
+  private final Locality cell;
+  private final Locality octant;
+  private final int[] greyOfSide = new int[MOST_SIDES];
 
   Painter(Anatomy anatomy) {
     this.anatomy = anatomy;
@@ -29,12 +41,19 @@ final class Painter implements Bricks {
     row = new Locality(anatomy.shapes());
     brick = new Locality(anatomy.shapes());
     voxel = new Locality(anatomy.shapes());
+    cell = new Locality(anatomy.shapes());
+    octant = new Locality(anatomy.shapes());
     space.widen();
   }
 
   @Override
   public void enterRow(int brickX, int brickY, int brickZ) {
-    row.narrow(space, 4 * brickX + 8, 4 * brickY + 2, 4 * brickZ + 2, ROW_RADIUS + VOXEL_RADIUS);
+    row.narrow(
+        space,
+        4 * brickX + 8,
+        4 * brickY + 2,
+        4 * brickZ + 2,
+        ROW_RADIUS + VOXEL_RADIUS + WALL_REACH);
   }
 
   @Override
@@ -55,7 +74,7 @@ final class Painter implements Bricks {
   @Override
   public int greys(int brickX, int brickY, int brickZ, int[] dest) {
     if (enterBrick(brickX, brickY, brickZ)) {
-      return anatomy.greyValue(anatomy.label(anatomy.region(brick.insideShapes(0, 0, 0))));
+      return grey(brick.insideShapes(0, 0, 0));
     }
     for (int bit = 0; bit < 64; bit++) {
       dest[bit] =
@@ -68,12 +87,12 @@ final class Painter implements Bricks {
     double x = 4 * brickX + 2;
     double y = 4 * brickY + 2;
     double z = 4 * brickZ + 2;
-    brick.narrow(row, x, y, z, BRICK_RADIUS + VOXEL_RADIUS);
+    brick.narrow(row, x, y, z, BRICK_RADIUS + VOXEL_RADIUS + WALL_REACH);
     return brick.isUniform();
   }
 
   private int centreLabel(double x, double y, double z) {
-    voxel.narrow(brick, x, y, z, 0);
+    voxel.narrow(brick, x, y, z, WALL_REACH);
     return voxel.isUniform()
         ? anatomy.label(anatomy.region(voxel.insideShapes(x, y, z)))
         : label(voxel, x, y, z);
@@ -83,7 +102,7 @@ final class Painter implements Bricks {
     double x = i + 0.5;
     double y = j + 0.5;
     double z = k + 0.5;
-    voxel.narrow(brick, x, y, z, VOXEL_RADIUS);
+    voxel.narrow(brick, x, y, z, VOXEL_RADIUS + WALL_REACH);
     int region = anatomy.region(voxel.insideShapes(x, y, z));
     if (anatomy.hasWalls(region) && !voxel.isUniform()) {
       int wall = wallLabel(voxel, region, x, y, z);
@@ -91,21 +110,58 @@ final class Painter implements Bricks {
         return anatomy.greyValue(wall);
       }
     }
-    return voxel.isClear(VOXEL_RADIUS)
-        ? anatomy.greyValue(anatomy.label(region))
-        : supersampled(i, j, k);
+    cell.narrow(voxel, x, y, z, VOXEL_RADIUS);
+    return lookUpSides(cell) && isOneGrey(cell) ? greyOfSide[0] : supersampled(i, j, k);
   }
 
   /** Walls left out: a layer of voxels is not cut in parts. */
   private int supersampled(int i, int j, int k) {
     int sum = 0;
-    for (int n = 0; n < SAMPLES; n++) {
-      double x = i + ((n & 3) + 0.5) / SUBDIVISIONS;
-      double y = j + ((n >> 2 & 3) + 0.5) / SUBDIVISIONS;
-      double z = k + ((n >> 4) + 0.5) / SUBDIVISIONS;
-      sum += anatomy.greyValue(anatomy.label(anatomy.region(voxel.insideShapes(x, y, z))));
+    for (int n = 0; n < OCTANTS; n++) {
+      sum += octant(i + (n & 1) * 0.5, j + (n >> 1 & 1) * 0.5, k + (n >> 2) * 0.5);
     }
-    return (sum + SAMPLES / 2) / SAMPLES;
+    return (sum + OCTANTS * OCTANTS / 2) / (OCTANTS * OCTANTS);
+  }
+
+  /** The sum of the grey values at the eight points of an octant. */
+  private int octant(double x, double y, double z) {
+    octant.narrow(cell, x + 0.25, y + 0.25, z + 0.25, OCTANT_RADIUS);
+    boolean known = lookUpSides(octant);
+    if (known && isOneGrey(octant)) {
+      return OCTANTS * greyOfSide[0];
+    }
+    int sum = 0;
+    for (int n = 0; n < OCTANTS; n++) {
+      double u = x + 0.125 + (n & 1) * 0.25;
+      double v = y + 0.125 + (n >> 1 & 1) * 0.25;
+      double w = z + 0.125 + (n >> 2) * 0.25;
+      sum += known ? greyOfSide[octant.side(u, v, w)] : grey(octant.insideShapes(u, v, w));
+    }
+    return sum;
+  }
+
+  /** Sets {@link #greyOfSide}, once a place instead of once a point; false for too many sides. */
+  private boolean lookUpSides(Locality place) {
+    if (place.sides() > greyOfSide.length) {
+      return false;
+    }
+    for (int n = 0; n < place.sides(); n++) {
+      greyOfSide[n] = grey(place.insideShapesAt(n));
+    }
+    return true;
+  }
+
+  /** Whether the surfaces in the place, if any, part nothing, as most do where bodies overlap. */
+  private boolean isOneGrey(Locality place) {
+    boolean same = true;
+    for (int n = 1; same && n < place.sides(); n++) {
+      same = greyOfSide[n] == greyOfSide[0];
+    }
+    return same;
+  }
+
+  private int grey(long insideShapes) {
+    return anatomy.greyValue(anatomy.label(anatomy.region(insideShapes)));
   }
 
   private int label(Locality near, double x, double y, double z) {
