@@ -72,6 +72,15 @@ public final class Obstacles {
     return word;
   }
 
+  /** The solid voxels of the 4x4x4 from (i,j,k) on, as {@link BitCube#window}. */
+  public long window(int i, int j, int k) {
+    long word = 0;
+    for (BitCube cube : cubes) {
+      word |= cube.window(i, j, k);
+    }
+    return word;
+  }
+
   /** Finds the first hit over all cubes; see {@link RayCaster#cast}. */
   public boolean cast(RayCaster caster, Ray ray, RayHit hit) {
     if (cubes.length == 1) {

@@ -146,6 +146,33 @@ public final class BitCube {
   }
 
   /**
+   * The 4x4x4 voxels from (i,j,k) on, wherever the bricks lie, in the bits of a brick; outside the
+   * cube nothing is solid. Cost: eight loads, and no branch that is mispredicted.
+   */
+  public long window(int i, int j, int k) {
+    int shift = (k & 3) << 4;
+    long near = slab(i, j, k >> BRICK_SHIFT) >>> shift;
+    long far = slab(i, j, (k >> BRICK_SHIFT) + 1);
+    return near | far << (48 - shift) << 16; // in two shifts, since one by 64 is one by 0
+  }
+
+  private long slab(int i, int j, int brickZ) {
+    int shift = (j & 3) << 2;
+    long nearRows = (0xffff >>> shift) * 0x0001_0001_0001_0001L;
+    long near = row(i, j >> BRICK_SHIFT, brickZ) >>> shift;
+    long far = row(i, (j >> BRICK_SHIFT) + 1, brickZ) << (16 - shift);
+    return (near & nearRows) | (far & ~nearRows);
+  }
+
+  private long row(int i, int brickY, int brickZ) {
+    int shift = i & 3;
+    long nearVoxels = (0xf >>> shift) * 0x1111_1111_1111_1111L;
+    long near = brick(i >> BRICK_SHIFT, brickY, brickZ) >>> shift;
+    long far = brick((i >> BRICK_SHIFT) + 1, brickY, brickZ) << (4 - shift);
+    return (near & nearVoxels) | (far & ~nearVoxels);
+  }
+
+  /**
    * The word of a block of 4x4x4 bricks, by block coordinates (voxel coordinates shifted right by
    * 4); 0 outside.
    */

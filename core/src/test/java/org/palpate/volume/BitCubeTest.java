@@ -124,6 +124,34 @@ class BitCubeTest {
     assertThrows(IllegalArgumentException.class, () -> new BitCube(0, 1, 1));
   }
 
+  @ParameterizedTest
+  @CsvSource({"1,1,1", "5,1,9", "9,10,11"})
+  void aWindowHoldsTheVoxelsThatItCovers(int sizeX, int sizeY, int sizeZ) {
+    SplittableRandom random = new SplittableRandom(Seeds.seed());
+    BitCube cube = new BitCube(sizeX, sizeY, sizeZ);
+    for (int n = 0; n < sizeX * sizeY * sizeZ; n++) {
+      cube.set(random.nextInt(sizeX), random.nextInt(sizeY), random.nextInt(sizeZ));
+    }
+    for (int k = -5; k <= sizeZ; k++) {
+      for (int j = -5; j <= sizeY; j++) {
+        for (int i = -5; i <= sizeX; i++) {
+          assertEquals(naiveWindow(cube, i, j, k), cube.window(i, j, k), "seed " + Seeds.seed());
+        }
+      }
+    }
+    assertEquals(0, cube.window(Integer.MIN_VALUE, Integer.MAX_VALUE, Integer.MAX_VALUE));
+  }
+
+  private static long naiveWindow(BitCube cube, int i, int j, int k) {
+    long word = 0;
+    for (int bit = 0; bit < 64; bit++) {
+      if (cube.get(i + (bit & 3), j + (bit >> 2 & 3), k + (bit >> 4))) {
+        word |= 1L << bit;
+      }
+    }
+    return word;
+  }
+
   private static void put(BitCube cube, int i, int j, int k, boolean solid) {
     if (solid) {
       cube.set(i, j, k);
