@@ -3,62 +3,114 @@ package org.palpate.proxy;
 import org.palpate.geometry.Vec3;
 
 /**
- * Remembers that no climb from a voxel led nearer to the device, how near the best one came, and
- * where the device was: the places that climbs reach come nearer by no more than the device moves,
- * so until that makes up for the difference a search can be skipped.
+ * Remembers that no climb from a voxel led nearer to the device, and where each ended. As long as
+ * point and device stay in their voxels the same faces stop the same climbs: where the ends, moved
+ * along with the device as far as no face stopped them, are no nearer than the point, a search can
+ * be skipped.
  *
- * <p>Nothing rests on it but time: a skipped search leaves the point where it is.
+ * <p>Nothing rests on it but time: a skipped search leaves the point where it is, and a device that
+ * rests is searched for in full before the point does.
  */
 final class FruitlessClimbs {
+  /** Six directions and three stairs each are 18; more than this are not remembered. */
+  private static final int CAPACITY = 24;
+
   private final Metric metric;
+  private final Vec3[] ends = new Vec3[CAPACITY];
+
+  /**
+   * For each end, as bits, the axes along which it lay before (1, 2, 4) or beyond the device (8,
+   * 16, 32).
+   */
+  private final int[] stops = new int[CAPACITY];
+
   private final Vec3 device = new Vec3();
   private boolean known;
+  private int count;
   private int i;
   private int j;
   private int k;
-  private int sides;
-  private double nearestMm;
+  private int way;
 
   FruitlessClimbs(Metric metric) {
     this.metric = metric;
+    for (int n = 0; n < CAPACITY; n++) {
+      ends[n] = new Vec3();
+    }
   }
 
-  /** Forgets, since solids changed. */
+  /** Forgets, since solids changed or the search was not a full one. */
   void forget() {
     known = false;
   }
 
   /**
-   * Remembers a search.
+   * Begins a search, and forgets the last one.
    *
-   * @param voxel where the point was
-   * @param newSides on which sides of the point the device lay, any code for it
-   * @param newDevice where the device was
-   * @param newNearestMm the least distance to the device at which a climb ended; infinite where
-   *     there was none to try
+   * @param voxel where the point is
+   * @param newWay on which sides of the point the device lies, and how far, any code for it
+   * @param newDevice where the device is
    */
-  void remember(PointVoxel voxel, int newSides, Vec3 newDevice, double newNearestMm) {
-    known = true;
-    sides = newSides;
+  void begin(PointVoxel voxel, int newWay, Vec3 newDevice) {
+    known = false;
+    count = 0;
+    way = newWay;
     i = voxel.cell(0);
     j = voxel.cell(1);
     k = voxel.cell(2);
     device.set(newDevice);
-    nearestMm = newNearestMm;
+  }
+
+  /** A climb ended at {@code end}, or would at best, too far from the device. */
+  void add(Vec3 end) {
+    if (count < CAPACITY) {
+      ends[count].set(end);
+      stops[count] =
+          stop(end.x, device.x) | stop(end.y, device.y) << 1 | stop(end.z, device.z) << 2;
+    }
+    count++;
+  }
+
+  private static int stop(double end, double at) {
+    return end < at ? 1 : end > at ? 8 : 0;
+  }
+
+  /** The search was in vain, and all its ends were added. */
+  void remember() {
+    known = count <= CAPACITY;
   }
 
   /**
    * Whether a search would be in vain again.
    *
-   * @param distanceMm of the point from the device now
+   * @param square of the distance of the point from the device now, mm^2
    */
-  boolean holds(PointVoxel voxel, int newSides, Vec3 newDevice, double distanceMm) {
-    return known
-        && sides == newSides
-        && voxel.isCell(i, j, k)
-        && nearestMm
-                - metric.distance(
-                    device.x, device.y, device.z, newDevice.x, newDevice.y, newDevice.z)
-            >= distanceMm;
+  boolean holds(PointVoxel voxel, int newWay, Vec3 newDevice, double square) {
+    if (!known || way != newWay || !voxel.isCell(i, j, k) || !isNear(newDevice)) {
+      return false;
+    }
+    for (int n = 0; n < count; n++) {
+      if (nearest(ends[n], stops[n], newDevice) < square) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean isNear(Vec3 now) {
+    return Math.floor(now.x) == Math.floor(device.x)
+        && Math.floor(now.y) == Math.floor(device.y)
+        && Math.floor(now.z) == Math.floor(device.z);
+  }
+
+  private double nearest(Vec3 end, int stop, Vec3 now) {
+    double x = left(end.x, now.x, stop) * metric.spacingX();
+    double y = left(end.y, now.y, stop >> 1) * metric.spacingY();
+    double z = left(end.z, now.z, stop >> 2) * metric.spacingZ();
+    return x * x + y * y + z * z;
+  }
+
+  private static double left(double end, double at, int stop) {
+    return (stop & 1) != 0 ? Math.max(0, at - end) : (stop & 8) != 0 ? Math.max(0, end - at) : 0;
   }
 }

@@ -67,7 +67,7 @@ public final class GuardedSolver implements ProxySolver {
   private boolean outOfPath;
   private boolean rests;
   private boolean pathTooShort;
-  private double nearestClimb;
+  private boolean skippedClimbs;
 
   /**
    * A solver for one grid.
@@ -89,6 +89,7 @@ public final class GuardedSolver implements ProxySolver {
   public void reset() {
     rests = false;
     fruitless.forget();
+    voxel.forget();
   }
 
   @Override
@@ -98,11 +99,14 @@ public final class GuardedSolver implements ProxySolver {
       return; // nothing that the answer depends on has changed: same bits, same contact
     }
     begin(solids, devicePosition, point);
+    if (devicePosition.sameBits(restedAt)) {
+      fruitless.forget(); // the point is to rest only after a full search
+    }
     do {
       descend(NOTHING_HELD);
     } while (!outOfPath && !arrived() && climb());
     point.contact = stopped || (!arrived() && isWayBlocked());
-    rests = legs.count() == 0;
+    rests = legs.count() == 0 && !skippedClimbs;
     restedAt.set(devicePosition);
   }
 
@@ -113,6 +117,7 @@ public final class GuardedSolver implements ProxySolver {
     legs = point.legs;
     stopped = false;
     outOfPath = false;
+    skippedClimbs = false;
     voxel.locate(solids, p);
   }
 
@@ -130,27 +135,33 @@ public final class GuardedSolver implements ProxySolver {
    * @param held axes, as bits, along which the point stays where it is
    */
   private void descend(int held) {
-    boolean moved = true;
-    while (moved && !outOfPath && !arrived()) {
-      moved = slide(held);
+    boolean mayComeNearer = true;
+    while (mayComeNearer && !outOfPath && !arrived()) {
+      mayComeNearer = slide(held);
     }
   }
 
   /**
    * Goes towards the device; each face that stops it takes away an axis, until a leg is free or
-   * none is left.
+   * none is left. False where another slide would not come nearer.
    */
   private boolean slide(int held) {
     boolean moved = false;
     int faces = held;
     while (!outOfPath && aim(faces)) {
-      int stop = voxel.stopOnWayTo(target);
-      if (stop >= 0) {
+      int stops = voxel.stopsOnWayTo(target);
+      if (stops != 0) {
         stopped = true;
-        faces |= 1 << stop;
-        continue;
+        faces |= stops;
+        if (!aim(faces)) {
+          return moved;
+        }
       }
       boolean cut = cutToPathLeft();
+      if (!cut && !moved && voxel.contains(target)) {
+        moveNearer(target, faces != NOTHING_HELD);
+        return false; // in the same voxel before the same stops, and at the device along the rest
+      }
       if (isFree(target)) {
         outOfPath |= cut;
         return moveNearer(target, faces != NOTHING_HELD) || moved;
@@ -240,16 +251,16 @@ public final class GuardedSolver implements ProxySolver {
 
   /**
    * Climbs a stair of one voxel in the first direction in which that leads strictly nearer. Where
-   * no climb did so from this voxel, none will until the device has come nearer to where they ended
-   * by as much as they were too far.
+   * no climb did so from this voxel, none is tried until {@link FruitlessClimbs} sees one nearer.
    */
   private boolean climb() {
-    int sides = sidesOfDevice();
-    double distanceMm = Math.sqrt(squareToDevice(p));
-    if (fruitless.holds(voxel, sides, device, distanceMm)) {
+    double square = squareToDevice(p);
+    int way = wayToDevice(square);
+    if (fruitless.holds(voxel, way, device, square)) {
+      skippedClimbs = true;
       return false;
     }
-    nearestClimb = Double.POSITIVE_INFINITY;
+    fruitless.begin(voxel, way, device);
     pathTooShort = false;
     for (int axis = 0; axis < 3; axis++) {
       double toDevice = device.get(axis) - p.get(axis);
@@ -258,14 +269,20 @@ public final class GuardedSolver implements ProxySolver {
       }
     }
     if (!pathTooShort) {
-      fruitless.remember(voxel, sides, device, Math.sqrt(nearestClimb));
+      fruitless.remember();
     }
     return false;
   }
 
-  /** On which side of the point the device lies along each axis: two bits an axis. */
-  private int sidesOfDevice() {
-    return side(0) | (side(1) << 2) | (side(2) << 4);
+  /**
+   * On which side of the point the device lies along each axis, two bits an axis; and whether far.
+   */
+  private int wayToDevice(double square) {
+    return side(0) | side(1) << 2 | side(2) << 4 | (isFar(square) ? 1 << 6 : 0);
+  }
+
+  private boolean isFar(double square) {
+    return square > farMm * farMm;
   }
 
   private int side(int axis) {
@@ -284,15 +301,14 @@ public final class GuardedSolver implements ProxySolver {
    * long for this frame.
    */
   private boolean aimAtStair(int axis, int direction, double squareBefore) {
-    if (!isOpen(axis, direction)) {
+    if (!voxel.isStairOpen(axis, direction, device)) {
       return false;
     }
     double top = topOfStair(axis, direction);
     end.set(device);
     end.set(axis, top);
-    double nearest = squareToDevice(end); // were the way on top free for ever
-    if (nearest >= squareBefore) {
-      nearestClimb = Math.min(nearestClimb, nearest);
+    if (squareToDevice(end) >= squareBefore) { // were the way on top free for ever
+      fruitless.add(end);
       return false;
     }
     end.set(p);
@@ -312,15 +328,14 @@ public final class GuardedSolver implements ProxySolver {
     beforeClimb.set(p);
     int legsBefore = legs.count();
     double pathBeforeMm = legs.lengthMm();
-    int stairs = squareBefore > farMm * farMm ? STAIRS_IF_FAR : 1;
+    int stairs = isFar(squareBefore) ? STAIRS_IF_FAR : 1;
     do {
       move(end, true);
       descend(1 << axis);
-      double square = squareToDevice(p);
-      if (square < squareBefore) {
+      if (squareToDevice(p) < squareBefore) {
         return true;
       }
-      nearestClimb = Math.min(nearestClimb, square);
+      fruitless.add(p);
       stairs--;
     } while (stairs > 0 && !outOfPath && aimAtStair(axis, direction, squareBefore));
     pathTooShort |= outOfPath;
@@ -335,25 +350,6 @@ public final class GuardedSolver implements ProxySolver {
   private double topOfStair(int axis, int direction) {
     int cell = voxel.cell(axis);
     return direction > 0 ? cell + 1 + STOP_SHORT_VOXELS : cell - STOP_SHORT_VOXELS;
-  }
-
-  /** Whether the voxel on the way up is empty, and one beside its top towards the device. */
-  private boolean isOpen(int axis, int direction) {
-    int i = voxel.cell(0) + (axis == 0 ? direction : 0);
-    int j = voxel.cell(1) + (axis == 1 ? direction : 0);
-    int k = voxel.cell(2) + (axis == 2 ? direction : 0);
-    return !obstacles.isSolid(i, j, k)
-        && ((axis != 0 && isOpenBeside(0, i, j, k))
-            || (axis != 1 && isOpenBeside(1, i, j, k))
-            || (axis != 2 && isOpenBeside(2, i, j, k)));
-  }
-
-  private boolean isOpenBeside(int axis, int i, int j, int k) {
-    double toDevice = device.get(axis) - p.get(axis);
-    int step = toDevice > 0 ? 1 : -1;
-    return toDevice != 0
-        && !obstacles.isSolid(
-            axis == 0 ? i + step : i, axis == 1 ? j + step : j, axis == 2 ? k + step : k);
   }
 
   private double distance(Vec3 from, Vec3 to) {

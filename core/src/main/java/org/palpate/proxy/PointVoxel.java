@@ -3,33 +3,51 @@ package org.palpate.proxy;
 import org.palpate.geometry.Vec3;
 
 /**
- * The empty voxel that the interaction point is in, and what can be told from it and its six
+ * The empty voxel that the interaction point is in, and what can be told from it and its 26
  * neighbours alone, without a cast: most frames of a hand that presses or slides slowly.
  *
- * <p>Relies on the point touching no solid. Keeps scratch: haptic thread only.
+ * <p>Relies on the point touching no solid. Keeps scratch, and the neighbours of the voxels last
+ * looked at until {@link #forget}: haptic thread only.
  */
 final class PointVoxel {
-  private final int[] cell = new int[3];
+  private final Neighbourhoods neighbourhoods = new Neighbourhoods();
   private Obstacles obstacles;
   private Vec3 p;
+  private int i;
+  private int j;
+  private int k;
+
+  /** The solid neighbours, see {@link Neighbourhoods}, once asked for. */
+  private long solidNear;
+
+  private boolean knowsNear;
+
+  /** Forgets what was solid, since that may have changed. */
+  void forget() {
+    neighbourhoods.forget();
+  }
 
   /** Sets the point, after it moved. */
   void locate(Obstacles solids, Vec3 point) {
+    if (solids != obstacles) {
+      neighbourhoods.forget();
+    }
     obstacles = solids;
     p = point;
-    cell[0] = (int) Math.floor(point.x);
-    cell[1] = (int) Math.floor(point.y);
-    cell[2] = (int) Math.floor(point.z);
+    i = (int) Math.floor(point.x);
+    j = (int) Math.floor(point.y);
+    k = (int) Math.floor(point.z);
+    knowsNear = false;
   }
 
   /** The voxel's coordinate along an axis. */
   int cell(int axis) {
-    return cell[axis];
+    return axis == 0 ? i : axis == 1 ? j : k;
   }
 
   /** Whether this is the voxel (i,j,k). */
-  boolean isCell(int i, int j, int k) {
-    return cell[0] == i && cell[1] == j && cell[2] == k;
+  boolean isCell(int otherI, int otherJ, int otherK) {
+    return i == otherI && j == otherJ && k == otherK;
   }
 
   /**
@@ -37,9 +55,7 @@ final class PointVoxel {
    * axis touches only the voxels that it goes through.
    */
   boolean isInsideBut(int axis) {
-    return (axis == 0 || p.x != cell[0])
-        && (axis == 1 || p.y != cell[1])
-        && (axis == 2 || p.z != cell[2]);
+    return (axis == 0 || p.x != i) && (axis == 1 || p.y != j) && (axis == 2 || p.z != k);
   }
 
   /**
@@ -47,66 +63,87 @@ final class PointVoxel {
    * voxel that the point itself does not touch: it is free for sure. Exact: only comparisons.
    */
   boolean contains(Vec3 to) {
-    return contains(0, to.x, p.x) && contains(1, to.y, p.y) && contains(2, to.z, p.z);
+    return contains(i, to.x, p.x) && contains(j, to.y, p.y) && contains(k, to.z, p.z);
   }
 
-  private boolean contains(int axis, double to, double from) {
-    return (to > cell[axis] && to < cell[axis] + 1.0) || to == from;
-  }
-
-  /**
-   * An axis whose face stops the straight way to {@code to} before the point can move at all, or -1
-   * where that is not sure. Sure is: the point has come to its stop before the face, the voxel
-   * beyond is solid, {@code to} lies at the face or beyond, and the way crosses this face before
-   * any face that is no such stop.
-   */
-  int stopOnWayTo(Vec3 to) {
-    int stops = stopsTowards(to);
-    for (int axis = 0; stops >> axis != 0; axis++) {
-      if ((stops >> axis & 1) != 0 && isCrossedFirst(axis, stops, to)) {
-        return axis;
-      }
-    }
-    return -1;
-  }
-
-  private int stopsTowards(Vec3 to) {
-    return (isStop(0, p.x, to.x) ? 1 : 0)
-        | (isStop(1, p.y, to.y) ? 2 : 0)
-        | (isStop(2, p.z, to.z) ? 4 : 0);
-  }
-
-  private boolean isStop(int axis, double from, double to) {
-    if (to >= cell[axis] + 1.0) {
-      return cell[axis] + 1 - from <= GuardedSolver.STOP_SHORT_VOXELS && isSolidBeside(axis, 1);
-    }
-    return to <= cell[axis]
-        && to < from
-        && from - cell[axis] <= GuardedSolver.STOP_SHORT_VOXELS
-        && isSolidBeside(axis, -1);
-  }
-
-  private boolean isSolidBeside(int axis, int step) {
-    return obstacles.isSolid(
-        axis == 0 ? cell[0] + step : cell[0],
-        axis == 1 ? cell[1] + step : cell[1],
-        axis == 2 ? cell[2] + step : cell[2]);
+  private static boolean contains(int cell, double to, double from) {
+    return (to > cell && to < cell + 1.0) || to == from;
   }
 
   /**
-   * Compares parameters of crossings as products, so that nothing is divided; twice is far more
-   * than rounding can hide.
+   * The axes, as bits, whose faces stop the straight way to {@code to} before the point can move at
+   * all; one that is not sure to do so is left out. Sure is: the point has come to its stop before
+   * the face, the voxel beyond is solid, {@code to} lies at the face or beyond, and the way crosses
+   * this face before any face that is no such stop.
    */
-  private boolean isCrossedFirst(int stop, int stops, Vec3 to) {
-    double stopDelta = Math.abs(to.get(stop) - p.get(stop));
-    for (int axis = 0; axis < 3; axis++) {
-      double delta = to.get(axis) - p.get(axis);
-      double gap = delta > 0 ? cell[axis] + 1 - p.get(axis) : p.get(axis) - cell[axis];
-      boolean other = (stops >> axis & 1) == 0 && delta != 0;
-      if (other && 2 * GuardedSolver.STOP_SHORT_VOXELS * Math.abs(delta) >= gap * stopDelta) {
-        return false;
-      }
+  int stopsOnWayTo(Vec3 to) {
+    int stops =
+        stop(i, p.x, to.x, Neighbourhoods.STEP_X)
+            | (stop(j, p.y, to.y, Neighbourhoods.STEP_Y) << 1)
+            | (stop(k, p.z, to.z, Neighbourhoods.STEP_Z) << 2);
+    return stops == 0 ? 0 : stops & ~crossedTooLate(stops, to);
+  }
+
+  private int stop(int cell, double from, double to, int step) {
+    if (to >= cell + 1.0) {
+      return cell + 1 - from <= GuardedSolver.STOP_SHORT_VOXELS ? solidBeside(step) : 0;
     }
-    return true;
+    return to <= cell && to < from && from - cell <= GuardedSolver.STOP_SHORT_VOXELS
+        ? solidBeside(-step)
+        : 0;
+  }
+
+  private int solidBeside(int step) {
+    return (int) (solidNear() >>> (Neighbourhoods.CENTRE + step)) & 1;
+  }
+
+  /**
+   * The stops that some other face may be crossed before. Compares parameters of crossings as
+   * products, so that nothing is divided; twice is far more than rounding can hide.
+   */
+  private int crossedTooLate(int stops, Vec3 to) {
+    double deltaX = Math.abs(to.x - p.x);
+    double deltaY = Math.abs(to.y - p.y);
+    double deltaZ = Math.abs(to.z - p.z);
+    int late = 0;
+    if ((stops & 1) == 0 && deltaX != 0) {
+      late |= late(deltaX, to.x > p.x ? i + 1 - p.x : p.x - i, deltaX, deltaY, deltaZ);
+    }
+    if ((stops & 2) == 0 && deltaY != 0) {
+      late |= late(deltaY, to.y > p.y ? j + 1 - p.y : p.y - j, deltaX, deltaY, deltaZ);
+    }
+    if ((stops & 4) == 0 && deltaZ != 0) {
+      late |= late(deltaZ, to.z > p.z ? k + 1 - p.z : p.z - k, deltaX, deltaY, deltaZ);
+    }
+    return late;
+  }
+
+  private static int late(double delta, double gap, double deltaX, double deltaY, double deltaZ) {
+    double least = 2 * GuardedSolver.STOP_SHORT_VOXELS * delta;
+    return (least >= gap * deltaX ? 1 : 0)
+        | (least >= gap * deltaY ? 2 : 0)
+        | (least >= gap * deltaZ ? 4 : 0);
+  }
+
+  /** Whether the next voxel along an axis is empty, and one beside that towards the device. */
+  boolean isStairOpen(int axis, int direction, Vec3 device) {
+    int above = Neighbourhoods.CENTRE + direction * Neighbourhoods.step(axis);
+    long near = solidNear();
+    return (near >>> above & 1) == 0
+        && ((axis != 0 && isOpen(near, above, device.x - p.x, Neighbourhoods.STEP_X))
+            || (axis != 1 && isOpen(near, above, device.y - p.y, Neighbourhoods.STEP_Y))
+            || (axis != 2 && isOpen(near, above, device.z - p.z, Neighbourhoods.STEP_Z)));
+  }
+
+  private static boolean isOpen(long near, int above, double toDevice, int step) {
+    return toDevice != 0 && (near >>> (toDevice > 0 ? above + step : above - step) & 1) == 0;
+  }
+
+  private long solidNear() {
+    if (!knowsNear) {
+      knowsNear = true;
+      solidNear = neighbourhoods.around(obstacles, i, j, k);
+    }
+    return solidNear;
   }
 }

@@ -207,4 +207,32 @@ class GuardedSolverTest {
       assertEquals(contact, point.contact);
     }
   }
+
+  @Test
+  void restsOnlyWhereASolverWithoutMemoryWouldRest() {
+    long seed = Seeds.seed();
+    SplittableRandom random = new SplittableRandom(seed);
+    for (int scene = 0; scene < 200; scene++) {
+      BitCube bits = randomScene(random);
+      GuardedSolver solver = new GuardedSolver(UNIT, 8);
+      Obstacles obstacles = new Obstacles(List.of(bits));
+      place(obstacles, UNIT, new Vec3(random.nextInt(-4, 20), random.nextInt(-4, 20) + 0.5, 1));
+      Vec3 device = new Vec3().set(point.position);
+      for (int frame = 0; frame < 40; frame++) {
+        drift(random, device);
+        solver.follow(obstacles, device, point);
+      }
+      for (int frame = 0; frame < 40; frame++) {
+        solver.follow(obstacles, device, point);
+      }
+      new GuardedSolver(UNIT, 8).follow(obstacles, device, point);
+      assertEquals(0, point.legs.count(), "seed=" + seed + " scene=" + scene);
+    }
+  }
+
+  private static void drift(SplittableRandom random, Vec3 device) {
+    for (int axis = 0; axis < 3; axis++) {
+      device.set(axis, device.get(axis) + random.nextDouble(-0.2, 0.21));
+    }
+  }
 }
