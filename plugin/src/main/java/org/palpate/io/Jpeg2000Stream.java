@@ -3,16 +3,22 @@ package org.palpate.io;
 import java.io.IOException;
 
 /**
- * Looks through the markers of a JPEG 2000 codestream before a library is given it: the library
- * trusts them, and would search without end for a tile that is not there.
+ * Looks through a JPEG 2000 codestream before a library is given it. The library trusts what is
+ * there: it would search without end for a tile that is missing, and two bytes of all ones in the
+ * head of a packet, which no encoder writes, are ones without end to it.
  *
- * <p>Source: ITU-T T.800, annex A.
+ * <p>Source: ITU-T T.800, annex A; for the bytes that coded data never holds, B.10.1 and C.2.
  */
 final class Jpeg2000Stream {
   private static final int START = 0xFF4F;
   private static final int SIZE = 0xFF51;
   private static final int CODING = 0xFF52;
+  private static final int COMPONENT_CODING = 0xFF53;
+  private static final int PACKED_HEADS = 0xFF60;
+  private static final int PACKED_TILE_HEADS = 0xFF61;
   private static final int TILE_PART = 0xFF90;
+  private static final int PACKET = 0xFF91;
+  private static final int PACKET_HEAD_END = 0xFF92;
   private static final int TILE_DATA = 0xFF93;
   private static final int END = 0xFFD9;
   private static final int REVERSIBLE = 1;
@@ -20,6 +26,15 @@ final class Jpeg2000Stream {
   private static final int MOST_LAYERS = 1024;
   private static final int MOST_TILES = 65535;
   private static final int TILE_PART_BYTES = 12;
+
+  /** Coded data never hold a larger word that begins with all ones. */
+  private static final int LARGEST_CODED = 0xFF8F;
+
+  /** Precincts of fewer pixels an edge cost more to know than to read. */
+  private static final int LEAST_PRECINCT_LOG = 4;
+
+  /** The library keeps a few numbers for each layer of each block. */
+  private static final long MOST_BLOCK_LAYERS = 1 << 22;
 
   private final byte[] bytes;
   private final int columns;
@@ -58,6 +73,8 @@ final class Jpeg2000Stream {
         require(!coded, "has two ways of coding");
         coded = true;
         readCoding(at);
+      } else {
+        requireReadable(at);
       }
     }
     require(coded, "does not say how it is coded");
@@ -86,7 +103,23 @@ final class Jpeg2000Stream {
     require(
         octet(at + 10) <= 8 && octet(at + 11) <= 8 && octet(at + 10) + octet(at + 11) <= 8,
         "has blocks of a strange size");
+    for (int level = 0; precincts && level <= levels; level++) {
+      int size = octet(at + 14 + level);
+      require(
+          (size & 15) >= LEAST_PRECINCT_LOG && size >> 4 >= LEAST_PRECINCT_LOG,
+          "has precincts of a strange size");
+    }
+    long blocks = (((long) columns * rows) >> (octet(at + 10) + octet(at + 11) + 4)) + tiles + 1;
+    require(blocks * layers <= MOST_BLOCK_LAYERS, "has too many layers");
     reversible = octet(at + 13) == REVERSIBLE;
+  }
+
+  /** What says anew how the picture is coded, or sets the heads of packets apart. */
+  private void requireReadable(int at) throws IOException {
+    int marker = word(at);
+    require(
+        marker != COMPONENT_CODING && marker != PACKED_HEADS && marker != PACKED_TILE_HEADS,
+        "is coded in a rare way");
   }
 
   /** Every tile is there, its parts in order and as many as they say. */
@@ -120,9 +153,24 @@ final class Jpeg2000Stream {
     int at = from;
     while (at + 2 <= end && word(at) != TILE_DATA) {
       require(word(at) != CODING && word(at) != SIZE, "changes inside a tile");
+      requireReadable(at);
       at += 2 + segmentLength(at);
     }
     require(at + 2 <= end, "has a tile without data");
+    requireCoded(from - TILE_PART_BYTES, at + 2, end);
+  }
+
+  /** Bytes as an encoder writes them: also before the data, for the library may run into them. */
+  private void requireCoded(int from, int dataFrom, int end) throws IOException {
+    for (int at = from; at + 1 < end; at++) {
+      if (bytes[at] != -1) {
+        continue;
+      }
+      int pair = 0xFF00 | (bytes[at + 1] & 0xff);
+      boolean marker = pair == PACKET || pair == PACKET_HEAD_END || pair == END;
+      require(pair <= LARGEST_CODED || marker || (at < dataFrom && pair != 0xFFFF), "is damaged");
+    }
+    require(end == bytes.length || bytes[end - 1] != -1, "is damaged");
   }
 
   private int segmentLength(int at) throws IOException {
