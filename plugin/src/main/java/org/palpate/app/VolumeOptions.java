@@ -105,5 +105,17 @@ public final class VolumeOptions {
       throw PalpateException.wrongUse(
           "--raw without a file", "--raw " + raw, "name the raw file with --volume FILE");
     }
+    requireFile("--time", time);
+    requireFile("--series", series);
+    requireFile("--resample", resample ? "" : null);
+  }
+
+  private void requireFile(String option, Object value) {
+    if (value != null && volume == null) {
+      throw PalpateException.wrongUse(
+          option + " without a file",
+          (option + " " + value).strip(),
+          "name the file with --volume FILE, or leave " + option + " out");
+    }
   }
 }

@@ -1,14 +1,38 @@
 package org.palpate.io;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.OptionalInt;
 
-/** Refusals that ask the person to choose. */
+/** What a person may choose in a file, and refusals that ask for it. */
 final class Choices {
   private Choices() {}
 
-  /** There are several time steps or components and none, or one that is not there, was chosen. */
-  static VolumeFormatException time(int count, OptionalInt chosen, Path file) {
+  /**
+   * The time step or component to read, from 0; told in the notes where there are several.
+   *
+   * @param count how many there are, at least 1
+   * @throws VolumeFormatException where there are several and none, or one that is not there, was
+   *     chosen
+   */
+  static int step(int count, ReadOptions options, Path file, List<String> notes)
+      throws VolumeFormatException {
+    OptionalInt chosen = options.time();
+    if (count == 1 && chosen.orElse(0) == 0) {
+      return 0;
+    }
+    if (chosen.isEmpty() || chosen.getAsInt() < 0 || chosen.getAsInt() >= count) {
+      throw refusal(count, chosen, file);
+    }
+    notes.add("step " + chosen.getAsInt() + " of " + count + ", counted from 0");
+    return chosen.getAsInt();
+  }
+
+  private static VolumeFormatException refusal(int count, OptionalInt chosen, Path file) {
+    if (count == 1) {
+      return new VolumeFormatException(
+          "it has one time step alone, and no step " + chosen.getAsInt(), file, "leave --time out");
+    }
     String last = Integer.toString(count - 1);
     return new VolumeFormatException(
         chosen.isEmpty()
@@ -16,5 +40,19 @@ final class Choices {
             : "it has no step " + chosen.getAsInt() + ", only 0 to " + last,
         file,
         "choose one with --time 0 to --time " + last);
+  }
+
+  /**
+   * A file has no series to choose from.
+   *
+   * @throws VolumeFormatException where one was chosen
+   */
+  static void requireNoSeries(ReadOptions options, Path file) throws VolumeFormatException {
+    if (options.series().isPresent()) {
+      throw new VolumeFormatException(
+          "it has no series to choose from, as a folder of DICOM files has",
+          file,
+          "leave --series out");
+    }
   }
 }

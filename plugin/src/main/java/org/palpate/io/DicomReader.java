@@ -38,6 +38,7 @@ final class DicomReader implements VolumeReader {
       frames.addAll(DicomFrame.of(file));
     }
     List<String> notes = new ArrayList<>();
+    Choices.step(1, options, Path.of(place), notes);
     Arranged series = DicomSeries.arrange(frames, place, options.resample(), notes);
     DicomFile first = files.get(0);
     VolumeHeader header =

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.VolumeHeader.ValueRange;
 import org.palpate.io.VolumeHeader.World;
@@ -99,15 +98,8 @@ final class MetaReader {
       throw header.wrong("it has several time steps and several channels");
     }
     int count = Math.max(steps, channels);
-    if (count == 1) {
-      return ExtraAxis.NONE;
-    }
-    OptionalInt time = options.time();
-    if (time.isEmpty() || time.getAsInt() < 0 || time.getAsInt() >= count) {
-      throw Choices.time(count, time, header.file());
-    }
-    notes.add("step " + time.getAsInt() + " of " + count + ", counted from 0");
-    return new ExtraAxis(channels > 1 ? 0 : 3, count, time.getAsInt());
+    int step = Choices.step(count, options, header.file(), notes);
+    return count == 1 ? ExtraAxis.NONE : new ExtraAxis(channels > 1 ? 0 : 3, count, step);
   }
 
   private VoxelGrid grid() throws VolumeFormatException {

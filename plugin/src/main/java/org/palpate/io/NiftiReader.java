@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.VolumeHeader.World;
 import org.palpate.volume.VoxelGrid;
@@ -100,18 +99,10 @@ final class NiftiReader {
       }
       steps *= Math.max(1, header.dim(axis));
     }
-    if (steps == 1) {
-      return ExtraAxis.NONE;
-    }
     if (steps > Integer.MAX_VALUE) {
       throw header.wrong("it has " + Numbers.text(steps) + " time steps");
     }
-    OptionalInt time = options.time();
-    if (time.isEmpty() || time.getAsInt() < 0 || time.getAsInt() >= steps) {
-      throw Choices.time((int) steps, time, header.file());
-    }
-    notes.add("time step " + time.getAsInt() + " of " + (int) steps + ", counted from 0");
-    return new ExtraAxis(3, (int) steps, time.getAsInt());
+    return new ExtraAxis(3, (int) steps, Choices.step((int) steps, options, header.file(), notes));
   }
 
   private static long byteCount(NiftiHeader header, VoxelGrid grid, ExtraAxis extra, VoxelType type)

@@ -3,7 +3,6 @@ package org.palpate.io;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -146,19 +145,11 @@ record NrrdAxes(
           int position = (int) space.stream().filter(other -> other < here).count();
           // with two axes of space the third is there in thought, one voxel thick, at the end
           int place = position == space.size() ? 3 : position;
-          extra = new ExtraAxis(place, sizes[axis], chosen(sizes[axis]));
+          extra = new ExtraAxis(place, sizes[axis], 0);
         }
       }
-      return extra;
-    }
-
-    private int chosen(int count) throws VolumeFormatException {
-      OptionalInt time = options.time();
-      if (time.isEmpty() || time.getAsInt() < 0 || time.getAsInt() >= count) {
-        throw Choices.time(count, time, header.file());
-      }
-      notes.add("step " + time.getAsInt() + " of " + count + " (0 to " + (count - 1) + ")");
-      return time.getAsInt();
+      int step = Choices.step(extra.count(), options, header.file(), notes);
+      return new ExtraAxis(extra.position(), extra.count(), step);
     }
 
     private VoxelGrid grid(List<Integer> space) throws VolumeFormatException {

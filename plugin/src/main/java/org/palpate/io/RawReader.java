@@ -2,6 +2,7 @@ package org.palpate.io;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.palpate.io.VolumeHeader.ValueRange;
 import org.palpate.io.VolumeHeader.World;
@@ -13,6 +14,7 @@ final class RawReader {
 
   static VolumeReader open(Path file, RawLayout layout, ReadOptions options)
       throws VolumeFormatException {
+    Choices.step(1, options, file, new ArrayList<>());
     VoxelGrid grid =
         Grids.ofSpacing(
             new int[] {layout.sizeX(), layout.sizeY(), layout.sizeZ()}, layout.spacingMm(), file);

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.VolumeHeader.World;
 import org.palpate.volume.VoxelGrid;
@@ -58,21 +57,15 @@ final class TiffReader implements VolumeReader {
 
   private void chooseSlices(List<TiffPage> pages, ImagejDescription imagej)
       throws VolumeFormatException {
-    int extra = imagej.channels() * imagej.frames();
-    if (extra <= 1 || pages.size() % extra != 0) {
-      slices.addAll(pages);
-      return;
-    }
-    OptionalInt time = options.time();
-    if (time.isEmpty() || time.getAsInt() < 0 || time.getAsInt() >= extra) {
-      throw Choices.time(extra, time, tiff.file());
-    }
+    int told = imagej.channels() * imagej.frames();
+    int extra = told > 1 && pages.size() % told == 0 ? told : 1;
+    int step = Choices.step(extra, options, tiff.file(), notes);
     int depth = pages.size() / extra;
-    int frame = time.getAsInt() / imagej.channels();
-    int channel = time.getAsInt() % imagej.channels();
-    notes.add("step " + time.getAsInt() + " of " + extra + ", counted from 0");
+    int channels = extra == 1 ? 1 : imagej.channels();
+    int frame = step / channels;
+    int channel = step % channels;
     for (int k = 0; k < depth; k++) {
-      slices.add(pages.get((frame * depth + k) * imagej.channels() + channel));
+      slices.add(pages.get((frame * depth + k) * channels + channel));
     }
   }
 

@@ -22,6 +22,7 @@ public final class VolumeFiles {
     if (Files.isDirectory(file) && options.raw().isEmpty()) {
       return DicomFolder.open(file, options);
     }
+    Choices.requireNoSeries(options, file);
     if (options.raw().isPresent()) {
       return RawReader.open(file, options.raw().get(), options);
     }

@@ -4,9 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.geometry.Vec3;
@@ -86,6 +88,44 @@ class DicomReaderTest {
         assertThrows(
             VolumeFormatException.class, () -> VolumeFiles.open(folder, ReadOptions.defaults()));
     assertTrue(refused.getMessage().contains("--series 1 to --series"), refused.getMessage());
+  }
+
+  /** JJ2000 would read two bytes of all ones in the head of a packet as ones without end. */
+  @Test
+  void damageThatWouldHoldUpTheJpeg2000LibraryIsRefused(@TempDir Path folder) throws Exception {
+    byte[] whole = Files.readAllBytes(TestData.file("formats/dicom/MR_small_jp2klossless.dcm"));
+    int from = place(whole, 0xFF93) + 2; // start of data
+    int to = place(whole, 0xFFD9) - 2; // end of the picture
+    for (int at = from; at < to; at++) {
+      byte[] spoiled = whole.clone();
+      spoiled[at] = -1;
+      spoiled[at + 1] = -1;
+      VolumeReader reader =
+          VolumeFiles.open(
+              Files.write(folder.resolve("spoiled.dcm"), spoiled), ReadOptions.defaults());
+      VolumeFormatException refused =
+          assertThrows(VolumeFormatException.class, () -> reader.read((k, slice) -> {}));
+      assertTrue(refused.getMessage().contains("pixels are damaged"), refused.getMessage());
+    }
+  }
+
+  private static int place(byte[] bytes, int marker) {
+    int at = 0;
+    while (bytes[at] != (byte) (marker >> 8) || bytes[at + 1] != (byte) marker) {
+      at++;
+    }
+    return at;
+  }
+
+  @Test
+  void whatThereIsNothingToChooseFromIsSaid() {
+    Path file = TestData.file("formats/dicom/CT_small.dcm");
+    ReadOptions any = ReadOptions.defaults();
+    for (ReadOptions options : List.of(any.withTime(3), any.withSeries("2"))) {
+      VolumeFormatException refused =
+          assertThrows(VolumeFormatException.class, () -> VolumeFiles.open(file, options));
+      assertTrue(refused.getMessage().contains("leave --"), refused.getMessage());
+    }
   }
 
   private static void requireWorld(VolumeReader reader, int k, double x, double y, double z) {
