@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Writes small DICOM slices of 16 bit, explicit little-endian, whose pixels all hold one value. */
+/** Writes DICOM slices of 16 bit, explicit little-endian. */
 final class DicomMaker {
   static final int COLUMNS = 6;
   static final int ROWS = 5;
@@ -17,8 +17,27 @@ final class DicomMaker {
 
   private DicomMaker() {}
 
-  /** A slice with spacings 0.5 (columns) and 0.75 mm (rows). */
+  /** A slice with spacings 0.5 (columns) and 0.75 mm (rows) whose pixels all hold one value. */
   static Path slice(Path file, String seriesUid, String position, String orientation, int value)
+      throws IOException {
+    byte[] pixels = new byte[2 * ROWS * COLUMNS];
+    for (int n = 0; n < pixels.length; n += 2) {
+      pixels[n] = (byte) value;
+      pixels[n + 1] = (byte) (value >> 8);
+    }
+    DicomMaker maker = begun(seriesUid, position, orientation);
+    maker.picture(COLUMNS, ROWS, 12, "0.75\\0.5", pixels);
+    return Files.write(file, maker.bytes.toByteArray());
+  }
+
+  /** A slice of whatever pixels, 1 mm apart, x to the left and y to the back. */
+  static Path slice(Path file, double z, int columns, int rows, byte[] pixels) throws IOException {
+    DicomMaker maker = begun("1.2.3", "0\\0\\" + z, "1\\0\\0\\0\\1\\0");
+    maker.picture(columns, rows, 16, "1\\1", pixels);
+    return Files.write(file, maker.bytes.toByteArray());
+  }
+
+  private static DicomMaker begun(String seriesUid, String position, String orientation)
       throws IOException {
     DicomMaker maker = new DicomMaker();
     maker.bytes.write(new byte[128]);
@@ -34,20 +53,20 @@ final class DicomMaker {
     maker.text(0x0020_000E, "UI", seriesUid);
     maker.text(0x0020_0032, "DS", position);
     maker.text(0x0020_0037, "DS", orientation);
-    maker.number(0x0028_0002, 1);
-    maker.number(0x0028_0010, ROWS);
-    maker.number(0x0028_0011, COLUMNS);
-    maker.text(0x0028_0030, "DS", "0.75\\0.5");
-    maker.number(0x0028_0100, 16);
-    maker.number(0x0028_0101, 12);
-    maker.number(0x0028_0102, 11);
-    maker.number(0x0028_0103, 0);
-    ByteBuffer pixels = ByteBuffer.allocate(2 * ROWS * COLUMNS).order(ByteOrder.LITTLE_ENDIAN);
-    while (pixels.hasRemaining()) {
-      pixels.putShort((short) value);
-    }
-    maker.put(0x7FE0_0010, "OW", pixels.array());
-    return Files.write(file, maker.bytes.toByteArray());
+    return maker;
+  }
+
+  private void picture(int columns, int rows, int bits, String spacing, byte[] pixels)
+      throws IOException {
+    number(0x0028_0002, 1);
+    number(0x0028_0010, rows);
+    number(0x0028_0011, columns);
+    text(0x0028_0030, "DS", spacing);
+    number(0x0028_0100, 16);
+    number(0x0028_0101, bits);
+    number(0x0028_0102, bits - 1);
+    number(0x0028_0103, 0);
+    put(0x7FE0_0010, "OW", pixels);
   }
 
   private void text(int tag, String vr, String text) throws IOException {
