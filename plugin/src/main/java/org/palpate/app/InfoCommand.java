@@ -109,13 +109,13 @@ final class InfoCommand implements Callable<Integer> {
         triple(grid.sizeX() * spacing.x, grid.sizeY() * spacing.y, grid.sizeZ() * spacing.z)
             + " mm");
     line("type", header.type().description());
-    line("axes", header.world().description());
+    line("world", header.world().description());
     VolumeWords.place(header).forEach(words -> line("", words));
     header.notes().forEach(note -> line("note", note));
   }
 
   private static String triple(double x, double y, double z) {
-    return CsvNumbers.people(x) + " x " + CsvNumbers.people(y) + " x " + CsvNumbers.people(z);
+    return VolumeWords.number(x) + " x " + VolumeWords.number(y) + " x " + VolumeWords.number(z);
   }
 
   private void printValues(ValueSurvey.Found found) {

@@ -148,7 +148,7 @@ public final class ValueSurvey implements SliceSink {
     counts.keySet().stream()
         .filter(value -> value != 0)
         .forEach(value -> labels.add(value.longValue()));
-    if (counts.size() <= 2) {
+    if (counts.size() <= 2 && !isNamed(labels)) {
       // a mask without 0 has its lower value as background
       return labels.subList(labels.size() == 2 ? 1 : 0, labels.size());
     }
@@ -157,8 +157,11 @@ public final class ValueSurvey implements SliceSink {
 
   /** Whether the table has every label; one without names says that all values are labels. */
   private boolean isTableOf(List<Long> labels) {
-    return table.isPresent()
-        && (table.get().labels().isEmpty() || table.get().labels().keySet().containsAll(labels));
+    return table.isPresent() && (table.get().labels().isEmpty() || isNamed(labels));
+  }
+
+  private boolean isNamed(List<Long> labels) {
+    return table.isPresent() && table.get().labels().keySet().containsAll(labels);
   }
 
   private static boolean isWhole(double value) {

@@ -28,6 +28,9 @@ class InfoCommandTest {
         "LIDC/LIDC-IDRI-0314_ge100HU_i16gz.nrrd | bone=>=200 | 2068115",
         "LIDC/LIDC-IDRI-0314_bone200_u8gz.nrrd | bone=nonzero | 2068115",
         "labels/HN-Atlas-labels.nrrd | all=nonzero | 972670",
+        "labels/HN-Atlas-labels.nrrd | bones=label:9,10,11,12,13,14,15,16,17,21,22,23,24,25,26,27,"
+            + "28,31,32,33,34,35,36 | 660896",
+        "totalseg/example_seg_fast_force_split.nii.gz | all=nonzero | 345988",
         "labels/Skull.nrrd | skull=nonzero | 532633"
       })
   void countsTheVoxelsOfRealScans(String file, String segment, String voxels) throws IOException {
