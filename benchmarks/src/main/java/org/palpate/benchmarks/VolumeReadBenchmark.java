@@ -2,10 +2,17 @@ package org.palpate.benchmarks;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.PrintStream;
 import java.io.UncheckedIOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.zip.GZIPInputStream;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -41,6 +48,7 @@ import org.palpate.volume.phantom.Phantom;
 @Measurement(iterations = 5, time = 1)
 public class VolumeReadBenchmark {
   private static final int BUFFER_BYTES = 1 << 16;
+  private static final int ROUNDS = 15;
 
   /** Compressed by gzip, or plain. */
   @Param({"nrrd", "nii.gz", "nii"})
@@ -120,5 +128,52 @@ public class VolumeReadBenchmark {
         .get(0)
         .bits()
         .solidCount();
+  }
+
+  /** One of the three, for {@link #main}. */
+  private interface Way {
+    long run() throws IOException;
+  }
+
+  /**
+   * Processor time of each and ratios to the bytes alone, in turns, so that what else the machine
+   * does falls on all alike. Takes the formats to make, or none with {@code -Dpalpate.volume}.
+   */
+  public static void main(String[] args) throws IOException {
+    for (String format : args.length > 0 ? List.of(args) : List.of("nrrd")) {
+      VolumeReadBenchmark benchmark = new VolumeReadBenchmark();
+      benchmark.format = format;
+      benchmark.makeFile();
+      benchmark.compare(System.out);
+      benchmark.deleteFile();
+    }
+  }
+
+  private void compare(PrintStream out) throws IOException {
+    Map<String, Way> ways = new LinkedHashMap<>();
+    ways.put("bytes alone", this::bytesAlone);
+    ways.put("slices", this::slices);
+    ways.put("segment", this::segmentByThreshold);
+    Map<String, long[]> nanos = new LinkedHashMap<>();
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    for (int round = 0; round < ROUNDS; round++) {
+      for (Map.Entry<String, Way> way : ways.entrySet()) {
+        long start = threads.getCurrentThreadCpuTime();
+        way.getValue().run();
+        nanos.computeIfAbsent(way.getKey(), any -> new long[ROUNDS])[round] =
+            threads.getCurrentThreadCpuTime() - start;
+      }
+    }
+    nanos.values().forEach(Arrays::sort);
+    double alone = nanos.get("bytes alone")[ROUNDS / 2];
+    out.println(file.getFileName());
+    nanos.forEach(
+        (way, sorted) ->
+            out.printf(
+                Locale.ROOT,
+                "  %-12s %7.1f ms, %5.2f of the bytes alone%n",
+                way,
+                sorted[ROUNDS / 2] / 1e6,
+                sorted[ROUNDS / 2] / alone));
   }
 }
