@@ -3,13 +3,12 @@ package org.palpate.benchmarks.stability;
 import java.util.List;
 
 /**
- * A device as the model has it. Force, stiffness and workspace are as published by CHAI3D for the
- * device of that name; mass, damping and encoder step are not published with them and are swept or
- * assumed.
+ * A device as the model has it. Force and workspace are as published by CHAI3D for the device of
+ * that name; mass, damping and encoder step are not published with them and are swept or assumed.
  *
  * @param name as a person knows it
  * @param maxForceNewton nominal maximum
- * @param maxStiffnessNewtonPerMm largest stiffness that it is said to render
+ * @param maxStiffnessNewtonPerMm largest stiffness of its specification in the native layer
  * @param handleKg apparent mass of the handle
  * @param dampingNewtonSecondPerM physical damping b
  * @param encoderStepMm smallest step of position
@@ -28,11 +27,11 @@ public record DeviceModel(
           new DeviceModel("Touch", 3.3, 0.4, 0.05, 0.5, 0.055),
           new DeviceModel("Omni", 3.3, 0.7, 0.05, 0.5, 0.055),
           new DeviceModel("Premium 1.5", 8.5, 0.8, 0.075, 0.5, 0.03),
-          new DeviceModel("Falcon", 8, 3, 0.15, 1, 0.06),
-          new DeviceModel("lambda", 12, 8, 0.3, 2, 0.0015),
-          new DeviceModel("sigma", 12, 4, 0.3, 2, 0.0015),
-          new DeviceModel("omega", 12, 5, 0.2, 2, 0.009),
-          new DeviceModel("delta", 20, 5, 0.25, 2, 0.03));
+          new DeviceModel("Falcon", 8, 1.5, 0.15, 1, 0.06),
+          new DeviceModel("lambda", 12, 0.4, 0.3, 2, 0.0015),
+          new DeviceModel("sigma", 12, 0.45, 0.3, 2, 0.0015),
+          new DeviceModel("omega", 12, 1.9, 0.2, 2, 0.009),
+          new DeviceModel("delta", 20, 0.7, 0.25, 2, 0.03));
 
   /** The same with another mass. */
   public DeviceModel withHandleKg(double kg) {

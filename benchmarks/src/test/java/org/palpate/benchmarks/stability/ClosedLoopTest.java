@@ -38,6 +38,14 @@ class ClosedLoopTest {
   }
 
   @Test
+  void everyDevicesDefaultStiffnessRestsWithAMarginOfTwo() {
+    List<DeviceRow> rows =
+        new StabilityStudy(true, List.of(StabilityStudy.GUARDED), line -> {}).devices();
+    StabilityStudy.leastMargins(rows)
+        .forEach((device, margin) -> assertTrue(margin >= 2, device + " margin=" + margin));
+  }
+
+  @Test
   void theTheoryIsColgatesForNoDelay() {
     assertEquals(2 * 3 * 1000, new Sampling(1000, 0).passiveNewtonPerM(3), 1e-9);
     assertEquals(3 * 1000 / 2.5, new Sampling(1000, 2).passiveNewtonPerM(3), 1e-9);
