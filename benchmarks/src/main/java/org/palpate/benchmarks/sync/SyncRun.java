@@ -15,6 +15,7 @@ import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.BitmapEncoder.BitmapFormat;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
+import org.knowm.xchart.CategorySeries.CategorySeriesRenderStyle;
 import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
@@ -143,21 +144,23 @@ public final class SyncRun {
             .width(900)
             .height(560)
             .title("A haptic frame that changes the scene (median of the rounds)")
-            .xAxisTitle("how it changes the scene")
-            .yAxisTitle("work of a frame, microseconds")
+            .xAxisTitle("frames")
+            .yAxisTitle("work at most, microseconds")
             .build();
     chart.getStyler().setYAxisLogarithmic(true);
-    List<String> ways = new ArrayList<>();
-    for (SyncWay way : SyncWay.values()) {
-      ways.add(way.title());
-    }
+    // A bar starts at nothing, which has no logarithm: lines do not.
+    chart.getStyler().setDefaultSeriesRenderStyle(CategorySeriesRenderStyle.Line);
+    chart.getStyler().setOverlapped(true);
+    List<String> shares = new ArrayList<>();
     for (double percentile : PERCENTILES) {
+      shares.add(percentile == 100 ? "all" : CsvNumbers.people(percentile) + " %");
+    }
+    for (SyncWay way : SyncWay.values()) {
       List<Double> values = new ArrayList<>();
-      for (SyncWay way : SyncWay.values()) {
+      for (double percentile : PERCENTILES) {
         values.add(median(rows, way, percentile));
       }
-      String name = percentile == 100 ? "largest" : CsvNumbers.people(percentile) + " %";
-      chart.addSeries(name, ways, values);
+      chart.addSeries(way.title(), shares, values);
     }
     try (NewFile out = new NewFile(file)) {
       BitmapEncoder.saveBitmap(chart, out.stream(), BitmapFormat.PNG);
