@@ -33,6 +33,9 @@ public final class GuardedSolver implements ProxySolver {
    */
   private static final double CUT_SHORT = 1 - 0x1p-40;
 
+  /** By more than a few roundings can hide. */
+  private static final double SURELY_LESS = 1 - 0x1p-40;
+
   /**
    * From how far behind the device, in shortest voxel edges, a climb goes up more than one stair.
    * The farther the device, the less a step along a convex surface brings: on a torus pressed 10
@@ -43,6 +46,9 @@ public final class GuardedSolver implements ProxySolver {
 
   /** A fourth stair was measured to bring nothing. */
   private static final int STAIRS_IF_FAR = 3;
+
+  /** Along a longer way the ray cast, which skips empty bricks, is faster than voxel by voxel. */
+  private static final double LONGEST_ROW_VOXELS = 16;
 
   private static final int NOTHING_HELD = 0;
 
@@ -188,7 +194,11 @@ public final class GuardedSolver implements ProxySolver {
 
   private boolean cutToPathLeft() {
     double leftMm = maxStepMm - legs.lengthMm();
-    double lengthMm = distance(p, target);
+    double square = square(p, target);
+    if (leftMm > 0 && square < leftMm * leftMm * SURELY_LESS) {
+      return false; // mostly, and without a square root
+    }
+    double lengthMm = Math.sqrt(square);
     if (lengthMm <= leftMm) {
       return false;
     }
@@ -208,15 +218,22 @@ public final class GuardedSolver implements ProxySolver {
    * where it does.
    */
   private boolean isFree(Vec3 to) {
-    return voxel.contains(to)
-        || !obstacles.cast(caster, ray.from(p.x, p.y, p.z).to(to.x, to.y, to.z), hit);
+    return voxel.contains(to) || !meetsSolid(to);
+  }
+
+  private boolean meetsSolid(Vec3 to) {
+    int axis = voxel.axisOfWay(to);
+    if (axis >= 0 && Math.abs(to.get(axis) - p.get(axis)) <= LONGEST_ROW_VOXELS) {
+      return voxel.meetsAlong(axis, to.get(axis), hit);
+    }
+    return obstacles.cast(caster, ray.from(p.x, p.y, p.z).to(to.x, to.y, to.z), hit);
   }
 
   /** Goes on the way to the target to just before the face that was hit. */
   private boolean approach(boolean alongSurface) {
     int axis = hit.axis;
     boolean up = target.get(axis) > p.get(axis);
-    int cell = axis == 0 ? hit.i : axis == 1 ? hit.j : hit.k;
+    int cell = hit.cell(axis);
     double stop = up ? cell - STOP_SHORT_VOXELS : cell + 1 + STOP_SHORT_VOXELS;
     if (up ? stop <= p.get(axis) : stop >= p.get(axis)) {
       return false;
@@ -353,10 +370,14 @@ public final class GuardedSolver implements ProxySolver {
   }
 
   private double distance(Vec3 from, Vec3 to) {
-    return metric.distance(from.x, from.y, from.z, to.x, to.y, to.z);
+    return Math.sqrt(square(from, to));
   }
 
   private double squareToDevice(Vec3 from) {
-    return metric.squaredDistance(from.x, from.y, from.z, device.x, device.y, device.z);
+    return square(from, device);
+  }
+
+  private double square(Vec3 from, Vec3 to) {
+    return metric.squaredDistance(from.x, from.y, from.z, to.x, to.y, to.z);
   }
 }

@@ -1,6 +1,7 @@
 package org.palpate.proxy;
 
 import org.palpate.geometry.Vec3;
+import org.palpate.raycast.RayHit;
 
 /**
  * The empty voxel that the interaction point is in, and what can be told from it and its 26
@@ -123,6 +124,57 @@ final class PointVoxel {
     return (least >= gap * deltaX ? 1 : 0)
         | (least >= gap * deltaY ? 2 : 0)
         | (least >= gap * deltaZ ? 4 : 0);
+  }
+
+  /**
+   * The axis along which the straight way to {@code to} runs, where it runs along one and touches
+   * only the voxels that it goes through; else -1.
+   */
+  int axisOfWay(Vec3 to) {
+    boolean alongX = to.x != p.x;
+    boolean alongY = to.y != p.y;
+    boolean alongZ = to.z != p.z;
+    if (alongX) {
+      return !alongY && !alongZ && isInsideBut(0) ? 0 : -1;
+    }
+    if (alongY) {
+      return !alongZ && isInsideBut(1) ? 1 : -1;
+    }
+    return isInsideBut(2) ? 2 : -1;
+  }
+
+  /**
+   * Whether the way along an axis touches a solid, and the first one that it meets. Exact: a row of
+   * voxels is looked at, and nothing computed but {@code hit.t}.
+   *
+   * @param axis as {@link #axisOfWay} says
+   */
+  boolean meetsAlong(int axis, double to, RayHit hit) {
+    double from = p.get(axis);
+    int step = to > from ? 1 : -1;
+    int last = to > from ? (int) Math.floor(to) : (int) Math.ceil(to) - 1;
+    if (cell(axis) == last || isFreeBeside(axis, step, last)) {
+      return false;
+    }
+    int at = cell(axis);
+    do {
+      at += step;
+      if (isSolidInRow(axis, at)) {
+        double plane = step > 0 ? at : at + 1;
+        hit.set((plane - from) / (to - from), i, j, k, axis);
+        hit.setCell(axis, at);
+        return true;
+      }
+    } while (at != last);
+    return false;
+  }
+
+  private boolean isFreeBeside(int axis, int step, int last) {
+    return cell(axis) + step == last && solidBeside(step * Neighbourhoods.step(axis)) == 0;
+  }
+
+  private boolean isSolidInRow(int axis, int at) {
+    return obstacles.isSolid(axis == 0 ? at : i, axis == 1 ? at : j, axis == 2 ? at : k);
   }
 
   /** Whether the next voxel along an axis is empty, and one beside that towards the device. */

@@ -33,6 +33,22 @@ public final class RayHit {
     axis = newAxis;
   }
 
+  /** The voxel's coordinate along an axis. */
+  public int cell(int ofAxis) {
+    return ofAxis == 0 ? i : ofAxis == 1 ? j : k;
+  }
+
+  /** Sets the voxel's coordinate along an axis. */
+  public void setCell(int ofAxis, int cell) {
+    if (ofAxis == 0) {
+      i = cell;
+    } else if (ofAxis == 1) {
+      j = cell;
+    } else {
+      k = cell;
+    }
+  }
+
   public void set(RayHit other) {
     set(other.t, other.i, other.j, other.k, other.axis);
   }
