@@ -12,16 +12,16 @@ import org.palpate.host.PointerDevice;
 import org.palpate.host.TouchSession;
 import org.palpate.interaction.LoopStatus;
 import org.palpate.io.NewFile;
-import org.palpate.scene.GraphicsException;
-import org.palpate.scene.Picture;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
-import org.palpate.scene.SceneWindow;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.SynchronizationThread;
 import org.palpate.scene.Theme;
 import org.palpate.scene.TouchSync;
 import org.palpate.scene.WorldAxes;
+import org.palpate.scene.window.GraphicsException;
+import org.palpate.scene.window.Picture;
+import org.palpate.scene.window.SceneWindow;
 import org.palpate.volume.SegmentedVolume;
 
 /**

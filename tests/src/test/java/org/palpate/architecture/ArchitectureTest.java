@@ -1,7 +1,6 @@
 package org.palpate.architecture;
 
 import static com.tngtech.archunit.base.DescribedPredicate.describe;
-import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
@@ -102,13 +101,7 @@ class ArchitectureTest {
 
   @Test
   void packagesHaveNoCycles() {
-    slices()
-        .matching("org.palpate.(**)")
-        .should()
-        .beFreeOfCycles()
-        // One house: the window opens the renderer, and the renderer draws the scene's state.
-        .ignoreDependency(resideInAPackage("..scene"), resideInAPackage("..scene.gl"))
-        .check(CLASSES);
+    slices().matching("org.palpate.(**)").should().beFreeOfCycles().check(CLASSES);
   }
 
   @Test

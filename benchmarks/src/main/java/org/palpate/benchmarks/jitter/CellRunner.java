@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.concurrent.TimeUnit;
-import org.palpate.scene.Graphics;
+import org.palpate.scene.window.Graphics;
 
 /** Runs cells, each in a fresh process, one after the other. Belongs to one thread. */
 final class CellRunner {

@@ -4,13 +4,13 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
-import org.palpate.scene.GraphicsException;
-import org.palpate.scene.OffscreenScene;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
+import org.palpate.scene.window.GraphicsException;
+import org.palpate.scene.window.OffscreenScene;
 import org.palpate.volume.SegmentedVolume;
 
 /**

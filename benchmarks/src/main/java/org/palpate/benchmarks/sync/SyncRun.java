@@ -22,7 +22,7 @@ import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
 import org.palpate.io.CsvNumbers;
 import org.palpate.io.NewFile;
-import org.palpate.scene.GraphicsException;
+import org.palpate.scene.window.GraphicsException;
 import org.palpate.volume.phantom.Phantom;
 
 /**

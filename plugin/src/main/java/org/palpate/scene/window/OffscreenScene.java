@@ -1,4 +1,4 @@
-package org.palpate.scene;
+package org.palpate.scene.window;
 
 import com.jogamp.opengl.GL3;
 import com.jogamp.opengl.GLCapabilities;
@@ -7,6 +7,7 @@ import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLOffscreenAutoDrawable;
 import com.jogamp.opengl.GLProfile;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.SceneState;
 import org.palpate.scene.gl.SceneRenderer;
 
 /**

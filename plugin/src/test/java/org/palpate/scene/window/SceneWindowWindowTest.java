@@ -1,4 +1,4 @@
-package org.palpate.scene;
+package org.palpate.scene.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -10,6 +10,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.Palette;
+import org.palpate.scene.SceneModel;
+import org.palpate.scene.StandardView;
+import org.palpate.scene.Theme;
+import org.palpate.scene.WorldAxes;
 
 class SceneWindowWindowTest {
   private static final long PATIENCE_S = 60;

@@ -1,4 +1,4 @@
-package org.palpate.scene;
+package org.palpate.scene.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -12,6 +12,13 @@ import org.junit.jupiter.api.Test;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.SceneLoader;
+import org.palpate.scene.SceneModel;
+import org.palpate.scene.StandardView;
+import org.palpate.scene.Stereo;
+import org.palpate.scene.Theme;
+import org.palpate.scene.TouchMarks;
+import org.palpate.scene.WorldAxes;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;

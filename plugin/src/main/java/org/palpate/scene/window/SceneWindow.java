@@ -1,4 +1,4 @@
-package org.palpate.scene;
+package org.palpate.scene.window;
 
 import com.jogamp.newt.event.WindowAdapter;
 import com.jogamp.newt.event.WindowEvent;
@@ -17,6 +17,8 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.SceneModel;
+import org.palpate.scene.SceneState;
 import org.palpate.scene.gl.SceneRenderer;
 
 /**

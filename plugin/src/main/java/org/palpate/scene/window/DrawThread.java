@@ -1,4 +1,4 @@
-package org.palpate.scene;
+package org.palpate.scene.window;
 
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;

@@ -1,4 +1,4 @@
-package org.palpate.scene;
+package org.palpate.scene.window;
 
 /** Nothing can be drawn here: no display, no driver, too old a driver. */
 public final class GraphicsException extends Exception {

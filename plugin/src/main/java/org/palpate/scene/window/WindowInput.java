@@ -1,4 +1,4 @@
-package org.palpate.scene;
+package org.palpate.scene.window;
 
 import com.jogamp.newt.event.KeyAdapter;
 import com.jogamp.newt.event.KeyEvent;
@@ -14,6 +14,10 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import java.util.function.IntSupplier;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.SceneModel;
+import org.palpate.scene.SceneState;
+import org.palpate.scene.StandardView;
+import org.palpate.scene.Stereo;
 
 /**
  * What mouse and keys do. Left drag touches where the mouse is the hand, else turns; right drag

@@ -1,4 +1,4 @@
-package org.palpate.scene;
+package org.palpate.scene.window;
 
 import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL;

@@ -1,4 +1,4 @@
-package org.palpate.scene;
+package org.palpate.scene.window;
 
 import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
