@@ -30,6 +30,7 @@ public final class WorkspaceDevice implements HapticDevice {
   private double speed = 1;
   private int lastButtons;
   private boolean clutched;
+  private volatile boolean clutchWanted;
   private boolean returning;
   private boolean placed;
   private long releasedNanos;
@@ -124,7 +125,8 @@ public final class WorkspaceDevice implements HapticDevice {
   }
 
   private void changeClutch(int buttons, long nanos) {
-    boolean held = (buttons & controls.clutchButton()) != 0 && placed;
+    boolean wanted = clutchWanted || (buttons & controls.clutchButton()) != 0;
+    boolean held = wanted && placed;
     if (clutched && !held) {
       heldMm.sub(stepMm, offsetMm);
       releasedNanos = nanos;
@@ -162,6 +164,16 @@ public final class WorkspaceDevice implements HapticDevice {
   public boolean write(Vec3 forceNewton) {
     workspace.toDeviceForce(forceNewton, deviceNewton);
     return device.write(deviceNewton.mul(forceShare, deviceNewton));
+  }
+
+  /** Holds the clutch as its button does, or lets it go, from the next sample on. Any thread. */
+  public void holdClutch(boolean wanted) {
+    clutchWanted = wanted;
+  }
+
+  /** Whether {@link #holdClutch} holds the clutch. Any thread. */
+  public boolean isClutchWanted() {
+    return clutchWanted;
   }
 
   /** Whether the clutch is held. Haptic thread. */

@@ -105,9 +105,9 @@ public final class HapticFrame {
       release();
       return FrameOutcome.DEVICE_GONE;
     }
-    takeRequests();
     ramp.advance(elapsedNanos);
     freed = false;
+    takeRequests();
     editSolids();
     respond(watchdog.judge(status, sample, nowNanos), elapsedNanos);
     boolean reached = device.write(forceNewton);
@@ -124,6 +124,9 @@ public final class HapticFrame {
       solver.reset();
       point.surfaceHeightMm = 0;
       point.handsOver = false;
+      if (placed && isBuried()) {
+        setFree(point.position); // a baseline may have left it in a solid, where no other starts
+      }
     }
   }
 

@@ -168,6 +168,24 @@ class WorkspaceDeviceTest {
   }
 
   @Test
+  void theClutchCanBeHeldFromOutside() {
+    HandHeld hand = new HandHeld();
+    WorkspaceDevice device =
+        new WorkspaceDevice(hand, randomWorkspace(), WorkspaceDevice.Controls.standard());
+    DeviceState state = new DeviceState();
+    device.read(state);
+    Vec3 before = new Vec3().set(state.positionMm);
+    device.holdClutch(true);
+    hand.next.positionMm.set(9, 8, 7);
+    device.read(state);
+    assertTrue(device.isClutched() && device.isClutchWanted());
+    assertTrue(before.sameBits(state.positionMm));
+    device.holdClutch(false);
+    device.read(state);
+    assertFalse(device.isClutched());
+  }
+
+  @Test
   void theClutchTakesTheForceAwayAtOnceAndBringsItBackSlowly() {
     HandHeld hand = new HandHeld();
     Workspace same = new Workspace(RigidTransform.identity(), new Vec3(1, 1, 1));

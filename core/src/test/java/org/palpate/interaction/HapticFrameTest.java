@@ -268,6 +268,24 @@ class HapticFrameTest {
   }
 
   @Test
+  void aSolverThatIsGivenAPointInASolidStartsFromAFreeOne() {
+    ScriptedDevice device = descendsTo(5);
+    HapticFrame frame = floor.frame(device);
+    frame.requestSolver((obstacles, d, point) -> point.position.set(d)); // goes into the floor
+    run(frame, 20);
+    assertTrue(isBuried(frame));
+    frame.requestSolver(new GuardedSolver(Floor.METRIC, 8));
+    run(frame, 1);
+    assertTrue(frame.wasFreed());
+    assertFalse(isBuried(frame));
+  }
+
+  private boolean isBuried(HapticFrame frame) {
+    Vec3 p = frame.point().position;
+    return floor.obstacles.touches(p.x, p.y, p.z);
+  }
+
+  @Test
   void publishesDevicePointForceAndContactOfTheSameFrame() {
     Accumulator accumulator = new Accumulator();
     TouchProperties touch = new TouchProperties(accumulator);

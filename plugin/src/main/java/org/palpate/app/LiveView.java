@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Locale;
 import javax.imageio.ImageIO;
 import org.palpate.device.HapticDevice;
+import org.palpate.device.WorkspaceDevice;
+import org.palpate.host.Feel;
 import org.palpate.host.PointerDevice;
 import org.palpate.host.TouchSession;
 import org.palpate.interaction.LoopStatus;
@@ -22,6 +24,7 @@ import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.scene.window.Picture;
 import org.palpate.scene.window.SceneWindow;
+import org.palpate.scene.window.WindowInput;
 import org.palpate.volume.SegmentedVolume;
 
 /**
@@ -37,7 +40,6 @@ final class LiveView implements AutoCloseable {
   private final TouchSession session;
   private final SegmentedVolume volume;
   private final HapticDevice device;
-  private final String solver;
   private final PrintWriter out;
   private final Runnable stop;
   private final SceneModel model;
@@ -46,6 +48,7 @@ final class LiveView implements AutoCloseable {
   private final Thread opening;
   private SceneLoader loader;
   private volatile SceneWindow window;
+  private volatile boolean retuned;
   private boolean closed;
   private List<String> lines = List.of();
   private long linesNanos;
@@ -56,7 +59,6 @@ final class LiveView implements AutoCloseable {
    * A view that is not open yet.
    *
    * @param device what is held; the mouse moves it where it is a {@link PointerDevice}
-   * @param solver for the corner
    * @param out gets a line where there can be no window
    * @param stop ends the session: Escape, or the window closed
    */
@@ -65,13 +67,11 @@ final class LiveView implements AutoCloseable {
       SegmentedVolume volume,
       WorldAxes axes,
       HapticDevice device,
-      String solver,
       PrintWriter out,
       Runnable stop) {
     this.session = session;
     this.volume = volume;
     this.device = device;
-    this.solver = solver;
     this.out = out;
     this.stop = stop;
     model = new SceneModel(axes, Theme.DARK);
@@ -112,9 +112,36 @@ final class LiveView implements AutoCloseable {
   private void addKeys(SceneWindow opened) {
     opened.input().onKey('s', "snapshot to a file", () -> opened.takeSnapshot(this::save));
     opened.input().onKey(ESCAPE, "end", stop);
+    addFeelKeys(opened.input());
     if (device instanceof PointerDevice pointer) {
       opened.input().setPointer(pointer::moveTo);
     }
+    if (device instanceof WorkspaceDevice mapped) {
+      opened
+          .input()
+          .onKey(
+              ' ',
+              "clutch: hold the point, or let it go",
+              () -> retune(() -> toggleClutch(mapped)));
+    }
+  }
+
+  private void addFeelKeys(WindowInput input) {
+    Feel feel = session.feel();
+    input.onKey('+', "stiffer", () -> retune(feel::stiffer));
+    input.onKey('-', "softer", () -> retune(feel::softer));
+    input.onKey('.', "more friction", () -> retune(feel::rougher));
+    input.onKey(',', "less friction", () -> retune(feel::slipperier));
+    input.onKey('n', "next solver: guarded, smooth, paper, dot", () -> retune(feel::nextSolver));
+  }
+
+  private static void toggleClutch(WorkspaceDevice mapped) {
+    mapped.holdClutch(!mapped.isClutchWanted());
+  }
+
+  private void retune(Runnable change) {
+    change.run();
+    retuned = true;
   }
 
   private void save(Picture picture) {
@@ -150,7 +177,8 @@ final class LiveView implements AutoCloseable {
   private List<String> overlay() {
     long now = System.nanoTime();
     boolean moved = sync.applications() != linesApplications;
-    if (moved && now - linesNanos >= OVERLAY_NANOS) {
+    if (retuned || (moved && now - linesNanos >= OVERLAY_NANOS)) {
+      retuned = false;
       LoopStatus status = session.status();
       double rate = (status.frames() - linesFrames) * 1e9 / (now - linesNanos);
       lines = lines(status, linesNanos == 0 ? "" : String.format(Locale.ROOT, "%.0f Hz   ", rate));
@@ -164,15 +192,27 @@ final class LiveView implements AutoCloseable {
   private List<String> lines(LoopStatus status, String rate) {
     SceneWindow shown = window;
     return List.of(
-        String.format(
-            Locale.ROOT, "%slate %.0f µs   %s", rate, status.latestLatenessNanos() / 1e3, solver),
+        String.format(Locale.ROOT, "%slate %.0f µs", rate, status.latestLatenessNanos() / 1e3),
         String.format(
             Locale.ROOT,
             "%.2f N   %s",
             status.forceNewton(),
             status.contact() ? "contact" : "free"),
+        feelLine(),
         shown == null ? "" : shown.drawnOfAll(),
         "h: help");
+  }
+
+  private String feelLine() {
+    Feel feel = session.feel();
+    boolean clutched = device instanceof WorkspaceDevice mapped && mapped.isClutchWanted();
+    return String.format(
+        Locale.ROOT,
+        "%s   %.2f N/mm   friction %.2f%s",
+        feel.solver(),
+        feel.force().stiffnessNewtonPerMm(),
+        feel.force().friction(),
+        clutched ? "   clutch held" : "");
   }
 
   /** Ticks of the synchronization a second. */

@@ -196,8 +196,6 @@ final class TouchCommand implements Callable<Integer> {
     if (headless || !Graphics.hasDisplay()) {
       return Optional.empty();
     }
-    String solver = scene.settings().solver().toString();
-    return Optional.of(
-        new LiveView(session, scene.volume(), axes, opened, solver, out, watch::stop));
+    return Optional.of(new LiveView(session, scene.volume(), axes, opened, out, watch::stop));
   }
 }

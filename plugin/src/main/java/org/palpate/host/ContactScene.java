@@ -89,18 +89,26 @@ public final class ContactScene {
 
   /** A solver as the settings want it. */
   public ProxySolver newSolver() {
-    return switch (settings.solver()) {
+    return newSolver(settings.solver());
+  }
+
+  /** Another solver; it finds collisions as the settings' solver does, or by its own default. */
+  public ProxySolver newSolver(SolverKind kind) {
+    CollisionChoice collision =
+        kind == settings.solver() ? settings.collision() : kind.defaultCollision();
+    BorderVoxels border = BorderVoxels.onTheFly();
+    return switch (kind) {
       case GUARDED -> new GuardedSolver(metric, maxStepMm);
       case SMOOTH -> new SmoothSolver(metric, maxStepMm);
-      case DOT -> new DotSolver(newCaster(), metric, maxStepMm, BorderVoxels.onTheFly());
-      case PAPER -> new PaperSolver(newCaster(), metric, maxStepMm, BorderVoxels.onTheFly());
-      case NONE -> new CollisionOnlySolver(newCaster(), metric);
+      case DOT -> new DotSolver(newCaster(collision), metric, maxStepMm, border);
+      case PAPER -> new PaperSolver(newCaster(collision), metric, maxStepMm, border);
+      case NONE -> new CollisionOnlySolver(newCaster(collision), metric);
     };
   }
 
-  private RayCaster newCaster() {
-    return switch (settings.collision().method()) {
-      case SAMPLED -> new SampledRayCaster(settings.collision().stepVoxels());
+  private static RayCaster newCaster(CollisionChoice collision) {
+    return switch (collision.method()) {
+      case SAMPLED -> new SampledRayCaster(collision.stepVoxels());
       case GRIDPLANES -> new GridPlanesRayCaster();
       case EXACT -> new ExactRayCaster();
     };

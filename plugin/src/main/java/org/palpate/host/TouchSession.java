@@ -43,6 +43,7 @@ public final class TouchSession implements AutoCloseable {
 
   private final HapticDevice device;
   private final HapticLoop loop;
+  private final Feel feel;
   private final TouchProperties properties = new TouchProperties(new Accumulator());
   private final List<Property> taken = properties.accumulator().properties();
   private long ticks;
@@ -67,6 +68,7 @@ public final class TouchSession implements AutoCloseable {
     FrameSettings frameSettings = scene.liveFrame(worldDevice.specification(), defaultNewtonPerMm);
     HapticFrame frame =
         scene.newFrame(new GridDevice(device, scene.grid()), frameSettings, properties::publish);
+    feel = new Feel(frame, scene, frameSettings.force(), worldDevice.specification());
     Runnable warmUp = warmUp(scene, frameSettings, settings.periodNanos());
     loop = new HapticLoop(frame, settings.withWarmUp(warmUp), listener);
   }
@@ -105,6 +107,11 @@ public final class TouchSession implements AutoCloseable {
         property.applied();
       }
     }
+  }
+
+  /** What the surface feels like, to be changed while it is touched. Any thread. */
+  public Feel feel() {
+    return feel;
   }
 
   /** A glance at the loop. Any thread. */
