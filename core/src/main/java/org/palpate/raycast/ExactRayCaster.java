@@ -55,16 +55,22 @@ public final class ExactRayCaster implements RayCaster {
     if (!isOrdinary(dx) || !isOrdinary(dy) || !isOrdinary(dz)) {
       return exhaustive.cast(cube, newRay, newHit);
     }
-    if (NearRayWalk.isNear(dx, dy, dz)) {
-      int answer = NearRayWalk.walk(cube, newRay, newHit);
-      if (answer != NearRayWalk.DOUBT) {
-        return answer == NearRayWalk.HIT;
-      }
+    int answer = walkWhereSure(cube, newRay, dx, dy, dz, newHit);
+    if (answer != NearRayWalk.DOUBT) {
+      return answer == NearRayWalk.HIT;
     }
     bits = cube;
     ray = newRay;
     hit = newHit;
     return castLayers(box);
+  }
+
+  private static int walkWhereSure(
+      BitCube cube, Ray ray, double dx, double dy, double dz, RayHit hit) {
+    if (NearRayWalk.isNear(dx, dy, dz)) {
+      return NearRayWalk.walk(cube, ray, hit);
+    }
+    return FarRayWalk.isWithinReach(ray) ? FarRayWalk.walk(cube, ray, hit) : NearRayWalk.DOUBT;
   }
 
   /** Whether the ray lies on one side of the box. Exact: only comparisons. */

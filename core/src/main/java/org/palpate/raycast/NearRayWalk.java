@@ -17,7 +17,7 @@ final class NearRayWalk {
   static final int DOUBT = 2;
 
   /** Longer rays are better served by a walk that skips empty bricks. */
-  private static final double LONGEST_VOXELS = 24;
+  private static final double LONGEST_VOXELS = 10;
 
   private NearRayWalk() {}
 
@@ -48,6 +48,8 @@ final class NearRayWalk {
     if (isSolid(brick, i, j, k)) {
       hit.set(0, i, j, k, RayHit.NO_AXIS);
       return HIT;
+    } else if (staysAmongEmpty(brick, i, j, k, ray)) {
+      return MISS;
     }
     // Of a component that is 0 the reciprocal is infinite, and the next plane crossed there: never.
     final double inverseX = 1 / (ray.toX - fromX);
@@ -62,11 +64,10 @@ final class NearRayWalk {
     while (true) {
       int axis = nextX < nextY ? (nextX < nextZ ? 0 : 2) : (nextY < nextZ ? 1 : 2);
       double t = axis == 0 ? nextX : axis == 1 ? nextY : nextZ;
-      double doubt = AxisWalk.doubt(t);
-      if (t > 1 + doubt) {
+      if (t > 1 + AxisWalk.doubt(t)) {
         return MISS;
       }
-      if (median(nextX, nextY, nextZ) - t <= doubt || t + doubt >= 1) {
+      if (isInDoubt(t, median(nextX, nextY, nextZ))) {
         return DOUBT;
       }
       int cellBefore;
@@ -83,10 +84,9 @@ final class NearRayWalk {
         k += 2 * aheadZ - 1;
         nextZ = (k + aheadZ - fromZ) * inverseZ;
       }
-      brick =
-          leavesBrick(cellBefore, axis == 0 ? i : axis == 1 ? j : k)
-              ? brickOf(bits, i, j, k)
-              : brick;
+      if (leavesBrick(cellBefore, axis == 0 ? i : axis == 1 ? j : k)) {
+        brick = brickOf(bits, i, j, k);
+      }
       if (isSolid(brick, i, j, k)) {
         hit.set(t, i, j, k, axis);
         return HIT;
@@ -94,10 +94,46 @@ final class NearRayWalk {
     }
   }
 
-  private static double median(double a, double b, double c) {
+  /** Whether the next plane may be crossed before this one, or this one behind the ray's end. */
+  static boolean isInDoubt(double t, double nextT) {
+    double doubt = AxisWalk.doubt(t);
+    return nextT - t <= doubt || t + doubt >= 1;
+  }
+
+  static double median(double a, double b, double c) {
     double low = a < b ? a : b;
     double high = a < b ? b : a;
     return c < low ? low : c < high ? c : high;
+  }
+
+  /**
+   * Whether the box from the ray's first cell to its last lies in one brick and holds no solid:
+   * then the ray, which starts and ends on no plane, touches none, and nothing is divided.
+   */
+  private static boolean staysAmongEmpty(long brick, int i, int j, int k, Ray ray) {
+    int endI = (int) Math.floor(ray.toX);
+    int endJ = (int) Math.floor(ray.toY);
+    int endK = (int) Math.floor(ray.toZ);
+    return ((i ^ endI) | (j ^ endJ) | (k ^ endK)) >>> BitCube.BRICK_SHIFT == 0
+        && endI != ray.toX
+        && endJ != ray.toY
+        && endK != ray.toZ
+        && (brick & layersX(i & 3, endI & 3) & layersY(j & 3, endJ & 3) & layersZ(k & 3, endK & 3))
+            == 0;
+  }
+
+  /** The voxels of a brick from one layer across x to another, both included, in either order. */
+  private static long layersX(int one, int other) {
+    return ((2 << Math.max(one, other)) - (1 << Math.min(one, other))) * 0x1111_1111_1111_1111L;
+  }
+
+  private static long layersY(int one, int other) {
+    int rows = (16 << (Math.max(one, other) << 2)) - (1 << (Math.min(one, other) << 2));
+    return rows * 0x0001_0001_0001_0001L;
+  }
+
+  private static long layersZ(int one, int other) {
+    return -1L >>> ((3 - Math.max(one, other)) << 4) & -1L << (Math.min(one, other) << 4);
   }
 
   private static boolean leavesBrick(int cellBefore, int cell) {

@@ -67,6 +67,71 @@ class ExactRayCasterTest {
     assertTrue(hits > 10_000, "too few hits to mean anything: " + hits);
   }
 
+  @Test
+  void agreesWithTheExhaustiveWayOnLongRaysThroughEmptyBricks() {
+    long seed = Seeds.seed();
+    SplittableRandom random = new SplittableRandom(seed);
+    ExhaustiveRayCaster exhaustive = new ExhaustiveRayCaster(new ExactPredicates());
+    RayHit expected = new RayHit();
+    int hits = 0;
+    for (int scene = 0; scene < 40; scene++) {
+      BitCube bits = clusters(random);
+      for (int n = 0; n < 500; n++) {
+        Ray ray = longRay(random);
+        String what = "seed=" + seed + " scene=" + scene + " ray " + n + " " + ray;
+        boolean found = caster.cast(bits, ray, hit);
+        assertEquals(exhaustive.cast(bits, ray, expected), found, what);
+        if (found) {
+          hits++;
+          assertEquals(expected.t, hit.t, 1e-13, what);
+          assertTrue(bits.get(hit.i, hit.j, hit.k), what);
+          assertTrue(new ExactPredicates().touchesVoxel(ray, hit.i, hit.j, hit.k), what);
+        }
+      }
+    }
+    assertTrue(hits > 2_000, "too few hits to mean anything: " + hits);
+  }
+
+  private static BitCube clusters(SplittableRandom random) {
+    BitCube bits = new BitCube(90, 61, 130);
+    for (int cluster = 0; cluster < 60; cluster++) {
+      int i = random.nextInt(90);
+      int j = random.nextInt(61);
+      int k = random.nextInt(130);
+      for (int n = 0; n < 80; n++) {
+        bits.set(
+            Math.min(89, i + random.nextInt(8)),
+            Math.min(60, j + random.nextInt(8)),
+            Math.min(129, k + random.nextInt(8)));
+      }
+    }
+    return bits;
+  }
+
+  /** Anywhere, from outside, along axes and diagonals, on planes and off them. */
+  private static Ray longRay(SplittableRandom random) {
+    Ray ray = new Ray().from(place(random, 90), place(random, 61), place(random, 130));
+    ray.to(place(random, 90), place(random, 61), place(random, 130));
+    switch (random.nextInt(6)) {
+      case 0 -> ray.toX = ray.fromX;
+      case 1 -> {
+        ray.toY = ray.fromY;
+        ray.toZ = ray.fromZ;
+      }
+      case 2 -> {
+        double length = random.nextInt(-60, 60);
+        ray.to(ray.fromX + length, ray.fromY + length, ray.fromZ - length);
+      }
+      default -> {}
+    }
+    return ray;
+  }
+
+  private static double place(SplittableRandom random, int size) {
+    double anywhere = random.nextDouble(-40, size + 40);
+    return random.nextInt(5) == 0 ? Math.rint(4 * anywhere) / 4 : anywhere;
+  }
+
   private boolean agrees(BitCube bits, Ray ray, String what) {
     double expected = ExactOracle.firstTouch(bits, ray);
     boolean found = caster.cast(bits, ray, hit);
