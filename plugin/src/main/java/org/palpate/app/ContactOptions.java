@@ -1,9 +1,15 @@
 package org.palpate.app;
 
+import java.util.Optional;
 import java.util.OptionalDouble;
+import org.palpate.force.FrictionForm;
 import org.palpate.host.CollisionChoice;
+import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
+import org.palpate.io.VolumeFormatException;
+import org.palpate.proxy.smooth.GreySurface;
+import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Option;
 
 /** The options that say how it feels: solver, collision, force. */
@@ -42,6 +48,25 @@ public final class ContactOptions {
   private double friction;
 
   @Option(
+      names = "--friction-form",
+      paramLabel = "FORM",
+      description = {
+        "How friction is computed: equation4 (the paper's), shorter (its shorter form, for",
+        "comparison) or cone (static and sliding). Default: ${DEFAULT-VALUE}."
+      },
+      defaultValue = "equation4")
+  private String frictionForm;
+
+  @Option(
+      names = "--smooth-from",
+      paramLabel = "WHAT",
+      description = {
+        "What the solver smooth makes its surface of: grey values, where the one segment is a",
+        "threshold (NAME=>=VALUE), or bits. Default: grey where it can."
+      })
+  private String smoothFrom;
+
+  @Option(
       names = "--max-step",
       paramLabel = "MM",
       description = {
@@ -67,7 +92,55 @@ public final class ContactOptions {
   /** All of them together, checked. */
   public ContactSettings settings() {
     return new ContactSettings(
-        solver(), collision(), stiffnessNewtonPerMm(), friction(), maxStepMm(), maxForceNewton());
+        solver(),
+        collision(),
+        stiffnessNewtonPerMm(),
+        friction(),
+        maxStepMm(),
+        maxForceNewton(),
+        frictionForm());
+  }
+
+  private FrictionForm frictionForm() {
+    return switch (frictionForm) {
+      case "equation4" -> FrictionForm.EQUATION_4;
+      case "shorter" -> FrictionForm.SHORTER;
+      case "cone" -> FrictionForm.CONE;
+      default ->
+          throw PalpateException.wrongUse(
+              "no such form of friction",
+              "--friction-form " + frictionForm,
+              "choose equation4, shorter or cone");
+    };
+  }
+
+  /**
+   * What can be touched, of a source.
+   *
+   * @param segments that were read from it
+   * @throws VolumeFormatException where its grey values are needed and cannot be read
+   */
+  ContactScene scene(VolumeSource source, SegmentedVolume segments) throws VolumeFormatException {
+    return new ContactScene(segments, settings(), grey(source));
+  }
+
+  private Optional<GreySurface> grey(VolumeSource source) throws VolumeFormatException {
+    boolean grey = "grey".equals(smoothFrom);
+    if (smoothFrom != null && !grey && !smoothFrom.equals("bits")) {
+      throw PalpateException.wrongUse(
+          "no such source of a surface", "--smooth-from " + smoothFrom, "choose grey or bits");
+    }
+    if (solver() != SolverKind.SMOOTH || (smoothFrom != null && !grey)) {
+      return Optional.empty();
+    }
+    Optional<GreySurface> found = source.greySurface();
+    if (grey && found.isEmpty()) {
+      throw PalpateException.wrongUse(
+          "a surface of grey values needs one segment made by a threshold",
+          "--smooth-from grey",
+          "choose one with --segment NAME=>=VALUE, or leave --smooth-from out");
+    }
+    return found;
   }
 
   /** Force over distance, N/mm of scan, where it was given. */

@@ -147,7 +147,7 @@ final class RenderCommand implements Callable<Integer> {
     Report report = new Report("render", output.report(), inputs);
     SegmentedVolume segments = source.segments();
     SceneModel model = new SceneModel(axes(source.header().world()), theme);
-    showHand(model, segments);
+    showHand(model, source, segments);
     long started = System.nanoTime();
     try (SceneLoader loader =
         new SceneLoader(model, segments, Runtime.getRuntime().availableProcessors())) {
@@ -206,9 +206,10 @@ final class RenderCommand implements Callable<Integer> {
     };
   }
 
-  private void showHand(SceneModel model, SegmentedVolume segments) throws IOException {
+  private void showHand(SceneModel model, VolumeSource source, SegmentedVolume segments)
+      throws IOException {
     if (trajectory != null) {
-      ContactScene scene = new ContactScene(segments, contact.settings());
+      ContactScene scene = contact.scene(source, segments);
       model.setMarks(Optional.of(TouchedMarks.of(trajectory, scene, model.axes())));
     }
   }

@@ -96,7 +96,7 @@ final class ReplayCommand implements Callable<Integer> {
     Trajectory trajectory = new Trajectory();
     TrajectoryCsv.read(trajectoryFile, !rawDevice, trajectory::add);
     SegmentedVolume segments = source.segments();
-    ContactScene scene = new ContactScene(segments, contact.settings());
+    ContactScene scene = contact.scene(source, segments);
     FrameCounts counts =
         run(new ReplayRun(scene, trajectory, world, rawDevice), trajectory, tables);
     print(counts);

@@ -105,7 +105,7 @@ final class TouchCommand implements Callable<Integer> {
     checkDistinct(record);
     sayFirst(source, choice, settings);
     SegmentedVolume segments = source.segments();
-    ContactScene scene = new ContactScene(segments, settings);
+    ContactScene scene = contact.scene(source, segments);
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
     try (HapticDevice opened = choice.open(target, source.header().world(), loop.periodNanos())) {

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.palpate.io.CsvNumbers;
+import org.palpate.io.GreyVolumes;
 import org.palpate.io.LabelTable;
 import org.palpate.io.PhantomReader;
 import org.palpate.io.RawLayout;
@@ -21,6 +22,7 @@ import org.palpate.io.VolumeFiles;
 import org.palpate.io.VolumeFormatException;
 import org.palpate.io.VolumeHeader;
 import org.palpate.io.VolumeReader;
+import org.palpate.proxy.smooth.GreySurface;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
 
@@ -142,6 +144,20 @@ final class VolumeSource {
       throw refusal(found);
     }
     return read(specsOf(found.labels()));
+  }
+
+  /**
+   * The grey values that the one segment was made of by a threshold; empty where it was made
+   * otherwise, or where there are several.
+   */
+  Optional<GreySurface> greySurface() throws VolumeFormatException {
+    if (asked.size() != 1
+        || !(asked.get(0).rule() instanceof SegmentSpec.Range range)
+        || Double.isInfinite(range.low())
+        || !Double.isInfinite(range.high())) {
+      return Optional.empty();
+    }
+    return Optional.of(GreySurface.ofThreshold(GreyVolumes.read(reader), range.low()));
   }
 
   /** Reads segments by the given rules. */

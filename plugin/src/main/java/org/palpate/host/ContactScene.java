@@ -1,6 +1,7 @@
 package org.palpate.host;
 
 import java.util.List;
+import java.util.Optional;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
@@ -18,6 +19,7 @@ import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.PaperSolver;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.smooth.GreySurface;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.GridPlanesRayCaster;
@@ -39,9 +41,21 @@ public final class ContactScene {
   private final Metric metric;
   private final double maxStepMm;
   private final EditQueue edits;
+  private final Optional<GreySurface> grey;
 
   /** A scene over a volume whose bits the haptic thread alone will change. */
   public ContactScene(SegmentedVolume volume, ContactSettings settings) {
+    this(volume, settings, Optional.empty());
+  }
+
+  /**
+   * The same with the grey values that its one segment was made of.
+   *
+   * @param grey what {@link SolverKind#SMOOTH} makes its surface of; of the bits where empty
+   */
+  public ContactScene(
+      SegmentedVolume volume, ContactSettings settings, Optional<GreySurface> grey) {
+    this.grey = grey;
     this.volume = volume;
     this.settings = settings;
     Vec3 spacing = volume.grid().spacingMm();
@@ -69,6 +83,11 @@ public final class ContactScene {
   /** w_max, the most that the interaction point travels in a frame, mm. */
   public double maxStepMm() {
     return maxStepMm;
+  }
+
+  /** The grey values that the smooth solver goes by, if any. */
+  public Optional<GreySurface> grey() {
+    return grey;
   }
 
   /** Where changes of the segments are queued while a session runs. */
@@ -99,7 +118,9 @@ public final class ContactScene {
     BorderVoxels border = BorderVoxels.onTheFly();
     return switch (kind) {
       case GUARDED -> new GuardedSolver(metric, maxStepMm);
-      case SMOOTH -> new SmoothSolver(metric, maxStepMm);
+      case SMOOTH ->
+          grey.map(values -> new SmoothSolver(metric, maxStepMm, values))
+              .orElseGet(() -> new SmoothSolver(metric, maxStepMm));
       case DOT -> new DotSolver(newCaster(collision), metric, maxStepMm, border);
       case PAPER -> new PaperSolver(newCaster(collision), metric, maxStepMm, border);
       case NONE -> new CollisionOnlySolver(newCaster(collision), metric);
@@ -120,8 +141,8 @@ public final class ContactScene {
    * @param defaultNewtonPerMm stiffness where the settings give none
    */
   public ForceSettings force(double defaultNewtonPerMm) {
-    return ForceSettings.of(
-        settings.stiffnessNewtonPerMm().orElse(defaultNewtonPerMm), settings.friction());
+    double newtonPerMm = settings.stiffnessNewtonPerMm().orElse(defaultNewtonPerMm);
+    return new ForceSettings(newtonPerMm, settings.friction(), settings.frictionForm(), true);
   }
 
   /** The settings of a live session's frame with a device. */

@@ -1,6 +1,7 @@
 package org.palpate.host;
 
 import java.util.OptionalDouble;
+import org.palpate.force.FrictionForm;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -13,6 +14,7 @@ import org.palpate.geometry.Vec3;
  * @param maxStepMm w_max, the most that the point travels in a frame; {@link #defaultMaxStepMm}
  *     where empty
  * @param maxForceNewton the largest force; the device's maximum where empty
+ * @param frictionForm how friction is computed
  */
 public record ContactSettings(
     SolverKind solver,
@@ -20,7 +22,26 @@ public record ContactSettings(
     OptionalDouble stiffnessNewtonPerMm,
     double friction,
     OptionalDouble maxStepMm,
-    OptionalDouble maxForceNewton) {
+    OptionalDouble maxForceNewton,
+    FrictionForm frictionForm) {
+
+  /** With friction by the paper's equation (4). */
+  public ContactSettings(
+      SolverKind solver,
+      CollisionChoice collision,
+      OptionalDouble stiffnessNewtonPerMm,
+      double friction,
+      OptionalDouble maxStepMm,
+      OptionalDouble maxForceNewton) {
+    this(
+        solver,
+        collision,
+        stiffnessNewtonPerMm,
+        friction,
+        maxStepMm,
+        maxForceNewton,
+        FrictionForm.EQUATION_4);
+  }
 
   /** The larger of 8 shortest and 3 longest voxel edges, mm. */
   public static double defaultMaxStepMm(Vec3 spacingMm) {

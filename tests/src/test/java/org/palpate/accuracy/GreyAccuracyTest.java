@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.benchmarks.accuracy.Accuracy;
 import org.palpate.benchmarks.accuracy.AccuracyMeter;
 import org.palpate.benchmarks.accuracy.SlideTrajectory;
@@ -14,6 +16,7 @@ import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.smooth.GreySurface;
 import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.testing.Seeds;
 import org.palpate.volume.phantom.Phantom;
 
 /** Errors of the smooth solver's force where it knows the grey values. */
@@ -22,6 +25,14 @@ class GreyAccuracyTest {
   private static final int FRAMES = 3000;
   private static final long SEED = 7;
   private static final Metric UNIT = new Metric(1, 1, 1);
+
+  @ParameterizedTest
+  @ValueSource(strings = {"sphere:64:grey", "plane:64:grey", "torus:64:grey"})
+  void theContrastIsToldByTheValuesAtTheSurface(String spec) {
+    GreySolids solid = new GreySolids(Phantom.parse(spec), 0, Seeds.seed());
+    double contrast = GreySurface.ofThreshold(solid.volume, Phantom.HALF_GREY).contrast();
+    assertEquals(Phantom.HALF_GREY, contrast, 0.15 * Phantom.HALF_GREY, spec);
+  }
 
   @Test
   void aPlaneIsFeltToAThirdOfADegree() {

@@ -1,6 +1,7 @@
 package org.palpate.guarantee;
 
 import java.io.IOException;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.device.DeviceState;
 import org.palpate.device.SimulatedDevice;
@@ -12,6 +13,7 @@ import org.palpate.host.ReplayRun;
 import org.palpate.host.SolverKind;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
+import org.palpate.proxy.smooth.GreySurface;
 import org.palpate.raycast.Ray;
 import org.palpate.testing.ExactOracle;
 import org.palpate.volume.BitCube;
@@ -39,6 +41,13 @@ final class SessionLegs implements ReplayRun.FrameSink {
   /** Runs a seeded hand over a volume. */
   static SessionLegs of(SegmentedVolume volume, SolverKind solver, long seed, int frames)
       throws IOException {
+    return of(volume, solver, Optional.empty(), seed, frames);
+  }
+
+  /** The same over the grey values that the volume's one segment was made of. */
+  static SessionLegs of(
+      SegmentedVolume volume, SolverKind solver, Optional<GreySurface> grey, long seed, int frames)
+      throws IOException {
     ContactSettings settings =
         new ContactSettings(
             solver,
@@ -47,7 +56,7 @@ final class SessionLegs implements ReplayRun.FrameSink {
             0.2,
             OptionalDouble.empty(),
             OptionalDouble.empty());
-    ContactScene scene = new ContactScene(volume, settings);
+    ContactScene scene = new ContactScene(volume, settings, grey);
     SessionLegs counted = new SessionLegs(volume);
     new ReplayRun(scene, hand(scene, seed, frames), true, false).run(counted);
     return counted;

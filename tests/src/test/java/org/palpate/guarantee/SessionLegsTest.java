@@ -8,14 +8,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.host.SolverKind;
+import org.palpate.io.GreyVolumes;
 import org.palpate.io.ReadOptions;
 import org.palpate.io.SegmentBuilder;
 import org.palpate.io.SegmentSpec;
 import org.palpate.io.VolumeFiles;
+import org.palpate.proxy.smooth.GreySurface;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
@@ -50,10 +53,31 @@ class SessionLegsTest {
     isKept(file, scan(file, segment), solver);
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "CThead/CThead_u16gz.nrrd, 1500",
+    "LIDC/LIDC-IDRI-0314_ge100HU_i16gz.nrrd, 200",
+    "totalseg/example_ct.nii.gz, 200"
+  })
+  void noLegTouchesASolidWhereGreyValuesMakeTheSurface(String file, double threshold)
+      throws IOException {
+    SegmentedVolume volume = scan(file, "bone=>=" + threshold);
+    GreySurface grey =
+        GreySurface.ofThreshold(
+            GreyVolumes.read(VolumeFiles.open(data(file), ReadOptions.defaults())), threshold);
+    isKept(
+        file,
+        SolverKind.SMOOTH,
+        SessionLegs.of(volume, SolverKind.SMOOTH, Optional.of(grey), Seeds.seed(), FRAMES));
+  }
+
   private static void isKept(String name, SegmentedVolume volume, SolverKind solver)
       throws IOException {
+    isKept(name, solver, SessionLegs.of(volume, solver, Seeds.seed(), FRAMES));
+  }
+
+  private static void isKept(String name, SolverKind solver, SessionLegs session) {
     long seed = Seeds.seed();
-    SessionLegs session = SessionLegs.of(volume, solver, seed, FRAMES);
     String where = name + " by " + solver + ", seed " + seed + ": " + session.firstFault();
     assertEquals(0, session.legsThroughSolids(), where);
     assertEquals(0, session.brokenChains(), where);
@@ -94,10 +118,14 @@ class SessionLegsTest {
   }
 
   private static SegmentedVolume scan(String name, String segment) throws IOException {
+    return SegmentBuilder.read(
+        VolumeFiles.open(data(name), ReadOptions.defaults()), List.of(SegmentSpec.parse(segment)));
+  }
+
+  private static Path data(String name) {
     Path file = Path.of(System.getProperty("palpate.data", "../shared/data"), name);
     Assumptions.assumeTrue(
         Files.exists(file), () -> "skipped: there is no " + file + " (-Dpalpate.data=DIR)");
-    return SegmentBuilder.read(
-        VolumeFiles.open(file, ReadOptions.defaults()), List.of(SegmentSpec.parse(segment)));
+    return file;
   }
 }

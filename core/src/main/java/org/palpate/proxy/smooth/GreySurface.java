@@ -20,6 +20,23 @@ public record GreySurface(ScalarVolume volume, double threshold, double contrast
     }
   }
 
+  /**
+   * By how much of the whole step two neighbours along an axis differ on average, of which one is
+   * in the segment and one is not, where the edge is sharp: over all directions of a ball's
+   * surface.
+   */
+  private static final double PAIR_SHARE_OF_STEP = 0.61;
+
+  /**
+   * With the contrast that the values have at the surface: half the step from one side of it to the
+   * other, told by neighbours that the threshold parts. One pass over the values.
+   */
+  public static GreySurface ofThreshold(ScalarVolume volume, double threshold) {
+    StepTally tally = new StepTally(volume, threshold);
+    double step = tally.meanDifference() / PAIR_SHARE_OF_STEP;
+    return new GreySurface(volume, threshold, step > 0 && step < Double.MAX_VALUE ? step / 2 : 1);
+  }
+
   /** The share of a voxel of this value that is solid, 0 to 1. */
   double share(double value) {
     double share = 0.5 + 0.5 * (value - threshold) / contrast;
