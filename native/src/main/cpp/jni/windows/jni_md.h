@@ -1,0 +1,14 @@
+#ifndef PALPATE_JNI_MD_H
+#define PALPATE_JNI_MD_H
+
+// What jni.h wants to know of Windows, for a cross build with the headers of another system's JDK.
+
+#define JNIEXPORT __declspec(dllexport)
+#define JNIIMPORT __declspec(dllimport)
+#define JNICALL __stdcall
+
+using jint = long;
+using jlong = long long;
+using jbyte = signed char;
+
+#endif
