@@ -36,6 +36,11 @@ public final class NativeLibrary {
     return LOADED.origin;
   }
 
+  /** Calls native code that does nothing: the yardstick of what a crossing costs. */
+  public static void crossOnce() {
+    NativeCalls.nothing();
+  }
+
   /** One line: why it could not be loaded and what to do; empty where it was. */
   public static String whyNot() {
     return LOADED.whyNot;
