@@ -22,8 +22,8 @@ palpate_capabilities FakeDevice::capabilities() {
   return can;
 }
 
-FakeDevice::FakeDevice(const std::string& folder, const std::string& serial)
-    : path_(folder + "/1209-4a01-ff00-50-" + serial + ".sock"),
+FakeDevice::FakeDevice(const std::string& folder, const std::string& serial, const char* kind)
+    : path_(folder + "/" + kind + "-" + serial + ".sock"),
       listener_(socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)) {
   const palpate_capabilities can = capabilities();
   palpate_device_init(&firmware, &can);

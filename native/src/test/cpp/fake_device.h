@@ -16,7 +16,10 @@
  */
 class FakeDevice {
  public:
-  FakeDevice(const std::string& folder, const std::string& serial);
+  /** How hidapi lists a device with our protocol: vendor, product, usage page, usage. */
+  static constexpr const char* kOurs = "1209-4a01-ff00-50";
+
+  FakeDevice(const std::string& folder, const std::string& serial, const char* kind = kOurs);
   ~FakeDevice();
   FakeDevice(const FakeDevice&) = delete;
   FakeDevice& operator=(const FakeDevice&) = delete;

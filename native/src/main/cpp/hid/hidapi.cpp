@@ -71,25 +71,20 @@ HidApi& HidApi::instance() {
 }
 
 HidApi::HidApi() {
-  Library found(names(), nullptr);
-  if (!found.isFound()) {
-    whyNot = std::string("hidapi is not installed (") + found.whyNot() + "): " + howToInstall();
-    return;
-  }
-  found.need("hid_init", init);
-  found.need("hid_enumerate", enumerate);
-  found.need("hid_free_enumeration", freeEnumeration);
-  found.need("hid_open_path", openPath);
-  found.need("hid_write", write);
-  found.need("hid_read_timeout", readTimeout);
-  found.need("hid_get_feature_report", getFeature);
-  found.need("hid_close", close);
-  found.need("hid_error", error);
-  found.need("hid_version_str", version);
-  library = found.name();
-  if (!found.missing().empty()) {
-    whyNot = library + " lacks " + found.missing() + ": install hidapi 0.13 or newer";
-  } else if (init() != 0) {
+  const Wanted wanted{names(), nullptr, "hidapi", howToInstall(), "install hidapi 0.13 or newer"};
+  findFunctions(wanted, *this, [this](Library& found) {
+    found.need("hid_init", init);
+    found.need("hid_enumerate", enumerate);
+    found.need("hid_free_enumeration", freeEnumeration);
+    found.need("hid_open_path", openPath);
+    found.need("hid_write", write);
+    found.need("hid_read_timeout", readTimeout);
+    found.need("hid_get_feature_report", getFeature);
+    found.need("hid_close", close);
+    found.need("hid_error", error);
+    found.need("hid_version_str", version);
+  });
+  if (whyNot.empty() && init() != 0) {
     whyNot = library + " does not start: " + lastError(nullptr);
   }
 }

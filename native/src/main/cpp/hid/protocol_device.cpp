@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "device/clock.h"
-#include "hid/hid_backend.h"
+#include "hid/linked_device.h"
 #include "hid/protocol.h"
 #include "hid/report_order.h"
 
@@ -9,77 +9,48 @@ namespace palpate::hid {
 namespace {
 
 /** A device that speaks our protocol. One thread. */
-class ProtocolDevice : public Device {
+class ProtocolDevice : public LinkedDevice {
  public:
-  ProtocolDevice(Link link, std::shared_ptr<Trace> trace, Specification specification)
-      : Device(std::move(trace), std::move(specification)), link_(std::move(link)) {}
-
-  ReadStatus read(Sample& sample) override;
-  bool write(const Wrench& wrench) override;
-  bool close() override;
+  using LinkedDevice::LinkedDevice;
 
  private:
-  /** So many reports at once are drained; a device that sends faster is faulty. */
-  static constexpr int kMostReadsAFrame = 64;
-  static constexpr size_t kMostMerged = 4;
+  bool take(const uint8_t* bytes, size_t length, Sample& sample) override;
+  bool finish(bool fresh, Sample& sample) override;
+  size_t pack(const Wrench& wrench, bool ending, uint8_t (&report)[kMostReportBytes]) override;
+  bool takeOne(const uint8_t* report, Sample& sample);
 
-  bool takeAll(const uint8_t* bytes, size_t length, Sample& sample);
-  bool take(const uint8_t* report, Sample& sample);
-  void countLateness();
-  void pack(const Wrench& wrench, bool ending, uint8_t (&report)[kOutBytes]);
+  static_assert(kMostReadBytes % kInBytes == 0, "a joined read must not cut a report");
 
-  Link link_;
   ReportOrder order_;
   int64_t arrivedNanos_ = 0;
   uint32_t deviceMicros_ = 0;
   uint16_t outSequence_ = 0;
-  bool faulty_ = false;
   bool taken_ = false;
 };
 
-ReadStatus ProtocolDevice::read(Sample& sample) {
-  uint8_t bytes[kMostMerged * kInBytes];
-  bool fresh = false;
-  for (int i = 0; i < kMostReadsAFrame && !faulty_; i++) {
-    const int length = link_.read(bytes, sizeof bytes, trace(), counters());
-    if (length <= 0) {
-      break;
-    }
-    fresh = takeAll(bytes, static_cast<size_t>(length), sample) || fresh;
-  }
-  if (faulty_ || link_.isGone()) {
-    return ReadStatus::kDisconnected;
-  }
-  if (fresh) {
-    countLateness();
-  }
-  return fresh ? ReadStatus::kFresh : ReadStatus::kRepeated;
-}
-
 /** One read may bring several whole reports where the system below joins them. */
-bool ProtocolDevice::takeAll(const uint8_t* bytes, size_t length, Sample& sample) {
+bool ProtocolDevice::take(const uint8_t* bytes, size_t length, Sample& sample) {
   if (length % kInBytes != 0) {
     counters().wrongLength++;
     return false;
   }
   bool fresh = false;
-  for (size_t at = 0; at < length && !faulty_; at += kInBytes) {
-    const bool taken = take(bytes + at, sample);
+  for (size_t at = 0; at < length; at += kInBytes) {
+    const bool taken = takeOne(bytes + at, sample);
     counters().merged += taken && fresh ? 1 : 0;
     fresh = taken || fresh;
   }
   return fresh;
 }
 
-bool ProtocolDevice::take(const uint8_t* report, Sample& sample) {
+bool ProtocolDevice::takeOne(const uint8_t* report, Sample& sample) {
   if (report[0] != kInId) {
     counters().wrongLength++;
     return false;
   }
   const InReport in = unpackIn(report);
   if (in.fault >= kFatalFault) {
-    faulty_ = true;
-    trace().end("the device reports fault " + std::to_string(in.fault) + ": switch it off and on");
+    fail("the device reports fault " + std::to_string(in.fault) + ": switch it off and on");
     return false;
   }
   if (!order_.isNewer(in.sequence, counters())) {
@@ -92,28 +63,24 @@ bool ProtocolDevice::take(const uint8_t* report, Sample& sample) {
   return true;
 }
 
-void ProtocolDevice::countLateness() {
-  const int64_t now = steadyNanos();
-  const int64_t since = now - arrivedNanos_;
-  counters().late += taken_ && since > 2 * specification().reportIntervalNanos ? 1 : 0;
-  arrivedNanos_ = now;
-  taken_ = true;
+/** Late is what comes after more than two report intervals. */
+bool ProtocolDevice::finish(bool fresh, Sample&) {
+  if (fresh) {
+    const int64_t now = steadyNanos();
+    const int64_t since = now - arrivedNanos_;
+    counters().late += taken_ && since > 2 * specification().reportIntervalNanos ? 1 : 0;
+    arrivedNanos_ = now;
+    taken_ = true;
+  }
+  return fresh;
 }
 
-void ProtocolDevice::pack(const Wrench& wrench, bool ending, uint8_t (&report)[kOutBytes]) {
-  packOut(wrench, ending, ++outSequence_, deviceMicros_, report);
-}
-
-bool ProtocolDevice::write(const Wrench& wrench) {
-  uint8_t report[kOutBytes];
-  pack(wrench, false, report);
-  return !faulty_ && link_.write(report, sizeof report, trace(), counters());
-}
-
-bool ProtocolDevice::close() {
-  uint8_t report[kOutBytes];
-  pack(Wrench(), true, report);
-  return link_.closeWith(report, sizeof report, trace());
+size_t ProtocolDevice::pack(const Wrench& wrench, bool ending,
+                            uint8_t (&report)[kMostReportBytes]) {
+  uint8_t out[kOutBytes];
+  packOut(wrench, ending, ++outSequence_, deviceMicros_, out);
+  std::copy(std::begin(out), std::end(out), report);
+  return kOutBytes;
 }
 
 Specification specify(const Capabilities& can, const Listed& listed) {

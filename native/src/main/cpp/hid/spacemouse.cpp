@@ -2,7 +2,7 @@
 
 #include "device/clock.h"
 #include "hid/bytes.h"
-#include "hid/hid_backend.h"
+#include "hid/linked_device.h"
 
 namespace palpate::hid {
 namespace {
@@ -12,17 +12,9 @@ namespace {
  * Its axes run to the right, towards the person and down; ours to the right, up and towards. One
  * thread.
  */
-class SpaceMouse : public Device {
+class SpaceMouse : public LinkedDevice {
  public:
-  SpaceMouse(Link link, std::shared_ptr<Trace> trace, Specification specification)
-      : Device(std::move(trace), std::move(specification)), link_(std::move(link)) {}
-
-  ReadStatus read(Sample& sample) override;
-  bool write(const Wrench&) override { return !link_.isGone(); }
-  bool close() override {
-    link_.close(&trace());
-    return true;
-  }
+  using LinkedDevice::LinkedDevice;
 
   static constexpr double kReachMm = 100;
 
@@ -30,19 +22,20 @@ class SpaceMouse : public Device {
   static constexpr double kFullDeflection = 350;
   static constexpr double kFullSpeedMmPerSecond = 80;
   static constexpr double kLongestStepSeconds = 0.05;
-  static constexpr int kMostReadsAFrame = 32;
 
-  void take(const uint8_t* report, size_t length);
+  bool take(const uint8_t* bytes, size_t length, Sample& sample) override;
+  bool finish(bool fresh, Sample& sample) override;
+  size_t pack(const Wrench&, bool, uint8_t (&)[kMostReportBytes]) override { return 0; }
   void move(int64_t nowNanos);
 
-  Link link_;
   double deflection_[3] = {0, 0, 0};
   double positionMm_[3] = {0, 0, 0};
   uint32_t buttons_ = 0;
   int64_t movedNanos_ = 0;
 };
 
-void SpaceMouse::take(const uint8_t* report, size_t length) {
+/** Reports hold parts of a sample and are none by themselves. */
+bool SpaceMouse::take(const uint8_t* report, size_t length, Sample&) {
   if (report[0] == 1 && (length == 7 || length == 13)) {
     deflection_[0] = int16At(report + 1);
     deflection_[1] = -int16At(report + 5);
@@ -51,9 +44,10 @@ void SpaceMouse::take(const uint8_t* report, size_t length) {
     buttons_ = report[1] | (length > 2 ? static_cast<uint32_t>(report[2]) << 8 : 0);
   } else if (report[0] == 1 || report[0] == 3) {
     counters().wrongLength++;
-    return;
+    return false;
   }
   counters().samples++;
+  return false;
 }
 
 void SpaceMouse::move(int64_t nowNanos) {
@@ -67,24 +61,14 @@ void SpaceMouse::move(int64_t nowNanos) {
   }
 }
 
-ReadStatus SpaceMouse::read(Sample& sample) {
-  uint8_t report[64];
-  for (int i = 0; i < kMostReadsAFrame; i++) {
-    const int length = link_.read(report, sizeof report, trace(), counters());
-    if (length <= 0) {
-      break;
-    }
-    take(report, static_cast<size_t>(length));
-  }
-  if (link_.isGone()) {
-    return ReadStatus::kDisconnected;
-  }
+/** While the cap is pushed it sends nothing new and yet moves on: every read is a sample. */
+bool SpaceMouse::finish(bool, Sample& sample) {
   const int64_t now = steadyNanos();
   move(now);
   sample.timeNanos = now;
   sample.buttons = buttons_;
   std::copy(std::begin(positionMm_), std::end(positionMm_), sample.positionMm);
-  return ReadStatus::kFresh;
+  return true;
 }
 
 }  // namespace
