@@ -55,6 +55,34 @@ class Library {
   std::string whyNot_;
 };
 
+/** A vendor's library: where to look for it, and what to say where it cannot be used. */
+struct Wanted {
+  std::vector<std::string> names;
+  const char* folderVariable;  // or nullptr
+  const char* product;         // as in "OpenHaptics is not installed"
+  const char* install;         // what to do then
+  const char* update;          // what to do where it lacks functions
+};
+
+/**
+ * Looks for a library and fills the functions of `api`, which has `library` and `whyNot` for what
+ * came of it; `fill` asks a Library for each.
+ */
+template <typename Api, typename Fill>
+void findFunctions(const Wanted& wanted, Api& api, Fill fill) {
+  Library found(wanted.names, wanted.folderVariable);
+  if (!found.isFound()) {
+    api.whyNot = std::string(wanted.product) + " is not installed (" + found.whyNot() +
+                 "): " + wanted.install;
+    return;
+  }
+  api.library = found.name();
+  fill(found);
+  if (!found.missing().empty() && api.whyNot.empty()) {
+    api.whyNot = api.library + " lacks " + found.missing() + ": " + wanted.update;
+  }
+}
+
 }  // namespace palpate
 
 #endif

@@ -25,35 +25,30 @@ Dhd& Dhd::instance() {
 }
 
 Dhd::Dhd() {
-  Library found(names(), "FDSDK");
-  if (!found.isFound()) {
-    whyNot = "Force Dimension's SDK is not installed (" + found.whyNot() +
-             "): install it and let FDSDK name the folder of its library";
-    return;
-  }
-  found.need("dhdGetDeviceCount", getDeviceCount);
-  found.need("dhdOpen", open);
-  found.need("dhdOpenSerial", openSerial);
-  found.need("dhdClose", close);
-  found.need("dhdStop", stop);
-  found.need("dhdEnableForce", enableForce);
-  found.need("dhdGetSystemType", getSystemType);
-  found.need("dhdGetSystemName", getSystemName);
-  found.need("dhdGetSerialNumber", getSerialNumber);
-  found.need("dhdGetPosition", getPosition);
-  found.need("dhdGetPositionAndOrientationFrame", getPositionAndFrame);
-  found.need("dhdGetButtonMask", getButtonMask);
-  found.need("dhdSetForceAndTorque", setForceAndTorque);
-  found.need("dhdGetStatus", getStatus);
-  found.need("dhdHasWrist", hasWrist);
-  found.need("dhdHasActiveWrist", hasActiveWrist);
-  found.need("dhdErrorGetLastStr", errorGetLastStr);
-  found.wish("dhdEnableExpertMode", enableExpertMode);
-  found.wish("dhdSetWatchdog", setWatchdog);
-  library = found.name();
-  if (!found.missing().empty()) {
-    whyNot = library + " lacks " + found.missing() + ": install version 3 of the SDK";
-  }
+  const Wanted wanted{names(), "FDSDK", "Force Dimension's SDK",
+                      "install it and let FDSDK name the folder of its library",
+                      "install version 3 of the SDK"};
+  findFunctions(wanted, *this, [this](Library& found) {
+    found.need("dhdGetDeviceCount", getDeviceCount);
+    found.need("dhdOpen", open);
+    found.need("dhdOpenSerial", openSerial);
+    found.need("dhdClose", close);
+    found.need("dhdStop", stop);
+    found.need("dhdEnableForce", enableForce);
+    found.need("dhdGetSystemType", getSystemType);
+    found.need("dhdGetSystemName", getSystemName);
+    found.need("dhdGetSerialNumber", getSerialNumber);
+    found.need("dhdGetPosition", getPosition);
+    found.need("dhdGetPositionAndOrientationFrame", getPositionAndFrame);
+    found.need("dhdGetButtonMask", getButtonMask);
+    found.need("dhdSetForceAndTorque", setForceAndTorque);
+    found.need("dhdGetStatus", getStatus);
+    found.need("dhdHasWrist", hasWrist);
+    found.need("dhdHasActiveWrist", hasActiveWrist);
+    found.need("dhdErrorGetLastStr", errorGetLastStr);
+    found.wish("dhdEnableExpertMode", enableExpertMode);
+    found.wish("dhdSetWatchdog", setWatchdog);
+  });
 }
 
 std::string Dhd::lastError() const {

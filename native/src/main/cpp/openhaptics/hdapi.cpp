@@ -25,35 +25,30 @@ HdApi& HdApi::instance() {
 }
 
 HdApi::HdApi() {
-  Library found(names(), nullptr);
-  if (!found.isFound()) {
-    whyNot = "OpenHaptics is not installed (" + found.whyNot() +
-             "): install the device driver and OpenHaptics from 3D Systems";
-    return;
-  }
-  found.need("hdInitDevice", initDevice);
-  found.need("hdMakeCurrentDevice", makeCurrentDevice);
-  found.need("hdDisableDevice", disableDevice);
-  found.need("hdBeginFrame", beginFrame);
-  found.need("hdEndFrame", endFrame);
-  found.need("hdGetError", getError);
-  found.need("hdGetErrorString", getErrorString);
-  found.need("hdEnable", enable);
-  found.need("hdGetIntegerv", getIntegerv);
-  found.need("hdGetDoublev", getDoublev);
-  found.need("hdGetString", getString);
-  found.need("hdSetDoublev", setDoublev);
-  found.need("hdCheckCalibration", checkCalibration);
-  found.need("hdCheckCalibrationStyle", checkCalibrationStyle);
-  found.need("hdUpdateCalibration", updateCalibration);
-  found.need("hdStartScheduler", startScheduler);
-  found.need("hdStopScheduler", stopScheduler);
-  found.need("hdScheduleAsynchronous", scheduleAsynchronous);
-  found.need("hdUnschedule", unschedule);
-  library = found.name();
-  if (!found.missing().empty()) {
-    whyNot = library + " lacks " + found.missing() + ": install OpenHaptics 3 or newer";
-  }
+  const Wanted wanted{names(), nullptr, "OpenHaptics",
+                      "install the device driver and OpenHaptics from 3D Systems",
+                      "install OpenHaptics 3 or newer"};
+  findFunctions(wanted, *this, [this](Library& found) {
+    found.need("hdInitDevice", initDevice);
+    found.need("hdMakeCurrentDevice", makeCurrentDevice);
+    found.need("hdDisableDevice", disableDevice);
+    found.need("hdBeginFrame", beginFrame);
+    found.need("hdEndFrame", endFrame);
+    found.need("hdGetError", getError);
+    found.need("hdGetErrorString", getErrorString);
+    found.need("hdEnable", enable);
+    found.need("hdGetIntegerv", getIntegerv);
+    found.need("hdGetDoublev", getDoublev);
+    found.need("hdGetString", getString);
+    found.need("hdSetDoublev", setDoublev);
+    found.need("hdCheckCalibration", checkCalibration);
+    found.need("hdCheckCalibrationStyle", checkCalibrationStyle);
+    found.need("hdUpdateCalibration", updateCalibration);
+    found.need("hdStartScheduler", startScheduler);
+    found.need("hdStopScheduler", stopScheduler);
+    found.need("hdScheduleAsynchronous", scheduleAsynchronous);
+    found.need("hdUnschedule", unschedule);
+  });
 }
 
 }  // namespace palpate::openhaptics

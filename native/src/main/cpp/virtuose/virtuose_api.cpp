@@ -25,42 +25,36 @@ VirtuoseApi& VirtuoseApi::instance() {
 }
 
 VirtuoseApi::VirtuoseApi() {
-  Library found(names(), nullptr);
-  if (!found.isFound()) {
-    whyNot = "Haption's Virtuose API is not installed (" + found.whyNot() +
-             "): install version 4 or newer";
-    return;
-  }
-  library = found.name();
-  if (!found.need("virtOpen", open)) {
-    // Version 3 has its functions in the header alone, over one entry that takes a number.
-    whyNot = library + " is older than version 4: install Virtuose API 4 or newer";
-    return;
-  }
-  found.need("virtClose", close);
-  found.need("virtGetErrorCode", getErrorCode);
-  found.need("virtGetErrorMessage", getErrorMessage);
-  found.need("virtAPIVersion", apiVersion);
-  found.need("virtSetIndexingMode", setIndexingMode);
-  found.need("virtSetForceFactor", setForceFactor);
-  found.need("virtSetSpeedFactor", setSpeedFactor);
-  found.need("virtSetTimeStep", setTimeStep);
-  found.need("virtSetTimeoutValue", setTimeoutValue);
-  found.need("virtSetBaseFrame", setBaseFrame);
-  found.need("virtSetObservationFrame", setObservationFrame);
-  found.need("virtSetCommandType", setCommandType);
-  found.need("virtSaturateTorque", saturateTorque);
-  found.need("virtSetPowerOn", setPowerOn);
-  found.need("virtGetPosition", getPosition);
-  found.need("virtSetForce", setForce);
-  found.need("virtGetButton", getButton);
-  found.need("virtGetDeadMan", getDeadMan);
-  found.need("virtGetEmergencyStop", getEmergencyStop);
-  found.need("virtGetPowerOn", getPowerOn);
-  found.need("virtGetAlarm", getAlarm);
-  if (!found.missing().empty()) {
-    whyNot = library + " lacks " + found.missing() + ": install Virtuose API 4 or newer";
-  }
+  const Wanted wanted{names(), nullptr, "Haption's Virtuose API", "install version 4 or newer",
+                      "install Virtuose API 4 or newer"};
+  findFunctions(wanted, *this, [this](Library& found) {
+    if (!found.need("virtOpen", open)) {
+      // Version 3 has its functions in the header alone, over one entry that takes a number.
+      whyNot = library + " is older than version 4: install Virtuose API 4 or newer";
+      return;
+    }
+    found.need("virtClose", close);
+    found.need("virtGetErrorCode", getErrorCode);
+    found.need("virtGetErrorMessage", getErrorMessage);
+    found.need("virtAPIVersion", apiVersion);
+    found.need("virtSetIndexingMode", setIndexingMode);
+    found.need("virtSetForceFactor", setForceFactor);
+    found.need("virtSetSpeedFactor", setSpeedFactor);
+    found.need("virtSetTimeStep", setTimeStep);
+    found.need("virtSetTimeoutValue", setTimeoutValue);
+    found.need("virtSetBaseFrame", setBaseFrame);
+    found.need("virtSetObservationFrame", setObservationFrame);
+    found.need("virtSetCommandType", setCommandType);
+    found.need("virtSaturateTorque", saturateTorque);
+    found.need("virtSetPowerOn", setPowerOn);
+    found.need("virtGetPosition", getPosition);
+    found.need("virtSetForce", setForce);
+    found.need("virtGetButton", getButton);
+    found.need("virtGetDeadMan", getDeadMan);
+    found.need("virtGetEmergencyStop", getEmergencyStop);
+    found.need("virtGetPowerOn", getPowerOn);
+    found.need("virtGetAlarm", getAlarm);
+  });
 }
 
 std::string VirtuoseApi::lastError(Context context) const {
