@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <thread>
 
 #include "check.h"
@@ -35,6 +37,10 @@ const std::string& fakeFolder() {
     char pattern[] = "/tmp/palpate-test-XXXXXX";
     auto* made = new std::string(mkdtemp(pattern));
     setenv("PALPATE_FAKE_HID", made->c_str(), 1);
+    std::atexit([] {
+      std::error_code ignored;  // what is left of a test is no reason to fail it
+      std::filesystem::remove_all(fakeFolder(), ignored);
+    });
     return made;
   }();
   return *folder;

@@ -11,9 +11,9 @@ module=$(CDPATH='' cd -- "$(dirname -- "$0")/../../.." && pwd -P)
 build=$module/target/cmake-tests
 [ $# -gt 0 ] || set -- touch --device hid --seconds 10 --headless
 cmake -S "$module" -B "$build" -DPALPATE_TESTS=ON -DPALPATE_JNI=OFF >/dev/null
-cmake --build "$build" --target help | grep -q umock_hid || {
+case $(cmake --build "$build" --target help) in *umock_hid*) ;; *)
   echo "palpate: no umockdev: virtual device: apt-get install libumockdev-dev umockdev pkg-config" >&2
-  exit 1
-}
+  exit 1 ;;
+esac
 cmake --build "$build" --target umock_hid >/dev/null
 LD_PRELOAD=libumockdev-preload.so.0 exec "$build/umock_hid" "$module/../palpate" "$@"
