@@ -61,6 +61,7 @@ final class RenderCommand implements Callable<Integer> {
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
   @Mixin private OutputOptions output;
+  @Mixin private SliceOptions slices;
 
   @Option(
       names = "--out",
@@ -147,6 +148,7 @@ final class RenderCommand implements Callable<Integer> {
     Report report = new Report("render", output.report(), inputs);
     SegmentedVolume segments = source.segments();
     SceneModel model = new SceneModel(axes(source.header().world()), theme);
+    slices.show(model, source);
     showHand(model, source, segments);
     long started = System.nanoTime();
     try (SceneLoader loader =

@@ -12,14 +12,17 @@ import org.junit.jupiter.api.Test;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.GreySlices;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
+import org.palpate.scene.SlicePlanes;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
@@ -92,6 +95,27 @@ class OffscreenSceneWindowTest {
     Picture picture = scene.draw(model.state());
     assertTrue(isDark(picture.rgb(WIDTH / 2 - 60, HEIGHT / 2)));
     assertTrue(isBluish(picture.rgb(WIDTH / 2 + 60, HEIGHT / 2)));
+  }
+
+  @Test
+  void slicesShowGreyValuesWhereTheyLie() throws Exception {
+    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    model.look(StandardView.FRONT, 4.0 / 3);
+    model.objects().forEach(object -> model.setVisible(object, false));
+    ScalarVolume values =
+        ScalarVolume.of(VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE), ScalarVolume.Storage.UINT8);
+    for (int k = 0; k < EDGE; k++) {
+      for (int n = 0; n < EDGE * EDGE; n++) {
+        values.set(n % EDGE, n / EDGE, k, n % EDGE < EDGE / 2 ? 200 : 20); // bright at low x
+      }
+    }
+    SlicePlanes planes = new GreySlices(values).through(-1, EDGE / 2, -1, model);
+    model.changeLook(look -> look.with(Optional.of(planes)));
+    Picture picture = scene.draw(model.state());
+    assertTrue((picture.rgb(WIDTH / 2 - 40, HEIGHT / 2) & 255) > 200, "bright at low x");
+    assertTrue((picture.rgb(WIDTH / 2 + 40, HEIGHT / 2) & 255) < 30, "black at high x");
+    model.changeLook(look -> look.with(Optional.<SlicePlanes>empty()));
+    assertTrue((scene.draw(model.state()).rgb(WIDTH / 2 - 40, HEIGHT / 2) & 255) < 100, "gone");
   }
 
   @Test
