@@ -14,6 +14,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.palpate.benchmarks.stress.BaselineLosses;
 import org.palpate.benchmarks.stress.ExactJudge;
 import org.palpate.benchmarks.stress.FailedCase;
+import org.palpate.benchmarks.stress.FrameAttack;
+import org.palpate.benchmarks.stress.SolverMaker;
 import org.palpate.benchmarks.stress.StressRun;
 import org.palpate.benchmarks.stress.StressTotals;
 import org.palpate.proxy.BorderVoxels;
@@ -43,6 +45,35 @@ class StressTest {
             + totals.frames()
             + " frames, 0 violations, seed "
             + Seeds.seed());
+  }
+
+  @Test
+  void smoothKeepsItsLegsUnderAttack() {
+    StressTotals totals = new StressTotals();
+    FailedCase failed =
+        new StressRun(Seeds.seed(), SolverMaker.SMOOTH).untilLegs(totals, LEGS / 5, now -> {});
+    assertNull(failed, () -> failed.summary() + " seed " + Seeds.seed());
+    System.out.println(
+        "stress of smooth: " + totals.legs() + " legs in " + totals.frames() + " frames");
+  }
+
+  @Test
+  void wholeFramesKeepThePromisesWithABadDeviceAndSolidsThatChange() {
+    FrameAttack attack = new FrameAttack();
+    String fault = attack.untilFrames(Seeds.seed(), LEGS / 10);
+    assertNull(fault);
+    System.out.println(
+        "frames under attack: "
+            + attack.legs()
+            + " legs in "
+            + attack.frames()
+            + " frames, "
+            + attack.edits()
+            + " edits, set free "
+            + attack.freed()
+            + " times, 0 violations, seed "
+            + Seeds.seed());
+    assertTrue(attack.freed() > attack.frames() / 1000, "edits reach the point");
   }
 
   @Test

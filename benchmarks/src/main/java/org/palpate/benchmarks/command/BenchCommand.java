@@ -47,6 +47,9 @@ public final class BenchCommand implements Callable<Integer> {
       })
   private boolean stability;
 
+  /** Of the frames of --stress so many run whole, with device, edits and force. */
+  private static final long WHOLE_FRAMES_SHARE = 10;
+
   @Option(
       names = "--accuracy",
       description = {
@@ -71,6 +74,13 @@ public final class BenchCommand implements Callable<Integer> {
 
   @Option(names = "--seed", paramLabel = "S", description = "With --stress: which attack (7).")
   private long seed = 7;
+
+  @Option(
+      names = "--solver",
+      paramLabel = "NAME",
+      description =
+          "With --stress: guarded (every promise) or smooth (its legs). Default: guarded.")
+  private String solver = "guarded";
 
   @Option(
       names = "--sync",
@@ -134,11 +144,28 @@ public final class BenchCommand implements Callable<Integer> {
     return 0;
   }
 
+  private StressSession.Attacked solverUnderAttack() {
+    return switch (solver) {
+      case "guarded" -> StressSession.Attacked.GUARDED;
+      case "smooth" -> StressSession.Attacked.SMOOTH;
+      default ->
+          throw PalpateException.wrongUse(
+              "no solver to attack", "--solver " + solver, "choose guarded or smooth");
+    };
+  }
+
   private void attack(Report report, PrintWriter out, PrintWriter progress) throws IOException {
-    StressSession session = new StressSession(folder, seed, progress);
+    StressSession session = new StressSession(folder, seed, solverUnderAttack(), progress);
     StressTotals totals = session.run(frames);
     out.println(
-        totals.frames() + " frames, " + totals.legs() + " legs, 0 violations, seed " + seed);
+        solver
+            + ": "
+            + totals.frames()
+            + " frames, "
+            + totals.legs()
+            + " legs, 0 violations, seed "
+            + seed);
+    out.println(session.attackFrames(frames / WHOLE_FRAMES_SHARE));
     out.println();
     session.printBaselines(out);
     report.put("seed", seed).put("frames", totals.frames()).put("legs", totals.legs());

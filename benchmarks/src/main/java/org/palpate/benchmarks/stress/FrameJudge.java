@@ -28,13 +28,21 @@ final class FrameJudge {
   private final BitCube bits;
   private final Metric metric;
   private final double maxStepMm;
+  private final boolean nearerAlways;
   private final Vec3 before = new Vec3();
   private final Vec3 held = new Vec3();
   private long heldMoves;
   private double heldPathMm;
   private long legs;
 
-  FrameJudge(HostileScene scene, Vec3 start) {
+  /**
+   * A judge of the frames from {@code start} on.
+   *
+   * @param nearerAlways whether each frame has to end strictly nearer to the device or at the same
+   *     bits, and to rest in time; a solver with a measure of its own is judged by its legs alone
+   */
+  FrameJudge(HostileScene scene, Vec3 start, boolean nearerAlways) {
+    this.nearerAlways = nearerAlways;
     bits = scene.bits();
     metric = scene.metric();
     maxStepMm = scene.maxStepMm();
@@ -56,7 +64,7 @@ final class FrameJudge {
     if (fault == null) {
       fault = faultOfProgress(device, point);
     }
-    if (fault == null) {
+    if (fault == null && nearerAlways) {
       fault = faultOfRest(device, point);
     }
     before.set(point.position);
@@ -96,7 +104,7 @@ final class FrameJudge {
       return "the path is longer than w_max: " + point.legs.lengthMm();
     }
     boolean stayed = before.sameBits(point.position);
-    boolean nearer = square(point.position, device) < square(before, device);
+    boolean nearer = !nearerAlways || square(point.position, device) < square(before, device);
     return stayed || nearer ? null : "the frame ended neither nearer nor at the same bits";
   }
 

@@ -57,7 +57,7 @@ public final class StressRun {
   private FailedCase runCase(StressTotals totals) {
     long caseSeed = caseSeed(totals.cases);
     StressCase stress = new StressCase(caseSeed);
-    FrameJudge judge = new FrameJudge(stress.scene, stress.start);
+    FrameJudge judge = new FrameJudge(stress.scene, stress.start, maker.endsNearer());
     ProxySolver solver = maker.make(stress.scene.metric(), stress.scene.maxStepMm());
     Obstacles obstacles = stress.obstacles();
     InteractionPoint point = new InteractionPoint();

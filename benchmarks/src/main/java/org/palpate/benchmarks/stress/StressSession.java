@@ -18,11 +18,31 @@ public final class StressSession {
 
   private final Path folder;
   private final long seed;
+  private final Attacked attacked;
   private final PrintWriter progress;
   private long lastLineNanos = System.nanoTime();
 
+  /** Which solver is attacked. */
+  public enum Attacked {
+    GUARDED(GuardedSolver::new),
+    SMOOTH(SolverMaker.SMOOTH);
+
+    private final SolverMaker maker;
+
+    Attacked(SolverMaker maker) {
+      this.maker = maker;
+    }
+
+    /** As on the command line. */
+    @Override
+    public String toString() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
   /** A session that keeps its files in a folder, which is made where it is not there. */
-  public StressSession(Path folder, long seed, PrintWriter progress) {
+  public StressSession(Path folder, long seed, Attacked attacked, PrintWriter progress) {
+    this.attacked = attacked;
     this.folder = folder;
     this.seed = seed;
     this.progress = progress;
@@ -36,16 +56,16 @@ public final class StressSession {
    */
   public StressTotals run(long frames) throws IOException {
     Files.createDirectories(folder);
-    Path file = folder.resolve("stress-" + seed + ".properties");
+    Path file = folder.resolve("stress-" + attacked + "-" + seed + ".properties");
     StressTotals totals = StressTotals.read(file);
     try {
       FailedCase failed =
-          new StressRun(seed, GuardedSolver::new)
+          new StressRun(seed, attacked.maker)
               .untilFrames(totals, frames, now -> tell(now, frames, file));
       totals.write(file);
       if (failed != null) {
         Path place = folder.resolve("failed-" + failed.caseSeed());
-        failed.write(place, "guarded");
+        failed.write(place, attacked.toString());
         throw new FailedCaseException(failed.summary(), place);
       }
     } catch (UncheckedIOException e) {
@@ -71,6 +91,27 @@ public final class StressSession {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  /**
+   * Runs whole frames, with a bad device, edits, and solvers that take turns.
+   *
+   * @return a line that tells what was done
+   * @throws FailedCaseException where a promise was broken
+   */
+  public String attackFrames(long frames) throws FailedCaseException {
+    FrameAttack attack = new FrameAttack();
+    String fault = attack.untilFrames(seed, frames);
+    if (fault != null) {
+      throw new FailedCaseException(fault, folder);
+    }
+    return String.format(
+        Locale.ROOT,
+        "whole frames: %d, %d legs, %d edits, set free %d times, 0 violations",
+        attack.frames(),
+        attack.legs(),
+        attack.edits(),
+        attack.freed());
   }
 
   /** Prints what other ways lose on the first cases of the seed. */

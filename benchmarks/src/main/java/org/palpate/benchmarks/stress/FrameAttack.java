@@ -1,0 +1,249 @@
+package org.palpate.benchmarks.stress;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.palpate.force.ForceSettings;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.interaction.BrushEdit;
+import org.palpate.interaction.Edit;
+import org.palpate.interaction.EditQueue;
+import org.palpate.interaction.FrameOutcome;
+import org.palpate.interaction.FramePublisher;
+import org.palpate.interaction.FrameSettings;
+import org.palpate.interaction.HapticFrame;
+import org.palpate.interaction.SwapEdit;
+import org.palpate.interaction.VoxelEdit;
+import org.palpate.proxy.GuardedSolver;
+import org.palpate.proxy.LegPath;
+import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Whole frames under attack: a {@link FaultyDevice}, a clock that jumps, voxels, balls and whole
+ * segments that change under the interaction point, solvers that take turns. Held against the
+ * promises: legs that touch no voxel that is solid when they are travelled, chains that break only
+ * where the point was set free, forces that are finite and within the device's maximum, zero at the
+ * end. The same to the bit for a seed. One thread.
+ */
+public final class FrameAttack {
+  private static final int FRAMES_A_CASE = 1000;
+  private static final double STIFFNESS_NEWTON_PER_MM = 0.7;
+  private static final double FRICTION = 0.4;
+
+  private final ExactJudge judge = new ExactJudge();
+  private long cases;
+  private long frames;
+  private long legs;
+  private long freed;
+  private long edits;
+
+  public long frames() {
+    return frames;
+  }
+
+  public long legs() {
+    return legs;
+  }
+
+  /** How often a point was set free. */
+  public long freed() {
+    return freed;
+  }
+
+  /** Edits that were carried out. */
+  public long edits() {
+    return edits;
+  }
+
+  /**
+   * Runs whole cases until so many frames are done in all.
+   *
+   * @return what went wrong first, and with which case, or null
+   */
+  public String untilFrames(long seed, long wanted) {
+    while (frames < wanted) {
+      String fault = new Case(seed * 0x9E3779B97F4A7C15L + cases++).run();
+      if (fault != null) {
+        return fault + " (case " + (cases - 1) + " of seed " + seed + ")";
+      }
+    }
+    return null;
+  }
+
+  /** One scene with its device. */
+  private final class Case {
+    private final SplittableRandom random;
+    private final HostileScene scene;
+    private final FaultyDevice device;
+    private final Obstacles obstacles;
+    private final EditQueue queue;
+    private final HapticFrame frame;
+    private final Vec3 before = new Vec3();
+    private final Vec3 at = new Vec3();
+    private final Vec3 start = new Vec3();
+    private boolean placed;
+    private long nowNanos;
+
+    Case(long seed) {
+      random = new SplittableRandom(seed);
+      scene = HostileScene.next(random);
+      BitCube bits = scene.bits();
+      HostileHand hand = new HostileHand(random.split(), bits);
+      device = new FaultyDevice(random.split(), hand, new Vec3(0.5, 0.5, 0.5));
+      obstacles = new Obstacles(List.of(bits));
+      Vec3 spacing = scene.spacingMm();
+      VoxelGrid grid =
+          new VoxelGrid(
+              bits.sizeX(), bits.sizeY(), bits.sizeZ(), spacing, RigidTransform.identity());
+      queue = new EditQueue(grid, 1);
+      frame =
+          new HapticFrame(
+              device,
+              newSolver(),
+              obstacles,
+              scene.metric(),
+              FrameSettings.live(
+                  device.specification(), ForceSettings.of(STIFFNESS_NEWTON_PER_MM, FRICTION)),
+              queue,
+              FramePublisher.NONE);
+      device.aimAt(frame.point());
+    }
+
+    private ProxySolver newSolver() {
+      return random.nextBoolean()
+          ? new GuardedSolver(scene.metric(), scene.maxStepMm())
+          : new SmoothSolver(scene.metric(), scene.maxStepMm());
+    }
+
+    String run() {
+      FrameOutcome outcome = FrameOutcome.RUNNING;
+      for (int n = 0; n < FRAMES_A_CASE && outcome == FrameOutcome.RUNNING; n++) {
+        disturb();
+        nowNanos += step();
+        before.set(frame.point().position);
+        outcome = frame.run(nowNanos); // the end where a lost write meets a long gap
+        frames++;
+        String fault = fault();
+        if (fault != null) {
+          return fault + ", frame " + n + " on " + scene.kind();
+        }
+      }
+      edits += queue.done();
+      frame.release();
+      return device.lastForce().length() == 0 ? null : "the last force is not zero";
+    }
+
+    private long step() {
+      return switch (random.nextInt(200)) {
+        case 0 -> random.nextLong(60_000_000); // a late frame, sometimes a silence
+        case 1 -> -random.nextLong(3_000_000);
+        case 2 -> 0;
+        default -> 1_000_000;
+      };
+    }
+
+    private void disturb() {
+      if (random.nextInt(25) == 0) {
+        queue.offer(edit());
+      }
+      if (random.nextInt(150) == 0) {
+        frame.requestSolver(newSolver());
+      }
+      if (random.nextInt(150) == 0) {
+        frame.requestForce(ForceSettings.of(10 * random.nextDouble(), random.nextDouble()));
+      }
+    }
+
+    private Edit edit() {
+      BitCube bits = scene.bits();
+      Vec3 p = frame.point().position;
+      boolean solid = random.nextInt(3) != 0;
+      return switch (random.nextInt(5)) {
+        case 0 -> new SwapEdit(0, otherBits());
+        case 1, 2 -> brush(p, solid);
+        default ->
+            new VoxelEdit(
+                0,
+                near(p.x, bits.sizeX()),
+                near(p.y, bits.sizeY()),
+                near(p.z, bits.sizeZ()),
+                solid);
+      };
+    }
+
+    private Edit brush(Vec3 p, boolean solid) {
+      BitCube bits = scene.bits();
+      Vec3 centre =
+          new Vec3(
+              near(p.x, bits.sizeX()) + 0.5,
+              near(p.y, bits.sizeY()) + 0.5,
+              near(p.z, bits.sizeZ()) + 0.5);
+      double shortest =
+          Math.min(scene.spacingMm().x, Math.min(scene.spacingMm().y, scene.spacingMm().z));
+      return new BrushEdit(0, centre, shortest * (0.3 + 3 * random.nextDouble()), solid);
+    }
+
+    /** The voxel that the point is in or one near it, within the grid. */
+    private int near(double coordinate, int size) {
+      double voxel = Math.floor(coordinate) + random.nextInt(-1, 2);
+      return (int) Math.max(0, Math.min(size - 1, voxel));
+    }
+
+    private BitCube otherBits() {
+      BitCube bits = obstacles.cube(0).copy();
+      for (int n = 0; n < 200; n++) {
+        int i = random.nextInt(bits.sizeX());
+        int j = random.nextInt(bits.sizeY());
+        int k = random.nextInt(bits.sizeZ());
+        if (random.nextBoolean()) {
+          bits.set(i, j, k);
+        } else {
+          bits.clear(i, j, k);
+        }
+      }
+      return bits;
+    }
+
+    private String fault() {
+      freed += frame.wasFreed() ? 1 : 0;
+      Vec3 force = device.lastForce();
+      if (!(force.length() <= FaultyDevice.MAX_FORCE_NEWTON * (1 + 1e-12))) {
+        return "force " + force;
+      }
+      boolean begins = !placed || frame.wasFreed();
+      placed |= frame.followed();
+      String fault = faultOfLegs(begins);
+      Vec3 p = frame.point().position;
+      return fault == null && placed && obstacles.touches(p.x, p.y, p.z)
+          ? "the point touches a solid"
+          : fault;
+    }
+
+    /**
+     * What is wrong with the legs of the frame.
+     *
+     * @param begins whether they may start elsewhere than where the point was before
+     */
+    private String faultOfLegs(boolean begins) {
+      LegPath path = frame.point().legs;
+      at.set(before);
+      for (int leg = 0; leg < path.count(); leg++) {
+        legs++;
+        start.set(path.start(leg, 0), path.start(leg, 1), path.start(leg, 2));
+        if (!start.sameBits(at) && !(begins && leg == 0)) {
+          return "leg " + leg + " does not start where the last one ended";
+        }
+        if (judge.touches(obstacles.cube(0), path, leg)) {
+          return "leg " + leg + " touches a solid";
+        }
+        at.set(path.end(leg, 0), path.end(leg, 1), path.end(leg, 2));
+      }
+      boolean ends = at.sameBits(frame.point().position) || (begins && path.count() == 0);
+      return ends ? null : "the point is not where its last leg ended";
+    }
+  }
+}
