@@ -51,6 +51,27 @@ public final class IntBox {
     return i >= lowX && i <= highX && j >= lowY && j <= highY && k >= lowZ && k <= highZ;
   }
 
+  /** Whether the two share a cell. */
+  public boolean meets(IntBox other) {
+    return lowX <= other.highX
+        && other.lowX <= highX
+        && lowY <= other.highY
+        && other.lowY <= highY
+        && lowZ <= other.highZ
+        && other.lowZ <= highZ;
+  }
+
+  /** Grows the box, which is not empty, by so many cells on each side, where there are so many. */
+  public IntBox grow(int cells) {
+    lowX = (int) Math.max(Integer.MIN_VALUE, (long) lowX - cells);
+    lowY = (int) Math.max(Integer.MIN_VALUE, (long) lowY - cells);
+    lowZ = (int) Math.max(Integer.MIN_VALUE, (long) lowZ - cells);
+    highX = (int) Math.min(Integer.MAX_VALUE, (long) highX + cells);
+    highY = (int) Math.min(Integer.MAX_VALUE, (long) highY + cells);
+    highZ = (int) Math.min(Integer.MAX_VALUE, (long) highZ + cells);
+    return this;
+  }
+
   @Override
   public String toString() {
     return isEmpty()

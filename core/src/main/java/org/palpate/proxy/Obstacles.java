@@ -8,23 +8,67 @@ import org.palpate.volume.BitCube;
 
 /**
  * The solids that stand in the way: the union of some bit cubes over one grid. What a solver sees
- * of the scene.
+ * of the scene. Of many cubes only those are looked at whose bounds are near.
  *
  * <p>Belongs to the haptic thread.
  */
 public final class Obstacles {
+  /** With fewer, looking at each is as fast as knowing which are near. */
+  private static final int MANY = 8;
+
   private final BitCube[] cubes;
   private final RayHit candidate = new RayHit();
 
-  /** All of {@code cubes}, which stay the caller's and may change between frames. */
+  /** Null where all cubes are looked at. */
+  private NearCubes nearCubes;
+
+  /**
+   * All of {@code cubes}, which stay the caller's and may change between frames: any of up to 8,
+   * and of more those that {@link #cube} or {@link #replace} gave; else say {@link #boundsChanged}.
+   */
   public Obstacles(List<BitCube> cubes) {
+    this(cubes, cubes.size() > MANY);
+  }
+
+  /**
+   * All of {@code cubes}, with the choice of how they are searched; answers are the same.
+   *
+   * @param byTree whether to look only at those whose bounds are near
+   */
+  public Obstacles(List<BitCube> cubes, boolean byTree) {
     this.cubes = cubes.toArray(new BitCube[0]);
+    nearCubes = byTree ? new NearCubes(this.cubes) : null;
+  }
+
+  /**
+   * To be told where the bounds of a cube may have grown otherwise than through this. Allocates.
+   */
+  public void boundsChanged() {
+    nearCubes = nearCubes == null ? null : new NearCubes(cubes);
+  }
+
+  /** How often it was searched which cubes are near; 0 where all are looked at. */
+  public long searches() {
+    return nearCubes == null ? 0 : nearCubes.searches();
   }
 
   /** Whether voxel (i,j,k) is solid in any cube; outside all is empty. */
   public boolean isSolid(int i, int j, int k) {
+    if (nearCubes != null) {
+      return isSolidInNear(i, j, k);
+    }
     for (BitCube cube : cubes) {
       if (cube.get(i, j, k)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isSolidInNear(int i, int j, int k) {
+    int count = nearCubes.find(i, j, k, i, j, k);
+    for (int n = 0; n < count; n++) {
+      if (nearCubes.cube(n).get(i, j, k)) {
         return true;
       }
     }
@@ -66,6 +110,13 @@ public final class Obstacles {
   /** The solid voxels of a brick, by brick coordinates, as {@link BitCube#brick}. */
   public long brick(int brickX, int brickY, int brickZ) {
     long word = 0;
+    if (nearCubes != null) {
+      int count = findNear(brickX << 2, brickY << 2, brickZ << 2);
+      for (int n = 0; n < count; n++) {
+        word |= nearCubes.cube(n).brick(brickX, brickY, brickZ);
+      }
+      return word;
+    }
     for (BitCube cube : cubes) {
       word |= cube.brick(brickX, brickY, brickZ);
     }
@@ -75,16 +126,31 @@ public final class Obstacles {
   /** The solid voxels of the 4x4x4 from (i,j,k) on, as {@link BitCube#window}. */
   public long window(int i, int j, int k) {
     long word = 0;
+    if (nearCubes != null) {
+      int count = findNear(i, j, k);
+      for (int n = 0; n < count; n++) {
+        word |= nearCubes.cube(n).window(i, j, k);
+      }
+      return word;
+    }
     for (BitCube cube : cubes) {
       word |= cube.window(i, j, k);
     }
     return word;
   }
 
+  /** The cubes near 4x4x4 voxels, of which some may have numbers beyond all numbers. */
+  private int findNear(int i, int j, int k) {
+    return nearCubes.find(i, j, k, Math.max(i, i + 3), Math.max(j, j + 3), Math.max(k, k + 3));
+  }
+
   /** Finds the first hit over all cubes; see {@link RayCaster#cast}. */
   public boolean cast(RayCaster caster, Ray ray, RayHit hit) {
     if (cubes.length == 1) {
       return caster.cast(cubes[0], ray, hit);
+    }
+    if (nearCubes != null) {
+      return castAtNear(caster, ray, hit);
     }
     boolean found = false;
     for (BitCube cube : cubes) {
@@ -96,8 +162,40 @@ public final class Obstacles {
     return found;
   }
 
-  /** The cube at {@code index}, in the order in which they were given. */
+  private boolean castAtNear(RayCaster caster, Ray ray, RayHit hit) {
+    int count =
+        nearCubes.find(
+            below(ray.fromX, ray.toX),
+            below(ray.fromY, ray.toY),
+            below(ray.fromZ, ray.toZ),
+            above(ray.fromX, ray.toX),
+            above(ray.fromY, ray.toY),
+            above(ray.fromZ, ray.toZ));
+    boolean found = false;
+    for (int n = 0; n < count; n++) {
+      if (caster.cast(nearCubes.cube(n), ray, candidate) && !(found && hit.t <= candidate.t)) {
+        hit.set(candidate);
+        found = true;
+      }
+    }
+    return found;
+  }
+
+  /** A cell below all that the way touches; the lowest number where that has none. */
+  private static int below(double from, double to) {
+    return (int) (Math.floor(Math.min(from, to)) - 1);
+  }
+
+  private static int above(double from, double to) {
+    return (int) (Math.floor(Math.max(from, to)) + 1);
+  }
+
+  /**
+   * The cube at {@code index}, in the order in which they were given. It may be edited: from now on
+   * it is always looked at.
+   */
   public BitCube cube(int index) {
+    loosen(index);
     return cubes[index];
   }
 
@@ -105,6 +203,13 @@ public final class Obstacles {
   public BitCube replace(int index, BitCube fresh) {
     BitCube replaced = cubes[index];
     cubes[index] = fresh;
+    loosen(index);
     return replaced;
+  }
+
+  private void loosen(int index) {
+    if (nearCubes != null) {
+      nearCubes.loosen(index);
+    }
   }
 }
