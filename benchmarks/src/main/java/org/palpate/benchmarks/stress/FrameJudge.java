@@ -21,8 +21,15 @@ final class FrameJudge {
    */
   private static final double LEAST_ULPS_A_STEP = 0x1p20;
 
-  /** Frames that a point may take more than its path at full speed needs, until it rests. */
+  /**
+   * Frames that a point may take beyond its path, until it rests. Two frames that follow each other
+   * go at least w_max together: the first leaves a part unused only where a climb needed more than
+   * that part, and then the second begins with that climb.
+   */
   private static final int FRAMES_TO_SETTLE = 2;
+
+  /** What is cut from a path so that rounding cannot make it longer than w_max, generously. */
+  private static final double CUT = 1 - 0x1p-20;
 
   private final ExactJudge judge = new ExactJudge();
   private final BitCube bits;
@@ -116,26 +123,13 @@ final class FrameJudge {
     }
     heldPathMm += point.legs.lengthMm();
     heldMoves += before.sameBits(point.position) ? 0 : 1;
-    double leastUsedMm = leastUsedMm();
-    if (!(leastUsedMm > 0) || !isFine(point.position) || !isFine(device)) {
+    if (!isFine(point.position) || !isFine(device)) {
       return null;
     }
-    double needed = Math.ceil(heldPathMm / leastUsedMm) + FRAMES_TO_SETTLE;
+    double needed = Math.ceil(2 * heldPathMm / (maxStepMm * CUT)) + FRAMES_TO_SETTLE;
     return heldMoves <= needed
         ? null
         : "for a device at rest it took " + heldMoves + " frames to go " + heldPathMm + " mm";
-  }
-
-  /**
-   * What a frame on the way uses of w_max at least: a climb that does not fit in what is left is
-   * not begun, so all but the highest stair that fits in a frame.
-   */
-  private double leastUsedMm() {
-    double stairMm = 0;
-    for (double edgeMm : new double[] {metric.spacingX(), metric.spacingY(), metric.spacingZ()}) {
-      stairMm = edgeMm <= maxStepMm ? Math.max(stairMm, edgeMm) : stairMm;
-    }
-    return maxStepMm - stairMm;
   }
 
   private boolean isFine(Vec3 at) {
