@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.interaction.LoopEnd;
 import org.palpate.interaction.LoopStatus;
@@ -23,7 +24,7 @@ final class SessionWatch {
   private final PrintWriter out;
   private final CountDownLatch stopAsked = new CountDownLatch(1);
   private final boolean onTerminal = Terminal.isThere();
-  private Optional<LiveView> view = Optional.empty();
+  private Optional<SessionView> view = Optional.empty();
   private long beganNanos;
   private long endedNanos;
   private boolean began;
@@ -36,7 +37,7 @@ final class SessionWatch {
   }
 
   /** Shows the session in a window while it runs; before {@link #run}. */
-  void show(LiveView shown) {
+  void show(SessionView shown) {
     view = Optional.of(shown);
   }
 
@@ -51,11 +52,11 @@ final class SessionWatch {
     EndOfProcess endOfProcess = EndOfProcess.asks(stopAsked::countDown);
     try {
       session.start();
-      view.ifPresent(LiveView::start);
+      view.ifPresent(SessionView::start);
       watch();
       LoopEnd end = session.stop();
       endedNanos = System.nanoTime();
-      view.ifPresent(LiveView::close);
+      view.ifPresent(SessionView::close);
       session.takeUnseen();
       clearLine();
       return end;

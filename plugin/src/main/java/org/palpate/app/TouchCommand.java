@@ -11,6 +11,7 @@ import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
+import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.interaction.LoopEnd;
 import org.palpate.interaction.LoopSettings;
@@ -177,7 +178,7 @@ final class TouchCommand implements Callable<Integer> {
                 Optional.ofNullable(recording).map(Recording::recorder),
                 end -> {})) {
       SessionWatch watch = new SessionWatch(session, Optional.ofNullable(seconds), out);
-      Optional<LiveView> view = view(session, scene, opened, axes, watch);
+      Optional<SessionView> view = view(session, scene, opened, axes, watch);
       view.ifPresent(watch::show);
       LoopEnd end = watch.run();
       if (recording != null) {
@@ -187,7 +188,7 @@ final class TouchCommand implements Callable<Integer> {
     }
   }
 
-  private Optional<LiveView> view(
+  private Optional<SessionView> view(
       TouchSession session,
       ContactScene scene,
       HapticDevice opened,
@@ -196,6 +197,7 @@ final class TouchCommand implements Callable<Integer> {
     if (headless || !Graphics.hasDisplay()) {
       return Optional.empty();
     }
-    return Optional.of(new LiveView(session, scene.volume(), axes, opened, out, watch::stop));
+    LiveView listener = new LiveView(out, watch::stop);
+    return Optional.of(new SessionView(session, scene.volume(), axes, opened, listener));
   }
 }

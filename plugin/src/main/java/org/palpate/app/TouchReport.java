@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.palpate.device.HapticDevice;
+import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.interaction.FrameCounts;
 import org.palpate.interaction.LoopEnd;
@@ -21,7 +22,7 @@ final class TouchReport {
   private final DeviceChoice choice;
   private final HapticDevice device;
   private final double watchedSeconds;
-  private final Optional<LiveView> view;
+  private final Optional<SessionView> view;
   private final LoopReport loop;
 
   /** Of a session that has ended. */
@@ -31,7 +32,7 @@ final class TouchReport {
       DeviceChoice choice,
       HapticDevice device,
       double watchedSeconds,
-      Optional<LiveView> view) {
+      Optional<SessionView> view) {
     this.session = session;
     this.end = end;
     this.choice = choice;
@@ -148,10 +149,10 @@ final class TouchReport {
     SyncCounts counts = session.syncCounts();
     Map<String, Object> fields = new LinkedHashMap<>();
     double unseen = watchedSeconds > 0 ? session.ticks() / watchedSeconds : 0;
-    fields.put("rate_hz", view.map(LiveView::rateHz).orElse(unseen));
+    fields.put("rate_hz", view.map(SessionView::rateHz).orElse(unseen));
     fields.put("writes", counts.writes());
     fields.put("applied", counts.applied());
-    fields.put("redraws", view.map(LiveView::redraws).orElse(0L));
+    fields.put("redraws", view.map(SessionView::redraws).orElse(0L));
     return fields;
   }
 }

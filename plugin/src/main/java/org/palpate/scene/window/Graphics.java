@@ -37,7 +37,7 @@ public final class Graphics {
             null);
       }
       return GLProfile.get(GLProfile.GL3);
-    } catch (GLException | UnsatisfiedLinkError | NoClassDefFoundError e) {
+    } catch (GLException | LinkageError e) {
       throw refused(e);
     } catch (RuntimeException e) {
       // JOGL wraps a missing or dead X server in bare RuntimeExceptions.

@@ -179,7 +179,11 @@ public final class SceneWindow implements AutoCloseable {
       ended = true;
     }
     drawing.close();
-    window.destroy();
+    try {
+      window.destroy();
+    } catch (GLException e) {
+      failure = e; // the display or the driver went first, and the window with it
+    }
   }
 
   private final class Ending extends WindowAdapter {

@@ -1,0 +1,293 @@
+package org.palpate.host;
+
+import java.util.List;
+import java.util.Locale;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.WorkspaceDevice;
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Vec3;
+import org.palpate.interaction.LoopStatus;
+import org.palpate.scene.SceneLoader;
+import org.palpate.scene.SceneModel;
+import org.palpate.scene.StandardView;
+import org.palpate.scene.SynchronizationThread;
+import org.palpate.scene.Theme;
+import org.palpate.scene.TouchSync;
+import org.palpate.scene.WorldAxes;
+import org.palpate.scene.window.GraphicsException;
+import org.palpate.scene.window.SceneWindow;
+import org.palpate.scene.window.WindowInput;
+import org.palpate.volume.SegmentedVolume;
+
+/**
+ * The window of a live session and the thread that keeps it up to date. It opens on a thread of its
+ * own, so that force does not wait for it; whatever befalls it, the session goes on.
+ */
+public final class SessionView implements AutoCloseable {
+  /** Whom a view tells. */
+  public interface Listener {
+    /** A line for the person. Any thread. */
+    void tell(String line);
+
+    /** The session is to end: Escape, or the window was closed. Any thread. */
+    void stop();
+
+    /** A window is about to be shown: the time to give keys something to do. */
+    default void opening(SceneWindow window) {}
+  }
+
+  private static final int WIDTH = 1024;
+  private static final int HEIGHT = 768;
+  private static final long OVERLAY_NANOS = 500_000_000;
+
+  /** The longest that an ending session waits for a window that is being opened. */
+  private static final long OPENING_MILLIS = 10_000;
+
+  private static final char ESCAPE = 27;
+
+  private final TouchSession session;
+  private final SegmentedVolume volume;
+  private final HapticDevice device;
+  private final Listener listener;
+  private final SceneModel model;
+  private final TouchSync sync;
+  private final SynchronizationThread ticking;
+  private final Thread opening;
+  private final Vec3 taken = new Vec3();
+  private volatile Vec3 tipGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
+  private volatile SceneLoader loader;
+  private volatile SceneWindow window;
+  private volatile boolean retuned;
+  private boolean closed;
+  private List<String> lines = List.of();
+  private long linesNanos;
+  private long linesFrames;
+  private long linesApplications;
+
+  /**
+   * A view that is not open yet; from now on the reader of the session's properties.
+   *
+   * @param volume what is drawn; its bits may be a copy of those that are touched
+   * @param device what is held; the mouse moves it where it is a {@link PointerDevice}
+   */
+  public SessionView(
+      TouchSession session,
+      SegmentedVolume volume,
+      WorldAxes axes,
+      HapticDevice device,
+      Listener listener) {
+    this.session = session;
+    this.volume = volume;
+    this.device = device;
+    this.listener = listener;
+    model = new SceneModel(axes, Theme.DARK);
+    sync = new TouchSync(session.properties(), volume.grid(), model, this::overlay);
+    ticking = new SynchronizationThread(this::tick);
+    opening = new Thread(this::open, "palpate-open-view");
+    opening.setDaemon(true);
+  }
+
+  /** Starts the synchronization, and the window in the background. */
+  public void start() {
+    ticking.start();
+    opening.start();
+  }
+
+  private void tick() {
+    sync.run();
+    if (sync.applications() > 0) {
+      session.properties().interactionPoint().read(taken);
+      tipGrid = new Vec3().set(taken);
+    }
+  }
+
+  private void open() {
+    SceneLoader started = begin();
+    try {
+      SceneWindow opened = new SceneWindow(model, "Palpate", WIDTH, HEIGHT, this::ended);
+      addKeys(opened.input());
+      listener.opening(opened);
+      if (!isClosed()) {
+        opened.show();
+      }
+      keep(opened);
+    } catch (GraphicsException e) {
+      loader = null;
+      started.close();
+      tell("no window (" + e.what() + "): " + e.remedy() + "; goes on without one");
+    }
+  }
+
+  private void addKeys(WindowInput input) {
+    input.onKey(ESCAPE, "end", listener::stop);
+    Feel feel = session.feel();
+    input.onKey('+', "stiffer", () -> retune(feel::stiffer));
+    input.onKey('-', "softer", () -> retune(feel::softer));
+    input.onKey('.', "more friction", () -> retune(feel::rougher));
+    input.onKey(',', "less friction", () -> retune(feel::slipperier));
+    input.onKey('n', "next solver: guarded, smooth, paper, dot", () -> retune(feel::nextSolver));
+    if (device instanceof PointerDevice pointer) {
+      input.setPointer(pointer::moveTo);
+    }
+    if (device instanceof WorkspaceDevice mapped) {
+      input.onKey(
+          ' ', "clutch: hold the point, or let it go", () -> retune(() -> toggleClutch(mapped)));
+    }
+  }
+
+  private static void toggleClutch(WorkspaceDevice mapped) {
+    mapped.holdClutch(!mapped.isClutchWanted());
+  }
+
+  private void retune(Runnable change) {
+    change.run();
+    retuned = true;
+  }
+
+  private synchronized boolean isClosed() {
+    return closed;
+  }
+
+  private SceneLoader begin() {
+    SceneLoader started = new SceneLoader(model, volume, 1);
+    model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
+    loader = started;
+    return started;
+  }
+
+  private synchronized void keep(SceneWindow opened) {
+    window = opened;
+    if (closed) {
+      closeBoth();
+    }
+  }
+
+  /**
+   * Draws anew what an edit changed. By the thread that closes the view, after the bits of the
+   * drawn volume have changed.
+   *
+   * @param segment its number
+   * @param voxels a box about what changed
+   */
+  public void edited(int segment, IntBox voxels) {
+    SceneLoader meshes = loader;
+    if (meshes != null) {
+      meshes.edited(segment, voxels);
+    }
+  }
+
+  /** Where the interaction point was at the last tick, grid coordinates; NaN before. Any thread. */
+  public Vec3 tipGrid() {
+    return new Vec3().set(tipGrid);
+  }
+
+  /** The window, once it is shown; null before and where there is none. */
+  public SceneWindow window() {
+    return window;
+  }
+
+  private void ended(SceneWindow.End why) {
+    if (why == SceneWindow.End.CLOSED_BY_USER) {
+      listener.stop();
+    } else {
+      tell("the window failed (" + reason() + "); the session goes on without it");
+    }
+  }
+
+  private String reason() {
+    SceneWindow failed = window;
+    return failed == null ? "" : failed.failure().map(Throwable::toString).orElse("");
+  }
+
+  private void tell(String line) {
+    listener.tell(line);
+  }
+
+  /** New numbers twice a second while something moves; the same lines else, so no redraw. */
+  private List<String> overlay() {
+    long now = System.nanoTime();
+    boolean moved = sync.applications() != linesApplications;
+    if (retuned || (moved && now - linesNanos >= OVERLAY_NANOS)) {
+      retuned = false;
+      LoopStatus status = session.status();
+      double rate = (status.frames() - linesFrames) * 1e9 / (now - linesNanos);
+      lines = lines(status, linesNanos == 0 ? "" : String.format(Locale.ROOT, "%.0f Hz   ", rate));
+      linesNanos = now;
+      linesFrames = status.frames();
+      linesApplications = sync.applications();
+    }
+    return lines;
+  }
+
+  private List<String> lines(LoopStatus status, String rate) {
+    SceneWindow shown = window;
+    return List.of(
+        String.format(Locale.ROOT, "%slate %.0f µs", rate, status.latestLatenessNanos() / 1e3),
+        String.format(
+            Locale.ROOT,
+            "%.2f N   %s",
+            status.forceNewton(),
+            status.contact() ? "contact" : "free"),
+        feelLine(),
+        shown == null ? "" : shown.drawnOfAll(),
+        "h: help");
+  }
+
+  private String feelLine() {
+    Feel feel = session.feel();
+    boolean clutched = device instanceof WorkspaceDevice mapped && mapped.isClutchWanted();
+    return String.format(
+        Locale.ROOT,
+        "%s   %.2f N/mm   friction %.2f%s",
+        feel.solver(),
+        feel.force().stiffnessNewtonPerMm(),
+        feel.force().friction(),
+        clutched ? "   clutch held" : "");
+  }
+
+  /** Ticks of the synchronization a second. */
+  public double rateHz() {
+    return ticking.rateHz();
+  }
+
+  /** Pictures drawn. */
+  public long redraws() {
+    SceneWindow shown = window;
+    return shown == null ? 0 : shown.redraws();
+  }
+
+  /**
+   * Ends the synchronization and closes the window, also one that is just being opened. Any number
+   * of times.
+   */
+  @Override
+  public void close() {
+    ticking.close();
+    synchronized (this) {
+      closed = true;
+    }
+    awaitOpening();
+    synchronized (this) {
+      closeBoth();
+    }
+  }
+
+  private void awaitOpening() {
+    if (opening != Thread.currentThread()) {
+      try {
+        opening.join(OPENING_MILLIS);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  private void closeBoth() {
+    if (window != null && loader != null) {
+      SceneLoader meshes = loader;
+      loader = null;
+      window.close();
+      meshes.close();
+    }
+  }
+}
