@@ -1,6 +1,7 @@
 package org.palpate.host;
 
 import java.util.OptionalDouble;
+import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.geometry.Vec3;
 
@@ -41,6 +42,17 @@ public record ContactSettings(
         maxStepMm,
         maxForceNewton,
         FrictionForm.EQUATION_4);
+  }
+
+  /** A solver with everything else as it is unless one says otherwise. */
+  public static ContactSettings standard(SolverKind solver) {
+    return new ContactSettings(
+        solver,
+        solver.defaultCollision(),
+        OptionalDouble.empty(),
+        ForceSettings.DEFAULT_FRICTION,
+        OptionalDouble.empty(),
+        OptionalDouble.empty());
   }
 
   /** The larger of 8 shortest and 3 longest voxel edges, mm. */

@@ -1,6 +1,5 @@
 package org.palpate.imagej;
 
-import ij.IJ;
 import ij.plugin.PlugIn;
 
 /** A command of the menu: says in a dialog, in plain words, what could not be done. */
@@ -19,7 +18,24 @@ abstract class PalpateCommand implements PlugIn {
     try {
       execute();
     } catch (StackRefused e) {
-      IJ.error(title, e.getMessage());
+      PlainErrors.show(title, e);
+    } catch (RuntimeException e) {
+      if (PlainErrors.endsMacro(e)) {
+        throw e;
+      }
+      PlainErrors.show(title, e);
+    } catch (OutOfMemoryError e) {
+      PlainErrors.showOutOfMemory(title);
+    } catch (NoClassDefFoundError e) {
+      PlainErrors.show(title, missing(e));
     }
+  }
+
+  /** The thin jar where JOGL and JNA are not. */
+  private static StackRefused missing(NoClassDefFoundError e) {
+    return new StackRefused(
+        "A library is missing ("
+            + e.getMessage()
+            + "): Palpate_.jar is for Fiji; plain ImageJ needs Palpate_bundle_.jar instead.");
   }
 }

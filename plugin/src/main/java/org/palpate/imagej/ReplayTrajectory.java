@@ -30,12 +30,13 @@ public final class ReplayTrajectory extends PalpateCommand {
     StackVolume volume = StackVolume.shownIn(IJ.getImage());
     GenericDialog dialog = new GenericDialog("Replay Trajectory");
     dialog.addFileField("Trajectory", "", 30);
+    dialog.addHelp(TouchOptions.HELP);
     dialog.showDialog();
     if (dialog.wasCanceled()) {
       return;
     }
     Path file = Path.of(dialog.getNextString().strip());
-    TouchOptions options = TouchOptions.ask(volume);
+    TouchOptions options = TouchOptions.ask("Replay Trajectory", volume);
     if (options != null) {
       replay(volume, options, read(file));
     }
@@ -54,7 +55,12 @@ public final class ReplayTrajectory extends PalpateCommand {
   private static void replay(StackVolume volume, TouchOptions options, Trajectory trajectory)
       throws StackRefused {
     StackGeometry geometry = StackGeometry.of(volume.image());
-    List<Segment> segments = StackSegments.of(volume, options.rules(volume), k -> {});
+    List<Segment> segments =
+        StackSegments.of(
+            volume,
+            volume::pixels,
+            options.rules(volume),
+            k -> IJ.showProgress(k + 1, volume.slices()));
     ContactScene scene =
         new ContactScene(new SegmentedVolume(geometry.grid(), segments), options.contactSettings());
     ResultsTable table = new ResultsTable();

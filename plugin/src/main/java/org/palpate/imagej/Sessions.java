@@ -4,7 +4,9 @@ import java.util.concurrent.atomic.AtomicReference;
 
 /** The one session that runs in this ImageJ: there is one hand. Any thread. */
 final class Sessions {
-  private static final AtomicReference<StackSession> CURRENT = new AtomicReference<>();
+  private static final long PATIENCE_MILLIS = 10_000;
+
+  private static final AtomicReference<TouchRun> CURRENT = new AtomicReference<>();
 
   private Sessions() {}
 
@@ -13,8 +15,8 @@ final class Sessions {
    *
    * @throws StackRefused where another one runs
    */
-  static void begin(StackSession session) throws StackRefused {
-    if (!CURRENT.compareAndSet(null, session)) {
+  static void begin(TouchRun run) throws StackRefused {
+    if (!CURRENT.compareAndSet(null, run)) {
       throw busy();
     }
   }
@@ -25,7 +27,7 @@ final class Sessions {
    * @throws StackRefused where a session runs
    */
   static void refuseSecond() throws StackRefused {
-    if (CURRENT.get() != null) {
+    if (isRunning()) {
       throw busy();
     }
   }
@@ -34,8 +36,24 @@ final class Sessions {
     return new StackRefused("A volume is being touched already: press Escape to end that first.");
   }
 
-  static void end(StackSession session) {
-    CURRENT.compareAndSet(session, null);
+  static boolean isRunning() {
+    return CURRENT.get() != null;
+  }
+
+  static void end(TouchRun run) {
+    CURRENT.compareAndSet(run, null);
+  }
+
+  /** Asks the session to end and waits for it; nothing where none runs. */
+  static void stop() throws StackRefused {
+    TouchRun run = CURRENT.get();
+    if (run == null) {
+      return;
+    }
+    run.session().askToStop();
+    if (!run.await(PATIENCE_MILLIS)) {
+      throw new StackRefused("The session does not end: look at the device's cable and driver.");
+    }
   }
 
   /**
@@ -44,11 +62,11 @@ final class Sessions {
    * @throws StackRefused where none does
    */
   static StackSession current() throws StackRefused {
-    StackSession session = CURRENT.get();
-    if (session == null) {
+    TouchRun run = CURRENT.get();
+    if (run == null) {
       throw new StackRefused(
           "No volume is being touched: begin by Plugins > Palpate > Touch Volume...");
     }
-    return session;
+    return run.session();
   }
 }

@@ -14,11 +14,12 @@ import org.palpate.device.jni.DeviceException;
 import org.palpate.force.ForceSettings;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.host.PointerDevice;
 import org.palpate.io.TrajectoryCsv;
 
 /**
- * A device as the dialog names it: {@code simulated}, {@code replay:FILE.csv}, or a back end with
- * what tells its devices apart, as in {@code hid:SERIAL}.
+ * A device as the dialog names it: {@code simulated}, {@code mouse} in the 3-D window, {@code
+ * replay:FILE.csv}, or a back end with what tells its devices apart, as in {@code hid:SERIAL}.
  *
  * @param device positions in world mm
  * @param defaultNewtonPerMm stiffness where the user gave none
@@ -43,6 +44,10 @@ record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
       HapticDevice hand = new SimulatedDevice(SEED, target, periodNanos);
       return new StackDevice(hand, ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM);
     }
+    if (name.equals("mouse")) {
+      HapticDevice hand = new PointerDevice(target, periodNanos);
+      return new StackDevice(hand, ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM);
+    }
     if (name.equals("replay")) {
       return new StackDevice(replay(id), ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM);
     }
@@ -65,7 +70,7 @@ record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
       throw new StackRefused(
           "There is no device \""
               + name
-              + "\": write simulated, replay:FILE.csv, or see Plugins > Palpate > Devices...");
+              + "\": write simulated, mouse, replay:FILE.csv, or see Plugins > Palpate > Devices...");
     }
     try {
       HapticDevice opened = DeviceCatalog.open(name, id);

@@ -1,6 +1,5 @@
 package org.palpate.imagej;
 
-import ij.process.ImageProcessor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
@@ -16,21 +15,28 @@ final class StackSegments {
 
   private StackSegments() {}
 
+  /** Where slices come from: a stack, or a copy of it. */
+  @FunctionalInterface
+  interface Slices {
+    /** The pixels of slice k, from 0, as {@link StackVolume#pixels} has them. */
+    Object slice(int k) throws StackRefused;
+  }
+
   /**
    * One segment a rule, in the rules' order.
    *
    * @param progress told of each slice that is done, from 0
    */
-  static List<Segment> of(StackVolume volume, List<VoxelRule> rules, IntConsumer progress) {
+  static List<Segment> of(
+      StackVolume volume, Slices slices, List<VoxelRule> rules, IntConsumer progress)
+      throws StackRefused {
     List<BitCube> cubes = new ArrayList<>();
     for (int n = 0; n < rules.size(); n++) {
       cubes.add(new BitCube(volume.width(), volume.height(), volume.slices()));
     }
+    Filler filler = new Filler(rules, cubes, volume.width());
     for (int k = 0; k < volume.slices(); k++) {
-      ImageProcessor slice = volume.slice(k);
-      for (int n = 0; n < rules.size(); n++) {
-        fill(cubes.get(n), rules.get(n), slice, k);
-      }
+      filler.fill(slices.slice(k), k);
       progress.accept(k);
     }
     List<Segment> segments = new ArrayList<>();
@@ -40,12 +46,42 @@ final class StackSegments {
     return segments;
   }
 
-  private static void fill(BitCube cube, VoxelRule rule, ImageProcessor slice, int k) {
-    int width = slice.getWidth();
-    int pixels = slice.getPixelCount();
-    for (int n = 0; n < pixels; n++) {
-      if (rule.holds(slice.getf(n))) {
-        cube.set(n % width, n / width, k);
+  /** Looks up which rules hold once for a run of pixels of one value: labels come in long runs. */
+  private static final class Filler {
+    private final List<VoxelRule> rules;
+    private final List<BitCube> cubes;
+    private final int width;
+    private final int[] holding;
+    private int held;
+
+    private Filler(List<VoxelRule> rules, List<BitCube> cubes, int width) {
+      this.rules = rules;
+      this.cubes = cubes;
+      this.width = width;
+      holding = new int[rules.size()];
+    }
+
+    private void fill(Object pixels, int k) {
+      float last = Float.NaN;
+      int count = StackVolume.pixelCount(pixels);
+      for (int n = 0; n < count; n++) {
+        float value = StackVolume.value(pixels, n);
+        if (value != last) {
+          last = value;
+          lookUp(value);
+        }
+        for (int h = 0; h < held; h++) {
+          cubes.get(holding[h]).set(n % width, n / width, k);
+        }
+      }
+    }
+
+    private void lookUp(float value) {
+      held = 0;
+      for (int n = 0; n < rules.size(); n++) {
+        if (rules.get(n).holds(value)) {
+          holding[held++] = n;
+        }
       }
     }
   }
@@ -60,9 +96,10 @@ final class StackSegments {
     SortedSet<Integer> labels = new TreeSet<>();
     float last = 0;
     for (int k = 0; k < volume.slices(); k++) {
-      ImageProcessor slice = volume.slice(k);
-      for (int n = 0; n < slice.getPixelCount(); n++) {
-        float value = slice.getf(n);
+      Object slice = volume.pixels(k);
+      int count = StackVolume.pixelCount(slice);
+      for (int n = 0; n < count; n++) {
+        float value = StackVolume.value(slice, n);
         if (value != last) {
           last = value;
           add(labels, value);

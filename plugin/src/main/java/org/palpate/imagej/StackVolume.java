@@ -11,8 +11,9 @@ import ij.process.ImageProcessor;
  * @param image what the user sees
  * @param channel which of its channels, from 1
  * @param frame which of its times, from 1
+ * @param width of a slice when it was taken up, pixels; height and slices likewise
  */
-record StackVolume(ImagePlus image, int channel, int frame) {
+record StackVolume(ImagePlus image, int channel, int frame, int width, int height, int slices) {
 
   /**
    * The volume of an image at the channel and time that it shows.
@@ -20,7 +21,7 @@ record StackVolume(ImagePlus image, int channel, int frame) {
    * @throws StackRefused where it is no grey stack
    */
   static StackVolume shownIn(ImagePlus image) throws StackRefused {
-    if (image.getType() == ImagePlus.COLOR_RGB || image.getType() == ImagePlus.COLOR_256) {
+    if (image.getType() == ImagePlus.COLOR_RGB) {
       throw new StackRefused(
           "Palpate touches grey values and labels, and this is a colour image: convert it by Image > Type > 8-bit first.");
     }
@@ -35,7 +36,12 @@ record StackVolume(ImagePlus image, int channel, int frame) {
     if (image.getNSlices() < 2) {
       throw new StackRefused("Palpate needs a stack of slices, and this is a single image.");
     }
-    return new StackVolume(image, image.getC(), image.getT());
+    if (image.getStack().isVirtual()) {
+      throw new StackRefused(
+          "This is a virtual stack, whose slices are read from disk each time: make it a real one by Image > Duplicate... first.");
+    }
+    return new StackVolume(
+        image, image.getC(), image.getT(), image.getWidth(), image.getHeight(), image.getNSlices());
   }
 
   /** Whether the image has more channels or times than the one that is touched. */
@@ -43,16 +49,38 @@ record StackVolume(ImagePlus image, int channel, int frame) {
     return image.getNChannels() > 1 || image.getNFrames() > 1;
   }
 
-  int width() {
-    return image.getWidth();
+  /**
+   * The stack's own pixels of slice k, from 0: bytes, shorts or floats, row by row.
+   *
+   * @throws StackRefused where the image is no such stack any more
+   */
+  Object pixels(int k) throws StackRefused {
+    ImageStack stack = image.getStack();
+    int number = image.getStackIndex(channel, k + 1, frame);
+    Object pixels = number <= stack.size() ? stack.getPixels(number) : null;
+    boolean grey =
+        pixels instanceof byte[] || pixels instanceof short[] || pixels instanceof float[];
+    boolean same = grey && pixelCount(pixels) == width * height && stack.getWidth() == width;
+    if (!same || image.getNSlices() != slices) {
+      throw new StackRefused(
+          "The stack got another size or type while it was touched: touch it again.");
+    }
+    return pixels;
   }
 
-  int height() {
-    return image.getHeight();
+  static int pixelCount(Object pixels) {
+    if (pixels instanceof byte[] bytes) {
+      return bytes.length;
+    }
+    return pixels instanceof short[] shorts ? shorts.length : ((float[]) pixels).length;
   }
 
-  int slices() {
-    return image.getNSlices();
+  /** The raw value of a pixel of {@link #pixels}. */
+  static float value(Object pixels, int n) {
+    if (pixels instanceof byte[] bytes) {
+      return bytes[n] & 0xFF;
+    }
+    return pixels instanceof short[] shorts ? shorts[n] & 0xFFFF : ((float[]) pixels)[n];
   }
 
   /** The pixels of slice k, from 0; written pixels are the stack's own. */

@@ -2,9 +2,9 @@ package org.palpate.imagej;
 
 import ij.ImageListener;
 import ij.ImagePlus;
-import ij.process.ImageProcessor;
 import java.util.ArrayList;
 import java.util.List;
+import org.palpate.geometry.IntBox;
 import org.palpate.interaction.EditQueue;
 import org.palpate.interaction.SwapEdit;
 import org.palpate.interaction.VoxelEdit;
@@ -12,12 +12,13 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 
 /**
- * Carries what changes in the stack (paint, macro, filter) over to what is touched.
+ * Carries what changes in the stack (paint, macro, filter, threshold) over to what is touched and
+ * seen.
  *
  * <p>ImageJ tells that an image was updated, for scrolling too, and not where. So the listener only
- * sets a flag, and {@link #carryOver} compares every slice with a copy of the bits and queues what
- * differs: voxel by voxel, or, where there is much, a cube made aside. {@link #carryOver} is called
- * by one thread at a time.
+ * sets a flag, and {@link #carryOverWhenUpdated} compares every slice with a copy and queues what
+ * differs: voxel by voxel, or, where there is much, a cube made aside. One thread carries over; any
+ * may set the flag.
  */
 final class StackWatcher implements ImageListener, AutoCloseable {
   /** More changed voxels than this are handed over as a whole cube. */
@@ -25,18 +26,86 @@ final class StackWatcher implements ImageListener, AutoCloseable {
 
   private final StackVolume volume;
   private final List<VoxelRule> rules;
+  private final boolean followsThreshold;
   private final EditQueue edits;
-  private final List<BitCube> mirrors = new ArrayList<>();
+  private final StackPixels pixels;
+  private final List<Changes> segments = new ArrayList<>();
+  private final Listener listener;
   private volatile boolean updated;
   private volatile boolean closed;
 
-  /** Watches from now on. */
-  StackWatcher(StackVolume volume, List<VoxelRule> rules, List<Segment> segments, EditQueue edits) {
+  /** Whom a watcher tells. */
+  interface Listener {
+    /** The image was updated or closed: there may be something to carry over. Any thread. */
+    void updated();
+
+    /** Voxels of a segment changed inside a box. The thread that carries over. */
+    void changed(IntBox voxels, int segment);
+  }
+
+  /** What changed of a segment since the last time. */
+  private static final class Changes {
+    private final BitCube mirror;
+    private final List<VoxelEdit> single = new ArrayList<>();
+    private final IntBox box = new IntBox();
+    private int count;
+    private boolean waits;
+
+    private Changes(BitCube mirror) {
+      this.mirror = mirror;
+    }
+
+    private void put(int segment, int i, int j, int k, boolean solid) {
+      if (solid == mirror.get(i, j, k)) {
+        return;
+      }
+      if (solid) {
+        mirror.set(i, j, k);
+      } else {
+        mirror.clear(i, j, k);
+      }
+      count++;
+      box.include(i, j, k);
+      if (single.size() < MOST_SINGLE_EDITS) {
+        single.add(new VoxelEdit(segment, i, j, k, solid));
+      }
+    }
+
+    private void clear() {
+      single.clear();
+      box.clear();
+      count = 0;
+    }
+  }
+
+  /**
+   * Watches from now on.
+   *
+   * @param rules what makes the segments, in their order
+   * @param pixels the stack as the segments were made of it
+   * @param followsThreshold whether the one segment is what the image's threshold marks
+   */
+  StackWatcher(
+      StackVolume volume,
+      StackPixels pixels,
+      List<VoxelRule> rules,
+      boolean followsThreshold,
+      List<Segment> touched,
+      EditQueue edits,
+      Listener listener) {
     this.volume = volume;
-    this.rules = rules;
+    this.rules = new ArrayList<>(rules);
+    this.followsThreshold = followsThreshold;
     this.edits = edits;
-    segments.forEach(segment -> mirrors.add(segment.bits().copy()));
+    this.listener = listener;
+    this.pixels = pixels;
+    touched.forEach(segment -> segments.add(new Changes(segment.bits().copy())));
     ImagePlus.addImageListener(this);
+  }
+
+  /** The bits of each segment as the stack had them last, for drawing. This watcher's own. */
+  List<BitCube> mirrors() {
+    return segments.stream().map(segment -> segment.mirror).toList();
   }
 
   @Override
@@ -44,12 +113,17 @@ final class StackWatcher implements ImageListener, AutoCloseable {
 
   @Override
   public void imageUpdated(ImagePlus image) {
-    updated |= image == volume.image();
+    if (image == volume.image()) {
+      noteUpdate();
+    }
   }
 
   @Override
   public void imageClosed(ImagePlus image) {
-    closed |= image == volume.image();
+    if (image == volume.image()) {
+      closed = true;
+      listener.updated();
+    }
   }
 
   /** Whether the image was closed. */
@@ -57,73 +131,88 @@ final class StackWatcher implements ImageListener, AutoCloseable {
     return closed;
   }
 
+  /** Says that the stack was written to. Any thread. */
+  void noteUpdate() {
+    updated = true;
+    listener.updated();
+  }
+
   /**
-   * Carries over what changed since the last call, where ImageJ told of a change. Returns the
-   * voxels that changed.
+   * Carries over what changed since the last call, where there was an update.
+   *
+   * @return the voxels that changed, over all segments
+   * @throws StackRefused where the stack got another size or type
    */
-  int carryOverWhenUpdated() {
+  int carryOverWhenUpdated() throws StackRefused {
     if (!updated) {
       return 0;
     }
     updated = false;
-    return carryOver();
-  }
-
-  /** Carries over what changed. */
-  synchronized int carryOver() {
+    pixels.changes(this::compare);
+    if (followsThreshold && thresholdMoved()) {
+      recompute();
+    }
     int changed = 0;
-    for (int n = 0; n < mirrors.size(); n++) {
-      changed += carryOver(n);
+    for (int n = 0; n < segments.size(); n++) {
+      changed += handOver(n);
     }
     return changed;
   }
 
-  private int carryOver(int segment) {
-    List<VoxelEdit> single = new ArrayList<>();
-    int changed = 0;
+  private boolean thresholdMoved() {
+    VoxelRule before = rules.get(0);
+    VoxelRule now = before.withThresholdOf(volume.image());
+    rules.set(0, now);
+    return !now.equals(before);
+  }
+
+  /** Compares every voxel, for another rule. */
+  private void recompute() {
+    VoxelRule rule = rules.get(0);
     for (int k = 0; k < volume.slices(); k++) {
-      changed += compare(segment, k, single);
-    }
-    if (changed > MOST_SINGLE_EDITS || !single.stream().allMatch(edits::offer)) {
-      offerWhole(segment);
-    }
-    return changed;
-  }
-
-  private int compare(int segment, int k, List<VoxelEdit> single) {
-    BitCube mirror = mirrors.get(segment);
-    VoxelRule rule = rules.get(segment);
-    ImageProcessor slice = volume.slice(k);
-    int width = volume.width();
-    int changed = 0;
-    for (int n = 0; n < slice.getPixelCount(); n++) {
-      boolean solid = rule.holds(slice.getf(n));
-      int i = n % width;
-      int j = n / width;
-      if (solid != mirror.get(i, j, k)) {
-        put(mirror, i, j, k, solid);
-        changed++;
-        if (single.size() < MOST_SINGLE_EDITS) {
-          single.add(new VoxelEdit(segment, i, j, k, solid));
-        }
+      Object slice = pixels.slice(k);
+      int count = StackVolume.pixelCount(slice);
+      for (int n = 0; n < count; n++) {
+        boolean solid = rule.holds(StackVolume.value(slice, n));
+        segments.get(0).put(0, n % volume.width(), n / volume.width(), k, solid);
       }
     }
-    return changed;
   }
 
-  private static void put(BitCube mirror, int i, int j, int k, boolean solid) {
-    if (solid) {
-      mirror.set(i, j, k);
-    } else {
-      mirror.clear(i, j, k);
+  private void compare(int n, int k, float value) {
+    int i = n % volume.width();
+    int j = n / volume.width();
+    for (int s = 0; s < segments.size(); s++) {
+      segments.get(s).put(s, i, j, k, rules.get(s).holds(value));
     }
   }
 
-  /** A queue that is full stays as it is: the next update compares again and finds the same. */
-  private void offerWhole(int segment) {
-    BitCube fresh = mirrors.get(segment).copy();
+  private int handOver(int n) {
+    Changes segment = segments.get(n);
+    int count = segment.count;
+    if (count == 0 && !segment.waits) {
+      return 0;
+    }
+    boolean whole =
+        segment.waits
+            || count > MOST_SINGLE_EDITS
+            || !segment.single.stream().allMatch(edits::offer);
+    if (whole) {
+      offerWhole(n, segment);
+    }
+    if (count > 0) {
+      listener.changed(new IntBox().set(segment.box), n);
+    }
+    segment.clear();
+    return count;
+  }
+
+  /** A queue that is full leaves it for the next time. */
+  private void offerWhole(int n, Changes segment) {
+    BitCube fresh = segment.mirror.copy();
     fresh.tightenBounds();
-    updated |= !edits.offer(new SwapEdit(segment, fresh));
+    segment.waits = !edits.offer(new SwapEdit(n, fresh));
+    updated |= segment.waits;
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.palpate.imagej;
 
 import ij.Prefs;
 import ij.gui.GenericDialog;
+import ij.measure.Calibration;
 import ij.process.ImageProcessor;
 import java.util.List;
 import java.util.Locale;
@@ -14,42 +15,51 @@ import org.palpate.host.SolverKind;
  * What the user chose in the dialog of "Touch Volume...", which a macro gives by the first words of
  * its labels; kept in ImageJ's preferences.
  *
+ * @param name of the segment where there is one; labels have their values' names
  * @param labels whether the image is taken as labels, a segment a label; else the values from lower
  *     to upper are one segment
- * @param lower the least value of the segment
+ * @param lower the least value of the segment, calibrated as ImageJ shows it
  * @param upper the largest
+ * @param followsThreshold whether these are the thresholds that the image shows
  * @param solver what moves the interaction point
  * @param stiffnessNewtonPerMm force over distance; the device's own default where 0
  * @param friction coefficient
  * @param device as {@link StackDevice} reads it
  * @param seconds how long; until Escape or the image closes where 0
+ * @param view whether a 3-D window is wanted
  */
 record TouchOptions(
+    String name,
     boolean labels,
     double lower,
     double upper,
+    boolean followsThreshold,
     SolverKind solver,
     double stiffnessNewtonPerMm,
     double friction,
     String device,
-    double seconds) {
-  private static final String HELP = "https://github.com/palpate/palpate#imagej-and-fiji";
+    double seconds,
+    boolean view) {
+  static final String HELP = "https://github.com/palpate/palpate#imagej-and-fiji";
   private static final String PREFIX = "palpate.";
+  private static final double LARGEST_DEFAULT = 65535;
 
   /** Asks the user, or takes what a macro says; null where it was cancelled. */
-  static TouchOptions ask(StackVolume volume) throws StackRefused {
+  static TouchOptions ask(String title, StackVolume volume) throws StackRefused {
     ImageProcessor shown = volume.image().getProcessor();
-    boolean hasThreshold = shown.isThreshold();
-    GenericDialog dialog = new GenericDialog("Touch Volume");
+    boolean threshold = shown.isThreshold();
+    Calibration values = volume.image().getCalibration();
+    double lower =
+        threshold ? values.getCValue(shown.getMinThreshold()) : Prefs.get(PREFIX + "lower", 1);
+    double upper =
+        threshold
+            ? values.getCValue(shown.getMaxThreshold())
+            : Prefs.get(PREFIX + "upper", LARGEST_DEFAULT);
+    GenericDialog dialog = new GenericDialog(title);
+    dialog.addStringField("Segment name", Prefs.get(PREFIX + "name", "segment"), 16);
     dialog.addCheckbox("Labels: a segment a value", Prefs.get(PREFIX + "labels", false));
-    dialog.addNumericField(
-        "Lower threshold",
-        hasThreshold ? shown.getMinThreshold() : Prefs.get(PREFIX + "lower", 1),
-        2);
-    dialog.addNumericField(
-        "Upper threshold",
-        hasThreshold ? shown.getMaxThreshold() : Prefs.get(PREFIX + "upper", 65535),
-        2);
+    dialog.addNumericField("Lower threshold", lower, 2);
+    dialog.addNumericField("Upper threshold", upper, 2);
     dialog.addChoice(
         "Solver", solvers(), Prefs.get(PREFIX + "solver", SolverKind.GUARDED.toString()));
     dialog.addNumericField(
@@ -58,33 +68,57 @@ record TouchOptions(
         "Friction", Prefs.get(PREFIX + "friction", ForceSettings.DEFAULT_FRICTION), 2);
     dialog.addStringField("Device", Prefs.get(PREFIX + "device", "simulated"), 24);
     dialog.addNumericField("Time (0: until Escape)", Prefs.get(PREFIX + "seconds", 0), 1, 8, "s");
+    dialog.addCheckbox("View in 3-D", Prefs.get(PREFIX + "view", true));
     dialog.addHelp(HELP);
     dialog.showDialog();
     if (dialog.wasCanceled()) {
       return null;
     }
-    TouchOptions chosen = read(dialog);
+    TouchOptions chosen = read(dialog, threshold ? lower : Double.NaN, upper);
     chosen.check();
     chosen.keep();
     return chosen;
   }
 
-  /** Reads every field in its order, so that the recorder writes each. */
-  private static TouchOptions read(GenericDialog dialog) throws StackRefused {
+  /**
+   * Reads every field in its order, so that the recorder writes each.
+   *
+   * @param shownLower the lower threshold that the image shows; NaN where it shows none
+   */
+  private static TouchOptions read(GenericDialog dialog, double shownLower, double shownUpper)
+      throws StackRefused {
+    String name = dialog.getNextString().strip();
     boolean labels = dialog.getNextBoolean();
     double lower = dialog.getNextNumber();
     double upper = dialog.getNextNumber();
     String solver = dialog.getNextChoice();
     double stiffness = dialog.getNextNumber();
     double friction = dialog.getNextNumber();
-    String device = dialog.getNextString();
+    String device = dialog.getNextString().strip();
     double seconds = dialog.getNextNumber();
+    boolean view = dialog.getNextBoolean();
     if (dialog.invalidNumber()) {
       throw new StackRefused("A field does not hold a number: " + dialog.getErrorMessage());
     }
+    boolean asShown = isShown(lower, shownLower) && isShown(upper, shownUpper);
     SolverKind kind = SolverKind.valueOf(solver.toUpperCase(Locale.ROOT));
     return new TouchOptions(
-        labels, lower, upper, kind, stiffness, friction, device.strip(), seconds);
+        name.isEmpty() ? "segment" : name,
+        labels,
+        lower,
+        upper,
+        asShown && !labels,
+        kind,
+        stiffness,
+        friction,
+        device,
+        seconds,
+        view);
+  }
+
+  /** Whether a field still says what it was given, which it showed with two digits. */
+  private static boolean isShown(double value, double shown) {
+    return Math.abs(value - shown) <= 0.005;
   }
 
   private static String[] solvers() {
@@ -102,6 +136,7 @@ record TouchOptions(
   }
 
   private void keep() {
+    Prefs.set(PREFIX + "name", name);
     Prefs.set(PREFIX + "labels", labels);
     Prefs.set(PREFIX + "lower", lower);
     Prefs.set(PREFIX + "upper", upper);
@@ -110,6 +145,7 @@ record TouchOptions(
     Prefs.set(PREFIX + "friction", friction);
     Prefs.set(PREFIX + "device", device);
     Prefs.set(PREFIX + "seconds", seconds);
+    Prefs.set(PREFIX + "view", view);
   }
 
   /** As the host wants them. */
@@ -125,10 +161,20 @@ record TouchOptions(
         OptionalDouble.empty());
   }
 
-  /** What makes the segments of a stack. */
+  /**
+   * What makes the segments of a stack, in its raw values.
+   *
+   * @throws StackRefused where the labels are none
+   */
   List<VoxelRule> rules(StackVolume volume) throws StackRefused {
-    return labels
-        ? StackSegments.labels(volume).stream().map(VoxelRule::label).toList()
-        : List.of(VoxelRule.threshold("segment", lower, upper));
+    if (labels) {
+      return StackSegments.labels(volume).stream()
+          .map(value -> VoxelRule.label(value, volume.image()))
+          .toList();
+    }
+    Calibration values = volume.image().getCalibration();
+    double a = values.getRawValue(lower);
+    double b = values.getRawValue(upper);
+    return List.of(VoxelRule.threshold(name, Math.min(a, b), Math.max(a, b)));
   }
 }

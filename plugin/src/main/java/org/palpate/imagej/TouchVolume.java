@@ -1,15 +1,16 @@
 package org.palpate.imagej;
 
 import ij.IJ;
-import ij.ImagePlus;
-import java.util.Locale;
+import java.util.List;
 import java.util.Optional;
-import org.palpate.interaction.FrameRecorder;
-import org.palpate.interaction.LoopEnd;
+import org.palpate.host.SessionView;
+import org.palpate.volume.Segment;
 
 /**
- * "Touch Volume...": touches the stack in front until Escape, the end of its time, or the image
- * closes.
+ * "Touch Volume...": touches the stack in front until Escape, "Stop Touching", the end of its time,
+ * or the image or the 3-D window closes. Returns as soon as force is on.
+ *
+ * <p>Macros may ask meanwhile, as in {@code call("org.palpate.imagej.TouchVolume.isTouching")}.
  */
 public final class TouchVolume extends PalpateCommand {
   /** Made by ImageJ. */
@@ -19,20 +20,19 @@ public final class TouchVolume extends PalpateCommand {
 
   @Override
   void execute() throws StackRefused {
-    ImagePlus image = IJ.getImage();
-    StackVolume volume = StackVolume.shownIn(image);
-    if (volume.isOneOfSeveral() && !asksFor(volume)) {
-      return;
-    }
-    TouchOptions options = TouchOptions.ask(volume);
-    if (options != null) {
-      touch(volume, options, Optional.empty());
+    StackVolume volume = StackVolume.shownIn(IJ.getImage());
+    if (!volume.isOneOfSeveral() || asksFor(volume)) {
+      TouchOptions options = TouchOptions.ask("Touch Volume", volume);
+      if (options != null) {
+        TouchRun.begin(volume, options, Optional.empty());
+      }
     }
   }
 
-  private static boolean asksFor(StackVolume volume) {
+  /** Asks whether the shown channel and time is meant. */
+  static boolean asksFor(StackVolume volume) {
     return IJ.showMessageWithCancel(
-        "Touch Volume",
+        "Palpate",
         "The image has several channels or times.\nChannel "
             + volume.channel()
             + " at time "
@@ -40,30 +40,44 @@ public final class TouchVolume extends PalpateCommand {
             + ", the one that is shown, will be touched.");
   }
 
-  /** Runs a session to its end and says how it ended. */
-  static void touch(StackVolume volume, TouchOptions options, Optional<FrameRecorder> recorder)
-      throws StackRefused {
-    Sessions.refuseSecond();
-    try (StackSession session = new StackSession(volume, options, recorder)) {
-      Sessions.begin(session);
-      try {
-        tell(session, session.run(options.seconds()));
-      } finally {
-        Sessions.end(session);
-        CorrectSegment.forget();
+  /** For macros: "true" while a session runs, else "false". */
+  public static String isTouching() {
+    return Boolean.toString(Sessions.isRunning());
+  }
+
+  /**
+   * For macros: the segments of the session that runs, a line each, name and voxels parted by a
+   * tabulator; empty where none runs.
+   */
+  public static String segments() {
+    try {
+      StackSession session = Sessions.current();
+      List<Segment> segments = session.segments();
+      StringBuilder lines = new StringBuilder();
+      for (int n = 0; n < segments.size(); n++) {
+        lines.append(segments.get(n).name()).append('\t').append(session.voxels(n)).append('\n');
       }
+      return lines.toString();
+    } catch (StackRefused e) {
+      return "";
     }
   }
 
-  private static void tell(StackSession session, LoopEnd end) throws StackRefused {
-    IJ.showProgress(1);
-    IJ.showStatus(
-        String.format(
-            Locale.ROOT,
-            "Palpate: ended after %d frames, zero force sent",
-            session.status().frames()));
-    if (end.failure() != null) {
-      throw new StackRefused("Touching ended by a failure: " + end.failure().getMessage());
+  /** For macros: frames so far, "0" where no session runs. */
+  public static String frames() {
+    try {
+      return Long.toString(Sessions.current().status().frames());
+    } catch (StackRefused e) {
+      return "0";
+    }
+  }
+
+  /** For macros: pictures drawn in the 3-D window so far, "0" where there is none. */
+  public static String redraws() {
+    try {
+      return Long.toString(Sessions.current().view().map(SessionView::redraws).orElse(0L));
+    } catch (StackRefused e) {
+      return "0";
     }
   }
 }

@@ -1,5 +1,8 @@
 package org.palpate.imagej;
 
+import ij.ImagePlus;
+import ij.process.ByteProcessor;
+import ij.process.ImageProcessor;
 import java.util.Locale;
 
 /**
@@ -19,17 +22,27 @@ record VoxelRule(String name, double lower, double upper, int rgb) {
     0xE6C99F, 0x56B4E9, 0xE69F00, 0x009E73, 0xCC79A7, 0xF0E442, 0x0072B2, 0xD55E00
   };
 
+  private static final int LUT_SIZE = 256;
+
   static VoxelRule threshold(String name, double lower, double upper) {
     return new VoxelRule(name, lower, upper, PALETTE[0]);
   }
 
-  /** The segment of one value of a label image. */
-  static VoxelRule label(int value) {
-    return new VoxelRule(
-        String.format(Locale.ROOT, "label %d", value),
-        value,
-        value,
-        PALETTE[value % PALETTE.length]);
+  /** The segment of one value of a label image, in the colour in which a colour image shows it. */
+  static VoxelRule label(int value, ImagePlus image) {
+    ImageProcessor shown = image.getProcessor();
+    boolean coloured = shown instanceof ByteProcessor && shown.isColorLut() && value < LUT_SIZE;
+    int rgb =
+        coloured ? shown.getColorModel().getRGB(value) & 0xFFFFFF : PALETTE[value % PALETTE.length];
+    return new VoxelRule(String.format(Locale.ROOT, "label %d", value), value, value, rgb);
+  }
+
+  /** The same with the thresholds that an image shows; itself where it shows none. */
+  VoxelRule withThresholdOf(ImagePlus image) {
+    ImageProcessor shown = image.getProcessor();
+    return shown == null || !shown.isThreshold()
+        ? this
+        : new VoxelRule(name, shown.getMinThreshold(), shown.getMaxThreshold(), rgb);
   }
 
   boolean holds(float value) {

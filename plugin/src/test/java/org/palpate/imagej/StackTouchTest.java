@@ -10,6 +10,8 @@ import ij.ImageStack;
 import ij.process.ByteProcessor;
 import ij.process.ColorProcessor;
 import ij.process.ImageProcessor;
+import ij.process.LUT;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -17,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReplayDevice;
 import org.palpate.device.Trajectory;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
@@ -93,7 +96,8 @@ class StackTouchTest {
     EditQueue edits = scene.edits();
     BitCube bits = segments.get(0).bits();
     HapticFrame frame = frame(scene);
-    try (StackWatcher watcher = new StackWatcher(volume, List.of(BRIGHT), segments, edits)) {
+    List<String> seen = new ArrayList<>();
+    try (StackWatcher watcher = watcher(volume, segments, edits, false, seen)) {
       assertEquals(0, watcher.carryOverWhenUpdated());
       paint(image, 3, 4, 5, 200);
       image.updateAndDraw();
@@ -106,12 +110,85 @@ class StackTouchTest {
         slice.setValue(255);
         slice.fill();
       }
-      assertEquals(10 * 8 * 6 - 1, watcher.carryOver());
+      watcher.noteUpdate();
+      assertEquals(10 * 8 * 6 - 1, watcher.carryOverWhenUpdated());
+      assertEquals(0, watcher.carryOverWhenUpdated());
       for (int n = 2; !edits.isIdle(); n++) {
         frame.run(n * 1_000_000L);
       }
       assertTrue(frame.counts().freed() > 0, "the point was inside what came");
     }
+    assertEquals(List.of("0: x 3-3, y 4-4, z 5-5", "0: x 0-9, y 0-7, z 0-5"), seen);
+  }
+
+  @Test
+  void whatTheThresholdMarksIsFollowed() throws StackRefused {
+    ImagePlus image = stack();
+    paint(image, 3, 4, 5, 50);
+    paint(image, 4, 4, 5, 150);
+    List<Segment> segments = segments(image);
+    EditQueue edits = scene(StackGeometry.of(image), segments).edits();
+    StackVolume volume = StackVolume.shownIn(image);
+    try (StackWatcher watcher = watcher(volume, segments, edits, true, new ArrayList<>())) {
+      assertEquals(1, watcher.mirrors().get(0).solidCount());
+      image.getProcessor().setThreshold(40, 255, ImageProcessor.NO_LUT_UPDATE);
+      watcher.imageUpdated(image);
+      assertEquals(1, watcher.carryOverWhenUpdated());
+      assertEquals(2, watcher.mirrors().get(0).solidCount());
+    }
+  }
+
+  @Test
+  void aStackThatLosesASliceIsRefusedInWords() throws StackRefused {
+    ImagePlus image = stack();
+    List<Segment> segments = segments(image);
+    EditQueue edits = scene(StackGeometry.of(image), segments).edits();
+    StackVolume volume = StackVolume.shownIn(image);
+    try (StackWatcher watcher = watcher(volume, segments, edits, false, new ArrayList<>())) {
+      ImageStack slices = image.getStack();
+      slices.deleteLastSlice();
+      image.setStack(slices);
+      watcher.imageUpdated(image);
+      StackRefused refusal = assertThrows(StackRefused.class, () -> watcher.carryOverWhenUpdated());
+      assertTrue(refusal.getMessage().contains("another size"));
+    }
+  }
+
+  @Test
+  void aLabelImageWithAColourTableIsTakenWithItsColours() throws StackRefused {
+    ImagePlus image = stack();
+    paint(image, 1, 1, 1, 3);
+    byte[] ramp = new byte[256];
+    ramp[3] = 40;
+    byte[] none = new byte[256];
+    image.setLut(new LUT(ramp, none, none));
+    assertEquals(Set.of(3), StackSegments.labels(StackVolume.shownIn(image)));
+    assertEquals(40 << 16, VoxelRule.label(3, image).rgb());
+  }
+
+  private static StackWatcher watcher(
+      StackVolume volume,
+      List<Segment> segments,
+      EditQueue edits,
+      boolean followsThreshold,
+      List<String> seen)
+      throws StackRefused {
+    return new StackWatcher(
+        volume,
+        new StackPixels(volume),
+        List.of(BRIGHT),
+        followsThreshold,
+        segments,
+        edits,
+        new StackWatcher.Listener() {
+          @Override
+          public void updated() {}
+
+          @Override
+          public void changed(IntBox voxels, int segment) {
+            seen.add(segment + ": " + voxels);
+          }
+        });
   }
 
   private static ContactScene scene(StackGeometry geometry, List<Segment> segments) {
@@ -156,7 +233,8 @@ class StackTouchTest {
   }
 
   private static List<Segment> segments(ImagePlus image) throws StackRefused {
-    return StackSegments.of(StackVolume.shownIn(image), List.of(BRIGHT), k -> {});
+    StackVolume volume = StackVolume.shownIn(image);
+    return StackSegments.of(volume, volume::pixels, List.of(BRIGHT), k -> {});
   }
 
   private static void paint(ImagePlus image, int i, int j, int k, int value) {

@@ -1,0 +1,92 @@
+package org.palpate.imagej;
+
+import ij.ImagePlus;
+import ij.gui.Overlay;
+import ij.gui.PointRoi;
+import ij.gui.TextRoi;
+import ij.measure.ResultsTable;
+import java.awt.Color;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.Landmark;
+import org.palpate.io.LandmarkFiles;
+
+/**
+ * The landmarks of a session: rows of a table of ImageJ in calibrated units, marks in the stack's
+ * overlay, and files. Any thread.
+ */
+final class LandmarkTable {
+  static final String TITLE = "Palpate Landmarks";
+
+  private static final Color MARK = new Color(0xE69F00);
+  private static final int TEXT_OFFSET_PIXELS = 2;
+
+  private final ImagePlus image;
+  private final StackGeometry geometry;
+  private final List<Landmark> landmarks = new ArrayList<>();
+
+  LandmarkTable(ImagePlus image, StackGeometry geometry) {
+    this.image = image;
+    this.geometry = geometry;
+  }
+
+  /** A name for the next one: L1, L2 and so on. */
+  synchronized String nextName() {
+    return "L" + (landmarks.size() + 1);
+  }
+
+  /** Adds one. */
+  synchronized void add(String name, Vec3 grid) {
+    landmarks.add(new Landmark(name, geometry.grid().gridToWorld(grid, new Vec3())));
+    addRow(name, geometry.gridToCalibrated(grid, new Vec3()));
+    mark(name, grid);
+  }
+
+  private void addRow(String name, Vec3 at) {
+    ResultsTable open = ResultsTable.getResultsTable(TITLE);
+    ResultsTable table = open == null ? new ResultsTable() : open;
+    table.incrementCounter();
+    table.addValue("Name", name);
+    table.addValue("X", at.x);
+    table.addValue("Y", at.y);
+    table.addValue("Z", at.z);
+    table.addValue("Unit", geometry.unit());
+    table.show(TITLE);
+  }
+
+  private void mark(String name, Vec3 grid) {
+    int slice = Math.max(1, Math.min(image.getNSlices(), (int) Math.floor(grid.z) + 1));
+    PointRoi point = new PointRoi(grid.x, grid.y);
+    point.setStrokeColor(MARK);
+    TextRoi text = new TextRoi(grid.x + TEXT_OFFSET_PIXELS, grid.y + TEXT_OFFSET_PIXELS, name);
+    text.setStrokeColor(MARK);
+    if (image.isHyperStack()) {
+      point.setPosition(0, slice, 0);
+      text.setPosition(0, slice, 0);
+    } else {
+      point.setPosition(slice);
+      text.setPosition(slice);
+    }
+    Overlay overlay = image.getOverlay() == null ? new Overlay() : image.getOverlay();
+    overlay.add(point);
+    overlay.add(text);
+    image.setOverlay(overlay);
+  }
+
+  /**
+   * Writes {@code landmarks.csv}, and {@code landmarks.fcsv} for 3D Slicer, in world mm.
+   *
+   * @throws StackRefused where they cannot be written
+   */
+  synchronized void save(Path folder) throws StackRefused {
+    try {
+      LandmarkFiles.writeCsv(folder.resolve("landmarks.csv"), landmarks);
+      LandmarkFiles.writeFcsv(folder.resolve("landmarks.fcsv"), landmarks);
+    } catch (IOException e) {
+      throw new StackRefused("The landmarks cannot be saved in " + folder + ": " + e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,149 @@
+package org.palpate.imagej;
+
+import ij.IJ;
+import ij.Prefs;
+import ij.gui.GenericDialog;
+import ij.measure.ResultsTable;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
+import org.palpate.device.SimulatedDevice;
+import org.palpate.force.ForceSettings;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.host.ContactScene;
+import org.palpate.host.ContactSettings;
+import org.palpate.host.SolverKind;
+import org.palpate.host.TouchSession;
+import org.palpate.interaction.LoopReport;
+import org.palpate.interaction.LoopSettings;
+import org.palpate.interaction.Quantiles;
+import org.palpate.realtime.RealtimeThread;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * "Measure Jitter...": how regularly this ImageJ's own JVM runs a haptic frame a thousand times a
+ * second, as an ordinary thread and as sessions run it. A simulated hand touches a ball; the
+ * figures go to the table "Palpate Jitter". Other JVMs, collectors and the C++ loop beside them are
+ * the business of the command line's {@code palpate jitter}.
+ */
+public final class MeasureJitter extends PalpateCommand {
+  static final String TABLE = "Palpate Jitter";
+
+  private static final String SECONDS = "palpate.jitter";
+  private static final double DEFAULT_SECONDS = 10;
+  private static final double RATE_HZ = 1000;
+  private static final int EDGE = 96;
+  private static final long SEED = 1;
+  private static final long TICK_NANOS = 33_333_333;
+  private static final double NANOS_PER_SECOND = 1e9;
+
+  /** Made by ImageJ. */
+  public MeasureJitter() {
+    super("Measure Jitter");
+  }
+
+  @Override
+  void execute() throws StackRefused {
+    Sessions.refuseSecond();
+    GenericDialog dialog = new GenericDialog("Measure Jitter");
+    dialog.addNumericField("Time", Prefs.get(SECONDS, DEFAULT_SECONDS), 1, 8, "s each");
+    dialog.addHelp(TouchOptions.HELP);
+    dialog.showDialog();
+    if (dialog.wasCanceled()) {
+      return;
+    }
+    double seconds = dialog.getNextNumber();
+    if (dialog.invalidNumber() || !(seconds > 0)) {
+      throw new StackRefused("The time must be a positive number of seconds.");
+    }
+    Prefs.set(SECONDS, seconds);
+    IJ.resetEscape();
+    ResultsTable table = new ResultsTable();
+    LoopSettings plain = LoopSettings.ofRate(RATE_HZ);
+    addRows(table, "ordinary thread", measure(plain, seconds));
+    try (RealtimeThread realtime = StackRealtime.thread()) {
+      addRows(table, "as sessions run", measure(plain.with(realtime, realtime), seconds));
+    }
+    IJ.showProgress(1);
+    IJ.showStatus("Palpate: jitter measured");
+    table.show(TABLE);
+  }
+
+  private static LoopReport measure(LoopSettings settings, double seconds) {
+    ContactScene scene = ball();
+    SimulatedDevice hand = new SimulatedDevice(SEED, scene.handTarget(), settings.periodNanos());
+    try (TouchSession session =
+        new TouchSession(
+            scene,
+            hand,
+            ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM,
+            settings,
+            Optional.empty(),
+            end -> {})) {
+      session.start();
+      watch(session, seconds);
+      session.stop();
+      return session.report();
+    }
+  }
+
+  private static void watch(TouchSession session, double seconds) {
+    long began = 0;
+    double passed = 0;
+    while (passed < seconds && !session.supervise() && !IJ.escapePressed()) {
+      if (began == 0 && session.status().frames() > 0) {
+        began = System.nanoTime();
+      }
+      passed = began == 0 ? 0 : (System.nanoTime() - began) / NANOS_PER_SECOND;
+      session.takeUnseen();
+      IJ.showProgress(passed / seconds);
+      IJ.showStatus("Palpate: measuring jitter; Escape ends");
+      LockSupport.parkNanos(TICK_NANOS);
+    }
+  }
+
+  private static ContactScene ball() {
+    BitCube bits = new BitCube(EDGE, EDGE, EDGE);
+    double middle = EDGE / 2.0;
+    double radius = EDGE / 3.0;
+    for (int k = 0; k < EDGE; k++) {
+      for (int j = 0; j < EDGE; j++) {
+        for (int i = 0; i < EDGE; i++) {
+          double x = i + 0.5 - middle;
+          double y = j + 0.5 - middle;
+          double z = k + 0.5 - middle;
+          if (x * x + y * y + z * z <= radius * radius) {
+            bits.set(i, j, k);
+          }
+        }
+      }
+    }
+    RigidTransform axes =
+        new RigidTransform(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3());
+    VoxelGrid grid = new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(1, 1, 1), axes);
+    Segment segment = new Segment("ball", bits, VoxelRule.threshold("ball", 1, 1).rgb());
+    return new ContactScene(
+        new SegmentedVolume(grid, List.of(segment)), ContactSettings.standard(SolverKind.GUARDED));
+  }
+
+  private static void addRows(ResultsTable table, String thread, LoopReport report) {
+    addRow(table, thread + ", period (us)", report.periodMicros(), report);
+    addRow(table, thread + ", work (us)", report.workMicros(), report);
+  }
+
+  private static void addRow(ResultsTable table, String what, Quantiles micros, LoopReport report) {
+    table.incrementCounter();
+    table.addValue("What", what);
+    table.addValue("Median", micros.p50());
+    table.addValue("99 %", micros.p99());
+    table.addValue("99.9 %", micros.p999());
+    table.addValue("Largest", micros.max());
+    table.addValue("Frames", (double) report.frames());
+    table.addValue("Late", (double) report.lateFrames());
+    table.addValue("Class", report.granted().schedulingClass());
+  }
+}

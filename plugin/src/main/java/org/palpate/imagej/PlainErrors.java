@@ -1,0 +1,40 @@
+package org.palpate.imagej;
+
+import ij.IJ;
+import ij.Macro;
+
+/**
+ * Says what went wrong in a dialog, in plain words. The stack trace is shown where ImageJ's debug
+ * mode is on (Edit &gt; Options &gt; Misc).
+ */
+final class PlainErrors {
+  private PlainErrors() {}
+
+  /** Shows a refusal, or a failure that no one foresaw. Any thread. */
+  static void show(String title, Exception failure) {
+    if (failure instanceof StackRefused) {
+      IJ.error(title, failure.getMessage());
+      return;
+    }
+    if (IJ.debugMode) {
+      IJ.handleException(failure);
+    }
+    IJ.error(
+        title,
+        "Palpate failed ("
+            + failure
+            + ").\nTick \"Debug mode\" in Edit > Options > Misc, try again, and report what is shown.");
+  }
+
+  /** Says that the memory does not suffice. Any thread. */
+  static void showOutOfMemory(String title) {
+    IJ.error(
+        title,
+        "There is not enough memory: give ImageJ more by Edit > Options > Memory & Threads...");
+  }
+
+  /** Whether this is how ImageJ ends a macro. */
+  static boolean endsMacro(RuntimeException e) {
+    return Macro.MACRO_CANCELED.equals(e.getMessage());
+  }
+}

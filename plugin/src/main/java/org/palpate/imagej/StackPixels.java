@@ -1,0 +1,81 @@
+package org.palpate.imagej;
+
+import java.util.Arrays;
+
+/**
+ * A copy of a stack's pixels, to find out which slices and pixels have changed since. As large as
+ * the stack; one thread.
+ */
+final class StackPixels {
+  private final StackVolume volume;
+  private final Object[] slices;
+
+  /**
+   * Copies the stack as it is now.
+   *
+   * @throws StackRefused where it is no grey stack of its former size any more
+   */
+  StackPixels(StackVolume volume) throws StackRefused {
+    this.volume = volume;
+    slices = new Object[volume.slices()];
+    for (int k = 0; k < slices.length; k++) {
+      slices[k] = copy(volume.pixels(k));
+    }
+  }
+
+  /** The copied pixels of slice k, from 0; not to be changed. */
+  Object slice(int k) {
+    return slices[k];
+  }
+
+  /** Takes pixels that differ from the copy. */
+  @FunctionalInterface
+  interface Sink {
+    /** Pixel n of slice k, from 0, has another raw value now. */
+    void accept(int n, int k, float value);
+  }
+
+  /**
+   * Tells of every pixel that changed since it was asked last, slice by slice.
+   *
+   * @throws StackRefused where the stack got another size or type
+   */
+  void changes(Sink sink) throws StackRefused {
+    for (int k = 0; k < slices.length; k++) {
+      Object now = volume.pixels(k);
+      if (!same(slices[k], now)) {
+        // The stack goes on changing: what is told and what is kept are the same copy.
+        Object fresh = copy(now);
+        tell(k, slices[k], fresh, sink);
+        slices[k] = fresh;
+      }
+    }
+  }
+
+  private static void tell(int k, Object before, Object after, Sink sink) {
+    int pixels = StackVolume.pixelCount(after);
+    for (int n = 0; n < pixels; n++) {
+      float fresh = StackVolume.value(after, n);
+      if (fresh != StackVolume.value(before, n)) {
+        sink.accept(n, k, fresh);
+      }
+    }
+  }
+
+  private static boolean same(Object a, Object b) {
+    if (a instanceof byte[] x && b instanceof byte[] y) {
+      return Arrays.equals(x, y);
+    }
+    if (a instanceof short[] x && b instanceof short[] y) {
+      return Arrays.equals(x, y);
+    }
+    return a instanceof float[] x && b instanceof float[] y && Arrays.equals(x, y);
+  }
+
+  private static Object copy(Object pixels) {
+    if (pixels instanceof byte[] bytes) {
+      return bytes.clone();
+    }
+    return pixels instanceof short[] shorts ? shorts.clone() : ((float[]) pixels).clone();
+  }
+}
