@@ -47,6 +47,7 @@ class ArchitectureTest {
           Map.entry("host", List.of("interaction", "scene", "device", "volume")),
           Map.entry("imagej", List.of("host", "io", "device.jni", "realtime")),
           Map.entry("app", List.of("host", "io", "device.jni", "realtime")),
+          Map.entry("scijava", List.of("app")),
           Map.entry("benchmarks", List.of("app", "imagej")));
 
   private static final JavaClasses CLASSES =
@@ -136,6 +137,11 @@ class ArchitectureTest {
   @Test
   void imageJStandsOnlyInImagejAndIo() {
     onlyIn("..imagej..", "..io..").accept("ij..");
+  }
+
+  @Test
+  void scijavaStandsOnlyInItsFace() {
+    onlyIn("org.palpate.scijava..").accept("org.scijava..");
   }
 
   private interface Rule {
