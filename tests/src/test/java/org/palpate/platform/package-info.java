@@ -1,0 +1,2 @@
+/** Palpate inside volume platforms: the packed plug-in in the real ImageJ, and hosts of our own. */
+package org.palpate.platform;
