@@ -1,0 +1,554 @@
+package org.palpate.platform;
+
+import ij.IJ;
+import ij.ImagePlus;
+import ij.Menus;
+import ij.WindowManager;
+import ij.gui.GenericDialog;
+import ij.measure.ResultsTable;
+import ij.plugin.PlugIn;
+import ij.plugin.frame.Recorder;
+import java.awt.Button;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dialog;
+import java.awt.Label;
+import java.awt.Menu;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.TextField;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.event.ActionEvent;
+import java.awt.event.ActionListener;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
+import javax.imageio.ImageIO;
+
+/**
+ * Sits in the real ImageJ's plug-ins folder and does what a user would do, by menu, dialog and
+ * macro; what it sees it writes into {@code facts.txt}, a line each, for the test outside. Knows
+ * Palpate by its commands alone.
+ */
+public final class ImagejProbe implements PlugIn {
+  private static final long PATIENCE_NANOS = 90_000_000_000L;
+  private static final String TOUCH = "org.palpate.imagej.TouchVolume";
+
+  private final Path folder = Path.of(System.getProperty("probe.dir"));
+  private final List<String> facts = new ArrayList<>();
+
+  @Override
+  public void run(String argument) {
+    new Thread(this::scenario, "probe").start();
+  }
+
+  private void scenario() {
+    int exitCode = 0;
+    try {
+      for (String part : List.of(System.getProperty("probe.parts").split(",", -1))) {
+        play(part);
+      }
+      fact("end", "reached");
+    } catch (Exception | LinkageError e) {
+      fact("failed", e + " at " + Arrays.toString(e.getStackTrace()));
+      exitCode = 1;
+    }
+    System.exit(exitCode);
+  }
+
+  private void play(String part) throws Exception {
+    switch (part) {
+      case "menu" -> menu();
+      case "dialog" -> dialog();
+      case "record" -> record();
+      case "others" -> others();
+      case "refuse" -> refuse();
+      case "touch" -> touch();
+      case "latency" -> latency();
+      case "cycles" -> cycles();
+      case "counts" -> counts();
+      case "picture" -> picture();
+      default -> throw new IllegalArgumentException("no such part: " + part);
+    }
+  }
+
+  private void fact(String name, Object value) {
+    facts.add(name + "=" + String.valueOf(value).replace("\n", "\\n"));
+    try {
+      Files.write(folder.resolve("facts.txt"), facts);
+    } catch (IOException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  // --- the parts ---------------------------------------------------------------------------------
+
+  private void menu() {
+    List<String> items = new ArrayList<>();
+    Menu plugins = find(Menus.getMenuBar().getMenuCount(), n -> Menus.getMenuBar().getMenu(n));
+    for (int n = 0; n < plugins.getItemCount(); n++) {
+      if (plugins.getItem(n) instanceof Menu menu && menu.getLabel().equals("Palpate")) {
+        for (int i = 0; i < menu.getItemCount(); i++) {
+          items.add(menu.getItem(i).getLabel());
+        }
+      }
+    }
+    fact("menu", items);
+    fact("version", IJ.getVersion());
+  }
+
+  private static Menu find(int count, java.util.function.IntFunction<Menu> menus) {
+    for (int n = 0; n < count; n++) {
+      if (menus.apply(n).getLabel().equals("Plugins")) {
+        return menus.apply(n);
+      }
+    }
+    throw new IllegalStateException("there is no menu Plugins");
+  }
+
+  private void dialog() {
+    ImagePlus ball = open("ball.tif");
+    IJ.doCommand("Touch Volume...");
+    GenericDialog dialog = awaitDialog("Touch Volume");
+    fact("dialog", texts(dialog));
+    press(dialog, "Cancel");
+    await("the dialog to close", () -> !dialog.isShowing());
+    fact("touching after cancel", touching());
+    close(ball);
+  }
+
+  /** Commands by hand while the recorder looks on, then the recorded lines again, one by one. */
+  private void record() {
+    ImagePlus ball = open("ball.tif");
+    Recorder recorder = new Recorder();
+    recordedSteps(recorder);
+    String recorded = recorder.getText();
+    recorder.close();
+    Recorder.record = false;
+    fact("recorded", recorded);
+    long rows = rows("Palpate Landmarks");
+    recorded.lines().filter(line -> line.startsWith("run(\"")).forEach(this::again);
+    fact("landmarks again", rows("Palpate Landmarks") - rows);
+    fact("overlay", ball.getOverlay() == null ? 0 : ball.getOverlay().size());
+    close(ball);
+  }
+
+  private void recordedSteps(Recorder recorder) {
+    byHand("Touch Volume...", "Touch Volume", this::fillTouch);
+    await("force", () -> Long.parseLong(call("frames")) > 200);
+    fact("segments", call("segments"));
+    byHand(
+        "Landmarks...",
+        "Landmarks",
+        dialog -> {
+          text(dialog, 0, "tip A");
+          text(dialog, 1, folder.toString());
+        });
+    await("the landmark", () -> recorder.getText().contains("Landmarks..."));
+    byHand("Correct Segment...", "Correct Segment", dialog -> number(dialog, 0, "4"));
+    await("the correction", () -> recorder.getText().contains("action=add"));
+    await("its being felt", () -> !call("segments").equals(first("segments")));
+    fact("corrected", call("segments"));
+    doAndWait("Correct Segment...", dialog -> choose(dialog, "undo"));
+    await("the undoing", () -> recorder.getText().contains("action=undo"));
+    await("its being felt", () -> call("segments").equals(first("segments")));
+    IJ.doCommand("Stop Touching");
+    await("the end", () -> !isTouching() && recorder.getText().contains("Stop Touching"));
+  }
+
+  private void doAndWait(String command, Filling filling) {
+    byHand(command, "Correct Segment", filling);
+  }
+
+  private void again(String line) {
+    boolean stop = line.contains("Stop Touching");
+    IJ.runMacro(line);
+    fact("again " + line.replaceAll("\\W+", " ").strip(), touching());
+    if (stop) {
+      await("the end", () -> !isTouching());
+    }
+  }
+
+  private void fillTouch(GenericDialog dialog) {
+    text(dialog, 0, "ball");
+    number(dialog, 0, "100");
+    number(dialog, 1, "255");
+    text(dialog, 1, "replay:" + folder.resolve("slide.csv"));
+  }
+
+  private void others() {
+    ImagePlus ball = open("ball.tif");
+    run("Replay Trajectory...", "trajectory=[" + folder.resolve("still.csv") + "] " + TOUCH_BALL);
+    fact("replay rows", rows("Palpate Frames"));
+    run("Palpate Devices...", "");
+    fact("devices", WindowManager.getWindow("Palpate Devices") != null);
+    run("Measure Jitter...", "time=1");
+    fact("jitter rows", rows("Palpate Jitter"));
+    String slide = "device=[replay:" + folder.resolve("slide.csv") + "] ";
+    Path taped = folder.resolve("taped.csv");
+    run("Record Trajectory...", TOUCH_BALL + slide + "time=1 record=[" + taped + "]");
+    await("the recording", () -> !isTouching() && Files.exists(taped));
+    IJ.doCommand("About Palpate...");
+    Dialog about = awaitAny("About Palpate");
+    fact("about", texts(about));
+    press(about, "OK");
+    close(ball);
+  }
+
+  private void refuse() {
+    ImagePlus colour = IJ.createImage("colour", "RGB black", 16, 16, 4);
+    colour.show();
+    IJ.doCommand("Touch Volume...");
+    Dialog refusal = awaitAny("Touch Volume");
+    fact("refused", texts(refusal));
+    press(refusal, "OK");
+    close(colour);
+    IJ.doCommand("Landmarks...");
+    Dialog idle = awaitAny("Landmarks");
+    fact("idle", texts(idle));
+    press(idle, "OK");
+  }
+
+  /** Ten seconds under a recorded hand, painted into meanwhile; then the image is closed. */
+  private void touch() {
+    ImagePlus ball = open("ball.tif");
+    run("Touch Volume...", TOUCH_BALL + device("slide.csv") + "time=0 view");
+    await("the window", () -> redraws() > 0);
+    long end = System.nanoTime() + Long.getLong("probe.seconds") * 1_000_000_000L;
+    int painted = 0;
+    while (System.nanoTime() < end && isTouching()) {
+      IJ.runMacro(
+          "setSlice("
+              + (painted % 20 + 1)
+              + "); setColor(200); fillOval(2, 2, 6, 6); updateDisplay();");
+      painted++;
+      pause(50);
+    }
+    fact("still touching", touching());
+    fact("frames", call("frames"));
+    fact("redraws", redraws());
+    fact("painted", call("segments"));
+    close(ball);
+    await("the end with the image", () -> !isTouching());
+    fact("touching after close", touching());
+  }
+
+  /** How long an edit takes to reach hand and eye while the hand rests; told, not judged. */
+  private void latency() {
+    ImagePlus ball = open("ball.tif");
+    run("Touch Volume...", TOUCH_BALL + device("still.csv") + "time=0 view");
+    await("the window", () -> redraws() > 0);
+    pause(3000);
+    List<Double> felt = new ArrayList<>();
+    List<Double> seen = new ArrayList<>();
+    for (int n = 0; n < 20; n++) {
+      String before = call("segments");
+      long drawn = redraws();
+      int k = n % 10 + 1;
+      ball.getStack().getProcessor(k).set(3 + n, 3, n % 2 == 0 ? 200 : 201);
+      long began = System.nanoTime();
+      ball.updateAndDraw();
+      await("the edit to be felt", () -> !call("segments").equals(before));
+      felt.add((System.nanoTime() - began) / 1e6);
+      await("the edit to be seen", () -> redraws() > drawn);
+      seen.add((System.nanoTime() - began) / 1e6);
+      pause(150);
+    }
+    fact("felt ms", summary(felt));
+    fact("seen ms", summary(seen));
+    run("Stop Touching", "");
+    close(ball);
+  }
+
+  private static String summary(List<Double> values) {
+    List<Double> sorted = values.stream().sorted().toList();
+    return String.format(
+        java.util.Locale.ROOT,
+        "median %.0f, largest %.0f",
+        sorted.get(sorted.size() / 2),
+        sorted.get(sorted.size() - 1));
+  }
+
+  private void cycles() {
+    int count = Integer.getInteger("probe.cycles");
+    int settled = 3;
+    for (int n = 1; n <= count; n++) {
+      ImagePlus ball = open("ball.tif");
+      run("Touch Volume...", TOUCH_BALL + device("still.csv") + "time=0 view");
+      await("the window", () -> redraws() > 0);
+      run("Stop Touching", "");
+      close(ball);
+      if (n == settled || n == count) {
+        String when = n == settled ? "early" : "late";
+        awaitQuietThreads();
+        fact("threads " + when, threads());
+        fact("heap " + when, usedAfterCollection());
+      }
+    }
+    fact("palpate threads", palpateThreads());
+  }
+
+  private void counts() {
+    for (String line : lines(folder.resolve("counts.txt"))) {
+      String[] parts = line.split("\t", -1);
+      ImagePlus image =
+          parts[1].endsWith("/") ? ij.plugin.FolderOpener.open(parts[1]) : open(parts[1]);
+      if (parts[1].endsWith("/")) {
+        image.show();
+      }
+      run("Touch Volume...", parts[2] + " device=simulated time=0");
+      await("the session", this::isTouching);
+      fact("counts " + parts[0], call("segments"));
+      run("Stop Touching", "");
+      close(image);
+    }
+  }
+
+  /** The desk with a volume being touched, for people to look at. */
+  private void picture() throws Exception {
+    ImagePlus image = open(System.getProperty("probe.picture"));
+    image.setSlice(image.getStackSize() / 2);
+    run(
+        "Touch Volume...",
+        System.getProperty("probe.options") + device("picture.csv") + "time=0 view");
+    await("the window", () -> redraws() > 0);
+    pause(Long.getLong("probe.pause", 8000));
+    run("Landmarks...", "name=tragus save=[]");
+    pause(1500);
+    Rectangle all = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+    File file = folder.resolve("screen.png").toFile();
+    ImageIO.write(new Robot().createScreenCapture(all), "png", file);
+    run("Stop Touching", "");
+    close(image);
+  }
+
+  // --- hands and eyes ----------------------------------------------------------------------------
+
+  private static final String TOUCH_BALL =
+      "segment=ball lower=100 upper=255 solver=guarded stiffness=0 friction=0.20 ";
+
+  private String device(String file) {
+    return "device=[replay:" + folder.resolve(file) + "] ";
+  }
+
+  private ImagePlus open(String name) {
+    IJ.open(folder.resolve(name).toString());
+    return IJ.getImage();
+  }
+
+  private static void close(ImagePlus image) {
+    image.changes = false;
+    image.close();
+  }
+
+  private static void run(String command, String options) {
+    IJ.runMacro("run(\"" + command + "\", \"" + options.strip() + "\");");
+  }
+
+  private interface Filling {
+    void fill(GenericDialog dialog);
+  }
+
+  private void byHand(String command, String title, Filling filling) {
+    IJ.doCommand(command);
+    GenericDialog dialog = awaitDialog(title);
+    filling.fill(dialog);
+    press(dialog, "OK");
+    await("the dialog to close", () -> !dialog.isShowing());
+    pause(200);
+  }
+
+  private static void text(GenericDialog dialog, int field, String value) {
+    ((TextField) dialog.getStringFields().get(field)).setText(value);
+  }
+
+  private static void number(GenericDialog dialog, int field, String value) {
+    ((TextField) dialog.getNumericFields().get(field)).setText(value);
+  }
+
+  private static void choose(GenericDialog dialog, String value) {
+    ((java.awt.Choice) dialog.getChoices().get(0)).select(value);
+  }
+
+  private static GenericDialog awaitDialog(String title) {
+    return (GenericDialog) awaitAny(title);
+  }
+
+  private static Dialog awaitAny(String title) {
+    await("the dialog " + title, () -> shown(title) != null);
+    pause(200);
+    return shown(title);
+  }
+
+  private static Dialog shown(String title) {
+    for (Window window : Window.getWindows()) {
+      if (window instanceof Dialog dialog
+          && window.isShowing()
+          && dialog.getTitle().equals(title)) {
+        return dialog;
+      }
+    }
+    return null;
+  }
+
+  private static List<String> texts(Container container) {
+    List<String> texts = new ArrayList<>();
+    for (Component component : container.getComponents()) {
+      if (component instanceof Label label) {
+        texts.add(label.getText());
+      } else if (component instanceof TextField field) {
+        texts.add("[" + field.getText() + "]");
+      } else if (component instanceof java.awt.Checkbox box) {
+        texts.add("(" + box.getState() + ") " + box.getLabel());
+      } else if (component instanceof java.awt.Choice choice) {
+        texts.add("<" + choice.getSelectedItem() + ">");
+      } else if (component instanceof Button button) {
+        texts.add("{" + button.getLabel() + "}");
+      } else if (component instanceof ij.gui.MultiLineLabel label) {
+        texts.add(lines(label));
+      } else if (component instanceof javax.swing.JLabel label) {
+        texts.add(label.getText());
+      } else if (component instanceof Container inner) {
+        texts.addAll(texts(inner));
+      }
+    }
+    return texts;
+  }
+
+  /** ImageJ's label tells no one what it says. */
+  private static String lines(ij.gui.MultiLineLabel label) {
+    try {
+      java.lang.reflect.Field lines = ij.gui.MultiLineLabel.class.getDeclaredField("lines");
+      lines.setAccessible(true);
+      return String.join("\n", (String[]) lines.get(label));
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  private static void press(Container container, String label) {
+    if (!pressed(container, label)) {
+      throw new IllegalStateException("no button " + label + " in " + texts(container));
+    }
+  }
+
+  private static boolean pressed(Container container, String label) {
+    for (Component component : container.getComponents()) {
+      if (component instanceof Button button && button.getLabel().strip().equals(label)) {
+        ActionEvent event = new ActionEvent(button, ActionEvent.ACTION_PERFORMED, label);
+        for (ActionListener listener : button.getActionListeners()) {
+          java.awt.EventQueue.invokeLater(() -> listener.actionPerformed(event));
+        }
+        return true;
+      }
+      if (component instanceof Container inner && pressed(inner, label)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static String call(String method) {
+    return IJ.runMacro("return call(\"" + TOUCH + "." + method + "\");");
+  }
+
+  private String touching() {
+    return call("isTouching");
+  }
+
+  private boolean isTouching() {
+    return touching().equals("true");
+  }
+
+  private static long redraws() {
+    return Long.parseLong(call("redraws"));
+  }
+
+  private static long rows(String table) {
+    ResultsTable found = ResultsTable.getResultsTable(table);
+    return found == null ? 0 : found.size();
+  }
+
+  private String first(String name) {
+    return facts.stream()
+        .filter(line -> line.startsWith(name + "="))
+        .map(line -> line.substring(name.length() + 1).replace("\\n", "\n"))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static List<String> lines(Path file) {
+    try {
+      return Files.readAllLines(file);
+    } catch (IOException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  // --- waiting and counting ----------------------------------------------------------------------
+
+  private static void await(String what, BooleanSupplier condition) {
+    long end = System.nanoTime() + PATIENCE_NANOS;
+    while (!condition.getAsBoolean()) {
+      if (System.nanoTime() > end) {
+        throw new IllegalStateException("waited in vain for " + what);
+      }
+      pause(2);
+    }
+  }
+
+  private static void pause(long millis) {
+    IJ.wait((int) millis);
+  }
+
+  private static List<String> palpateThreads() {
+    // JOGL names the threads that it keeps for all windows after the one that opened the first.
+    return threadNames().stream()
+        .filter(name -> name.startsWith("palpate") && !name.endsWith("SharedResourceRunner"))
+        .toList();
+  }
+
+  private static void awaitQuietThreads() {
+    await("Palpate's threads to end", () -> palpateThreads().isEmpty());
+  }
+
+  /** How many threads there are by name, without those that ImageJ begins for a macro. */
+  private static String threads() {
+    return new TreeSet<>(
+            threadNames().stream()
+                .filter(name -> !name.startsWith("Run$_") && !name.contains("Macro"))
+                .map(name -> name.replaceAll("[0-9]+", "N"))
+                .collect(Collectors.groupingBy(name -> name, Collectors.counting()))
+                .entrySet()
+                .stream()
+                .map(Object::toString)
+                .toList())
+        .toString();
+  }
+
+  private static List<String> threadNames() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .filter(Thread::isAlive)
+        .map(Thread::getName)
+        .toList();
+  }
+
+  private static long usedAfterCollection() {
+    long least = Long.MAX_VALUE;
+    for (int n = 0; n < 5; n++) {
+      System.gc();
+      pause(100);
+      Runtime runtime = Runtime.getRuntime();
+      least = Math.min(least, runtime.totalMemory() - runtime.freeMemory());
+    }
+    return least;
+  }
+}
