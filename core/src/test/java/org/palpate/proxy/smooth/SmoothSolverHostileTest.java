@@ -12,7 +12,7 @@ import org.palpate.proxy.FreePlace;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
-import org.palpate.testing.HostileNumbers;
+import org.palpate.testing.HostileWorld;
 import org.palpate.testing.LegJudge;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
@@ -35,16 +35,16 @@ class SmoothSolverHostileTest {
   }
 
   private long touchScene(SplittableRandom random, String what) {
-    BitCube bits = randomScene(random);
+    BitCube bits = HostileWorld.scene(random);
     Metric metric = new Metric(1, 1, random.nextBoolean() ? 1 : random.nextDouble(0.05, 20));
     double maxStepMm = random.nextInt(4) == 0 ? 1e-3 : random.nextDouble(0.5, 60);
     SmoothSolver solver = new SmoothSolver(metric, maxStepMm);
     Obstacles obstacles = new Obstacles(List.of(bits));
-    place(obstacles, metric, hostilePoint(random, bits));
+    place(obstacles, metric, HostileWorld.point(random, bits));
     LegJudge judge = new LegJudge(bits, point.position);
     Vec3 device = new Vec3().set(point.position);
     for (int frame = 0; frame < 200; frame++) {
-      moveDevice(random, bits, device);
+      HostileWorld.moveDevice(random, bits, device);
       solver.follow(obstacles, device, point);
       String frameName = what + " frame=" + frame + " device=" + device;
       assertNull(judge.faultOf(point), frameName);
@@ -59,7 +59,7 @@ class SmoothSolverHostileTest {
     SplittableRandom random = new SplittableRandom(seed);
     for (int scene = 0; scene < 200; scene++) {
       SmoothSolver solver = new SmoothSolver(UNIT, 8);
-      Obstacles obstacles = new Obstacles(List.of(randomScene(random)));
+      Obstacles obstacles = new Obstacles(List.of(HostileWorld.scene(random)));
       place(obstacles, UNIT, new Vec3(random.nextInt(-4, 20), random.nextInt(-4, 20) + 0.5, 1));
       Vec3 device =
           new Vec3(random.nextDouble(-4, 20), random.nextDouble(-4, 20), random.nextDouble(-4, 20));
@@ -81,52 +81,5 @@ class SmoothSolverHostileTest {
     if (obstacles.touches(start.x, start.y, start.z)) {
       new FreePlace(metric).find(obstacles, start, point.position);
     }
-  }
-
-  private static void moveDevice(SplittableRandom random, BitCube bits, Vec3 device) {
-    switch (random.nextInt(6)) {
-      case 0 -> device.set(hostilePoint(random, bits));
-      case 1 -> {} // at rest
-      case 2 ->
-          device.set(
-              device.x + random.nextInt(-1, 2) * 0.5,
-              device.y + random.nextInt(-1, 2) * 0.5,
-              device.z + random.nextInt(-1, 2) * 0.5);
-      case 3 -> device.set(Math.nextUp(device.x), Math.nextDown(device.y), device.z);
-      default ->
-          device.set(
-              device.x + random.nextDouble(-1, 1),
-              device.y + random.nextDouble(-1, 1),
-              device.z + random.nextDouble(-1, 1));
-    }
-  }
-
-  private static Vec3 hostilePoint(SplittableRandom random, BitCube bits) {
-    return new Vec3(
-        HostileNumbers.coordinate(random, bits.sizeX()),
-        HostileNumbers.coordinate(random, bits.sizeY()),
-        HostileNumbers.coordinate(random, bits.sizeZ()));
-  }
-
-  private static BitCube randomScene(SplittableRandom random) {
-    BitCube bits = new BitCube(random.nextInt(1, 16), random.nextInt(1, 16), random.nextInt(1, 16));
-    double density = random.nextDouble() * random.nextDouble();
-    int pattern = random.nextInt(4);
-    for (int n = 0; n < bits.sizeX() * bits.sizeY() * bits.sizeZ(); n++) {
-      int i = n % bits.sizeX();
-      int j = n / bits.sizeX() % bits.sizeY();
-      int k = n / (bits.sizeX() * bits.sizeY());
-      boolean solid =
-          switch (pattern) {
-            case 0 -> (i + j + k) % 2 == 0; // checkerboard
-            case 1 -> (i + j) % 4 == 0; // walls joined only by edges
-            case 2 -> (i + j + k) % 5 == 0; // walls joined by edges and corners
-            default -> random.nextDouble() < density;
-          };
-      if (solid) {
-        bits.set(i, j, k);
-      }
-    }
-    return bits;
   }
 }
