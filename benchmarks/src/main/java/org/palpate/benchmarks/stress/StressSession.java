@@ -24,13 +24,11 @@ public final class StressSession {
 
   /** Which solver is attacked. */
   public enum Attacked {
-    GUARDED(GuardedSolver::new),
-    SMOOTH(SolverMaker.SMOOTH);
+    GUARDED,
+    SMOOTH;
 
-    private final SolverMaker maker;
-
-    Attacked(SolverMaker maker) {
-      this.maker = maker;
+    private SolverMaker maker() {
+      return this == GUARDED ? GuardedSolver::new : SolverMaker.SMOOTH;
     }
 
     /** As on the command line. */
@@ -60,7 +58,7 @@ public final class StressSession {
     StressTotals totals = StressTotals.read(file);
     try {
       FailedCase failed =
-          new StressRun(seed, attacked.maker)
+          new StressRun(seed, attacked.maker())
               .untilFrames(totals, frames, now -> tell(now, frames, file));
       totals.write(file);
       if (failed != null) {
