@@ -1,6 +1,8 @@
 // Stands in for hidapi: its C interface over AF_UNIX SOCK_SEQPACKET, which keeps reports apart.
 // Each socket in the folder PALPATE_FAKE_HID is a device; the file's name is
-// VENDOR-PRODUCT-PAGE-USAGE-SERIAL.sock, numbers in hexadecimal.
+// VENDOR-PRODUCT-PAGE-USAGE-SERIAL.sock, numbers in hexadecimal. Where PALPATE_NULL_HID is set
+// there is one more, behind which there is nothing: every other read is a report, every write is
+// taken. It shows what calling costs.
 #include <dirent.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -13,6 +15,7 @@
 #include <cwchar>
 #include <string>
 
+#include "palpate_device.h"
 #include "substitutes/panel.h"
 
 using substitutes::Call;
@@ -33,14 +36,19 @@ struct hid_device_info {
 };
 
 struct hid_device {
-  int socket;
+  int socket;  // kNothing for the device with nothing behind it
   std::string path;
+  palpate_device firmware = {};
+  bool given = false;
 };
 
 namespace {
 
 constexpr char kData = 'D';
 constexpr char kFeature = 'F';
+constexpr int kNothing = -2;
+constexpr const char* kNullPath = "null:";
+constexpr const char* kNullFile = "1209-4a01-ff00-50-NULL.sock";
 
 int connectTo(const std::string& path, char purpose) {
   const int descriptor = socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0);
@@ -85,6 +93,32 @@ hid_device_info* infoOf(const std::string& folder, const char* file) {
   return info;
 }
 
+hid_device* openNothing() {
+  auto* device = new hid_device{kNothing, kNullPath};
+  palpate_capabilities can = {};
+  can.max_force_mn = 6000;
+  can.continuous_force_mn = 6000;
+  can.max_stiffness_n_per_m = 1500;
+  can.workspace_radius_tenth_mm = 600;
+  can.report_interval_us = 1000;
+  can.watchdog_ms = 20;
+  palpate_device_init(&device->firmware, &can);
+  return device;
+}
+
+int readNothing(hid_device* device, unsigned char* bytes, size_t length) {
+  device->given = !device->given;
+  if (!device->given || length < PALPATE_IN_BYTES) {
+    return 0;
+  }
+  palpate_pose pose = {};
+  pose.calibrated = 1;
+  pose.hand_present = 1;
+  pose.quaternion[3] = 32767;
+  palpate_device_in(&device->firmware, &pose, device->firmware.in_sequence * 1000U, bytes);
+  return PALPATE_IN_BYTES;
+}
+
 }  // namespace
 
 extern "C" {
@@ -110,6 +144,13 @@ hid_device_info* hid_enumerate(unsigned short, unsigned short) {
   if (entries != nullptr) {
     closedir(entries);
   }
+  if (std::getenv("PALPATE_NULL_HID") != nullptr) {
+    hid_device_info* info = infoOf("", kNullFile);
+    std::free(info->path);
+    info->path = strdup(kNullPath);
+    info->next = first;
+    first = info;
+  }
   return first;
 }
 
@@ -128,11 +169,17 @@ void hid_free_enumeration(hid_device_info* info) {
 
 hid_device* hid_open_path(const char* path) {
   const Call call("hid_open_path", false);
+  if (std::strcmp(path, kNullPath) == 0) {
+    return openNothing();
+  }
   const int descriptor = call.fails() ? -1 : connectTo(path, kData);
   return descriptor < 0 ? nullptr : new hid_device{descriptor, path};
 }
 
 int hid_write(hid_device* device, const unsigned char* bytes, size_t length) {
+  if (device->socket == kNothing) {
+    return static_cast<int>(length);
+  }
   const Call call("hid_write");
   if (call.fails()) {
     return -1;
@@ -142,6 +189,9 @@ int hid_write(hid_device* device, const unsigned char* bytes, size_t length) {
 }
 
 int hid_read_timeout(hid_device* device, unsigned char* bytes, size_t length, int millis) {
+  if (device->socket == kNothing) {
+    return readNothing(device, bytes, length);
+  }
   const Call call("hid_read_timeout");
   if (call.fails()) {
     return -1;
@@ -158,6 +208,10 @@ int hid_read_timeout(hid_device* device, unsigned char* bytes, size_t length, in
 }
 
 int hid_get_feature_report(hid_device* device, unsigned char* bytes, size_t length) {
+  if (device->socket == kNothing) {
+    palpate_device_feature(&device->firmware, bytes);
+    return PALPATE_CAPABILITIES_BYTES;
+  }
   const Call call("hid_get_feature_report");
   const int descriptor = call.fails() ? -1 : connectTo(device->path, kFeature);
   if (descriptor < 0) {
