@@ -1,6 +1,7 @@
 // A hand-built device that the unmodified hidapi finds, opens, reads and writes: umock_hid COMMAND
 // [ARGUMENT ...] runs the command with a virtual /dev/hidraw0 behind umockdev and moves a hand at
 // 1 kHz until the command ends. Its exit code is the command's; 125 where the device fails.
+#include <fcntl.h>
 #include <linux/hidraw.h>
 #include <poll.h>
 #include <sys/ioctl.h>
@@ -143,6 +144,22 @@ int receive(int master, uint32_t micros) {
   return count;
 }
 
+/**
+ * Sends a report where there is room. While nobody has the device open the pty fills up, and a
+ * write that waits would wait for ever; where a part alone fitted, the rest goes before the next
+ * report.
+ */
+void send(int master, const uint8_t (&report)[PALPATE_IN_BYTES]) {
+  static uint8_t bytes[PALPATE_IN_BYTES];
+  static size_t rest = 0;
+  if (rest == 0) {
+    std::memcpy(bytes, report, sizeof bytes);
+    rest = sizeof bytes;
+  }
+  const ssize_t written = write(master, bytes + sizeof bytes - rest, rest);
+  rest -= written > 0 ? static_cast<size_t>(written) : 0;
+}
+
 /** Moves the hand until the command ends; its status. */
 int serve(int master, pid_t child) {
   Felt felt;
@@ -162,10 +179,7 @@ int serve(int master, pid_t child) {
     moveHand(pose, openedMillis < 0 ? 0 : static_cast<double>(millis - openedMillis) / 1000);
     uint8_t report[PALPATE_IN_BYTES];
     palpate_device_in(&firmware, &pose, micros, report);
-    pollfd wait = {master, POLLOUT, 0};
-    if (poll(&wait, 1, 0) > 0 && write(master, report, sizeof report) < 0) {
-      std::perror("umock_hid: report");
-    }
+    send(master, report);
     palpate_device_motors(&firmware, micros, &motors);
     if (openedMillis >= 0) {
       felt.note(motors, reports);
@@ -203,6 +217,7 @@ int main(int count, char** arguments) {
     return failed(error);
   }
   const int master = umockdev_testbed_get_dev_fd(testbed, kNode);
+  fcntl(master, F_SETFL, fcntl(master, F_GETFL) | O_NONBLOCK);
   const int status = serve(master, run(arguments + 1, master));
   g_object_unref(ioctls);
   g_object_unref(testbed);

@@ -28,7 +28,7 @@ final class DeviceWatch {
   private final InputStream keys;
   private final DeviceState state = new DeviceState();
   private final Vec3 forceNewton = new Vec3();
-  private int fresh;
+  private long shownSamples;
   private int pushing;
 
   DeviceWatch(NativeDevice device, InputStream keys, PrintWriter out) {
@@ -58,7 +58,6 @@ final class DeviceWatch {
 
   private boolean step() throws IOException {
     ReadStatus status = device.read(state);
-    fresh += status == ReadStatus.FRESH ? 1 : 0;
     forceNewton.set(0, pushing > 0 ? pushNewton() : 0, 0);
     pushing = Math.max(0, pushing - 1);
     return status != ReadStatus.DISCONNECTED && device.write(forceNewton);
@@ -73,8 +72,9 @@ final class DeviceWatch {
     while (keys.available() > 0 && keys.read() >= 0) {
       pushing = PUSH_FRAMES;
     }
-    int samplesPerSecond = fresh * 1000 / FRAMES_A_LINE;
-    fresh = 0;
+    long samples = device.counters().samples();
+    long samplesPerSecond = (samples - shownSamples) * 1000 / FRAMES_A_LINE;
+    shownSamples = samples;
     out.println(
         format(
             "%7.1f s  %8.2f %8.2f %8.2f mm  buttons %s  %d samples/s%s%s",

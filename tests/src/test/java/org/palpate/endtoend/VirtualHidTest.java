@@ -1,0 +1,136 @@
+package org.palpate.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Commands with a hand-built device that the unmodified hidapi finds behind umockdev; its firmware
+ * says at the end what it felt. What {@code native/src/test/sh/touch-virtual-device.sh} does.
+ */
+class VirtualHidTest {
+  private static final Path DEVICE = Path.of("..", "native", "target", "cmake-tests", "umock_hid");
+  private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
+  private static final Pattern FELT =
+      Pattern.compile(
+          "umock_hid: .* (\\d+) forces, .* (\\d+) with a push, largest (\\d+) mN, .* (\\d+) mN at"
+              + " the end");
+
+  @TempDir private Path folder;
+
+  @BeforeEach
+  void needsUmockdev() {
+    Assumptions.assumeTrue(
+        Files.isExecutable(DEVICE),
+        "skipped: no " + DEVICE + ": apt-get install umockdev libumockdev-dev pkg-config");
+  }
+
+  @Test
+  void hidapiListsIt() throws Exception {
+    String out = run("", "devices").out();
+    assertTrue(out.contains("libhidapi-hidraw.so.0"), out);
+    assertTrue(out.contains("SN0001  Virtual hand-built device"), out);
+  }
+
+  @Test
+  void aSessionTouchesThroughItAndLeavesItWithoutForce() throws Exception {
+    Path report = folder.resolve("r.json");
+    CommandRun run =
+        run(
+            "",
+            "touch",
+            "--device",
+            "hid:SN0001",
+            "--phantom",
+            "head:64",
+            "--seconds",
+            "4",
+            "--headless",
+            "--report",
+            report);
+    Map<String, String> json = FlatJson.read(report);
+    assertTrue(Long.parseLong(json.get("/contact_frames")) > 0, json.toString());
+    Matcher felt = felt(run.err());
+    assertTrue(Integer.parseInt(felt.group(2)) > 0, run.err());
+    assertTrue(
+        Integer.parseInt(felt.group(3)) <= 6000, "beyond the device's maximum: " + run.err());
+    assertEquals("0", felt.group(4), run.err());
+  }
+
+  @Test
+  void aKeyDrawsForceWhileItIsWatched() throws Exception {
+    CommandRun run = run("\n", "devices", "--watch", "hid:SN0001", "--seconds", "3");
+    assertTrue(run.out().contains("samples/s"), run.out());
+    assertTrue(run.out().contains("hold it still"), run.out());
+    assertTrue(run.out().contains("pushing"), run.out());
+    Matcher felt = felt(run.err());
+    // A tenth of its maximum, once the hand had held it still.
+    assertEquals("600", felt.group(3), run.err());
+    assertEquals("0", felt.group(4), run.err());
+  }
+
+  @Test
+  void aSerialThatIsNotThereIsAnsweredWithTheOneThatIs() throws Exception {
+    CommandRun run = start("", "touch", "--device", "hid:SN9", "--headless");
+    assertEquals(1, run.exitCode(), run.err());
+    assertTrue(run.err().contains("use one of SN0001"), run.err());
+  }
+
+  private static Matcher felt(String err) {
+    Matcher felt = FELT.matcher(err);
+    assertTrue(felt.find(), "the device said nothing: " + err);
+    assertTrue(Integer.parseInt(felt.group(1)) > 0, err);
+    return felt;
+  }
+
+  private static CommandRun run(String keys, Object... arguments) throws Exception {
+    return start(keys, arguments).mustSucceed();
+  }
+
+  /** The device, which runs the command; keys are pressed once the hand has come to hold still. */
+  private static CommandRun start(String keys, Object... arguments)
+      throws IOException, InterruptedException {
+    ProcessBuilder own = CommandRun.inOwnJvm(JAVA_HOME, List.of(), arguments);
+    List<String> command = new ArrayList<>(List.of(DEVICE.toAbsolutePath().toString()));
+    command.addAll(own.command());
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.environment().put("LD_PRELOAD", "libumockdev-preload.so.0");
+    builder.environment().remove("LD_LIBRARY_PATH");
+    Path err = Files.createTempFile("palpate-err", ".txt");
+    Process process = builder.redirectError(err.toFile()).start();
+    StringBuilder out = new StringBuilder();
+    try (var lines = process.inputReader(StandardCharsets.UTF_8);
+        OutputStream input = process.getOutputStream()) {
+      boolean pressed = keys.isEmpty();
+      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+        out.append(line).append('\n');
+        // The force has been let in a second after it went on.
+        if (!pressed && line.contains("samples/s") && !line.contains("hold it still")) {
+          pressed = out.toString().lines().filter(said -> said.contains("samples/s")).count() > 12;
+          if (pressed) {
+            input.write(keys.getBytes(StandardCharsets.US_ASCII));
+            input.flush();
+          }
+        }
+      }
+    }
+    int exitCode = process.waitFor();
+    String errors = Files.readString(err);
+    Files.delete(err);
+    return new CommandRun(exitCode, out.toString(), errors);
+  }
+}
