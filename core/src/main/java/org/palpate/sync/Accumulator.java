@@ -1,8 +1,9 @@
 package org.palpate.sync;
 
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Collects changes of scene properties in the haptic thread and hands them, a whole frame at a
@@ -17,85 +18,98 @@ import java.util.concurrent.atomic.AtomicInteger;
  *               }
  * </pre>
  *
- * <p>Wait-free for both: a publication is one atomic exchange, whatever the other side does. The
- * last value of a property wins; a value that did not change is not written; all that one {@link
- * #publish} carries arrives together, so position and force are of the same frame. A property stays
- * dirty until the reader called {@link Property#applied}, so that a renderer which threw is asked
- * again.
+ * <p>Wait-free for the writer: plain stores between two stores of a sequence number, whatever the
+ * reader does. The last value of a property wins; a value that did not change is not written; all
+ * that one {@link #publish} carries arrives together, so position and force are of the same frame.
+ * The reader takes a copy and throws it away where the sequence moved meanwhile; after {@value
+ * #MOST_TRIES} tries it leaves it for its next turn. A property stays dirty until the reader called
+ * {@link Property#applied}, so that a renderer which threw is asked again.
  *
- * <p>One writer: the haptic thread sets and publishes. One reader: the synchronization thread
- * takes, reads and applies. Properties are made before either starts. Nothing is allocated after.
+ * <p>One writer: the haptic thread sets and publishes, soon after each other. One reader: the
+ * synchronization thread takes, reads and applies. Properties are made before either starts.
+ * Nothing is allocated after.
  *
- * <p>Three buffers go round: one the writer's, one the reader's, one in the middle. Invariant: the
- * master holds the last value of every property, and {@code stale} of a buffer says where it
- * differs from the master. Source of the task: Vlasov et al. 2013, section 5.2, which used
- * synchronized statements.
+ * <p>Cost of a write: measured by {@code palpate bench --sync}. A triple buffer, which would be
+ * wait-free for the reader too, took more than twice the time: its atomic exchange and its copies
+ * are the haptic thread's. Source of the task: Vlasov et al. 2013, section 5.2, which used
+ * synchronized statements; of the sequence: Boehm, "Can seqlocks get along with programming
+ * language memory models?", MSPC 2012.
  */
 public final class Accumulator {
-  private static final int BUFFERS = 3;
-  private static final int INDEX_MASK = 3;
-  private static final int FRESH = 4;
+  /** How often the reader begins anew where the writer was faster. */
+  static final int MOST_TRIES = 64;
 
-  private static final class Buffer {
-    long[] words = new long[0];
-    long[] stamps = new long[0];
-    long[] stale = new long[0];
-    long stamp;
-    long writes;
+  private static final VarHandle SEQUENCE;
+
+  static {
+    try {
+      SEQUENCE = MethodHandles.lookup().findVarHandle(Accumulator.class, "sequence", long.class);
+    } catch (ReflectiveOperationException e) {
+      throw new ExceptionInInitializerError(e);
+    }
   }
 
   private final List<Property> properties = new ArrayList<>();
-  private final Buffer[] buffers = {new Buffer(), new Buffer(), new Buffer()};
-  private final AtomicInteger middle = new AtomicInteger(1);
   private boolean started;
 
-  // The writer's.
-  private long[] master = new long[0];
-  private long[] dirty = new long[0];
-  private boolean anyDirty;
-  private int back;
+  // Written between an odd and an even sequence number, read between two that are the same.
+  private long[] words = new long[0];
+  private long[] stamps = new long[0];
   private long stamp;
   private long writes;
 
+  /** Odd while values are being set. */
+  @SuppressWarnings("unused") // by its handle
+  private long sequence;
+
+  // The writer's.
+  private boolean open;
+  private long writerSequence;
+
   // The reader's.
-  private int front = 2;
+  private long[] copy = new long[0];
+  private long[] copiedStamps = new long[0];
+  private long[] taken = new long[0];
   private boolean[] pending = new boolean[0];
+  private long copiedStamp;
+  private long copiedWrites;
   private long seenStamp;
+  private long seenWrites;
   private long applied;
 
   /** Makes a position, three doubles. Before the first publication only, as all that follow. */
   public PositionProperty position(String name) {
-    return add(new PositionProperty(this, name, properties.size(), master.length));
+    return add(new PositionProperty(this, name, properties.size(), words.length));
   }
 
   /** Makes a rigid transform. */
   public TransformProperty transform(String name) {
-    return add(new TransformProperty(this, name, properties.size(), master.length));
+    return add(new TransformProperty(this, name, properties.size(), words.length));
   }
 
   /** Makes a single number. */
   public NumberProperty number(String name) {
-    return add(new NumberProperty(this, name, properties.size(), master.length));
+    return add(new NumberProperty(this, name, properties.size(), words.length));
   }
 
   /** Makes a colour. */
   public ColourProperty colour(String name) {
-    return add(new ColourProperty(this, name, properties.size(), master.length));
+    return add(new ColourProperty(this, name, properties.size(), words.length));
   }
 
   /** Makes a switch that shows or hides; it starts hidden. */
   public VisibilityProperty visibility(String name) {
-    return add(new VisibilityProperty(this, name, properties.size(), master.length));
+    return add(new VisibilityProperty(this, name, properties.size(), words.length));
   }
 
   /** Makes a polyline of at most {@code capacity} points. */
   public LinesProperty lines(String name, int capacity) {
-    return add(new LinesProperty(this, name, properties.size(), master.length, capacity));
+    return add(new LinesProperty(this, name, properties.size(), words.length, capacity));
   }
 
   /** Makes a text of at most {@code capacity} chars. */
   public TextProperty text(String name, int capacity) {
-    return add(new TextProperty(this, name, properties.size(), master.length, capacity));
+    return add(new TextProperty(this, name, properties.size(), words.length, capacity));
   }
 
   /** The properties in the order in which they were made. */
@@ -109,58 +123,70 @@ public final class Accumulator {
           "properties are made before the first publication: property=" + property.name());
     }
     properties.add(property);
-    int words = master.length + property.words();
-    int masks = (properties.size() + 63) >> 6;
-    master = new long[words];
-    dirty = new long[masks];
+    int length = words.length + property.words();
+    words = new long[length];
+    copy = new long[length];
+    taken = new long[length];
+    stamps = new long[properties.size()];
+    copiedStamps = new long[properties.size()];
     pending = new boolean[properties.size()];
-    for (Buffer buffer : buffers) {
-      buffer.words = new long[words];
-      buffer.stamps = new long[properties.size()];
-      buffer.stale = new long[masks];
-    }
     return property;
   }
 
   /** Whether anything was changed since the last publication. Writer. */
   public boolean isDirty() {
-    return anyDirty;
+    return open;
   }
 
   /**
    * Hands everything that was set since the last call to the reader, as one. Writer. Costs nothing
-   * where nothing changed, else one atomic exchange and a copy of what changed.
+   * where nothing changed, else one store.
    */
   public void publish() {
-    if (!anyDirty) {
-      return;
+    if (open) {
+      started = true;
+      stamp++;
+      open = false;
+      SEQUENCE.setRelease(this, ++writerSequence);
     }
-    started = true;
-    stamp++;
-    for (int mask = 0; mask < dirty.length; mask++) {
-      for (int buffer = 0; buffer < BUFFERS; buffer++) {
-        buffers[buffer].stale[mask] |= dirty[mask];
-      }
-      dirty[mask] = 0;
-    }
-    anyDirty = false;
-    refresh(buffers[back]);
-    back = middle.getAndSet(back | FRESH) & INDEX_MASK;
   }
 
-  /** Brings a buffer that went round up to the master. */
-  private void refresh(Buffer buffer) {
-    for (int mask = 0; mask < buffer.stale.length; mask++) {
-      for (long rest = buffer.stale[mask]; rest != 0; rest &= rest - 1) {
-        Property property = properties.get((mask << 6) + Long.numberOfTrailingZeros(rest));
-        int from = property.offset();
-        System.arraycopy(master, from, buffer.words, from, property.words());
-        buffer.stamps[property.index()] = property.stamp;
-      }
-      buffer.stale[mask] = 0;
+  /** Writer: from here to the publication the reader keeps away. */
+  private void open() {
+    open = true;
+    SEQUENCE.setOpaque(this, ++writerSequence);
+    VarHandle.storeStoreFence();
+  }
+
+  boolean put(int offset, long word) {
+    if (words[offset] == word) {
+      return false;
     }
-    buffer.stamp = stamp;
-    buffer.writes = writes;
+    if (!open) {
+      open();
+    }
+    words[offset] = word;
+    return true;
+  }
+
+  /** Three words in a row, the most frequent case; whether any differed. */
+  boolean put(int offset, long a, long b, long c) {
+    long[] into = words;
+    if (into[offset] == a && into[offset + 1] == b && into[offset + 2] == c) {
+      return false;
+    }
+    if (!open) {
+      open();
+    }
+    into[offset] = a;
+    into[offset + 1] = b;
+    into[offset + 2] = c;
+    return true;
+  }
+
+  void changed(Property property) {
+    stamps[property.index()] = stamp + 1;
+    writes++;
   }
 
   /**
@@ -169,15 +195,39 @@ public final class Accumulator {
    * @return whether any property is dirty, by this call or because it was not applied before
    */
   public boolean take() {
-    if ((middle.get() & FRESH) != 0) {
-      front = middle.getAndSet(front) & INDEX_MASK;
-      Buffer buffer = buffers[front];
-      for (int i = 0; i < pending.length; i++) {
-        pending[i] |= buffer.stamps[i] > seenStamp;
+    for (int tries = 0; tries < MOST_TRIES; tries++) {
+      if (copyAll()) {
+        keepCopy();
+        break;
       }
-      seenStamp = buffer.stamp;
+      Thread.onSpinWait();
     }
     return anyPending();
+  }
+
+  /** Whether the copy is of one publication. */
+  private boolean copyAll() {
+    long before = (long) SEQUENCE.getAcquire(this);
+    if ((before & 1) != 0) {
+      return false;
+    }
+    System.arraycopy(words, 0, copy, 0, copy.length);
+    System.arraycopy(stamps, 0, copiedStamps, 0, copiedStamps.length);
+    copiedStamp = stamp;
+    copiedWrites = writes;
+    VarHandle.loadLoadFence();
+    return (long) SEQUENCE.getOpaque(this) == before;
+  }
+
+  private void keepCopy() {
+    for (int i = 0; i < pending.length; i++) {
+      pending[i] |= copiedStamps[i] > seenStamp;
+    }
+    seenStamp = copiedStamp;
+    seenWrites = copiedWrites;
+    long[] old = taken;
+    taken = copy;
+    copy = old;
   }
 
   private boolean anyPending() {
@@ -191,26 +241,11 @@ public final class Accumulator {
 
   /** The numbers of what the reader has taken so far. Reader, or anyone after both have ended. */
   public SyncCounts counts() {
-    return new SyncCounts(buffers[front].writes, buffers[front].stamp, applied);
-  }
-
-  boolean put(int offset, long word) {
-    if (master[offset] == word) {
-      return false;
-    }
-    master[offset] = word;
-    return true;
-  }
-
-  void changed(Property property) {
-    dirty[property.index() >> 6] |= 1L << property.index();
-    property.stamp = stamp + 1;
-    anyDirty = true;
-    writes++;
+    return new SyncCounts(seenWrites, seenStamp, applied);
   }
 
   long taken(int offset) {
-    return buffers[front].words[offset];
+    return taken[offset];
   }
 
   boolean isPending(Property property) {

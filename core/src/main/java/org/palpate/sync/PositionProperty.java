@@ -10,10 +10,7 @@ public final class PositionProperty extends Property {
 
   /** Sets all three. Writer. */
   public void set(double x, double y, double z) {
-    put(0, x);
-    put(1, y);
-    put(2, z);
-    settle();
+    putAll(x, y, z);
   }
 
   public void set(Vec3 value) {

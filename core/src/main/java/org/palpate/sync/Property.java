@@ -18,9 +18,6 @@ public abstract sealed class Property
   private final int offset;
   private final int words;
 
-  /** The publication that carries the last change. The writer's. */
-  long stamp;
-
   /** Whether a word changed since {@link #settle}. The writer's. */
   private boolean changed;
 
@@ -64,6 +61,16 @@ public abstract sealed class Property
 
   final void put(int word, double value) {
     put(word, Double.doubleToRawLongBits(value));
+  }
+
+  /** Three doubles that are the whole value. */
+  final void putAll(double x, double y, double z) {
+    long a = Double.doubleToRawLongBits(x);
+    long b = Double.doubleToRawLongBits(y);
+    long c = Double.doubleToRawLongBits(z);
+    if (accumulator.put(offset, a, b, c)) {
+      accumulator.changed(this);
+    }
   }
 
   /** Ends a value's puts: it is one change, where any word differed. */

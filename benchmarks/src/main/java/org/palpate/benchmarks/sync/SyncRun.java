@@ -52,6 +52,9 @@ public final class SyncRun {
     tell(rows, out);
     writeTable(folder.resolve("sync.csv"), rows);
     plot(folder.resolve("sync.png"), rows);
+    progress.println("sync: the hand-over alone");
+    progress.flush();
+    tellWrites(new WriteCost().measure(), folder.resolve("sync-writes.csv"), out);
     Map<String, Double> p99 = new LinkedHashMap<>();
     for (SyncWay way : SyncWay.values()) {
       p99.put(way.title(), median(rows, way, 99));
@@ -122,6 +125,31 @@ public final class SyncRun {
       }
       text.append(row.redraws()).append('\n');
     }
+    write(file, text);
+  }
+
+  private static void tellWrites(List<WriteCost.Row> rows, Path file, PrintWriter out)
+      throws IOException {
+    StringBuilder text = new StringBuilder("way,changed_ns,unchanged_ns,p99_9_ns,max_ns\n");
+    out.printf("%n%-20s %12s %12s %12s %12s%n", "a write", "changed ns", "same ns", "p99.9", "max");
+    for (WriteCost.Row row : rows) {
+      out.printf(
+          Locale.ROOT,
+          "%-20s %12.1f %12.1f %12d %12d%n",
+          row.way(),
+          row.nanos(),
+          row.unchangedNanos(),
+          row.p999Nanos(),
+          row.maxNanos());
+      text.append('"').append(row.way()).append("\",").append(CsvNumbers.text(row.nanos()));
+      text.append(',').append(CsvNumbers.text(row.unchangedNanos())).append(',');
+      text.append(row.p999Nanos()).append(',').append(row.maxNanos()).append('\n');
+    }
+    out.flush();
+    write(file, text);
+  }
+
+  private static void write(Path file, StringBuilder text) throws IOException {
     try (NewFile out = new NewFile(file)) {
       out.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
       out.commit();
