@@ -25,7 +25,10 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 import org.palpate.volume.phantom.SurfaceTruth;
 
-/** Time of one ray against the bits of a ball at 256^3, by caster and by where the ray runs. */
+/**
+ * Time of one ray against the bits of a ball at 256^3, by caster, length in voxels, and where the
+ * ray runs.
+ */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -34,31 +37,48 @@ import org.palpate.volume.phantom.SurfaceTruth;
 @Measurement(iterations = 5, time = 1)
 public class RayCastBenchmark {
   private static final int RAYS = 4096; // fits in a second-level cache, defeats the branch history
+  private static final int EDGE = 256;
   private static final long SEED = 11;
 
   @Param({"exact", "sampled:1", "sampled:0.1", "gridplanes"})
   public String caster;
 
-  private final double[] freeShort = new double[6 * RAYS];
-  private final double[] nearSurface = new double[6 * RAYS];
-  private final double[] anywhere = new double[6 * RAYS];
+  /**
+   * {@code free}: too far above the surface to meet it; {@code near}: from one voxel above it in
+   * any direction; {@code hit}: straight down from half the length above it; {@code anywhere}: from
+   * up to thirty voxels above it in any direction; {@code slide}: each ray a small step after the
+   * last, just above the surface and along it.
+   */
+  @Param({"free", "near", "hit", "anywhere", "slide"})
+  public String place;
+
+  @Param({"1", "4", "16", "50"})
+  public double length;
+
+  private final double[] rays = new double[6 * RAYS];
   private final Ray ray = new Ray();
   private final RayHit hit = new RayHit();
+  private final Vec3 start = new Vec3();
+  private final Vec3 way = new Vec3();
+  private final Vec3 normal = new Vec3();
+  private final SplittableRandom random = new SplittableRandom(SEED);
+  private SurfaceTruth truth;
   private BitCube bits;
   private RayCaster rayCaster;
 
   /** Makes the ball and the rays. */
   @Setup
   public void prepare() {
-    Phantom phantom = Phantom.parse("sphere:256");
+    Phantom phantom = Phantom.parse("sphere:" + EDGE);
     bits = phantom.segments().segments().get(0).bits();
+    truth = phantom.truth().orElseThrow();
     rayCaster = casterOf(caster);
-    SplittableRandom random = new SplittableRandom(SEED);
-    SurfaceTruth truth = phantom.truth().orElseThrow();
     for (int n = 0; n < RAYS; n++) {
-      putRay(freeShort, n, random, truth, 20, 1);
-      putRay(nearSurface, n, random, truth, 1, 4);
-      putRay(anywhere, n, random, truth, 30 * random.nextDouble(), 50);
+      aim(n);
+      for (int axis = 0; axis < 3; axis++) {
+        rays[6 * n + axis] = start.get(axis);
+        rays[6 * n + 3 + axis] = start.get(axis) + way.get(axis);
+      }
     }
   }
 
@@ -70,53 +90,49 @@ public class RayCastBenchmark {
     };
   }
 
-  /** A ray of a length in any direction, from a point so far above the surface. */
-  private static void putRay(
-      double[] rays,
-      int n,
-      SplittableRandom random,
-      SurfaceTruth truth,
-      double above,
-      double length) {
-    Vec3 direction = new Vec3();
-    do {
-      direction.set(
-          random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5);
-    } while (direction.length() < 0.05);
-    direction.mul(length / direction.length(), direction);
-    Vec3 start =
-        new Vec3(256 * random.nextDouble(), 256 * random.nextDouble(), 256 * random.nextDouble());
-    double offset = above - truth.signedDistance(start);
-    Vec3 normal = truth.normal(start, new Vec3());
-    start.add(normal.mul(offset, normal), start);
-    for (int axis = 0; axis < 3; axis++) {
-      rays[6 * n + axis] = start.get(axis);
-      rays[6 * n + 3 + axis] = start.get(axis) + direction.get(axis);
+  private void aim(int n) {
+    if (n == 0 || !place.equals("slide")) {
+      start.set(EDGE * random.nextDouble(), EDGE * random.nextDouble(), EDGE * random.nextDouble());
+    } else {
+      start.x += 0.1;
+      start.y += 0.07;
     }
+    lift(
+        switch (place) {
+          case "free" -> length + 4;
+          case "hit" -> length / 2;
+          case "anywhere" -> 30 * random.nextDouble();
+          default -> 1;
+        });
+    direct();
   }
 
-  /** Length 1, twenty voxels above the surface: nothing to meet. */
+  /** Puts the start so far above the surface. */
+  private void lift(double above) {
+    truth.normal(start, normal);
+    start.add(normal.mul(above - truth.signedDistance(start), normal), start);
+    truth.normal(start, normal);
+  }
+
+  private void direct() {
+    if (place.equals("hit")) {
+      normal.mul(-length, way);
+      return;
+    }
+    do {
+      way.set(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5);
+      if (place.equals("slide")) {
+        way.set(0.1, 0.07, 0);
+      }
+      way.sub(normal.mul(place.equals("slide") ? way.dot(normal) : 0, new Vec3()), way);
+    } while (way.length() < 0.05);
+    way.mul(length / way.length(), way);
+  }
+
+  /** All rays, counted by rays. */
   @Benchmark
   @OperationsPerInvocation(RAYS)
-  public int throughEmptyBricks() {
-    return castAll(freeShort);
-  }
-
-  /** Length 4, from one voxel above the surface. */
-  @Benchmark
-  @OperationsPerInvocation(RAYS)
-  public int nearTheSurface() {
-    return castAll(nearSurface);
-  }
-
-  /** Length 50, from up to thirty voxels above the surface. */
-  @Benchmark
-  @OperationsPerInvocation(RAYS)
-  public int farAndAnywhere() {
-    return castAll(anywhere);
-  }
-
-  private int castAll(double[] rays) {
+  public int cast() {
     int hits = 0;
     for (int at = 0; at < rays.length; at += 6) {
       ray.from(rays[at], rays[at + 1], rays[at + 2]);

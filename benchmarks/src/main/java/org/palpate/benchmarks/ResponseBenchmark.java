@@ -16,6 +16,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.BorderVoxels;
+import org.palpate.proxy.CollisionOnlySolver;
 import org.palpate.proxy.DotSolver;
 import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
@@ -23,13 +24,17 @@ import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.PaperSolver;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.SampledRayCaster;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
+import org.palpate.volume.phantom.SurfaceTruth;
 
 /**
  * Time of one frame of response, by solver, on one and the same trajectory: the hand comes down and
- * slides under the surface. {@link AlternatingForks} runs it so that solvers take turns.
+ * slides under the surface, or does something else. {@link AlternatingForks} runs it so that
+ * solvers take turns.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -51,6 +56,10 @@ public class ResponseBenchmark {
   @Param({"5"})
   public double depth;
 
+  /** What the hand does, see {@link Trajectories}. */
+  @Param({"slide"})
+  public String motion;
+
   @Param({"0.05", "0.3", "2"})
   public double speed;
 
@@ -66,12 +75,24 @@ public class ResponseBenchmark {
   public void prepare() {
     Phantom phantom = Phantom.parse(scene);
     BitCube bits = phantom.segments().segments().get(0).bits();
-    trajectory =
-        Trajectories.slide(
-            phantom.truth().orElseThrow(), phantom.edge(), depth, speed, FRAMES, SEED);
+    trajectory = trajectory(phantom);
     obstacles = new Obstacles(List.of(bits));
     twin = new PlainTwin(bits, MAX_STEP_VOXELS);
     follower = solver.equals("twin") ? null : follower(solver);
+  }
+
+  private Trajectory trajectory(Phantom phantom) {
+    int edge = phantom.edge();
+    SurfaceTruth truth = phantom.truth().orElse(null); // jumps do without
+    return switch (motion) {
+      case "slide" -> Trajectories.slide(truth, edge, depth, speed, FRAMES, SEED);
+      case "press" -> Trajectories.approach(truth, edge, depth, speed, FRAMES, SEED);
+      case "groove" -> Trajectories.grooves(truth, edge, depth, speed, FRAMES, SEED);
+      case "free" -> Trajectories.free(truth, edge, depth, speed, FRAMES, SEED);
+      case "jump" -> Trajectories.jumps(edge, edge, edge, FRAMES, SEED);
+      case "wander" -> Trajectories.wander(edge, edge, edge, speed, FRAMES, SEED);
+      default -> throw new IllegalArgumentException("no such motion: " + motion);
+    };
   }
 
   private static ProxySolver follower(String name) {
@@ -79,6 +100,8 @@ public class ResponseBenchmark {
     SampledRayCaster sampled = new SampledRayCaster(1);
     return switch (name) {
       case "guarded" -> new GuardedSolver(metric, MAX_STEP_VOXELS);
+      case "smooth" -> new SmoothSolver(metric, MAX_STEP_VOXELS);
+      case "none" -> new CollisionOnlySolver(new ExactRayCaster(), metric);
       case "paper" -> new PaperSolver(sampled, metric, MAX_STEP_VOXELS, BorderVoxels.onTheFly());
       case "dot" -> new DotSolver(sampled, metric, MAX_STEP_VOXELS, BorderVoxels.onTheFly());
       default -> throw new IllegalArgumentException("no such solver: " + name);

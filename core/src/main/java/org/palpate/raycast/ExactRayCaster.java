@@ -30,6 +30,7 @@ public final class ExactRayCaster implements RayCaster {
 
   private static final double LONGEST = 0x1p900;
 
+  private final boolean skipsEmpty;
   private final ExactPredicates exact = new ExactPredicates();
   private final ExhaustiveRayCaster exhaustive = new ExhaustiveRayCaster(exact);
   private final AxisWalk x = new AxisWalk();
@@ -42,6 +43,21 @@ public final class ExactRayCaster implements RayCaster {
   private RayHit hit;
   private double start;
   private double end;
+
+  /** Passes empty bricks and blocks of bricks in one step. */
+  public ExactRayCaster() {
+    this(true);
+  }
+
+  /**
+   * Answers are the same either way.
+   *
+   * @param skipsEmpty whether empty bricks and blocks of bricks are passed in one step, or voxel by
+   *     voxel, to see what that is worth
+   */
+  public ExactRayCaster(boolean skipsEmpty) {
+    this.skipsEmpty = skipsEmpty;
+  }
 
   @Override
   public boolean cast(BitCube cube, Ray newRay, RayHit newHit) {
@@ -65,12 +81,13 @@ public final class ExactRayCaster implements RayCaster {
     return castLayers(box);
   }
 
-  private static int walkWhereSure(
-      BitCube cube, Ray ray, double dx, double dy, double dz, RayHit hit) {
+  private int walkWhereSure(BitCube cube, Ray ray, double dx, double dy, double dz, RayHit hit) {
     if (NearRayWalk.isNear(dx, dy, dz)) {
-      return NearRayWalk.walk(cube, ray, hit);
+      return NearRayWalk.walk(cube, ray, skipsEmpty, hit);
     }
-    return FarRayWalk.isWithinReach(ray) ? FarRayWalk.walk(cube, ray, hit) : NearRayWalk.DOUBT;
+    return FarRayWalk.isWithinReach(ray)
+        ? FarRayWalk.walk(cube, ray, skipsEmpty, hit)
+        : NearRayWalk.DOUBT;
   }
 
   /** Whether the ray lies on one side of the box. Exact: only comparisons. */
@@ -146,7 +163,7 @@ public final class ExactRayCaster implements RayCaster {
       hit.set(0, x.cell, y.cell, z.cell, RayHit.NO_AXIS);
       return true;
     }
-    if (brick() == 0) {
+    if (skipsEmpty && brick() == 0) {
       skipEmpty();
     }
     return walk();
@@ -196,7 +213,7 @@ public final class ExactRayCaster implements RayCaster {
     AxisWalk axis = crossed == 1 ? x : crossed == 2 ? y : z;
     axis.advance();
     long brick = brick();
-    if (brick == 0) {
+    if (skipsEmpty && brick == 0) {
       skipEmpty();
       return false;
     }

@@ -37,9 +37,10 @@ final class FarRayWalk {
    * Walks the ray from where it enters the cube's bounds.
    *
    * @param ray of ordinary components, within reach, not beside the bounds
+   * @param skipsEmpty whether empty bricks are passed in one step
    * @param hit filled where the answer is {@link NearRayWalk#HIT}
    */
-  static int walk(BitCube bits, Ray ray, RayHit hit) {
+  static int walk(BitCube bits, Ray ray, boolean skipsEmpty, RayHit hit) {
     // Of a component that is 0 the reciprocal is infinite, and the next plane crossed there: never.
     double inverseX = 1 / (ray.toX - ray.fromX);
     double inverseY = 1 / (ray.toY - ray.fromY);
@@ -62,7 +63,7 @@ final class FarRayWalk {
     }
     hit.t = Math.max(0, start);
     hit.axis = start <= 0 ? RayHit.NO_AXIS : start == entryX ? 0 : start == entryY ? 1 : 2;
-    return walk(bits, ray, end, inverseX, inverseY, inverseZ, hit);
+    return walk(bits, ray, skipsEmpty, end, inverseX, inverseY, inverseZ, hit);
   }
 
   private static boolean isPlane(double coordinate) {
@@ -75,6 +76,7 @@ final class FarRayWalk {
   private static int walk(
       BitCube bits,
       Ray ray,
+      boolean skipsEmpty,
       double end,
       double inverseX,
       double inverseY,
@@ -107,7 +109,7 @@ final class FarRayWalk {
         hit.set(t, i, j, k, axis);
         return NearRayWalk.HIT;
       }
-      shift = brick != 0 ? 0 : emptyShift(bits, i, j, k);
+      shift = brick != 0 || !skipsEmpty ? 0 : emptyShift(bits, i, j, k);
       int planeX = ((i >> shift) + aheadX) << shift;
       int planeY = ((j >> shift) + aheadY) << shift;
       int planeZ = ((k >> shift) + aheadZ) << shift;

@@ -71,6 +71,7 @@ class ExactRayCasterTest {
   void agreesWithTheExhaustiveWayOnLongRaysThroughEmptyBricks() {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
+    ExactRayCaster voxelByVoxel = new ExactRayCaster(false);
     ExhaustiveRayCaster exhaustive = new ExhaustiveRayCaster(new ExactPredicates());
     RayHit expected = new RayHit();
     int hits = 0;
@@ -81,6 +82,7 @@ class ExactRayCasterTest {
         String what = "seed=" + seed + " scene=" + scene + " ray " + n + " " + ray;
         boolean found = caster.cast(bits, ray, hit);
         assertEquals(exhaustive.cast(bits, ray, expected), found, what);
+        assertEquals(found, voxelByVoxel.cast(bits, ray, new RayHit()), what);
         if (found) {
           hits++;
           assertEquals(expected.t, hit.t, 1e-13, what);

@@ -2,14 +2,20 @@ package org.palpate.benchmarks.command;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.palpate.app.OutputOptions;
 import org.palpate.app.PalpateException;
 import org.palpate.app.Report;
 import org.palpate.app.VirtualDisplay;
 import org.palpate.benchmarks.accuracy.AccuracyRun;
+import org.palpate.benchmarks.speed.CppTwinRun;
+import org.palpate.benchmarks.speed.SpeedRun;
+import org.palpate.benchmarks.speed.SpeedStudy;
 import org.palpate.benchmarks.stability.StabilityRun;
 import org.palpate.benchmarks.stress.StressSession;
 import org.palpate.benchmarks.stress.StressTotals;
@@ -25,10 +31,16 @@ import picocli.CommandLine.Spec;
 /** {@code palpate bench}: measurements that leave tables and plots in a folder. */
 @Command(
     name = "bench",
-    description = "Measures, and leaves tables and plots in a folder.",
+    description =
+        "Measures, the speed of all unless told what, and leaves tables and plots in a folder.",
     footer = {
       "",
       "Examples:",
+      "  palpate bench --quick --out figures",
+      "  palpate bench --table1 --out figures",
+      "  palpate bench --skips --out figures",
+      "  palpate bench --scale --out figures",
+      "  palpate bench --cpp --out figures",
       "  palpate bench --stability --out figures",
       "  palpate bench --stability --quick --out figures",
       "  palpate bench --accuracy --out figures",
@@ -90,6 +102,30 @@ public final class BenchCommand implements Callable<Integer> {
       })
   private boolean sync;
 
+  @Option(
+      names = "--table1",
+      description = {
+        "The paper's Table 1 on scans, as they are and resampled to its sizes.",
+        "Reads the folder of -Dpalpate.data (../shared/data)."
+      })
+  private boolean table1;
+
+  @Option(
+      names = "--skips",
+      description = "What each skip is worth: with and without, where it helps and where not.")
+  private boolean skips;
+
+  @Option(
+      names = "--cpp",
+      description = {
+        "The guarded frame against the same in C++ over the same bricks; needs g++.",
+        "Both must take the same way to the bit."
+      })
+  private boolean cpp;
+
+  @Option(names = "--scale", description = "The same hand in grids of 256^3 to 2048^3 voxels.")
+  private boolean scale;
+
   @Option(names = "--quick", description = "Fewer values in each sweep.")
   private boolean quick;
 
@@ -101,12 +137,6 @@ public final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    if (!stability && !accuracy && !sync && !stress) {
-      throw PalpateException.wrongUse(
-          "nothing to measure was chosen",
-          "bench",
-          "add --stability, --accuracy, --sync or --stress");
-    }
     if (sync && !Graphics.hasDisplay()) {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
@@ -114,6 +144,10 @@ public final class BenchCommand implements Callable<Integer> {
     PrintWriter progress = spec.commandLine().getErr();
     Report report = new Report("bench", output.report(), List.of());
     try {
+      measureSpeed(report, out, progress);
+      if (cpp) {
+        report.put("java_over_cpp", CppTwinRun.run(folder, out));
+      }
       if (stability) {
         report.put("least_margin", StabilityRun.run(folder, quick, out, progress));
       }
@@ -152,6 +186,36 @@ public final class BenchCommand implements Callable<Integer> {
           throw PalpateException.wrongUse(
               "no solver to attack", "--solver " + solver, "choose guarded or smooth");
     };
+  }
+
+  /** The studies of speed that were chosen; all of it where nothing else was. */
+  private void measureSpeed(Report report, PrintWriter out, PrintWriter progress)
+      throws IOException {
+    List<SpeedStudy> studies = new ArrayList<>();
+    if (table1) {
+      studies.add(SpeedStudy.TABLE1);
+    }
+    if (skips) {
+      studies.add(SpeedStudy.SKIPS);
+    }
+    if (scale) {
+      studies.add(SpeedStudy.SCALE);
+    }
+    if (studies.isEmpty() && !stability && !accuracy && !sync && !stress && !cpp) {
+      studies.add(SpeedStudy.ALL);
+    }
+    Path data = Path.of(System.getProperty("palpate.data", "../shared/data"));
+    if (table1 && !Files.isDirectory(data)) {
+      throw PalpateException.wrongUse(
+          "the scans of Table 1 are not there",
+          data.toString(),
+          "name their folder: -Dpalpate.data");
+    }
+    for (SpeedStudy study : studies) {
+      report.put(
+          study.name().toLowerCase(Locale.ROOT),
+          SpeedRun.run(study, folder, quick, data, out, progress));
+    }
   }
 
   private void attack(Report report, PrintWriter out, PrintWriter progress) throws IOException {

@@ -1,0 +1,120 @@
+package org.palpate.benchmarks;
+
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OperationsPerInvocation;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.GuardedSolver;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.Metric;
+import org.palpate.proxy.Obstacles;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.Phantom;
+
+/**
+ * Time of one pressed frame of {@code guarded} on a ball of bits, by the edge of the grid: the same
+ * hand in voxels, or the same hand in shares of the ball, which so goes 8 times as many voxels a
+ * frame at 2048 as at 256. Caches are warm where the hand is; {@code cold} has each frame
+ * elsewhere.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+@Fork(
+    value = 1,
+    jvmArgsAppend = {"-Xmx4g"}) // 2048^3 bits are 1.02 GB
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+public class ScaleBenchmark {
+  private static final int FRAMES = 20_000;
+  private static final double DEPTH = 5;
+  private static final double SPEED = 0.2;
+  private static final int SCALED_FROM = 256;
+  private static final long SEED = 7;
+
+  @Param({"256", "512", "1024", "2048"})
+  public int edge;
+
+  @Param({"voxels", "scaled", "cold"})
+  public String hand;
+
+  private final InteractionPoint point = new InteractionPoint();
+  private final Vec3 device = new Vec3();
+  private GuardedSolver solver;
+  private Obstacles obstacles;
+  private Trajectory trajectory;
+  private double[] places;
+
+  /** Makes the ball. */
+  @Setup
+  public void prepare() {
+    Phantom phantom = Phantom.parse("sphere:" + edge);
+    BitCube bits = phantom.segments().segments().get(0).bits();
+    obstacles = new Obstacles(List.of(bits));
+    double scale = hand.equals("scaled") ? (double) edge / SCALED_FROM : 1;
+    trajectory =
+        Trajectories.slide(
+            phantom.truth().orElseThrow(), edge, DEPTH * scale, SPEED * scale, FRAMES, SEED);
+    solver = new GuardedSolver(new Metric(1, 1, 1), 8 * scale);
+    placeAbove(phantom);
+  }
+
+  /** For the cold hand: places just above the surface, all over the ball. */
+  private void placeAbove(Phantom phantom) {
+    Trajectory all =
+        Trajectories.approach(phantom.truth().orElseThrow(), edge, 1, 14, FRAMES, SEED);
+    places = new double[3 * FRAMES];
+    for (int frame = 0; frame < FRAMES; frame++) {
+      all.at(frame, device);
+      for (int axis = 0; axis < 3; axis++) {
+        places[3 * frame + axis] = device.get(axis);
+      }
+    }
+  }
+
+  /** Pressed and sliding; for the cold hand pushed down anew, each time elsewhere. */
+  @Benchmark
+  @OperationsPerInvocation(FRAMES)
+  public double follow() {
+    return hand.equals("cold") ? pushAnew() : slide();
+  }
+
+  private double slide() {
+    trajectory.at(0, point.position);
+    solver.reset();
+    double sum = 0;
+    for (int frame = 0; frame < FRAMES; frame++) {
+      trajectory.at(frame, device);
+      solver.follow(obstacles, device, point);
+      sum += point.position.x;
+    }
+    return sum;
+  }
+
+  private double pushAnew() {
+    double sum = 0;
+    double middle = edge / 2.0;
+    for (int at = 0; at < places.length; at += 3) {
+      point.position.set(places[at], places[at + 1], places[at + 2]);
+      device.set(
+          places[at] + 0.1 * Math.signum(middle - places[at]),
+          places[at + 1] + 0.1 * Math.signum(middle - places[at + 1]),
+          places[at + 2] + 0.1 * Math.signum(middle - places[at + 2]));
+      solver.reset();
+      solver.follow(obstacles, device, point);
+      sum += point.position.x;
+    }
+    return sum;
+  }
+}

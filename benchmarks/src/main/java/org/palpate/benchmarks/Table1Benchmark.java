@@ -1,0 +1,154 @@
+package org.palpate.benchmarks;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OperationsPerInvocation;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.ReadOptions;
+import org.palpate.io.SegmentBuilder;
+import org.palpate.io.SegmentSpec;
+import org.palpate.io.VolumeFiles;
+import org.palpate.proxy.CollisionOnlySolver;
+import org.palpate.proxy.FreePlace;
+import org.palpate.proxy.GuardedSolver;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.Metric;
+import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.SegmentedVolume;
+
+/**
+ * The paper's Table 1 on scans: a device that goes 0.3 voxel a frame from place to place through
+ * whatever stands there, so that the point is pressed into bone most of the time. Head and thorax
+ * as they are, and resampled (the nearest voxel) to the sizes of the paper's data.
+ *
+ * <p>Reads the folder that the system property palpate.data names.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+@Fork(
+    value = 1,
+    jvmArgsAppend = {"-Xmx3g"})
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+public class Table1Benchmark {
+  private static final int FRAMES = 20_000;
+  private static final double SPEED = 0.3;
+  private static final double MAX_STEP_MM = 8;
+  private static final long SEED = 7;
+
+  @Param({"CThead 256x256x113", "CThead to 532x532x464", "LIDC 512x512x275", "LIDC to 512x512x520"})
+  public String data;
+
+  @Param({"none", "guarded", "smooth", "twin"})
+  public String solver;
+
+  private final InteractionPoint point = new InteractionPoint();
+  private final Vec3 device = new Vec3();
+  private ProxySolver follower;
+  private PlainTwin twin;
+  private Obstacles obstacles;
+  private Trajectory trajectory;
+  private Metric metric;
+
+  /** Reads and, where so named, resamples the scan. */
+  @Setup
+  public void prepare() throws IOException {
+    boolean head = data.startsWith("CThead");
+    SegmentedVolume volume =
+        SegmentBuilder.read(
+            VolumeFiles.open(file(head), ReadOptions.defaults()),
+            List.of(SegmentSpec.atLeast("bone", head ? 1500 : 200)));
+    BitCube bits = volume.segments().get(0).bits();
+    metric = new Metric(1, 1, 1);
+    if (data.contains(" to ")) {
+      String[] sizes = data.substring(data.indexOf(" to ") + 4).split("x", -1);
+      bits =
+          resampled(
+              bits,
+              Integer.parseInt(sizes[0]),
+              Integer.parseInt(sizes[1]),
+              Integer.parseInt(sizes[2]));
+    } else {
+      metric = Metric.of(volume.grid().spacingMm());
+    }
+    obstacles = new Obstacles(List.of(bits));
+    trajectory = Trajectories.wander(bits.sizeX(), bits.sizeY(), bits.sizeZ(), SPEED, FRAMES, SEED);
+    twin = solver.equals("twin") ? new PlainTwin(bits, MAX_STEP_MM) : null;
+    follower = follower();
+  }
+
+  private static Path file(boolean head) {
+    return Path.of(System.getProperty("palpate.data"))
+        .resolve(head ? "CThead/CThead_u16gz.nrrd" : "LIDC/LIDC-IDRI-0314_ge100HU_i16gz.nrrd");
+  }
+
+  private ProxySolver follower() {
+    return switch (solver) {
+      case "none" -> new CollisionOnlySolver(new ExactRayCaster(), metric);
+      case "guarded" -> new GuardedSolver(metric, MAX_STEP_MM);
+      case "smooth" -> new SmoothSolver(metric, MAX_STEP_MM);
+      default -> null;
+    };
+  }
+
+  private static BitCube resampled(BitCube from, int sizeX, int sizeY, int sizeZ) {
+    BitCube to = new BitCube(sizeX, sizeY, sizeZ);
+    for (int k = 0; k < sizeZ; k++) {
+      int z = (int) ((k + 0.5) * from.sizeZ() / sizeZ);
+      for (int j = 0; j < sizeY; j++) {
+        int y = (int) ((j + 0.5) * from.sizeY() / sizeY);
+        for (int i = 0; i < sizeX; i++) {
+          if (from.get((int) ((i + 0.5) * from.sizeX() / sizeX), y, z)) {
+            to.set(i, j, k);
+          }
+        }
+      }
+    }
+    return to;
+  }
+
+  /** The whole way of the device, counted by frames. */
+  @Benchmark
+  @OperationsPerInvocation(FRAMES)
+  public double wander() {
+    Vec3 start = trajectory.at(0, point.position);
+    if (follower == null || obstacles.touches(start.x, start.y, start.z)) {
+      new FreePlace(metric).find(obstacles, start, start);
+    }
+    double sum = 0;
+    if (follower == null) {
+      twin.place(start.x, start.y, start.z);
+      for (int frame = 0; frame < FRAMES; frame++) {
+        trajectory.at(frame, device);
+        twin.frame(device.x, device.y, device.z);
+        sum += twin.x();
+      }
+      return sum;
+    }
+    follower.reset();
+    for (int frame = 0; frame < FRAMES; frame++) {
+      trajectory.at(frame, device);
+      follower.follow(obstacles, device, point);
+      sum += point.position.x;
+    }
+    return sum;
+  }
+}

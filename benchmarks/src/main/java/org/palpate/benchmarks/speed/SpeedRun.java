@@ -1,0 +1,155 @@
+package org.palpate.benchmarks.speed;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.palpate.io.CsvNumbers;
+import org.palpate.io.NewFile;
+import org.palpate.io.ReportJson;
+
+/** Runs a study and leaves its table as CSV and JSON, and plots, in a folder. */
+public final class SpeedRun {
+  private static final String HEADER =
+      "group,benchmark,condition,unit,median,least,greatest,iterations,bytes_per_op\n";
+
+  private SpeedRun() {}
+
+  /**
+   * Runs it.
+   *
+   * @param folder made where it is not there
+   * @param quick one fork and short iterations
+   * @param data the folder of scans, for those who need it
+   * @param out gets the table
+   * @param progress hears what runs
+   * @return median times by condition
+   */
+  public static Map<String, Object> run(
+      SpeedStudy study,
+      Path folder,
+      boolean quick,
+      Path data,
+      PrintWriter out,
+      PrintWriter progress)
+      throws IOException {
+    Files.createDirectories(folder);
+    Map<String, Object> machine = MachineLine.facts();
+    out.println(MachineLine.line(machine));
+    out.flush();
+    SpeedRunner runner =
+        new SpeedRunner(
+            quick,
+            data.toAbsolutePath().toString(),
+            line -> {
+              progress.println(line);
+              progress.flush();
+            });
+    List<SpeedRow> rows = runner.run(study.subjects(quick));
+    rows.forEach(row -> out.println(line(row)));
+    if (study == SpeedStudy.TABLE1) {
+      tellPaper(out);
+    }
+    tellAllocations(rows, out);
+    write(folder.resolve(study.fileName() + ".csv"), csv(rows));
+    writeJson(folder.resolve(study.fileName() + ".json"), machine, rows);
+    SpeedPlots.plot(folder, study, rows);
+    Map<String, Object> medians = new LinkedHashMap<>();
+    rows.forEach(row -> medians.put(row.name() + ", " + row.condition(), row.median()));
+    return medians;
+  }
+
+  private static String line(SpeedRow row) {
+    return String.format(
+        Locale.ROOT,
+        "%-10s %-18s %-48s %12.2f %s  (%.2f to %.2f)%s",
+        row.group(),
+        row.name(),
+        row.condition(),
+        row.median(),
+        row.unit(),
+        row.least(),
+        row.greatest(),
+        rate(row));
+  }
+
+  /** For Table 1, whose paper tells frames a second. */
+  private static String rate(SpeedRow row) {
+    return row.group().equals("table1")
+        ? String.format(Locale.ROOT, "  %,.0f kHz", 1e6 / row.median())
+        : "";
+  }
+
+  private static void tellPaper(PrintWriter out) {
+    out.println(
+        "The paper, Java on one core of a Xeon W5580, response, with a real device: Head_small"
+            + " 113x256x256 146 kHz, Torso 520x512x512 134 kHz, Head_big 464x532x532 141 kHz;"
+            + " collision alone 750 kHz. Its other data are not public: \"to\" says resampled.");
+  }
+
+  private static void tellAllocations(List<SpeedRow> rows, PrintWriter out) {
+    List<SpeedRow> frames = rows.stream().filter(row -> !Double.isNaN(row.bytes())).toList();
+    List<SpeedRow> guilty = frames.stream().filter(row -> !row.allocatesNothing()).toList();
+    out.println(
+        frames.size() - guilty.size() + " of " + frames.size() + " frame benchmarks at 0 B/op");
+    guilty.forEach(
+        row ->
+            out.printf(
+                Locale.ROOT,
+                "  not so: %s, %s: %.2f B/op%n",
+                row.name(),
+                row.condition(),
+                row.bytes()));
+    out.flush();
+  }
+
+  private static String csv(List<SpeedRow> rows) {
+    StringBuilder text = new StringBuilder(HEADER);
+    for (SpeedRow row : rows) {
+      text.append(row.group()).append(',').append(row.name()).append(',');
+      text.append('"').append(row.condition()).append("\",").append(row.unit());
+      for (double value : new double[] {row.median(), row.least(), row.greatest()}) {
+        text.append(',').append(CsvNumbers.text(value));
+      }
+      text.append(',').append(row.scores().size()).append(',');
+      text.append(Double.isNaN(row.bytes()) ? "" : CsvNumbers.text(row.bytes())).append('\n');
+    }
+    return text.toString();
+  }
+
+  private static void write(Path file, String text) throws IOException {
+    try (NewFile out = new NewFile(file)) {
+      out.stream().write(text.getBytes(StandardCharsets.UTF_8));
+      out.commit();
+    }
+  }
+
+  private static void writeJson(Path file, Map<String, Object> machine, List<SpeedRow> rows)
+      throws IOException {
+    Map<String, Object> report = new LinkedHashMap<>(machine);
+    List<Object> entries = new ArrayList<>();
+    for (SpeedRow row : rows) {
+      Map<String, Object> entry = new LinkedHashMap<>();
+      entry.put("group", row.group());
+      entry.put("benchmark", row.name());
+      entry.putAll(row.params());
+      entry.put("unit", row.unit());
+      entry.put("median", row.median());
+      entry.put("least", row.least());
+      entry.put("greatest", row.greatest());
+      entry.put("bytes_per_op", row.bytes());
+      entries.add(entry);
+    }
+    report.put("rows", entries);
+    try (NewFile out = new NewFile(file)) {
+      ReportJson.write(report, out.stream());
+      out.commit();
+    }
+  }
+}

@@ -1,0 +1,133 @@
+package org.palpate.benchmarks.speed;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.openjdk.jmh.infra.BenchmarkParams;
+import org.openjdk.jmh.profile.GCProfiler;
+import org.openjdk.jmh.results.Result;
+import org.openjdk.jmh.results.RunResult;
+import org.openjdk.jmh.runner.Runner;
+import org.openjdk.jmh.runner.RunnerException;
+import org.openjdk.jmh.runner.options.ChainedOptionsBuilder;
+import org.openjdk.jmh.runner.options.OptionsBuilder;
+import org.openjdk.jmh.runner.options.TimeValue;
+import org.openjdk.jmh.runner.options.VerboseMode;
+
+/**
+ * Runs subjects with JMH, each condition in processes of its own, and counts what they allocate.
+ */
+final class SpeedRunner {
+  private static final TimeValue QUICK_ITERATION = TimeValue.milliseconds(250);
+  private static final TimeValue ITERATION = TimeValue.seconds(1);
+
+  private final boolean quick;
+  private final String data;
+  private final Consumer<String> progress;
+
+  /**
+   * A runner.
+   *
+   * @param quick one fork and short iterations
+   * @param data the folder of scans
+   */
+  SpeedRunner(boolean quick, String data, Consumer<String> progress) {
+    this.quick = quick;
+    this.data = data;
+    this.progress = progress;
+  }
+
+  List<SpeedRow> run(List<Subject> subjects) throws IOException {
+    int all = subjects.stream().mapToInt(Subject::conditions).sum();
+    int done = 0;
+    List<SpeedRow> rows = new ArrayList<>();
+    for (Subject subject : subjects) {
+      progress.accept(
+          (done + 1) + "-" + (done + subject.conditions()) + " of " + all + ": " + name(subject));
+      rows.addAll(run(subject));
+      done += subject.conditions();
+    }
+    return rows;
+  }
+
+  private static String name(Subject subject) {
+    StringBuilder text = new StringBuilder(subject.group() + ", " + subject.method());
+    subject.params().forEach((key, values) -> text.append(", ").append(String.join("|", values)));
+    return text.toString();
+  }
+
+  private List<SpeedRow> run(Subject subject) throws IOException {
+    ChainedOptionsBuilder options =
+        new OptionsBuilder()
+            .include(
+                "^" + subject.type().getName().replace(".", "\\.") + "\\." + subject.method() + "$")
+            .forks(quick ? 1 : 3)
+            .warmupIterations(quick ? 2 : 3)
+            .warmupTime(quick ? QUICK_ITERATION : ITERATION)
+            .measurementIterations(quick ? 3 : 5)
+            .measurementTime(quick ? QUICK_ITERATION : ITERATION)
+            .jvmArgs(
+                "-Xmx" + subject.heapMegabytes() + "m",
+                "-XX:+UseParallelGC",
+                "-Xbatch", // a busy machine must not starve the compiler
+                "-Dpalpate.data=" + data)
+            .addProfiler(GCProfiler.class)
+            .addProfiler(WorkerTime.class)
+            .shouldFailOnError(true)
+            .verbosity(VerboseMode.SILENT);
+    subject.params().forEach(options::param);
+    try {
+      List<SpeedRow> rows = new ArrayList<>();
+      for (RunResult result : new Runner(options.build()).run()) {
+        rows.add(row(subject, result));
+      }
+      return rows;
+    } catch (RunnerException e) {
+      throw new IOException("benchmark " + name(subject) + " failed: " + e.getMessage(), e);
+    }
+  }
+
+  private static SpeedRow row(Subject subject, RunResult result) {
+    BenchmarkParams params = result.getParams();
+    Map<String, String> condition = new LinkedHashMap<>();
+    for (String key : subject.params().keySet()) {
+      condition.put(key, params.getParam(key));
+    }
+    boolean onOneThread = !"2".equals(condition.get("threads"));
+    return new SpeedRow(
+        subject.group(),
+        subject.method(),
+        condition,
+        onOneThread ? "ns/op" : result.getPrimaryResult().getScoreUnit(),
+        onOneThread ? workerTimes(result) : wallTimes(result),
+        subject.isFrame() ? bytes(result.getSecondaryResults()) : Double.NaN);
+  }
+
+  private static List<Double> wallTimes(RunResult result) {
+    return result.getBenchmarkResults().stream()
+        .flatMap(fork -> fork.getIterationResults().stream())
+        .map(iteration -> iteration.getPrimaryResult().getScore())
+        .sorted()
+        .toList();
+  }
+
+  private static List<Double> workerTimes(RunResult result) {
+    return result.getBenchmarkResults().stream()
+        .flatMap(fork -> fork.getIterationResults().stream())
+        .map(iteration -> iteration.getSecondaryResults().get(WorkerTime.LABEL).getScore())
+        .sorted()
+        .toList();
+  }
+
+  @SuppressWarnings("rawtypes") // as JMH declares it
+  private static double bytes(Map<String, Result> results) {
+    return results.entrySet().stream()
+        .filter(entry -> entry.getKey().contains("gc.alloc.rate.norm"))
+        .mapToDouble(entry -> entry.getValue().getScore())
+        .findFirst()
+        .orElse(Double.NaN);
+  }
+}
