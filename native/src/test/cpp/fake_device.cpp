@@ -110,6 +110,9 @@ int FakeDevice::receive(uint32_t nowMicros) {
       break;
     }
     lastOut.assign(report, report + length);
+    if (heard && length == PALPATE_OUT_BYTES) {
+      heard(report);
+    }
     count += palpate_device_out(&firmware, report, static_cast<size_t>(length), nowMicros);
   }
   return count;

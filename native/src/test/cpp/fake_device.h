@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -49,6 +50,8 @@ class FakeDevice {
   palpate_pose pose = {};
   palpate_device firmware = {};
   std::vector<uint8_t> lastOut;
+  /** Told of every report of full length that comes, on the thread that receives. */
+  std::function<void(const uint8_t*)> heard;
 
  private:
   int socketNow();
