@@ -122,9 +122,7 @@ public final class MeasureJitter extends PalpateCommand {
         }
       }
     }
-    RigidTransform axes =
-        new RigidTransform(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3());
-    VoxelGrid grid = new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(1, 1, 1), axes);
+    VoxelGrid grid = new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(1, 1, 1), RigidTransform.identity());
     Segment segment = new Segment("ball", bits, VoxelRule.threshold("ball", 1, 1).rgb());
     return new ContactScene(
         new SegmentedVolume(grid, List.of(segment)), ContactSettings.standard(SolverKind.GUARDED));

@@ -47,7 +47,7 @@ record TouchOptions(
   /** Asks the user, or takes what a macro says; null where it was cancelled. */
   static TouchOptions ask(String title, StackVolume volume) throws StackRefused {
     ImageProcessor shown = volume.image().getProcessor();
-    boolean threshold = shown.isThreshold();
+    boolean threshold = shown.getMinThreshold() != ImageProcessor.NO_THRESHOLD;
     Calibration values = volume.image().getCalibration();
     double lower =
         threshold ? values.getCValue(shown.getMinThreshold()) : Prefs.get(PREFIX + "lower", 1);

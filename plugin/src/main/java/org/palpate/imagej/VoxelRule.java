@@ -40,7 +40,7 @@ record VoxelRule(String name, double lower, double upper, int rgb) {
   /** The same with the thresholds that an image shows; itself where it shows none. */
   VoxelRule withThresholdOf(ImagePlus image) {
     ImageProcessor shown = image.getProcessor();
-    return shown == null || !shown.isThreshold()
+    return shown == null || shown.getMinThreshold() == ImageProcessor.NO_THRESHOLD
         ? this
         : new VoxelRule(name, shown.getMinThreshold(), shown.getMaxThreshold(), rgb);
   }
