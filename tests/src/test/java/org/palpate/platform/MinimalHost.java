@@ -1,0 +1,95 @@
+package org.palpate.platform;
+
+import java.util.List;
+import java.util.Optional;
+import org.palpate.device.HapticDevice;
+import org.palpate.force.ForceSettings;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.host.ContactScene;
+import org.palpate.host.ContactSettings;
+import org.palpate.host.SolverKind;
+import org.palpate.host.TouchSession;
+import org.palpate.interaction.LoopReport;
+import org.palpate.interaction.LoopSettings;
+import org.palpate.interaction.VoxelEdit;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+
+/** A volume platform's side of Palpate, whole: labels in, place and contact out, edits, an end. */
+final class MinimalHost implements AutoCloseable {
+  private static final int BONE_RGB = 0xE6C99F;
+
+  private final ContactScene scene;
+  private final TouchSession session;
+  private final Vec3 point = new Vec3();
+
+  /** Takes the voxels of one label as what is solid; x runs fastest in {@code labels}. */
+  MinimalHost(byte[] labels, int label, int edge, Vec3 spacingMm, HapticDevice device) {
+    BitCube bone = new BitCube(edge, edge, edge);
+    for (int n = 0; n < labels.length; n++) {
+      if (labels[n] == label) {
+        bone.set(n % edge, n / edge % edge, n / edge / edge);
+      }
+    }
+    VoxelGrid grid = new VoxelGrid(edge, edge, edge, spacingMm, RigidTransform.identity());
+    List<Segment> segments = List.of(new Segment("bone", bone, BONE_RGB));
+    scene =
+        new ContactScene(
+            new SegmentedVolume(grid, segments), ContactSettings.standard(SolverKind.GUARDED));
+    session =
+        new TouchSession(
+            scene,
+            device,
+            ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM,
+            LoopSettings.ofRate(1000),
+            Optional.empty(),
+            end -> {});
+  }
+
+  /** Force comes on when the frame has warmed up. */
+  void start() {
+    session.start();
+  }
+
+  /** To be called some 30 times a second, by one thread; false when the session has ended. */
+  boolean tick() {
+    session.takeUnseen();
+    session.properties().interactionPoint().read(point);
+    scene.grid().gridToWorld(point, point);
+    return !session.supervise();
+  }
+
+  /** Where the hand's point was at the last tick, world mm. */
+  Vec3 pointWorldMm() {
+    return point;
+  }
+
+  /** Frames so far. */
+  long frames() {
+    return session.status().frames();
+  }
+
+  /** Makes a voxel solid or empty, felt in one of the next frames; false where too many wait. */
+  boolean paint(int i, int j, int k, boolean solid) {
+    return scene.edits().offer(new VoxelEdit(0, i, j, k, solid));
+  }
+
+  /** Whether every edit is felt. */
+  boolean isPainted() {
+    return scene.edits().isIdle();
+  }
+
+  /** Ends the session, zero force last, and tells what was measured. */
+  LoopReport end() {
+    session.stop();
+    return session.report();
+  }
+
+  @Override
+  public void close() {
+    session.close();
+  }
+}

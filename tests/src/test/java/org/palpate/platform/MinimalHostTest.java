@@ -1,0 +1,123 @@
+package org.palpate.platform;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.palpate.device.DeviceSpecification;
+import org.palpate.device.DeviceState;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.ReadStatus;
+import org.palpate.geometry.Vec3;
+import org.palpate.interaction.LoopReport;
+
+/** A second host, so that ImageJ is not the only one that the port fits. */
+class MinimalHostTest {
+  private static final int EDGE = 16;
+  private static final int BONE = 7;
+  private static final Vec3 SPACING_MM = new Vec3(0.5, 0.5, 1);
+  private static final Path PAGE = Path.of("../plugin/docs/embedding.md");
+  private static final Path SOURCE = Path.of("src/test/java/org/palpate/platform/MinimalHost.java");
+
+  /** A hand that moves evenly from one place to another and rests there. */
+  private static final class Hand implements HapticDevice {
+    private static final int STEPS = 500;
+
+    private final Vec3 from;
+    private final Vec3 to;
+    private final Vec3 lastForce = new Vec3(1, 1, 1);
+    private int reads;
+    private boolean closed;
+
+    private Hand(Vec3 from, Vec3 to) {
+      this.from = from;
+      this.to = to;
+    }
+
+    @Override
+    public DeviceSpecification specification() {
+      return new DeviceSpecification("hand", "", 10, 2, 20, 0);
+    }
+
+    @Override
+    public synchronized ReadStatus read(DeviceState state) {
+      double share = Math.min(1, reads / (double) STEPS);
+      state.positionMm.set(
+          from.x + (to.x - from.x) * share,
+          from.y + (to.y - from.y) * share,
+          from.z + (to.z - from.z) * share);
+      state.timeNanos = reads++ * 1_000_000L;
+      return ReadStatus.FRESH;
+    }
+
+    @Override
+    public synchronized boolean write(Vec3 forceNewton) {
+      lastForce.set(forceNewton);
+      return true;
+    }
+
+    @Override
+    public synchronized void close() {
+      closed = true;
+    }
+  }
+
+  @Test
+  void theHandStopsAtWhatThePlatformHoldsAndIsLetGoWithoutForce() {
+    Hand hand = new Hand(new Vec3(4, 4, 1), new Vec3(4, 4, 12));
+    LoopReport report;
+    try (MinimalHost host = new MinimalHost(floor(), BONE, EDGE, SPACING_MM, hand)) {
+      host.start();
+      while (host.tick() && host.frames() < 2 * Hand.STEPS) {
+        Thread.onSpinWait();
+      }
+      host.tick();
+      assertTrue(host.pointWorldMm().z < 8, "above the floor at 8 mm: " + host.pointWorldMm());
+      assertTrue(host.pointWorldMm().z > 7.5, "and on it: " + host.pointWorldMm());
+      report = host.end();
+    }
+    assertTrue(report.counts().contactFrames() > 0);
+    assertTrue(report.counts().maxForceNewton() > 1, "N: " + report.counts().maxForceNewton());
+    assertEquals("(0.0, 0.0, 0.0)", hand.lastForce.toString());
+    assertTrue(hand.closed);
+  }
+
+  @Test
+  void aVoxelThatThePlatformPaintsReachesTheHand() {
+    Vec3 place = new Vec3(4.25, 4.25, 2.5);
+    try (MinimalHost host =
+        new MinimalHost(floor(), BONE, EDGE, SPACING_MM, new Hand(place, place))) {
+      host.start();
+      while (host.tick() && host.frames() < 10) {
+        Thread.onSpinWait();
+      }
+      assertTrue(host.paint(8, 8, 2, true));
+      while (host.tick() && !host.isPainted()) {
+        Thread.onSpinWait();
+      }
+      assertEquals(1, host.end().counts().freed());
+    }
+  }
+
+  /** Solid from half the height on. */
+  private static byte[] floor() {
+    byte[] labels = new byte[EDGE * EDGE * EDGE];
+    for (int n = labels.length / 2; n < labels.length; n++) {
+      labels[n] = BONE;
+    }
+    return labels;
+  }
+
+  @Test
+  void thePageShowsThisCodeAndItIsUnderAHundredLines() throws IOException {
+    String source = Files.readString(SOURCE);
+    String body = source.substring(source.indexOf("import java.util.List;"));
+    assertTrue(body.lines().count() < 100, "lines: " + body.lines().count());
+    String page = Files.readString(PAGE);
+    int begin = page.indexOf("```java\n") + "```java\n".length();
+    assertEquals(body, page.substring(begin, page.indexOf("```", begin)));
+  }
+}
