@@ -63,11 +63,11 @@ final class ImagejFiles {
     Files.write(file, rows);
   }
 
-  /** A hand that rests beside the ball for a minute. */
-  static void writeStill(Path file) throws IOException {
+  /** A hand that rests beside the ball for so many milliseconds. */
+  static void writeStill(Path file, int millis) throws IOException {
     List<String> rows = new ArrayList<>(List.of("t_ms,x,y,z"));
     double middle = EDGE / 2.0 * SPACING_MM;
-    for (int n = 0; n < 60_000; n++) {
+    for (int n = 0; n < millis; n++) {
       rows.add(String.format(Locale.ROOT, "%d,%.6f,%.6f,%.6f", n, 1.0, middle, middle));
     }
     Files.write(file, rows);

@@ -21,6 +21,7 @@ import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.ActionEvent;
 import java.awt.event.ActionListener;
+import java.awt.event.KeyEvent;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -186,21 +187,43 @@ public final class ImagejProbe implements PlugIn {
 
   private void others() {
     ImagePlus ball = open("ball.tif");
-    run("Replay Trajectory...", "trajectory=[" + folder.resolve("still.csv") + "] " + TOUCH_BALL);
-    fact("replay rows", rows("Palpate Frames"));
+    recordReplayAndJitter();
     run("Palpate Devices...", "");
     fact("devices", WindowManager.getWindow("Palpate Devices") != null);
-    run("Measure Jitter...", "time=1");
-    fact("jitter rows", rows("Palpate Jitter"));
     String slide = "device=[replay:" + folder.resolve("slide.csv") + "] ";
     Path taped = folder.resolve("taped.csv");
     run("Record Trajectory...", TOUCH_BALL + slide + "time=1 record=[" + taped + "]");
     await("the recording", () -> !isTouching() && Files.exists(taped));
+    run("Touch Volume...", TOUCH_BALL + slide + "time=0");
+    IJ.setKeyDown(KeyEvent.VK_ESCAPE);
+    await("the end by Escape", () -> !isTouching());
     IJ.doCommand("About Palpate...");
     Dialog about = awaitAny("About Palpate");
     fact("about", texts(about));
     press(about, "OK");
     close(ball);
+  }
+
+  /** By hand while the recorder looks on, then again as recorded. */
+  private void recordReplayAndJitter() {
+    Recorder recorder = new Recorder();
+    byHand("Measure Jitter...", "Measure Jitter", dialog -> number(dialog, 0, "1"));
+    await("the jitter", () -> recorder.getText().contains("Measure Jitter..."));
+    String file = folder.resolve("short.csv").toString();
+    byHand("Replay Trajectory...", "Replay Trajectory", dialog -> text(dialog, 0, file));
+    GenericDialog second = awaitDialog("Replay Trajectory");
+    number(second, 0, "100");
+    number(second, 1, "255");
+    press(second, "OK");
+    await("the replay", () -> recorder.getText().contains("Replay Trajectory..."));
+    String recorded = recorder.getText();
+    recorder.close();
+    Recorder.record = false;
+    fact("recorded others", recorded);
+    WindowManager.getWindow("Palpate Frames").dispose();
+    recorded.lines().filter(line -> line.startsWith("run(\"")).forEach(IJ::runMacro);
+    fact("jitter rows", rows("Palpate Jitter"));
+    fact("replay rows", rows("Palpate Frames"));
   }
 
   private void refuse() {
@@ -211,6 +234,13 @@ public final class ImagejProbe implements PlugIn {
     fact("refused", texts(refusal));
     press(refusal, "OK");
     close(colour);
+    ImagePlus several = IJ.createHyperStack("several", 16, 16, 2, 4, 3, 8);
+    several.show();
+    IJ.doCommand("Touch Volume...");
+    Dialog question = awaitAny("Palpate");
+    fact("asked", texts(question));
+    press(question, "Cancel");
+    close(several);
     IJ.doCommand("Landmarks...");
     Dialog idle = awaitAny("Landmarks");
     fact("idle", texts(idle));
@@ -312,6 +342,8 @@ public final class ImagejProbe implements PlugIn {
     }
   }
 
+  private static final int RIGHT = 1034; // of the 3-D window
+
   /** The desk with a volume being touched, for people to look at. */
   private void picture() throws Exception {
     ImagePlus image = open(System.getProperty("probe.picture"));
@@ -320,8 +352,13 @@ public final class ImagejProbe implements PlugIn {
         "Touch Volume...",
         System.getProperty("probe.options") + device("picture.csv") + "time=0 view");
     await("the window", () -> redraws() > 0);
-    pause(Long.getLong("probe.pause", 8000));
-    run("Landmarks...", "name=tragus save=[]");
+    pause(Long.getLong("probe.pause"));
+    run("Landmarks...", "name=temple save=[]");
+    IJ.getInstance().setLocation(RIGHT, 0);
+    image.getWindow().setLocation(RIGHT, 90);
+    IJ.run(image, "In [+]", "");
+    image.setSlice(Integer.getInteger("probe.slice"));
+    WindowManager.getWindow("Palpate Landmarks").setBounds(RIGHT, 680, 560, 88);
     pause(1500);
     Rectangle all = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
     File file = folder.resolve("screen.png").toFile();

@@ -43,7 +43,8 @@ class RealImagejTest {
   private void writeFiles() throws IOException {
     solid = ImagejFiles.writeBall(folder.resolve("ball.tif"));
     ImagejFiles.writeSlide(folder.resolve("slide.csv"));
-    ImagejFiles.writeStill(folder.resolve("still.csv"));
+    ImagejFiles.writeStill(folder.resolve("still.csv"), 60_000);
+    ImagejFiles.writeStill(folder.resolve("short.csv"), 2_000);
   }
 
   @Test
@@ -110,7 +111,7 @@ class RealImagejTest {
   }
 
   /** Everything was played, and nothing on standard error looks like a stack trace. */
-  private static void checkEnd(RealImagej.Seen seen) {
+  static void checkEnd(RealImagej.Seen seen) {
     assertFalse(seen.facts().containsKey("failed"), () -> seen.facts().get("failed"));
     assertEquals("reached", seen.of("end"), seen::errors);
     assertFalse(STACK_TRACE.matcher(seen.errors()).find(), seen::errors);
@@ -168,7 +169,11 @@ class RealImagejTest {
   }
 
   private void checkOthers(RealImagej.Seen seen) throws IOException {
-    assertEquals(60_000, seen.number("replay rows"));
+    assertEquals(2_000, seen.number("replay rows"));
+    String recorded = seen.of("recorded others");
+    assertTrue(recorded.contains("run(\"Measure Jitter...\", \"time=1\")"), recorded);
+    assertTrue(recorded.contains("trajectory=" + folder.resolve("short.csv")), recorded);
+    assertTrue(recorded.contains("lower=100 upper=255"), recorded);
     assertEquals("true", seen.of("devices"));
     assertEquals(4, seen.number("jitter rows"));
     assertTrue(seen.of("about").contains("Not a medical device"), seen.of("about"));
@@ -180,6 +185,7 @@ class RealImagejTest {
 
   private static void checkRefusals(RealImagej.Seen seen) {
     assertTrue(seen.of("refused").contains("this is a colour image"), seen.of("refused"));
+    assertTrue(seen.of("asked").contains("several channels or times"), seen.of("asked"));
     assertTrue(seen.of("idle").contains("No volume is being touched"), seen.of("idle"));
   }
 
