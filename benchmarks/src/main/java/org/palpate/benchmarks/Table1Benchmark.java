@@ -35,9 +35,9 @@ import org.palpate.volume.SegmentedVolume;
 
 /**
  * The paper's Table 1 on scans: a device that goes 0.3 voxel a frame from place to place through
- * whatever stands there: the point is free, pressed and dragged along as it comes, which is less than
- * the paper's peak load. Head and thorax
- * as they are, and resampled (the nearest voxel) to the sizes of the paper's data.
+ * whatever stands there: the point is free, pressed and dragged along as it comes, which is less
+ * than the paper's peak load. Head and thorax as they are, and resampled (the nearest voxel) to the
+ * sizes of the paper's data.
  *
  * <p>Reads the folder that the system property palpate.data names.
  */
