@@ -116,7 +116,8 @@ final class DicomFolder {
       String modality = first.attributes().text(DicomTag.MODALITY);
       list.append(n == 0 ? "" : "; ").append(n + 1).append(" ");
       list.append(modality.matches("[A-Z]{2,4}") ? modality + ", " : "");
-      list.append(series.get(n).size()).append(" files of ");
+      int files = series.get(n).size();
+      list.append(files).append(files == 1 ? " file of " : " files of ");
       list.append(first.columns()).append('x').append(first.rows());
     }
     return series.size() > MOST_LISTED ? list + "; and more" : list.toString();
