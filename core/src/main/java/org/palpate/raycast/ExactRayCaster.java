@@ -22,13 +22,15 @@ import org.palpate.volume.BitCube;
  * block farther off.
  */
 public final class ExactRayCaster implements RayCaster {
-  /**
-   * Beyond these lengths along an axis the reciprocal could overflow or lose bits: the exhaustive
-   * way is taken.
-   */
+  /** Shorter along an axis, the reciprocal could overflow: the exhaustive way is taken. */
   private static final double SHORTEST = 0x1p-900;
 
-  private static final double LONGEST = 0x1p900;
+  /**
+   * Longer along an axis, two planes of that axis could be crossed so near to each other that their
+   * order with a plane of another is in doubt for both: the exhaustive way is taken. Up to here
+   * they are crossed four doubts apart.
+   */
+  private static final double LONGEST = 0x1p46;
 
   private final boolean skipsEmpty;
   private final ExactPredicates exact = new ExactPredicates();
@@ -197,15 +199,30 @@ public final class ExactRayCaster implements RayCaster {
         return false;
       }
       double together = t + AxisWalk.doubt(t);
-      int crossed =
-          (x.next <= together ? 1 : 0)
-              | (y.next <= together ? 2 : 0)
-              | (z.next <= together ? 4 : 0);
-      boolean sure = (crossed & (crossed - 1)) == 0 && together < 1;
-      if (sure ? crossOne(crossed, t) : crossSeveral(crossed, t)) {
+      int crossed = crossedUntil(together);
+      boolean one = (crossed & (crossed - 1)) == 0;
+      if (one && together < 1 ? crossOne(crossed, t) : crossSeveral(withNeighbours(crossed), t)) {
         return true;
       }
     }
+  }
+
+  /** The axes whose next plane is crossed at t or before, a bit each. */
+  private int crossedUntil(double t) {
+    return (x.next <= t ? 1 : 0) | (y.next <= t ? 2 : 0) | (z.next <= t ? 4 : 0);
+  }
+
+  /**
+   * Adds an axis whose order is in doubt with one of these, if not with the first: a chain of three
+   * crossings, each so near to the next, is crossed as one. One time suffices, for there are three
+   * axes, and two planes of one axis are never so near, see {@link #LONGEST}.
+   */
+  private int withNeighbours(int crossed) {
+    double last = 0;
+    last = (crossed & 1) != 0 ? Math.max(last, x.next) : last;
+    last = (crossed & 2) != 0 ? Math.max(last, y.next) : last;
+    last = (crossed & 4) != 0 ? Math.max(last, z.next) : last;
+    return crossedUntil(last + AxisWalk.doubt(last));
   }
 
   /** Crosses one plane, with no doubt about it. */

@@ -53,6 +53,69 @@ class ExactRayCasterTest {
   }
 
   @Test
+  void crossesAChainOfThreeNearTiesAsOne() {
+    BitCube bits = new BitCube(4, 7, 14);
+    bits.set(0, 3, 11);
+    bits.set(0, 0, 12);
+    Ray ray = new Ray().from(6.9373795814663115, 1.5, 10.511562080284987);
+    assertTrue(caster.cast(bits, ray.to(0.0, 3.0, 11.000000000000002), hit));
+  }
+
+  /** Three planes crossed within a few roundings of each other, one voxel at the corner solid. */
+  @Test
+  void agreesWithTheExactOracleWhereRaysPassCornersAtAFewRoundings() {
+    long seed = Seeds.seed();
+    SplittableRandom random = new SplittableRandom(seed);
+    int hits = 0;
+    for (int n = 0; n < 300_000; n++) {
+      int[] corner = {random.nextInt(1, 15), random.nextInt(1, 15), random.nextInt(1, 15)};
+      BitCube bits = new BitCube(16, 16, 16);
+      bits.set(
+          corner[0] - random.nextInt(2),
+          corner[1] - random.nextInt(2),
+          corner[2] - random.nextInt(2));
+      bits.set(0, 0, 0); // so that the walk does not begin at the bounds of the one
+      bits.set(15, 15, 15);
+      Ray ray = n % 2 == 0 ? rayByACorner(random, corner) : chainOfNearTies(random, corner);
+      hits += agrees(bits, ray, "seed=" + seed + " ray " + n) ? 1 : 0;
+    }
+    assertTrue(hits > 10_000, "too few hits to mean anything: " + hits);
+  }
+
+  /** Ends at a corner but for some roundings, or goes on from there as far again. */
+  private static Ray rayByACorner(SplittableRandom random, int[] corner) {
+    double[] from = new double[3];
+    double[] to = new double[3];
+    double length = new double[] {1, 4, 12}[random.nextInt(3)];
+    boolean goesOn = random.nextInt(3) == 0;
+    for (int axis = 0; axis < 3; axis++) {
+      double at = corner[axis];
+      for (int ulps = random.nextInt(-8, 9); ulps != 0; ulps -= Integer.signum(ulps)) {
+        at = ulps > 0 ? Math.nextUp(at) : Math.nextDown(at);
+      }
+      from[axis] = at + random.nextDouble(-length, length);
+      to[axis] = goesOn ? at + (at - from[axis]) : at;
+    }
+    return new Ray().from(from[0], from[1], from[2]).to(to[0], to[1], to[2]);
+  }
+
+  /** Ends at a corner of two axes, and crosses the plane of the third just one doubt before. */
+  private static Ray chainOfNearTies(SplittableRandom random, int[] corner) {
+    double[] from = new double[3];
+    double[] to = {corner[0], corner[1], corner[2]};
+    int first = random.nextInt(3);
+    for (int axis = 0; axis < 3; axis++) {
+      from[axis] = corner[axis] + random.nextDouble(-9, 9);
+    }
+    double beyond = random.nextInt(1, 9) * Math.ulp(corner[first] + 0.5);
+    double length = beyond / (AxisWalk.DOUBT_RELATIVE * random.nextDouble(0.95, 1.05));
+    double side = random.nextBoolean() ? 1 : -1;
+    to[first] = corner[first] + side * beyond;
+    from[first] = corner[first] - side * length;
+    return new Ray().from(from[0], from[1], from[2]).to(to[0], to[1], to[2]);
+  }
+
+  @Test
   void agreesWithTheExactOracleOnHostileRays() {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
