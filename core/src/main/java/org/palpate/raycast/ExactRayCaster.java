@@ -200,8 +200,8 @@ public final class ExactRayCaster implements RayCaster {
       }
       double together = t + AxisWalk.doubt(t);
       int crossed = crossedUntil(together);
-      boolean one = (crossed & (crossed - 1)) == 0;
-      if (one && together < 1 ? crossOne(crossed, t) : crossSeveral(withNeighbours(crossed), t)) {
+      boolean sure = (crossed & (crossed - 1)) == 0 && together < 1;
+      if (sure ? crossOne(crossed, t) : crossSeveral(withNeighbours(crossed), t)) {
         return true;
       }
     }
