@@ -170,7 +170,10 @@ public final class BenchCommand implements Callable<Integer> {
       return PalpateException.FAILED;
     } catch (IOException e) {
       throw PalpateException.failed(
-          "cannot write", folder.toString(), "choose a folder that may be written to", e);
+          "not measured to the end (" + e.getMessage() + ")",
+          folder.toString(),
+          "mend that, or choose another folder with --out",
+          e);
     }
     if (report.isWanted()) {
       report.write();
