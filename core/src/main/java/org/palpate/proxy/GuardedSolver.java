@@ -363,9 +363,12 @@ public final class GuardedSolver implements ProxySolver {
     return false;
   }
 
-  /** Just beyond the voxel that the point is in: on a stair as high as that voxel. */
+  /**
+   * Just beyond the voxel that the point is in: on a stair as high as that voxel. In doubles, since
+   * beyond 2^31 voxels the cell is the last that has a number.
+   */
   private double topOfStair(int axis, int direction) {
-    int cell = voxel.cell(axis);
+    double cell = voxel.cell(axis);
     return direction > 0 ? cell + 1 + STOP_SHORT_VOXELS : cell - STOP_SHORT_VOXELS;
   }
 

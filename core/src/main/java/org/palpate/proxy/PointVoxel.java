@@ -87,7 +87,7 @@ final class PointVoxel {
 
   private int stop(int cell, double from, double to, int step) {
     if (to >= cell + 1.0) {
-      return cell + 1 - from <= GuardedSolver.STOP_SHORT_VOXELS ? solidBeside(step) : 0;
+      return cell + 1.0 - from <= GuardedSolver.STOP_SHORT_VOXELS ? solidBeside(step) : 0;
     }
     return to <= cell && to < from && from - cell <= GuardedSolver.STOP_SHORT_VOXELS
         ? solidBeside(-step)
@@ -108,13 +108,13 @@ final class PointVoxel {
     double deltaZ = Math.abs(to.z - p.z);
     int late = 0;
     if ((stops & 1) == 0 && deltaX != 0) {
-      late |= late(deltaX, to.x > p.x ? i + 1 - p.x : p.x - i, deltaX, deltaY, deltaZ);
+      late |= late(deltaX, to.x > p.x ? i + 1.0 - p.x : p.x - i, deltaX, deltaY, deltaZ);
     }
     if ((stops & 2) == 0 && deltaY != 0) {
-      late |= late(deltaY, to.y > p.y ? j + 1 - p.y : p.y - j, deltaX, deltaY, deltaZ);
+      late |= late(deltaY, to.y > p.y ? j + 1.0 - p.y : p.y - j, deltaX, deltaY, deltaZ);
     }
     if ((stops & 4) == 0 && deltaZ != 0) {
-      late |= late(deltaZ, to.z > p.z ? k + 1 - p.z : p.z - k, deltaX, deltaY, deltaZ);
+      late |= late(deltaZ, to.z > p.z ? k + 1.0 - p.z : p.z - k, deltaX, deltaY, deltaZ);
     }
     return late;
   }

@@ -64,6 +64,24 @@ class GuardedSolverTest {
     assertTrue(point.position.z < 2, "z=" + point.position.z);
   }
 
+  /**
+   * Stuck beyond 2^31 voxels: the way to the wall passes the edge of the floor at less than a
+   * rounding, so that the way cut before the wall touches it, and aside no double is nearer. The
+   * climb along x that it tries then must not lead through the solids.
+   */
+  @Test
+  void climbsNowhereFromBeyondAllNumbersOfVoxels() {
+    BitCube bits = new BitCube(20, 10, 3);
+    for (int i = 10; i < 20; i++) {
+      bits.set(i, 4, 1);
+    }
+    for (int j = 4; j < 10; j++) {
+      bits.set(2, j, 1);
+    }
+    Vec3 start = new Vec3(6081414654.0, 7.483519806356817, 1.5);
+    follow(bits, start, new Vec3(1.5, 4.999999996528782, 1.5), 1e300);
+  }
+
   private static BitCube floorWithStair() {
     BitCube bits = new BitCube(12, 3, 4);
     for (int i = 0; i < 12; i++) {
