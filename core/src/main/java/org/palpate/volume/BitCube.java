@@ -22,6 +22,9 @@ public final class BitCube {
   /** Voxels along an edge of a brick, as a power of two. */
   public static final int BRICK_SHIFT = 2;
 
+  /** So that the plane behind the last voxel, and the brick's behind it, still have numbers. */
+  public static final int LARGEST_SIZE = 1 << 30;
+
   /** Voxels along an edge of a block of 4x4x4 bricks, as a power of two. */
   public static final int BLOCK_SHIFT = 4;
 
@@ -41,12 +44,17 @@ public final class BitCube {
   /**
    * An empty cube.
    *
-   * @throws IllegalArgumentException where a size is below 1 or there are more than 2^31-1 bricks
+   * @throws IllegalArgumentException where a size is below 1 or above {@link #LARGEST_SIZE}, or
+   *     there are more than 2^31-1 bricks
    */
   public BitCube(int sizeX, int sizeY, int sizeZ) {
     if (sizeX < 1 || sizeY < 1 || sizeZ < 1) {
       throw new IllegalArgumentException(
           "sizes must be at least 1: sizes=" + sizeX + "x" + sizeY + "x" + sizeZ);
+    }
+    if (Math.max(sizeX, Math.max(sizeY, sizeZ)) > LARGEST_SIZE) {
+      throw new IllegalArgumentException(
+          "sizes must be at most 2^30: sizes=" + sizeX + "x" + sizeY + "x" + sizeZ);
     }
     this.sizeX = sizeX;
     this.sizeY = sizeY;

@@ -3,6 +3,7 @@ package org.palpate.app;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -35,6 +36,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 
 /** Makes a picture of a volume's segments, or writes their surface. */
 @Command(
@@ -306,7 +308,17 @@ final class RenderCommand implements Callable<Integer> {
   static final class StereoConverter implements ITypeConverter<Stereo> {
     @Override
     public Stereo convert(String name) {
-      return Stereo.valueOf(name.toUpperCase(Locale.ROOT).replace('-', '_'));
+      return Arrays.stream(Stereo.values())
+          .filter(stereo -> name(stereo).equals(name))
+          .findFirst()
+          .orElseThrow(
+              () ->
+                  new TypeConversionException(
+                      "there is no " + name + ": choose off, anaglyph or side-by-side"));
+    }
+
+    private static String name(Stereo stereo) {
+      return stereo.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
   }
 }

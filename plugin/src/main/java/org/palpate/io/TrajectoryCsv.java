@@ -53,6 +53,9 @@ public final class TrajectoryCsv {
    * @throws CsvFormatException where the file is not there or not understood, with the line
    */
   public static long read(Path file, boolean checked, SampleSink sink) throws IOException {
+    if (Files.isDirectory(file)) {
+      throw new CsvFormatException("it is a folder", file, "give a table with t_ms,x,y,z");
+    }
     try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
       return new TrajectoryCsv(file, checked).read(reader, sink);
     } catch (NoSuchFileException e) {

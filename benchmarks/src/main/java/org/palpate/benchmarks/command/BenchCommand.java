@@ -222,6 +222,10 @@ public final class BenchCommand implements Callable<Integer> {
   }
 
   private void attack(Report report, PrintWriter out, PrintWriter progress) throws IOException {
+    if (frames < 1) {
+      throw PalpateException.wrongUse(
+          "a positive number is needed", "--frames " + frames, "try --frames 1000000");
+    }
     StressSession session = new StressSession(folder, seed, solverUnderAttack(), progress);
     StressTotals totals = session.run(frames);
     out.println(

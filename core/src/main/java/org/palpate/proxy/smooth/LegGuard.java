@@ -89,7 +89,7 @@ final class LegGuard {
     if (target.sameBits(position)) {
       return true;
     }
-    if (!isFree(target)) {
+    if (!target.isFinite() || !isFree(target)) {
       return false;
     }
     double lengthMm = distanceMm(position, target);
