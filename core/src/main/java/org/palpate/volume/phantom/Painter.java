@@ -11,8 +11,11 @@ final class Painter implements Bricks {
   /** Of a voxel; and points in an octant. */
   private static final int OCTANTS = 8;
 
-  /** From the centre of an octant to its corner. */
-  private static final double OCTANT_RADIUS = 0.4331;
+  /** From the centre of a voxel to the farthest of its points: 0.375 times the root of 3. */
+  private static final double POINTS_RADIUS = 0.6496;
+
+  /** From the centre of an octant to each of its points: 0.125 times the root of 3. */
+  private static final double OCTANT_RADIUS = 0.2166;
 
   /** From the centre of a row of four bricks to the farthest voxel centre: (7.5, 1.5, 1.5). */
   private static final double ROW_RADIUS = 7.8;
@@ -20,10 +23,7 @@ final class Painter implements Bricks {
   /** From the centre of a brick to the farthest voxel centre: 1.5 times the root of 3. */
   private static final double BRICK_RADIUS = 2.6;
 
-  /** From the centre of a voxel to its corner. */
-  private static final double VOXEL_RADIUS = 0.8661;
-
-  /** Walls look at points one voxel off. */
+  /** From a voxel's centre: walls look at points one voxel off, farther than its own points are. */
   private static final double WALL_REACH = 1;
 
   private final Anatomy anatomy;
@@ -48,12 +48,7 @@ final class Painter implements Bricks {
 
   @Override
   public void enterRow(int brickX, int brickY, int brickZ) {
-    row.narrow(
-        space,
-        4 * brickX + 8,
-        4 * brickY + 2,
-        4 * brickZ + 2,
-        ROW_RADIUS + VOXEL_RADIUS + WALL_REACH);
+    row.narrow(space, 4 * brickX + 8, 4 * brickY + 2, 4 * brickZ + 2, ROW_RADIUS + WALL_REACH);
   }
 
   @Override
@@ -87,7 +82,7 @@ final class Painter implements Bricks {
     double x = 4 * brickX + 2;
     double y = 4 * brickY + 2;
     double z = 4 * brickZ + 2;
-    brick.narrow(row, x, y, z, BRICK_RADIUS + VOXEL_RADIUS + WALL_REACH);
+    brick.narrow(row, x, y, z, BRICK_RADIUS + WALL_REACH);
     return brick.isUniform();
   }
 
@@ -102,15 +97,18 @@ final class Painter implements Bricks {
     double x = i + 0.5;
     double y = j + 0.5;
     double z = k + 0.5;
-    voxel.narrow(brick, x, y, z, VOXEL_RADIUS + WALL_REACH);
+    voxel.narrow(brick, x, y, z, WALL_REACH);
     int region = anatomy.region(voxel.insideShapes(x, y, z));
-    if (anatomy.hasWalls(region) && !voxel.isUniform()) {
+    if (voxel.isUniform()) {
+      return anatomy.greyValue(anatomy.label(region));
+    }
+    if (anatomy.hasWalls(region)) {
       int wall = wallLabel(voxel, region, x, y, z);
       if (wall != 0) {
         return anatomy.greyValue(wall);
       }
     }
-    cell.narrow(voxel, x, y, z, VOXEL_RADIUS);
+    cell.narrow(voxel, x, y, z, POINTS_RADIUS);
     return lookUpSides(cell) && isOneGrey(cell) ? greyOfSide[0] : supersampled(i, j, k);
   }
 
