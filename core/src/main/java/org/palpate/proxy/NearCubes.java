@@ -74,9 +74,8 @@ final class NearCubes {
     if (looseCount > 0) {
       addLoose();
     }
-    Arrays.sort(
-        numbers, 0,
-        count); // in the order of all cubes, so that the first of equal hits is the same
+    // In the order of all cubes, so that the first of equal hits is the same.
+    Arrays.sort(numbers, 0, count);
     for (int n = 0; n < count; n++) {
       near[n] = cubes[numbers[n]];
     }
