@@ -73,6 +73,7 @@ public final class ShellPool implements AutoCloseable {
   public int run(int count, Share work) {
     share = work;
     points = count;
+    failure.set(null); // of a round whose caller threw too, and so never asked
     busy.set(helpers.length);
     round.incrementAndGet(); // publishes the above to the helpers
     for (Thread helper : helpers) {
@@ -91,7 +92,6 @@ public final class ShellPool implements AutoCloseable {
   private int sum() {
     Throwable thrown = failure.get();
     if (thrown != null) {
-      failure.set(null);
       throw new IllegalStateException("a helper of the shell failed: " + thrown, thrown);
     }
     int sum = 0;
