@@ -6,12 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.Vec3;
-import org.palpate.testing.HostileWorld;
+import org.palpate.testing.HostileTouch;
 import org.palpate.testing.LegJudge;
-import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
 class GuardedSolverTest {
@@ -106,47 +104,14 @@ class GuardedSolverTest {
 
   @Test
   void keepsTheGuaranteeAndComesNearerOrRestsInHostileScenes() {
-    long seed = Seeds.seed();
-    SplittableRandom random = new SplittableRandom(seed);
-    long legs = 0;
-    for (int scene = 0; scene < 400; scene++) {
-      legs += touchScene(random, "seed=" + seed + " scene=" + scene);
-    }
+    long legs =
+        new HostileTouch(GuardedSolver::new)
+            .keepsTheGuarantee(
+                400,
+                (metric, device, before, after) ->
+                    after.sameBits(before)
+                        || square(metric, after, device) < square(metric, before, device));
     assertTrue(legs > 50_000, "too few legs to mean anything: " + legs);
-  }
-
-  private long touchScene(SplittableRandom random, String what) {
-    BitCube bits = HostileWorld.scene(random);
-    Metric metric = new Metric(1, 1, random.nextBoolean() ? 1 : random.nextDouble(0.05, 20));
-    double maxStepMm = random.nextInt(4) == 0 ? 1e-3 : random.nextDouble(0.5, 60);
-    GuardedSolver solver = new GuardedSolver(metric, maxStepMm);
-    Obstacles obstacles = new Obstacles(List.of(bits));
-    place(obstacles, metric, HostileWorld.point(random, bits));
-    LegJudge judge = new LegJudge(bits, point.position);
-    Vec3 device = new Vec3(point.position.x, point.position.y, point.position.z);
-    Vec3 before = new Vec3();
-    for (int frame = 0; frame < 200; frame++) {
-      HostileWorld.moveDevice(random, bits, device);
-      before.set(point.position);
-      solver.follow(obstacles, device, point);
-      String frameName = what + " frame=" + frame + " device=" + device;
-      assertNull(judge.faultOf(point), frameName);
-      assertTrue(point.legs.lengthMm() <= maxStepMm, frameName);
-      assertTrue(isNearerOrSame(metric, device, before), frameName);
-    }
-    return judge.legCount();
-  }
-
-  private void place(Obstacles obstacles, Metric metric, Vec3 start) {
-    point.position.set(start);
-    if (obstacles.touches(start.x, start.y, start.z)) {
-      new FreePlace(metric).find(obstacles, start, point.position);
-    }
-  }
-
-  private boolean isNearerOrSame(Metric metric, Vec3 device, Vec3 before) {
-    return point.position.sameBits(before)
-        || square(metric, point.position, device) < square(metric, before, device);
   }
 
   private static double square(Metric metric, Vec3 a, Vec3 b) {
@@ -155,54 +120,11 @@ class GuardedSolverTest {
 
   @Test
   void comesToRestWhenTheDeviceRests() {
-    long seed = Seeds.seed();
-    SplittableRandom random = new SplittableRandom(seed);
-    for (int scene = 0; scene < 200; scene++) {
-      BitCube bits = HostileWorld.scene(random);
-      GuardedSolver solver = new GuardedSolver(UNIT, 8);
-      Obstacles obstacles = new Obstacles(List.of(bits));
-      place(obstacles, UNIT, new Vec3(random.nextInt(-4, 20), random.nextInt(-4, 20) + 0.5, 1));
-      Vec3 device =
-          new Vec3(random.nextDouble(-4, 20), random.nextDouble(-4, 20), random.nextDouble(-4, 20));
-      int frames = 0;
-      do {
-        solver.follow(obstacles, device, point);
-        frames++;
-      } while (point.legs.count() > 0 && frames < 40);
-      assertTrue(frames < 40, "still moves: seed=" + seed + " scene=" + scene);
-      boolean contact = point.contact;
-      solver.reset();
-      solver.follow(obstacles, device, point);
-      assertEquals(0, point.legs.count());
-      assertEquals(contact, point.contact);
-    }
+    new HostileTouch(GuardedSolver::new).comesToRest(200, 40, ProxySolver::reset);
   }
 
   @Test
   void restsOnlyWhereASolverWithoutMemoryWouldRest() {
-    long seed = Seeds.seed();
-    SplittableRandom random = new SplittableRandom(seed);
-    for (int scene = 0; scene < 200; scene++) {
-      BitCube bits = HostileWorld.scene(random);
-      GuardedSolver solver = new GuardedSolver(UNIT, 8);
-      Obstacles obstacles = new Obstacles(List.of(bits));
-      place(obstacles, UNIT, new Vec3(random.nextInt(-4, 20), random.nextInt(-4, 20) + 0.5, 1));
-      Vec3 device = new Vec3().set(point.position);
-      for (int frame = 0; frame < 40; frame++) {
-        drift(random, device);
-        solver.follow(obstacles, device, point);
-      }
-      for (int frame = 0; frame < 40; frame++) {
-        solver.follow(obstacles, device, point);
-      }
-      new GuardedSolver(UNIT, 8).follow(obstacles, device, point);
-      assertEquals(0, point.legs.count(), "seed=" + seed + " scene=" + scene);
-    }
-  }
-
-  private static void drift(SplittableRandom random, Vec3 device) {
-    for (int axis = 0; axis < 3; axis++) {
-      device.set(axis, device.get(axis) + random.nextDouble(-0.2, 0.21));
-    }
+    new HostileTouch(GuardedSolver::new).restsWhereAFreshSolverWouldRest(200);
   }
 }
