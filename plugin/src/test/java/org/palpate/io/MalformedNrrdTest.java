@@ -3,7 +3,6 @@ package org.palpate.io;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.sun.management.ThreadMXBean;
 import java.io.ByteArrayOutputStream;
@@ -14,6 +13,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -104,14 +105,11 @@ class MalformedNrrdTest {
   }
 
   @Test
+  @DisabledOnOs(value = OS.WINDOWS, disabledReason = "skipped: links need a right there")
   void aLinkOutOfTheFolderIsRefused() throws Exception {
     Path inside = Files.createDirectory(folder.resolve("inside"));
     Path secret = Files.write(folder.resolve("secret.raw"), new byte[24]);
-    try {
-      Files.createSymbolicLink(inside.resolve("a.raw"), secret);
-    } catch (IOException | UnsupportedOperationException e) {
-      assumeTrue(false, "skipped: this system makes no links (" + e + ")");
-    }
+    Files.createSymbolicLink(inside.resolve("a.raw"), secret);
     Path header = Files.writeString(inside.resolve("a.nhdr"), GOOD + "data file: a.raw\n");
     VolumeFormatException refused =
         assertThrows(VolumeFormatException.class, () -> openAndRead(header));
