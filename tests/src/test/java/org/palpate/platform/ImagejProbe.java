@@ -1,5 +1,20 @@
 package org.palpate.platform;
 
+import static org.palpate.platform.ImagejProbeDialogs.awaitAny;
+import static org.palpate.platform.ImagejProbeDialogs.awaitDialog;
+import static org.palpate.platform.ImagejProbeDialogs.byHand;
+import static org.palpate.platform.ImagejProbeDialogs.choose;
+import static org.palpate.platform.ImagejProbeDialogs.number;
+import static org.palpate.platform.ImagejProbeDialogs.press;
+import static org.palpate.platform.ImagejProbeDialogs.text;
+import static org.palpate.platform.ImagejProbeDialogs.texts;
+import static org.palpate.platform.ImagejProbeWatch.await;
+import static org.palpate.platform.ImagejProbeWatch.awaitQuietThreads;
+import static org.palpate.platform.ImagejProbeWatch.palpateThreads;
+import static org.palpate.platform.ImagejProbeWatch.pause;
+import static org.palpate.platform.ImagejProbeWatch.threads;
+import static org.palpate.platform.ImagejProbeWatch.usedAfterCollection;
+
 import ij.IJ;
 import ij.ImagePlus;
 import ij.Menus;
@@ -8,19 +23,11 @@ import ij.gui.GenericDialog;
 import ij.measure.ResultsTable;
 import ij.plugin.PlugIn;
 import ij.plugin.frame.Recorder;
-import java.awt.Button;
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dialog;
-import java.awt.Label;
 import java.awt.Menu;
 import java.awt.Rectangle;
 import java.awt.Robot;
-import java.awt.TextField;
 import java.awt.Toolkit;
-import java.awt.Window;
-import java.awt.event.ActionEvent;
-import java.awt.event.ActionListener;
 import java.awt.event.KeyEvent;
 import java.io.File;
 import java.io.IOException;
@@ -29,9 +36,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.TreeSet;
-import java.util.function.BooleanSupplier;
-import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 
 /**
@@ -40,7 +44,6 @@ import javax.imageio.ImageIO;
  * Palpate by its commands alone.
  */
 public final class ImagejProbe implements PlugIn {
-  private static final long PATIENCE_NANOS = 90_000_000_000L;
   private static final String TOUCH = "org.palpate.imagej.TouchVolume";
 
   private final Path folder = Path.of(System.getProperty("probe.dir"));
@@ -158,15 +161,11 @@ public final class ImagejProbe implements PlugIn {
     await("the correction", () -> recorder.getText().contains("action=add"));
     await("its being felt", () -> !call("segments").equals(first("segments")));
     fact("corrected", call("segments"));
-    doAndWait("Correct Segment...", dialog -> choose(dialog, "undo"));
+    byHand("Correct Segment...", "Correct Segment", dialog -> choose(dialog, "undo"));
     await("the undoing", () -> recorder.getText().contains("action=undo"));
     await("its being felt", () -> call("segments").equals(first("segments")));
     IJ.doCommand("Stop Touching");
     await("the end", () -> !isTouching() && recorder.getText().contains("Stop Touching"));
-  }
-
-  private void doAndWait(String command, Filling filling) {
-    byHand(command, "Correct Segment", filling);
   }
 
   private void again(String line) {
@@ -367,7 +366,7 @@ public final class ImagejProbe implements PlugIn {
     close(image);
   }
 
-  // --- hands and eyes ----------------------------------------------------------------------------
+  // --- the session ----------------------------------------------------------------------------
 
   private static final String TOUCH_BALL =
       "segment=ball lower=100 upper=255 solver=guarded stiffness=0 friction=0.20 ";
@@ -388,109 +387,6 @@ public final class ImagejProbe implements PlugIn {
 
   private static void run(String command, String options) {
     IJ.runMacro("run(\"" + command + "\", \"" + options.strip() + "\");");
-  }
-
-  private interface Filling {
-    void fill(GenericDialog dialog);
-  }
-
-  private void byHand(String command, String title, Filling filling) {
-    IJ.doCommand(command);
-    GenericDialog dialog = awaitDialog(title);
-    filling.fill(dialog);
-    press(dialog, "OK");
-    await("the dialog to close", () -> !dialog.isShowing());
-    pause(200);
-  }
-
-  private static void text(GenericDialog dialog, int field, String value) {
-    ((TextField) dialog.getStringFields().get(field)).setText(value);
-  }
-
-  private static void number(GenericDialog dialog, int field, String value) {
-    ((TextField) dialog.getNumericFields().get(field)).setText(value);
-  }
-
-  private static void choose(GenericDialog dialog, String value) {
-    ((java.awt.Choice) dialog.getChoices().get(0)).select(value);
-  }
-
-  private static GenericDialog awaitDialog(String title) {
-    return (GenericDialog) awaitAny(title);
-  }
-
-  private static Dialog awaitAny(String title) {
-    await("the dialog " + title, () -> shown(title) != null);
-    pause(200);
-    return shown(title);
-  }
-
-  private static Dialog shown(String title) {
-    for (Window window : Window.getWindows()) {
-      if (window instanceof Dialog dialog
-          && window.isShowing()
-          && dialog.getTitle().equals(title)) {
-        return dialog;
-      }
-    }
-    return null;
-  }
-
-  private static List<String> texts(Container container) {
-    List<String> texts = new ArrayList<>();
-    for (Component component : container.getComponents()) {
-      if (component instanceof Label label) {
-        texts.add(label.getText());
-      } else if (component instanceof TextField field) {
-        texts.add("[" + field.getText() + "]");
-      } else if (component instanceof java.awt.Checkbox box) {
-        texts.add("(" + box.getState() + ") " + box.getLabel());
-      } else if (component instanceof java.awt.Choice choice) {
-        texts.add("<" + choice.getSelectedItem() + ">");
-      } else if (component instanceof Button button) {
-        texts.add("{" + button.getLabel() + "}");
-      } else if (component instanceof ij.gui.MultiLineLabel label) {
-        texts.add(lines(label));
-      } else if (component instanceof javax.swing.JLabel label) {
-        texts.add(label.getText());
-      } else if (component instanceof Container inner) {
-        texts.addAll(texts(inner));
-      }
-    }
-    return texts;
-  }
-
-  /** ImageJ's label tells no one what it says. */
-  private static String lines(ij.gui.MultiLineLabel label) {
-    try {
-      java.lang.reflect.Field lines = ij.gui.MultiLineLabel.class.getDeclaredField("lines");
-      lines.setAccessible(true);
-      return String.join("\n", (String[]) lines.get(label));
-    } catch (ReflectiveOperationException e) {
-      throw new IllegalStateException(e);
-    }
-  }
-
-  private static void press(Container container, String label) {
-    if (!pressed(container, label)) {
-      throw new IllegalStateException("no button " + label + " in " + texts(container));
-    }
-  }
-
-  private static boolean pressed(Container container, String label) {
-    for (Component component : container.getComponents()) {
-      if (component instanceof Button button && button.getLabel().strip().equals(label)) {
-        ActionEvent event = new ActionEvent(button, ActionEvent.ACTION_PERFORMED, label);
-        for (ActionListener listener : button.getActionListeners()) {
-          java.awt.EventQueue.invokeLater(() -> listener.actionPerformed(event));
-        }
-        return true;
-      }
-      if (component instanceof Container inner && pressed(inner, label)) {
-        return true;
-      }
-    }
-    return false;
   }
 
   private static String call(String method) {
@@ -528,64 +424,5 @@ public final class ImagejProbe implements PlugIn {
     } catch (IOException e) {
       throw new IllegalStateException(e);
     }
-  }
-
-  // --- waiting and counting ----------------------------------------------------------------------
-
-  private static void await(String what, BooleanSupplier condition) {
-    long end = System.nanoTime() + PATIENCE_NANOS;
-    while (!condition.getAsBoolean()) {
-      if (System.nanoTime() > end) {
-        throw new IllegalStateException("waited in vain for " + what);
-      }
-      pause(2);
-    }
-  }
-
-  private static void pause(long millis) {
-    IJ.wait((int) millis);
-  }
-
-  private static List<String> palpateThreads() {
-    // JOGL names the threads that it keeps for all windows after the one that opened the first.
-    return threadNames().stream()
-        .filter(name -> name.startsWith("palpate") && !name.endsWith("SharedResourceRunner"))
-        .toList();
-  }
-
-  private static void awaitQuietThreads() {
-    await("Palpate's threads to end", () -> palpateThreads().isEmpty());
-  }
-
-  /** How many threads there are by name, without those that ImageJ begins for a macro. */
-  private static String threads() {
-    return new TreeSet<>(
-            threadNames().stream()
-                .filter(name -> !name.startsWith("Run$_") && !name.contains("Macro"))
-                .map(name -> name.replaceAll("[0-9]+", "N"))
-                .collect(Collectors.groupingBy(name -> name, Collectors.counting()))
-                .entrySet()
-                .stream()
-                .map(Object::toString)
-                .toList())
-        .toString();
-  }
-
-  private static List<String> threadNames() {
-    return Thread.getAllStackTraces().keySet().stream()
-        .filter(Thread::isAlive)
-        .map(Thread::getName)
-        .toList();
-  }
-
-  private static long usedAfterCollection() {
-    long least = Long.MAX_VALUE;
-    for (int n = 0; n < 5; n++) {
-      System.gc();
-      pause(100);
-      Runtime runtime = Runtime.getRuntime();
-      least = Math.min(least, runtime.totalMemory() - runtime.freeMemory());
-    }
-    return least;
   }
 }

@@ -1,0 +1,132 @@
+package org.palpate.platform;
+
+import static org.palpate.platform.ImagejProbeWatch.await;
+import static org.palpate.platform.ImagejProbeWatch.pause;
+
+import ij.IJ;
+import ij.gui.GenericDialog;
+import ij.gui.MultiLineLabel;
+import java.awt.Button;
+import java.awt.Checkbox;
+import java.awt.Choice;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dialog;
+import java.awt.EventQueue;
+import java.awt.Label;
+import java.awt.TextField;
+import java.awt.Window;
+import java.awt.event.ActionEvent;
+import java.awt.event.ActionListener;
+import java.lang.reflect.Field;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JLabel;
+
+/** The hands and eyes of {@link ImagejProbe} at ImageJ's dialogs. */
+final class ImagejProbeDialogs {
+  private ImagejProbeDialogs() {}
+
+  interface Filling {
+    void fill(GenericDialog dialog);
+  }
+
+  static void byHand(String command, String title, Filling filling) {
+    IJ.doCommand(command);
+    GenericDialog dialog = awaitDialog(title);
+    filling.fill(dialog);
+    press(dialog, "OK");
+    await("the dialog to close", () -> !dialog.isShowing());
+    pause(200);
+  }
+
+  static void text(GenericDialog dialog, int field, String value) {
+    ((TextField) dialog.getStringFields().get(field)).setText(value);
+  }
+
+  static void number(GenericDialog dialog, int field, String value) {
+    ((TextField) dialog.getNumericFields().get(field)).setText(value);
+  }
+
+  static void choose(GenericDialog dialog, String value) {
+    ((Choice) dialog.getChoices().get(0)).select(value);
+  }
+
+  static GenericDialog awaitDialog(String title) {
+    return (GenericDialog) awaitAny(title);
+  }
+
+  static Dialog awaitAny(String title) {
+    await("the dialog " + title, () -> shown(title) != null);
+    pause(200);
+    return shown(title);
+  }
+
+  private static Dialog shown(String title) {
+    for (Window window : Window.getWindows()) {
+      if (window instanceof Dialog dialog
+          && window.isShowing()
+          && dialog.getTitle().equals(title)) {
+        return dialog;
+      }
+    }
+    return null;
+  }
+
+  static List<String> texts(Container container) {
+    List<String> texts = new ArrayList<>();
+    for (Component component : container.getComponents()) {
+      if (component instanceof Label label) {
+        texts.add(label.getText());
+      } else if (component instanceof TextField field) {
+        texts.add("[" + field.getText() + "]");
+      } else if (component instanceof Checkbox box) {
+        texts.add("(" + box.getState() + ") " + box.getLabel());
+      } else if (component instanceof Choice choice) {
+        texts.add("<" + choice.getSelectedItem() + ">");
+      } else if (component instanceof Button button) {
+        texts.add("{" + button.getLabel() + "}");
+      } else if (component instanceof MultiLineLabel label) {
+        texts.add(lines(label));
+      } else if (component instanceof JLabel label) {
+        texts.add(label.getText());
+      } else if (component instanceof Container inner) {
+        texts.addAll(texts(inner));
+      }
+    }
+    return texts;
+  }
+
+  /** ImageJ's label tells no one what it says. */
+  private static String lines(MultiLineLabel label) {
+    try {
+      Field lines = MultiLineLabel.class.getDeclaredField("lines");
+      lines.setAccessible(true);
+      return String.join("\n", (String[]) lines.get(label));
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  static void press(Container container, String label) {
+    if (!pressed(container, label)) {
+      throw new IllegalStateException("no button " + label + " in " + texts(container));
+    }
+  }
+
+  private static boolean pressed(Container container, String label) {
+    for (Component component : container.getComponents()) {
+      if (component instanceof Button button && button.getLabel().strip().equals(label)) {
+        ActionEvent event = new ActionEvent(button, ActionEvent.ACTION_PERFORMED, label);
+        for (ActionListener listener : button.getActionListeners()) {
+          EventQueue.invokeLater(() -> listener.actionPerformed(event));
+        }
+        return true;
+      }
+      if (component instanceof Container inner && pressed(inner, label)) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

@@ -1,0 +1,71 @@
+package org.palpate.platform;
+
+import ij.IJ;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
+
+/** What {@link ImagejProbe} waits for and counts: conditions, threads, memory. */
+final class ImagejProbeWatch {
+  private static final long PATIENCE_NANOS = 90_000_000_000L;
+
+  private ImagejProbeWatch() {}
+
+  static void await(String what, BooleanSupplier condition) {
+    long end = System.nanoTime() + PATIENCE_NANOS;
+    while (!condition.getAsBoolean()) {
+      if (System.nanoTime() > end) {
+        throw new IllegalStateException("waited in vain for " + what);
+      }
+      pause(2);
+    }
+  }
+
+  static void pause(long millis) {
+    IJ.wait((int) millis);
+  }
+
+  static List<String> palpateThreads() {
+    // JOGL names the threads that it keeps for all windows after the one that opened the first.
+    return threadNames().stream()
+        .filter(name -> name.startsWith("palpate") && !name.endsWith("SharedResourceRunner"))
+        .toList();
+  }
+
+  static void awaitQuietThreads() {
+    await("Palpate's threads to end", () -> palpateThreads().isEmpty());
+  }
+
+  /** How many threads there are by name, without those that ImageJ begins for a macro. */
+  static String threads() {
+    return new TreeSet<>(
+            threadNames().stream()
+                .filter(name -> !name.startsWith("Run$_") && !name.contains("Macro"))
+                .map(name -> name.replaceAll("[0-9]+", "N"))
+                .collect(Collectors.groupingBy(name -> name, Collectors.counting()))
+                .entrySet()
+                .stream()
+                .map(Object::toString)
+                .toList())
+        .toString();
+  }
+
+  private static List<String> threadNames() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .filter(Thread::isAlive)
+        .map(Thread::getName)
+        .toList();
+  }
+
+  static long usedAfterCollection() {
+    long least = Long.MAX_VALUE;
+    for (int n = 0; n < 5; n++) {
+      System.gc();
+      pause(100);
+      Runtime runtime = Runtime.getRuntime();
+      least = Math.min(least, runtime.totalMemory() - runtime.freeMemory());
+    }
+    return least;
+  }
+}
