@@ -1,15 +1,32 @@
 package org.palpate.proxy;
 
+import static org.palpate.volume.VoxelGrid.isSpacing;
+
 import org.palpate.geometry.Vec3;
+import org.palpate.volume.VoxelGrid;
 
 /**
  * Distances in mm between points in grid coordinates: the axes weigh as their spacing says.
  *
- * @param spacingX edge of a voxel along x, mm
- * @param spacingY edge of a voxel along y, mm
- * @param spacingZ edge of a voxel along z, mm
+ * @param spacingX edge of a voxel along x, mm, as {@link VoxelGrid#isSpacing} allows
+ * @param spacingY edge of a voxel along y, mm, likewise
+ * @param spacingZ edge of a voxel along z, mm, likewise
  */
 public record Metric(double spacingX, double spacingY, double spacingZ) {
+
+  /** Checks the spacing. */
+  public Metric {
+    if (!isSpacing(spacingX) || !isSpacing(spacingY) || !isSpacing(spacingZ)) {
+      throw new IllegalArgumentException(
+          "spacing must be from 1e-12 to 1e12 mm: "
+              + "spacingX="
+              + spacingX
+              + " spacingY="
+              + spacingY
+              + " spacingZ="
+              + spacingZ);
+    }
+  }
 
   public static Metric of(Vec3 spacingMm) {
     return new Metric(spacingMm.x, spacingMm.y, spacingMm.z);

@@ -46,7 +46,7 @@ class VoxelGridTest {
   @Test
   void refusesWhatIsNoGrid() {
     assertThrows(IllegalArgumentException.class, () -> VoxelGrid.ofUnitVoxels(0, 1, 1));
-    for (double spacing : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
+    for (double spacing : new double[] {0, -1, 1e-13, 1e13, Double.NaN, Double.POSITIVE_INFINITY}) {
       Vec3 bad = new Vec3(1, spacing, 1);
       assertThrows(
           IllegalArgumentException.class, () -> VoxelGrid.ofFirstCentre(2, 2, 2, bad, MIRRORED));

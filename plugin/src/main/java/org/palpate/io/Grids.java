@@ -26,11 +26,11 @@ final class Grids {
     Vec3[] axes = new Vec3[3];
     for (int axis = 0; axis < 3; axis++) {
       double length = stepsMm[axis].length();
-      if (!(length > 0) || Double.isInfinite(length)) {
+      if (!VoxelGrid.isSpacing(length)) {
         throw new VolumeFormatException(
             "the spacing along axis " + "xyz".charAt(axis) + " is " + length + " mm",
             file,
-            "give the file positive, finite spacings in the tool that wrote it");
+            "give the file spacings from 1e-12 to 1e12 mm in the tool that wrote it");
       }
       spacing.set(axis, length);
       axes[axis] = stepsMm[axis].mul(1 / length, new Vec3());
