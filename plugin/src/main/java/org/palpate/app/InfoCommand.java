@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.CsvNumbers;
 import org.palpate.io.SegmentBuilder;
@@ -58,6 +59,7 @@ final class InfoCommand implements Callable<Integer> {
     out = spec.commandLine().getOut();
     VolumeSource source = VolumeSource.open(volume);
     Report report = new Report("info", output.report(), source.files());
+    checkExport(source);
     printHeader(source);
     out.flush();
     ValueSurvey survey = new ValueSurvey(source.header());
@@ -78,6 +80,14 @@ final class InfoCommand implements Callable<Integer> {
       writeReport(report, source, found, segments, bytes);
     }
     return 0;
+  }
+
+  private void checkExport(VolumeSource source) throws IOException {
+    if (export != null) {
+      Outputs.checked("--export", export, source.files());
+      VolumeWriter.checkName(export);
+      Outputs.checkDistinct(Stream.concat(Stream.of(export), output.report().stream()).toList());
+    }
   }
 
   private static List<Segment> segments(VolumeSource source, ValueSurvey.Found found)
@@ -141,14 +151,13 @@ final class InfoCommand implements Callable<Integer> {
   }
 
   private void export(VolumeSource source, List<Segment> segments) throws IOException {
-    Path target = Outputs.checked("--export", export, source.files());
     VolumeHeader header = source.header();
     VolumeReader written =
         source.asked().isEmpty()
             ? source.reader()
             : new SegmentReader(new SegmentedVolume(header.grid(), segments), header.world());
-    VolumeWriter.write(written, target);
-    line("written", target.toString());
+    VolumeWriter.write(written, export);
+    line("written", export.toString());
   }
 
   private void line(String what, String text) {

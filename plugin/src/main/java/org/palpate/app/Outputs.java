@@ -67,9 +67,14 @@ final class Outputs {
 
   /** What to tell where a target that looked well could not be written. */
   static PalpateException failed(Path target, IOException cause) {
+    return failed(target.toString(), cause);
+  }
+
+  /** As above, of a target by its name. */
+  static PalpateException failed(String target, IOException cause) {
     return PalpateException.failed(
         "could not be written (" + cause.getMessage() + ")",
-        target.toString(),
+        target,
         "look at the disk and its permissions",
         cause);
   }

@@ -11,9 +11,12 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.palpate.io.CsvFormatException;
 import org.palpate.io.VolumeFormatException;
+import org.palpate.io.WriteFailedException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -95,9 +98,15 @@ public final class PalpateCommandLine {
       return kind + unmatched.getUnmatched().get(0);
     }
     if (e instanceof MissingParameterException missing && !missing.getMissing().isEmpty()) {
-      return "missing " + missing.getMissing().get(0).paramLabel();
+      return "missing " + nameOf(missing.getMissing().get(0));
     }
     return e.getMessage();
+  }
+
+  private static String nameOf(ArgSpec missing) {
+    return missing instanceof OptionSpec option
+        ? option.longestName() + " " + option.paramLabel()
+        : missing.paramLabel();
   }
 
   private int failed(Exception e, CommandLine command, ParseResult result) {
@@ -109,6 +118,11 @@ public final class PalpateCommandLine {
     if (e instanceof VolumeFormatException || e instanceof CsvFormatException) {
       print("palpate: " + oneLine(e.getMessage()), e, debug);
       return PalpateException.WRONG_USE;
+    }
+    if (e instanceof WriteFailedException written) {
+      print(
+          "palpate: " + oneLine(Outputs.failed(written.target(), written).getMessage()), e, debug);
+      return PalpateException.FAILED;
     }
     String where = command.getCommandSpec().qualifiedName();
     if (e instanceof IOException) {

@@ -1,6 +1,7 @@
 package org.palpate.io;
 
 import java.io.BufferedOutputStream;
+import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -13,9 +14,11 @@ import java.nio.file.StandardOpenOption;
  * A file that is written beside its target and moved over it when whole, so that a failure leaves
  * the target as it was. One thread.
  *
- * <p>A target that is there and is no plain file (a pipe, a terminal) is written straight.
+ * <p>A target that is there and is no plain file (a pipe, a terminal) is written straight. Whatever
+ * the disk refuses is a {@link WriteFailedException} that names the target.
  */
 public final class NewFile implements AutoCloseable {
+  private final Path asked;
   private final Path target;
   private final Path written;
   private final OutputStream stream;
@@ -24,14 +27,19 @@ public final class NewFile implements AutoCloseable {
   /**
    * Opens the new file.
    *
-   * @throws IOException where the folder is not there or may not be written to
+   * @throws WriteFailedException where the folder is not there or may not be written to
    */
   public NewFile(Path target) throws IOException {
+    asked = target;
     boolean isNoPlainFile = Files.exists(target) && !Files.isRegularFile(target);
     // a link stays a link: what it points to is replaced
     this.target = Files.isRegularFile(target) ? target.toRealPath() : target.toAbsolutePath();
     written = isNoPlainFile ? this.target : beside(this.target);
-    stream = new BufferedOutputStream(open(), 1 << 16);
+    try {
+      stream = new BufferedOutputStream(new NamingStream(open()), 1 << 16);
+    } catch (IOException e) {
+      throw new WriteFailedException(asked, e);
+    }
   }
 
   private static Path beside(Path target) {
@@ -55,7 +63,11 @@ public final class NewFile implements AutoCloseable {
   public void commit() throws IOException {
     stream.close();
     if (!written.equals(target)) {
-      move();
+      try {
+        move();
+      } catch (IOException e) {
+        throw new WriteFailedException(asked, e);
+      }
     }
     closed = true;
   }
@@ -81,6 +93,31 @@ public final class NewFile implements AutoCloseable {
     } finally {
       if (!written.equals(target)) {
         Files.deleteIfExists(written);
+      }
+    }
+  }
+
+  /** Says which file it was that could not be written. */
+  private final class NamingStream extends FilterOutputStream {
+    NamingStream(OutputStream file) {
+      super(file);
+    }
+
+    @Override
+    public void write(int b) throws IOException {
+      try {
+        out.write(b);
+      } catch (IOException e) {
+        throw new WriteFailedException(asked, e);
+      }
+    }
+
+    @Override
+    public void write(byte[] bytes, int from, int count) throws IOException {
+      try {
+        out.write(bytes, from, count);
+      } catch (IOException e) {
+        throw new WriteFailedException(asked, e);
       }
     }
   }

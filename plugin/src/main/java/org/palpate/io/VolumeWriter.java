@@ -24,12 +24,9 @@ public final class VolumeWriter {
    *     write to
    */
   public static void write(VolumeReader volume, Path target) throws VolumeFormatException {
-    String name = target.getFileName().toString().toLowerCase(Locale.ROOT);
-    boolean nifti = name.endsWith(".nii") || name.endsWith(".nii.gz");
-    if (!nifti && !name.endsWith(".nrrd")) {
-      throw new VolumeFormatException(
-          "volumes are not written in this format", target, "name it .nrrd, .nii or .nii.gz");
-    }
+    checkName(target);
+    String name = lowerCaseName(target);
+    boolean nifti = isNifti(name);
     refuseInputs(volume, target);
     VoxelType type = type(volume.header());
     byte[] header =
@@ -53,7 +50,7 @@ public final class VolumeWriter {
       throw e;
     } catch (IOException e) {
       throw new VolumeFormatException(
-          "cannot be written (" + e.getClass().getSimpleName() + ")",
+          "cannot be written (" + e.getMessage() + ")",
           target,
           "choose a folder that exists, may be written to and has room",
           e);
@@ -67,6 +64,27 @@ public final class VolumeWriter {
     writeSamples(volume, type, gzip);
     gzip.finish();
     return out;
+  }
+
+  /**
+   * Looks at a target's name before any work is done.
+   *
+   * @throws VolumeFormatException where it does not end as {@link #write} wants it
+   */
+  public static void checkName(Path target) throws VolumeFormatException {
+    String name = lowerCaseName(target);
+    if (!isNifti(name) && !name.endsWith(".nrrd")) {
+      throw new VolumeFormatException(
+          "volumes are not written in this format", target, "name it .nrrd, .nii or .nii.gz");
+    }
+  }
+
+  private static String lowerCaseName(Path target) {
+    return target.getFileName().toString().toLowerCase(Locale.ROOT);
+  }
+
+  private static boolean isNifti(String name) {
+    return name.endsWith(".nii") || name.endsWith(".nii.gz");
   }
 
   private static void refuseInputs(VolumeReader volume, Path target) throws VolumeFormatException {

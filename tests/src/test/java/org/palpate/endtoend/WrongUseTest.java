@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -49,7 +51,12 @@ class WrongUseTest {
         "replay",
         "replay --trajectory /no/such/file.csv",
         "info --volume /no/such/file.nrrd",
-        "info --solver guarded");
+        "info --solver guarded",
+        "info --phantom sphere:32 --export bone.xyz",
+        "info --phantom sphere:32 --export same.nrrd --report same.nrrd",
+        "jitter --out jitter --seconds 0",
+        "jitter --out jitter --heap 0",
+        "jitter --out jitter --minutes NaN");
   }
 
   @ParameterizedTest
@@ -72,6 +79,22 @@ class WrongUseTest {
     for (String command : new String[] {"touch", "replay", "info", "render", "devices", "jitter"}) {
       assertTrue(run.out().contains(command), command + " is not in: " + run.out());
     }
+  }
+
+  @Test
+  void aMissingOptionIsNamed() {
+    String said = CommandRun.of("replay").mustRefuse();
+    assertTrue(said.startsWith("palpate: missing --trajectory T.csv: "), said);
+  }
+
+  @Test
+  @EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: has no file that is always full")
+  void aFullDiskIsToldWithTheFileThatWasToBe() {
+    CommandRun run = CommandRun.of("info", "--phantom", "sphere:16", "--report", "/dev/full");
+    assertEquals(1, run.exitCode());
+    assertTrue(
+        run.err().startsWith("palpate: could not be written (No space left on device): /dev/full:"),
+        run.err());
   }
 
   @Test

@@ -80,7 +80,7 @@ public final class JitterCommand implements Callable<Integer> {
       names = "--seconds",
       paramLabel = "S",
       description = "How long a cell is measured (10; 3 with --quick).")
-  private int seconds;
+  private Integer seconds;
 
   @Option(
       names = "--minutes",
@@ -114,14 +114,17 @@ public final class JitterCommand implements Callable<Integer> {
   }
 
   private void check() {
-    if (seconds < 0 || heapMb < LEAST_HEAP_MB || (minutes != null && !(minutes >= 0))) {
-      throw PalpateException.wrongUse(
-          "a number is out of range",
-          "--seconds " + seconds + " --heap " + heapMb + " --minutes " + minutes,
-          "give seconds from 1, a heap from " + LEAST_HEAP_MB + " MB, minutes from 0");
-    }
+    check(seconds == null || seconds >= 1, "--seconds " + seconds, "give seconds from 1");
+    check(heapMb >= LEAST_HEAP_MB, "--heap " + heapMb, "give a heap from " + LEAST_HEAP_MB + " MB");
+    check(minutes == null || minutes >= 0, "--minutes " + minutes, "give minutes from 0");
     if (Files.exists(folder) && !Files.isDirectory(folder)) {
       throw PalpateException.wrongUse("not a folder", "--out " + folder, "name a new folder");
+    }
+  }
+
+  private static void check(boolean isRight, String given, String remedy) {
+    if (!isRight) {
+      throw PalpateException.wrongUse("a number is out of range", given, remedy);
     }
   }
 
@@ -155,7 +158,7 @@ public final class JitterCommand implements Callable<Integer> {
 
   private List<Table> chosenTables() {
     List<Jdk> jdks = jdks();
-    int chosenSeconds = seconds > 0 ? seconds : quick ? QUICK_SECONDS : USUAL_SECONDS;
+    int chosenSeconds = seconds != null ? seconds : quick ? QUICK_SECONDS : USUAL_SECONDS;
     Tables known = new Tables(jdks, heapMb, chosenSeconds);
     for (String name : tables) {
       if (!Tables.NAMES.contains(name)) {
