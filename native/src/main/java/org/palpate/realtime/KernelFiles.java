@@ -1,7 +1,9 @@
 package org.palpate.realtime;
 
+import java.io.FileInputStream;
 import java.io.IOException;
-import java.nio.file.Files;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -9,6 +11,8 @@ import java.util.stream.Stream;
 
 /** Reads the small text files in which a kernel tells about itself. Not for the path of a frame. */
 final class KernelFiles {
+  private static final int MOST_BYTES = 1 << 20;
+
   private KernelFiles() {}
 
   /** The file's first line; empty where there is no such file or it cannot be read. */
@@ -35,8 +39,10 @@ final class KernelFiles {
 
   /** All lines; none where the file cannot be read, as on a system without it. */
   static Stream<String> lines(Path file) {
-    try {
-      return Files.readString(file).lines();
+    // The kernel says its files are empty, and gives some of them whole in the first read or never:
+    // Files.readString asks for one byte first, and gets no more.
+    try (InputStream stream = new FileInputStream(file.toFile())) {
+      return new String(stream.readNBytes(MOST_BYTES), StandardCharsets.UTF_8).lines();
     } catch (IOException e) {
       return Stream.empty();
     }
