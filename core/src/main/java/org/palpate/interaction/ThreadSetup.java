@@ -1,6 +1,9 @@
 package org.palpate.interaction;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Makes the thread that calls it fit for the haptic loop: scheduling class, processor, memory lock.
@@ -23,15 +26,22 @@ public interface ThreadSetup {
    * @param schedulingClass such as {@code SCHED_FIFO 80}, or {@code default}
    * @param affinity such as {@code cpu 1}, or {@code any}
    * @param memoryLocked whether pages stay in memory
+   * @param others what else was asked for or noticed, by name, in words: {@code timer_slack} with
+   *     {@code 1 ns} or {@code refused}, {@code throttling} with {@code 950 of 1000 ms}
    * @param refusals what was asked for and not granted, and why; a line each
    */
   record Granted(
-      String schedulingClass, String affinity, boolean memoryLocked, List<String> refusals) {
+      String schedulingClass,
+      String affinity,
+      boolean memoryLocked,
+      Map<String, String> others,
+      List<String> refusals) {
 
     /** Nothing was asked for. */
-    public static final Granted NOTHING = new Granted("default", "any", false, List.of());
+    public static final Granted NOTHING = new Granted("default", "any", false, Map.of(), List.of());
 
     public Granted {
+      others = Collections.unmodifiableMap(new LinkedHashMap<>(others));
       refusals = List.copyOf(refusals);
     }
   }

@@ -19,4 +19,9 @@ final class AbsoluteWait implements DeadlineWait {
   public void close() {
     sleep.close();
   }
+
+  @Override
+  public String toString() {
+    return "absolute sleep";
+  }
 }

@@ -37,6 +37,11 @@ final class CpuList {
     }
   }
 
+  /** The same for a person's eyes: {@code none} where there is none. */
+  static String inWords(BitSet cpus) {
+    return cpus.isEmpty() ? "none" : format(cpus);
+  }
+
   /** Writes every processor by its number, as in {@code 0,1,2}. */
   static String format(BitSet cpus) {
     return cpus.stream().mapToObj(Integer::toString).collect(Collectors.joining(","));

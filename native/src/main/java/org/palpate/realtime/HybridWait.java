@@ -68,6 +68,11 @@ public final class HybridWait implements DeadlineWait {
   }
 
   @Override
+  public String toString() {
+    return "hybrid, spins " + windowNanos / 1000 + " us";
+  }
+
+  @Override
   public void close() {
     sleep.close();
   }

@@ -12,4 +12,9 @@ final class ParkWait implements DeadlineWait {
       LockSupport.parkNanos(rest);
     }
   }
+
+  @Override
+  public String toString() {
+    return "park";
+  }
 }

@@ -2,8 +2,10 @@ package org.palpate.realtime;
 
 import java.nio.file.Path;
 import java.util.BitSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalInt;
 
 /** The system that this process runs on, as far as it can be asked for real time. */
@@ -62,10 +64,25 @@ public final class Realtime {
 
   /** How much of a processor real-time threads may have, as {@code 950 of 1000 ms}. */
   public static String throttlingInWords() {
-    Throttling throttling = Throttling.read(Path.of("/"));
-    return throttling.limits()
-        ? throttling.runtimeMicros() / 1000 + " of " + throttling.periodMicros() / 1000 + " ms"
-        : "none";
+    return Throttling.read(Path.of("/")).inWords();
+  }
+
+  /**
+   * What the system does by itself that bears on real time, in words by name: {@code throttling},
+   * {@code isolated_cpus}, {@code nohz_full_cpus}; empty where it is no Linux.
+   */
+  public static Map<String, String> noticed() {
+    return isLinux() ? noticed(Path.of("/")) : Map.of();
+  }
+
+  /** As above, under a tree that looks like {@code /}. */
+  static Map<String, String> noticed(Path root) {
+    CpuTopology topology = CpuTopology.read(root);
+    Map<String, String> words = new LinkedHashMap<>();
+    words.put("throttling", Throttling.read(root).inWords());
+    words.put("isolated_cpus", CpuList.inWords(topology.isolated()));
+    words.put("nohz_full_cpus", CpuList.inWords(topology.tickless()));
+    return words;
   }
 
   /** The most punctual sleep that the system offers; the JDK's own where there is no better. */

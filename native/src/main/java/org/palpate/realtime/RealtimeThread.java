@@ -2,7 +2,10 @@ package org.palpate.realtime;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import org.palpate.interaction.Pacer;
 import org.palpate.interaction.ThreadSetup;
 
@@ -20,6 +23,9 @@ import org.palpate.interaction.ThreadSetup;
 public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
   private static final int REHEARSED_WAITS = 30_000;
   private static final long REHEARSED_WAIT_NANOS = 1_000;
+
+  /** Wishes that {@link ThreadSetup.Granted} tells by fields of their own. */
+  private static final Set<String> TOLD_APART = Set.of("class", "affinity", "memory_lock");
 
   private final RealtimeWish wish;
   private final WaitKind waiting;
@@ -64,6 +70,11 @@ public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
     return grants;
   }
 
+  /** How it waits, in words, as {@code hybrid, spins 60 us}; park before the set-up. */
+  public String waiting() {
+    return wait.toString();
+  }
+
   /** How often the kernel was seen to force its rest on the thread, where the wait can tell. */
   public long throttled() {
     return wait instanceof HybridWait hybrid ? hybrid.throttled() : 0;
@@ -80,7 +91,19 @@ public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
       affinity = isAffinity ? grant.detail() : affinity;
       locked |= grant.wish().equals("memory_lock") && grant.granted();
     }
-    return new Granted(schedulingClass, affinity, locked, refusals());
+    return new Granted(schedulingClass, affinity, locked, others(), refusals());
+  }
+
+  private Map<String, String> others() {
+    Map<String, String> words = new LinkedHashMap<>();
+    for (Grant grant : grants) {
+      if (!TOLD_APART.contains(grant.wish())) {
+        words.put(grant.wish(), grant.granted() ? grant.detail() : grant.word());
+      }
+    }
+    words.put("wait", waiting());
+    words.putAll(Realtime.noticed());
+    return words;
   }
 
   private List<String> refusals() {

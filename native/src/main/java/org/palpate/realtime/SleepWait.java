@@ -16,4 +16,9 @@ final class SleepWait implements DeadlineWait {
       }
     }
   }
+
+  @Override
+  public String toString() {
+    return "sleep";
+  }
 }

@@ -8,4 +8,9 @@ final class SpinWait implements DeadlineWait {
       Thread.onSpinWait();
     }
   }
+
+  @Override
+  public String toString() {
+    return "spin";
+  }
 }

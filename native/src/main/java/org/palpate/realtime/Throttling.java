@@ -29,6 +29,11 @@ record Throttling(long runtimeMicros, long periodMicros) {
     return runtimeMicros < periodMicros;
   }
 
+  /** As {@code 950 of 1000 ms}, or {@code none}. */
+  String inWords() {
+    return limits() ? runtimeMicros / 1000 + " of " + periodMicros / 1000 + " ms" : "none";
+  }
+
   /** How long a thread that never sleeps is held back in every period. */
   long restMicros() {
     return periodMicros - runtimeMicros;

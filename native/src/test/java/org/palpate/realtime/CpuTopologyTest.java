@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.BitSet;
+import java.util.Map;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -53,6 +54,22 @@ class CpuTopologyTest {
     assertEquals("{0, 1, 2, 3}", topology.allowed().toString());
     assertEquals("3 isolated", topology.name(3));
     assertTrue(topology.tickless().isEmpty());
+  }
+
+  @Test
+  void whatTheKernelDoesByItselfIsToldInWords(@TempDir Path root) throws IOException {
+    assertEquals(
+        Map.of("throttling", "none", "isolated_cpus", "none", "nohz_full_cpus", "none"),
+        Realtime.noticed(root));
+    Files.createDirectories(root.resolve("proc/sys/kernel"));
+    Files.createDirectories(root.resolve("sys/devices/system/cpu"));
+    Files.writeString(root.resolve("proc/sys/kernel/sched_rt_runtime_us"), "950000\n");
+    Files.writeString(root.resolve("proc/sys/kernel/sched_rt_period_us"), "1000000\n");
+    Files.writeString(root.resolve("sys/devices/system/cpu/isolated"), "2-3\n");
+    Files.writeString(root.resolve("sys/devices/system/cpu/nohz_full"), "3\n");
+    assertEquals(
+        Map.of("throttling", "950 of 1000 ms", "isolated_cpus", "2,3", "nohz_full_cpus", "3"),
+        Realtime.noticed(root));
   }
 
   private static OptionalInt choose(

@@ -2,7 +2,9 @@ package org.palpate.app;
 
 import java.io.PrintWriter;
 import java.lang.management.ManagementFactory;
+import java.util.Map;
 import org.palpate.realtime.Grant;
+import org.palpate.realtime.Realtime;
 import org.palpate.realtime.RealtimeThread;
 import org.palpate.realtime.RecommendedJvm;
 
@@ -28,6 +30,12 @@ final class RealtimeExplanation {
       for (Grant grant : realtime.grants()) {
         out.println("  " + grant);
       }
+      out.println("  wait: " + realtime.waiting());
+    }
+    Map<String, String> noticed = Realtime.noticed();
+    if (!noticed.isEmpty()) {
+      out.println("The system by itself");
+      noticed.forEach((name, words) -> out.println("  " + name + ": " + words));
     }
     out.println("palpate jitter --quick --out DIR measures what it is worth on this machine.");
     out.flush();

@@ -184,7 +184,8 @@ final class TouchCommand implements Callable<Integer> {
       if (recording != null) {
         recording.finish();
       }
-      return new TouchReport(session, end, choice, opened, watch.seconds(), view);
+      return new TouchReport(
+          session, end, choice, opened, watch.seconds(), view, realtime.throttled());
     }
   }
 

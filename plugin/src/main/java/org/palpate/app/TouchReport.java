@@ -23,22 +23,29 @@ final class TouchReport {
   private final HapticDevice device;
   private final double watchedSeconds;
   private final Optional<SessionView> view;
+  private final long throttled;
   private final LoopReport loop;
 
-  /** Of a session that has ended. */
+  /**
+   * Of a session that has ended.
+   *
+   * @param throttled how often the kernel was seen to force its rest on the haptic thread
+   */
   TouchReport(
       TouchSession session,
       LoopEnd end,
       DeviceChoice choice,
       HapticDevice device,
       double watchedSeconds,
-      Optional<SessionView> view) {
+      Optional<SessionView> view,
+      long throttled) {
     this.session = session;
     this.end = end;
     this.choice = choice;
     this.device = device;
     this.watchedSeconds = watchedSeconds;
     this.view = view;
+    this.throttled = throttled;
     loop = session.report();
   }
 
@@ -136,11 +143,13 @@ final class TouchReport {
     return fields;
   }
 
-  private static Map<String, Object> granted(ThreadSetup.Granted granted) {
+  private Map<String, Object> granted(ThreadSetup.Granted granted) {
     Map<String, Object> fields = new LinkedHashMap<>();
     fields.put("class", granted.schedulingClass());
     fields.put("affinity", granted.affinity());
     fields.put("memory_lock", granted.memoryLocked());
+    fields.putAll(granted.others());
+    fields.put("throttled", throttled);
     fields.put("refused", granted.refusals());
     return fields;
   }

@@ -41,6 +41,8 @@ class TouchCommandTest {
           "/realtime/class",
           "/realtime/affinity",
           "/realtime/memory_lock",
+          "/realtime/wait",
+          "/realtime/throttled",
           "/sync/rate_hz",
           "/sync/writes",
           "/sync/applied",
