@@ -1,7 +1,6 @@
 package org.palpate.benchmarks;
 
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -24,8 +23,6 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.raycast.ExactRayCaster;
-import org.palpate.raycast.Ray;
-import org.palpate.raycast.RayHit;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 import org.palpate.volume.phantom.SurfaceTruth;
@@ -70,9 +67,7 @@ public class SkipBenchmark {
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 device = new Vec3();
   private final Vec3 force = new Vec3();
-  private final Ray ray = new Ray();
-  private final RayHit hit = new RayHit();
-  private final double[] rays = new double[6 * FRAMES];
+  private RaySet rays;
   private ExactRayCaster caster;
   private ContactForce contactForce;
   private BitCube bits;
@@ -96,23 +91,7 @@ public class SkipBenchmark {
     trajectory = Trajectories.slide(truth, EDGE, touches ? DEPTH : -DEPTH, speed, FRAMES, SEED);
     contactForce =
         new ContactForce(METRIC, new ForceSettings(0.5, 0.2, FrictionForm.EQUATION_4, with));
-    makeRays(truth);
-  }
-
-  private void makeRays(SurfaceTruth truth) {
-    SplittableRandom random = new SplittableRandom(SEED);
-    Vec3 start = new Vec3();
-    Vec3 normal = new Vec3();
-    for (int n = 0; n < FRAMES; n++) {
-      start.set(EDGE * random.nextDouble(), EDGE * random.nextDouble(), EDGE * random.nextDouble());
-      truth.normal(start, normal);
-      double above = helps ? 30 * random.nextDouble() : 1;
-      start.add(normal.mul(above - truth.signedDistance(start), normal), start);
-      for (int axis = 0; axis < 3; axis++) {
-        rays[6 * n + axis] = start.get(axis);
-        rays[6 * n + 3 + axis] = start.get(axis) + (helps ? 58 : 4.6) * (random.nextDouble() - 0.5);
-      }
-    }
+    rays = RaySet.of(truth, EDGE, helps ? "anywhere" : "near", helps ? 50 : 4, FRAMES, SEED);
   }
 
   /** A frame, or a ray. */
@@ -120,22 +99,12 @@ public class SkipBenchmark {
   @OperationsPerInvocation(FRAMES)
   public double frames() {
     return switch (skip) {
-      case "empty bricks" -> castAll();
+      case "empty bricks" -> rays.hits(caster, bits);
       case "memory" -> follow(1);
       case "rest" -> follow(helps ? 100 : 1);
       case "friction" -> forces();
       default -> throw new IllegalArgumentException("no such skip: " + skip);
     };
-  }
-
-  private double castAll() {
-    int hits = 0;
-    for (int at = 0; at < rays.length; at += 6) {
-      ray.from(rays[at], rays[at + 1], rays[at + 2]);
-      ray.to(rays[at + 3], rays[at + 4], rays[at + 5]);
-      hits += caster.cast(bits, ray, hit) ? 1 : 0;
-    }
-    return hits;
   }
 
   /** Each place of the device for so many frames. */

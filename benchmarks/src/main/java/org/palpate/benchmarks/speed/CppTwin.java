@@ -11,27 +11,37 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.palpate.benchmarks.RaySet;
 import org.palpate.benchmarks.Trajectory;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
+import org.palpate.raycast.Ray;
 import org.palpate.volume.BitCube;
 
 /**
- * The guarded frame in C++, compiled from the source that the jar carries with -O3 -march=native
- * and no fused multiply-add, called once for a whole trajectory over the same bricks.
+ * The guarded frame and the exact ray cast in C++, compiled from the source that the jar carries
+ * with -O3 -march=native and no fused multiply-add, called once for a whole trajectory over the
+ * same bricks.
  */
 final class CppTwin {
-  private static final String SOURCE = "/org/palpate/benchmarks/cpp/twin.cpp";
+  private static final String SOURCES = "/org/palpate/benchmarks/cpp/";
+  private static final List<String> NAMES = List.of("rays.h", "guarded.h", "twin.cpp");
+
+  /** Places of the device, one a frame; or the two ends of each ray. */
+  private static final int PLACES_A_FRAME = 1;
+
+  private static final int PLACES_A_RAY = 2;
 
   /**
    * What it found.
    *
-   * @param hash over every position, contact and number of legs, see {@link CppTwinRun}
+   * @param hash over every position, contact and number of legs, or every hit, see {@link
+   *     CppTwinRun}
    * @param doubts rays that only Java's thorough walk could decide; where there are any, hashes may
    *     differ
-   * @param nanosAFrame processor time of each pass
+   * @param nanosEach processor time of a frame or ray in each pass
    */
-  record Outcome(long hash, long doubts, List<Double> nanosAFrame) {}
+  record Outcome(long hash, long doubts, List<Double> nanosEach) {}
 
   private final Path program;
   private final Path input;
@@ -47,12 +57,8 @@ final class CppTwin {
    * @throws IOException where there is no g++ or it fails
    */
   static CppTwin in(Path folder) throws IOException, InterruptedException {
-    Path source = folder.resolve("twin.cpp");
-    try (InputStream stream = CppTwin.class.getResourceAsStream(SOURCE)) {
-      if (stream == null) {
-        throw new IOException("the jar has no " + SOURCE);
-      }
-      Files.copy(stream, source, StandardCopyOption.REPLACE_EXISTING);
+    for (String name : NAMES) {
+      copySource(name, folder);
     }
     Path program = folder.resolve("palpate-twin");
     output(
@@ -63,14 +69,45 @@ final class CppTwin {
         "-std=c++17",
         "-o",
         program.toString(),
-        source.toString());
+        folder.resolve("twin.cpp").toString());
     return new CppTwin(program, folder.resolve("twin.bin"));
   }
 
-  /** Runs a trajectory, so many times. */
-  Outcome run(BitCube bits, Trajectory trajectory, double maxStep, int passes)
+  private static void copySource(String name, Path folder) throws IOException {
+    try (InputStream stream = CppTwin.class.getResourceAsStream(SOURCES + name)) {
+      if (stream == null) {
+        throw new IOException("the jar has no " + SOURCES + name);
+      }
+      Files.copy(stream, folder.resolve(name), StandardCopyOption.REPLACE_EXISTING);
+    }
+  }
+
+  /** Follows a trajectory, so many times. */
+  Outcome follow(BitCube bits, Trajectory trajectory, double maxStep, int passes)
       throws IOException, InterruptedException {
-    write(bits, trajectory, maxStep);
+    double[] xyz = new double[3 * trajectory.frames()];
+    Vec3 device = new Vec3();
+    for (int n = 0; n < xyz.length; n++) {
+      xyz[n] = trajectory.at(n / 3, device).get(n % 3);
+    }
+    return run(bits, PLACES_A_FRAME, maxStep, xyz, passes);
+  }
+
+  /** Casts rays, so many times each. */
+  Outcome cast(BitCube bits, RaySet rays, int passes) throws IOException, InterruptedException {
+    double[] ends = new double[6 * rays.count()];
+    Ray ray = new Ray();
+    for (int n = 0; n < rays.count(); n++) {
+      rays.at(n, ray);
+      double[] one = {ray.fromX, ray.fromY, ray.fromZ, ray.toX, ray.toY, ray.toZ};
+      System.arraycopy(one, 0, ends, 6 * n, 6);
+    }
+    return run(bits, PLACES_A_RAY, 1, ends, passes);
+  }
+
+  private Outcome run(BitCube bits, int placesEach, double maxStep, double[] xyz, int passes)
+      throws IOException, InterruptedException {
+    write(bits, placesEach, maxStep, xyz);
     String[] words =
         output(program.toString(), input.toString(), Integer.toString(passes))
             .trim()
@@ -93,7 +130,8 @@ final class CppTwin {
     return text;
   }
 
-  private void write(BitCube bits, Trajectory trajectory, double maxStep) throws IOException {
+  private void write(BitCube bits, int placesEach, double maxStep, double[] xyz)
+      throws IOException {
     int blocksX = (bits.bricksX() + 3) / 4;
     int blocksY = (bits.bricksY() + 3) / 4;
     int blocksZ = (bits.bricksZ() + 3) / 4;
@@ -111,11 +149,10 @@ final class CppTwin {
       for (int n = 0; n < blocksX * blocksY * blocksZ; n++) {
         putLong(out, bits.block(n % blocksX, n / blocksX % blocksY, n / (blocksX * blocksY)));
       }
-      putInts(out, trajectory.frames());
+      putInts(out, xyz.length / 3, placesEach);
       putLong(out, Double.doubleToRawLongBits(maxStep));
-      Vec3 device = new Vec3();
-      for (int n = 0; n < 3 * trajectory.frames(); n++) {
-        putLong(out, Double.doubleToRawLongBits(trajectory.at(n / 3, device).get(n % 3)));
+      for (double one : xyz) {
+        putLong(out, Double.doubleToRawLongBits(one));
       }
     }
   }

@@ -11,19 +11,24 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.palpate.benchmarks.RaySet;
 import org.palpate.benchmarks.Trajectories;
 import org.palpate.benchmarks.Trajectory;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.CsvNumbers;
 import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.RayHit;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * The guarded frame in Java against its twin in C++, on the same slides, both by processor time and
- * checked to take the same way to the bit.
+ * The exact ray cast and the guarded frame in Java against their twins in C++, on the same rays and
+ * slides, both by processor time and checked to find the same to the bit.
  */
 public final class CppTwinRun {
   private static final int FRAMES = 20_000;
@@ -33,52 +38,93 @@ public final class CppTwinRun {
   private static final long SEED = 7;
   private static final List<String> SCENES = List.of("sphere:256", "plane:256", "torus:256");
   private static final List<Double> SPEEDS = List.of(0.05, 0.3, 2.0);
+  private static final List<Rays> RAYS =
+      List.of(
+          new Rays("free", 1),
+          new Rays("near", 4),
+          new Rays("anywhere", 50),
+          new Rays("slide", 0.1));
+  private static final int RAY_COUNT = 20_000; // more than a branch predictor learns by heart
+  private static final int RAY_PASSES = 200;
 
   private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 device = new Vec3();
 
-  private CppTwinRun() {}
+  private final Ray ray = new Ray();
+  private final RayHit hit = new RayHit();
+  private final CppTwin twin;
+  private final PrintWriter out;
+  private final Map<String, Object> ratios = new LinkedHashMap<>();
+
+  private CppTwinRun(CppTwin twin, PrintWriter out) {
+    this.twin = twin;
+    this.out = out;
+  }
 
   /**
    * Runs it.
    *
    * @param folder where the twin is compiled
    * @param out gets the table
-   * @return Java's time over the twin's, by slide
+   * @return Java's time over the twin's, by kind of ray and by slide
    * @throws IOException where there is no C++ compiler, or a way differs
    */
   public static Map<String, Object> run(Path folder, PrintWriter out)
       throws IOException, InterruptedException {
     Files.createDirectories(folder);
-    CppTwin twin = CppTwin.in(folder);
-    CppTwinRun run = new CppTwinRun();
-    Map<String, Object> ratios = new LinkedHashMap<>();
+    CppTwinRun run = new CppTwinRun(CppTwin.in(folder), out);
     out.println(MachineLine.line(MachineLine.facts()));
+    run.castRays();
     for (String scene : SCENES) {
-      Phantom phantom = Phantom.parse(scene);
-      BitCube bits = phantom.segments().segments().get(0).bits();
-      for (double speed : SPEEDS) {
-        Trajectory slide =
-            Trajectories.slide(
-                phantom.truth().orElseThrow(), phantom.edge(), DEPTH, speed, FRAMES, SEED);
-        String name = scene + ", " + speed + " voxel a frame";
-        CppTwin.Outcome cpp = twin.run(bits, slide, MAX_STEP_VOXELS, PASSES);
-        CppTwin.Outcome java = run.inJava(bits, slide);
-        check(name, cpp, java);
-        double ratio = settled(java) / settled(cpp);
-        ratios.put(name, ratio);
-        out.printf(
-            Locale.ROOT,
-            "%-32s Java %7.1f ns  C++ %7.1f ns  %.2f of it, same bits%n",
-            name,
-            settled(java),
-            settled(cpp),
-            ratio);
-        out.flush();
-      }
+      run.slide(Phantom.parse(scene), scene);
     }
-    return ratios;
+    return run.ratios;
+  }
+
+  /** Kinds of rays and their length, as {@link RaySet} has them. */
+  private record Rays(String place, double length) {}
+
+  private void castRays() throws IOException, InterruptedException {
+    Phantom phantom = Phantom.parse(SCENES.get(0));
+    BitCube bits = phantom.segments().segments().get(0).bits();
+    for (Rays kind : RAYS) {
+      RaySet rays =
+          RaySet.of(
+              phantom.truth().orElseThrow(),
+              phantom.edge(),
+              kind.place,
+              kind.length,
+              RAY_COUNT,
+              SEED);
+      String name = "a ray, " + kind.place + ", length " + CsvNumbers.people(kind.length);
+      tell(name, twin.cast(bits, rays, RAY_PASSES), castInJava(bits, rays));
+    }
+  }
+
+  private void slide(Phantom phantom, String scene) throws IOException, InterruptedException {
+    BitCube bits = phantom.segments().segments().get(0).bits();
+    for (double speed : SPEEDS) {
+      Trajectory slide =
+          Trajectories.slide(
+              phantom.truth().orElseThrow(), phantom.edge(), DEPTH, speed, FRAMES, SEED);
+      String name = scene + ", " + speed + " voxel a frame";
+      tell(name, twin.follow(bits, slide, MAX_STEP_VOXELS, PASSES), followInJava(bits, slide));
+    }
+  }
+
+  private void tell(String name, CppTwin.Outcome cpp, CppTwin.Outcome java) throws IOException {
+    check(name, cpp, java);
+    double ratio = settled(java) / settled(cpp);
+    ratios.put(name, ratio);
+    out.printf(
+        Locale.ROOT,
+        "%-32s Java %7.1f ns  C++ %7.1f ns  %.2f of it, same bits%n",
+        name,
+        settled(java),
+        settled(cpp),
+        ratio);
+    out.flush();
   }
 
   private static void check(String name, CppTwin.Outcome cpp, CppTwin.Outcome java)
@@ -89,7 +135,7 @@ public final class CppTwinRun {
     }
   }
 
-  private CppTwin.Outcome inJava(BitCube bits, Trajectory slide) {
+  private CppTwin.Outcome followInJava(BitCube bits, Trajectory slide) {
     GuardedSolver solver = new GuardedSolver(new Metric(1, 1, 1), MAX_STEP_VOXELS);
     Obstacles obstacles = new Obstacles(List.of(bits));
     List<Double> nanos = new ArrayList<>();
@@ -100,6 +146,28 @@ public final class CppTwinRun {
       nanos.add((threads.getCurrentThreadCpuTime() - begin) / (double) FRAMES);
     }
     return new CppTwin.Outcome(hash, 0, nanos);
+  }
+
+  private CppTwin.Outcome castInJava(BitCube bits, RaySet rays) {
+    ExactRayCaster caster = new ExactRayCaster();
+    List<Double> nanos = new ArrayList<>();
+    long hash = 0;
+    for (int pass = 0; pass < RAY_PASSES; pass++) {
+      long begin = threads.getCurrentThreadCpuTime();
+      hash = pass(caster, bits, rays);
+      nanos.add((threads.getCurrentThreadCpuTime() - begin) / (double) rays.count());
+    }
+    return new CppTwin.Outcome(hash, 0, nanos);
+  }
+
+  /** The hash that the twin computes too: of every hit, in their order. */
+  private long pass(ExactRayCaster caster, BitCube bits, RaySet rays) {
+    long hash = 0;
+    for (int n = 0; n < rays.count(); n++) {
+      boolean found = caster.cast(bits, rays.at(n, ray), hit);
+      hash = hash * 31 + (found ? Double.doubleToRawLongBits(hit.t) + 7 * (hit.axis + 1L) : 0);
+    }
+    return hash;
   }
 
   /** The hash that the twin computes too: of every frame, in their order. */
@@ -123,7 +191,7 @@ public final class CppTwinRun {
   /** The median of the later half: compiled, and with warm caches. */
   private static double settled(CppTwin.Outcome outcome) {
     List<Double> later =
-        outcome.nanosAFrame().subList(PASSES / 2, PASSES).stream().sorted().toList();
+        outcome.nanosEach().stream().skip(outcome.nanosEach().size() / 2).sorted().toList();
     return later.get(later.size() / 2);
   }
 }

@@ -1,0 +1,329 @@
+// The guarded frame of the C++ twin: follows GuardedSolver, PointVoxel, Neighbourhoods and
+// FruitlessClimbs step by step. Spacing 1, one cube.
+#pragma once
+#include <cstring>
+
+#include "rays.h"
+
+namespace {
+
+constexpr double kStopShort = 0x1p-20;
+constexpr double kCutShort = 1 - 0x1p-40;
+constexpr double kFarVoxels = 8;
+constexpr int kStairsIfFar = 3;
+constexpr double kLongestRow = 16;
+constexpr int kLegs = 256;
+
+double square(const Vec& a, const Vec& b) {
+  double x = b.c[0] - a.c[0], y = b.c[1] - a.c[1], z = b.c[2] - a.c[2];
+  return x * x + y * y + z * z;
+}
+
+constexpr int kSteps[3] = {1, 4, 16};
+constexpr int kCentre = 21;
+
+struct Guarded {
+  const Cube& cube;
+  double maxStep;
+  Vec p{}, device{}, target{}, end{}, restedAt{};
+  Hit hit{};
+  int cell[3]{};
+  uint64_t near_ = 0;
+  bool knowsNear = false, stopped = false, outOfPath = false, rests = false, pathTooShort = false;
+  bool skippedClimbs = false, contact = false;
+  int legCount = 0;
+  double legLength = 0;
+  Vec legFrom[kLegs], legTo[kLegs];
+  double legLengths[kLegs];
+  bool legSlid[kLegs];
+  int keptCell[16][3];
+  uint64_t kept[16];
+  // fruitless climbs
+  bool known = false;
+  int endCount = 0, endStops[24], fromCell[3], way = 0;
+  Vec ends[24], climbDevice{};
+
+  Guarded(const Cube& c, double step) : cube(c), maxStep(step) { reset(); }
+
+  void reset() {
+    rests = known = false;
+    for (int n = 0; n < 16; n++) {
+      keptCell[n][0] = std::numeric_limits<int>::min();
+      kept[n] = 0;
+    }
+  }
+
+  void locate() {
+    for (int a = 0; a < 3; a++) cell[a] = floorInt(p.c[a]);
+    knowsNear = false;
+  }
+
+  uint64_t solidNear() {
+    if (!knowsNear) {
+      knowsNear = true;
+      int n = (cell[0] + 5 * cell[1] + 3 * cell[2]) & 15;
+      if (std::memcmp(keptCell[n], cell, sizeof cell) != 0) {
+        kept[n] = cube.window(cell[0] - 1, cell[1] - 1, cell[2] - 1);
+        std::memcpy(keptCell[n], cell, sizeof cell);
+      }
+      near_ = kept[n];
+    }
+    return near_;
+  }
+
+  bool insideBut(int axis) const {
+    return (axis == 0 || p.c[0] != cell[0]) && (axis == 1 || p.c[1] != cell[1]) &&
+           (axis == 2 || p.c[2] != cell[2]);
+  }
+  bool contains(const Vec& to) const {
+    for (int a = 0; a < 3; a++)
+      if (!((to.c[a] > cell[a] && to.c[a] < cell[a] + 1.0) || to.c[a] == p.c[a])) return false;
+    return true;
+  }
+  int stop(int a, double to) {
+    double from = p.c[a];
+    if (to >= cell[a] + 1.0)
+      return cell[a] + 1 - from <= kStopShort ? solidNear() >> (kCentre + kSteps[a]) & 1 : 0;
+    return to <= cell[a] && to < from && from - cell[a] <= kStopShort
+               ? solidNear() >> (kCentre - kSteps[a]) & 1
+               : 0;
+  }
+  int stopsOnWayTo(const Vec& to) {
+    int stops = stop(0, to.c[0]) | stop(1, to.c[1]) << 1 | stop(2, to.c[2]) << 2;
+    if (stops == 0) return 0;
+    int late = 0;
+    double delta[3];
+    for (int a = 0; a < 3; a++) delta[a] = std::fabs(to.c[a] - p.c[a]);
+    for (int a = 0; a < 3; a++) {
+      if (stops >> a & 1 || delta[a] == 0) continue;
+      double gap = to.c[a] > p.c[a] ? cell[a] + 1 - p.c[a] : p.c[a] - cell[a];
+      double least = 2 * kStopShort * delta[a];
+      for (int b = 0; b < 3; b++) late |= (least >= gap * delta[b]) << b;
+    }
+    return stops & ~late;
+  }
+  int axisOfWay(const Vec& to) const {
+    bool x = to.c[0] != p.c[0], y = to.c[1] != p.c[1], z = to.c[2] != p.c[2];
+    if (x) return !y && !z && insideBut(0) ? 0 : -1;
+    if (y) return !z && insideBut(1) ? 1 : -1;
+    return insideBut(2) ? 2 : -1;
+  }
+  bool meetsAlong(int a, double to) {
+    double from = p.c[a];
+    int step = to > from ? 1 : -1;
+    int last = to > from ? floorInt(to) : static_cast<int>(std::ceil(to)) - 1;
+    if (cell[a] == last) return false;
+    if (cell[a] + step == last && !(solidNear() >> (kCentre + step * kSteps[a]) & 1)) return false;
+    int at[3] = {cell[0], cell[1], cell[2]};
+    do {
+      at[a] += step;
+      if (cube.solid(at[0], at[1], at[2])) {
+        double plane = step > 0 ? at[a] : at[a] + 1;
+        hit = {(plane - from) / (to - from), {at[0], at[1], at[2]}, a};
+        return true;
+      }
+    } while (at[a] != last);
+    return false;
+  }
+  bool meetsSolid(const Vec& to) {
+    int a = axisOfWay(to);
+    if (a >= 0 && std::fabs(to.c[a] - p.c[a]) <= kLongestRow) return meetsAlong(a, to.c[a]);
+    return cast(cube, p, to, hit);
+  }
+  bool isFree(const Vec& to) { return contains(to) || !meetsSolid(to); }
+
+  bool aim(int faces) {
+    for (int a = 0; a < 3; a++) target.c[a] = faces >> a & 1 ? p.c[a] : device.c[a];
+    return !(target == p);
+  }
+  bool cutToPathLeft() {
+    double left = maxStep - legLength;
+    double sq = square(p, target);
+    if (left > 0 && sq < left * left * kCutShort) return false;
+    double length = std::sqrt(sq);
+    if (length <= left) return false;
+    double share = std::max(0.0, left / length * kCutShort);
+    for (int a = 0; a < 3; a++) target.c[a] = p.c[a] + share * (target.c[a] - p.c[a]);
+    if (std::sqrt(square(p, target)) > left) target = p;
+    return true;
+  }
+  void move(const Vec& to, bool slid) {
+    legFrom[legCount] = p;
+    legTo[legCount] = to;
+    legSlid[legCount] = slid;
+    double length = std::sqrt(square(p, to));
+    legLengths[legCount++] = length;
+    legLength += length;
+    p = to;
+    locate();
+    outOfPath |= legCount == kLegs;
+  }
+  bool moveNearer(const Vec& to, bool slid) {
+    if (!(square(to, device) < square(p, device))) return false;
+    move(to, slid);
+    return true;
+  }
+  bool approach(bool slid) {
+    int a = hit.axis;
+    bool up = target.c[a] > p.c[a];
+    double stopAt = up ? hit.cell[a] - kStopShort : hit.cell[a] + 1 + kStopShort;
+    if (up ? stopAt <= p.c[a] : stopAt >= p.c[a]) return false;
+    double share = (stopAt - p.c[a]) / (target.c[a] - p.c[a]);
+    for (int b = 0; b < 3; b++) end.c[b] = p.c[b] + share * (target.c[b] - p.c[b]);
+    end.c[a] = stopAt;
+    bool free = isFree(end);
+    hit.axis = a;
+    return free && moveNearer(end, slid);
+  }
+  bool slide(int held) {
+    bool moved = false;
+    int faces = held;
+    while (!outOfPath && aim(faces)) {
+      int stops = stopsOnWayTo(target);
+      if (stops != 0) {
+        stopped = true;
+        faces |= stops;
+        if (!aim(faces)) return moved;
+      }
+      bool cut = cutToPathLeft();
+      if (!cut && !moved && contains(target)) {
+        moveNearer(target, faces != 0);
+        return false;
+      }
+      if (isFree(target)) {
+        outOfPath |= cut;
+        return moveNearer(target, faces != 0) || moved;
+      }
+      stopped = true;
+      moved |= approach(faces != 0);
+      faces |= 1 << hit.axis;
+    }
+    return moved;
+  }
+  bool arrived() const { return p == device; }
+  void descend(int held) {
+    bool on = true;
+    while (on && !outOfPath && !arrived()) on = slide(held);
+  }
+  bool isFar(double sq) const { return sq > kFarVoxels * kFarVoxels; }
+
+  void addEnd(const Vec& e) {
+    if (endCount < 24) {
+      ends[endCount] = e;
+      int s = 0;
+      for (int a = 0; a < 3; a++)
+        s |= (e.c[a] < climbDevice.c[a] ? 1 : e.c[a] > climbDevice.c[a] ? 8 : 0) << a;
+      endStops[endCount] = s;
+    }
+    endCount++;
+  }
+  bool holds(int newWay, double sq) const {
+    if (!known || way != newWay || std::memcmp(fromCell, cell, sizeof cell) != 0) return false;
+    for (int a = 0; a < 3; a++)
+      if (std::floor(device.c[a]) != std::floor(climbDevice.c[a])) return false;
+    for (int n = 0; n < endCount; n++) {
+      double left[3];
+      for (int a = 0; a < 3; a++) {
+        int s = endStops[n] >> a;
+        double e = ends[n].c[a], at = device.c[a];
+        left[a] = s & 1 ? std::max(0.0, at - e) : s & 8 ? std::max(0.0, e - at) : 0;
+      }
+      if (left[0] * left[0] + left[1] * left[1] + left[2] * left[2] < sq) return false;
+    }
+    return true;
+  }
+  bool climb() {
+    double sq = square(p, device);
+    int newWay = isFar(sq) ? 1 << 6 : 0;
+    for (int a = 0; a < 3; a++) {
+      double d = device.c[a] - p.c[a];
+      newWay |= (d > 0 ? 1 : d < 0 ? 2 : 0) << (2 * a);
+    }
+    if (holds(newWay, sq)) {
+      skippedClimbs = true;
+      return false;
+    }
+    known = false;
+    endCount = 0;
+    way = newWay;
+    std::memcpy(fromCell, cell, sizeof cell);
+    climbDevice = device;
+    pathTooShort = false;
+    for (int a = 0; a < 3; a++) {
+      double d = device.c[a] - p.c[a];
+      if ((d <= 0 && climb(a, 1)) || (d >= 0 && climb(a, -1))) return true;
+    }
+    if (!pathTooShort) known = endCount <= 24;
+    return false;
+  }
+  bool climb(int a, int direction) {
+    double before = square(p, device);
+    return aimAtStair(a, direction, before) && climbTo(a, direction, before);
+  }
+  bool stairOpen(int axis, int direction) {
+    int above = kCentre + direction * kSteps[axis];
+    uint64_t bits = solidNear();
+    if (bits >> above & 1) return false;
+    for (int a = 0; a < 3; a++) {
+      double d = device.c[a] - p.c[a];
+      if (a != axis && d != 0 && !(bits >> (d > 0 ? above + kSteps[a] : above - kSteps[a]) & 1))
+        return true;
+    }
+    return false;
+  }
+  bool aimAtStair(int a, int direction, double before) {
+    if (!stairOpen(a, direction)) return false;
+    double top = direction > 0 ? cell[a] + 1 + kStopShort : cell[a] - kStopShort;
+    end = device;
+    end.c[a] = top;
+    if (square(end, device) >= before) {
+      addEnd(end);
+      return false;
+    }
+    end = p;
+    end.c[a] = top;
+    if (legLength + std::sqrt(square(p, end)) > maxStep) {
+      pathTooShort = true;
+      return false;
+    }
+    return insideBut(a) || isFree(end);
+  }
+  bool climbTo(int a, int direction, double before) {
+    Vec beforeClimb = p;
+    int legsBefore = legCount;
+    double pathBefore = legLength;
+    int stairs = isFar(before) ? kStairsIfFar : 1;
+    do {
+      Vec top = end;
+      move(top, true);
+      descend(1 << a);
+      if (square(p, device) < before) return true;
+      addEnd(p);
+      stairs--;
+    } while (stairs > 0 && !outOfPath && aimAtStair(a, direction, before));
+    pathTooShort |= outOfPath;
+    p = beforeClimb;
+    locate();
+    legCount = legsBefore;
+    legLength = pathBefore;
+    outOfPath = false;
+    return false;
+  }
+  void follow(const Vec& d) {
+    legCount = 0;
+    legLength = 0;
+    bool same = std::memcmp(&d, &restedAt, sizeof d) == 0;
+    if (rests && same) return;
+    device = d;
+    stopped = outOfPath = skippedClimbs = false;
+    locate();
+    if (same) known = false;
+    do descend(0);
+    while (!outOfPath && !arrived() && climb());
+    contact = stopped || (!arrived() && !isFree(device));
+    rests = legCount == 0 && !skippedClimbs;
+    restedAt = d;
+  }
+};
+
+}  // namespace
