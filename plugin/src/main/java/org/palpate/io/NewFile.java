@@ -4,6 +4,7 @@ import java.io.BufferedOutputStream;
 import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -39,6 +40,14 @@ public final class NewFile implements AutoCloseable {
       stream = new BufferedOutputStream(new NamingStream(open()), 1 << 16);
     } catch (IOException e) {
       throw new WriteFailedException(asked, e);
+    }
+  }
+
+  /** Replaces a file by a text, in UTF-8. */
+  public static void write(Path target, CharSequence text) throws IOException {
+    try (NewFile out = new NewFile(target)) {
+      out.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
+      out.commit();
     }
   }
 

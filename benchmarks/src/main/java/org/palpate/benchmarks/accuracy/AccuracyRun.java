@@ -2,7 +2,6 @@ package org.palpate.benchmarks.accuracy;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -90,10 +89,7 @@ public final class AccuracyRun {
     for (AccuracyRow row : rows) {
       appendRow(text, row);
     }
-    try (NewFile out = new NewFile(file)) {
-      out.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
-      out.commit();
-    }
+    NewFile.write(file, text);
   }
 
   private static void appendRow(StringBuilder text, AccuracyRow row) {

@@ -39,11 +39,7 @@ final class ReportFiles {
     writeJson(folder.resolve("jitter.json"));
     Path plots = Files.createDirectories(folder.resolve("plots"));
     new Plots(plots).write(run);
-    try (NewFile page = new NewFile(folder.resolve("index.html"))) {
-      page.stream()
-          .write(new HtmlReport(run, machine, plots).page().getBytes(StandardCharsets.UTF_8));
-      page.commit();
-    }
+    NewFile.write(folder.resolve("index.html"), new HtmlReport(run, machine, plots).page());
   }
 
   private void writeTable() throws IOException {
@@ -56,10 +52,7 @@ final class ReportFiles {
       text.append(row.values().stream().map(ReportFiles::field).collect(Collectors.joining(",")))
           .append('\n');
     }
-    try (NewFile file = new NewFile(folder.resolve("cells.csv"))) {
-      file.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
-      file.commit();
-    }
+    NewFile.write(folder.resolve("cells.csv"), text);
   }
 
   private static String field(Object value) {

@@ -2,7 +2,6 @@ package org.palpate.benchmarks.speed;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -57,7 +56,7 @@ public final class SpeedRun {
       tellPaper(out);
     }
     tellAllocations(rows, out);
-    write(folder.resolve(study.fileName() + ".csv"), csv(rows));
+    NewFile.write(folder.resolve(study.fileName() + ".csv"), csv(rows));
     writeJson(folder.resolve(study.fileName() + ".json"), machine, rows);
     SpeedPlots.plot(folder, study, rows);
     Map<String, Object> medians = new LinkedHashMap<>();
@@ -121,13 +120,6 @@ public final class SpeedRun {
       text.append(Double.isNaN(row.bytes()) ? "" : CsvNumbers.text(row.bytes())).append('\n');
     }
     return text.toString();
-  }
-
-  private static void write(Path file, String text) throws IOException {
-    try (NewFile out = new NewFile(file)) {
-      out.stream().write(text.getBytes(StandardCharsets.UTF_8));
-      out.commit();
-    }
   }
 
   private static void writeJson(Path file, Map<String, Object> machine, List<SpeedRow> rows)

@@ -2,7 +2,6 @@ package org.palpate.benchmarks.sync;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -125,7 +124,7 @@ public final class SyncRun {
       }
       text.append(row.redraws()).append('\n');
     }
-    write(file, text);
+    NewFile.write(file, text);
   }
 
   private static void tellWrites(List<WriteCost.Row> rows, Path file, PrintWriter out)
@@ -146,14 +145,7 @@ public final class SyncRun {
       text.append(row.p999Nanos()).append(',').append(row.maxNanos()).append('\n');
     }
     out.flush();
-    write(file, text);
-  }
-
-  private static void write(Path file, StringBuilder text) throws IOException {
-    try (NewFile out = new NewFile(file)) {
-      out.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
-      out.commit();
-    }
+    NewFile.write(file, text);
   }
 
   private static double median(List<SyncRow> rows, SyncWay way, double percentile) {
