@@ -19,7 +19,6 @@ import org.palpate.proxy.BorderVoxels;
 import org.palpate.proxy.CollisionOnlySolver;
 import org.palpate.proxy.DotSolver;
 import org.palpate.proxy.GuardedSolver;
-import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.PaperSolver;
@@ -64,11 +63,9 @@ public class ResponseBenchmark {
   public double speed;
 
   private final Vec3 device = new Vec3();
-  private final InteractionPoint point = new InteractionPoint();
   private Trajectory trajectory;
-  private Obstacles obstacles;
   private PlainTwin twin;
-  private ProxySolver follower;
+  private FollowedWay followed;
 
   /** Makes the phantom and the trajectory. */
   @Setup
@@ -76,9 +73,10 @@ public class ResponseBenchmark {
     Phantom phantom = Phantom.parse(scene);
     BitCube bits = phantom.segments().segments().get(0).bits();
     trajectory = trajectory(phantom);
-    obstacles = new Obstacles(List.of(bits));
     twin = new PlainTwin(bits, MAX_STEP_VOXELS);
-    follower = solver.equals("twin") ? null : follower(solver);
+    if (!solver.equals("twin")) {
+      followed = new FollowedWay(follower(solver), new Obstacles(List.of(bits)), trajectory);
+    }
   }
 
   private Trajectory trajectory(Phantom phantom) {
@@ -112,7 +110,7 @@ public class ResponseBenchmark {
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double pressAndSlide() {
-    return follower == null ? twinFrames() : followerFrames();
+    return followed == null ? twinFrames() : followed.follow();
   }
 
   private double twinFrames() {
@@ -123,18 +121,6 @@ public class ResponseBenchmark {
       trajectory.at(frame, device);
       twin.frame(device.x, device.y, device.z);
       sum += twin.x();
-    }
-    return sum;
-  }
-
-  private double followerFrames() {
-    trajectory.at(0, point.position);
-    follower.reset();
-    double sum = 0;
-    for (int frame = 0; frame < FRAMES; frame++) {
-      trajectory.at(frame, device);
-      follower.follow(obstacles, device, point);
-      sum += point.position.x;
     }
     return sum;
   }

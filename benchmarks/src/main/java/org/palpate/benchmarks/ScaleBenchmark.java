@@ -53,7 +53,7 @@ public class ScaleBenchmark {
   private final Vec3 device = new Vec3();
   private GuardedSolver solver;
   private Obstacles obstacles;
-  private Trajectory trajectory;
+  private FollowedWay followed;
   private double[] places;
 
   /** Makes the ball. */
@@ -63,10 +63,11 @@ public class ScaleBenchmark {
     BitCube bits = phantom.segments().segments().get(0).bits();
     obstacles = new Obstacles(List.of(bits));
     double scale = hand.equals("scaled") ? (double) edge / SCALED_FROM : 1;
-    trajectory =
+    Trajectory trajectory =
         Trajectories.slide(
             phantom.truth().orElseThrow(), edge, DEPTH * scale, SPEED * scale, FRAMES, SEED);
     solver = new GuardedSolver(new Metric(1, 1, 1), 8 * scale);
+    followed = new FollowedWay(solver, obstacles, trajectory);
     placeAbove(phantom);
   }
 
@@ -87,19 +88,7 @@ public class ScaleBenchmark {
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double follow() {
-    return hand.equals("cold") ? pushAnew() : slide();
-  }
-
-  private double slide() {
-    trajectory.at(0, point.position);
-    solver.reset();
-    double sum = 0;
-    for (int frame = 0; frame < FRAMES; frame++) {
-      trajectory.at(frame, device);
-      solver.follow(obstacles, device, point);
-      sum += point.position.x;
-    }
-    return sum;
+    return hand.equals("cold") ? pushAnew() : followed.follow();
   }
 
   private double pushAnew() {

@@ -24,7 +24,6 @@ import org.palpate.io.VolumeFiles;
 import org.palpate.proxy.CollisionOnlySolver;
 import org.palpate.proxy.FreePlace;
 import org.palpate.proxy.GuardedSolver;
-import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
@@ -61,11 +60,10 @@ public class Table1Benchmark {
   @Param({"none", "guarded", "smooth", "twin"})
   public String solver;
 
-  private final InteractionPoint point = new InteractionPoint();
+  private final Vec3 start = new Vec3();
   private final Vec3 device = new Vec3();
-  private ProxySolver follower;
+  private FollowedWay followed;
   private PlainTwin twin;
-  private Obstacles obstacles;
   private Trajectory trajectory;
   private Metric metric;
 
@@ -90,10 +88,17 @@ public class Table1Benchmark {
     } else {
       metric = Metric.of(volume.grid().spacingMm());
     }
-    obstacles = new Obstacles(List.of(bits));
+    Obstacles obstacles = new Obstacles(List.of(bits));
     trajectory = Trajectories.wander(bits.sizeX(), bits.sizeY(), bits.sizeZ(), SPEED, FRAMES, SEED);
-    twin = solver.equals("twin") ? new PlainTwin(bits, MAX_STEP_MM) : null;
-    follower = follower();
+    trajectory.at(0, start);
+    if (solver.equals("twin")) {
+      twin = new PlainTwin(bits, MAX_STEP_MM);
+    } else {
+      followed = new FollowedWay(follower(), obstacles, trajectory);
+    }
+    if (twin != null || obstacles.touches(start.x, start.y, start.z)) {
+      new FreePlace(metric).find(obstacles, start, start);
+    }
   }
 
   private static Path file(boolean head) {
@@ -106,7 +111,7 @@ public class Table1Benchmark {
       case "none" -> new CollisionOnlySolver(new ExactRayCaster(), metric);
       case "guarded" -> new GuardedSolver(metric, MAX_STEP_MM);
       case "smooth" -> new SmoothSolver(metric, MAX_STEP_MM);
-      default -> null;
+      default -> throw new IllegalArgumentException("no such solver: " + solver);
     };
   }
 
@@ -130,12 +135,8 @@ public class Table1Benchmark {
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double wander() {
-    Vec3 start = trajectory.at(0, point.position);
-    if (follower == null || obstacles.touches(start.x, start.y, start.z)) {
-      new FreePlace(metric).find(obstacles, start, start);
-    }
     double sum = 0;
-    if (follower == null) {
+    if (followed == null) {
       twin.place(start.x, start.y, start.z);
       for (int frame = 0; frame < FRAMES; frame++) {
         trajectory.at(frame, device);
@@ -144,12 +145,6 @@ public class Table1Benchmark {
       }
       return sum;
     }
-    follower.reset();
-    for (int frame = 0; frame < FRAMES; frame++) {
-      trajectory.at(frame, device);
-      follower.follow(obstacles, device, point);
-      sum += point.position.x;
-    }
-    return sum;
+    return followed.followFrom(start);
   }
 }

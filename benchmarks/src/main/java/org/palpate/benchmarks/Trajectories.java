@@ -1,6 +1,7 @@
 package org.palpate.benchmarks;
 
 import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.phantom.SurfaceTruth;
 
@@ -103,35 +104,36 @@ public final class Trajectories {
 
   /** Jumps by 5 to 50 voxels a frame, anywhere in and a little outside the grid. */
   public static Trajectory jumps(int sizeX, int sizeY, int sizeZ, int frames, long seed) {
-    SplittableRandom random = new SplittableRandom(seed);
-    double[] xyz = new double[3 * frames];
-    Vec3 at = anywhere(random, sizeX, sizeY, sizeZ);
-    Vec3 goal = anywhere(random, sizeX, sizeY, sizeZ);
-    Vec3 way = new Vec3();
-    for (int frame = 0; frame < frames; frame++) {
-      if (step(at, goal, way, 5 + 45 * random.nextDouble())) {
-        goal = anywhere(random, sizeX, sizeY, sizeZ);
-      }
-      put(xyz, frame, at);
-    }
-    return new Trajectory("jumps", xyz);
+    return travel(
+        "jumps", sizeX, sizeY, sizeZ, frames, seed, random -> 5 + 45 * random.nextDouble());
   }
 
   /** Goes from place to place at an even speed, through whatever stands there. */
   public static Trajectory wander(
       int sizeX, int sizeY, int sizeZ, double speed, int frames, long seed) {
+    return travel("wander", sizeX, sizeY, sizeZ, frames, seed, random -> speed);
+  }
+
+  private static Trajectory travel(
+      String name,
+      int sizeX,
+      int sizeY,
+      int sizeZ,
+      int frames,
+      long seed,
+      ToDoubleFunction<SplittableRandom> speed) {
     SplittableRandom random = new SplittableRandom(seed);
     double[] xyz = new double[3 * frames];
     Vec3 at = anywhere(random, sizeX, sizeY, sizeZ);
     Vec3 goal = anywhere(random, sizeX, sizeY, sizeZ);
     Vec3 way = new Vec3();
     for (int frame = 0; frame < frames; frame++) {
-      if (step(at, goal, way, speed)) {
+      if (step(at, goal, way, speed.applyAsDouble(random))) {
         goal = anywhere(random, sizeX, sizeY, sizeZ);
       }
       put(xyz, frame, at);
     }
-    return new Trajectory("wander", xyz);
+    return new Trajectory(name, xyz);
   }
 
   /** The same surface, touched from within: a wall of one voxel is in between. */
