@@ -13,11 +13,10 @@ import org.palpate.geometry.Vec3;
  *
  * <p>Read and written by the haptic thread, which owns all of the state; allocates nothing.
  */
-public final class WorkspaceDevice implements HapticDevice {
+public final class WorkspaceDevice extends WrappedDevice {
   /** How long the force takes to come back after the clutch. */
   public static final long RETURN_NANOS = 150_000_000L;
 
-  private final HapticDevice device;
   private final Workspace workspace;
   private final Controls controls;
   private final DeviceSpecification specification;
@@ -60,7 +59,7 @@ public final class WorkspaceDevice implements HapticDevice {
 
   /** Maps {@code device}, which is in its own frame, and closes it when it is closed. */
   public WorkspaceDevice(HapticDevice device, Workspace workspace, Controls controls) {
-    this.device = device;
+    super(device);
     this.workspace = workspace;
     this.controls = controls;
     this.offsetMm = new Vec3().set(workspace.deviceToWorld().origin());
@@ -179,16 +178,6 @@ public final class WorkspaceDevice implements HapticDevice {
   /** Whether the clutch is held. Haptic thread. */
   public boolean isClutched() {
     return clutched;
-  }
-
-  @Override
-  public String ending() {
-    return device.ending();
-  }
-
-  @Override
-  public void close() {
-    device.close();
   }
 
   /** The unit quaternion (x, y, z, w) of a rotation; the largest component is never divided by. */

@@ -1,28 +1,21 @@
 package org.palpate.interaction;
 
-import org.palpate.device.DeviceSpecification;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
-import org.palpate.geometry.Vec3;
+import org.palpate.device.WrappedDevice;
 
 /**
  * Records every new sample of a device and is otherwise that device. Wraps the device that delivers
  * world millimetres, before {@code host} turns them into grid coordinates, so that the recording
  * can be replayed in the world.
  */
-public final class RecordingDevice implements HapticDevice {
-  private final HapticDevice device;
+public final class RecordingDevice extends WrappedDevice {
   private final FrameRecorder recorder;
 
   public RecordingDevice(HapticDevice device, FrameRecorder recorder) {
-    this.device = device;
+    super(device);
     this.recorder = recorder;
-  }
-
-  @Override
-  public DeviceSpecification specification() {
-    return device.specification();
   }
 
   @Override
@@ -32,15 +25,5 @@ public final class RecordingDevice implements HapticDevice {
       recorder.offer(state);
     }
     return status;
-  }
-
-  @Override
-  public boolean write(Vec3 forceNewton) {
-    return device.write(forceNewton);
-  }
-
-  @Override
-  public void close() {
-    device.close();
   }
 }

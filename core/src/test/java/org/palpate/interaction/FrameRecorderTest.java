@@ -1,6 +1,7 @@
 package org.palpate.interaction;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -13,6 +14,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.palpate.device.DeviceState;
 import org.palpate.device.ReadStatus;
+import org.palpate.geometry.Vec3;
 import org.palpate.testing.Seeds;
 
 class FrameRecorderTest {
@@ -133,6 +135,18 @@ class FrameRecorderTest {
         4.0,NaN,2.0,-3.0,0.0,0.0,0.0,1.0,1
         """,
         file.toString());
+  }
+
+  @Test
+  void aRecordedDeviceIsTheDeviceInAllElse() {
+    ScriptedDevice device = ScriptedDevice.at(1, 2, 3);
+    RecordingDevice recording = new RecordingDevice(device, new FrameRecorder());
+    assertEquals(device.specification(), recording.specification());
+    device.reachable = false;
+    assertEquals("the cable is out", recording.ending());
+    assertFalse(recording.write(new Vec3()));
+    recording.close();
+    assertEquals(1, device.closed);
   }
 
   @Test

@@ -52,6 +52,11 @@ final class ScriptedDevice implements HapticDevice {
   }
 
   @Override
+  public String ending() {
+    return reachable ? "" : "the cable is out";
+  }
+
+  @Override
   public boolean write(Vec3 forceNewton) {
     if (onWrite != null) {
       throw onWrite;

@@ -1,9 +1,9 @@
 package org.palpate.host;
 
-import org.palpate.device.DeviceSpecification;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
+import org.palpate.device.WrappedDevice;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.VoxelGrid;
 
@@ -13,20 +13,14 @@ import org.palpate.volume.VoxelGrid;
  *
  * <p>Read and written by one thread, closed by any; allocates nothing.
  */
-public final class GridDevice implements HapticDevice {
-  private final HapticDevice device;
+public final class GridDevice extends WrappedDevice {
   private final VoxelGrid grid;
   private final Vec3 forceWorldNewton = new Vec3();
 
   /** Stands before {@code device}, whose positions and forces are of the world. */
   public GridDevice(HapticDevice device, VoxelGrid grid) {
-    this.device = device;
+    super(device);
     this.grid = grid;
-  }
-
-  @Override
-  public DeviceSpecification specification() {
-    return device.specification();
   }
 
   /** As the device answers; the state's position is in grid coordinates. */
@@ -47,15 +41,5 @@ public final class GridDevice implements HapticDevice {
   @Override
   public boolean write(Vec3 forceNewton) {
     return device.write(grid.gridMmToWorld().rotate(forceNewton, forceWorldNewton));
-  }
-
-  @Override
-  public String ending() {
-    return device.ending();
-  }
-
-  @Override
-  public void close() {
-    device.close();
   }
 }
