@@ -63,6 +63,7 @@ public final class ImagejProbe implements PlugIn {
       fact("end", "reached");
     } catch (Exception | LinkageError e) {
       fact("failed", e + " at " + Arrays.toString(e.getStackTrace()));
+      fact("failed beside", ImagejProbeWatch.desk());
       exitCode = 1;
     }
     System.exit(exitCode);

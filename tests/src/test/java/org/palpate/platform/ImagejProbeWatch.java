@@ -1,6 +1,8 @@
 package org.palpate.platform;
 
 import ij.IJ;
+import java.awt.Dialog;
+import java.awt.Window;
 import java.util.List;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
@@ -56,6 +58,26 @@ final class ImagejProbeWatch {
         .filter(Thread::isAlive)
         .map(Thread::getName)
         .toList();
+  }
+
+  /** What stands on the screen, and what every thread is doing. */
+  static String desk() {
+    StringBuilder desk = new StringBuilder();
+    for (Window window : Window.getWindows()) {
+      if (window.isShowing()) {
+        String title = window instanceof Dialog dialog ? dialog.getTitle() : window.getName();
+        desk.append(title).append(' ').append(ImagejProbeDialogs.texts(window)).append('\n');
+      }
+    }
+    Thread.getAllStackTraces()
+        .forEach(
+            (thread, frames) -> {
+              desk.append(thread).append(' ').append(thread.getState()).append('\n');
+              for (StackTraceElement frame : frames) {
+                desk.append("  ").append(frame).append('\n');
+              }
+            });
+    return desk.toString();
   }
 
   static long usedAfterCollection() {
