@@ -8,7 +8,7 @@ import org.palpate.volume.VoxelGrid;
  * A change of a segment's voxels, made by any thread, put into an {@link EditQueue}, carried out by
  * the haptic thread between frames. An instance is queued once.
  */
-public abstract sealed class Edit permits VoxelEdit, BrushEdit, SwapEdit {
+public abstract sealed class Edit permits VoxelEdit, BrushEdit, SwapEdit, GreyEdit {
   private final int segment;
   private volatile boolean done;
 

@@ -1,5 +1,7 @@
 package org.palpate.volume;
 
+import java.lang.reflect.Array;
+
 /**
  * Grey values over a grid, each stored as narrowly as the values allow.
  *
@@ -56,11 +58,49 @@ public abstract class ScalarVolume {
       throw new IllegalArgumentException(
           "a slice has too many voxels: slice=" + grid.sizeX() + "x" + grid.sizeY());
     }
+    int count = grid.sizeZ();
+    int size = (int) slice;
     return switch (storage) {
-      case UINT8 -> new OfBytes(grid);
-      case INT16, UINT16 -> new OfShorts(grid, storage);
-      case FLOAT32 -> new OfFloats(grid);
+      case UINT8 -> new OfBytes(grid, new byte[count][size]);
+      case INT16, UINT16 -> new OfShorts(grid, storage, new short[count][size]);
+      case FLOAT32 -> new OfFloats(grid, new float[count][size]);
     };
+  }
+
+  /**
+   * A volume over slices that someone else keeps and no one changes as long as it is read.
+   *
+   * @param slices each a {@code byte[]} of 0 to 255, a {@code short[]} of 0 to 65535 or a {@code
+   *     float[]}, all of one type, row by row; not copied
+   */
+  public static ScalarVolume over(VoxelGrid grid, Object[] slices) {
+    if (slices.length != grid.sizeZ()) {
+      throw new IllegalArgumentException(
+          "there must be a slice for each k: slices=" + slices.length + " grid=" + grid.sizeZ());
+    }
+    if (slices[0] instanceof byte[]) {
+      return new OfBytes(grid, checked(grid, slices, new byte[slices.length][]));
+    }
+    if (slices[0] instanceof short[]) {
+      return new OfShorts(grid, Storage.UINT16, checked(grid, slices, new short[slices.length][]));
+    }
+    return new OfFloats(grid, checked(grid, slices, new float[slices.length][]));
+  }
+
+  private static <T> T[] checked(VoxelGrid grid, Object[] slices, T[] typed) {
+    int values = grid.sizeX() * grid.sizeY();
+    Class<?> type = typed.getClass().getComponentType();
+    for (int k = 0; k < slices.length; k++) {
+      if (!type.isInstance(slices[k]) || Array.getLength(slices[k]) != values) {
+        throw new IllegalArgumentException(
+            "a slice must have as many values as the grid, of one type: k="
+                + k
+                + " values="
+                + values);
+      }
+    }
+    System.arraycopy(slices, 0, typed, 0, slices.length);
+    return typed;
   }
 
   /** Bytes that the values of such a volume take; may be far more than there is. */
@@ -94,9 +134,9 @@ public abstract class ScalarVolume {
   private static final class OfBytes extends ScalarVolume {
     private final byte[][] slices;
 
-    OfBytes(VoxelGrid grid) {
+    OfBytes(VoxelGrid grid, byte[][] slices) {
       super(grid, Storage.UINT8);
-      slices = new byte[grid.sizeZ()][grid.sizeX() * grid.sizeY()];
+      this.slices = slices;
     }
 
     @Override
@@ -114,9 +154,9 @@ public abstract class ScalarVolume {
     private final short[][] slices;
     private final int mask;
 
-    OfShorts(VoxelGrid grid, Storage storage) {
+    OfShorts(VoxelGrid grid, Storage storage, short[][] slices) {
       super(grid, storage);
-      slices = new short[grid.sizeZ()][grid.sizeX() * grid.sizeY()];
+      this.slices = slices;
       mask = storage == Storage.UINT16 ? 0xffff : -1; // all ones keeps the sign
     }
 
@@ -134,9 +174,9 @@ public abstract class ScalarVolume {
   private static final class OfFloats extends ScalarVolume {
     private final float[][] slices;
 
-    OfFloats(VoxelGrid grid) {
+    OfFloats(VoxelGrid grid, float[][] slices) {
       super(grid, Storage.FLOAT32);
-      slices = new float[grid.sizeZ()][grid.sizeX() * grid.sizeY()];
+      this.slices = slices;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.palpate.volume;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.junit.jupiter.api.Test;
 import org.palpate.volume.ScalarVolume.Storage;
@@ -37,5 +38,27 @@ class ScalarVolumeTest {
     ScalarVolume unsigned = ScalarVolume.of(grid, Storage.UINT16);
     unsigned.set(4, 3, 2, 65535);
     assertEquals(65535, unsigned.value(4, 3, 2));
+  }
+
+  @Test
+  void readsSlicesThatSomeoneElseKeeps() {
+    short[][] shorts = new short[3][20];
+    shorts[1][7] = -1;
+    assertEquals(65535, ScalarVolume.over(grid, shorts).value(2, 1, 1));
+    byte[][] bytes = new byte[3][20];
+    bytes[2][19] = -1;
+    assertEquals(255, ScalarVolume.over(grid, bytes).value(4, 3, 2));
+    float[][] floats = new float[3][20];
+    floats[0][5] = -2.5f;
+    assertEquals(-2.5, ScalarVolume.over(grid, floats).value(0, 1, 0));
+  }
+
+  @Test
+  void refusesSlicesOfAnotherSizeOrOfSeveralTypes() {
+    Object[] mixed = {new byte[20], new byte[20], new short[20]};
+    Object[] small = {new byte[20], new byte[19], new byte[20]};
+    assertThrows(IllegalArgumentException.class, () -> ScalarVolume.over(grid, mixed));
+    assertThrows(IllegalArgumentException.class, () -> ScalarVolume.over(grid, small));
+    assertThrows(IllegalArgumentException.class, () -> ScalarVolume.over(grid, new byte[2][20]));
   }
 }

@@ -10,6 +10,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.interaction.EditQueue;
 import org.palpate.interaction.FramePublisher;
 import org.palpate.interaction.FrameSettings;
+import org.palpate.interaction.GreyEdit;
 import org.palpate.interaction.HapticFrame;
 import org.palpate.proxy.BorderVoxels;
 import org.palpate.proxy.CollisionOnlySolver;
@@ -20,6 +21,7 @@ import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.PaperSolver;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.proxy.smooth.GreySurface;
+import org.palpate.proxy.smooth.LiveGrey;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.GridPlanesRayCaster;
@@ -41,7 +43,7 @@ public final class ContactScene {
   private final Metric metric;
   private final double maxStepMm;
   private final EditQueue edits;
-  private final Optional<GreySurface> grey;
+  private final Optional<LiveGrey> grey;
 
   /** A scene over a volume whose bits the haptic thread alone will change. */
   public ContactScene(SegmentedVolume volume, ContactSettings settings) {
@@ -55,7 +57,7 @@ public final class ContactScene {
    */
   public ContactScene(
       SegmentedVolume volume, ContactSettings settings, Optional<GreySurface> grey) {
-    this.grey = grey;
+    this.grey = grey.map(LiveGrey::new);
     this.volume = volume;
     this.settings = settings;
     Vec3 spacing = volume.grid().spacingMm();
@@ -87,7 +89,18 @@ public final class ContactScene {
 
   /** The grey values that the smooth solver goes by, if any. */
   public Optional<GreySurface> grey() {
-    return grey;
+    return grey.map(LiveGrey::now);
+  }
+
+  /**
+   * Queues other grey values for the smooth solver; any thread.
+   *
+   * @return false where the queue of edits is full; try again later
+   * @throws IllegalStateException where the scene was made without
+   */
+  public boolean offerGrey(GreySurface fresh) {
+    LiveGrey live = grey.orElseThrow(() -> new IllegalStateException("made without grey values"));
+    return edits.offer(new GreyEdit(0, live, fresh));
   }
 
   /** Where changes of the segments are queued while a session runs. */

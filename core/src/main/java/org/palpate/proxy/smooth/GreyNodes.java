@@ -35,10 +35,10 @@ final class GreyNodes implements NodeSource {
   private int lowZ;
   private boolean empty;
 
-  GreyNodes(SmoothingKernel kernel, GreySurface grey) {
+  GreyNodes(SmoothingKernel kernel, LiveGrey grey) {
     this.kernel = kernel;
     shares = new ShareCache(grey);
-    grid = grey.volume().grid();
+    grid = grey.grid();
   }
 
   @Override
@@ -118,6 +118,7 @@ final class GreyNodes implements NodeSource {
   @Override
   public void forget() {
     window.forget();
+    shares.forget();
   }
 
   @Override

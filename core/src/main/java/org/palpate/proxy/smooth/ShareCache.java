@@ -13,13 +13,23 @@ final class ShareCache {
   /** Bits for each index of a voxel in a key: grids are shorter than 2^21. */
   private static final int INDEX_BITS = 21;
 
-  private final GreySurface grey;
+  private final LiveGrey live;
+  private GreySurface grey;
   private final double[] shares = new double[1 << (3 * EDGE_BITS)];
   private final long[] keys = new long[1 << (3 * EDGE_BITS)];
 
-  ShareCache(GreySurface grey) {
-    this.grey = grey;
-    Arrays.fill(keys, -1);
+  ShareCache(LiveGrey live) {
+    this.live = live;
+    forget();
+  }
+
+  /** Forgets the shares of values that are no longer those of the surface. */
+  void forget() {
+    GreySurface now = live.now();
+    if (!now.equals(grey)) {
+      grey = now;
+      Arrays.fill(keys, -1);
+    }
   }
 
   /** The share of voxel (i,j,k), which lies in the grid, by its grey value. */

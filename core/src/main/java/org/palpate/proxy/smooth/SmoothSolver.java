@@ -113,6 +113,11 @@ public final class SmoothSolver implements ProxySolver {
    * @param maxStepMm the most the point may travel in one frame, w_max, positive
    */
   public SmoothSolver(Metric metric, double maxStepMm, GreySurface grey) {
+    this(metric, maxStepMm, new LiveGrey(grey));
+  }
+
+  /** The same where the grey values may change; {@link #reset} after each change. */
+  public SmoothSolver(Metric metric, double maxStepMm, LiveGrey grey) {
     this(
         metric,
         maxStepMm,
