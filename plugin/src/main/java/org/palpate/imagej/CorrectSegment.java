@@ -29,7 +29,7 @@ public final class CorrectSegment extends PalpateCommand {
     String[] actions = {ADD, REMOVE, UNDO, REDO};
     dialog.addChoice("Action", actions, ADD);
     dialog.addNumericField("Radius", lastRadiusMm(), 2, 8, "mm");
-    dialog.addHelp(TouchOptions.HELP);
+    HelpText.addTo(dialog);
     dialog.showDialog();
     if (dialog.wasCanceled()) {
       return;

@@ -24,7 +24,7 @@ public final class Landmarks extends PalpateCommand {
     GenericDialog dialog = new GenericDialog("Landmarks");
     dialog.addStringField("Name", session.landmarks().nextName(), 16);
     dialog.addDirectoryField("Save in folder (or empty)", "", 24);
-    dialog.addHelp(TouchOptions.HELP);
+    HelpText.addTo(dialog);
     dialog.showDialog();
     if (dialog.wasCanceled()) {
       return;

@@ -51,7 +51,7 @@ public final class MeasureJitter extends PalpateCommand {
     Sessions.refuseSecond();
     GenericDialog dialog = new GenericDialog("Measure Jitter");
     dialog.addNumericField("Time", Prefs.get(SECONDS, DEFAULT_SECONDS), 1, 8, "s each");
-    dialog.addHelp(TouchOptions.HELP);
+    HelpText.addTo(dialog);
     dialog.showDialog();
     if (dialog.wasCanceled()) {
       return;
@@ -123,7 +123,7 @@ public final class MeasureJitter extends PalpateCommand {
       }
     }
     VoxelGrid grid = new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(1, 1, 1), RigidTransform.identity());
-    Segment segment = new Segment("ball", bits, VoxelRule.threshold("ball", 1, 1).rgb());
+    Segment segment = new Segment("ball", bits, SegmentColour.BONE.rgb());
     return new ContactScene(
         new SegmentedVolume(grid, List.of(segment)), ContactSettings.standard(SolverKind.GUARDED));
   }

@@ -30,7 +30,7 @@ public final class ReplayTrajectory extends PalpateCommand {
     StackVolume volume = StackVolume.shownIn(IJ.getImage());
     GenericDialog dialog = new GenericDialog("Replay Trajectory");
     dialog.addFileField("Trajectory", "", 30);
-    dialog.addHelp(TouchOptions.HELP);
+    HelpText.addTo(dialog);
     dialog.showDialog();
     if (dialog.wasCanceled()) {
       return;
@@ -55,14 +55,16 @@ public final class ReplayTrajectory extends PalpateCommand {
   private static void replay(StackVolume volume, TouchOptions options, Trajectory trajectory)
       throws StackRefused {
     StackGeometry geometry = StackGeometry.of(volume.image());
+    List<VoxelRule> rules = options.rules(volume);
+    StackPixels pixels = new StackPixels(volume);
     List<Segment> segments =
         StackSegments.of(
-            volume,
-            volume::pixels,
-            options.rules(volume),
-            k -> IJ.showProgress(k + 1, volume.slices()));
+            volume, pixels::slice, rules, k -> IJ.showProgress(k + 1, volume.slices()));
     ContactScene scene =
-        new ContactScene(new SegmentedVolume(geometry.grid(), segments), options.contactSettings());
+        new ContactScene(
+            new SegmentedVolume(geometry.grid(), segments),
+            options.contactSettings(),
+            StackGrey.surface(pixels, volume.slices(), geometry.grid(), rules));
     ResultsTable table = new ResultsTable();
     try {
       new ReplayRun(scene, trajectory, true, false)

@@ -7,13 +7,10 @@ import org.palpate.device.HapticDevice;
 import org.palpate.device.ReplayDevice;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.device.Trajectory;
-import org.palpate.device.Workspace;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.device.jni.DeviceCatalog;
 import org.palpate.device.jni.DeviceException;
 import org.palpate.force.ForceSettings;
-import org.palpate.geometry.RigidTransform;
-import org.palpate.geometry.Vec3;
 import org.palpate.host.PointerDevice;
 import org.palpate.io.TrajectoryCsv;
 
@@ -34,9 +31,12 @@ record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
    * Opens a device.
    *
    * @param target what is to be in reach
+   * @param workspace how the reach of a real one is laid over it
    * @throws StackRefused where there is no such device, or its recording cannot be read
    */
-  static StackDevice open(String choice, HandTarget target, long periodNanos) throws StackRefused {
+  static StackDevice open(
+      String choice, HandTarget target, StackWorkspace workspace, long periodNanos)
+      throws StackRefused {
     int colon = choice.indexOf(':');
     String name = colon < 0 ? choice : choice.substring(0, colon);
     String id = colon < 0 ? "" : choice.substring(colon + 1);
@@ -51,7 +51,7 @@ record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
     if (name.equals("replay")) {
       return new StackDevice(replay(id), ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM);
     }
-    return openReal(name, id, target);
+    return openReal(name, id, target, workspace);
   }
 
   private static HapticDevice replay(String file) throws StackRefused {
@@ -64,8 +64,8 @@ record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
     return new ReplayDevice("replay", trajectory);
   }
 
-  private static StackDevice openReal(String name, String id, HandTarget target)
-      throws StackRefused {
+  private static StackDevice openReal(
+      String name, String id, HandTarget target, StackWorkspace workspace) throws StackRefused {
     if (!DeviceCatalog.isNative(name)) {
       throw new StackRefused(
           "There is no device \""
@@ -74,23 +74,15 @@ record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
     }
     try {
       HapticDevice opened = DeviceCatalog.open(name, id);
-      Workspace workspace =
-          Workspace.fit(opened.specification(), stackAxes(), target.lowMm(), target.highMm());
       HapticDevice mapped =
-          new WorkspaceDevice(opened, workspace, WorkspaceDevice.Controls.standard());
+          new WorkspaceDevice(
+              opened,
+              workspace.of(opened.specification(), target),
+              WorkspaceDevice.Controls.standard());
       return new StackDevice(
           mapped, STIFFNESS_SHARE * mapped.specification().maxStiffnessNewtonPerMm());
     } catch (DeviceException e) {
       throw new StackRefused(e.getMessage());
     }
-  }
-
-  /**
-   * As the stack is seen on the screen: right is right, up is against y, towards the person is
-   * against z.
-   */
-  private static RigidTransform stackAxes() {
-    return new RigidTransform(
-        new Vec3(1, 0, 0), new Vec3(0, -1, 0), new Vec3(0, 0, -1), new Vec3());
   }
 }

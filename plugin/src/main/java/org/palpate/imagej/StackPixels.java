@@ -1,6 +1,8 @@
 package org.palpate.imagej;
 
 import java.util.Arrays;
+import org.palpate.volume.ScalarVolume;
+import org.palpate.volume.VoxelGrid;
 
 /**
  * A copy of a stack's pixels, to find out which slices and pixels have changed since. As large as
@@ -26,6 +28,13 @@ final class StackPixels {
   /** The copied pixels of slice k, from 0; not to be changed. */
   Object slice(int k) {
     return slices[k];
+  }
+
+  /**
+   * The copied values as a volume over a grid of the stack's size; later changes do not reach it.
+   */
+  ScalarVolume values(VoxelGrid grid) {
+    return ScalarVolume.over(grid, slices);
   }
 
   /** Takes pixels that differ from the copy. */

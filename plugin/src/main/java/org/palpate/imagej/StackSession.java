@@ -74,15 +74,18 @@ final class StackSession implements AutoCloseable {
             volume, pixels::slice, rules, k -> IJ.showProgress(k + 1, volume.slices()));
     refuseEmpty(options);
     ContactScene scene =
-        new ContactScene(new SegmentedVolume(geometry.grid(), segments), options.contactSettings());
+        new ContactScene(
+            new SegmentedVolume(geometry.grid(), segments),
+            options.contactSettings(),
+            StackGrey.surface(pixels, volume.slices(), geometry.grid(), rules));
     LoopSettings loop = LoopSettings.ofRate(RATE_HZ).with(realtime, realtime);
-    StackDevice device = StackDevice.open(options.device(), scene.handTarget(), loop.periodNanos());
+    StackDevice device =
+        StackDevice.open(
+            options.device(), scene.handTarget(), options.workspace(), loop.periodNanos());
     session =
         new TouchSession(
             scene, device.device(), device.defaultNewtonPerMm(), loop, recorder, end -> {});
-    watcher =
-        new StackWatcher(
-            volume, pixels, rules, options.followsThreshold(), segments, scene.edits(), changes());
+    watcher = new StackWatcher(volume, pixels, rules, options.followsThreshold(), scene, changes());
     landmarks = new LandmarkTable(volume.image(), geometry);
     strokes = new StrokeHistory(volume, geometry.grid().spacingMm());
     view =

@@ -2,7 +2,15 @@ package org.palpate.imagej;
 
 import ij.ImagePlus;
 import ij.ImageStack;
+import ij.io.FileInfo;
 import ij.process.ImageProcessor;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import org.palpate.io.LabelTable;
+import org.palpate.io.ReadOptions;
+import org.palpate.io.VolumeFiles;
 
 /**
  * The z-stack of an image that is touched: one channel at one time, grey values of 8, 16 or 32 bit.
@@ -47,6 +55,28 @@ record StackVolume(ImagePlus image, int channel, int frame, int width, int heigh
   /** Whether the image has more channels or times than the one that is touched. */
   boolean isOneOfSeveral() {
     return image.getNChannels() > 1 || image.getNFrames() > 1;
+  }
+
+  /**
+   * Names and colours of labels, from a table beside the image's file; none where there is none.
+   */
+  LabelTable labelTable() {
+    FileInfo file = image.getOriginalFileInfo();
+    if (file == null || file.getFilePath() == null || file.getFilePath().isEmpty()) {
+      return LabelTable.EMPTY;
+    }
+    try {
+      Path path = Path.of(file.getFilePath());
+      return Files.isRegularFile(path)
+          ? VolumeFiles.open(path, ReadOptions.defaults())
+              .header()
+              .labels()
+              .orElse(LabelTable.EMPTY)
+          : LabelTable.EMPTY;
+    } catch (InvalidPathException | IOException e) {
+      // the image is open: what its file is like does not matter
+      return LabelTable.EMPTY;
+    }
   }
 
   /**

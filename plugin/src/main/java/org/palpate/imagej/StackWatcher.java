@@ -5,11 +5,11 @@ import ij.ImagePlus;
 import java.util.ArrayList;
 import java.util.List;
 import org.palpate.geometry.IntBox;
+import org.palpate.host.ContactScene;
 import org.palpate.interaction.EditQueue;
 import org.palpate.interaction.SwapEdit;
 import org.palpate.interaction.VoxelEdit;
 import org.palpate.volume.BitCube;
-import org.palpate.volume.Segment;
 
 /**
  * Carries what changes in the stack (paint, macro, filter, threshold) over to what is touched and
@@ -29,8 +29,10 @@ final class StackWatcher implements ImageListener, AutoCloseable {
   private final boolean followsThreshold;
   private final EditQueue edits;
   private final StackPixels pixels;
+  private final StackGrey grey;
   private final List<Changes> segments = new ArrayList<>();
   private final Listener listener;
+  private long compared;
   private volatile boolean updated;
   private volatile boolean closed;
 
@@ -84,22 +86,23 @@ final class StackWatcher implements ImageListener, AutoCloseable {
    * @param rules what makes the segments, in their order
    * @param pixels the stack as the segments were made of it
    * @param followsThreshold whether the one segment is what the image's threshold marks
+   * @param scene what is touched, as it was made of the stack
    */
   StackWatcher(
       StackVolume volume,
       StackPixels pixels,
       List<VoxelRule> rules,
       boolean followsThreshold,
-      List<Segment> touched,
-      EditQueue edits,
+      ContactScene scene,
       Listener listener) {
     this.volume = volume;
     this.rules = new ArrayList<>(rules);
     this.followsThreshold = followsThreshold;
-    this.edits = edits;
     this.listener = listener;
     this.pixels = pixels;
-    touched.forEach(segment -> segments.add(new Changes(segment.bits().copy())));
+    edits = scene.edits();
+    grey = new StackGrey(scene, pixels);
+    scene.volume().segments().forEach(segment -> segments.add(new Changes(segment.bits().copy())));
     ImagePlus.addImageListener(this);
   }
 
@@ -148,6 +151,7 @@ final class StackWatcher implements ImageListener, AutoCloseable {
       return 0;
     }
     updated = false;
+    compared = 0;
     pixels.changes(this::compare);
     if (followsThreshold && thresholdMoved()) {
       recompute();
@@ -156,6 +160,9 @@ final class StackWatcher implements ImageListener, AutoCloseable {
     for (int n = 0; n < segments.size(); n++) {
       changed += handOver(n);
     }
+    long all = (long) volume.width() * volume.height() * volume.slices();
+    grey.carryOver(rules.get(0), compared, all);
+    updated |= grey.waits();
     return changed;
   }
 
@@ -180,6 +187,7 @@ final class StackWatcher implements ImageListener, AutoCloseable {
   }
 
   private void compare(int n, int k, float value) {
+    compared++;
     int i = n % volume.width();
     int j = n / volume.width();
     for (int s = 0; s < segments.size(); s++) {

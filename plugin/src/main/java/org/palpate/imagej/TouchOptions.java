@@ -5,17 +5,19 @@ import ij.gui.GenericDialog;
 import ij.measure.Calibration;
 import ij.process.ImageProcessor;
 import java.util.List;
-import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.force.ForceSettings;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
+import org.palpate.io.LabelTable;
 
 /**
  * What the user chose in the dialog of "Touch Volume...", which a macro gives by the first words of
  * its labels; kept in ImageJ's preferences.
  *
  * @param name of the segment where there is one; labels have their values' names
+ * @param colour of that one; labels have those of the image or of the table beside its file
  * @param labels whether the image is taken as labels, a segment a label; else the values from lower
  *     to upper are one segment
  * @param lower the least value of the segment, calibrated as ImageJ shows it
@@ -25,11 +27,13 @@ import org.palpate.host.SolverKind;
  * @param stiffnessNewtonPerMm force over distance; the device's own default where 0
  * @param friction coefficient
  * @param device as {@link StackDevice} reads it
+ * @param workspace how the reach of a real device is laid over the stack
  * @param seconds how long; until Escape or the image closes where 0
  * @param view whether a 3-D window is wanted
  */
 record TouchOptions(
     String name,
+    SegmentColour colour,
     boolean labels,
     double lower,
     double upper,
@@ -38,9 +42,9 @@ record TouchOptions(
     double stiffnessNewtonPerMm,
     double friction,
     String device,
+    StackWorkspace workspace,
     double seconds,
     boolean view) {
-  static final String HELP = "https://github.com/palpate/palpate#imagej-and-fiji";
   private static final String PREFIX = "palpate.";
   private static final double LARGEST_DEFAULT = 65535;
 
@@ -57,6 +61,10 @@ record TouchOptions(
             : Prefs.get(PREFIX + "upper", LARGEST_DEFAULT);
     GenericDialog dialog = new GenericDialog(title);
     dialog.addStringField("Segment name", Prefs.get(PREFIX + "name", "segment"), 16);
+    dialog.addChoice(
+        "Colour",
+        SegmentColour.words(),
+        Prefs.get(PREFIX + "colour", SegmentColour.BONE.toString()));
     dialog.addCheckbox("Labels: a segment a value", Prefs.get(PREFIX + "labels", false));
     dialog.addNumericField("Lower threshold", lower, 2);
     dialog.addNumericField("Upper threshold", upper, 2);
@@ -67,9 +75,15 @@ record TouchOptions(
     dialog.addNumericField(
         "Friction", Prefs.get(PREFIX + "friction", ForceSettings.DEFAULT_FRICTION), 2);
     dialog.addStringField("Device", Prefs.get(PREFIX + "device", "simulated"), 24);
+    dialog.addChoice(
+        "Workspace of a real device",
+        StackWorkspace.Kind.words(),
+        Prefs.get(PREFIX + "workspace", StackWorkspace.Kind.FIT.toString()));
+    dialog.addNumericField(
+        "Scale, where by scale", Prefs.get(PREFIX + "scale", 1), 3, 8, "mm of scan per mm of hand");
     dialog.addNumericField("Time (0: until Escape)", Prefs.get(PREFIX + "seconds", 0), 1, 8, "s");
     dialog.addCheckbox("View in 3-D", Prefs.get(PREFIX + "view", true));
-    dialog.addHelp(HELP);
+    HelpText.addTo(dialog);
     dialog.showDialog();
     if (dialog.wasCanceled()) {
       return null;
@@ -88,6 +102,7 @@ record TouchOptions(
   private static TouchOptions read(GenericDialog dialog, double shownLower, double shownUpper)
       throws StackRefused {
     String name = dialog.getNextString().strip();
+    String colour = dialog.getNextChoice();
     boolean labels = dialog.getNextBoolean();
     double lower = dialog.getNextNumber();
     double upper = dialog.getNextNumber();
@@ -95,25 +110,52 @@ record TouchOptions(
     double stiffness = dialog.getNextNumber();
     double friction = dialog.getNextNumber();
     String device = dialog.getNextString().strip();
+    String workspace = dialog.getNextChoice();
+    double scale = dialog.getNextNumber();
     double seconds = dialog.getNextNumber();
     boolean view = dialog.getNextBoolean();
     if (dialog.invalidNumber()) {
       throw new StackRefused("A field does not hold a number: " + dialog.getErrorMessage());
     }
     boolean asShown = isShown(lower, shownLower) && isShown(upper, shownUpper);
-    SolverKind kind = SolverKind.valueOf(solver.toUpperCase(Locale.ROOT));
     return new TouchOptions(
         name.isEmpty() ? "segment" : name,
+        known("colour", colour, SegmentColour.parse(colour), SegmentColour.words()),
         labels,
         lower,
         upper,
         asShown && !labels,
-        kind,
+        known("solver", solver, SolverKind.parse(solver), solvers()),
         stiffness,
         friction,
         device,
+        workspace(workspace, scale),
         seconds,
         view);
+  }
+
+  private static StackWorkspace workspace(String words, double scale) throws StackRefused {
+    if (!(scale > 0) || Double.isInfinite(scale)) {
+      throw new StackRefused("The scale must be a positive number of mm of scan per mm of hand.");
+    }
+    StackWorkspace.Kind kind =
+        known("workspace", words, StackWorkspace.Kind.parse(words), StackWorkspace.Kind.words());
+    return new StackWorkspace(kind, scale);
+  }
+
+  /** What a macro may have written as it likes. */
+  private static <T> T known(String what, String word, Optional<T> found, String[] all)
+      throws StackRefused {
+    return found.orElseThrow(
+        () ->
+            new StackRefused(
+                "There is no "
+                    + what
+                    + " \""
+                    + word
+                    + "\": choose one of "
+                    + String.join(", ", all)
+                    + "."));
   }
 
   /** Whether a field still says what it was given, which it showed with two digits. */
@@ -137,6 +179,7 @@ record TouchOptions(
 
   private void keep() {
     Prefs.set(PREFIX + "name", name);
+    Prefs.set(PREFIX + "colour", colour.toString());
     Prefs.set(PREFIX + "labels", labels);
     Prefs.set(PREFIX + "lower", lower);
     Prefs.set(PREFIX + "upper", upper);
@@ -144,6 +187,8 @@ record TouchOptions(
     Prefs.set(PREFIX + "stiffness", stiffnessNewtonPerMm);
     Prefs.set(PREFIX + "friction", friction);
     Prefs.set(PREFIX + "device", device);
+    Prefs.set(PREFIX + "workspace", workspace.kind().toString());
+    Prefs.set(PREFIX + "scale", workspace.scale());
     Prefs.set(PREFIX + "seconds", seconds);
     Prefs.set(PREFIX + "view", view);
   }
@@ -168,13 +213,14 @@ record TouchOptions(
    */
   List<VoxelRule> rules(StackVolume volume) throws StackRefused {
     if (labels) {
+      LabelTable table = volume.labelTable();
       return StackSegments.labels(volume).stream()
-          .map(value -> VoxelRule.label(value, volume.image()))
+          .map(value -> VoxelRule.label(value, volume.image(), table))
           .toList();
     }
     Calibration values = volume.image().getCalibration();
     double a = values.getRawValue(lower);
     double b = values.getRawValue(upper);
-    return List.of(VoxelRule.threshold(name, Math.min(a, b), Math.max(a, b)));
+    return List.of(VoxelRule.threshold(name, Math.min(a, b), Math.max(a, b), colour));
   }
 }

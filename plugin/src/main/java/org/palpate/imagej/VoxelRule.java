@@ -4,6 +4,7 @@ import ij.ImagePlus;
 import ij.process.ByteProcessor;
 import ij.process.ImageProcessor;
 import java.util.Locale;
+import org.palpate.io.LabelTable;
 
 /**
  * Which values of a stack belong to a segment. Values are raw, as ImageJ keeps them.
@@ -14,27 +15,27 @@ import java.util.Locale;
  * @param rgb colour for drawing, 0xRRGGBB
  */
 record VoxelRule(String name, double lower, double upper, int rgb) {
-  /**
-   * Colours that colour-blind people can tell apart. Source: M. Okabe and K. Ito, Color universal
-   * design, 2008.
-   */
-  private static final int[] PALETTE = {
-    0xE6C99F, 0x56B4E9, 0xE69F00, 0x009E73, 0xCC79A7, 0xF0E442, 0x0072B2, 0xD55E00
-  };
-
   private static final int LUT_SIZE = 256;
 
-  static VoxelRule threshold(String name, double lower, double upper) {
-    return new VoxelRule(name, lower, upper, PALETTE[0]);
+  static VoxelRule threshold(String name, double lower, double upper, SegmentColour colour) {
+    return new VoxelRule(name, lower, upper, colour.rgb());
   }
 
-  /** The segment of one value of a label image, in the colour in which a colour image shows it. */
-  static VoxelRule label(int value, ImagePlus image) {
+  /**
+   * The segment of one value of a label image: in the colour in which a colour image shows it, else
+   * in that of the table.
+   *
+   * @param table names and colours, as a file beside the image has them
+   */
+  static VoxelRule label(int value, ImagePlus image, LabelTable table) {
     ImageProcessor shown = image.getProcessor();
+    LabelTable.Label known = table.labels().get((long) value);
     boolean coloured = shown instanceof ByteProcessor && shown.isColorLut() && value < LUT_SIZE;
-    int rgb =
-        coloured ? shown.getColorModel().getRGB(value) & 0xFFFFFF : PALETTE[value % PALETTE.length];
-    return new VoxelRule(String.format(Locale.ROOT, "label %d", value), value, value, rgb);
+    int other = known == null ? SegmentColour.inTurn(value).rgb() : known.rgb();
+    int rgb = coloured ? shown.getColorModel().getRGB(value) & 0xFFFFFF : other;
+    boolean named = known != null && !known.name().isBlank();
+    String name = named ? known.name() : String.format(Locale.ROOT, "label %d", value);
+    return new VoxelRule(name, value, value, rgb);
   }
 
   /** The same with the thresholds that an image shows; itself where it shows none. */

@@ -7,15 +7,20 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import ij.ImagePlus;
 import ij.ImageStack;
+import ij.io.FileSaver;
+import ij.io.Opener;
 import ij.process.ByteProcessor;
 import ij.process.ColorProcessor;
 import ij.process.ImageProcessor;
 import ij.process.LUT;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReplayDevice;
 import org.palpate.device.Trajectory;
@@ -29,12 +34,14 @@ import org.palpate.host.SolverKind;
 import org.palpate.interaction.EditQueue;
 import org.palpate.interaction.FramePublisher;
 import org.palpate.interaction.HapticFrame;
+import org.palpate.io.LabelTable;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
 class StackTouchTest {
-  private static final VoxelRule BRIGHT = VoxelRule.threshold("bright", 100, 255);
+  private static final VoxelRule BRIGHT =
+      VoxelRule.threshold("bright", 100, 255, SegmentColour.BONE);
 
   @Test
   void aSegmentHoldsTheVoxelsBetweenItsThresholds() throws StackRefused {
@@ -97,7 +104,7 @@ class StackTouchTest {
     BitCube bits = segments.get(0).bits();
     HapticFrame frame = frame(scene);
     List<String> seen = new ArrayList<>();
-    try (StackWatcher watcher = watcher(volume, segments, edits, false, seen)) {
+    try (StackWatcher watcher = watcher(volume, scene, false, seen)) {
       assertEquals(0, watcher.carryOverWhenUpdated());
       paint(image, 3, 4, 5, 200);
       image.updateAndDraw();
@@ -127,9 +134,9 @@ class StackTouchTest {
     paint(image, 3, 4, 5, 50);
     paint(image, 4, 4, 5, 150);
     List<Segment> segments = segments(image);
-    EditQueue edits = scene(StackGeometry.of(image), segments).edits();
+    ContactScene scene = scene(StackGeometry.of(image), segments);
     StackVolume volume = StackVolume.shownIn(image);
-    try (StackWatcher watcher = watcher(volume, segments, edits, true, new ArrayList<>())) {
+    try (StackWatcher watcher = watcher(volume, scene, true, new ArrayList<>())) {
       assertEquals(1, watcher.mirrors().get(0).solidCount());
       image.getProcessor().setThreshold(40, 255, ImageProcessor.NO_LUT_UPDATE);
       watcher.imageUpdated(image);
@@ -142,9 +149,9 @@ class StackTouchTest {
   void aStackThatLosesASliceIsRefusedInWords() throws StackRefused {
     ImagePlus image = stack();
     List<Segment> segments = segments(image);
-    EditQueue edits = scene(StackGeometry.of(image), segments).edits();
+    ContactScene scene = scene(StackGeometry.of(image), segments);
     StackVolume volume = StackVolume.shownIn(image);
-    try (StackWatcher watcher = watcher(volume, segments, edits, false, new ArrayList<>())) {
+    try (StackWatcher watcher = watcher(volume, scene, false, new ArrayList<>())) {
       ImageStack slices = image.getStack();
       slices.deleteLastSlice();
       image.setStack(slices);
@@ -163,23 +170,18 @@ class StackTouchTest {
     byte[] none = new byte[256];
     image.setLut(new LUT(ramp, none, none));
     assertEquals(Set.of(3), StackSegments.labels(StackVolume.shownIn(image)));
-    assertEquals(40 << 16, VoxelRule.label(3, image).rgb());
+    assertEquals(40 << 16, VoxelRule.label(3, image, LabelTable.EMPTY).rgb());
   }
 
   private static StackWatcher watcher(
-      StackVolume volume,
-      List<Segment> segments,
-      EditQueue edits,
-      boolean followsThreshold,
-      List<String> seen)
+      StackVolume volume, ContactScene scene, boolean followsThreshold, List<String> seen)
       throws StackRefused {
     return new StackWatcher(
         volume,
         new StackPixels(volume),
         List.of(BRIGHT),
         followsThreshold,
-        segments,
-        edits,
+        scene,
         new StackWatcher.Listener() {
           @Override
           public void updated() {}
@@ -247,5 +249,19 @@ class StackTouchTest {
       slices.addSlice(new ByteProcessor(10, 8));
     }
     return new ImagePlus("stack", slices);
+  }
+
+  @Test
+  void labelsHaveTheNamesAndColoursOfTheTableBesideTheFile(@TempDir Path folder) throws Exception {
+    ImagePlus image = stack();
+    paint(image, 1, 1, 1, 7);
+    paint(image, 2, 1, 1, 9);
+    new FileSaver(image).saveAsTiffStack(folder.resolve("head.tif").toString());
+    Files.writeString(folder.resolve("head.ctbl"), "7 left_jaw 10 20 30 255\n");
+    ImagePlus opened = new Opener().openImage(folder.resolve("head.tif").toString());
+    LabelTable table = StackVolume.shownIn(opened).labelTable();
+    assertEquals(new VoxelRule("left jaw", 7, 7, 0x0A141E), VoxelRule.label(7, opened, table));
+    assertEquals("label 9", VoxelRule.label(9, opened, table).name());
+    assertEquals(LabelTable.EMPTY, StackVolume.shownIn(image).labelTable());
   }
 }
