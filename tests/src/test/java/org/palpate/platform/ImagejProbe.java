@@ -2,6 +2,7 @@ package org.palpate.platform;
 
 import static org.palpate.platform.ImagejProbeDialogs.awaitAny;
 import static org.palpate.platform.ImagejProbeDialogs.awaitDialog;
+import static org.palpate.platform.ImagejProbeDialogs.awaitRecorded;
 import static org.palpate.platform.ImagejProbeDialogs.byHand;
 import static org.palpate.platform.ImagejProbeDialogs.choose;
 import static org.palpate.platform.ImagejProbeDialogs.number;
@@ -13,6 +14,7 @@ import static org.palpate.platform.ImagejProbeWatch.awaitQuietThreads;
 import static org.palpate.platform.ImagejProbeWatch.palpateThreads;
 import static org.palpate.platform.ImagejProbeWatch.pause;
 import static org.palpate.platform.ImagejProbeWatch.threads;
+import static org.palpate.platform.ImagejProbeWatch.threadsMoreThan;
 import static org.palpate.platform.ImagejProbeWatch.usedAfterCollection;
 
 import ij.IJ;
@@ -36,6 +38,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import javax.imageio.ImageIO;
 
 /**
@@ -148,6 +152,7 @@ public final class ImagejProbe implements PlugIn {
 
   private void recordedSteps(Recorder recorder) {
     byHand("Touch Volume...", "Touch Volume", this::fillTouch);
+    awaitRecorded(recorder, "Touch Volume...", "segment=ball");
     await("force", () -> Long.parseLong(call("frames")) > 200);
     fact("segments", call("segments"));
     byHand(
@@ -157,16 +162,17 @@ public final class ImagejProbe implements PlugIn {
           text(dialog, 0, "tip A");
           text(dialog, 1, folder.toString());
         });
-    await("the landmark", () -> recorder.getText().contains("Landmarks..."));
+    awaitRecorded(recorder, "Landmarks...", "Landmarks...");
     byHand("Correct Segment...", "Correct Segment", dialog -> number(dialog, 0, "4"));
-    await("the correction", () -> recorder.getText().contains("action=add"));
+    awaitRecorded(recorder, "Correct Segment...", "action=add");
     await("its being felt", () -> !call("segments").equals(first("segments")));
     fact("corrected", call("segments"));
     byHand("Correct Segment...", "Correct Segment", dialog -> choose(dialog, "undo"));
-    await("the undoing", () -> recorder.getText().contains("action=undo"));
+    awaitRecorded(recorder, "Correct Segment...", "action=undo");
     await("its being felt", () -> call("segments").equals(first("segments")));
     IJ.doCommand("Stop Touching");
-    await("the end", () -> !isTouching() && recorder.getText().contains("Stop Touching"));
+    awaitRecorded(recorder, "Stop Touching", "Stop Touching");
+    await("the end", () -> !isTouching());
   }
 
   private void again(String line) {
@@ -208,14 +214,14 @@ public final class ImagejProbe implements PlugIn {
   private void recordReplayAndJitter() {
     Recorder recorder = new Recorder();
     byHand("Measure Jitter...", "Measure Jitter", dialog -> number(dialog, 0, "1"));
-    await("the jitter", () -> recorder.getText().contains("Measure Jitter..."));
+    awaitRecorded(recorder, "Measure Jitter...", "Measure Jitter...");
     String file = folder.resolve("short.csv").toString();
     byHand("Replay Trajectory...", "Replay Trajectory", dialog -> text(dialog, 0, file));
     GenericDialog second = awaitDialog("Replay Trajectory");
     number(second, 0, "100");
     number(second, 1, "255");
     press(second, "OK");
-    await("the replay", () -> recorder.getText().contains("Replay Trajectory..."));
+    awaitRecorded(recorder, "Replay Trajectory...", "Replay Trajectory...");
     String recorded = recorder.getText();
     recorder.close();
     Recorder.record = false;
@@ -310,19 +316,22 @@ public final class ImagejProbe implements PlugIn {
   private void cycles() {
     int count = Integer.getInteger("probe.cycles");
     int settled = 3;
+    Map<String, Long> early = new TreeMap<>();
     for (int n = 1; n <= count; n++) {
       ImagePlus ball = open("ball.tif");
       run("Touch Volume...", TOUCH_BALL + device("still.csv") + "time=0 view");
       await("the window", () -> redraws() > 0);
       run("Stop Touching", "");
       close(ball);
-      if (n == settled || n == count) {
-        String when = n == settled ? "early" : "late";
+      if (n == settled) {
         awaitQuietThreads();
-        fact("threads " + when, threads());
-        fact("heap " + when, usedAfterCollection());
+        early.putAll(threads());
+        fact("heap early", usedAfterCollection());
       }
     }
+    await("the threads that came later to end", () -> threadsMoreThan(early).isEmpty());
+    fact("heap late", usedAfterCollection());
+    fact("threads", threads());
     fact("palpate threads", palpateThreads());
   }
 

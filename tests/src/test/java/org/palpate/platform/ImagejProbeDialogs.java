@@ -1,11 +1,12 @@
 package org.palpate.platform;
 
 import static org.palpate.platform.ImagejProbeWatch.await;
-import static org.palpate.platform.ImagejProbeWatch.pause;
+import static org.palpate.platform.ImagejProbeWatch.isAlive;
 
 import ij.IJ;
 import ij.gui.GenericDialog;
 import ij.gui.MultiLineLabel;
+import ij.plugin.frame.Recorder;
 import java.awt.Button;
 import java.awt.Checkbox;
 import java.awt.Choice;
@@ -20,6 +21,7 @@ import java.awt.event.ActionEvent;
 import java.awt.event.ActionListener;
 import java.lang.reflect.Field;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import javax.swing.JLabel;
 
@@ -37,7 +39,15 @@ final class ImagejProbeDialogs {
     filling.fill(dialog);
     press(dialog, "OK");
     await("the dialog to close", () -> !dialog.isShowing());
-    pause(200);
+  }
+
+  /**
+   * Waits until the recorder has written a command down and has let go of it: it writes the line
+   * first and forgets the command then, and would forget the next one in its place.
+   */
+  static void awaitRecorded(Recorder recorder, String command, String text) {
+    await(
+        command + " in the recorder", () -> recorder.getText().contains(text) && !isAlive(command));
   }
 
   static void text(GenericDialog dialog, int field, String value) {
@@ -57,9 +67,26 @@ final class ImagejProbeDialogs {
   }
 
   static Dialog awaitAny(String title) {
-    await("the dialog " + title, () -> shown(title) != null);
-    pause(200);
+    await("the dialog " + title, () -> shown(title) != null && isModal());
     return shown(title);
+  }
+
+  /**
+   * Whether a thread waits for a dialog's end. A dialog that is closed before that, when it is
+   * hardly on the screen, leaves its thread waiting for ever.
+   */
+  private static boolean isModal() {
+    return Thread.getAllStackTraces().values().stream()
+        .anyMatch(
+            frames ->
+                isIn(frames, "java.awt.Dialog", "show")
+                    && isIn(frames, "java.awt.WaitDispatchSupport", "enter"));
+  }
+
+  private static boolean isIn(StackTraceElement[] frames, String type, String method) {
+    return Arrays.stream(frames)
+        .anyMatch(
+            frame -> frame.getClassName().equals(type) && frame.getMethodName().equals(method));
   }
 
   private static Dialog shown(String title) {

@@ -4,7 +4,8 @@ import ij.IJ;
 import java.awt.Dialog;
 import java.awt.Window;
 import java.util.List;
-import java.util.TreeSet;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 
@@ -39,18 +40,29 @@ final class ImagejProbeWatch {
     await("Palpate's threads to end", () -> palpateThreads().isEmpty());
   }
 
-  /** How many threads there are by name, without those that ImageJ begins for a macro. */
-  static String threads() {
-    return new TreeSet<>(
-            threadNames().stream()
-                .filter(name -> !name.startsWith("Run$_") && !name.contains("Macro"))
-                .map(name -> name.replaceAll("[0-9]+", "N"))
-                .collect(Collectors.groupingBy(name -> name, Collectors.counting()))
-                .entrySet()
-                .stream()
-                .map(Object::toString)
-                .toList())
-        .toString();
+  /** Whether a thread of that name lives; ImageJ names one after the command that it runs. */
+  static boolean isAlive(String name) {
+    return threadNames().contains(name);
+  }
+
+  /**
+   * How many threads there are by name, without those that ImageJ begins for a macro, and without
+   * the one that the JDK keeps for a minute after a process has ended, which JogAmp starts once.
+   */
+  static Map<String, Long> threads() {
+    return threadNames().stream()
+        .filter(name -> !name.startsWith("Run$_") && !name.contains("Macro"))
+        .filter(name -> !name.equals("process reaper"))
+        .map(name -> name.replaceAll("[0-9]+", "N"))
+        .collect(Collectors.groupingBy(name -> name, TreeMap::new, Collectors.counting()));
+  }
+
+  /** The names of which there are more threads than before. */
+  static List<String> threadsMoreThan(Map<String, Long> before) {
+    return threads().entrySet().stream()
+        .filter(entry -> entry.getValue() > before.getOrDefault(entry.getKey(), 0L))
+        .map(Object::toString)
+        .toList();
   }
 
   private static List<String> threadNames() {
