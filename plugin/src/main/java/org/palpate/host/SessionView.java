@@ -7,6 +7,7 @@ import org.palpate.device.WorkspaceDevice;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.interaction.LoopStatus;
+import org.palpate.scene.NamedPlace;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.StandardView;
@@ -174,6 +175,11 @@ public final class SessionView implements AutoCloseable {
     if (meshes != null) {
       meshes.edited(segment, voxels);
     }
+  }
+
+  /** Shows landmarks, all that there are; places in the world. Any thread. */
+  public void showLandmarks(List<NamedPlace> world) {
+    model.setLandmarks(world);
   }
 
   /** Where the interaction point was at the last tick, grid coordinates; NaN before. Any thread. */

@@ -10,9 +10,11 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.Landmark;
 import org.palpate.io.LandmarkFiles;
+import org.palpate.scene.NamedPlace;
 
 /**
  * The landmarks of a session: rows of a table of ImageJ in calibrated units, marks in the stack's
@@ -21,16 +23,23 @@ import org.palpate.io.LandmarkFiles;
 final class LandmarkTable {
   static final String TITLE = "Palpate Landmarks";
 
-  private static final Color MARK = new Color(0xE69F00);
+  private static final Color MARK = new Color(0xCC79A7);
   private static final int TEXT_OFFSET_PIXELS = 2;
 
   private final ImagePlus image;
   private final StackGeometry geometry;
+  private final Consumer<List<NamedPlace>> view;
   private final List<Landmark> landmarks = new ArrayList<>();
 
-  LandmarkTable(ImagePlus image, StackGeometry geometry) {
+  /**
+   * An empty one.
+   *
+   * @param view hears of all landmarks, places in the world, whenever there are more
+   */
+  LandmarkTable(ImagePlus image, StackGeometry geometry, Consumer<List<NamedPlace>> view) {
     this.image = image;
     this.geometry = geometry;
+    this.view = view;
   }
 
   /** A name for the next one: L1, L2 and so on. */
@@ -43,6 +52,8 @@ final class LandmarkTable {
     landmarks.add(new Landmark(name, geometry.grid().gridToWorld(grid, new Vec3())));
     addRow(name, geometry.gridToCalibrated(grid, new Vec3()));
     mark(name, grid);
+    view.accept(
+        landmarks.stream().map(mark -> new NamedPlace(mark.name(), mark.worldMm())).toList());
   }
 
   private void addRow(String name, Vec3 at) {

@@ -86,10 +86,12 @@ final class StackSession implements AutoCloseable {
         new TouchSession(
             scene, device.device(), device.defaultNewtonPerMm(), loop, recorder, end -> {});
     watcher = new StackWatcher(volume, pixels, rules, options.followsThreshold(), scene, changes());
-    landmarks = new LandmarkTable(volume.image(), geometry);
     strokes = new StrokeHistory(volume, geometry.grid().spacingMm());
     view =
         options.view() && Graphics.hasDisplay() ? Optional.of(newView(device)) : Optional.empty();
+    landmarks =
+        new LandmarkTable(
+            volume.image(), geometry, all -> view.ifPresent(shown -> shown.showLandmarks(all)));
   }
 
   private SessionView newView(StackDevice device) {

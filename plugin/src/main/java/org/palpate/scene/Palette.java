@@ -10,6 +10,7 @@ public final class Palette {
   public static final int POINT = 0xe69f00;
   public static final int FORCE = 0xd55e00;
   public static final int TRAIL = 0xf0e442;
+  public static final int LANDMARK = 0xcc79a7;
   public static final int SPRING = 0x9fb4c8;
 
   private static final int[] SEGMENTS = {

@@ -27,6 +27,7 @@ public final class SceneModel {
   private Optional<TouchMarks> marks = Optional.empty();
   private List<String> overlay = List.of();
   private List<String> help = List.of();
+  private List<NamedPlace> landmarks = List.of();
   private Look look;
   private long stillRevision;
   private boolean moving;
@@ -166,6 +167,20 @@ public final class SceneModel {
         false);
   }
 
+  /** Shows landmarks, all that there are; places in the world. */
+  public void setLandmarks(List<NamedPlace> world) {
+    List<NamedPlace> shown =
+        world.stream()
+            .map(mark -> new NamedPlace(mark.name(), axes.swap(mark.place(), new Vec3())))
+            .toList();
+    change(
+        () -> {
+          landmarks = shown;
+          return true;
+        },
+        false);
+  }
+
   /** Writes the lines in the corner. */
   public void setOverlay(List<String> lines) {
     change(
@@ -206,7 +221,8 @@ public final class SceneModel {
         radiusMm,
         look,
         stillRevision,
-        moving);
+        moving,
+        landmarks);
   }
 
   private interface Change {

@@ -18,6 +18,7 @@ import org.palpate.geometry.Vec3;
  * @param look theme, axes, stereo, slices
  * @param stillRevision changes with everything but marks and text
  * @param moving whether the camera is being moved, so that speed counts more than detail
+ * @param landmarks in the scene frame
  */
 public record SceneState(
     List<DrawnObject> objects,
@@ -29,13 +30,15 @@ public record SceneState(
     double radiusMm,
     Look look,
     long stillRevision,
-    boolean moving) {
+    boolean moving,
+    List<NamedPlace> landmarks) {
 
   /** Copies the lists. */
   public SceneState {
     objects = List.copyOf(objects);
     overlay = List.copyOf(overlay);
     help = List.copyOf(help);
+    landmarks = List.copyOf(landmarks);
   }
 
   /**

@@ -5,6 +5,8 @@ import com.jogamp.opengl.GL3;
 import java.util.List;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Camera;
+import org.palpate.scene.Matrix4;
+import org.palpate.scene.NamedPlace;
 import org.palpate.scene.SceneState;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
@@ -31,11 +33,13 @@ final class OverlayPainter {
   /**
    * Draws all text.
    *
+   * @param toPicture from the scene to the picture, -1 to 1 each way
    * @param scale pixels of the picture for one of the text
    */
-  void draw(GL3 gl, SceneState state, int width, int height, double scale) {
+  void draw(GL3 gl, SceneState state, Matrix4 toPicture, int width, int height, double scale) {
     prepareAtlas(gl, (int) Math.round(TEXT_PIXELS * scale));
     batch.clear();
+    names(state, toPicture, width, height, scale);
     lines(state.overlay(), state.look().theme(), 14 * scale, 12 * scale, scale);
     if (state.look().axes().hasLetters()) {
       triad(state.camera(), state.look().theme(), 58 * scale, height - 58 * scale, scale);
@@ -60,6 +64,22 @@ final class OverlayPainter {
       batch.colour(theme.text(), 0.92);
       atlas.add(batch, line, x, at);
       at += atlas.lineHeight() + 2 * scale;
+    }
+  }
+
+  /** The name of each landmark beside it. */
+  private void names(SceneState state, Matrix4 toPicture, int width, int height, double scale) {
+    Vec3 at = new Vec3();
+    for (NamedPlace mark : state.landmarks()) {
+      if (toPicture.project(mark.place(), at) > 0) {
+        double x = (1 + at.x) / 2 * width + 10 * scale;
+        double y = (1 - at.y) / 2 * height - atlas.lineHeight() / 2.0;
+        batch.colour(state.look().theme().below(), 0.7);
+        batch.panel(
+            x - 3 * scale, y, x + atlas.width(mark.name()) + 3 * scale, y + atlas.lineHeight());
+        batch.colour(state.look().theme().text(), 1);
+        atlas.add(batch, mark.name(), x, y);
+      }
     }
   }
 

@@ -27,6 +27,7 @@ public final class SceneRenderer {
   private GlProgram present;
   private ObjectPainter objects;
   private MarkPainter marks;
+  private LandmarkPainter landmarks;
   private OverlayPainter overlay;
   private SlicePainter slices;
   private int[] emptyArray;
@@ -38,6 +39,7 @@ public final class SceneRenderer {
     present = new GlProgram(gl, Shaders.SCREEN_VERTEX, Shaders.PRESENT_FRAGMENT);
     objects = new ObjectPainter(gl);
     marks = new MarkPainter(gl);
+    landmarks = new LandmarkPainter(gl);
     overlay = new OverlayPainter(gl);
     slices = new SlicePainter(gl);
     emptyArray = new int[1];
@@ -99,8 +101,9 @@ public final class SceneRenderer {
     composed.resize(gl, width, height);
     composed.copyFrom(gl, target);
     composed.bind(gl);
+    landmarks.draw(gl, state, toEye, projection);
     state.marks().ifPresent(shown -> marks.draw(gl, state, shown, toEye, projection));
-    overlay.draw(gl, state, width, height, scale);
+    overlay.draw(gl, state, projection.times(toEye), width, height, scale);
   }
 
   private void drawStill(
@@ -178,6 +181,7 @@ public final class SceneRenderer {
     present.dispose(gl);
     objects.dispose(gl);
     marks.dispose(gl);
+    landmarks.dispose(gl);
     overlay.dispose(gl);
     slices.dispose(gl);
     composed.dispose(gl);

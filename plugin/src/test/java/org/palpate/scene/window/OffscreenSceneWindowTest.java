@@ -13,6 +13,7 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.GreySlices;
+import org.palpate.scene.NamedPlace;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.SlicePlanes;
@@ -140,6 +141,24 @@ class OffscreenSceneWindowTest {
     model.setMarks(Optional.of(marksAt(new Vec3(12, -2, 12))));
     int rgb = scene.draw(model.state()).rgb(WIDTH / 2, HEIGHT / 2);
     assertTrue(((rgb >> 16) & 255) > 2 * (rgb & 255), "orange: " + Integer.toHexString(rgb));
+  }
+
+  @Test
+  void aLandmarkIsSeenWhereItIsWithItsNameBesideIt() throws Exception {
+    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    model.look(StandardView.FRONT, 4.0 / 3);
+    Picture without = scene.draw(model.state());
+    model.setLandmarks(List.of(new NamedPlace("tip", new Vec3(12, -2, 12))));
+    Picture with = scene.draw(model.state());
+    int rgb = with.rgb(WIDTH / 2, HEIGHT / 2);
+    int green = (rgb >> 8) & 255;
+    assertTrue((rgb & 255) > green && ((rgb >> 16) & 255) > green, Integer.toHexString(rgb));
+    int right = WIDTH / 2 + 8;
+    int low = HEIGHT / 2 + 12;
+    assertTrue(differing(with, without, right, HEIGHT / 2 - 12, right + 40, low) > 30, "a name");
+    assertEquals(0, differing(with, without, 0, 0, WIDTH / 2 - 12, HEIGHT));
+    model.setLandmarks(List.of());
+    assertEquals(0, differing(scene.draw(model.state()), without, 0, 0, WIDTH, HEIGHT));
   }
 
   @Test
