@@ -17,7 +17,7 @@ import org.palpate.proxy.Metric;
  * allocates nothing.
  */
 final class ConeFriction {
-  /** The cone of sliding, as a share of that of sticking. */
+  /** The cone of sliding, as a share of that of sticking, where only one is given. */
   static final double SLIDING_SHARE = 0.75;
 
   /** Below this share of an edge a frame, a sliding point stops and sticks. */
@@ -43,14 +43,14 @@ final class ConeFriction {
   }
 
   /** Adds friction to the coupling force in {@code force}; lets go where nothing presses. */
-  void add(InteractionPoint point, Vec3 device, ForceSettings settings, Vec3 force) {
+  void add(InteractionPoint point, Vec3 device, MaterialBlend felt, Vec3 force) {
     double pressing = force.length();
-    if (!(pressing > 0) || settings.friction() == 0 || !point.contact) {
+    if (!(pressing > 0) || felt.stickingFriction() == 0 || !point.contact) {
       anchored = false;
     } else if (!anchored) {
       stickAt(point.position);
     } else {
-      addPull(point.position, device, settings, pressing, force);
+      addPull(point.position, device, felt, pressing, force);
     }
     lastDevice.set(device);
     lastPoint.set(point.position);
@@ -63,14 +63,14 @@ final class ConeFriction {
   }
 
   private void addPull(
-      Vec3 position, Vec3 device, ForceSettings settings, double pressing, Vec3 force) {
+      Vec3 position, Vec3 device, MaterialBlend felt, double pressing, Vec3 force) {
     toMm(position, anchor, pull);
     takeOffAlong(force, pressing, pull);
-    pull.mul(settings.stiffnessNewtonPerMm(), pull);
-    stayInCone(position, settings.friction() * pressing);
+    pull.mul(felt.stiffnessNewtonPerMm(), pull);
+    stayInCone(position, felt, pressing);
     letGoOfPush(device);
     force.add(pull, force);
-    followAnchor(position, settings.stiffnessNewtonPerMm());
+    followAnchor(position, felt.stiffnessNewtonPerMm());
   }
 
   /** Keeps of {@code vector} what is at right angles to the pressing force. */
@@ -79,12 +79,13 @@ final class ConeFriction {
     vector.set(vector.x - share * force.x, vector.y - share * force.y, vector.z - share * force.z);
   }
 
-  private void stayInCone(Vec3 position, double stickingNewton) {
+  private void stayInCone(Vec3 position, MaterialBlend felt, double pressing) {
     double newton = pull.length();
+    double stickingNewton = felt.stickingFriction() * pressing;
     double movedMm =
         metric.distance(lastPoint.x, lastPoint.y, lastPoint.z, position.x, position.y, position.z);
     sliding = newton > stickingNewton || (sliding && movedMm > stopMm);
-    double most = sliding ? SLIDING_SHARE * stickingNewton : stickingNewton;
+    double most = sliding ? felt.slidingFriction() * pressing : stickingNewton;
     if (newton > most) {
       pull.mul(most / newton, pull);
     }

@@ -9,7 +9,8 @@ import org.palpate.proxy.Metric;
  * Force on the hand: the virtual coupling k(p-d) that pulls it back to the interaction point, less
  * the height at which the solver's surface runs, and dry friction against the way that the point
  * slid. Where the solver asks for it the coupling hands over without a jump, see {@link
- * ForceHandOver}.
+ * ForceHandOver}. Stiffness, friction and damping are those of the object that is touched, see
+ * {@link MaterialBlend}.
  *
  * <p>Source: Vlasov et al. 2013, section 5.1, equations (3) and (4). Zero where undefined. Haptic
  * thread; allocates nothing.
@@ -20,6 +21,11 @@ public final class ContactForce {
   private final Vec3 slide = new Vec3();
   private final ForceHandOver handOver;
   private final ConeFriction cone;
+  private final MaterialBlend felt;
+  private final ContactDamping damping;
+  private final Vec3 lastDevice = new Vec3();
+  private final Vec3 outward = new Vec3();
+  private boolean pressed;
   private double slideLengthMm;
   private long frictionSkipped;
 
@@ -29,6 +35,9 @@ public final class ContactForce {
     this.settings = settings;
     handOver = new ForceHandOver(metric);
     cone = new ConeFriction(metric);
+    damping = new ContactDamping(metric);
+    double shortestMm = Math.min(metric.spacingX(), Math.min(metric.spacingY(), metric.spacingZ()));
+    felt = new MaterialBlend(shortestMm, settings.general());
   }
 
   public ForceSettings settings() {
@@ -36,8 +45,12 @@ public final class ContactForce {
   }
 
   /** Changes what the surface feels like from the next frame on. */
+  @SuppressWarnings("ReferenceEquality") // asked every frame, and nearly always the same object
   public void change(ForceSettings newSettings) {
-    settings = newSettings;
+    if (settings != newSettings) {
+      settings = newSettings;
+      pressed = false;
+    }
   }
 
   /** Frames in which friction was left out because it is nothing. */
@@ -46,22 +59,70 @@ public final class ContactForce {
   }
 
   /**
-   * Computes the force of a frame, not limited.
+   * Computes the force of a frame in which no time passed: one without damping.
    *
    * @param point where the solver left it, with the legs of this frame
    * @param device d, grid coordinates
    * @param forceNewton the result, newtons along the grid's axes
    */
   public void compute(InteractionPoint point, Vec3 device, Vec3 forceNewton) {
-    couple(point, device, forceNewton);
+    compute(point, device, 0, forceNewton);
+  }
+
+  /**
+   * Computes the force of a frame, not limited.
+   *
+   * @param point where the solver left it, with the legs of this frame and what it touches
+   * @param device d, grid coordinates
+   * @param elapsedNanos since the last frame that was computed
+   * @param forceNewton the result, newtons along the grid's axes
+   */
+  public void compute(InteractionPoint point, Vec3 device, long elapsedNanos, Vec3 forceNewton) {
+    stretch(point, device, forceNewton);
+    feel(point, device, forceNewton.length());
+    forceNewton.mul(felt.stiffnessNewtonPerMm(), forceNewton);
     handOver(point, device, forceNewton);
+    boolean damps = settings.damps();
+    double dampingNewton = damps ? damp(device, elapsedNanos, forceNewton) : 0;
     if (settings.form() == FrictionForm.CONE) {
-      cone.add(point, device, settings, forceNewton);
+      cone.add(point, device, felt, forceNewton);
     } else if (settings.skipsFriction() && isFrictionless(point.legs)) {
       frictionSkipped++;
     } else {
       addFriction(point.legs, forceNewton);
     }
+    if (damps) {
+      outward.mul(dampingNewton, outward);
+      forceNewton.add(outward, forceNewton);
+    }
+  }
+
+  /** Chooses the material: at once where contact begins or all feel alike, else bit by bit. */
+  private void feel(InteractionPoint point, Vec3 device, double stretchMm) {
+    if (!settings.tellsObjectsApart()) {
+      felt.set(settings.general());
+    } else if (point.touched != InteractionPoint.NOTHING) {
+      Material material = settings.material(point.touched);
+      if (pressed) {
+        felt.approach(material, stretchMm, motionMm(device));
+      } else {
+        felt.set(material);
+      }
+    }
+    pressed = stretchMm > 0 && point.contact;
+    lastDevice.set(device);
+  }
+
+  private double motionMm(Vec3 device) {
+    return metric.distance(lastDevice.x, lastDevice.y, lastDevice.z, device.x, device.y, device.z);
+  }
+
+  /** Writes {@link #outward}, the direction of the coupling force; returns damping along it, N. */
+  private double damp(Vec3 device, long elapsedNanos, Vec3 coupling) {
+    damping.observe(device, elapsedNanos);
+    double length = coupling.length();
+    coupling.mul(length > 0 ? 1 / length : 0, outward);
+    return damping.newton(coupling, felt.dampingNewtonSecondPerMm());
   }
 
   /** How often the coupling force was held back because the point jumped. */
@@ -71,28 +132,27 @@ public final class ContactForce {
 
   private void handOver(InteractionPoint point, Vec3 device, Vec3 force) {
     if (point.handsOver) {
-      handOver.limit(force, device, settings.stiffnessNewtonPerMm());
+      handOver.limit(force, device, felt.stiffnessNewtonPerMm());
     } else {
       handOver.forget();
     }
   }
 
-  private void couple(InteractionPoint point, Vec3 device, Vec3 force) {
+  /** Writes the stretch of the coupling, mm. */
+  private void stretch(InteractionPoint point, Vec3 device, Vec3 force) {
     force.set(
         (point.position.x - device.x) * metric.spacingX(),
         (point.position.y - device.y) * metric.spacingY(),
         (point.position.z - device.z) * metric.spacingZ());
     double heightMm = point.surfaceHeightMm;
-    double share = 1;
     if (heightMm > 0) {
       double length = force.length();
-      share = length > heightMm ? (length - heightMm) / length : 0;
+      force.mul(length > heightMm ? (length - heightMm) / length : 0, force);
     }
-    force.mul(settings.stiffnessNewtonPerMm() * share, force);
   }
 
   private boolean isFrictionless(LegPath legs) {
-    return settings.friction() == 0 || !anySlid(legs);
+    return felt.slidingFriction() == 0 || !anySlid(legs);
   }
 
   private static boolean anySlid(LegPath legs) {
@@ -112,7 +172,7 @@ public final class ContactForce {
     }
     slide.set(slide.x / length, slide.y / length, slide.z / length);
     double newton =
-        settings.friction() * pressing(force, slide) * (slideLengthMm / legs.lengthMm());
+        felt.slidingFriction() * pressing(force, slide) * (slideLengthMm / legs.lengthMm());
     force.set(force.x - newton * slide.x, force.y - newton * slide.y, force.z - newton * slide.z);
   }
 

@@ -1,26 +1,33 @@
 package org.palpate.force;
 
+import java.util.List;
+
 /**
- * What a surface feels like.
+ * What surfaces feel like.
  *
- * @param stiffnessNewtonPerMm k, N per mm of scan, at least 0 and finite
- * @param friction mu, at least 0 and finite
+ * @param general the material of objects that have none of their own
  * @param form how friction is computed
  * @param skipsFriction whether friction is left out where mu is 0 or nothing slid; the force is the
  *     same either way
+ * @param materials of the objects, in the order of the obstacles; empty where all feel alike
  */
 public record ForceSettings(
-    double stiffnessNewtonPerMm, double friction, FrictionForm form, boolean skipsFriction) {
+    Material general, FrictionForm form, boolean skipsFriction, List<Material> materials) {
 
   /** Stiffness for a device that has no maximum of its own, N/mm. */
   public static final double DEFAULT_STIFFNESS_NEWTON_PER_MM = 0.5;
 
   public static final double DEFAULT_FRICTION = 0.2;
 
-  /** Checks the ranges. */
+  /** Keeps a copy of the list. */
   public ForceSettings {
-    checkRange("stiffnessNewtonPerMm", stiffnessNewtonPerMm);
-    checkRange("friction", friction);
+    materials = List.copyOf(materials);
+  }
+
+  /** One material for all, without damping. */
+  public ForceSettings(
+      double stiffnessNewtonPerMm, double friction, FrictionForm form, boolean skipsFriction) {
+    this(Material.of(stiffnessNewtonPerMm, friction, form), form, skipsFriction, List.of());
   }
 
   /** By equation (4), with friction skipped where it is nothing. */
@@ -28,10 +35,50 @@ public record ForceSettings(
     return new ForceSettings(stiffnessNewtonPerMm, friction, FrictionForm.EQUATION_4, true);
   }
 
-  private static void checkRange(String name, double value) {
-    if (!(value >= 0) || Double.isInfinite(value)) {
-      throw new IllegalArgumentException(
-          name + " must be at least 0 and finite: " + name + "=" + value);
+  /** k of objects without a material of their own, N/mm. */
+  public double stiffnessNewtonPerMm() {
+    return general.stiffnessNewtonPerMm();
+  }
+
+  /** mu of objects without a material of their own. */
+  public double friction() {
+    return general.stickingFriction();
+  }
+
+  /** The largest stiffness of any object, N/mm. */
+  public double stiffestNewtonPerMm() {
+    double stiffest = stiffnessNewtonPerMm();
+    for (Material material : materials) {
+      stiffest = Math.max(stiffest, material.stiffnessNewtonPerMm());
     }
+    return stiffest;
+  }
+
+  /** Whether objects differ, so that one has to know which is touched. */
+  public boolean tellsObjectsApart() {
+    return !materials.isEmpty();
+  }
+
+  /** The material of an object; the general one where it is not known or has none. */
+  public Material material(int object) {
+    return object >= 0 && object < materials.size() ? materials.get(object) : general;
+  }
+
+  /** Whether anything is damped. */
+  public boolean damps() {
+    boolean damps = general.dampingNewtonSecondPerMm() > 0;
+    for (int object = 0; object < materials.size(); object++) {
+      damps |= materials.get(object).dampingNewtonSecondPerMm() > 0;
+    }
+    return damps;
+  }
+
+  /** The same objects, all stiffer by a factor and rougher by a summand. */
+  public ForceSettings retuned(double stiffnessFactor, double moreFriction) {
+    return new ForceSettings(
+        general.retuned(stiffnessFactor, moreFriction),
+        form,
+        skipsFriction,
+        materials.stream().map(each -> each.retuned(stiffnessFactor, moreFriction)).toList());
   }
 }

@@ -10,5 +10,10 @@ public enum FrictionForm {
    */
   SHORTER,
   /** Static and sliding friction with a cone each; see {@link ConeFriction}. */
-  CONE
+  CONE;
+
+  /** Sliding friction over that at rest, where only one is given. */
+  public double slidingShare() {
+    return this == CONE ? ConeFriction.SLIDING_SHARE : 1;
+  }
 }

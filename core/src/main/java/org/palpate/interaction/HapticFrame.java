@@ -13,6 +13,7 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.TouchedObject;
 
 /**
  * One haptic frame, a plain method without a thread or a clock of its own: read the device, let
@@ -45,6 +46,7 @@ public final class HapticFrame {
   private final ForceRamp ramp;
   private final Watchdog watchdog;
   private final FrameTally tally = new FrameTally();
+  private final TouchedObject touched = new TouchedObject();
 
   private final DeviceState sample = new DeviceState();
   private final Vec3 deviceGrid = new Vec3();
@@ -56,6 +58,7 @@ public final class HapticFrame {
   private boolean followed;
   private boolean begun;
   private long lastNanos;
+  private long sinceForceNanos;
   private long unreachableNanos;
 
   private volatile ForceSettings requestedForce;
@@ -106,6 +109,7 @@ public final class HapticFrame {
       return FrameOutcome.DEVICE_GONE;
     }
     ramp.advance(elapsedNanos);
+    sinceForceNanos += Math.max(0, elapsedNanos);
     freed = false;
     takeRequests();
     editSolids();
@@ -161,7 +165,11 @@ public final class HapticFrame {
       place();
     }
     solver.follow(obstacles, deviceGrid, point);
-    contactForce.compute(point, deviceGrid, forceNewton);
+    if (contactForce.settings().tellsObjectsApart()) {
+      touched.find(obstacles, deviceGrid, point);
+    }
+    contactForce.compute(point, deviceGrid, sinceForceNanos, forceNewton);
+    sinceForceNanos = 0;
     forceNewton.mul(ramp.factor(), forceNewton);
     limiter.clamp(forceNewton, elapsedNanos);
   }

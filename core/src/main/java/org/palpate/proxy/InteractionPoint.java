@@ -7,6 +7,9 @@ import org.palpate.geometry.Vec3;
  * haptic thread.
  */
 public final class InteractionPoint {
+  /** Value of {@link #touched} where no object is known to hold the point. */
+  public static final int NOTHING = -1;
+
   /** Where it is, grid coordinates. */
   public final Vec3 position = new Vec3();
 
@@ -29,4 +32,10 @@ public final class InteractionPoint {
    * point is no knock. False for solvers whose force is their jump.
    */
   public boolean handsOver;
+
+  /**
+   * The object that stops the point on its straight way to the device, by its place among the
+   * obstacles, or {@link #NOTHING}; written by who wants to know, see {@link TouchedObject}.
+   */
+  public int touched = NOTHING;
 }

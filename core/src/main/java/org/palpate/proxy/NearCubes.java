@@ -62,6 +62,11 @@ final class NearCubes {
     return near[number];
   }
 
+  /** The place of one of the near cubes among all. */
+  int place(int number) {
+    return numbers[number];
+  }
+
   /** How often a question left what was known. */
   long searches() {
     return searches;

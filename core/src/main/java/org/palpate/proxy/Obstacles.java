@@ -75,6 +75,25 @@ public final class Obstacles {
     return false;
   }
 
+  /** The first object in which voxel (i,j,k) is solid, by its place; -1 where it is in none. */
+  public int objectAt(int i, int j, int k) {
+    if (nearCubes != null) {
+      int count = nearCubes.find(i, j, k, i, j, k);
+      for (int n = 0; n < count; n++) {
+        if (nearCubes.cube(n).get(i, j, k)) {
+          return nearCubes.place(n);
+        }
+      }
+      return -1;
+    }
+    for (int n = 0; n < cubes.length; n++) {
+      if (cubes[n].get(i, j, k)) {
+        return n;
+      }
+    }
+    return -1;
+  }
+
   /**
    * Whether the point touches a closed solid voxel: one that it lies in, on a face, an edge or a
    * corner of. Exact.

@@ -15,7 +15,8 @@ class ConeFrictionTest {
   private static final Metric UNIT = new Metric(1, 1, 1);
   private static final double MU = 0.4;
   private static final double PRESSING = 3;
-  private static final ForceSettings SETTINGS = new ForceSettings(1, MU, FrictionForm.CONE, true);
+  private static final MaterialBlend FELT =
+      new MaterialBlend(1, Material.of(1, MU, FrictionForm.CONE));
 
   private final ConeFriction cone = new ConeFriction(UNIT);
   private final InteractionPoint point = new InteractionPoint();
@@ -60,7 +61,7 @@ class ConeFrictionTest {
     press(0.5);
     point.contact = false;
     force.set(0, 0, 0);
-    cone.add(point, device, SETTINGS, force);
+    cone.add(point, device, FELT, force);
     assertEquals(0, force.length());
     press(0.5);
     assertEquals(0, force.x);
@@ -90,6 +91,6 @@ class ConeFrictionTest {
     device.set(x, y, -PRESSING);
     point.contact = true;
     force.set(0, 0, PRESSING);
-    cone.add(point, device, SETTINGS, force);
+    cone.add(point, device, FELT, force);
   }
 }

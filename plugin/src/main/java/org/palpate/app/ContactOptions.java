@@ -1,11 +1,14 @@
 package org.palpate.app;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.force.FrictionForm;
 import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
+import org.palpate.host.MaterialChoice;
 import org.palpate.host.SolverKind;
 import org.palpate.io.VolumeFormatException;
 import org.palpate.proxy.smooth.GreySurface;
@@ -58,6 +61,17 @@ public final class ContactOptions {
   private String frictionForm;
 
   @Option(
+      names = "--material",
+      paramLabel = "NAME=WHAT",
+      description = {
+        "What a segment feels like where it differs from the rest; may be given again. WHAT is any",
+        "of stiffness:N/MM, friction:MU, sliding:MU and damping:N*S/MM with commas between, as in",
+        "--material bone=stiffness:0.8,friction:0.3 --material skin=stiffness:0.2,damping:0.002.",
+        "Where segments share a voxel the first of them is felt."
+      })
+  private Map<String, String> materials = new LinkedHashMap<>();
+
+  @Option(
       names = "--smooth-from",
       paramLabel = "WHAT",
       description = {
@@ -98,7 +112,27 @@ public final class ContactOptions {
         friction(),
         maxStepMm(),
         maxForceNewton(),
-        frictionForm());
+        frictionForm(),
+        materials());
+  }
+
+  private Map<String, MaterialChoice> materials() {
+    Map<String, MaterialChoice> choices = new LinkedHashMap<>();
+    materials.forEach(
+        (name, text) ->
+            choices.put(
+                name,
+                MaterialChoice.parse(text)
+                    .orElseThrow(
+                        () ->
+                            PalpateException.wrongUse(
+                                "not a material",
+                                "--material " + name + "=" + text,
+                                "write it as in "
+                                    + name
+                                    + "=stiffness:0.8,friction:0.3,damping:0"
+                                    + ", numbers from 0 up, sliding at most friction"))));
+    return choices;
   }
 
   private FrictionForm frictionForm() {
@@ -121,7 +155,17 @@ public final class ContactOptions {
    * @throws VolumeFormatException where its grey values are needed and cannot be read
    */
   ContactScene scene(VolumeSource source, SegmentedVolume segments) throws VolumeFormatException {
+    for (String name : materials.keySet()) {
+      checkNamed(segments, name);
+    }
     return new ContactScene(segments, settings(), grey(source));
+  }
+
+  private static void checkNamed(SegmentedVolume segments, String name) {
+    if (segments.segments().stream().noneMatch(segment -> segment.name().equals(name))) {
+      throw PalpateException.wrongUse(
+          "there is no such segment", "--material " + name, "see palpate info");
+    }
   }
 
   private Optional<GreySurface> grey(VolumeSource source) throws VolumeFormatException {

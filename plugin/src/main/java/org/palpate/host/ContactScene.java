@@ -1,11 +1,14 @@
 package org.palpate.host;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.FrictionForm;
+import org.palpate.force.Material;
 import org.palpate.geometry.Vec3;
 import org.palpate.interaction.EditQueue;
 import org.palpate.interaction.FramePublisher;
@@ -149,13 +152,26 @@ public final class ContactScene {
   }
 
   /**
-   * Stiffness and friction.
+   * Stiffness, friction and damping of each segment.
    *
    * @param defaultNewtonPerMm stiffness where the settings give none
    */
   public ForceSettings force(double defaultNewtonPerMm) {
     double newtonPerMm = settings.stiffnessNewtonPerMm().orElse(defaultNewtonPerMm);
-    return new ForceSettings(newtonPerMm, settings.friction(), settings.frictionForm(), true);
+    FrictionForm form = settings.frictionForm();
+    Material general = Material.of(newtonPerMm, settings.friction(), form);
+    return new ForceSettings(general, form, true, materials(general, form));
+  }
+
+  /** One a segment, in their order; none where all feel alike. */
+  private List<Material> materials(Material general, FrictionForm form) {
+    Map<String, MaterialChoice> chosen = settings.materials();
+    return volume.segments().stream().noneMatch(segment -> chosen.containsKey(segment.name()))
+        ? List.of()
+        : volume.segments().stream()
+            .map(segment -> chosen.getOrDefault(segment.name(), MaterialChoice.NONE))
+            .map(choice -> choice.over(general, form))
+            .toList();
   }
 
   /** The settings of a live session's frame with a device. */

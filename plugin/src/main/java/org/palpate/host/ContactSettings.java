@@ -1,5 +1,6 @@
 package org.palpate.host;
 
+import java.util.Map;
 import java.util.OptionalDouble;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
@@ -16,6 +17,7 @@ import org.palpate.geometry.Vec3;
  *     where empty
  * @param maxForceNewton the largest force; the device's maximum where empty
  * @param frictionForm how friction is computed
+ * @param materials by the name of a segment: what differs from all of this
  */
 public record ContactSettings(
     SolverKind solver,
@@ -24,9 +26,15 @@ public record ContactSettings(
     double friction,
     OptionalDouble maxStepMm,
     OptionalDouble maxForceNewton,
-    FrictionForm frictionForm) {
+    FrictionForm frictionForm,
+    Map<String, MaterialChoice> materials) {
 
-  /** With friction by the paper's equation (4). */
+  /** Keeps a copy of the map. */
+  public ContactSettings {
+    materials = Map.copyOf(materials);
+  }
+
+  /** With friction by the paper's equation (4), the same for all segments. */
   public ContactSettings(
       SolverKind solver,
       CollisionChoice collision,
@@ -41,7 +49,8 @@ public record ContactSettings(
         friction,
         maxStepMm,
         maxForceNewton,
-        FrictionForm.EQUATION_4);
+        FrictionForm.EQUATION_4,
+        Map.of());
   }
 
   /** A solver with everything else as it is unless one says otherwise. */

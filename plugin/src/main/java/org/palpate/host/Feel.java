@@ -6,8 +6,8 @@ import org.palpate.force.ForceSettings;
 import org.palpate.interaction.HapticFrame;
 
 /**
- * What the surface feels like, changed in steps while it is touched: stiffness, friction, solver.
- * Each change is felt from the next frame on. Any thread.
+ * What surfaces feel like, changed in steps while they are touched: stiffness and friction of all
+ * segments together, solver. Each change is felt from the next frame on. Any thread.
  */
 public final class Feel {
   private static final double STIFFNESS_STEP = 1.25;
@@ -37,22 +37,23 @@ public final class Feel {
     solver = scene.settings().solver();
     double most = device.maxStiffnessNewtonPerMm();
     boolean told = most > 0 && !Double.isInfinite(most);
-    mostNewtonPerMm = Math.max(told ? most : LARGEST_NEWTON_PER_MM, force.stiffnessNewtonPerMm());
+    mostNewtonPerMm = Math.max(told ? most : LARGEST_NEWTON_PER_MM, force.stiffestNewtonPerMm());
   }
 
-  /** A quarter stiffer, up to the device's maximum. */
+  /** A quarter stiffer, until the stiffest segment reaches the device's maximum. */
   public synchronized void stiffer() {
-    setStiffness(force.stiffnessNewtonPerMm() * STIFFNESS_STEP);
+    makeStiffer(STIFFNESS_STEP);
   }
 
   /** The step of {@link #stiffer} back. */
   public synchronized void softer() {
-    setStiffness(force.stiffnessNewtonPerMm() / STIFFNESS_STEP);
+    makeStiffer(1 / STIFFNESS_STEP);
   }
 
-  private void setStiffness(double newtonPerMm) {
-    double within = Math.max(LEAST_NEWTON_PER_MM, Math.min(mostNewtonPerMm, newtonPerMm));
-    setForce(within, force.friction());
+  private void makeStiffer(double factor) {
+    double stiffest = force.stiffestNewtonPerMm();
+    double within = Math.max(LEAST_NEWTON_PER_MM, Math.min(mostNewtonPerMm, factor * stiffest));
+    retune(stiffest > 0 ? within / stiffest : 1, 0);
   }
 
   /** More friction by 0.05, up to 1. */
@@ -67,11 +68,11 @@ public final class Feel {
 
   private void setFriction(double friction) {
     double steps = Math.rint(friction / FRICTION_STEP) * FRICTION_STEP;
-    setForce(force.stiffnessNewtonPerMm(), Math.max(0, Math.min(LARGEST_FRICTION, steps)));
+    retune(1, Math.max(0, Math.min(LARGEST_FRICTION, steps)) - force.friction());
   }
 
-  private void setForce(double newtonPerMm, double friction) {
-    force = new ForceSettings(newtonPerMm, friction, force.form(), force.skipsFriction());
+  private void retune(double stiffnessFactor, double moreFriction) {
+    force = force.retuned(stiffnessFactor, moreFriction);
     frame.requestForce(force);
   }
 

@@ -10,6 +10,7 @@ import org.palpate.proxy.FreePlace;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.TouchedObject;
 
 /** The time of solver and force over a trajectory, nothing else inside. One thread. */
 public final class ReplayTiming {
@@ -19,6 +20,7 @@ public final class ReplayTiming {
   private final Obstacles obstacles;
   private final ProxySolver solver;
   private final ContactForce contactForce;
+  private final TouchedObject touched = new TouchedObject();
   private final FreePlace freePlace;
   private final Vec3[] devices;
   private final InteractionPoint point = new InteractionPoint();
@@ -94,7 +96,10 @@ public final class ReplayTiming {
   private void pass() {
     for (Vec3 device : devices) {
       solver.follow(obstacles, device, point);
-      contactForce.compute(point, device, forceNewton);
+      if (contactForce.settings().tellsObjectsApart()) {
+        touched.find(obstacles, device, point);
+      }
+      contactForce.compute(point, device, TrajectoryDevice.FRAME_NANOS, forceNewton);
     }
   }
 }

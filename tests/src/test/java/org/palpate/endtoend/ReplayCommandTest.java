@@ -104,6 +104,28 @@ class ReplayCommandTest {
   }
 
   @Test
+  void aMaterialOfTheOneSegmentIsFeltLikeTheSameForAll() throws IOException {
+    replay("--stiffness", 1.25, "--friction", 0.4, "--out", file("a")).mustSucceed();
+    replay("--material", "sphere=stiffness:1.25,friction:0.4", "--out", file("b")).mustSucceed();
+    assertArrayEquals(Files.readAllBytes(file("a")), Files.readAllBytes(file("b")));
+  }
+
+  @Test
+  void aSofterMaterialPushesLess() throws IOException {
+    replay("--out", file("a")).mustSucceed();
+    replay("--material", "sphere=stiffness:0.1", "--out", file("b")).mustSucceed();
+    assertEquals(largestForce("a") / 5, largestForce("b"), 1e-9);
+  }
+
+  private double largestForce(String name) throws IOException {
+    double largest = 0;
+    for (double[] row : rows(file(name))) {
+      largest = Math.max(largest, Math.hypot(row[8], Math.hypot(row[9], row[10])));
+    }
+    return largest;
+  }
+
+  @Test
   void legsAreOneChainThatEndsWhereEachFrameEnds() throws IOException {
     replay("--coordinates", "grid", "--out", file("f"), "--legs", file("l")).mustSucceed();
     double[][] frames = rows(file("f"));
