@@ -21,13 +21,6 @@ final class FrameJudge {
    */
   private static final double LEAST_ULPS_A_STEP = 0x1p20;
 
-  /**
-   * Frames that a point may take beyond its path, until it rests. Two frames that follow each other
-   * go at least w_max together: the first leaves a part unused only where a climb needed more than
-   * that part, and then the second begins with that climb.
-   */
-  private static final int FRAMES_TO_SETTLE = 2;
-
   /** What is cut from a path so that rounding cannot make it longer than w_max, generously. */
   private static final double CUT = 1 - 0x1p-20;
 
@@ -36,6 +29,7 @@ final class FrameJudge {
   private final Metric metric;
   private final double maxStepMm;
   private final boolean nearerAlways;
+  private final int framesToSettle;
   private final Vec3 before = new Vec3();
   private final Vec3 held = new Vec3();
   private long heldMoves;
@@ -45,11 +39,11 @@ final class FrameJudge {
   /**
    * A judge of the frames from {@code start} on.
    *
-   * @param nearerAlways whether each frame has to end strictly nearer to the device or at the same
-   *     bits, and to rest in time; a solver with a measure of its own is judged by its legs alone
+   * @param maker says what its solver promises beside the guarantee
    */
-  FrameJudge(HostileScene scene, Vec3 start, boolean nearerAlways) {
-    this.nearerAlways = nearerAlways;
+  FrameJudge(HostileScene scene, Vec3 start, SolverMaker maker) {
+    nearerAlways = maker.endsNearer();
+    framesToSettle = maker.framesToSettle();
     bits = scene.bits();
     metric = scene.metric();
     maxStepMm = scene.maxStepMm();
@@ -71,7 +65,7 @@ final class FrameJudge {
     if (fault == null) {
       fault = faultOfProgress(device, point);
     }
-    if (fault == null && nearerAlways) {
+    if (fault == null) {
       fault = faultOfRest(device, point);
     }
     before.set(point.position);
@@ -126,7 +120,7 @@ final class FrameJudge {
     if (!isFine(point.position) || !isFine(device)) {
       return null;
     }
-    double needed = Math.ceil(2 * heldPathMm / (maxStepMm * CUT)) + FRAMES_TO_SETTLE;
+    double needed = Math.ceil(2 * heldPathMm / (maxStepMm * CUT)) + framesToSettle;
     return heldMoves <= needed
         ? null
         : "for a device at rest it took " + heldMoves + " frames to go " + heldPathMm + " mm";

@@ -93,7 +93,7 @@ final class Shrinker {
   /** The devices up to the first frame with a fault; null where there is none. */
   private List<Vec3> upToFault(HostileScene scene, Vec3 start, List<Vec3> devices) {
     Obstacles obstacles = new Obstacles(List.of(scene.bits()));
-    FrameJudge judge = new FrameJudge(scene, start, maker.endsNearer());
+    FrameJudge judge = new FrameJudge(scene, start, maker);
     ProxySolver solver = maker.make(scene.metric(), scene.maxStepMm());
     InteractionPoint point = new InteractionPoint();
     point.position.set(start);

@@ -7,6 +7,9 @@ import org.palpate.proxy.smooth.SmoothSolver;
 /** Makes a fresh solver for a scene. */
 @FunctionalInterface
 public interface SolverMaker {
+  /** In practice; what is proved is only that there are finitely many. */
+  int SMOOTH_FRAMES_TO_SETTLE = 64;
+
   /** The smooth solver, whose measure of nearness is its own. */
   SolverMaker SMOOTH =
       new SolverMaker() {
@@ -19,6 +22,11 @@ public interface SolverMaker {
         public boolean endsNearer() {
           return false;
         }
+
+        @Override
+        public int framesToSettle() {
+          return SMOOTH_FRAMES_TO_SETTLE;
+        }
       };
 
   ProxySolver make(Metric metric, double maxStepMm);
@@ -26,5 +34,14 @@ public interface SolverMaker {
   /** Whether each frame has to end strictly nearer to the device or at the same bits. */
   default boolean endsNearer() {
     return true;
+  }
+
+  /**
+   * Frames that a point may take beyond its path, until it rests. Two frames that follow each other
+   * go at least w_max together: the first leaves a part unused only where a climb needed more than
+   * that part, and then the second begins with that climb.
+   */
+  default int framesToSettle() {
+    return 2;
   }
 }

@@ -14,7 +14,11 @@ import org.palpate.proxy.ProxySolver;
  * any length needs no memory of its own, and any case can be had again.
  */
 final class StressCase {
+  /** Frames in which the hand moves. */
   static final int FRAMES = 1000;
+
+  /** With those after them, in which it rests, so that the point has to. */
+  static final int ALL_FRAMES = 1200;
 
   final HostileScene scene;
   final Vec3 start = new Vec3();
@@ -41,8 +45,11 @@ final class StressCase {
     return new Obstacles(List.of(scene.bits()));
   }
 
-  HostileHand hand() {
-    return hand;
+  /** Writes where the device is in a frame; {@code p} is where the interaction point is. */
+  void next(int frame, Vec3 p, Vec3 device) {
+    if (frame < FRAMES) {
+      hand.next(p, device);
+    }
   }
 
   /** The device's way when this solver follows it, the start first, {@code frames} in all. */
@@ -53,7 +60,7 @@ final class StressCase {
     Vec3 device = new Vec3().set(start);
     Obstacles obstacles = obstacles();
     for (int frame = 0; frame < frames; frame++) {
-      hand.next(point.position, device);
+      next(frame, point.position, device);
       way.add(new Vec3().set(device));
       solver.follow(obstacles, device, point);
     }

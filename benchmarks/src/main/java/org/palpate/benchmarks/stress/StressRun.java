@@ -57,21 +57,21 @@ public final class StressRun {
   private FailedCase runCase(StressTotals totals) {
     long caseSeed = caseSeed(totals.cases);
     StressCase stress = new StressCase(caseSeed);
-    FrameJudge judge = new FrameJudge(stress.scene, stress.start, maker.endsNearer());
+    FrameJudge judge = new FrameJudge(stress.scene, stress.start, maker);
     ProxySolver solver = maker.make(stress.scene.metric(), stress.scene.maxStepMm());
     Obstacles obstacles = stress.obstacles();
     InteractionPoint point = new InteractionPoint();
     point.position.set(stress.start);
     Vec3 device = new Vec3().set(stress.start);
-    for (int frame = 0; frame < StressCase.FRAMES; frame++) {
-      stress.hand().next(point.position, device);
+    for (int frame = 0; frame < StressCase.ALL_FRAMES; frame++) {
+      stress.next(frame, point.position, device);
       solver.follow(obstacles, device, point);
       if (judge.fault(device, point) != null) {
         return failed(caseSeed, frame + 1);
       }
     }
     totals.cases++;
-    totals.frames += StressCase.FRAMES;
+    totals.frames += StressCase.ALL_FRAMES;
     totals.legs += judge.legs();
     totals.exactDecisions += judge.exactDecisions();
     return null;
