@@ -23,17 +23,22 @@ final class BitWindow {
   /** Words to a layer. */
   static final int WORDS = 3;
 
+  private static final int SCRATCH_LAYER = EDGE;
   private static final int AREA_BRICKS = 4;
   private static final int AREA_EDGE = 16;
-  private static final long ROW_MASK = 0x0FFF_0FFF_0FFF_0FFFL;
+  static final long ROW_MASK = 0x0FFF_0FFF_0FFF_0FFFL;
 
   private final long[] area = new long[AREA_EDGE * AREA_BRICKS];
   private int areaX;
   private int areaY;
   private int areaZ;
   private boolean areaValid;
-  private final long[] free = new long[EDGE * WORDS];
-  private final long[] reached = new long[EDGE * WORDS];
+
+  /** A layer more than the window has: scratch for a face of it. */
+  private final long[] free = new long[(EDGE + 1) * WORDS];
+
+  private final long[] reached = new long[(EDGE + 1) * WORDS];
+  private final WindowFaces faces = new WindowFaces(free);
   private boolean anySolid;
 
   /** Forgets the copied bits. */
@@ -156,9 +161,32 @@ final class BitWindow {
 
   /** Floods from the voxel (x,y,z) if it lies in the window and is empty; else all is reached. */
   void floodFrom(int x, int y, int z) {
-    if (isInside(x, y, z) && isFree(x, y, z)) {
+    if (isInside(x, y, z) && isFree(x, y, z) && !isPlainlyJoined()) {
       flood(x, y, z);
     }
+  }
+
+  /**
+   * Whether all free voxels are joined for a reason that is quickly seen, as it is beside one
+   * surface: from each of them free voxels lead straight to one face of the window, and those of
+   * that face are joined in it.
+   */
+  private boolean isPlainlyJoined() {
+    int face = SCRATCH_LAYER * WORDS;
+    if (!faces.findOpenFace(face)) {
+      return false;
+    }
+    long a = free[face];
+    long b = free[face + 1];
+    long c = free[face + 2];
+    if ((a & b & c) == ROW_MASK) {
+      return true;
+    }
+    reached[face] = Long.lowestOneBit(a);
+    reached[face + 1] = a == 0 ? Long.lowestOneBit(b) : 0;
+    reached[face + 2] = (a | b) == 0 ? Long.lowestOneBit(c) : 0;
+    spreadLayer(face, 0, 0, 0);
+    return reached[face] == a && reached[face + 1] == b && reached[face + 2] == c;
   }
 
   /** Whether a flood from the voxel (x,y,z) would reach the same, as far as it is in the window. */
