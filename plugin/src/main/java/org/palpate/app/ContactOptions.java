@@ -22,10 +22,11 @@ public final class ContactOptions {
       names = "--solver",
       paramLabel = "NAME",
       description = {
-        "What moves the interaction point: dot, paper, guarded, smooth or none.",
-        "Default: ${DEFAULT-VALUE}. none is collision alone."
+        "What moves the interaction point: smooth (along the surface), guarded (along voxels), paper",
+        "or dot (to compare with, without the guarantee), or none (collision alone).",
+        "Default: ${DEFAULT-VALUE}."
       },
-      defaultValue = "guarded")
+      defaultValue = "smooth")
   private String solverName;
 
   @Option(
@@ -100,7 +101,7 @@ public final class ContactOptions {
                 PalpateException.wrongUse(
                     "no such solver",
                     "--solver " + solverName,
-                    "choose dot, paper, guarded, smooth or none"));
+                    "choose smooth, guarded, paper, dot or none"));
   }
 
   /** All of them together, checked. */

@@ -53,6 +53,11 @@ public record ContactSettings(
         Map.of());
   }
 
+  /** Everything as it is unless one says otherwise. */
+  public static ContactSettings standard() {
+    return standard(SolverKind.DEFAULT);
+  }
+
   /** A solver with everything else as it is unless one says otherwise. */
   public static ContactSettings standard(SolverKind solver) {
     return new ContactSettings(

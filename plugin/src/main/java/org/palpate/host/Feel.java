@@ -21,7 +21,7 @@ public final class Feel {
 
   /** In the order in which {@link #nextSolver} goes through them. */
   private static final List<SolverKind> SOLVERS =
-      List.of(SolverKind.GUARDED, SolverKind.SMOOTH, SolverKind.PAPER, SolverKind.DOT);
+      List.of(SolverKind.SMOOTH, SolverKind.GUARDED, SolverKind.PAPER, SolverKind.DOT);
 
   private final HapticFrame frame;
   private final ContactScene scene;
@@ -76,7 +76,7 @@ public final class Feel {
     frame.requestForce(force);
   }
 
-  /** The next of guarded, smooth, paper and dot; the last two do not keep the guarantee. */
+  /** The next of smooth, guarded, paper and dot; the last two do not keep the guarantee. */
   public synchronized void nextSolver() {
     solver = SOLVERS.get((SOLVERS.indexOf(solver) + 1) % SOLVERS.size());
     frame.requestSolver(scene.newSolver(solver));

@@ -126,7 +126,7 @@ public final class SessionView implements AutoCloseable {
     input.onKey('-', "softer", () -> retune(feel::softer));
     input.onKey('.', "more friction", () -> retune(feel::rougher));
     input.onKey(',', "less friction", () -> retune(feel::slipperier));
-    input.onKey('n', "next solver: guarded, smooth, paper, dot", () -> retune(feel::nextSolver));
+    input.onKey('n', "next solver: smooth, guarded, paper, dot", () -> retune(feel::nextSolver));
     if (device instanceof PointerDevice pointer) {
       input.setPointer(pointer::moveTo);
     }

@@ -17,6 +17,9 @@ public enum SolverKind {
   /** Nothing: the interaction point is the device, collision alone. */
   NONE;
 
+  /** What every command and plug-in takes unless told otherwise. */
+  public static final SolverKind DEFAULT = SMOOTH;
+
   /** The solver of that name, as {@link #toString} has it; empty where there is none. */
   public static Optional<SolverKind> parse(String name) {
     return Arrays.stream(values()).filter(kind -> kind.toString().equals(name)).findFirst();

@@ -13,7 +13,6 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
-import org.palpate.host.SolverKind;
 import org.palpate.host.TouchSession;
 import org.palpate.interaction.LoopReport;
 import org.palpate.interaction.LoopSettings;
@@ -125,7 +124,7 @@ public final class MeasureJitter extends PalpateCommand {
     VoxelGrid grid = new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(1, 1, 1), RigidTransform.identity());
     Segment segment = new Segment("ball", bits, SegmentColour.BONE.rgb());
     return new ContactScene(
-        new SegmentedVolume(grid, List.of(segment)), ContactSettings.standard(SolverKind.GUARDED));
+        new SegmentedVolume(grid, List.of(segment)), ContactSettings.standard());
   }
 
   private static void addRows(ResultsTable table, String thread, LoopReport report) {

@@ -69,7 +69,7 @@ record TouchOptions(
     dialog.addNumericField("Lower threshold", lower, 2);
     dialog.addNumericField("Upper threshold", upper, 2);
     dialog.addChoice(
-        "Solver", solvers(), Prefs.get(PREFIX + "solver", SolverKind.GUARDED.toString()));
+        "Solver", solvers(), Prefs.get(PREFIX + "solver", SolverKind.DEFAULT.toString()));
     dialog.addNumericField(
         "Stiffness (0: device default)", Prefs.get(PREFIX + "stiffness", 0), 3, 8, "N/mm");
     dialog.addNumericField(

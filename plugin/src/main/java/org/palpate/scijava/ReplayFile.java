@@ -49,9 +49,9 @@ public final class ReplayFile implements Command {
 
   @Parameter(
       label = "Solver",
-      choices = {"guarded", "smooth", "paper", "dot", "none"},
+      choices = {"smooth", "guarded", "paper", "dot", "none"},
       required = false)
-  private String solver = "guarded";
+  private String solver = "smooth";
 
   @Parameter(label = "Frames", style = "save", description = "CSV with a row a frame")
   private File frames;

@@ -281,7 +281,7 @@ class ReplayCommandTest {
     replay("--report", file("r"), "--repeat", "4").mustSucceed();
     Map<String, String> json = FlatJson.read(file("r"));
     assertEquals("400", json.get("/frames"));
-    assertEquals("guarded", json.get("/solver"));
+    assertEquals("smooth", json.get("/solver"));
     assertEquals("exact", json.get("/collision"));
     for (String field :
         new String[] {

@@ -8,7 +8,6 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
-import org.palpate.host.SolverKind;
 import org.palpate.host.TouchSession;
 import org.palpate.interaction.LoopReport;
 import org.palpate.interaction.LoopSettings;
@@ -36,9 +35,7 @@ final class MinimalHost implements AutoCloseable {
     }
     VoxelGrid grid = new VoxelGrid(edge, edge, edge, spacingMm, RigidTransform.identity());
     List<Segment> segments = List.of(new Segment("bone", bone, BONE_RGB));
-    scene =
-        new ContactScene(
-            new SegmentedVolume(grid, segments), ContactSettings.standard(SolverKind.GUARDED));
+    scene = new ContactScene(new SegmentedVolume(grid, segments), ContactSettings.standard());
     session =
         new TouchSession(
             scene,

@@ -142,7 +142,7 @@ class RealImagejTest {
   private static void checkDialog(RealImagej.Seen seen) {
     String dialog = seen.of("dialog");
     for (String part :
-        List.of("Segment name", "Lower threshold", "<guarded>", "N/mm", "[simulated]", "View in")) {
+        List.of("Segment name", "Lower threshold", "<smooth>", "N/mm", "[simulated]", "View in")) {
       assertTrue(dialog.contains(part), dialog);
     }
     assertEquals("false", seen.of("touching after cancel"));

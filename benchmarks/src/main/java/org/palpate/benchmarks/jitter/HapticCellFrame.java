@@ -12,15 +12,15 @@ import org.palpate.interaction.FrameOutcome;
 import org.palpate.interaction.FramePublisher;
 import org.palpate.interaction.FrameSettings;
 import org.palpate.interaction.HapticFrame;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
-/** The haptic frame of a session: the simulated hand touches a volume with the guarded solver. */
+/** The haptic frame of a session: the simulated hand touches a volume with the smooth solver. */
 final class HapticCellFrame implements CellFrame {
   private static final long SEED = 1;
 
@@ -37,7 +37,7 @@ final class HapticCellFrame implements CellFrame {
     frame =
         new HapticFrame(
             device,
-            new GuardedSolver(metric, ContactSettings.defaultMaxStepMm(grid.spacingMm())),
+            new SmoothSolver(metric, ContactSettings.defaultMaxStepMm(grid.spacingMm())),
             new Obstacles(cubes),
             metric,
             FrameSettings.live(
