@@ -75,10 +75,11 @@ public record ForceSettings(
 
   /** The same objects, all stiffer by a factor and rougher by a summand. */
   public ForceSettings retuned(double stiffnessFactor, double moreFriction) {
+    Material[] retuned = new Material[materials.size()];
+    for (int object = 0; object < retuned.length; object++) {
+      retuned[object] = materials.get(object).retuned(stiffnessFactor, moreFriction);
+    }
     return new ForceSettings(
-        general.retuned(stiffnessFactor, moreFriction),
-        form,
-        skipsFriction,
-        materials.stream().map(each -> each.retuned(stiffnessFactor, moreFriction)).toList());
+        general.retuned(stiffnessFactor, moreFriction), form, skipsFriction, List.of(retuned));
   }
 }
