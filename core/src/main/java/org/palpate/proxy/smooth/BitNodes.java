@@ -12,13 +12,16 @@ final class BitNodes implements NodeSource {
   /** From the window's low voxel to its middle corner. */
   private static final int TO_MIDDLE = BitWindow.EDGE / 2;
 
+  /** Sums of sums of none to all twelve, and one before them, which is 0 as well. */
+  private static final int SUMS = BitWindow.EDGE + 2;
+
   private static final int ROW_MASK = (1 << BitWindow.EDGE) - 1;
 
   private final SmoothingKernel kernel;
   private final BitWindow window = new BitWindow();
   private final long[] sumsOfRow = new long[1 << BitWindow.EDGE];
-  private final long[] rows = new long[BitWindow.EDGE];
-  private final long[][] columns = new long[3][BitWindow.EDGE];
+  private final long[] rowsTwice = new long[SUMS];
+  private final long[][] layersTwice = new long[3][SUMS];
   private final AxisTaps alongY;
   private final AxisTaps alongZ;
   private int lowX;
@@ -68,30 +71,53 @@ final class BitNodes implements NodeSource {
     return empty || window.holdsFor(seedX - lowX, seedY - lowY, seedZ - lowZ);
   }
 
+  /**
+   * Weighs by sums of sums: a box of w taps on one of m is the second difference, m and w taps
+   * apart, of what has been summed up twice. So each row is added twice, and no tap multiplies.
+   */
   private void sum(double[] nodes) {
+    long[] reached = window.reachedWords();
+    long once0 = 0;
+    long once1 = 0;
+    long once2 = 0;
     for (int z = 0; z < BitWindow.EDGE; z++) {
-      long unreached = 0;
-      for (int word = 0; word < BitWindow.WORDS; word++) {
-        long fourRows = window.unreached(z, word);
-        unreached |= fourRows;
-        sumRows(fourRows, 4 * word);
+      long a = reached[BitWindow.WORDS * z];
+      long b = reached[BitWindow.WORDS * z + 1];
+      long c = reached[BitWindow.WORDS * z + 2];
+      if ((a & b & c) != BitWindow.ROW_MASK) {
+        sumLayer(~a, ~b, ~c);
+        once0 += alongY.weigh(rowsTwice, 0);
+        once1 += alongY.weigh(rowsTwice, 1);
+        once2 += alongY.weigh(rowsTwice, 2);
       }
-      columns[0][z] = unreached == 0 ? 0 : alongY.weigh(rows, 0);
-      columns[1][z] = unreached == 0 ? 0 : alongY.weigh(rows, 1);
-      columns[2][z] = unreached == 0 ? 0 : alongY.weigh(rows, 2);
+      layersTwice[0][z + 2] = layersTwice[0][z + 1] + once0;
+      layersTwice[1][z + 2] = layersTwice[1][z + 1] + once1;
+      layersTwice[2][z + 2] = layersTwice[2][z + 1] + once2;
     }
     for (int z = 0; z < 3; z++) {
       for (int y = 0; y < 3; y++) {
-        unpack(alongZ.weigh(columns[y], z), 9 * z + 3 * y, nodes);
+        unpack(alongZ.weigh(layersTwice[y], z), 9 * z + 3 * y, nodes);
       }
     }
   }
 
-  private void sumRows(long fourRows, int at) {
-    rows[at] = sumsOfRow[(int) fourRows & ROW_MASK];
-    rows[at + 1] = sumsOfRow[(int) (fourRows >>> 16) & ROW_MASK];
-    rows[at + 2] = sumsOfRow[(int) (fourRows >>> 32) & ROW_MASK];
-    rows[at + 3] = sumsOfRow[(int) (fourRows >>> 48) & ROW_MASK];
+  /** Sums up the rows of a layer twice, of three words with its solid voxels. */
+  private void sumLayer(long a, long b, long c) {
+    long[] twice = rowsTwice;
+    long once = sumsOfRow[(int) a & ROW_MASK];
+    long all = once;
+    twice[2] = all;
+    twice[3] = all += once += sumsOfRow[(int) (a >>> 16) & ROW_MASK];
+    twice[4] = all += once += sumsOfRow[(int) (a >>> 32) & ROW_MASK];
+    twice[5] = all += once += sumsOfRow[(int) (a >>> 48) & ROW_MASK];
+    twice[6] = all += once += sumsOfRow[(int) b & ROW_MASK];
+    twice[7] = all += once += sumsOfRow[(int) (b >>> 16) & ROW_MASK];
+    twice[8] = all += once += sumsOfRow[(int) (b >>> 32) & ROW_MASK];
+    twice[9] = all += once += sumsOfRow[(int) (b >>> 48) & ROW_MASK];
+    twice[10] = all += once += sumsOfRow[(int) c & ROW_MASK];
+    twice[11] = all += once += sumsOfRow[(int) (c >>> 16) & ROW_MASK];
+    twice[12] = all += once += sumsOfRow[(int) (c >>> 32) & ROW_MASK];
+    twice[13] = all + once + sumsOfRow[(int) (c >>> 48) & ROW_MASK];
   }
 
   private void unpack(long sums, int at, double[] nodes) {
@@ -101,28 +127,23 @@ final class BitNodes implements NodeSource {
     nodes[at + 2] = (sums >>> (2 * SUM_BITS)) * scale;
   }
 
-  /** Weighs twelve values by the taps of an axis, for one of three nodes. */
+  /** Weighs twelve values, of which sums of sums are given, by the taps of an axis. */
   private static final class AxisTaps {
-    private final long tap0;
-    private final long tap1;
-    private final long tap2;
-    private final long tap3;
-    private final long tap4;
+    private final int low;
+    private final int first;
+    private final int second;
+    private final int high;
 
     AxisTaps(SmoothingKernel kernel, int axis) {
-      tap0 = kernel.tap(axis, 0);
-      tap1 = kernel.tap(axis, 1);
-      tap2 = kernel.tap(axis, 2);
-      tap3 = kernel.tap(axis, 3);
-      tap4 = kernel.tap(axis, 4);
+      low = kernel.firstTap(axis);
+      first = low + kernel.narrowBox(axis);
+      second = low + kernel.wideBox(axis);
+      high = first + kernel.wideBox(axis);
     }
 
-    long weigh(long[] values, int node) {
-      return tap0 * (values[node] + values[node + 9])
-          + tap1 * (values[node + 1] + values[node + 8])
-          + tap2 * (values[node + 2] + values[node + 7])
-          + tap3 * (values[node + 3] + values[node + 6])
-          + tap4 * (values[node + 4] + values[node + 5]);
+    /** The sum for one of three nodes; {@code twice[k+1]} is k v0 + (k-1) v1 + ... + v(k-1). */
+    long weigh(long[] twice, int node) {
+      return twice[node + high] - twice[node + second] - twice[node + first] + twice[node + low];
     }
   }
 

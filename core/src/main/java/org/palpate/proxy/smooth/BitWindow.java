@@ -39,6 +39,10 @@ final class BitWindow {
 
   private final long[] reached = new long[(EDGE + 1) * WORDS];
   private final WindowFaces faces = new WindowFaces(free);
+
+  /** What counts as reached: all free voxels, or those that a flood found. */
+  private long[] inside = free;
+
   private boolean anySolid;
 
   /** Forgets the copied bits. */
@@ -51,6 +55,7 @@ final class BitWindow {
     if (!isInArea(lowX, lowY, lowZ)) {
       copyArea(obstacles, centred(lowX), centred(lowY), centred(lowZ));
     }
+    inside = free;
     int x = lowX - areaX;
     int y = lowY - areaY;
     int z = lowZ - areaZ;
@@ -74,9 +79,9 @@ final class BitWindow {
       second = b >>> shift | c << -shift;
       third = c >>> shift | d << -shift;
     }
-    free[to] = reached[to] = first ^ ROW_MASK;
-    free[to + 1] = reached[to + 1] = second ^ ROW_MASK;
-    free[to + 2] = reached[to + 2] = third ^ ROW_MASK;
+    free[to] = first ^ ROW_MASK;
+    free[to + 1] = second ^ ROW_MASK;
+    free[to + 2] = third ^ ROW_MASK;
     return first | second | third;
   }
 
@@ -146,7 +151,7 @@ final class BitWindow {
 
   /** Whether the voxel (x,y,z) of the window is empty and counts as reached. */
   boolean isReached(int x, int y, int z) {
-    return (reached[z * WORDS + (y >> 2)] >>> ((y & 3) << 4 | x) & 1) != 0;
+    return (inside[z * WORDS + (y >> 2)] >>> ((y & 3) << 4 | x) & 1) != 0;
   }
 
   /** Whether the voxel (x,y,z) of the window is empty. */
@@ -154,9 +159,9 @@ final class BitWindow {
     return (free[z * WORDS + (y >> 2)] >>> ((y & 3) << 4 | x) & 1) != 0;
   }
 
-  /** Four rows of a layer, from row 4 {@code word} on: set where a voxel is not reached. */
-  long unreached(int z, int word) {
-    return reached[z * WORDS + word] ^ ROW_MASK;
+  /** The voxels that count as reached, as words; good until the next {@link #load}. */
+  long[] reachedWords() {
+    return inside;
   }
 
   /** Floods from the voxel (x,y,z) if it lies in the window and is empty; else all is reached. */
@@ -200,6 +205,7 @@ final class BitWindow {
 
   /** Keeps as reached only what is joined to the empty voxel (x,y,z) by faces inside the window. */
   private void flood(int x, int y, int z) {
+    inside = reached;
     Arrays.fill(reached, 0);
     reached[z * WORDS + (y >> 2)] = 1L << ((y & 3) << 4 | x);
     spreadLayer(z * WORDS, 0, 0, 0);

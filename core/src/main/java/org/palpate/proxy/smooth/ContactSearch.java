@@ -48,7 +48,7 @@ final class ContactSearch {
   /** Keeps the tangential system positive definite near centres of curvature. */
   private static final double LEAST_DIAGONAL = 0.35;
 
-  private static final double MOST_COUPLING = 0.8;
+  private static final double MOST_COUPLING_SQUARED = 0.8 * 0.8;
 
   /** The point that was visited last, grid coordinates. */
   final Vec3 at = new Vec3();
@@ -65,17 +65,20 @@ final class ContactSearch {
   private final SmoothField field;
   private final SurfaceLevel level;
   private final Vec3 edges;
+  private final Vec3 voxelsAnEdge;
   private final Vec3 toDevice = new Vec3();
   private final Vec3 tangent = new Vec3();
   private final Vec3 step = new Vec3();
   private long normalOf = -1;
   private double slope;
+  private double edgesAShare;
   private double depth;
 
   ContactSearch(SmoothField field, SurfaceLevel level, Vec3 edges) {
     this.field = field;
     this.level = level;
     this.edges = edges;
+    voxelsAnEdge = new Vec3(1 / edges.x, 1 / edges.y, 1 / edges.z);
   }
 
   /**
@@ -123,9 +126,9 @@ final class ContactSearch {
     if (slope < LEAST_SLOPE) {
       return false;
     }
-    double inverse = -1 / slope;
-    normal.set(field.gx * inverse, field.gy * inverse, field.gz * inverse);
-    heightEdges = (level.share(normal) - field.value) / slope;
+    edgesAShare = 1 / slope;
+    normal.set(-field.gx * edgesAShare, -field.gy * edgesAShare, -field.gz * edgesAShare);
+    heightEdges = (level.share(normal) - field.value) * edgesAShare;
     return true;
   }
 
@@ -135,7 +138,7 @@ final class ContactSearch {
         normal.x * (field.hxx * normal.x + 2 * field.hxy * normal.y)
             + normal.y * (field.hyy * normal.y + 2 * field.hyz * normal.z)
             + normal.z * (field.hzz * normal.z + 2 * field.hxz * normal.x);
-    return (along - field.hxx - field.hyy - field.hzz) / slope;
+    return (along - field.hxx - field.hyy - field.hzz) * edgesAShare;
   }
 
   /** Splits the way to the device along normal and tangent plane; false when it lies above. */
@@ -165,9 +168,10 @@ final class ContactSearch {
 
   /** Writes the tangential step; returns how much the surface falls off along it. */
   private double curvedStep(double damping) {
-    double ax = tangent.x / offsetEdges;
-    double ay = tangent.y / offsetEdges;
-    double az = tangent.z / offsetEdges;
+    double perEdge = 1 / offsetEdges;
+    double ax = tangent.x * perEdge;
+    double ay = tangent.y * perEdge;
+    double az = tangent.z * perEdge;
     double bx = normal.y * az - normal.z * ay;
     double by = normal.z * ax - normal.x * az;
     double bz = normal.x * ay - normal.y * ax;
@@ -177,19 +181,21 @@ final class ContactSearch {
     double hbx = field.hxx * bx + field.hxy * by + field.hxz * bz;
     double hby = field.hxy * bx + field.hyy * by + field.hyz * bz;
     double hbz = field.hxz * bx + field.hyz * by + field.hzz * bz;
-    double curvatureA = -(ax * hax + ay * hay + az * haz) / slope;
-    double curvatureAb = -(bx * hax + by * hay + bz * haz) / slope;
-    double curvatureB = -(bx * hbx + by * hby + bz * hbz) / slope;
+    double curvatureA = -(ax * hax + ay * hay + az * haz) * edgesAShare;
+    double curvatureAb = -(bx * hax + by * hay + bz * haz) * edgesAShare;
+    double curvatureB = -(bx * hbx + by * hby + bz * hbz) * edgesAShare;
     double diagonalA = Math.max(LEAST_DIAGONAL, 1 - depth * curvatureA);
     double diagonalB = Math.max(LEAST_DIAGONAL, 1 - depth * curvatureB);
-    double coupling = clamp(-depth * curvatureAb, MOST_COUPLING * Math.sqrt(diagonalA * diagonalB));
+    double coupling = within(-depth * curvatureAb, MOST_COUPLING_SQUARED * diagonalA * diagonalB);
     double determinant = diagonalA * diagonalB - coupling * coupling;
-    double alongA = damping * offsetEdges * diagonalB / determinant;
-    double alongB = -damping * offsetEdges * coupling / determinant;
-    double length = Math.sqrt(alongA * alongA + alongB * alongB);
-    if (length > LONGEST_STEP_EDGES) {
-      alongA *= LONGEST_STEP_EDGES / length;
-      alongB *= LONGEST_STEP_EDGES / length;
+    double share = damping * offsetEdges / determinant;
+    double alongA = share * diagonalB;
+    double alongB = -share * coupling;
+    double squared = alongA * alongA + alongB * alongB;
+    if (squared > LONGEST_STEP_EDGES * LONGEST_STEP_EDGES) {
+      double shorter = LONGEST_STEP_EDGES / Math.sqrt(squared);
+      alongA *= shorter;
+      alongB *= shorter;
     }
     step.set(ax * alongA + bx * alongB, ay * alongA + by * alongB, az * alongA + bz * alongB);
     return 0.5
@@ -206,7 +212,15 @@ final class ContactSearch {
   }
 
   private void takeStep() {
-    at.set(at.x + step.x / edges.x, at.y + step.y / edges.y, at.z + step.z / edges.z);
+    at.set(
+        at.x + step.x * voxelsAnEdge.x,
+        at.y + step.y * voxelsAnEdge.y,
+        at.z + step.z * voxelsAnEdge.z);
+  }
+
+  /** The value, or one as long as the root of {@code squared} where it is longer. */
+  private static double within(double value, double squared) {
+    return value * value <= squared ? value : Math.copySign(Math.sqrt(squared), value);
   }
 
   private static double clamp(double value, double limit) {

@@ -63,7 +63,12 @@ final class LegGuard {
 
   /** Whether w_max allows to go to {@code to} in one leg. */
   boolean reaches(Vec3 to) {
-    return distanceMm(position, to) <= maxStepMm - legs.lengthMm();
+    return reaches(distanceMm(position, to));
+  }
+
+  /** Whether w_max allows to go this far in one leg. */
+  boolean reaches(double lengthMm) {
+    return lengthMm <= maxStepMm - legs.lengthMm();
   }
 
   /** Whether there is path and room for another leg in this frame. */
@@ -85,33 +90,34 @@ final class LegGuard {
     if (legs.isFull()) {
       return false;
     }
-    cutToPathLeft(to, target);
+    double lengthMm = cutToPathLeft(to, target);
     if (target.sameBits(position)) {
       return true;
     }
     if (!target.isFinite() || !isFree(target)) {
       return false;
     }
-    double lengthMm = distanceMm(position, target);
     legs.add(
         position.x, position.y, position.z, target.x, target.y, target.z, lengthMm, alongSurface);
     position.set(target);
     return true;
   }
 
-  /** Writes how far w_max allows to go towards {@code to}. */
-  void cutToPathLeft(Vec3 to, Vec3 dest) {
+  /** Writes how far w_max allows to go towards {@code to}; returns how far that is, mm. */
+  double cutToPathLeft(Vec3 to, Vec3 dest) {
     double leftMm = maxStepMm - legs.lengthMm();
     double lengthMm = distanceMm(position, to);
     if (lengthMm <= leftMm) {
       dest.set(to);
-      return;
+      return lengthMm;
     }
     double share = Math.max(0, leftMm / lengthMm * CUT_SHORT);
     between(position, to, share, dest);
-    if (distanceMm(position, dest) > leftMm) {
+    double cutMm = distanceMm(position, dest);
+    if (cutMm > leftMm) {
       dest.set(position); // so far out that doubles lie farther apart than the path that is left
     }
+    return cutMm;
   }
 
   /** Writes the point at {@code share} of the way, rounded. */

@@ -48,6 +48,10 @@ final class SmoothField {
   private int cornerZ;
   private boolean loaded;
   private boolean any;
+
+  /** Whether what was evaluated last holds for the seed that was set last. */
+  private boolean settled;
+
   private final Vec3 evaluated = new Vec3();
 
   /**
@@ -65,6 +69,7 @@ final class SmoothField {
   /** Forgets what is kept of the solids. */
   void forget() {
     loaded = false;
+    settled = false;
     source.forget();
   }
 
@@ -78,13 +83,20 @@ final class SmoothField {
 
   /** Sets the point from which empty space is reached, grid coordinates; its cell is empty. */
   void seed(double x, double y, double z) {
-    seedX = floor(x);
-    seedY = floor(y);
-    seedZ = floor(z);
+    int cellX = floor(x);
+    int cellY = floor(y);
+    int cellZ = floor(z);
+    settled &= cellX == seedX && cellY == seedY && cellZ == seedZ;
+    seedX = cellX;
+    seedY = cellY;
+    seedZ = cellZ;
   }
 
   /** Evaluates at a point in grid coordinates, at most 1e9 from 0. */
   void evaluate(double x, double y, double z) {
+    if (settled && x == evaluated.x && y == evaluated.y && z == evaluated.z) {
+      return;
+    }
     int atX = floor(x + 0.5);
     int atY = floor(y + 0.5);
     int atZ = floor(z + 0.5);
@@ -101,6 +113,7 @@ final class SmoothField {
       cornerZ = atZ;
       loaded = true;
     }
+    settled = true;
     if (kept && x == evaluated.x && y == evaluated.y && z == evaluated.z) {
       return;
     }

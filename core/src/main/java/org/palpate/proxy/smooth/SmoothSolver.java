@@ -88,6 +88,9 @@ public final class SmoothSolver implements ProxySolver {
   private final Vec3 restedAt = new Vec3(Double.NaN, 0, 0);
 
   private double nearerEdges;
+  private long overOf = -1;
+  private double overEdges;
+  private boolean deviceInSolid;
   private double lastFlightEdges;
   private boolean onSurface;
   private Obstacles obstacles;
@@ -158,8 +161,11 @@ public final class SmoothSolver implements ProxySolver {
     }
     obstacles = solids;
     field.use(solids);
-    if (!reachDevice() && !flyOn()) {
-      followSurface();
+    deviceInSolid = isDeviceInSolid();
+    double farMm = guard.distanceMm(p, device);
+    boolean near = guard.reaches(farMm);
+    if (near ? !goVisibly() : !flyOn(farMm / shortestMm)) {
+      followSurface(farMm / shortestMm);
     }
     point.contact = !p.sameBits(device) && isWayBlocked();
     restedAt.set(device);
@@ -178,36 +184,32 @@ public final class SmoothSolver implements ProxySolver {
   }
 
   private boolean isWayBlocked() {
-    return deviceIsInSolid() || !guard.isFree(device);
+    return deviceInSolid || !guard.isFree(device);
   }
 
   /** Whether the device's cell is solid: then every way that ends there is blocked. */
-  private boolean deviceIsInSolid() {
+  private boolean isDeviceInSolid() {
     return obstacles.isSolid(
         (int) Math.floor(device.x), (int) Math.floor(device.y), (int) Math.floor(device.z));
   }
 
-  /** Where the device is near enough and can be seen the point goes there. */
-  private boolean reachDevice() {
-    return guard.reaches(device) && goStraight();
+  /** Goes to a device within w_max where it can be seen. */
+  private boolean goVisibly() {
+    return !deviceInSolid && guard.move(device, false);
   }
 
   /**
    * In the open, with the device farther than w_max, the point flies straight on. While the device
    * rests it does so only from nearer than it ever did, so that such frames come to an end.
    */
-  private boolean flyOn() {
-    if (guard.reaches(device)) {
-      return false;
-    }
+  private boolean flyOn(double fromEdges) {
     if (!device.sameBits(lastDevice)) {
       lastFlightEdges = Double.POSITIVE_INFINITY;
     }
-    double fromEdges = distanceEdges(p, device);
     field.seed(p.x, p.y, p.z);
     field.evaluate(p.x, p.y, p.z);
     boolean mayFly = field.value < OPEN_SHARE && fromEdges < lastFlightEdges;
-    if (!mayFly || !goStraight()) {
+    if (!mayFly || !guard.move(device, false)) {
       return false;
     }
     lastFlightEdges = fromEdges;
@@ -216,12 +218,11 @@ public final class SmoothSolver implements ProxySolver {
 
   /** Goes towards the device as far as w_max allows, where nothing is in the way. */
   private boolean goStraight() {
-    boolean hopeless = guard.reaches(device) && deviceIsInSolid();
-    return !hopeless && guard.move(device, false);
+    return guard.reaches(device) ? goVisibly() : guard.move(device, false);
   }
 
-  private void followSurface() {
-    double highest = potential() + allowedRise();
+  private void followSurface(double farEdges) {
+    double highest = potential(farEdges) + allowedRise();
     slide();
     if (guard.hasMoved() && isBelow(highest)) {
       point.surfaceHeightMm = shortestMm * heightOnSurface();
@@ -270,6 +271,14 @@ public final class SmoothSolver implements ProxySolver {
 
   /** How far the point lies over the level, where the field was evaluated last. */
   private double overLevel() {
+    if (overOf != field.evaluation) {
+      overOf = field.evaluation;
+      overEdges = overLevelAnew();
+    }
+    return overEdges;
+  }
+
+  private double overLevelAnew() {
     if (!search.findNormal()) {
       return field.value < OPEN_SHARE ? HIGHEST_EDGES : 0;
     }
@@ -291,11 +300,15 @@ public final class SmoothSolver implements ProxySolver {
    * the depth below it added, weighed; in shortest edges.
    */
   double potential() {
+    return potential(distanceEdges(p, device));
+  }
+
+  private double potential(double farEdges) {
     field.seed(p.x, p.y, p.z);
     field.evaluate(p.x, p.y, p.z);
     double over = overLevel();
     double weighed = over > 0 ? -LIFT_WEIGHT * over : DEPTH_WEIGHT * Math.min(DEEPEST_EDGES, -over);
-    return distanceEdges(p, device) + weighed;
+    return farEdges + weighed;
   }
 
   private double distanceEdges(Vec3 from, Vec3 to) {

@@ -22,6 +22,7 @@ final class SmoothingKernel {
   private static final int[][] BOXES = {{6, 5}, {5, 4}, {4, 3}, {3, 2}, {2, 1}};
 
   private final int[][] taps = new int[3][];
+  private final int[][] boxes = new int[3][];
   private final double[] sigmaEdges = new double[3];
   private final double scale;
 
@@ -41,10 +42,11 @@ final class SmoothingKernel {
     double product = 1;
     for (int axis = 0; axis < 3; axis++) {
       double ratio = spacing(metric, axis) / shortest;
-      int[] boxes = boxesFor(ratio, widest);
-      taps[axis] = tapsOf(boxes[0], boxes[1]);
-      sigmaEdges[axis] = ratio * sigmaVoxels(boxes);
-      product *= boxes[0] * boxes[1];
+      int[] chosen = boxesFor(ratio, widest);
+      boxes[axis] = chosen;
+      taps[axis] = tapsOf(chosen[0], chosen[1]);
+      sigmaEdges[axis] = ratio * sigmaVoxels(chosen);
+      product *= chosen[0] * chosen[1];
     }
     scale = 1 / product;
   }
@@ -72,13 +74,32 @@ final class SmoothingKernel {
 
   private static int[] tapsOf(int wide, int narrow) {
     int[] result = new int[TAPS];
-    int first = (TAPS - (wide + narrow - 1)) / 2;
+    int first = firstTap(wide, narrow);
     for (int a = 0; a < wide; a++) {
       for (int b = 0; b < narrow; b++) {
         result[first + a + b]++;
       }
     }
     return result;
+  }
+
+  private static int firstTap(int wide, int narrow) {
+    return (TAPS - (wide + narrow - 1)) / 2;
+  }
+
+  /** The first tap along an axis that weighs anything. */
+  int firstTap(int axis) {
+    return firstTap(boxes[axis][0], boxes[axis][1]);
+  }
+
+  /** Voxels of the wider box along an axis. */
+  int wideBox(int axis) {
+    return boxes[axis][0];
+  }
+
+  /** Voxels of the narrower box along an axis. */
+  int narrowBox(int axis) {
+    return boxes[axis][1];
   }
 
   /** The weight of one of the ten taps along an axis; tap t and tap 9-t are equal. */
