@@ -105,16 +105,23 @@ class ReplayCommandTest {
 
   @Test
   void aMaterialOfTheOneSegmentIsFeltLikeTheSameForAll() throws IOException {
-    replay("--stiffness", 1.25, "--friction", 0.4, "--out", file("a")).mustSucceed();
-    replay("--material", "sphere=stiffness:1.25,friction:0.4", "--out", file("b")).mustSucceed();
+    replayInReach("--stiffness", 1.25, "--friction", 0.4, "--out", file("a"));
+    replayInReach("--material", "sphere=stiffness:1.25,friction:0.4", "--out", file("b"));
     assertArrayEquals(Files.readAllBytes(file("a")), Files.readAllBytes(file("b")));
   }
 
   @Test
   void aSofterMaterialPushesLess() throws IOException {
-    replay("--out", file("a")).mustSucceed();
-    replay("--material", "sphere=stiffness:0.1", "--out", file("b")).mustSucceed();
+    replayInReach("--out", file("a"));
+    replayInReach("--material", "sphere=stiffness:0.1", "--out", file("b"));
     assertEquals(largestForce("a") / 5, largestForce("b"), 1e-9);
+  }
+
+  /** With w_max so long that the point lags behind the device in contact alone. */
+  private void replayInReach(Object... more) {
+    List<Object> arguments = new ArrayList<>(List.of("--max-step", "100"));
+    arguments.addAll(List.of(more));
+    replay(arguments.toArray()).mustSucceed();
   }
 
   private double largestForce(String name) throws IOException {
@@ -147,7 +154,8 @@ class ReplayCommandTest {
 
   @Test
   void theForceIsTheSpringToTheDeviceWithoutFriction() throws IOException {
-    replay("--out", file("f"), "--friction", "0", "--stiffness", "2").mustSucceed();
+    replay("--solver", "guarded", "--out", file("f"), "--friction", "0", "--stiffness", "2")
+        .mustSucceed();
     int contacts = 0;
     for (double[] row : rows(file("f"))) {
       for (int axis = 0; axis < 3; axis++) {
@@ -172,7 +180,12 @@ class ReplayCommandTest {
   void worldAndGridAgreeWhereTheyAreTheSame() throws IOException {
     replay("--out", file("world")).mustSucceed();
     replay("--out", file("grid"), "--coordinates", "grid").mustSucceed();
-    assertArrayEquals(Files.readAllBytes(file("world")), Files.readAllBytes(file("grid")));
+    double[][] world = rows(file("world"));
+    double[][] grid = rows(file("grid"));
+    assertEquals(world.length, grid.length);
+    for (int n = 0; n < world.length; n++) {
+      assertArrayEquals(grid[n], world[n], 1e-11, "but for rounding on the way, row " + n);
+    }
   }
 
   @Test
@@ -187,6 +200,8 @@ class ReplayCommandTest {
             volume,
             "--trajectory",
             down,
+            "--solver",
+            "guarded",
             "--max-step",
             "100",
             "--out",
@@ -212,6 +227,8 @@ class ReplayCommandTest {
             volume,
             "--trajectory",
             inside,
+            "--solver",
+            "guarded",
             "--coordinates",
             "grid",
             "--legs",
