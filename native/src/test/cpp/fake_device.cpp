@@ -22,10 +22,10 @@ palpate_capabilities FakeDevice::capabilities() {
   return can;
 }
 
-FakeDevice::FakeDevice(const std::string& folder, const std::string& serial, const char* kind)
+FakeDevice::FakeDevice(const std::string& folder, const std::string& serial, const char* kind,
+                       const palpate_capabilities& can)
     : path_(folder + "/" + kind + "-" + serial + ".sock"),
       listener_(socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0)) {
-  const palpate_capabilities can = capabilities();
   palpate_device_init(&firmware, &can);
   palpate_device_feature(&firmware, feature_);
   pose.calibrated = 1;
@@ -92,13 +92,16 @@ std::vector<uint8_t> FakeDevice::nextReport(uint32_t nowMicros) {
   return report;
 }
 
-void FakeDevice::step(uint32_t nowMicros) { sendRaw(nextReport(nowMicros)); }
+bool FakeDevice::step(uint32_t nowMicros) { return sendRaw(nextReport(nowMicros)); }
 
-void FakeDevice::sendRaw(const std::vector<uint8_t>& bytes) {
+bool FakeDevice::sendRaw(const std::vector<uint8_t>& bytes) {
   const int socket = socketNow();
-  if (socket >= 0) {
-    send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  if (socket < 0) {
+    return false;
   }
+  const ssize_t sent = send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  withoutRoom_ += sent < 0 ? 1 : 0;
+  return sent > 0;
 }
 
 int FakeDevice::receive(uint32_t nowMicros) {

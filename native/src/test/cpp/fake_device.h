@@ -20,7 +20,8 @@ class FakeDevice {
   /** How hidapi lists a device with our protocol: vendor, product, usage page, usage. */
   static constexpr const char* kOurs = "1209-4a01-ff00-50";
 
-  FakeDevice(const std::string& folder, const std::string& serial, const char* kind = kOurs);
+  FakeDevice(const std::string& folder, const std::string& serial, const char* kind = kOurs,
+             const palpate_capabilities& can = capabilities());
   ~FakeDevice();
   FakeDevice(const FakeDevice&) = delete;
   FakeDevice& operator=(const FakeDevice&) = delete;
@@ -30,11 +31,17 @@ class FakeDevice {
   /** Whether a host has the device open. */
   bool isOpen() const { return incoming_.load() >= 0 || data_ >= 0; }
 
-  /** Sends one report with the pose as it is; `nowMicros` is the device's clock. */
-  void step(uint32_t nowMicros);
+  /**
+   * Sends one report with the pose as it is; `nowMicros` is the device's clock. False where no host
+   * has it open, or one that has not read for so long that there is no room.
+   */
+  bool step(uint32_t nowMicros);
 
-  /** Sends bytes of any kind. */
-  void sendRaw(const std::vector<uint8_t>& bytes);
+  /** Sends bytes of any kind; as step. */
+  bool sendRaw(const std::vector<uint8_t>& bytes);
+
+  /** Reports that were dropped because there was no room for them. */
+  int64_t withoutRoom() const { return withoutRoom_; }
 
   /** The next report as step would send it, without sending it. */
   std::vector<uint8_t> nextReport(uint32_t nowMicros);
@@ -60,7 +67,8 @@ class FakeDevice {
 
   std::string path_;
   int listener_;
-  int data_ = -1;                  // the thread that steps
+  int data_ = -1;  // the thread that steps
+  int64_t withoutRoom_ = 0;
   std::atomic<int> incoming_{-1};  // from the acceptor to it
   std::atomic<bool> ending_{false};
   uint8_t feature_[PALPATE_CAPABILITIES_BYTES] = {};
