@@ -5,39 +5,19 @@
 #include <linux/hidraw.h>
 #include <poll.h>
 #include <sys/ioctl.h>
-#include <sys/wait.h>
 #include <umockdev.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
-#include "hand.h"
-#include "palpate_device.h"
+#include "virtual_device.h"
 
 namespace {
 
 constexpr const char* kNode = "/dev/hidraw0";
 constexpr unsigned kUsb = 3;
-constexpr int kFailed = 125;
-
-palpate_device firmware;
-
-palpate_capabilities capabilities() {
-  palpate_capabilities can = {};
-  can.max_force_mn = 6000;
-  can.continuous_force_mn = 3000;
-  can.max_stiffness_n_per_m = 1500;
-  can.workspace_radius_tenth_mm = 600;
-  can.report_interval_us = 1000;
-  can.watchdog_ms = 20;
-  can.buttons = 2;
-  can.dof_in = 3;
-  can.dof_out = 3;
-  return can;
-}
 
 std::string descriptorHex() {
   std::string hex;
@@ -89,7 +69,7 @@ bool answer(UMockdevIoctlClient* client, const void* bytes, size_t length, long 
 }
 
 /** What hidraw's ioctls say of the device. */
-gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer) {
+gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer firmware) {
   const auto request = static_cast<unsigned>(umockdev_ioctl_client_get_request(client));
   if (request == HIDIOCGRDESCSIZE) {
     const int size = static_cast<int>(palpate_report_descriptor_bytes);
@@ -102,99 +82,70 @@ gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer) {
     return answer(client, &descriptor, sizeof descriptor, 0);
   }
   if (request == HIDIOCGRAWINFO) {
-    const hidraw_devinfo info = {kUsb, 0x1209, 0x4A01};
+    const hidraw_devinfo info = {kUsb, VirtualDevice::kVendor, VirtualDevice::kProduct};
     return answer(client, &info, sizeof info, 0);
   }
   if (_IOC_TYPE(request) == 'H' && _IOC_NR(request) == 0x07) {
     uint8_t report[PALPATE_CAPABILITIES_BYTES];
-    palpate_device_feature(&firmware, report);
+    palpate_device_feature(static_cast<palpate_device*>(firmware), report);
     return answer(client, report, sizeof report, sizeof report);
   }
   return FALSE;
 }
 
-pid_t run(char** command, int master) {
-  const pid_t child = fork();
-  if (child == 0) {
-    close(master);  // else unplugging would never be seen
-    execvp(command[0], command);
-    std::perror(command[0]);
-    _exit(127);
-  }
-  return child;
-}
+/** The device's end of the pty behind the node. */
+class MockedDevice : public VirtualDevice {
+ public:
+  palpate_device* firmware() { return &firmware_; }
 
-/** Takes what the host has sent; a pty is a stream, so reports are put together again. */
-int receive(int master, uint32_t micros) {
-  static uint8_t bytes[PALPATE_OUT_BYTES];
-  static size_t have = 0;
-  int count = 0;
-  pollfd wait = {master, POLLIN, 0};
-  while (poll(&wait, 1, 0) > 0 && (wait.revents & POLLIN) != 0) {
-    const ssize_t got = read(master, bytes + have, sizeof bytes - have);
-    if (got <= 0) {
-      break;
-    }
-    have += static_cast<size_t>(got);
-    if (have == sizeof bytes) {
-      count += palpate_device_out(&firmware, bytes, have, micros);
-      have = 0;
-    }
+  void connect(int master) {
+    master_ = master;
+    fcntl(master, F_SETFL, fcntl(master, F_GETFL) | O_NONBLOCK);
+    fcntl(master, F_SETFD, FD_CLOEXEC);  // else unplugging would never be seen
   }
-  return count;
-}
 
-/**
- * Sends a report where there is room. While nobody has the device open the pty fills up, and a
- * write that waits would wait for ever; where a part alone fitted, the rest goes before the next
- * report.
- */
-void send(int master, const uint8_t (&report)[PALPATE_IN_BYTES]) {
-  static uint8_t bytes[PALPATE_IN_BYTES];
-  static size_t rest = 0;
-  if (rest == 0) {
-    std::memcpy(bytes, report, sizeof bytes);
-    rest = sizeof bytes;
-  }
-  const ssize_t written = write(master, bytes + sizeof bytes - rest, rest);
-  rest -= written > 0 ? static_cast<size_t>(written) : 0;
-}
-
-/** Moves the hand until the command ends; its status. */
-int serve(int master, pid_t child) {
-  Felt felt;
-  palpate_pose pose = {};
-  pose.calibrated = 1;
-  pose.hand_present = 1;
-  pose.quaternion[3] = 32767;
-  palpate_motors motors = {};
-  const long start = nowNanos();
-  long openedMillis = -1;
-  int status = 0;
-  while (waitpid(child, &status, WNOHANG) == 0) {
-    const long millis = nextMillisecond(start);
-    const auto micros = static_cast<uint32_t>(millis * 1000);
-    const int reports = receive(master, micros);
-    openedMillis = reports > 0 && openedMillis < 0 ? millis : openedMillis;
-    moveHand(pose, openedMillis < 0 ? 0 : static_cast<double>(millis - openedMillis) / 1000);
-    uint8_t report[PALPATE_IN_BYTES];
-    palpate_device_in(&firmware, &pose, micros, report);
-    send(master, report);
-    palpate_device_motors(&firmware, micros, &motors);
-    if (openedMillis >= 0) {
-      felt.note(motors, reports);
+ private:
+  /** A pty is a stream, so reports are put together again. */
+  int receive(uint32_t micros) override {
+    int count = 0;
+    pollfd wait = {master_, POLLIN, 0};
+    while (poll(&wait, 1, 0) > 0 && (wait.revents & POLLIN) != 0) {
+      const ssize_t got = read(master_, in_ + have_, sizeof in_ - have_);
+      if (got <= 0) {
+        break;
+      }
+      have_ += static_cast<size_t>(got);
+      if (have_ == sizeof in_) {
+        count += palpate_device_out(&firmware_, in_, have_, micros);
+        have_ = 0;
+      }
     }
+    return count;
   }
-  const auto micros = static_cast<uint32_t>((nowNanos() - start) / 1000);
-  receive(master, micros);
-  palpate_device_motors(&firmware, micros, &motors);
-  felt.say("umock_hid", firmware, motors);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : kFailed;
-}
+
+  /**
+   * While nobody has the device open the pty fills up, and a write that waits would wait for ever;
+   * where a part alone fitted, the rest goes before the next report.
+   */
+  void send(const uint8_t (&report)[PALPATE_IN_BYTES]) override {
+    if (rest_ == 0) {
+      std::memcpy(out_, report, sizeof out_);
+      rest_ = sizeof out_;
+    }
+    const ssize_t written = write(master_, out_ + sizeof out_ - rest_, rest_);
+    rest_ -= written > 0 ? static_cast<size_t>(written) : 0;
+  }
+
+  int master_ = -1;
+  uint8_t in_[PALPATE_OUT_BYTES] = {};
+  size_t have_ = 0;
+  uint8_t out_[PALPATE_IN_BYTES] = {};
+  size_t rest_ = 0;
+};
 
 int failed(GError* error) {
   std::fprintf(stderr, "umock_hid: %s\n", error->message);
-  return kFailed;
+  return VirtualDevice::kFailed;
 }
 
 }  // namespace
@@ -204,21 +155,19 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "umock_hid: which command: umock_hid COMMAND [ARGUMENT ...]\n");
     return 2;
   }
-  const palpate_capabilities can = capabilities();
-  palpate_device_init(&firmware, &can);
+  MockedDevice device;
   GError* error = nullptr;
   UMockdevTestbed* testbed = umockdev_testbed_new();
   if (!umockdev_testbed_add_from_string(testbed, description().c_str(), &error)) {
     return failed(error);
   }
   UMockdevIoctlBase* ioctls = umockdev_ioctl_base_new();
-  g_signal_connect(ioctls, "handle-ioctl", G_CALLBACK(onIoctl), nullptr);
+  g_signal_connect(ioctls, "handle-ioctl", G_CALLBACK(onIoctl), device.firmware());
   if (!umockdev_testbed_attach_ioctl(testbed, kNode, ioctls, &error)) {
     return failed(error);
   }
-  const int master = umockdev_testbed_get_dev_fd(testbed, kNode);
-  fcntl(master, F_SETFL, fcntl(master, F_GETFL) | O_NONBLOCK);
-  const int status = serve(master, run(arguments + 1, master));
+  device.connect(umockdev_testbed_get_dev_fd(testbed, kNode));
+  const int status = device.serve("umock_hid", arguments + 1);
   g_object_unref(ioctls);
   g_object_unref(testbed);
   return status;

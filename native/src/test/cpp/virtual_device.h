@@ -1,0 +1,41 @@
+#ifndef PALPATE_VIRTUAL_DEVICE_H
+#define PALPATE_VIRTUAL_DEVICE_H
+
+#include "hand.h"
+#include "palpate_device.h"
+
+/**
+ * A hand-built device that another program finds: the example firmware, a hand that moves it at
+ * 1 kHz, and the way to the host's side of HID, which a class of its own knows. One thread.
+ */
+class VirtualDevice {
+ public:
+  static constexpr const char* kName = "Virtual hand-built device";
+  static constexpr const char* kSerial = "SN0001";
+  static constexpr unsigned kVendor = 0x1209;
+  static constexpr unsigned kProduct = 0x4A01;
+  static constexpr int kFailed = 125;
+
+  VirtualDevice();
+  virtual ~VirtualDevice() = default;
+  VirtualDevice(const VirtualDevice&) = delete;
+  VirtualDevice& operator=(const VirtualDevice&) = delete;
+
+  /**
+   * Runs a command, moves the hand until it ends, says under `name` what was felt; the command's
+   * exit code.
+   */
+  int serve(const char* name, char** command);
+
+ protected:
+  palpate_device firmware_;
+
+ private:
+  /** Takes what the host has sent; the number of forces. */
+  virtual int receive(uint32_t micros) = 0;
+
+  /** Sends a report where there is room for it. */
+  virtual void send(const uint8_t (&report)[PALPATE_IN_BYTES]) = 0;
+};
+
+#endif
