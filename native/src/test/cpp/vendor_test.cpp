@@ -128,6 +128,45 @@ TEST("a device whose dead-man is let go gives no force until it is held and stil
   }
 }
 
+TEST("a Phantom that wants a hand's help to calibrate says so and gives no force") {
+  substitutes::Panel& panel = bench::freshPanel();
+  panel.notReady = 1;
+  const int64_t handle = bench::open("openhaptics", "");
+  bench::holdStill(handle);
+  pushUntilFelt(handle, 1, 0, 0);
+  CHECK((Session::frame(handle)->sample.flags & palpate::kNeedsCalibration) != 0);
+  CHECK_EQUAL(0.0, panel.force[0].load());
+  Session::close(handle, kWait);
+}
+
+TEST("a Phantom whose calibration wants an update gets it in opening") {
+  substitutes::Panel& panel = bench::freshPanel();
+  panel.notReady = 2;
+  const int64_t handle = bench::open("openhaptics", "");
+  bench::holdStill(handle);
+  pushUntilFelt(handle, 1, 0, 0);
+  CHECK((Session::frame(handle)->sample.flags & palpate::kNeedsCalibration) == 0);
+  CHECK_EQUAL(1.0, panel.force[0].load());
+  Session::close(handle, kWait);
+}
+
+TEST("six degrees of freedom: no torque until one is asked for, then no more than the device's") {
+  substitutes::Panel& panel = bench::freshPanel();
+  const int64_t handle = bench::open("openhaptics", "");
+  bench::holdStill(handle);
+  pushUntilFelt(handle, 1, 2, 3);
+  for (const std::atomic<double>& component : panel.torque) {
+    CHECK_EQUAL(0.0, component.load());
+  }
+  Session::frame(handle)->wrench.torqueNewtonMetre[0] = 5;
+  pushUntilFelt(handle, 1, 2, 3);
+  CHECK_NEAR(188.0, panel.torque[0].load(), 1e-9);
+  Session::frame(handle)->wrench.torqueNewtonMetre[0] = NAN;
+  pushUntilFelt(handle, 1, 2, 3);
+  CHECK_EQUAL(0.0, panel.torque[0].load());
+  Session::close(handle, kWait);
+}
+
 TEST("a Force Dimension device is chosen by its serial, and a wrong one is said") {
   bench::freshPanel();
   const int64_t handle = bench::open("forcedimension", "1234");

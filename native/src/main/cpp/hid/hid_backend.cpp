@@ -1,5 +1,6 @@
 #include "hid/hid_backend.h"
 
+#include <cerrno>
 #include <cstdio>
 
 #ifndef _WIN32
@@ -49,11 +50,7 @@ std::string permission(const Listed& listed) {
 #ifdef __linux__
   const bool node = listed.path.rfind("/dev/", 0) == 0;
   if (node && access(listed.path.c_str(), R_OK | W_OK) != 0) {
-    return "no permission on " + listed.path +
-           ": put this line into /etc/udev/rules.d/70-palpate.rules, then plug it in again: "
-           "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"" +
-           hex4(listed.vendorId) + "\", ATTRS{idProduct}==\"" + hex4(listed.productId) +
-           "\", TAG+=\"uaccess\"";
+    return refusal(listed, errno);
   }
 #else
   (void)listed;
@@ -85,6 +82,17 @@ std::string noneLike(const std::string& id, const std::vector<Listed>& all) {
 }
 
 }  // namespace
+
+std::string refusal(const Listed& listed, int error) {
+  if (error == ENOENT) {
+    return "there is no " + listed.path + ": in a container, start it with --device " + listed.path;
+  }
+  return "no permission on " + listed.path +
+         ": put this line into /etc/udev/rules.d/70-palpate.rules, then plug it in again: "
+         "KERNEL==\"hidraw*\", ATTRS{idVendor}==\"" +
+         hex4(listed.vendorId) + "\", ATTRS{idProduct}==\"" + hex4(listed.productId) +
+         "\", TAG+=\"uaccess\"";
+}
 
 void Link::close(Trace* trace) {
   Handle* handle = handle_;

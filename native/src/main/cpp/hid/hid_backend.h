@@ -63,6 +63,9 @@ class Link {
   bool gone_ = false;
 };
 
+/** Why a device's node cannot be opened, by the system's error, and what to do: one line. */
+std::string refusal(const Listed& listed, int error);
+
 /** Opens a device of each kind over a link; nullptr with `why` filled where it is not one. */
 std::unique_ptr<Device> openProtocolDevice(Link link, const Listed& listed,
                                            std::shared_ptr<Trace> trace, std::string& why);

@@ -118,6 +118,10 @@ std::unique_ptr<Device> openProtocolDevice(Link link, const Listed& listed,
     why = "it has no watchdog: force would stay on after a crash: update its firmware";
     return nullptr;
   }
+  if (can.workspaceRadiusMm <= 0 || (can.maxForceNewton > 0 && can.maxStiffnessNewtonPerMm <= 0)) {
+    why = "its capabilities name no workspace or no stiffness: set them in its firmware";
+    return nullptr;
+  }
   return std::make_unique<ProtocolDevice>(std::move(link), std::move(trace), specify(can, listed));
 }
 

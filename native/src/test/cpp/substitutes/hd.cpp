@@ -213,7 +213,8 @@ void hdSetDoublev(unsigned what, const double* value) {
 
 unsigned hdCheckCalibration() {
   const Call call("hdCheckCalibration", false);
-  return panel().notReady ? 0x5002 : 0x5000;
+  const int state = panel().notReady;  // 1 wants a hand's help, 2 an update
+  return state == 0 ? 0x5000 : state == 1 ? 0x5002 : 0x5001;
 }
 
 unsigned hdCheckCalibrationStyle() {
@@ -221,9 +222,12 @@ unsigned hdCheckCalibrationStyle() {
   return 2;
 }
 
-void hdUpdateCalibration(unsigned) {
+void hdUpdateCalibration(unsigned style) {
   const Call call("hdUpdateCalibration", false);
   fail(call);
+  if (!call.fails() && panel().notReady == 2 && style == 2) {
+    panel().notReady = 0;
+  }
 }
 
 void hdStartScheduler() {
