@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
+import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReplayDevice;
@@ -25,8 +26,9 @@ import org.palpate.io.VolumeHeader;
  *
  * @param name of the back end
  * @param id seed, file, serial, name or host; empty where none was given
+ * @param eachAxis whether a real one's reach is stretched over the box along each axis by itself
  */
-record DeviceChoice(String name, String id) {
+record DeviceChoice(String name, String id, boolean eachAxis) {
   private static final String SIMULATED = "simulated";
   private static final String REPLAY = "replay";
   private static final String MOUSE = "mouse";
@@ -44,7 +46,7 @@ record DeviceChoice(String name, String id) {
     int colon = argument.indexOf(':');
     String name = colon < 0 ? argument : argument.substring(0, colon);
     String id = colon < 0 ? "" : argument.substring(colon + 1);
-    DeviceChoice choice = new DeviceChoice(name, id);
+    DeviceChoice choice = new DeviceChoice(name, id, false);
     boolean known =
         name.equals(SIMULATED)
             || name.equals(REPLAY)
@@ -60,6 +62,21 @@ record DeviceChoice(String name, String id) {
       choice.seed();
     }
     return choice;
+  }
+
+  /**
+   * The same device, its reach fitted to each axis where {@code wanted}.
+   *
+   * @throws PalpateException where it is no real one, which has a reach
+   */
+  DeviceChoice fittedEachAxis(boolean wanted) {
+    if (wanted && !isReal()) {
+      throw PalpateException.wrongUse(
+          "only a real device's reach is fitted",
+          "--fit-each-axis --device " + this,
+          "leave it out, or choose hid, openhaptics, forcedimension or virtuose");
+    }
+    return new DeviceChoice(name, id, wanted);
   }
 
   private PalpateException wrong(String what) {
@@ -114,8 +131,11 @@ record DeviceChoice(String name, String id) {
   private HapticDevice openReal(HandTarget target, VolumeHeader.World world) {
     try {
       HapticDevice device = DeviceCatalog.open(name, id);
+      DeviceSpecification reach = device.specification();
       Workspace workspace =
-          Workspace.fit(device.specification(), axes(world), target.lowMm(), target.highMm());
+          eachAxis
+              ? Workspace.fitEachAxis(reach, axes(world), target.lowMm(), target.highMm())
+              : Workspace.fit(reach, axes(world), target.lowMm(), target.highMm());
       return new WorkspaceDevice(device, workspace, WorkspaceDevice.Controls.standard());
     } catch (DeviceException e) {
       throw PalpateException.failed(e.getMessage(), e);

@@ -3,11 +3,15 @@ package org.palpate.app;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
+import java.util.LinkedHashMap;
 import java.util.Locale;
+import java.util.Map;
+import java.util.StringJoiner;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.palpate.device.DeviceState;
 import org.palpate.device.ReadStatus;
+import org.palpate.device.jni.DeviceCounters;
 import org.palpate.device.jni.NativeDevice;
 import org.palpate.geometry.Vec3;
 
@@ -37,12 +41,23 @@ final class DeviceWatch {
     this.out = out;
   }
 
-  /** Watches until the device goes or the time is over; returns why it went, or nothing. */
+  /**
+   * Watches until the device goes or the time is over, then says what befell its samples; returns
+   * why it went, or nothing.
+   */
   String watch(double seconds) throws IOException {
-    out.println(
-        device.specification().name()
-            + ": Enter draws "
-            + format("%.2f N upwards for 0.3 s, Ctrl-C ends", pushNewton()));
+    String ending = watchUntilTheEnd(seconds);
+    out.println(befell());
+    out.flush();
+    return ending;
+  }
+
+  private String watchUntilTheEnd(double seconds) throws IOException {
+    String push =
+        pushNewton() > 0
+            ? format("Enter draws %.2f N upwards for 0.3 s", pushNewton())
+            : "an input without force";
+    out.println(device.specification().name() + ": " + push + ", Ctrl-C ends");
     long start = System.nanoTime();
     for (long frame = 1; frame * 1e-3 <= seconds; frame++) {
       LockSupport.parkNanos(start + frame * FRAME_NANOS - System.nanoTime());
@@ -77,16 +92,60 @@ final class DeviceWatch {
     shownSamples = samples;
     out.println(
         format(
-            "%7.1f s  %8.2f %8.2f %8.2f mm  buttons %s  %d samples/s%s%s",
+            "%7.1f s  %8.2f %8.2f %8.2f mm  buttons %s  %d samples/s%s",
             frame * 1e-3,
             state.positionMm.x,
             state.positionMm.y,
             state.positionMm.z,
             Integer.toBinaryString(state.buttons),
             samplesPerSecond,
-            device.isWaitingForHand() ? "  hold it still to let force in" : "",
-            pushing > 0 ? "  pushing" : ""));
+            condition()));
     out.flush();
+  }
+
+  /** What keeps force away or is done with it, and how hot the motors are. */
+  private String condition() {
+    String heat =
+        device.motorHeat() > 0 ? format("  motors at %.0f %%", 100 * device.motorHeat()) : "";
+    if (device.needsCalibration()) {
+      return heat + "  calibrate it to let force in";
+    }
+    if (device.isWaitingForHand()) {
+      return heat + "  hold it still to let force in";
+    }
+    return heat + (pushing > 0 ? "  pushing" : "");
+  }
+
+  /** The counts of samples, for a report. */
+  void putInto(Report report) {
+    counts().forEach(report::put);
+  }
+
+  private Map<String, Long> counts() {
+    DeviceCounters counters = device.counters();
+    Map<String, Long> counts = new LinkedHashMap<>();
+    counts.put("samples", counters.samples());
+    counts.put("merged", counters.merged());
+    counts.put("late", counters.late());
+    counts.put("lost", counters.lost());
+    counts.put("duplicated", counters.duplicated());
+    counts.put("out_of_order", counters.outOfOrder());
+    counts.put("wrong_length", counters.wrongLength());
+    counts.put("errors", counters.errors());
+    return counts;
+  }
+
+  /** One line: how many samples, and how many of them were not as they should be. */
+  private String befell() {
+    StringJoiner line = new StringJoiner(", ");
+    counts()
+        .forEach(
+            (what, count) -> {
+              if (count > 0 || what.equals("samples")) {
+                line.add(count + " " + what.replace('_', ' '));
+              }
+            });
+    return line.toString();
   }
 
   private static String format(String pattern, Object... values) {

@@ -45,12 +45,33 @@ final class DevicesCommand implements Callable<Integer> {
       description = "Show one device live: position, buttons, rate; Enter draws a gentle force.")
   private String watched;
 
-  @Option(names = "--seconds", description = "How long to watch; until Ctrl-C without it.")
-  private double seconds = Double.POSITIVE_INFINITY;
+  @Option(
+      names = "--seconds",
+      paramLabel = "S",
+      description = "How long to watch; until Ctrl-C without it.")
+  private Double seconds;
 
   @Override
   public Integer call() throws IOException {
+    refuseWhatDoesNotGoTogether();
     return watched == null ? list() : watch();
+  }
+
+  private void refuseWhatDoesNotGoTogether() {
+    if (seconds != null && !(seconds > 0)) {
+      throw PalpateException.wrongUse(
+          "a positive number is needed", "--seconds " + seconds, "try --seconds 10");
+    }
+    if (seconds != null && watched == null) {
+      throw PalpateException.wrongUse(
+          "nothing is watched", "--seconds " + seconds, "add --watch NAME, or leave it out");
+    }
+    if (json && watched != null) {
+      throw PalpateException.wrongUse(
+          "what is live is not printed as JSON",
+          "--json --watch " + watched,
+          "take --report FILE.json with --watch");
+    }
   }
 
   private int watch() throws IOException {
@@ -63,11 +84,14 @@ final class DevicesCommand implements Callable<Integer> {
           "--watch " + watched,
           "write hid, openhaptics, forcedimension or virtuose, with :ID where there are several");
     }
+    Report report = new Report("devices", output.report(), List.of());
     try (NativeDevice device = DeviceCatalog.open(name, id)) {
       // Zero force goes first on Ctrl-C too.
       Runtime.getRuntime().addShutdownHook(new Thread(device::close, "palpate-device-end"));
-      String ending =
-          new DeviceWatch(device, System.in, spec.commandLine().getOut()).watch(seconds);
+      DeviceWatch watch = new DeviceWatch(device, System.in, spec.commandLine().getOut());
+      String ending = watch.watch(seconds == null ? Double.POSITIVE_INFINITY : seconds);
+      watch.putInto(report.put("device", watched).put("ending", ending));
+      report.write();
       if (!ending.isEmpty()) {
         throw PalpateException.failed("the device went: " + watched + ": " + ending, null);
       }
@@ -96,12 +120,20 @@ final class DevicesCommand implements Callable<Integer> {
 
   private static void print(Finding finding, PrintWriter out) {
     String library = (finding.library() + " " + finding.version()).strip();
-    String state = finding.usable() ? "found" : "not usable: " + finding.why();
-    line(out, finding.backend(), state + (library.isEmpty() ? "" : " (" + library + ")"));
+    line(out, finding.backend(), state(finding) + (library.isEmpty() ? "" : " (" + library + ")"));
     for (Finding.Found device : finding.devices()) {
       String name = device.id().isEmpty() ? device.name() : device.id() + "  " + device.name();
       line(out, "", device.usable() ? name : name + ": " + device.why());
     }
+  }
+
+  /** Why not is said once: of the device where there is one, else of the back end. */
+  private static String state(Finding finding) {
+    if (finding.usable()) {
+      return "found";
+    }
+    boolean saidBelow = finding.devices().stream().anyMatch(d -> d.why().equals(finding.why()));
+    return saidBelow ? "not usable yet" : "not usable: " + finding.why();
   }
 
   private static void line(PrintWriter out, String what, String text) {

@@ -62,6 +62,14 @@ final class TouchCommand implements Callable<Integer> {
   private String device;
 
   @Option(
+      names = "--fit-each-axis",
+      description = {
+        "Stretch a real device's reach over the volume's box along each axis by itself;",
+        "shapes then lose their proportions."
+      })
+  private boolean fitEachAxis;
+
+  @Option(
       names = "--rate",
       paramLabel = "HZ",
       defaultValue = "1000",
@@ -96,7 +104,7 @@ final class TouchCommand implements Callable<Integer> {
     }
     checkNumbers();
     ContactSettings settings = contact.settings();
-    DeviceChoice choice = DeviceChoice.parse(device);
+    DeviceChoice choice = DeviceChoice.parse(device).fittedEachAxis(fitEachAxis);
     VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
     inputs.addAll(choice.files());

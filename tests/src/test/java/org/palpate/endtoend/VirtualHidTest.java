@@ -73,10 +73,14 @@ class VirtualHidTest {
 
   @Test
   void aKeyDrawsForceWhileItIsWatched() throws Exception {
-    CommandRun run = run("\n", "devices", "--watch", "hid:SN0001", "--seconds", "3");
+    Path report = folder.resolve("r.json");
+    CommandRun run =
+        run("\n", "devices", "--watch", "hid:SN0001", "--seconds", "3", "--report", report);
     assertTrue(run.out().contains("samples/s"), run.out());
     assertTrue(run.out().contains("hold it still"), run.out());
     assertTrue(run.out().contains("pushing"), run.out());
+    String samples = FlatJson.read(report).get("/samples");
+    assertTrue(run.out().contains("\n" + samples + " samples"), run.out());
     Matcher felt = felt(run.err());
     // A tenth of its maximum, once the hand had held it still.
     assertEquals("600", felt.group(3), run.err());

@@ -44,6 +44,7 @@ class WrongUseTest {
         "touch --device banana",
         "touch --device replay",
         "touch --device simulated:x",
+        "touch --fit-each-axis",
         "touch --phantom cow",
         "touch --phantom head:3",
         "touch --phantom head:64 --volume x.nrrd",
@@ -61,6 +62,10 @@ class WrongUseTest {
         "info --solver guarded",
         "info --phantom sphere:32 --export bone.xyz",
         "info --phantom sphere:32 --export same.nrrd --report same.nrrd",
+        "devices --seconds 3",
+        "devices --watch hid --seconds 0",
+        "devices --watch hid --json",
+        "devices --watch simulated",
         "jitter --out jitter --seconds 0",
         "jitter --out jitter --heap 0",
         "jitter --out jitter --minutes NaN");
