@@ -1,13 +1,19 @@
 #!/bin/sh
 # What reaching hidapi from Java costs: ours, JNA direct, hid4java, on one substitute library, by JMH.
 #
-#   benchmarks/src/test/sh/crossing-table.sh [JMH OPTION ...]
+#   benchmarks/src/test/sh/crossing-table.sh [ROUNDS [JAVA_HOME ...]]
 #
-# Needs what ./palpate test has built: native/target/cmake-tests and the classes of the modules.
+# In every round (5) each JDK (JAVA_HOME) measures every way in a fresh process, so that what else
+# the machine does falls on all alike. Prints processor time of the measuring thread, nanoseconds a
+# frame: median, least and most of the rounds, and how many times two empty native calls of the
+# same process that is. Needs what ./palpate test has built.
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../../../.." && pwd -P)
 substitutes=$root/native/target/cmake-tests/substitutes
 classes=$root/benchmarks/target
+rounds=${1:-5}
+[ $# -eq 0 ] || shift
+[ $# -gt 0 ] || set -- "${JAVA_HOME:-/usr}"
 [ -f "$substitutes/libhidapi-hidraw.so.0" ] && [ -d "$classes/test-classes" ] || {
   echo "palpate: not built yet: $root: run ./palpate test once" >&2
   exit 1
@@ -17,7 +23,49 @@ ln -sf libhidapi-hidraw.so.0 "$substitutes/libhidapi.so"
 (cd "$root" && mvn -q -B -o -pl core,native,plugin,benchmarks test-compile \
   -Dpalpate.skipCpp=true org.apache.maven.plugins:maven-dependency-plugin:3.6.1:build-classpath \
   -Dmdep.outputFile=target/test-classpath -Dmdep.includeScope=test) >&2
-PALPATE_NULL_HID=1 PALPATE_FAKE_HID=/nonexistent LD_LIBRARY_PATH=$substitutes \
-  exec "${JAVA_HOME:-/usr}/bin/java" -Djna.library.path="$substitutes" \
-  -cp "$classes/test-classes:$classes/classes:$(cat "$classes/test-classpath")" \
-  org.openjdk.jmh.Main HidPeersBenchmark -jvmArgsAppend "-Djna.library.path=$substitutes" "$@"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+
+# One fresh process a way; appends lines of JDK, round, way, nanoseconds.
+measure() {
+  jdk=$("$2/bin/java" -version 2>&1 | sed -n 's/.*version "\([0-9]*\).*/\1/p')
+  PALPATE_NULL_HID=1 PALPATE_FAKE_HID=/nonexistent LD_LIBRARY_PATH=$substitutes \
+    "$2/bin/java" -Djna.library.path="$substitutes" \
+    -cp "$classes/test-classes:$classes/classes:$(cat "$classes/test-classpath")" \
+    org.openjdk.jmh.Main HidPeersBenchmark -f 1 -wi 5 -w 300ms -i 5 -r 200ms \
+    -prof org.palpate.benchmarks.speed.WorkerTime -rf csv -rff "$work/one.csv" \
+    -jvmArgsAppend "-Djna.library.path=$substitutes" >"$work/log" 2>&1 || {
+    tail -n 20 "$work/log" >&2
+    exit 1
+  }
+  awk -F, -v jdk="$jdk" -v round="$1" '/:worker.cpu/ {
+    gsub(/"/, ""); split($1, name, ":"); way = name[1]; sub(/.*[.]/, "", way)
+    print jdk, round, way, $5
+  }' "$work/one.csv" >>"$work/all"
+}
+
+round=0
+while [ "$round" -lt "$rounds" ]; do
+  round=$((round + 1))
+  for home in "$@"; do measure "$round" "$home"; done
+done
+
+sort -k1,1n -k3,3 -k4,4n "$work/all" | awk '
+  $3 == "twoEmptyCalls" { empty[$1 " " $2] = $4 }
+  { key = $1 " " $3; if (!(key in count)) order[++keys] = key
+    value[key, ++count[key]] = $4; from[key, count[key]] = $1 " " $2 }
+  END {
+    printf "%-4s %-14s %8s %8s %8s   %s\n", "JDK", "way", "median", "least", "most",
+      "times two empty calls"
+    for (k = 1; k <= keys; k++) {
+      key = order[k]; n = count[key]; split(key, part, " "); low = 1e9; high = 0
+      for (i = 1; i <= n; i++) {
+        ratio = value[key, i] / empty[from[key, i]]
+        if (ratio < low) low = ratio
+        if (ratio > high) high = ratio
+      }
+      printf "%-4s %-14s %8.1f %8.1f %8.1f   %.1f to %.1f\n", part[1], part[2],
+        value[key, int((n + 1) / 2)], value[key, 1], value[key, n], low, high
+    }
+  }'
