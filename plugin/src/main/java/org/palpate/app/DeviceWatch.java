@@ -21,8 +21,8 @@ import org.palpate.geometry.Vec3;
  */
 final class DeviceWatch {
   private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
-  private static final int FRAMES_A_LINE = 100;
-  private static final int PUSH_FRAMES = 300;
+  private static final long LINE_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+  private static final long PUSH_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
 
   /** Of what the device bears at most, so that it can be felt and does no harm. */
   private static final double PUSH_SHARE = 0.1;
@@ -32,8 +32,11 @@ final class DeviceWatch {
   private final InputStream keys;
   private final DeviceState state = new DeviceState();
   private final Vec3 forceNewton = new Vec3();
+  private long startNanos;
+  private long shownNanos;
   private long shownSamples;
-  private int pushing;
+  private boolean pressed;
+  private long pressedNanos;
 
   DeviceWatch(NativeDevice device, InputStream keys, PrintWriter out) {
     this.device = device;
@@ -58,24 +61,30 @@ final class DeviceWatch {
             ? format("Enter draws %.2f N upwards for 0.3 s", pushNewton())
             : "an input without force";
     out.println(device.specification().name() + ": " + push + ", Ctrl-C ends");
-    long start = System.nanoTime();
-    for (long frame = 1; frame * 1e-3 <= seconds; frame++) {
-      LockSupport.parkNanos(start + frame * FRAME_NANOS - System.nanoTime());
-      if (!step()) {
+    startNanos = System.nanoTime();
+    shownNanos = startNanos - LINE_NANOS;
+    long nanos = startNanos;
+    while ((nanos - startNanos) * 1e-9 < seconds) {
+      if (!step(nanos)) {
         return device.ending();
       }
-      if (frame % FRAMES_A_LINE == 0) {
-        show(frame);
+      if (nanos - shownNanos >= LINE_NANOS) {
+        show(nanos);
       }
+      LockSupport.parkNanos(nanos + FRAME_NANOS - System.nanoTime());
+      nanos = System.nanoTime();
     }
     return "";
   }
 
-  private boolean step() throws IOException {
+  private boolean step(long nanos) {
     ReadStatus status = device.read(state);
-    forceNewton.set(0, pushing > 0 ? pushNewton() : 0, 0);
-    pushing = Math.max(0, pushing - 1);
+    forceNewton.set(0, isPushing(nanos) ? pushNewton() : 0, 0);
     return status != ReadStatus.DISCONNECTED && device.write(forceNewton);
+  }
+
+  private boolean isPushing(long nanos) {
+    return pressed && nanos - pressedNanos < PUSH_NANOS;
   }
 
   private double pushNewton() {
@@ -83,28 +92,32 @@ final class DeviceWatch {
     return Double.isFinite(most) ? PUSH_SHARE * most : 0;
   }
 
-  private void show(long frame) throws IOException {
+  private void show(long nanos) throws IOException {
     while (keys.available() > 0 && keys.read() >= 0) {
-      pushing = PUSH_FRAMES;
+      pressed = true;
+      pressedNanos = nanos;
     }
     long samples = device.counters().samples();
-    long samplesPerSecond = (samples - shownSamples) * 1000 / FRAMES_A_LINE;
+    // The first read drains what had been waiting, which is no rate.
+    long fresh = nanos == startNanos ? 0 : samples - shownSamples;
+    double samplesPerSecond = fresh * 1e9 / (nanos - shownNanos);
     shownSamples = samples;
+    shownNanos = nanos;
     out.println(
         format(
-            "%7.1f s  %8.2f %8.2f %8.2f mm  buttons %s  %d samples/s%s",
-            frame * 1e-3,
+            "%7.1f s  %8.2f %8.2f %8.2f mm  buttons %s  %.0f samples/s%s",
+            (nanos - startNanos) * 1e-9,
             state.positionMm.x,
             state.positionMm.y,
             state.positionMm.z,
             Integer.toBinaryString(state.buttons),
             samplesPerSecond,
-            condition()));
+            condition(nanos)));
     out.flush();
   }
 
   /** What keeps force away or is done with it, and how hot the motors are. */
-  private String condition() {
+  private String condition(long nanos) {
     String heat =
         device.motorHeat() > 0 ? format("  motors at %.0f %%", 100 * device.motorHeat()) : "";
     if (device.needsCalibration()) {
@@ -113,7 +126,7 @@ final class DeviceWatch {
     if (device.isWaitingForHand()) {
       return heat + "  hold it still to let force in";
     }
-    return heat + (pushing > 0 ? "  pushing" : "");
+    return heat + (isPushing(nanos) ? "  pushing" : "");
   }
 
   /** The counts of samples, for a report. */
