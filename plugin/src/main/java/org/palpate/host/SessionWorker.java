@@ -58,6 +58,21 @@ public final class SessionWorker {
     }
   }
 
+  /**
+   * Whether the process is ending: windows are being taken down by others then, and nobody is there
+   * to be told what they throw. Any thread.
+   */
+  public static boolean isProcessEnding() {
+    Thread none = new Thread(() -> {});
+    try {
+      Runtime.getRuntime().addShutdownHook(none);
+      Runtime.getRuntime().removeShutdownHook(none);
+      return false;
+    } catch (IllegalStateException e) {
+      return true;
+    }
+  }
+
   /** Waits for the end; whether it came in that time. Any thread but the worker's own. */
   public boolean await(long millis) {
     try {

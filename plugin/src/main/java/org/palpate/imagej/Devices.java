@@ -1,11 +1,15 @@
 package org.palpate.imagej;
 
 import ij.text.TextWindow;
+import java.util.List;
 import org.palpate.device.jni.DeviceCatalog;
 import org.palpate.device.jni.Finding;
 
 /** "Devices...": what can be used here, each back end found or why not. */
 public final class Devices extends PalpateCommand {
+  private static final int WIDTH = 1000;
+  private static final int HEIGHT = 320;
+
   /** Made by ImageJ. */
   public Devices() {
     super("Devices");
@@ -13,8 +17,11 @@ public final class Devices extends PalpateCommand {
 
   @Override
   void execute() {
-    StringBuilder rows = new StringBuilder("simulated\tfound\t\t\nreplay\tfound\t\t");
-    for (Finding finding : DeviceCatalog.findings()) {
+    StringBuilder rows = new StringBuilder();
+    row(rows, "simulated", "found", "", "a hand that approaches, presses, slides, taps and tears");
+    row(rows, "mouse", "found", "", "the mouse in the 3-D window");
+    row(rows, "replay", "found", "FILE.csv", "a recorded trajectory");
+    for (Finding finding : realOnes()) {
       row(rows, finding.backend(), finding.usable() ? "found" : "not usable", "", finding.why());
       for (Finding.Found device : finding.devices()) {
         row(
@@ -25,7 +32,14 @@ public final class Devices extends PalpateCommand {
             device.usable() ? device.name() : device.why());
       }
     }
-    new TextWindow("Palpate Devices", "Back end\tState\tId\tWhat", rows.toString(), 720, 320);
+    new TextWindow(
+        "Palpate Devices", "Back end\tState\tId\tWhat", rows.toString().strip(), WIDTH, HEIGHT);
+  }
+
+  private static List<Finding> realOnes() {
+    return DeviceCatalog.findings().stream()
+        .filter(finding -> DeviceCatalog.isNative(finding.backend()))
+        .toList();
   }
 
   private static void row(StringBuilder rows, String... columns) {

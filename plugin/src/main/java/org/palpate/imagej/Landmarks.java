@@ -2,8 +2,6 @@ package org.palpate.imagej;
 
 import ij.IJ;
 import ij.gui.GenericDialog;
-import java.nio.file.InvalidPathException;
-import java.nio.file.Path;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -33,16 +31,8 @@ public final class Landmarks extends PalpateCommand {
     String folder = dialog.getNextString().strip();
     session.landmarks().add(name, grid);
     if (!folder.isEmpty()) {
-      session.landmarks().save(path(folder));
+      session.landmarks().save(FilePaths.of("folder", folder));
       IJ.showStatus("Palpate: landmarks saved in " + folder);
-    }
-  }
-
-  private static Path path(String folder) throws StackRefused {
-    try {
-      return Path.of(folder);
-    } catch (InvalidPathException e) {
-      throw new StackRefused("This is no folder: " + folder);
     }
   }
 }

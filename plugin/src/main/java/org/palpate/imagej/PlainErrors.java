@@ -12,6 +12,7 @@ final class PlainErrors {
 
   /** Shows a refusal, or a failure that no one foresaw. Any thread. */
   static void show(String title, Exception failure) {
+    clearStatus();
     if (failure instanceof StackRefused) {
       IJ.error(title, failure.getMessage());
       return;
@@ -28,9 +29,16 @@ final class PlainErrors {
 
   /** Says that the memory does not suffice. Any thread. */
   static void showOutOfMemory(String title) {
+    clearStatus();
     IJ.error(
         title,
         "There is not enough memory: give ImageJ more by Edit > Options > Memory & Threads...");
+  }
+
+  /** What was being done is done no more. */
+  private static void clearStatus() {
+    IJ.showProgress(1);
+    IJ.showStatus("");
   }
 
   /** Whether this is how ImageJ ends a macro. */

@@ -17,11 +17,12 @@ public final class RecordTrajectory extends PalpateCommand {
 
   @Override
   void execute() throws StackRefused {
+    Sessions.refuseSecond();
     StackVolume volume = StackVolume.shownIn(IJ.getImage());
     if (volume.isOneOfSeveral() && !TouchVolume.asksFor(volume)) {
       return;
     }
-    TouchOptions options = TouchOptions.ask("Record Trajectory", volume);
+    TouchOptions options = TouchOptions.ask("Record Trajectory", volume, true);
     if (options == null) {
       return;
     }

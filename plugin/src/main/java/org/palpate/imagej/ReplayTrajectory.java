@@ -35,8 +35,8 @@ public final class ReplayTrajectory extends PalpateCommand {
     if (dialog.wasCanceled()) {
       return;
     }
-    Path file = Path.of(dialog.getNextString().strip());
-    TouchOptions options = TouchOptions.ask("Replay Trajectory", volume);
+    Path file = FilePaths.of("recorded trajectory", dialog.getNextString());
+    TouchOptions options = TouchOptions.ask("Replay Trajectory", volume, false);
     if (options != null) {
       replay(volume, options, read(file));
     }

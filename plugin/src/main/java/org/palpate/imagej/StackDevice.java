@@ -55,9 +55,10 @@ record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
   }
 
   private static HapticDevice replay(String file) throws StackRefused {
+    Path path = FilePaths.of("recorded trajectory", file);
     Trajectory trajectory = new Trajectory();
     try {
-      TrajectoryCsv.read(Path.of(file), false, trajectory::add);
+      TrajectoryCsv.read(path, false, trajectory::add);
     } catch (IOException e) {
       throw new StackRefused("The trajectory cannot be read: " + e.getMessage());
     }

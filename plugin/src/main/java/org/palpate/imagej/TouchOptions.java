@@ -46,10 +46,16 @@ record TouchOptions(
     double seconds,
     boolean view) {
   private static final String PREFIX = "palpate.";
+  private static final String SIMULATED = "simulated";
+  private static final int THRESHOLD_COLUMNS = 10;
   private static final double LARGEST_DEFAULT = 65535;
 
-  /** Asks the user, or takes what a macro says; null where it was cancelled. */
-  static TouchOptions ask(String title, StackVolume volume) throws StackRefused {
+  /**
+   * Asks the user, or takes what a macro says; null where it was cancelled.
+   *
+   * @param live whether a device is to be held; a replay needs nothing that has to do with it
+   */
+  static TouchOptions ask(String title, StackVolume volume, boolean live) throws StackRefused {
     ImageProcessor shown = volume.image().getProcessor();
     boolean threshold = shown.getMinThreshold() != ImageProcessor.NO_THRESHOLD;
     Calibration values = volume.image().getCalibration();
@@ -60,21 +66,44 @@ record TouchOptions(
             ? values.getCValue(shown.getMaxThreshold())
             : Prefs.get(PREFIX + "upper", LARGEST_DEFAULT);
     GenericDialog dialog = new GenericDialog(title);
+    addSegment(dialog, lower, upper);
+    addFeel(dialog);
+    if (live) {
+      addDevice(dialog);
+    }
+    HelpText.addTo(dialog);
+    dialog.showDialog();
+    if (dialog.wasCanceled()) {
+      return null;
+    }
+    TouchOptions chosen = read(dialog, threshold ? lower : Double.NaN, upper, live);
+    chosen.check();
+    chosen.keep(live);
+    return chosen;
+  }
+
+  private static void addSegment(GenericDialog dialog, double lower, double upper) {
     dialog.addStringField("Segment name", Prefs.get(PREFIX + "name", "segment"), 16);
     dialog.addChoice(
         "Colour",
         SegmentColour.words(),
         Prefs.get(PREFIX + "colour", SegmentColour.BONE.toString()));
     dialog.addCheckbox("Labels: a segment a value", Prefs.get(PREFIX + "labels", false));
-    dialog.addNumericField("Lower threshold", lower, 2);
-    dialog.addNumericField("Upper threshold", upper, 2);
+    dialog.addNumericField("Lower threshold", lower, 2, THRESHOLD_COLUMNS, "");
+    dialog.addNumericField("Upper threshold", upper, 2, THRESHOLD_COLUMNS, "");
+  }
+
+  private static void addFeel(GenericDialog dialog) {
     dialog.addChoice(
         "Solver", solvers(), Prefs.get(PREFIX + "solver", SolverKind.DEFAULT.toString()));
     dialog.addNumericField(
         "Stiffness (0: device default)", Prefs.get(PREFIX + "stiffness", 0), 3, 8, "N/mm");
     dialog.addNumericField(
         "Friction", Prefs.get(PREFIX + "friction", ForceSettings.DEFAULT_FRICTION), 2);
-    dialog.addStringField("Device", Prefs.get(PREFIX + "device", "simulated"), 24);
+  }
+
+  private static void addDevice(GenericDialog dialog) {
+    dialog.addStringField("Device", Prefs.get(PREFIX + "device", SIMULATED), 24);
     dialog.addChoice(
         "Workspace of a real device",
         StackWorkspace.Kind.words(),
@@ -83,15 +112,6 @@ record TouchOptions(
         "Scale, where by scale", Prefs.get(PREFIX + "scale", 1), 3, 8, "mm of scan per mm of hand");
     dialog.addNumericField("Time (0: until Escape)", Prefs.get(PREFIX + "seconds", 0), 1, 8, "s");
     dialog.addCheckbox("View in 3-D", Prefs.get(PREFIX + "view", true));
-    HelpText.addTo(dialog);
-    dialog.showDialog();
-    if (dialog.wasCanceled()) {
-      return null;
-    }
-    TouchOptions chosen = read(dialog, threshold ? lower : Double.NaN, upper);
-    chosen.check();
-    chosen.keep();
-    return chosen;
   }
 
   /**
@@ -99,7 +119,8 @@ record TouchOptions(
    *
    * @param shownLower the lower threshold that the image shows; NaN where it shows none
    */
-  private static TouchOptions read(GenericDialog dialog, double shownLower, double shownUpper)
+  private static TouchOptions read(
+      GenericDialog dialog, double shownLower, double shownUpper, boolean live)
       throws StackRefused {
     String name = dialog.getNextString().strip();
     String colour = dialog.getNextChoice();
@@ -109,11 +130,11 @@ record TouchOptions(
     String solver = dialog.getNextChoice();
     double stiffness = dialog.getNextNumber();
     double friction = dialog.getNextNumber();
-    String device = dialog.getNextString().strip();
-    String workspace = dialog.getNextChoice();
-    double scale = dialog.getNextNumber();
-    double seconds = dialog.getNextNumber();
-    boolean view = dialog.getNextBoolean();
+    String device = live ? dialog.getNextString().strip() : SIMULATED;
+    String workspace = live ? dialog.getNextChoice() : StackWorkspace.Kind.FIT.toString();
+    double scale = live ? dialog.getNextNumber() : 1;
+    double seconds = live ? dialog.getNextNumber() : 0;
+    boolean view = live && dialog.getNextBoolean();
     if (dialog.invalidNumber()) {
       throw new StackRefused("A field does not hold a number: " + dialog.getErrorMessage());
     }
@@ -177,7 +198,7 @@ record TouchOptions(
     }
   }
 
-  private void keep() {
+  private void keep(boolean live) {
     Prefs.set(PREFIX + "name", name);
     Prefs.set(PREFIX + "colour", colour.toString());
     Prefs.set(PREFIX + "labels", labels);
@@ -186,11 +207,13 @@ record TouchOptions(
     Prefs.set(PREFIX + "solver", solver.toString());
     Prefs.set(PREFIX + "stiffness", stiffnessNewtonPerMm);
     Prefs.set(PREFIX + "friction", friction);
-    Prefs.set(PREFIX + "device", device);
-    Prefs.set(PREFIX + "workspace", workspace.kind().toString());
-    Prefs.set(PREFIX + "scale", workspace.scale());
-    Prefs.set(PREFIX + "seconds", seconds);
-    Prefs.set(PREFIX + "view", view);
+    if (live) {
+      Prefs.set(PREFIX + "device", device);
+      Prefs.set(PREFIX + "workspace", workspace.kind().toString());
+      Prefs.set(PREFIX + "scale", workspace.scale());
+      Prefs.set(PREFIX + "seconds", seconds);
+      Prefs.set(PREFIX + "view", view);
+    }
   }
 
   /** As the host wants them. */

@@ -64,7 +64,9 @@ final class TouchRun {
     try {
       tell(touch());
     } catch (StackRefused | RuntimeException e) {
-      PlainErrors.show(TITLE, e);
+      if (!SessionWorker.isProcessEnding()) {
+        PlainErrors.show(TITLE, e);
+      }
     } catch (OutOfMemoryError e) {
       PlainErrors.showOutOfMemory(TITLE);
     }

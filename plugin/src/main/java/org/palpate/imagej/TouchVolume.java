@@ -20,9 +20,10 @@ public final class TouchVolume extends PalpateCommand {
 
   @Override
   void execute() throws StackRefused {
+    Sessions.refuseSecond();
     StackVolume volume = StackVolume.shownIn(IJ.getImage());
     if (!volume.isOneOfSeveral() || asksFor(volume)) {
-      TouchOptions options = TouchOptions.ask("Touch Volume", volume);
+      TouchOptions options = TouchOptions.ask("Touch Volume", volume, true);
       if (options != null) {
         TouchRun.begin(volume, options, Optional.empty());
       }

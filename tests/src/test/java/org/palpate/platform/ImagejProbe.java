@@ -200,9 +200,10 @@ public final class ImagejProbe implements PlugIn {
     Path taped = folder.resolve("taped.csv");
     run("Record Trajectory...", TOUCH_BALL + slide + "time=1 record=[" + taped + "]");
     await("the recording", () -> !isTouching() && Files.exists(taped));
-    run("Touch Volume...", TOUCH_BALL + slide + "time=0");
-    IJ.setKeyDown(KeyEvent.VK_ESCAPE);
-    await("the end by Escape", () -> !isTouching());
+    run("Touch Volume...", TOUCH_BALL + device("still.csv") + "time=0");
+    IJ.setKeyDown(KeyEvent.VK_ESCAPE); // any macro would take it back, so none asks for the end
+    await("the end by Escape", () -> palpateThreads().isEmpty());
+    fact("touching after Escape", touching());
     IJ.doCommand("About Palpate...");
     Dialog about = awaitAny("About Palpate");
     fact("about", texts(about));

@@ -188,7 +188,9 @@ class RealImagejTest {
     assertTrue(recorded.contains("run(\"Measure Jitter...\", \"time=1\")"), recorded);
     assertTrue(recorded.contains("trajectory=" + folder.resolve("short.csv")), recorded);
     assertTrue(recorded.contains("lower=100 upper=255"), recorded);
+    assertFalse(recorded.contains("device="), "a replay has no device: " + recorded);
     assertEquals("true", seen.of("devices"));
+    assertEquals("false", seen.of("touching after Escape"));
     assertEquals(4, seen.number("jitter rows"));
     assertTrue(seen.of("about").contains("Not a medical device"), seen.of("about"));
     assertTrue(seen.of("about").matches("(?s).*Palpate \\d+\\.\\d+.*"), seen.of("about"));
