@@ -7,6 +7,7 @@ import static org.palpate.platform.ImagejProbeDialogs.byHand;
 import static org.palpate.platform.ImagejProbeDialogs.choose;
 import static org.palpate.platform.ImagejProbeDialogs.number;
 import static org.palpate.platform.ImagejProbeDialogs.press;
+import static org.palpate.platform.ImagejProbeDialogs.saveAs;
 import static org.palpate.platform.ImagejProbeDialogs.text;
 import static org.palpate.platform.ImagejProbeDialogs.texts;
 import static org.palpate.platform.ImagejProbeWatch.await;
@@ -20,6 +21,7 @@ import static org.palpate.platform.ImagejProbeWatch.usedAfterCollection;
 import ij.IJ;
 import ij.ImagePlus;
 import ij.Menus;
+import ij.Prefs;
 import ij.WindowManager;
 import ij.gui.GenericDialog;
 import ij.measure.ResultsTable;
@@ -170,6 +172,12 @@ public final class ImagejProbe implements PlugIn {
     byHand("Correct Segment...", "Correct Segment", dialog -> choose(dialog, "undo"));
     awaitRecorded(recorder, "Correct Segment...", "action=undo");
     await("its being felt", () -> call("segments").equals(first("segments")));
+    byHand("Correct Segment...", "Correct Segment", dialog -> choose(dialog, "redo"));
+    awaitRecorded(recorder, "Correct Segment...", "action=redo");
+    await("its being felt", () -> call("segments").equals(first("corrected")));
+    byHand("Correct Segment...", "Correct Segment", dialog -> choose(dialog, "remove"));
+    awaitRecorded(recorder, "Correct Segment...", "action=remove");
+    await("its being felt", () -> !call("segments").equals(first("corrected")));
     IJ.doCommand("Stop Touching");
     awaitRecorded(recorder, "Stop Touching", "Stop Touching");
     await("the end", () -> !isTouching());
@@ -194,20 +202,11 @@ public final class ImagejProbe implements PlugIn {
   private void others() {
     ImagePlus ball = open("ball.tif");
     recordReplayAndJitter();
-    run("Palpate Devices...", "");
-    fact("devices", WindowManager.getWindow("Palpate Devices") != null);
-    String slide = "device=[replay:" + folder.resolve("slide.csv") + "] ";
-    Path taped = folder.resolve("taped.csv");
-    run("Record Trajectory...", TOUCH_BALL + slide + "time=1 record=[" + taped + "]");
-    await("the recording", () -> !isTouching() && Files.exists(taped));
+    recordTheRest();
     run("Touch Volume...", TOUCH_BALL + device("still.csv") + "time=0");
     IJ.setKeyDown(KeyEvent.VK_ESCAPE); // any macro would take it back, so none asks for the end
     await("the end by Escape", () -> palpateThreads().isEmpty());
     fact("touching after Escape", touching());
-    IJ.doCommand("About Palpate...");
-    Dialog about = awaitAny("About Palpate");
-    fact("about", texts(about));
-    press(about, "OK");
     close(ball);
   }
 
@@ -231,6 +230,56 @@ public final class ImagejProbe implements PlugIn {
     recorded.lines().filter(line -> line.startsWith("run(\"")).forEach(IJ::runMacro);
     fact("jitter rows", rows("Palpate Jitter"));
     fact("replay rows", rows("Palpate Frames"));
+  }
+
+  private void recordTheRest() {
+    Recorder recorder = new Recorder();
+    Path taped = folder.resolve("taped.csv");
+    Prefs.useJFileChooser = true;
+    byHand("Record Trajectory...", "Record Trajectory", this::fillRecord);
+    saveAs(taped);
+    awaitRecorded(recorder, "Record Trajectory...", "Record Trajectory...");
+    await("the recording", () -> !isTouching() && Files.exists(taped));
+    fact("taped by hand", lines(taped).size());
+    IJ.doCommand("Palpate Devices...");
+    awaitRecorded(recorder, "Palpate Devices...", "Palpate Devices...");
+    IJ.doCommand("About Palpate...");
+    Dialog about = awaitAny("About Palpate");
+    fact("about", texts(about));
+    press(about, "OK");
+    awaitRecorded(recorder, "About Palpate...", "About Palpate...");
+    String recorded = recorder.getText();
+    recorder.close();
+    Recorder.record = false;
+    fact("recorded the rest", recorded);
+    delete(taped);
+    WindowManager.getWindow("Palpate Devices").dispose();
+    recorded.lines().filter(line -> line.startsWith("run(\"")).forEach(this::andAnswer);
+    await("the recording", () -> !isTouching() && Files.exists(taped));
+    fact("devices", WindowManager.getWindow("Palpate Devices") != null);
+  }
+
+  private void fillRecord(GenericDialog dialog) {
+    fillTouch(dialog);
+    number(dialog, 5, "1");
+  }
+
+  /** A message waits for its button in a macro too. */
+  private void andAnswer(String line) {
+    Thread macro = new Thread(() -> IJ.runMacro(line), "probe macro");
+    macro.start();
+    if (line.contains("About")) {
+      press(awaitAny("About Palpate"), "OK");
+    }
+    await(line, () -> !macro.isAlive());
+  }
+
+  private static void delete(Path file) {
+    try {
+      Files.delete(file);
+    } catch (IOException e) {
+      throw new IllegalStateException(e);
+    }
   }
 
   private void refuse() {

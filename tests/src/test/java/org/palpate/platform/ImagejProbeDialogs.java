@@ -20,9 +20,12 @@ import java.awt.Window;
 import java.awt.event.ActionEvent;
 import java.awt.event.ActionListener;
 import java.lang.reflect.Field;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import javax.swing.JDialog;
+import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 
 /** The hands and eyes of {@link ImagejProbe} at ImageJ's dialogs. */
@@ -48,6 +51,30 @@ final class ImagejProbeDialogs {
   static void awaitRecorded(Recorder recorder, String command, String text) {
     await(
         command + " in the recorder", () -> recorder.getText().contains(text) && !isAlive(command));
+  }
+
+  /** Names the file in Swing's file chooser. */
+  static void saveAs(Path file) {
+    await("the file chooser", () -> chooser() != null && isModal());
+    JFileChooser chooser = chooser();
+    EventQueue.invokeLater(
+        () -> {
+          chooser.setSelectedFile(file.toFile());
+          chooser.approveSelection();
+        });
+  }
+
+  private static JFileChooser chooser() {
+    for (Window window : Window.getWindows()) {
+      if (window instanceof JDialog dialog && window.isShowing()) {
+        for (Component component : dialog.getContentPane().getComponents()) {
+          if (component instanceof JFileChooser chooser) {
+            return chooser;
+          }
+        }
+      }
+    }
+    return null;
   }
 
   static void text(GenericDialog dialog, int field, String value) {

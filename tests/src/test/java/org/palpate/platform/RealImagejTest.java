@@ -153,11 +153,13 @@ class RealImagejTest {
     long corrected = Long.parseLong(seen.of("corrected").strip().split("\t", -1)[1]);
     assertTrue(corrected > solid, seen.of("corrected"));
     List<String> recorded = seen.of("recorded").lines().filter(l -> l.startsWith("run")).toList();
-    assertEquals(5, recorded.size(), recorded.toString());
+    assertEquals(7, recorded.size(), recorded.toString());
     assertTrue(recorded.get(0).contains("segment=ball lower=100 upper=255"), recorded.get(0));
     assertTrue(recorded.get(1).contains("name=[tip A] save="), recorded.get(1));
     assertTrue(recorded.get(2).contains("action=add radius=4"), recorded.get(2));
-    assertEquals("run(\"Stop Touching\");", recorded.get(4).strip());
+    assertTrue(recorded.get(4).contains("action=redo"), recorded.get(4));
+    assertTrue(recorded.get(5).contains("action=remove radius=4"), recorded.get(5));
+    assertEquals("run(\"Stop Touching\");", recorded.get(6).strip());
     assertEquals("1", seen.of("landmarks again"));
     assertEquals("4", seen.of("overlay"));
     checkLandmarkFiles();
@@ -189,6 +191,8 @@ class RealImagejTest {
     assertTrue(recorded.contains("trajectory=" + folder.resolve("short.csv")), recorded);
     assertTrue(recorded.contains("lower=100 upper=255"), recorded);
     assertFalse(recorded.contains("device="), "a replay has no device: " + recorded);
+    checkRest(seen.of("recorded the rest"));
+    assertTrue(seen.number("taped by hand") > 100, seen.of("taped by hand"));
     assertEquals("true", seen.of("devices"));
     assertEquals("false", seen.of("touching after Escape"));
     assertEquals(4, seen.number("jitter rows"));
@@ -197,6 +201,15 @@ class RealImagejTest {
     List<String> taped = Files.readAllLines(folder.resolve("taped.csv"));
     assertTrue(taped.get(0).startsWith("t_ms,x,y,z"), taped.get(0));
     assertTrue(taped.size() > 100, "rows: " + taped.size());
+  }
+
+  private void checkRest(String recorded) {
+    List<String> lines = recorded.lines().filter(line -> line.startsWith("run")).toList();
+    assertEquals(3, lines.size(), recorded);
+    assertTrue(lines.get(0).contains("workspace=fit scale=1.000 time=1"), lines.get(0));
+    assertTrue(lines.get(0).contains("record=" + folder.resolve("taped.csv")), lines.get(0));
+    assertEquals("run(\"Palpate Devices...\");", lines.get(1).strip());
+    assertEquals("run(\"About Palpate...\");", lines.get(2).strip());
   }
 
   private static void checkRefusals(RealImagej.Seen seen) {
