@@ -288,7 +288,7 @@ final class StackSession implements AutoCloseable {
 
   /** The voxels of a segment by now. Any thread; of the last tick. */
   long voxels(int segment) {
-    return watcher.mirrors().get(segment).solidCount();
+    return watcher.solids(segment);
   }
 
   LoopStatus status() {

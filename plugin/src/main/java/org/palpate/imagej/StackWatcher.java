@@ -51,10 +51,14 @@ final class StackWatcher implements ImageListener, AutoCloseable {
     private final List<VoxelEdit> single = new ArrayList<>();
     private final IntBox box = new IntBox();
     private int count;
+    private long solids;
+    private volatile long solidsTold;
     private boolean waits;
 
     private Changes(BitCube mirror) {
       this.mirror = mirror;
+      solids = mirror.solidCount();
+      solidsTold = solids;
     }
 
     private void put(int segment, int i, int j, int k, boolean solid) {
@@ -63,8 +67,10 @@ final class StackWatcher implements ImageListener, AutoCloseable {
       }
       if (solid) {
         mirror.set(i, j, k);
+        solids++;
       } else {
         mirror.clear(i, j, k);
+        solids--;
       }
       count++;
       box.include(i, j, k);
@@ -74,6 +80,7 @@ final class StackWatcher implements ImageListener, AutoCloseable {
     }
 
     private void clear() {
+      solidsTold = solids;
       single.clear();
       box.clear();
       count = 0;
@@ -127,6 +134,11 @@ final class StackWatcher implements ImageListener, AutoCloseable {
       closed = true;
       listener.updated();
     }
+  }
+
+  /** The solid voxels of a segment, of the last time that all was carried over. Any thread. */
+  long solids(int segment) {
+    return segments.get(segment).solidsTold;
   }
 
   /** Whether the image was closed. */

@@ -109,7 +109,11 @@ record TouchOptions(
         StackWorkspace.Kind.words(),
         Prefs.get(PREFIX + "workspace", StackWorkspace.Kind.FIT.toString()));
     dialog.addNumericField(
-        "Scale, where by scale", Prefs.get(PREFIX + "scale", 1), 3, 8, "mm of scan per mm of hand");
+        "Scale (where by scale)",
+        Prefs.get(PREFIX + "scale", 1),
+        3,
+        8,
+        "mm of scan per mm of hand");
     dialog.addNumericField("Time (0: until Escape)", Prefs.get(PREFIX + "seconds", 0), 1, 8, "s");
     dialog.addCheckbox("View in 3-D", Prefs.get(PREFIX + "view", true));
   }

@@ -118,7 +118,9 @@ class StackTouchTest {
         slice.fill();
       }
       watcher.noteUpdate();
+      assertEquals(1, watcher.solids(0));
       assertEquals(10 * 8 * 6 - 1, watcher.carryOverWhenUpdated());
+      assertEquals(10 * 8 * 6, watcher.solids(0));
       assertEquals(0, watcher.carryOverWhenUpdated());
       for (int n = 2; !edits.isIdle(); n++) {
         frame.run(n * 1_000_000L);
