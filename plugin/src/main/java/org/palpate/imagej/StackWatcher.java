@@ -51,14 +51,12 @@ final class StackWatcher implements ImageListener, AutoCloseable {
     private final List<VoxelEdit> single = new ArrayList<>();
     private final IntBox box = new IntBox();
     private int count;
-    private long solids;
     private volatile long solidsTold;
     private boolean waits;
 
     private Changes(BitCube mirror) {
       this.mirror = mirror;
-      solids = mirror.solidCount();
-      solidsTold = solids;
+      solidsTold = mirror.solidCount();
     }
 
     private void put(int segment, int i, int j, int k, boolean solid) {
@@ -67,10 +65,8 @@ final class StackWatcher implements ImageListener, AutoCloseable {
       }
       if (solid) {
         mirror.set(i, j, k);
-        solids++;
       } else {
         mirror.clear(i, j, k);
-        solids--;
       }
       count++;
       box.include(i, j, k);
@@ -80,7 +76,7 @@ final class StackWatcher implements ImageListener, AutoCloseable {
     }
 
     private void clear() {
-      solidsTold = solids;
+      solidsTold = mirror.solidCount();
       single.clear();
       box.clear();
       count = 0;
