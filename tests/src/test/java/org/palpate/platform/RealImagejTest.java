@@ -154,7 +154,8 @@ class RealImagejTest {
     assertTrue(corrected > solid, seen.of("corrected"));
     List<String> recorded = seen.of("recorded").lines().filter(l -> l.startsWith("run")).toList();
     assertEquals(7, recorded.size(), recorded.toString());
-    assertTrue(recorded.get(0).contains("segment=ball lower=100 upper=255"), recorded.get(0));
+    assertTrue(
+        recorded.get(0).contains("segment=ball colour=bone lower=100 upper=255"), recorded.get(0));
     assertTrue(recorded.get(1).contains("name=[tip A] save="), recorded.get(1));
     assertTrue(recorded.get(2).contains("action=add radius=4"), recorded.get(2));
     assertTrue(recorded.get(4).contains("action=redo"), recorded.get(4));
