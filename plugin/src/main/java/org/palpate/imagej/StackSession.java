@@ -45,6 +45,7 @@ final class StackSession implements AutoCloseable {
   private final List<Segment> segments;
   private final double seconds;
   private final RealtimeThread realtime = StackRealtime.thread();
+  private final LandmarkButton button;
   private final TouchSession session;
   private final StackWatcher watcher;
   private final Optional<SessionView> view;
@@ -82,9 +83,9 @@ final class StackSession implements AutoCloseable {
     StackDevice device =
         StackDevice.open(
             options.device(), scene.handTarget(), options.workspace(), loop.periodNanos());
+    button = new LandmarkButton(device.device());
     session =
-        new TouchSession(
-            scene, device.device(), device.defaultNewtonPerMm(), loop, recorder, end -> {});
+        new TouchSession(scene, button, device.defaultNewtonPerMm(), loop, recorder, end -> {});
     watcher = new StackWatcher(volume, pixels, rules, options.followsThreshold(), scene, changes());
     strokes = new StrokeHistory(volume, geometry.grid().spacingMm());
     view =
@@ -148,6 +149,9 @@ final class StackSession implements AutoCloseable {
       }
       if (beganNanos != 0) {
         takeTip();
+      }
+      for (int n = button.takePresses(); n > 0; n--) {
+        asked.add(this::markHere);
       }
       carryOutWhatWasAsked();
       watcher.carryOverWhenUpdated();
@@ -234,6 +238,11 @@ final class StackSession implements AutoCloseable {
       Thread.currentThread().interrupt();
       askToStop();
     }
+  }
+
+  /** Puts the next landmark where the point is. */
+  void markHere() throws StackRefused {
+    landmarks.add(landmarks.nextName(), touchedGrid());
   }
 
   /** Asks the session to end. Any thread. */

@@ -27,7 +27,7 @@ final class ViewKeys implements SessionView.Listener {
 
   @Override
   public void opening(SceneWindow window) {
-    onKey(window, 'm', "landmark here", () -> landmark());
+    onKey(window, 'm', "landmark here", session::markHere);
     onKey(window, 'a', "add voxels here", () -> session.paint(radiusMm(), true));
     onKey(window, 'x', "remove voxels here", () -> session.paint(radiusMm(), false));
     onKey(window, 'z', "undo", session::undo);
@@ -36,10 +36,6 @@ final class ViewKeys implements SessionView.Listener {
 
   private void onKey(SceneWindow window, char key, String help, Action action) {
     window.input().onKey(key, help, () -> queue.accept(action));
-  }
-
-  private void landmark() throws StackRefused {
-    session.landmarks().add(session.landmarks().nextName(), session.touchedGrid());
   }
 
   private static double radiusMm() {

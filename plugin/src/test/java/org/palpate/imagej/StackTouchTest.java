@@ -11,8 +11,10 @@ import ij.io.FileSaver;
 import ij.io.Opener;
 import ij.process.ByteProcessor;
 import ij.process.ColorProcessor;
+import ij.process.FloatProcessor;
 import ij.process.ImageProcessor;
 import ij.process.LUT;
+import ij.process.ShortProcessor;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -265,5 +267,27 @@ class StackTouchTest {
     assertEquals(new VoxelRule("left jaw", 7, 7, 0x0A141E), VoxelRule.label(7, opened, table));
     assertEquals("label 9", VoxelRule.label(9, opened, table).name());
     assertEquals(LabelTable.EMPTY, StackVolume.shownIn(image).labelTable());
+  }
+
+  @Test
+  void floatsAndSixteenBitsAreTakenAsTheyAre() throws StackRefused {
+    ImageStack floats = new ImageStack(4, 4);
+    ImageStack shorts = new ImageStack(4, 4);
+    for (int k = 0; k < 3; k++) {
+      floats.addSlice(new FloatProcessor(4, 4));
+      shorts.addSlice(new ShortProcessor(4, 4));
+    }
+    floats.getProcessor(2).setf(1, 2, 0.75f);
+    floats.getProcessor(3).setf(1, 2, -0.75f);
+    shorts.getProcessor(3).set(3, 0, 65535);
+    assertEquals("1 at z 1", found(new ImagePlus("floats", floats), 0.5, 1));
+    assertEquals("1 at z 2", found(new ImagePlus("shorts", shorts), 40_000, 65_535));
+  }
+
+  private static String found(ImagePlus image, double lower, double upper) throws StackRefused {
+    StackVolume volume = StackVolume.shownIn(image);
+    VoxelRule rule = VoxelRule.threshold("found", lower, upper, SegmentColour.BONE);
+    BitCube bits = StackSegments.of(volume, volume::pixels, List.of(rule), k -> {}).get(0).bits();
+    return bits.solidCount() + " at z " + bits.bounds().lowZ;
   }
 }
