@@ -12,9 +12,11 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeoutException;
 import javax.imageio.ImageIO;
+import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.io.NewFile;
 import org.palpate.io.VolumeHeader;
+import org.palpate.scene.MovableSlices;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.SceneObject;
@@ -23,6 +25,7 @@ import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
+import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.surface.SurfaceFile;
 import org.palpate.scene.surface.WeldedSurface;
 import org.palpate.scene.window.Graphics;
@@ -30,6 +33,7 @@ import org.palpate.scene.window.GraphicsException;
 import org.palpate.scene.window.OffscreenScene;
 import org.palpate.scene.window.Picture;
 import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
@@ -59,11 +63,25 @@ final class RenderCommand implements Callable<Integer> {
   private static final int SMOOTHING_SCALE = 2;
   private static final int LARGEST_EDGE = 8192;
 
+  /** Options that mean nothing to a surface. */
+  private static final List<String> OF_PICTURES =
+      List.of(
+          "--size",
+          "--view",
+          "--trajectory",
+          "--upside-down",
+          "--zoom",
+          "--theme",
+          "--opacity",
+          "--stereo",
+          "--slices");
+
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
+  @Mixin private SurfaceOptions surface;
 
   @Option(
       names = "--out",
@@ -140,6 +158,7 @@ final class RenderCommand implements Callable<Integer> {
     parseSize();
     check();
     boolean surfaceOnly = SurfaceFile.isSurfaceName(outFile);
+    checkSense(surfaceOnly);
     if (!surfaceOnly && !Graphics.hasDisplay()) {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
@@ -150,11 +169,13 @@ final class RenderCommand implements Callable<Integer> {
     Report report = new Report("render", output.report(), inputs);
     SegmentedVolume segments = source.segments();
     SceneModel model = new SceneModel(axes(source.header().world()), theme);
-    slices.show(model, source);
+    Optional<MovableSlices.Start> planes = slices.start(source);
     showHand(model, source, segments);
+    showSlices(model, segments.grid(), planes);
+    List<Optional<GreyRange>> greys = surface.greys(source, true);
     long started = System.nanoTime();
-    try (SceneLoader loader =
-        new SceneLoader(model, segments, Runtime.getRuntime().availableProcessors())) {
+    int threads = Runtime.getRuntime().availableProcessors();
+    try (SceneLoader loader = new SceneLoader(model, segments, greys, threads)) {
       awaitSurfaces(loader, source);
       report.put("surface_ms", millisSince(started));
       report.put("triangles", triangles(model));
@@ -167,6 +188,25 @@ final class RenderCommand implements Callable<Integer> {
     report.putVolume(source, segments.segments());
     report.write();
     return 0;
+  }
+
+  /** Refuses what would be left out in silence. */
+  private void checkSense(boolean surfaceOnly) {
+    for (String option : OF_PICTURES) {
+      if (surfaceOnly && spec.commandLine().getParseResult().hasMatchedOption(option)) {
+        throw PalpateException.wrongUse(
+            "a file of a surface is no picture",
+            "--out " + outFile,
+            "leave " + option + " out, or write a .png");
+      }
+    }
+    surface.check();
+    if (slices.areAtPoint() && trajectory == null) {
+      throw PalpateException.wrongUse(
+          "there is no interaction point",
+          "--slices point",
+          "give --trajectory, or choose --slices middle");
+    }
   }
 
   private void parseSize() {
@@ -216,6 +256,19 @@ final class RenderCommand implements Callable<Integer> {
       ContactScene scene = contact.scene(source, segments);
       model.setMarks(Optional.of(TouchedMarks.of(trajectory, scene, model.axes())));
     }
+  }
+
+  private static void showSlices(
+      SceneModel model, VoxelGrid grid, Optional<MovableSlices.Start> start) {
+    start.ifPresent(
+        planes -> {
+          MovableSlices shown = new MovableSlices(model, planes);
+          model
+              .state()
+              .marks()
+              .map(hand -> model.axes().swap(hand.point(), new Vec3()))
+              .ifPresent(world -> shown.follow(grid.worldToGrid(world, world)));
+        });
   }
 
   private StandardView chosenView(SceneState state) {

@@ -13,12 +13,15 @@ import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
+import org.palpate.host.ViewOptions;
 import org.palpate.interaction.LoopEnd;
 import org.palpate.interaction.LoopSettings;
 import org.palpate.io.CsvNumbers;
 import org.palpate.realtime.RealtimeThread;
+import org.palpate.scene.MovableSlices;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.Graphics;
+import org.palpate.io.VolumeFormatException;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -41,15 +44,21 @@ import picocli.CommandLine.Spec;
       "  palpate touch --phantom torus:192 --device simulated:7 --solver paper",
       "  palpate touch --volume labels.nrrd --device hid",
       "  palpate touch --device mouse",
+      "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --slices point",
       "  palpate touch --explain"
     })
 final class TouchCommand implements Callable<Integer> {
   private static final double FASTEST_HZ = 100_000;
 
+  /** Options that mean nothing without a window. */
+  private static final List<String> OF_WINDOWS = List.of("--slices", "--surface");
+
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
   @Mixin private OutputOptions output;
+  @Mixin private SliceOptions slices;
+  @Mixin private SurfaceOptions surface;
 
   @Option(
       names = "--device",
@@ -103,6 +112,7 @@ final class TouchCommand implements Callable<Integer> {
       return 0;
     }
     checkNumbers();
+    checkSense();
     ContactSettings settings = contact.settings();
     DeviceChoice choice = DeviceChoice.parse(device).fittedEachAxis(fitEachAxis);
     VolumeSource source = VolumeSource.open(volume);
@@ -118,8 +128,9 @@ final class TouchCommand implements Callable<Integer> {
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
     try (HapticDevice opened = choice.open(target, source.header().world(), loop.periodNanos())) {
+      Optional<ViewOptions> view = view(source);
       WorldAxes axes = RenderCommand.axes(source.header().world());
-      TouchReport measured = run(scene, opened, choice, loop, record, axes);
+      TouchReport measured = run(scene, opened, choice, loop, record, view, axes);
       measured.print(out);
       if (report.isWanted()) {
         report.putVolume(source, segments.segments());
@@ -130,6 +141,30 @@ final class TouchCommand implements Callable<Integer> {
       report.write();
       return measured.exitCode();
     }
+  }
+
+  /** Refuses what would be left out in silence. */
+  private void checkSense() {
+    surface.check();
+    for (String option : OF_WINDOWS) {
+      if (headless && spec.commandLine().getParseResult().hasMatchedOption(option)) {
+        throw wantsWindow(option);
+      }
+    }
+    if (device.equals("mouse") && headless) {
+      throw wantsWindow("--device mouse");
+    }
+    if (device.equals("mouse") && !Graphics.hasDisplay()) {
+      throw PalpateException.wrongUse(
+          "the mouse needs the window, and there is no display",
+          "--device mouse",
+          "set DISPLAY, or choose another device");
+    }
+  }
+
+  private static PalpateException wantsWindow(String option) {
+    return PalpateException.wrongUse(
+        option + " needs the window", "--headless", "leave one of them out");
   }
 
   private void checkNumbers() {
@@ -172,6 +207,7 @@ final class TouchCommand implements Callable<Integer> {
       DeviceChoice choice,
       LoopSettings loop,
       Optional<Path> record,
+      Optional<ViewOptions> viewed,
       WorldAxes axes)
       throws IOException {
     Recording recording = record.isPresent() ? new Recording(record.get()) : null;
@@ -186,7 +222,11 @@ final class TouchCommand implements Callable<Integer> {
                 Optional.ofNullable(recording).map(Recording::recorder),
                 end -> {})) {
       SessionWatch watch = new SessionWatch(session, Optional.ofNullable(seconds), out);
-      Optional<SessionView> view = view(session, scene, opened, axes, watch);
+      LiveView listener = new LiveView(out, watch::stop);
+      Optional<SessionView> view =
+          viewed.map(
+              options ->
+                  new SessionView(session, scene.volume(), axes, opened, listener, options));
       view.ifPresent(watch::show);
       LoopEnd end = watch.run();
       if (recording != null) {
@@ -197,16 +237,12 @@ final class TouchCommand implements Callable<Integer> {
     }
   }
 
-  private Optional<SessionView> view(
-      TouchSession session,
-      ContactScene scene,
-      HapticDevice opened,
-      WorldAxes axes,
-      SessionWatch watch) {
+  /** What the window shows; empty where there is none. */
+  private Optional<ViewOptions> view(VolumeSource source) throws VolumeFormatException {
     if (headless || !Graphics.hasDisplay()) {
       return Optional.empty();
     }
-    LiveView listener = new LiveView(out, watch::stop);
-    return Optional.of(new SessionView(session, scene.volume(), axes, opened, listener));
+    Optional<MovableSlices.Start> planes = slices.start(source);
+    return Optional.of(new ViewOptions(surface.greys(source, source.hasGreyValues()), planes));
   }
 }

@@ -23,6 +23,7 @@ import org.palpate.io.VolumeFormatException;
 import org.palpate.io.VolumeHeader;
 import org.palpate.io.VolumeReader;
 import org.palpate.proxy.smooth.GreySurface;
+import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
 
@@ -32,6 +33,7 @@ final class VolumeSource {
   private final VolumeReader reader;
   private final Optional<Phantom> phantom;
   private final List<SegmentSpec> asked;
+  private ScalarVolume greyValues;
 
   private VolumeSource(
       String name, VolumeReader reader, Optional<Phantom> phantom, List<SegmentSpec> asked) {
@@ -137,9 +139,7 @@ final class VolumeSource {
     if (phantom.isPresent() && !phantom.get().grey()) {
       return phantom.get().segments();
     }
-    ValueSurvey survey = new ValueSurvey(header());
-    reader.read(survey);
-    ValueSurvey.Found found = survey.found();
+    ValueSurvey.Found found = survey();
     if (isIntensities(found)) {
       throw refusal(found);
     }
@@ -157,12 +157,36 @@ final class VolumeSource {
         || !Double.isInfinite(range.high())) {
       return Optional.empty();
     }
-    return Optional.of(GreySurface.ofThreshold(GreyVolumes.read(reader), range.low()));
+    return Optional.of(GreySurface.ofThreshold(greyValues(), range.low()));
+  }
+
+  /** All grey values, read once and kept. */
+  ScalarVolume greyValues() throws VolumeFormatException {
+    if (greyValues == null) {
+      greyValues = GreyVolumes.read(reader);
+    }
+    return greyValues;
+  }
+
+  /** Whether {@link #greyValues} costs nothing any more. */
+  boolean hasGreyValues() {
+    return greyValues != null;
   }
 
   /** Reads segments by the given rules. */
   SegmentedVolume read(List<SegmentSpec> specs) throws VolumeFormatException {
     return SegmentBuilder.read(reader, specs);
+  }
+
+  private ValueSurvey.Found survey() throws VolumeFormatException {
+    ValueSurvey survey = new ValueSurvey(header());
+    reader.read(survey);
+    return survey.found();
+  }
+
+  /** Whether its values are more than labels; one pass over them. */
+  boolean holdsIntensities() throws VolumeFormatException {
+    return isIntensities(survey());
   }
 
   /** Whether it takes a person to say which values are solid. */

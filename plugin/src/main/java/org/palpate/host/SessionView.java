@@ -2,11 +2,13 @@ package org.palpate.host;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.interaction.LoopStatus;
+import org.palpate.scene.MovableSlices;
 import org.palpate.scene.NamedPlace;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
@@ -50,6 +52,8 @@ public final class SessionView implements AutoCloseable {
   private final SegmentedVolume volume;
   private final HapticDevice device;
   private final Listener listener;
+  private final ViewOptions options;
+  private final Optional<MovableSlices> slices;
   private final SceneModel model;
   private final TouchSync sync;
   private final SynchronizationThread ticking;
@@ -66,7 +70,7 @@ public final class SessionView implements AutoCloseable {
   private long linesApplications;
 
   /**
-   * A view that is not open yet; from now on the reader of the session's properties.
+   * A view of surfaces that is not open yet; from now on the reader of the session's properties.
    *
    * @param volume what is drawn; its bits may be a copy of those that are touched
    * @param device what is held; the mouse moves it where it is a {@link PointerDevice}
@@ -77,7 +81,19 @@ public final class SessionView implements AutoCloseable {
       WorldAxes axes,
       HapticDevice device,
       Listener listener) {
+    this(session, volume, axes, device, listener, ViewOptions.PLAIN);
+  }
+
+  /** The same with more to see. */
+  public SessionView(
+      TouchSession session,
+      SegmentedVolume volume,
+      WorldAxes axes,
+      HapticDevice device,
+      Listener listener,
+      ViewOptions options) {
     this.session = session;
+    this.options = options;
     this.volume = volume;
     this.device = device;
     this.listener = listener;
@@ -86,6 +102,7 @@ public final class SessionView implements AutoCloseable {
     ticking = new SynchronizationThread(this::tick);
     opening = new Thread(this::open, "palpate-open-view");
     opening.setDaemon(true);
+    slices = options.slices().map(start -> new MovableSlices(model, start));
   }
 
   /** Starts the synchronization, and the window in the background. */
@@ -99,6 +116,7 @@ public final class SessionView implements AutoCloseable {
     if (sync.applications() > 0) {
       session.properties().interactionPoint().read(taken);
       tipGrid = new Vec3().set(taken);
+      slices.ifPresent(planes -> planes.follow(taken));
     }
   }
 
@@ -134,6 +152,15 @@ public final class SessionView implements AutoCloseable {
       input.onKey(
           ' ', "clutch: hold the point, or let it go", () -> retune(() -> toggleClutch(mapped)));
     }
+    slices.ifPresent(planes -> addSliceKeys(input, planes));
+  }
+
+  private void addSliceKeys(WindowInput input, MovableSlices planes) {
+    input.onKey(
+        'g', "slices of grey values: off, fixed, at the point", () -> retune(planes::nextMode));
+    input.onKey('p', "which slice [ and ] move: x, y, z", () -> retune(planes::nextAxis));
+    input.onHeldKey('[', "move the slice back", () -> retune(() -> planes.move(-1)));
+    input.onHeldKey(']', "move the slice on", () -> retune(() -> planes.move(1)));
   }
 
   private static void toggleClutch(WorkspaceDevice mapped) {
@@ -150,7 +177,7 @@ public final class SessionView implements AutoCloseable {
   }
 
   private SceneLoader begin() {
-    SceneLoader started = new SceneLoader(model, volume, 1);
+    SceneLoader started = new SceneLoader(model, volume, options.greys(), 1);
     model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
     loader = started;
     return started;
@@ -235,6 +262,7 @@ public final class SessionView implements AutoCloseable {
             status.forceNewton(),
             status.contact() ? "contact" : "free"),
         feelLine(),
+        slices.map(MovableSlices::line).orElse(""),
         shown == null ? "" : shown.drawnOfAll(),
         "h: help");
   }

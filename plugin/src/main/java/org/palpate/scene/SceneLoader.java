@@ -3,6 +3,7 @@ package org.palpate.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.IntStream;
 import org.palpate.geometry.IntBox;
@@ -11,6 +12,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.scene.surface.BrickLayout;
 import org.palpate.scene.surface.CoarseVolume;
 import org.palpate.scene.surface.DensityOpenness;
+import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.surface.Openness;
 import org.palpate.scene.surface.SurfaceBrick;
 import org.palpate.scene.surface.SurfaceBuild;
@@ -36,13 +38,26 @@ public final class SceneLoader implements AutoCloseable {
   private final SurfaceBuilder builder;
   private final VoxelGrid grid;
   private final Openness openness;
+  private final List<Optional<GreyRange>> greys;
   private final List<SceneObject> objects = new ArrayList<>();
   private final List<SurfaceSource> sources = new ArrayList<>();
   private final List<SurfaceBuild> builds = new ArrayList<>();
 
-  /** Adds the segments of a volume to a model and begins with their surfaces. */
+  /** Adds the segments of a volume to a model and begins with their surfaces, made of bits. */
   public SceneLoader(SceneModel model, SegmentedVolume volume, int threads) {
+    this(model, volume, List.of(), threads);
+  }
+
+  /**
+   * The same with finest surfaces that go by grey values.
+   *
+   * @param greys what each segment was made of, in their order; those that are missing at the end
+   *     or empty go by their bits
+   */
+  public SceneLoader(
+      SceneModel model, SegmentedVolume volume, List<Optional<GreyRange>> greys, int threads) {
     this.model = model;
+    this.greys = List.copyOf(greys);
     grid = volume.grid();
     builder = new SurfaceBuilder(threads);
     List<Segment> segments = volume.segments();
@@ -50,6 +65,8 @@ public final class SceneLoader implements AutoCloseable {
         segments.isEmpty()
             ? Openness.EVERYWHERE
             : new DensityOpenness(segments.stream().map(Segment::bits).toList());
+    Vec3 spacing = grid.spacingMm();
+    model.addDetail(Math.max(spacing.x, Math.max(spacing.y, spacing.z)));
     segments.forEach(this::add);
     showWhatIsInside();
     for (int level : COARSE_FIRST) {
@@ -72,7 +89,11 @@ public final class SceneLoader implements AutoCloseable {
     high.set(high.x * spacing.x, high.y * spacing.y, high.z * spacing.z);
     RigidTransform pose = grid.gridMmToWorld();
     objects.add(model.add(segment.name(), segment.rgb(), pose, low, high));
-    sources.add(SurfaceSource.ofBits(segment.bits(), spacing));
+    int number = sources.size();
+    Optional<GreyRange> grey = number < greys.size() ? greys.get(number) : Optional.empty();
+    sources.add(
+        grey.map(values -> SurfaceSource.ofGrey(segment.bits(), values, spacing))
+            .orElseGet(() -> SurfaceSource.ofBits(segment.bits(), spacing)));
   }
 
   /** Draws a segment that surrounds all others, such as skin, translucent. */

@@ -33,6 +33,7 @@ public final class SceneModel {
   private boolean moving;
   private final Vec3 middle = new Vec3();
   private double radiusMm = 1;
+  private double detailMm;
 
   /** An empty scene in a world with the given axes. */
   public SceneModel(WorldAxes axes, Theme theme) {
@@ -67,6 +68,11 @@ public final class SceneModel {
     }
     requestRedraw();
     return object;
+  }
+
+  /** Says how large a voxel of some segment is: so far may its surface be from what is touched. */
+  public synchronized void addDetail(double longestEdgeMm) {
+    detailMm = Math.max(detailMm, longestEdgeMm);
   }
 
   /** The segments in the order in which they were added. */
@@ -219,6 +225,7 @@ public final class SceneModel {
         help,
         new Vec3().set(middle),
         radiusMm,
+        detailMm,
         look,
         stillRevision,
         moving,

@@ -15,6 +15,7 @@ import org.palpate.geometry.Vec3;
  * @param help lines of text in the middle; none where the help is hidden
  * @param middle of all objects, scene frame, mm
  * @param radiusMm of a ball about the middle that holds all objects
+ * @param detailMm how far a drawn surface may be from the voxels that are touched
  * @param look theme, axes, stereo, slices
  * @param stillRevision changes with everything but marks and text
  * @param moving whether the camera is being moved, so that speed counts more than detail
@@ -28,6 +29,7 @@ public record SceneState(
     List<String> help,
     Vec3 middle,
     double radiusMm,
+    double detailMm,
     Look look,
     long stillRevision,
     boolean moving,

@@ -1,5 +1,7 @@
 package org.palpate.scene;
 
+import java.util.Locale;
+
 /**
  * Colours of what surrounds the scan, 0xRRGGBB. The marks differ in lightness as well as in hue, so
  * that they can be told apart without seeing red or green.
@@ -34,5 +36,11 @@ public enum Theme {
 
   public int quiet() {
     return quiet;
+  }
+
+  /** As a person types it. */
+  @Override
+  public String toString() {
+    return name().toLowerCase(Locale.ROOT);
   }
 }

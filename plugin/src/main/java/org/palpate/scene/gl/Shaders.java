@@ -75,6 +75,7 @@ final class Shaders {
       layout(location = 2) in vec4 colour;
       uniform mat4 toEye;
       uniform mat4 projection;
+      uniform float nearer;
       out vec3 eyePosition;
       out vec3 eyeNormal;
       out vec4 tint;
@@ -83,7 +84,9 @@ final class Shaders {
         eyePosition = p.xyz;
         eyeNormal = mat3(toEye) * normal;
         tint = colour;
-        gl_Position = projection * p;
+        // Towards the eye, which stands in the origin: the same place of the picture.
+        vec3 place = p.xyz * (1.0 - nearer / max(length(p.xyz), 2.0 * nearer + 1e-9));
+        gl_Position = projection * vec4(place, 1);
       }
       """;
 
@@ -195,7 +198,7 @@ final class Shaders {
       out vec4 result;
       void main() {
         float grey = texture(slice, at).r;
-        if (grey < 0.02) discard;
+        if (grey < 0.08) discard;
         result = vec4(vec3(grey), 1);
       }
       """;

@@ -1,8 +1,8 @@
 package org.palpate.scene.surface;
 
 /**
- * Crossings by linear interpolation of grey values, for a segment that came from a threshold. Where
- * the values contradict the bits (an edited voxel), half way.
+ * Crossings by linear interpolation of grey values, for a segment that came from a threshold or a
+ * range. Where the values contradict the bits (an edited voxel), half way.
  */
 public final class GreyCrossings implements Crossings {
 
@@ -17,7 +17,8 @@ public final class GreyCrossings implements Crossings {
   private static final float MARGIN = 0.02f;
 
   private final Values values;
-  private final float threshold;
+  private final float low;
+  private final float high;
 
   /**
    * Crossings where the values pass the threshold.
@@ -25,14 +26,26 @@ public final class GreyCrossings implements Crossings {
    * @param threshold between the values of solid and those of empty voxels
    */
   public GreyCrossings(Values values, float threshold) {
+    this(values, threshold, Float.POSITIVE_INFINITY);
+  }
+
+  /**
+   * Crossings where the values enter or leave a range.
+   *
+   * @param low between the values of solid voxels and lower ones of empty voxels
+   * @param high between the values of solid voxels and higher ones of empty voxels
+   */
+  public GreyCrossings(Values values, float low, float high) {
     this.values = values;
-    this.threshold = threshold;
+    this.low = low;
+    this.high = high;
   }
 
   @Override
   public float fraction(int i, int j, int k, int axis) {
     float from = values.at(i, j, k);
     float to = values.at(i + (axis == 0 ? 1 : 0), j + (axis == 1 ? 1 : 0), k + (axis == 2 ? 1 : 0));
+    float threshold = Math.min(from, to) < low ? low : high;
     float fraction = (threshold - from) / (to - from);
     // NaN and infinity, outside the grid or on equal values, fail the comparison.
     return fraction >= 0 && fraction <= 1 ? Math.max(MARGIN, Math.min(1 - MARGIN, fraction)) : 0.5f;

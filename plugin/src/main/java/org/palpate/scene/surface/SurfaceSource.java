@@ -31,4 +31,9 @@ public record SurfaceSource(BitCube bits, Crossings crossings, Vec3 spacingMm, i
       BitCube bits, GreyCrossings.Values values, float threshold, Vec3 spacingMm) {
     return new SurfaceSource(bits, new GreyCrossings(values, threshold), spacingMm, 1);
   }
+
+  /** The surface of a segment that came from grey values by a threshold or a range. */
+  public static SurfaceSource ofGrey(BitCube bits, GreyRange grey, Vec3 spacingMm) {
+    return new SurfaceSource(bits, grey.crossings(), spacingMm, 1);
+  }
 }

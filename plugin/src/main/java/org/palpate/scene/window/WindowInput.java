@@ -42,7 +42,8 @@ public final class WindowInput extends MouseAdapter {
   private int lastX;
   private int lastY;
 
-  private record Key(String help, Runnable action) {}
+  /** What a key does; {@code held} whether again and again while it is held down. */
+  private record Key(String help, Runnable action, boolean held) {}
 
   WindowInput(SceneModel model, IntSupplier width, IntSupplier height) {
     this.model = model;
@@ -83,7 +84,14 @@ public final class WindowInput extends MouseAdapter {
   /** Gives a key something to do; {@code help} says what, in a few words. Any thread, early. */
   public void onKey(char key, String help, Runnable action) {
     synchronized (keys) {
-      keys.put(key, new Key(help, action));
+      keys.put(key, new Key(help, action, false));
+    }
+  }
+
+  /** The same for a key that does it again and again while it is held down. */
+  public void onHeldKey(char key, String help, Runnable action) {
+    synchronized (keys) {
+      keys.put(key, new Key(help, action, true));
     }
   }
 
@@ -94,11 +102,15 @@ public final class WindowInput extends MouseAdapter {
 
   /** Does what a key is there for; nothing where it has nothing to do. */
   void press(char key) {
+    press(key, false);
+  }
+
+  private void press(char key, boolean again) {
     Key found;
     synchronized (keys) {
       found = keys.get(Character.toLowerCase(key));
     }
-    if (found != null) {
+    if (found != null && (found.held || !again)) {
       found.action.run();
     }
   }
@@ -134,8 +146,8 @@ public final class WindowInput extends MouseAdapter {
       public void keyPressed(KeyEvent event) {
         if (event.getKeyCode() == KeyEvent.VK_ESCAPE) {
           press((char) KeyEvent.VK_ESCAPE);
-        } else if (event.isPrintableKey() && !event.isAutoRepeat()) {
-          press(event.getKeyChar());
+        } else if (event.isPrintableKey()) {
+          press(event.getKeyChar(), event.isAutoRepeat());
         }
       }
     };

@@ -162,6 +162,25 @@ class OffscreenSceneWindowTest {
   }
 
   @Test
+  void aPointLessThanAVoxelBehindTheDrawnSurfaceIsSeenAndOneFurtherBehindIsFaint() throws Exception {
+    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    model.look(StandardView.FRONT, 4.0 / 3);
+    scene.draw(model.state());
+    Vec3 surface = new Vec3();
+    assertTrue(scene.pick(model.state(), WIDTH / 2.0 - 60, HEIGHT / 2.0, surface));
+    int justBehind = orange(model, surface.add(new Vec3(0, 0.9, 0), new Vec3()));
+    int farBehind = orange(model, surface.add(new Vec3(0, 3, 0), new Vec3()));
+    assertTrue(justBehind > farBehind + 30, justBehind + " " + farBehind);
+  }
+
+  /** How orange the middle of the point's ball is. */
+  private int orange(SceneModel model, Vec3 point) {
+    model.setMarks(Optional.of(marksAt(point)));
+    int rgb = scene.draw(model.state()).rgb(WIDTH / 2 - 60, HEIGHT / 2);
+    return ((rgb >> 8) & 255) - (rgb & 255);
+  }
+
+  @Test
   void aPickedPixelIsAPlaceOnTheSurface() throws Exception {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
