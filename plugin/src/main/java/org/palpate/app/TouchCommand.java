@@ -17,11 +17,11 @@ import org.palpate.host.ViewOptions;
 import org.palpate.interaction.LoopEnd;
 import org.palpate.interaction.LoopSettings;
 import org.palpate.io.CsvNumbers;
+import org.palpate.io.VolumeFormatException;
 import org.palpate.realtime.RealtimeThread;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.Graphics;
-import org.palpate.io.VolumeFormatException;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -225,8 +225,7 @@ final class TouchCommand implements Callable<Integer> {
       LiveView listener = new LiveView(out, watch::stop);
       Optional<SessionView> view =
           viewed.map(
-              options ->
-                  new SessionView(session, scene.volume(), axes, opened, listener, options));
+              options -> new SessionView(session, scene.volume(), axes, opened, listener, options));
       view.ifPresent(watch::show);
       LoopEnd end = watch.run();
       if (recording != null) {

@@ -2,7 +2,6 @@ package org.palpate.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.IntStream;
@@ -14,7 +13,6 @@ import org.palpate.scene.surface.CoarseVolume;
 import org.palpate.scene.surface.DensityOpenness;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.surface.Openness;
-import org.palpate.scene.surface.SurfaceBrick;
 import org.palpate.scene.surface.SurfaceBuild;
 import org.palpate.scene.surface.SurfaceBuilder;
 import org.palpate.scene.surface.SurfaceExtractor;
@@ -41,6 +39,10 @@ public final class SceneLoader implements AutoCloseable {
   private final List<Optional<GreyRange>> greys;
   private final List<SceneObject> objects = new ArrayList<>();
   private final List<SurfaceSource> sources = new ArrayList<>();
+
+  /** Of each segment at a half and at a quarter of the resolution. */
+  private final List<List<CoarseVolume>> coarse = new ArrayList<>();
+
   private final List<SurfaceBuild> builds = new ArrayList<>();
 
   /** Adds the segments of a volume to a model and begins with their surfaces, made of bits. */
@@ -89,6 +91,7 @@ public final class SceneLoader implements AutoCloseable {
     high.set(high.x * spacing.x, high.y * spacing.y, high.z * spacing.z);
     RigidTransform pose = grid.gridMmToWorld();
     objects.add(model.add(segment.name(), segment.rgb(), pose, low, high));
+    coarse.add(List.of(CoarseVolume.of(segment.bits(), 1), CoarseVolume.of(segment.bits(), 2)));
     int number = sources.size();
     Optional<GreyRange> grey = number < greys.size() ? greys.get(number) : Optional.empty();
     sources.add(
@@ -105,32 +108,33 @@ public final class SceneLoader implements AutoCloseable {
     }
   }
 
+  /** Begins with all bricks of a level. */
   private SurfaceBuild build(int number, int level) {
     SceneObject object = objects.get(number);
-    SurfaceSource fine = sources.get(number);
-    SurfaceSource source =
-        level == 0 ? fine : CoarseVolume.source(fine.bits(), level, fine.spacingMm());
-    Openness light = level == 0 ? openness : scaled(1 << level);
     int urgency = level == 0 ? SurfaceBuilder.FINE : SurfaceBuilder.COARSE;
     return builder.build(
-        source,
-        light,
+        source(number, level),
+        light(level),
         urgency,
-        (brick, mesh) -> put(object, level, brick, mesh),
+        (brick, begun, mesh) -> object.put(level, brick, begun, mesh),
         () -> complete(object, level));
+  }
+
+  private SurfaceSource source(int number, int level) {
+    SurfaceSource fine = sources.get(number);
+    return level == 0 ? fine : coarse(number, level).source(fine.spacingMm());
+  }
+
+  private CoarseVolume coarse(int number, int level) {
+    return coarse.get(number).get(level - 1);
+  }
+
+  private Openness light(int level) {
+    return level == 0 ? openness : scaled(1 << level);
   }
 
   private Openness scaled(int factor) {
     return (x, y, z, nx, ny, nz) -> openness.at(x * factor, y * factor, z * factor, nx, ny, nz);
-  }
-
-  private static void put(SceneObject object, int level, int brick, SurfaceBrick mesh) {
-    Map<Integer, SurfaceBrick> bricks = object.bricks(level);
-    if (mesh == null) {
-      bricks.remove(brick);
-    } else {
-      bricks.put(brick, mesh);
-    }
   }
 
   private void complete(SceneObject object, int level) {
@@ -155,29 +159,44 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * Remeshes what an edit touched, before all other work; coarser levels follow nothing until they
-   * are asked for anew. The bits must have been changed and published before.
+   * Remeshes what an edit touched: the finest level before all other work, the coarser ones before
+   * what is finest and was never seen. The bits must have been changed and published before.
    *
    * @param segment the number of the segment
    * @param voxels a box about the edited voxels
+   * @return the work on each level, the finest first
    */
-  public SurfaceBuild edited(int segment, IntBox voxels) {
-    SurfaceSource source = sources.get(segment);
+  public synchronized List<SurfaceBuild> edited(int segment, IntBox voxels) {
+    List<SurfaceBuild> begun = new ArrayList<>();
+    begun.add(rebuild(segment, 0, voxels, SurfaceBuilder.EDITED));
+    for (int level = 1; level < SceneObject.LEVELS; level++) {
+      CoarseVolume volume = coarse(segment, level);
+      volume.update(voxels);
+      IntBox box = volume.toCoarse(voxels, new IntBox());
+      begun.add(rebuild(segment, level, box, SurfaceBuilder.COARSE));
+    }
+    return begun;
+  }
+
+  private SurfaceBuild rebuild(int segment, int level, IntBox voxels, int urgency) {
+    SurfaceSource source = source(segment, level);
     SceneObject object = objects.get(segment);
+    return builder.build(
+        source,
+        light(level),
+        urgency,
+        touched(source, voxels),
+        (brick, begun, mesh) -> object.put(level, brick, begun, mesh),
+        model::surfaceChanged);
+  }
+
+  private static int[] touched(SurfaceSource source, IntBox voxels) {
     BrickLayout layout = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE);
     int reach = SurfaceExtractor.reach(source.smoothing());
     IntBox box = layout.touchedBy(voxels, reach, new IntBox());
-    int[] touched =
-        IntStream.range(0, layout.count())
-            .filter(brick -> box.contains(layout.x(brick), layout.y(brick), layout.z(brick)))
-            .toArray();
-    return builder.build(
-        source,
-        openness,
-        SurfaceBuilder.EDITED,
-        touched,
-        (brick, mesh) -> put(object, 0, brick, mesh),
-        model::surfaceChanged);
+    return IntStream.range(0, layout.count())
+        .filter(brick -> box.contains(layout.x(brick), layout.y(brick), layout.z(brick)))
+        .toArray();
   }
 
   /** The finest surfaces of all segments; whole only after {@link #await}. */

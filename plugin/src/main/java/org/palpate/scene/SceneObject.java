@@ -2,7 +2,6 @@ package org.palpate.scene;
 
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.surface.SurfaceBrick;
@@ -18,7 +17,7 @@ public final class SceneObject {
   private final String name;
   private final Vec3 lowMm;
   private final Vec3 highMm;
-  private final List<Map<Integer, SurfaceBrick>> levels;
+  private final List<LevelBricks> levels;
   private final boolean[] complete = new boolean[LEVELS];
   int rgb;
   double opacity = 1;
@@ -31,8 +30,7 @@ public final class SceneObject {
     this.pose = pose;
     this.lowMm = lowMm;
     this.highMm = highMm;
-    levels =
-        List.of(new ConcurrentHashMap<>(), new ConcurrentHashMap<>(), new ConcurrentHashMap<>());
+    levels = List.of(new LevelBricks(), new LevelBricks(), new LevelBricks());
   }
 
   public String name() {
@@ -59,7 +57,12 @@ public final class SceneObject {
 
   /** The bricks of a level by their numbers; may change while read. */
   public Map<Integer, SurfaceBrick> bricks(int level) {
-    return levels.get(level);
+    return levels.get(level).shown();
+  }
+
+  /** Takes a brick's mesh, see {@link LevelBricks#put}. */
+  void put(int level, int brick, long begun, SurfaceBrick mesh) {
+    levels.get(level).put(brick, begun, mesh);
   }
 
   synchronized void setComplete(int level) {
@@ -83,6 +86,6 @@ public final class SceneObject {
 
   /** Triangles of a level so far. */
   public long triangleCount(int level) {
-    return levels.get(level).values().stream().mapToLong(SurfaceBrick::triangleCount).sum();
+    return bricks(level).values().stream().mapToLong(SurfaceBrick::triangleCount).sum();
   }
 }

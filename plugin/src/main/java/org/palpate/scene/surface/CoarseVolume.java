@@ -1,73 +1,126 @@
 package org.palpate.scene.surface;
 
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
  * A cube at half, a quarter, an eighth of its resolution, for the first picture and for large
  * meshes: a coarse voxel is solid where any of its voxels is, so thin bone does not vanish, and how
- * many are tells where the surface runs.
+ * many are tells where the surface runs. A copy, which {@link #update} brings up to date.
  */
 public final class CoarseVolume implements Crossings {
   // Less full than this, a coarse voxel still keeps its two walls apart.
   private static final float MIN_FRACTION = 0.05f;
 
+  private static final int BRICK = BitCube.BRICK_SHIFT;
+
+  private final BitCube fine;
+  private final int shift;
   private final BitCube bits;
   private final int factor;
   private final byte[] fullness;
 
   private CoarseVolume(BitCube fine, int shift) {
+    this.fine = fine;
+    this.shift = shift;
     factor = 1 << shift;
     bits = new BitCube(shrunk(fine.sizeX()), shrunk(fine.sizeY()), shrunk(fine.sizeZ()));
     fullness =
         new byte[Math.multiplyExact(Math.multiplyExact(bits.sizeX(), bits.sizeY()), bits.sizeZ())];
-    fill(fine, shift);
+    IntBox all = new IntBox();
+    all.include(0, 0, 0);
+    all.include(fine.sizeX() - 1, fine.sizeY() - 1, fine.sizeZ() - 1);
+    update(all);
   }
 
   /**
-   * What the surface of a cube is made from at a coarser level; its positions are the fine cube's
-   * grid millimetres.
+   * A coarser copy of a cube.
    *
    * @param shift 1 for half the resolution, 2 for a quarter; more than 2 is refused
    */
-  public static SurfaceSource source(BitCube fine, int shift, Vec3 spacingMm) {
+  public static CoarseVolume of(BitCube fine, int shift) {
     if (shift < 1 || shift > 2) {
       throw new IllegalArgumentException("shift must be 1 or 2: shift=" + shift);
     }
-    CoarseVolume coarse = new CoarseVolume(fine, shift);
-    Vec3 spacing = spacingMm.mul(coarse.factor, new Vec3());
-    return new SurfaceSource(coarse.bits, coarse, spacing, 2);
+    return new CoarseVolume(fine, shift);
+  }
+
+  /**
+   * What its surface is made from; positions are the fine cube's grid millimetres.
+   *
+   * @param fineSpacingMm edge lengths of a fine voxel
+   */
+  public SurfaceSource source(Vec3 fineSpacingMm) {
+    return new SurfaceSource(bits, this, fineSpacingMm.mul(factor, new Vec3()), 2);
   }
 
   private int shrunk(int size) {
     return (size + factor - 1) / factor;
   }
 
-  private void fill(BitCube fine, int shift) {
-    int perBrick = 4 >> shift;
-    for (int z = 0; z < fine.bricksZ(); z++) {
-      for (int y = 0; y < fine.bricksY(); y++) {
-        for (int x = 0; x < fine.bricksX(); x++) {
-          long word = fine.brick(x, y, z);
-          if (word != 0) {
-            fillBrick(word, perBrick, x * perBrick, y * perBrick, z * perBrick);
-          }
+  /**
+   * Takes over what changed. One thread at a time; who makes a surface meanwhile makes it anew.
+   *
+   * @param voxels a box about the changed voxels of the fine cube; outside it there may be none
+   */
+  public void update(IntBox voxels) {
+    if (voxels.isEmpty()) {
+      return;
+    }
+    for (int z = Math.max(0, voxels.lowZ >> BRICK);
+        z <= highBrick(voxels.highZ, fine.sizeZ());
+        z++) {
+      for (int y = Math.max(0, voxels.lowY >> BRICK);
+          y <= highBrick(voxels.highY, fine.sizeY());
+          y++) {
+        for (int x = Math.max(0, voxels.lowX >> BRICK);
+            x <= highBrick(voxels.highX, fine.sizeX());
+            x++) {
+          updateBrick(x, y, z);
         }
       }
     }
   }
 
-  private void fillBrick(long word, int perBrick, int x, int y, int z) {
+  private static int highBrick(int high, int size) {
+    return Math.min(high, size - 1) >> BRICK;
+  }
+
+  private void updateBrick(int brickX, int brickY, int brickZ) {
+    long word = fine.brick(brickX, brickY, brickZ);
+    int perBrick = 4 >> shift;
     for (int part = 0; part < perBrick * perBrick * perBrick; part++) {
       int i = part % perBrick;
       int j = part / perBrick % perBrick;
       int k = part / perBrick / perBrick;
       long share = word & (mask() << BitCube.bit(i * factor, j * factor, k * factor));
-      if (share != 0) {
-        bits.set(x + i, y + j, z + k);
-        fullness[index(x + i, y + j, z + k)] = (byte) Long.bitCount(share);
-      }
+      setVoxel(brickX * perBrick + i, brickY * perBrick + j, brickZ * perBrick + k, share);
     }
+  }
+
+  private void setVoxel(int i, int j, int k, long share) {
+    if (share != 0) {
+      bits.set(i, j, k);
+      fullness[index(i, j, k)] = (byte) Long.bitCount(share);
+    } else if (bits.get(i, j, k)) {
+      bits.clear(i, j, k);
+      fullness[index(i, j, k)] = 0;
+    }
+  }
+
+  /** A box of the fine cube's voxels, in its own. */
+  public IntBox toCoarse(IntBox fineVoxels, IntBox dest) {
+    dest.set(fineVoxels);
+    if (!fineVoxels.isEmpty()) {
+      dest.lowX >>= shift;
+      dest.lowY >>= shift;
+      dest.lowZ >>= shift;
+      dest.highX >>= shift;
+      dest.highY >>= shift;
+      dest.highZ >>= shift;
+    }
+    return dest;
   }
 
   /** The voxels of a brick's first coarse voxel. */
@@ -87,8 +140,15 @@ public final class CoarseVolume implements Crossings {
     int solidX = i + (axis == 0 && !lowIsSolid ? 1 : 0);
     int solidY = j + (axis == 1 && !lowIsSolid ? 1 : 0);
     int solidZ = k + (axis == 2 && !lowIsSolid ? 1 : 0);
+    if (!isInside(solidX, solidY, solidZ)) {
+      return 0.5f; // it was emptied meanwhile, and is asked for anew
+    }
     float full = (float) fullness[index(solidX, solidY, solidZ)] / (factor * factor * factor);
     float fromSolid = Math.max(MIN_FRACTION, full - 0.5f);
     return lowIsSolid ? fromSolid : 1 - fromSolid;
+  }
+
+  private boolean isInside(int i, int j, int k) {
+    return i >= 0 && j >= 0 && k >= 0 && i < bits.sizeX() && j < bits.sizeY() && k < bits.sizeZ();
   }
 }

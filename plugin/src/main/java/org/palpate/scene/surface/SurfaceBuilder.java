@@ -15,8 +15,13 @@ public final class SurfaceBuilder implements AutoCloseable {
   /** Where bricks go, called from the builder's threads, several at once. */
   @FunctionalInterface
   public interface Sink {
-    /** Takes a brick; null where it has no triangles (any more). */
-    void accept(int brick, SurfaceBrick mesh);
+    /**
+     * Takes a brick; null where it has no triangles (any more).
+     *
+     * @param begun when it was begun, in an order of the builder's: of two meshes of a brick the
+     *     one that was begun later is the newer, whichever comes first
+     */
+    void accept(int brick, long begun, SurfaceBrick mesh);
   }
 
   /** Urgency of a brick that was edited and is being looked at. */
@@ -32,6 +37,7 @@ public final class SurfaceBuilder implements AutoCloseable {
   private final ThreadLocal<SurfaceExtractor> extractor =
       ThreadLocal.withInitial(SurfaceExtractor::new);
   private final AtomicLong order = new AtomicLong();
+  private final AtomicLong beginnings = new AtomicLong();
 
   /**
    * A builder with so many threads.
@@ -90,7 +96,8 @@ public final class SurfaceBuilder implements AutoCloseable {
   }
 
   private void extract(SurfaceSource source, Openness openness, int brick, Sink sink) {
-    sink.accept(brick, extractor.get().extract(source, openness, brick));
+    long begun = beginnings.getAndIncrement();
+    sink.accept(brick, begun, extractor.get().extract(source, openness, brick));
   }
 
   /** Drops what waits; bricks in work are finished but no one is told. */

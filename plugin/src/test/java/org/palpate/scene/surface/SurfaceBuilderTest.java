@@ -46,7 +46,7 @@ class SurfaceBuilderTest {
               Openness.EVERYWHERE,
               SurfaceBuilder.EDITED,
               touched,
-              (brick, mesh) -> put(bricks, brick, mesh),
+              (brick, begun, mesh) -> put(bricks, brick, mesh),
               () -> {})
           .await(PATIENCE_MS);
     }
@@ -62,7 +62,7 @@ class SurfaceBuilderTest {
               source,
               Openness.EVERYWHERE,
               SurfaceBuilder.FINE,
-              (brick, mesh) -> {
+              (brick, begun, mesh) -> {
                 throw new IllegalStateException("sink is full");
               },
               () -> {});
@@ -73,11 +73,51 @@ class SurfaceBuilderTest {
   }
 
   @Test
+  void aCoarseVolumeThatTookAnEditOverIsTheOneMadeAnew() throws Exception {
+    BitCube bits = blobs();
+    for (int shift = 1; shift <= 2; shift++) {
+      CoarseVolume followed = CoarseVolume.of(bits, shift);
+      for (int edit = 0; edit < 20; edit++) {
+        followed.update(edit(bits));
+      }
+      assertSameBricks(
+          buildAll(CoarseVolume.of(bits, shift).source(Shapes.UNIT), 1),
+          buildAll(followed.source(Shapes.UNIT), 1));
+    }
+  }
+
+  /** Fills or empties a random box, also beyond the grid, and returns it. */
+  private IntBox edit(BitCube bits) {
+    IntBox box = new IntBox();
+    int[] low = random.ints(3, -3, 100).toArray();
+    boolean solid = random.nextBoolean();
+    for (int n = 0; n < 343; n++) {
+      int i = low[0] + n % 7;
+      int j = low[1] + n / 7 % 7;
+      int k = low[2] + n / 49;
+      box.include(i, j, k);
+      boolean inside = i >= 0 && j >= 0 && k >= 0;
+      if (inside && i < bits.sizeX() && j < bits.sizeY() && k < bits.sizeZ()) {
+        set(bits, i, j, k, solid);
+      }
+    }
+    return box;
+  }
+
+  private static void set(BitCube bits, int i, int j, int k, boolean solid) {
+    if (solid) {
+      bits.set(i, j, k);
+    } else {
+      bits.clear(i, j, k);
+    }
+  }
+
+  @Test
   void aCoarseSphereHasAboutTheSameVolumeAndFarFewerTriangles() {
     BitCube bits = Shapes.sphere(64, 25);
     WeldedSurface fine = Shapes.surface(SurfaceSource.ofBits(bits, Shapes.UNIT));
     for (int shift = 1; shift <= 2; shift++) {
-      WeldedSurface coarse = Shapes.surface(CoarseVolume.source(bits, shift, Shapes.UNIT));
+      WeldedSurface coarse = Shapes.surface(CoarseVolume.of(bits, shift).source(Shapes.UNIT));
       assertEquals(1, coarse.volumeMm3() / fine.volumeMm3(), 0.08 * shift, "shift " + shift);
       assertTrue(coarse.triangleCount() < fine.triangleCount() / (3 * shift));
     }
@@ -86,7 +126,7 @@ class SurfaceBuilderTest {
   @Test
   void aThinWallDoesNotVanishWhenSeenCoarse() {
     BitCube wall = Shapes.cube(40, 40, 40, (x, y, z) -> Math.floor(x) == 17);
-    WeldedSurface coarse = Shapes.surface(CoarseVolume.source(wall, 2, Shapes.UNIT));
+    WeldedSurface coarse = Shapes.surface(CoarseVolume.of(wall, 2).source(Shapes.UNIT));
     assertTrue(coarse.areaMm2() > 2 * 35 * 35, "area " + coarse.areaMm2());
   }
 
@@ -141,7 +181,7 @@ class SurfaceBuilderTest {
               source,
               Openness.EVERYWHERE,
               SurfaceBuilder.FINE,
-              (brick, mesh) -> put(bricks, brick, mesh),
+              (brick, begun, mesh) -> put(bricks, brick, mesh),
               () -> {});
       build.await(PATIENCE_MS);
       assertEquals(1, build.progress());

@@ -16,12 +16,14 @@ import org.palpate.scene.GreySlices;
 import org.palpate.scene.NamedPlace;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
+import org.palpate.scene.SceneObject;
 import org.palpate.scene.SlicePlanes;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
+import org.palpate.scene.surface.SurfaceBuild;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.Segment;
@@ -162,7 +164,8 @@ class OffscreenSceneWindowTest {
   }
 
   @Test
-  void aPointLessThanAVoxelBehindTheDrawnSurfaceIsSeenAndOneFurtherBehindIsFaint() throws Exception {
+  void aPointLessThanAVoxelBehindTheDrawnSurfaceIsSeenAndOneFurtherBehindIsFaint()
+      throws Exception {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     scene.draw(model.state());
@@ -252,9 +255,14 @@ class OffscreenSceneWindowTest {
           }
         }
       }
-      loader.edited(0, edited).await(60_000);
+      for (SurfaceBuild level : loader.edited(0, edited)) {
+        level.await(60_000);
+      }
     }
     assertTrue(isDark(scene.draw(model.state()).rgb(WIDTH / 2 - 60, HEIGHT / 2)));
+    for (int level = 0; level < SceneObject.LEVELS; level++) {
+      assertEquals(0, model.objects().get(0).triangleCount(level), "level " + level);
+    }
   }
 
   private static int differing(Picture a, Picture b, int left, int top, int right, int bottom) {
