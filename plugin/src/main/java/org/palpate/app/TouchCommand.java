@@ -242,6 +242,7 @@ final class TouchCommand implements Callable<Integer> {
       return Optional.empty();
     }
     Optional<MovableSlices.Start> planes = slices.start(source);
-    return Optional.of(new ViewOptions(surface.greys(source, source.hasGreyValues()), planes));
+    return Optional.of(
+        new ViewOptions(surface.greys(source, source.hasGreyValues()), planes, Optional.empty()));
   }
 }

@@ -123,7 +123,7 @@ public final class SessionView implements AutoCloseable {
   private void open() {
     SceneLoader started = begin();
     try {
-      SceneWindow opened = new SceneWindow(model, "Palpate", WIDTH, HEIGHT, this::ended);
+      SceneWindow opened = newWindow();
       addKeys(opened.input());
       listener.opening(opened);
       if (!isClosed()) {
@@ -135,6 +135,12 @@ public final class SessionView implements AutoCloseable {
       started.close();
       tell("no window (" + e.what() + "): " + e.remedy() + "; goes on without one");
     }
+  }
+
+  private SceneWindow newWindow() throws GraphicsException {
+    return options.panel().isPresent()
+        ? new SceneWindow(model, options.panel().get(), this::ended)
+        : new SceneWindow(model, "Palpate", WIDTH, HEIGHT, this::ended);
   }
 
   private void addKeys(WindowInput input) {

@@ -36,6 +36,7 @@ public final class SceneWindow implements AutoCloseable {
   }
 
   private final SceneModel model;
+  private final Optional<ScenePanel> panel;
   private final GLWindow window;
   private final SceneRenderer renderer = new SceneRenderer();
   private final DrawThread drawing;
@@ -54,15 +55,27 @@ public final class SceneWindow implements AutoCloseable {
    */
   public SceneWindow(SceneModel model, String title, int width, int height, Consumer<End> onEnd)
       throws GraphicsException {
+    this(model, Optional.empty(), onEnd);
+    window.setTitle(title);
+    window.setSize(width, height);
+  }
+
+  /** The same inside another program's window. */
+  public SceneWindow(SceneModel model, ScenePanel panel, Consumer<End> onEnd)
+      throws GraphicsException {
+    this(model, Optional.of(panel), onEnd);
+  }
+
+  private SceneWindow(SceneModel model, Optional<ScenePanel> panel, Consumer<End> onEnd)
+      throws GraphicsException {
     this.model = model;
+    this.panel = panel;
     this.onEnd = onEnd;
     GLProfile profile = Graphics.profile();
     drawing = new DrawThread(this::draw, this::fail);
     try {
       window = GLWindow.create(capabilities(profile));
       input = new WindowInput(model, window::getSurfaceWidth, window::getSurfaceHeight);
-      window.setTitle(title);
-      window.setSize(width, height);
       window.addGLEventListener(new Painter());
       window.addWindowListener(new Ending());
       window.addMouseListener(input);
@@ -79,7 +92,7 @@ public final class SceneWindow implements AutoCloseable {
    */
   public void show() throws GraphicsException {
     try {
-      window.setVisible(true);
+      panel.ifPresentOrElse(place -> place.put(window), () -> window.setVisible(true));
     } catch (GLException e) {
       throw Graphics.refused(e);
     }
@@ -180,6 +193,7 @@ public final class SceneWindow implements AutoCloseable {
     }
     drawing.close();
     try {
+      panel.ifPresent(ScenePanel::clear);
       window.destroy();
     } catch (GLException e) {
       failure = e; // the display or the driver went first, and the window with it
@@ -194,6 +208,11 @@ public final class SceneWindow implements AutoCloseable {
 
     @Override
     public void windowRepaint(WindowUpdateEvent event) {
+      drawing.request();
+    }
+
+    @Override
+    public void windowResized(WindowEvent event) {
       drawing.request();
     }
   }

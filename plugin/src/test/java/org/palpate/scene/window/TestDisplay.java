@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Assumptions;
  * A display for tests: the one that is there, or Xvfb on the number that the build put into the
  * environment, started by the first test that needs it.
  */
-final class TestDisplay {
+public final class TestDisplay {
   private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(20);
 
   /**
@@ -30,7 +30,7 @@ final class TestDisplay {
   private TestDisplay() {}
 
   /** Skips the test where there is no display and no Xvfb. */
-  static synchronized void require() {
+  public static synchronized void require() {
     String display = System.getenv("DISPLAY");
     Assumptions.assumeTrue(
         display != null && display.startsWith(":"),
