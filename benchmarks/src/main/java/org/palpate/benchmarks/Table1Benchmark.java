@@ -17,10 +17,6 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.palpate.geometry.Vec3;
-import org.palpate.io.ReadOptions;
-import org.palpate.io.SegmentBuilder;
-import org.palpate.io.SegmentSpec;
-import org.palpate.io.VolumeFiles;
 import org.palpate.proxy.CollisionOnlySolver;
 import org.palpate.proxy.FreePlace;
 import org.palpate.proxy.GuardedSolver;
@@ -30,7 +26,6 @@ import org.palpate.proxy.ProxySolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.volume.BitCube;
-import org.palpate.volume.SegmentedVolume;
 
 /**
  * The paper's Table 1 on scans: a device that goes 0.3 voxel a frame from place to place through
@@ -70,24 +65,9 @@ public class Table1Benchmark {
   /** Reads and, where so named, resamples the scan. */
   @Setup
   public void prepare() throws IOException {
-    boolean head = data.startsWith("CThead");
-    SegmentedVolume volume =
-        SegmentBuilder.read(
-            VolumeFiles.open(file(head), ReadOptions.defaults()),
-            List.of(SegmentSpec.atLeast("bone", head ? 1500 : 200)));
-    BitCube bits = volume.segments().get(0).bits();
-    metric = new Metric(1, 1, 1);
-    if (data.contains(" to ")) {
-      String[] sizes = data.substring(data.indexOf(" to ") + 4).split("x", -1);
-      bits =
-          resampled(
-              bits,
-              Integer.parseInt(sizes[0]),
-              Integer.parseInt(sizes[1]),
-              Integer.parseInt(sizes[2]));
-    } else {
-      metric = Metric.of(volume.grid().spacingMm());
-    }
+    Scans scan = Scans.read(Path.of(System.getProperty("palpate.data")), data);
+    BitCube bits = scan.bone();
+    metric = data.contains(" to ") ? new Metric(1, 1, 1) : Metric.of(scan.spacingMm());
     Obstacles obstacles = new Obstacles(List.of(bits));
     trajectory = Trajectories.wander(bits.sizeX(), bits.sizeY(), bits.sizeZ(), SPEED, FRAMES, SEED);
     trajectory.at(0, start);
@@ -101,11 +81,6 @@ public class Table1Benchmark {
     }
   }
 
-  private static Path file(boolean head) {
-    return Path.of(System.getProperty("palpate.data"))
-        .resolve(head ? "CThead/CThead_u16gz.nrrd" : "LIDC/LIDC-IDRI-0314_ge100HU_i16gz.nrrd");
-  }
-
   private ProxySolver follower() {
     return switch (solver) {
       case "none" -> new CollisionOnlySolver(new ExactRayCaster(), metric);
@@ -113,22 +88,6 @@ public class Table1Benchmark {
       case "smooth" -> new SmoothSolver(metric, MAX_STEP_MM);
       default -> throw new IllegalArgumentException("no such solver: " + solver);
     };
-  }
-
-  private static BitCube resampled(BitCube from, int sizeX, int sizeY, int sizeZ) {
-    BitCube to = new BitCube(sizeX, sizeY, sizeZ);
-    for (int k = 0; k < sizeZ; k++) {
-      int z = (int) ((k + 0.5) * from.sizeZ() / sizeZ);
-      for (int j = 0; j < sizeY; j++) {
-        int y = (int) ((j + 0.5) * from.sizeY() / sizeY);
-        for (int i = 0; i < sizeX; i++) {
-          if (from.get((int) ((i + 0.5) * from.sizeX() / sizeX), y, z)) {
-            to.set(i, j, k);
-          }
-        }
-      }
-    }
-    return to;
   }
 
   /** The whole way of the device, counted by frames. */

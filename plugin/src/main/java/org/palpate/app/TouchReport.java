@@ -1,6 +1,7 @@
 package org.palpate.app;
 
 import java.io.PrintWriter;
+import java.lang.management.ManagementFactory;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -162,6 +163,13 @@ final class TouchReport {
     fields.put("writes", counts.writes());
     fields.put("applied", counts.applied());
     fields.put("redraws", view.map(SessionView::redraws).orElse(0L));
+    view.map(SessionView::firstSurfaceMillis)
+        .filter(millis -> millis > 0)
+        .ifPresent(millis -> fields.put("first_picture_s", secondsFromStart(millis)));
     return fields;
+  }
+
+  private static double secondsFromStart(long millis) {
+    return (millis - ManagementFactory.getRuntimeMXBean().getStartTime()) / 1e3;
   }
 }

@@ -290,6 +290,12 @@ public final class SessionView implements AutoCloseable {
     return ticking.rateHz();
   }
 
+  /** When a surface was first seen, as the system counts milliseconds; 0 where it was not. */
+  public long firstSurfaceMillis() {
+    SceneWindow shown = window;
+    return shown == null ? 0 : shown.firstSurfaceMillis();
+  }
+
   /** Pictures drawn. */
   public long redraws() {
     SceneWindow shown = window;

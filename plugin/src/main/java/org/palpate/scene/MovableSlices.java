@@ -61,7 +61,12 @@ public final class MovableSlices {
 
   /** The next of: none, fixed, at the point. */
   public synchronized void nextMode() {
-    mode = Mode.values()[(mode.ordinal() + 1) % Mode.values().length];
+    mode =
+        switch (mode) {
+          case OFF -> Mode.FIXED;
+          case FIXED -> Mode.AT_POINT;
+          case AT_POINT -> Mode.OFF;
+        };
     ticks = 0;
     if (mode == Mode.FIXED) {
       show(fixed);

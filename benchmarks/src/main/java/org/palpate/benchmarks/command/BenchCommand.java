@@ -19,6 +19,7 @@ import org.palpate.benchmarks.speed.SpeedStudy;
 import org.palpate.benchmarks.stability.StabilityRun;
 import org.palpate.benchmarks.stress.StressSession;
 import org.palpate.benchmarks.stress.StressTotals;
+import org.palpate.benchmarks.surface.SurfaceStudy;
 import org.palpate.benchmarks.sync.SyncRun;
 import org.palpate.scene.window.Graphics;
 import org.palpate.scene.window.GraphicsException;
@@ -45,9 +46,12 @@ import picocli.CommandLine.Spec;
       "  palpate bench --stability --quick --out figures",
       "  palpate bench --accuracy --out figures",
       "  palpate bench --sync --out figures",
+      "  palpate bench --surfaces --out figures",
       "  palpate bench --stress --frames 20000000 --seed 7"
     })
 public final class BenchCommand implements Callable<Integer> {
+  private static final Path DATA = Path.of(System.getProperty("palpate.data", "../shared/data"));
+
   @Spec private CommandSpec spec;
   @Mixin private OutputOptions output;
 
@@ -111,6 +115,14 @@ public final class BenchCommand implements Callable<Integer> {
   private boolean table1;
 
   @Option(
+      names = "--surfaces",
+      description = {
+        "Triangles, time and memory of the scans' surfaces, as they are and resampled to the",
+        "paper's sizes. Reads the folder of -Dpalpate.data (../shared/data)."
+      })
+  private boolean surfaces;
+
+  @Option(
       names = "--skips",
       description = "What each skip is worth: with and without, where it helps and where not.")
   private boolean skips;
@@ -156,6 +168,9 @@ public final class BenchCommand implements Callable<Integer> {
       }
       if (sync) {
         report.put("sync_work_p99_us", SyncRun.run(folder, quick, out, progress));
+      }
+      if (surfaces) {
+        report.put("triangles", SurfaceStudy.run(scans(), folder, out, progress));
       }
       if (stress) {
         attack(report, out, progress);
@@ -204,21 +219,26 @@ public final class BenchCommand implements Callable<Integer> {
     if (scale) {
       studies.add(SpeedStudy.SCALE);
     }
-    if (studies.isEmpty() && !stability && !accuracy && !sync && !stress && !cpp) {
+    if (studies.isEmpty() && !stability && !accuracy && !sync && !stress && !cpp && !surfaces) {
       studies.add(SpeedStudy.ALL);
     }
-    Path data = Path.of(System.getProperty("palpate.data", "../shared/data"));
-    if (table1 && !Files.isDirectory(data)) {
-      throw PalpateException.wrongUse(
-          "the scans of Table 1 are not there",
-          data.toString(),
-          "name their folder: -Dpalpate.data");
-    }
+    Path data = table1 ? scans() : DATA;
     for (SpeedStudy study : studies) {
       report.put(
           study.name().toLowerCase(Locale.ROOT),
           SpeedRun.run(study, folder, quick, data, out, progress));
     }
+  }
+
+  /** The folder of the scans. */
+  private static Path scans() {
+    if (!Files.isDirectory(DATA)) {
+      throw PalpateException.wrongUse(
+          "the scans of Table 1 are not there",
+          DATA.toString(),
+          "name their folder: -Dpalpate.data");
+    }
+    return DATA;
   }
 
   private void attack(Report report, PrintWriter out, PrintWriter progress) throws IOException {

@@ -45,6 +45,7 @@ public final class SceneWindow implements AutoCloseable {
   private final AtomicReference<Consumer<Picture>> snapshot = new AtomicReference<>();
   private volatile Throwable failure;
   private volatile boolean initialized;
+  private volatile long firstSurfaceMillis;
   private volatile boolean ended;
 
   /**
@@ -163,6 +164,11 @@ public final class SceneWindow implements AutoCloseable {
     return drawing.drawn();
   }
 
+  /** When a surface was first drawn, as the system counts milliseconds; 0 before. */
+  public long firstSurfaceMillis() {
+    return firstSurfaceMillis;
+  }
+
   /** How often what stands still was drawn anew. */
   public long stillDrawn() {
     return renderer.stillDrawn();
@@ -234,10 +240,17 @@ public final class SceneWindow implements AutoCloseable {
       int height = drawable.getSurfaceHeight();
       SceneState state = model.state();
       renderer.draw(gl, state, gl.getDefaultDrawFramebuffer(), width, height, 1);
+      noteSurface();
       input.pick(at -> pick(gl, state, width, height, at));
       Consumer<Picture> taker = snapshot.getAndSet(null);
       if (taker != null) {
         taker.accept(PixelReader.read(gl, width, height));
+      }
+    }
+
+    private void noteSurface() {
+      if (firstSurfaceMillis == 0 && renderer.drawnTriangles() > 0) {
+        firstSurfaceMillis = System.currentTimeMillis();
       }
     }
 
