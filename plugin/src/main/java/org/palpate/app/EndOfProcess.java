@@ -2,6 +2,7 @@ package org.palpate.app;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.palpate.realtime.DisplayLoss;
 
 /**
  * Turns Ctrl-C, or another wish that the process end, into an orderly end of the command: asks it
@@ -43,6 +44,7 @@ final class EndOfProcess {
   private static void awaitCommand() {
     try {
       if (COMMAND_DONE.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+        DisplayLoss.exitIfHappened(exitCode);
         // the signal's own exit code would tell of a failure that there was not
         Runtime.getRuntime().halt(exitCode);
       }

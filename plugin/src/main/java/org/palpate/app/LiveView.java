@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.palpate.host.SessionView;
 import org.palpate.io.NewFile;
+import org.palpate.realtime.DisplayLoss;
 import org.palpate.scene.window.Picture;
 import org.palpate.scene.window.SceneWindow;
 
@@ -28,6 +29,7 @@ final class LiveView implements SessionView.Listener {
 
   @Override
   public void opening(SceneWindow window) {
+    DisplayLoss.survive(window::displayGone);
     window.input().onKey('s', "snapshot to a file", () -> window.takeSnapshot(this::save));
   }
 

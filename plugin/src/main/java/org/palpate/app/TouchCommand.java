@@ -113,6 +113,9 @@ final class TouchCommand implements Callable<Integer> {
     }
     checkNumbers();
     checkSense();
+    if (hasWindow()) {
+      Graphics.prepare();
+    }
     ContactSettings settings = contact.settings();
     DeviceChoice choice = DeviceChoice.parse(device).fittedEachAxis(fitEachAxis);
     VolumeSource source = VolumeSource.open(volume);
@@ -236,9 +239,13 @@ final class TouchCommand implements Callable<Integer> {
     }
   }
 
+  private boolean hasWindow() {
+    return !headless && Graphics.hasDisplay();
+  }
+
   /** What the window shows; empty where there is none. */
   private Optional<ViewOptions> view(VolumeSource source) throws VolumeFormatException {
-    if (headless || !Graphics.hasDisplay()) {
+    if (!hasWindow()) {
       return Optional.empty();
     }
     Optional<MovableSlices.Start> planes = slices.start(source);

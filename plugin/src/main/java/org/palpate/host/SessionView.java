@@ -235,7 +235,11 @@ public final class SessionView implements AutoCloseable {
 
   private String reason() {
     SceneWindow failed = window;
-    return failed == null ? "" : failed.failure().map(Throwable::toString).orElse("");
+    return failed == null ? "" : failed.failure().map(SessionView::words).orElse("");
+  }
+
+  private static String words(Throwable failure) {
+    return failure.getMessage() == null ? failure.toString() : failure.getMessage();
   }
 
   private void tell(String line) {

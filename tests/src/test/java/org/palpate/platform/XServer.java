@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Assumptions;
 
 /** An X server of the test's own, which picks a free number; ends with {@link #close}. */
-final class XServer implements AutoCloseable {
+public final class XServer implements AutoCloseable {
   private final Process process;
   private final String display;
 
@@ -17,7 +17,7 @@ final class XServer implements AutoCloseable {
   }
 
   /** Starts one, or skips the test where there is no Xvfb. */
-  static XServer start() throws IOException {
+  public static XServer start() throws IOException {
     Process process = null;
     try {
       process =
@@ -47,7 +47,7 @@ final class XServer implements AutoCloseable {
     return new XServer(process, ":" + number.strip());
   }
 
-  String display() {
+  public String display() {
     return display;
   }
 

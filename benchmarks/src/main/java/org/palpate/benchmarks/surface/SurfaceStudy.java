@@ -120,7 +120,15 @@ public final class SurfaceStudy {
   private static void tell(List<SurfaceRow> rows, PrintWriter out) {
     out.printf(
         "%-22s %10s %10s %7s %8s %8s %10s %8s %8s %8s%n",
-        "data", "voxels", "triangles", "CPU s", "heap MB", "card MB", "coarse", "CPU s", "brick ms",
+        "data",
+        "voxels",
+        "triangles",
+        "CPU s",
+        "heap MB",
+        "card MB",
+        "coarse",
+        "CPU s",
+        "brick ms",
         "most");
     for (SurfaceRow row : rows) {
       out.printf(

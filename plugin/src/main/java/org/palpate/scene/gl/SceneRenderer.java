@@ -22,7 +22,7 @@ public final class SceneRenderer {
 
   private final GlTarget[] still = new GlTarget[EYES];
   private final long[] stillRevision = {-1, -1};
-  private final GlTarget composed = new GlTarget();
+  private GlTarget composed;
   private GlProgram background;
   private GlProgram present;
   private ObjectPainter objects;
@@ -42,6 +42,7 @@ public final class SceneRenderer {
     landmarks = new LandmarkPainter(gl);
     overlay = new OverlayPainter(gl);
     slices = new SlicePainter(gl);
+    composed = new GlTarget();
     emptyArray = new int[1];
     gl.glGenVertexArrays(1, emptyArray, 0);
     for (int eye = 0; eye < EYES; eye++) {
@@ -71,6 +72,7 @@ public final class SceneRenderer {
    * @param framebuffer where to, 0 for a window
    * @param width of it, pixels
    * @param scale each pixel is the mean of this many squared
+   * @throws IllegalStateException where the driver has no memory for it
    */
   public void draw(GL3 gl, SceneState state, int framebuffer, int width, int height, int scale) {
     Stereo stereo = state.look().stereo();
@@ -85,6 +87,14 @@ public final class SceneRenderer {
     }
     gl.glBindVertexArray(0);
     gl.glUseProgram(0);
+    refuse(gl.glGetError());
+  }
+
+  /** Ends drawing where an error says that what is seen is not all of it. */
+  static void refuse(int error) {
+    if (error == GL.GL_OUT_OF_MEMORY) {
+      throw new IllegalStateException("the graphics card has no memory left");
+    }
   }
 
   private void compose(GL3 gl, SceneState state, int eye, int width, int height, int scale) {

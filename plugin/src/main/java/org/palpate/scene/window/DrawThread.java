@@ -58,11 +58,16 @@ final class DrawThread implements AutoCloseable {
     return drawn.get();
   }
 
-  /** Ends after the picture in work; does not wait for one that hangs. */
-  @Override
-  public void close() {
+  /** Ends after the picture in work, and does not wait for that. */
+  void abandon() {
     closed = true;
     LockSupport.unpark(thread);
+  }
+
+  /** Ends after the picture in work; does not wait long for one that hangs. */
+  @Override
+  public void close() {
+    abandon();
     if (Thread.currentThread() != thread) {
       try {
         thread.join(JOIN_MILLIS);

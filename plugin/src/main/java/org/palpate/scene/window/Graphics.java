@@ -20,6 +20,25 @@ public final class Graphics {
   }
 
   /**
+   * Begins to load the driver in the background, so that a window opens sooner; what is wrong with
+   * it is told where the window is opened.
+   */
+  public static void prepare() {
+    Thread thread = new Thread(Graphics::load, "palpate-graphics");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  private static void load() {
+    try {
+      GLProfile loaded = profile();
+      assert loaded.isGL3();
+    } catch (GraphicsException e) {
+      // Told when the window is opened, with what to do.
+    }
+  }
+
+  /**
    * The profile to draw with, OpenGL 3.3 core or later.
    *
    * @throws GraphicsException where there is none, with the reason

@@ -47,6 +47,7 @@ public final class SceneWindow implements AutoCloseable {
   private volatile boolean initialized;
   private volatile long firstSurfaceMillis;
   private volatile boolean ended;
+  private volatile boolean displayGone;
 
   /**
    * A window that is not yet shown.
@@ -154,6 +155,11 @@ public final class SceneWindow implements AutoCloseable {
     return Optional.ofNullable(failure);
   }
 
+  /** For tests that do to it what a person or a driver does. */
+  GLWindow glWindow() {
+    return window;
+  }
+
   /** What mouse and keys do. */
   public WindowInput input() {
     return input;
@@ -191,11 +197,24 @@ public final class SceneWindow implements AutoCloseable {
     drawing.request();
   }
 
+  /**
+   * Says that the display went away: the owner is told, and nothing of the window is touched any
+   * more, for whoever touches it hangs. Any thread.
+   */
+  public void displayGone() {
+    displayGone = true;
+    fail(new IllegalStateException("the display is gone"));
+  }
+
   /** Closes the window; the owner is not told. May be called twice and by any thread. */
   @Override
   public void close() {
     synchronized (this) {
       ended = true;
+    }
+    if (displayGone) {
+      drawing.abandon();
+      return;
     }
     drawing.close();
     try {

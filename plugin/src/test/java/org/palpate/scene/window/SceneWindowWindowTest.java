@@ -3,16 +3,21 @@ package org.palpate.scene.window;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.jogamp.opengl.GLContext;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Palette;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.StandardView;
+import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
 
@@ -73,5 +78,76 @@ class SceneWindowWindowTest {
     first.show();
     first.close();
     drawsWhenAskedAndGivesASnapshot();
+  }
+
+  @Test
+  void aWindowThatItsUserClosesTellsItsOwnerOnce() throws Exception {
+    AtomicInteger told = new AtomicInteger();
+    CompletableFuture<SceneWindow.End> end = new CompletableFuture<>();
+    SceneWindow window =
+        new SceneWindow(
+            model,
+            "test",
+            200,
+            150,
+            why -> {
+              told.incrementAndGet();
+              end.complete(why);
+            });
+    window.show();
+    picture(window);
+    window.glWindow().destroy();
+    assertEquals(SceneWindow.End.CLOSED_BY_USER, end.get(PATIENCE_S, TimeUnit.SECONDS));
+    window.close();
+    assertEquals(1, told.get());
+  }
+
+  @ParameterizedTest
+  @EnumSource(
+      value = Stereo.class,
+      names = {"OFF", "ANAGLYPH", "SIDE_BY_SIDE"})
+  void aWindowOfOnePixelDrawsAndGrowsAgain(Stereo stereo) throws Exception {
+    model.changeLook(look -> look.with(stereo));
+    try (SceneWindow window = new SceneWindow(model, "test", 200, 150, end -> {})) {
+      window.show();
+      picture(window);
+      window.glWindow().setSize(1, 1);
+      picture(window);
+      window.glWindow().setSize(180, 120);
+      picture(window);
+      assertTrue(window.failure().isEmpty(), window.failure().toString());
+    }
+  }
+
+  @Test
+  void aContextThatIsLostIsReplacedAndTheSceneUploadedAnew() throws Exception {
+    try (SceneWindow window = new SceneWindow(model, "test", 200, 150, end -> {})) {
+      window.show();
+      Picture before = picture(window);
+      GLContext next = window.glWindow().getDelegatedDrawable().createContext(null);
+      window.glWindow().setContext(next, true);
+      Picture after = picture(window);
+      assertEquals(before.rgb(100, 75), after.rgb(100, 75));
+      assertTrue(window.failure().isEmpty(), window.failure().toString());
+    }
+  }
+
+  @Test
+  void anErrorOfTheJvmWhileDrawingIsToldToo() throws Exception {
+    CompletableFuture<SceneWindow.End> told = new CompletableFuture<>();
+    try (SceneWindow window = new SceneWindow(model, "test", 200, 150, told::complete)) {
+      window.show();
+      window.takeSnapshot(
+          taken -> {
+            throw new OutOfMemoryError("Direct buffer memory");
+          });
+      assertEquals(SceneWindow.End.FAILED, told.get(PATIENCE_S, TimeUnit.SECONDS));
+    }
+  }
+
+  private static Picture picture(SceneWindow window) throws Exception {
+    CompletableFuture<Picture> picture = new CompletableFuture<>();
+    window.takeSnapshot(picture::complete);
+    return picture.get(PATIENCE_S, TimeUnit.SECONDS);
   }
 }

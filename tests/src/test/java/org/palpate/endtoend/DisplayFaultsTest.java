@@ -1,0 +1,140 @@
+package org.palpate.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.palpate.platform.XServer;
+
+/** Whatever befalls the display, the session goes on and says so in one line. */
+@EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: there is no X here")
+class DisplayFaultsTest {
+  private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
+  private static final List<String> SMALL = List.of("-Xmx512m");
+  private static final long PATIENCE_S = 120;
+
+  @TempDir Path folder;
+
+  private static ProcessBuilder on(String display, Object... arguments) {
+    ProcessBuilder builder = CommandRun.inOwnJvm(JAVA_HOME, SMALL, arguments);
+    builder.environment().put("DISPLAY", display);
+    return builder;
+  }
+
+  private ProcessBuilder session(String display) {
+    return on(display, "touch", "--phantom", "sphere:32", "--seconds", "1", "--report", report());
+  }
+
+  private Path report() {
+    return folder.resolve("r.json");
+  }
+
+  private void assertItTouched(CommandRun run, String line) throws IOException {
+    run.mustSucceed();
+    assertEquals(1, run.out().lines().filter(each -> each.contains(line)).count(), run.out());
+    assertTrue(Long.parseLong(FlatJson.read(report()).get("/frames")) > 0, run.out());
+  }
+
+  @Test
+  void aDriverWithoutOpenGl3LeavesTheSessionWithoutAWindow() throws Exception {
+    try (XServer display = XServer.start()) {
+      ProcessBuilder old = session(display.display());
+      old.environment().put("MESA_GL_VERSION_OVERRIDE", "2.1");
+      assertItTouched(CommandRun.waitFor(old), "no window (the graphics driver has no OpenGL 3.3)");
+    }
+  }
+
+  @Test
+  void aPictureWithoutOpenGl3IsRefusedInOneLine() throws Exception {
+    try (XServer display = XServer.start()) {
+      ProcessBuilder old =
+          on(
+              display.display(),
+              "render",
+              "--phantom",
+              "sphere:32",
+              "--out",
+              folder.resolve("x.png"));
+      old.environment().put("MESA_GL_VERSION_OVERRIDE", "2.1");
+      CommandRun run = CommandRun.waitFor(old);
+      assertEquals(1, run.exitCode(), run.err());
+      assertTrue(run.err().contains("palpate: the graphics driver has no OpenGL 3.3: "), run.err());
+    }
+  }
+
+  @Test
+  void aDisplayThatDoesNotAnswerLeavesTheSessionWithoutAWindow() throws Exception {
+    assertItTouched(CommandRun.waitFor(session(":6553")), "no window (");
+  }
+
+  @Test
+  void withoutADisplayTheSessionRunsAndTheMouseIsRefused() throws Exception {
+    ProcessBuilder blind = session("");
+    assertItTouched(CommandRun.waitFor(blind), "there is no display: goes on without a window");
+    CommandRun.waitFor(on("", "touch", "--device", "mouse")).mustRefuse();
+  }
+
+  @Test
+  void aDisplayThatGoesAwayLeavesTheSessionToItsEndWithReportAndRecording() throws Exception {
+    Path recording = folder.resolve("t.csv");
+    Path out = folder.resolve("out.txt");
+    Process process;
+    try (XServer display = XServer.start()) {
+      process =
+          on(display.display(), "touch", "--phantom", "sphere:32", "--record", recording)
+              .redirectErrorStream(true)
+              .redirectOutput(out.toFile())
+              .start();
+      await(process, () -> draws(process.pid()));
+    }
+    await(process, () -> Files.readString(out).contains("(the display is gone)"));
+    process.destroy(); // asks, as Ctrl-C does
+    assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "it hangs");
+    assertEquals(0, process.exitValue(), Files.readString(out));
+    assertTrue(Files.readString(out).contains("in contact"), "it said what was measured");
+    assertTrue(Files.readAllLines(recording).size() > 1, "the recording is whole");
+  }
+
+  private interface Condition {
+    boolean holds() throws IOException;
+  }
+
+  private static void await(Process process, Condition condition) throws IOException {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+    while (!condition.holds() && System.nanoTime() < end && process.isAlive()) {
+      Thread.onSpinWait();
+    }
+    assertTrue(condition.holds(), "it did not come to that");
+  }
+
+  /** Whether the process has its thread that draws. */
+  private static boolean draws(long process) throws IOException {
+    try (DirectoryStream<Path> threads =
+        Files.newDirectoryStream(Path.of("/proc/" + process + "/task"))) {
+      for (Path thread : threads) {
+        if (name(thread).startsWith("palpate-draw")) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private static String name(Path thread) throws IOException {
+    try {
+      return Files.readString(thread.resolve("comm"));
+    } catch (NoSuchFileException e) {
+      return ""; // ended meanwhile
+    }
+  }
+}
