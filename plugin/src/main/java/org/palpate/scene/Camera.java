@@ -116,9 +116,9 @@ public final class Camera {
     return Matrix4.perspective(HEIGHT_PER_DISTANCE, aspect, near, far, shift);
   }
 
-  /** Half the distance between two eyes that look at the target: one in sixty of the distance. */
+  /** Half the distance between two eyes that look at the target: a thirtieth of how far it is. */
   private double eyeShiftMm() {
-    return distanceMm / 60;
+    return distanceMm / 30;
   }
 
   private static Vec3 combine(Vec3 a, double shareOfA, Vec3 b, double shareOfB) {

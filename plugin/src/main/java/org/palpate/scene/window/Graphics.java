@@ -9,6 +9,20 @@ public final class Graphics {
       "libgl1 libglx-mesa0 libgl1-mesa-dri libx11-6 libxxf86vm1 libxrender1 libxrandr2 libxcursor1"
           + " libxi6";
 
+  /** JOGL gives a lock up after five seconds, which a busy machine may need to load a driver. */
+  private static final String LOCK_TIMEOUT = "jogamp.common.utils.locks.Lock.timeout";
+
+  private static final String LOCK_TIMEOUT_MILLIS = "60000";
+
+  /** Loads the driver, where that was begun early. */
+  private static Thread preparing;
+
+  static {
+    if (System.getProperty(LOCK_TIMEOUT) == null) {
+      System.setProperty(LOCK_TIMEOUT, LOCK_TIMEOUT_MILLIS);
+    }
+  }
+
   private Graphics() {}
 
   /** Whether a display is named here; always so where windows do not need one to be named. */
@@ -23,15 +37,15 @@ public final class Graphics {
    * Begins to load the driver in the background, so that a window opens sooner; what is wrong with
    * it is told where the window is opened.
    */
-  public static void prepare() {
-    Thread thread = new Thread(Graphics::load, "palpate-graphics");
-    thread.setDaemon(true);
-    thread.start();
+  public static synchronized void prepare() {
+    preparing = new Thread(Graphics::load, "palpate-graphics");
+    preparing.setDaemon(true);
+    preparing.start();
   }
 
   private static void load() {
     try {
-      GLProfile loaded = profile();
+      GLProfile loaded = loadProfile();
       assert loaded.isGL3();
     } catch (GraphicsException e) {
       // Told when the window is opened, with what to do.
@@ -44,6 +58,25 @@ public final class Graphics {
    * @throws GraphicsException where there is none, with the reason
    */
   static GLProfile profile() throws GraphicsException {
+    awaitPreparation();
+    return loadProfile();
+  }
+
+  private static void awaitPreparation() {
+    Thread thread;
+    synchronized (Graphics.class) {
+      thread = preparing;
+    }
+    if (thread != null) {
+      try {
+        thread.join();
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  private static GLProfile loadProfile() throws GraphicsException {
     if (!hasDisplay()) {
       throw new GraphicsException(
           "there is no display", "set DISPLAY, or install xvfb and start it by xvfb-run", null);
