@@ -1,7 +1,6 @@
 package org.palpate.realtime;
 
 import com.sun.jna.Callback;
-import com.sun.jna.Library;
 import com.sun.jna.Native;
 import com.sun.jna.Pointer;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -16,14 +15,16 @@ import java.util.concurrent.locks.LockSupport;
  * <p>For a process of our own alone, not inside another program.
  */
 public final class DisplayLoss {
-  /** Xlib's; the handler must not return. */
-  interface X11 extends Library {
-    Pointer XSetIOErrorHandler(LossHandler handler);
-  }
+  /** Xlib's call, mapped directly; loaded where it is first asked for. */
+  static final class X11Library {
+    static {
+      Native.register(X11Library.class, "X11");
+    }
 
-  /** The C library's way out that tidies nothing up. */
-  interface ProcessExit extends Library {
-    void _exit(int code);
+    private X11Library() {}
+
+    /** Takes a handler that must not return, and answers with the last one. */
+    static native Pointer XSetIOErrorHandler(LossHandler handler);
   }
 
   /** What Xlib calls in the thread that met a broken connection. */
@@ -48,10 +49,10 @@ public final class DisplayLoss {
   public static synchronized boolean survive(Runnable told) {
     try {
       LossHandler handler = display -> hold(told);
-      Native.load("X11", X11.class).XSetIOErrorHandler(handler);
+      X11Library.XSetIOErrorHandler(handler);
       installed = handler;
       return true;
-    } catch (UnsatisfiedLinkError e) {
+    } catch (LinkageError e) {
       return false; // no X here, so none to lose
     }
   }
@@ -62,7 +63,7 @@ public final class DisplayLoss {
    */
   public static void exitIfHappened(int exitCode) {
     if (HAPPENED.get()) {
-      Native.load("c", ProcessExit.class)._exit(exitCode);
+      LinuxLibrary._exit(exitCode);
     }
   }
 

@@ -97,7 +97,8 @@ class DisplayFaultsTest {
               .start();
       await(process, () -> draws(process.pid()));
     }
-    await(process, () -> Files.readString(out).contains("(the display is gone)"));
+    // Xlib notices that it is gone, or the driver does, where it was just drawing.
+    await(process, () -> Files.readString(out).contains("the session goes on without it"));
     process.destroy(); // asks, as Ctrl-C does
     assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "it hangs");
     assertEquals(0, process.exitValue(), Files.readString(out));

@@ -35,6 +35,9 @@ public final class SceneWindow implements AutoCloseable {
     FAILED
   }
 
+  /** The longest that a window is waited for which does not close, as where its display is gone. */
+  private static final long CLOSE_MILLIS = 10_000;
+
   private final SceneModel model;
   private final Optional<ScenePanel> panel;
   private final GLWindow window;
@@ -217,8 +220,19 @@ public final class SceneWindow implements AutoCloseable {
       return;
     }
     drawing.close();
+    panel.ifPresent(ScenePanel::clear);
+    Thread closing = new Thread(this::destroy, "palpate-close-window");
+    closing.setDaemon(true);
+    closing.start();
     try {
-      panel.ifPresent(ScenePanel::clear);
+      closing.join(CLOSE_MILLIS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void destroy() {
+    try {
       window.destroy();
     } catch (GLException e) {
       failure = e; // the display or the driver went first, and the window with it
