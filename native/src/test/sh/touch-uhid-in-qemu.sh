@@ -63,8 +63,12 @@ find_kernel() {
   [ -n "$name" ] || fail "no kernel to run: PALPATE_KERNEL: name a folder with vmlinuz, uhid.ko and 9p.ko"
   echo "palpate: fetching $name" >&2
   mkdir -p "$kept"
-  (cd "$work" && apt-get download -qq "$name" 2>/dev/null && dpkg -x "$name"_*.deb "$kept") ||
+  (cd "$work" && apt-get download -qq "$name" 2>/dev/null && dpkg -x "$name"_*.deb unpacked) ||
     fail "cannot fetch: $name: run apt-get update, then this again"
+  for name in $modules; do
+    find "$work/unpacked" -name "$name.ko*" -exec cp {} "$kept" \;
+  done
+  cp "$work/unpacked/boot/vmlinuz"* "$kept"
 }
 
 # A file of the kernel's into the first file system, unpacked.
