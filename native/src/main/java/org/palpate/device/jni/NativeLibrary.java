@@ -19,7 +19,9 @@ public final class NativeLibrary {
   private static final NativeLibrary LOADED = load();
 
   private final String origin;
-  private final String whyNot;
+
+  /** One line: why it could not be loaded; empty where it was. */
+  final String whyNot;
 
   private NativeLibrary(String origin, String whyNot) {
     this.origin = origin;
@@ -49,7 +51,7 @@ public final class NativeLibrary {
   private static NativeLibrary load() {
     String file = System.getProperty(PROPERTY);
     if (file != null && !file.isEmpty()) {
-      return loadFile(Path.of(file).toAbsolutePath(), PROPERTY + "=" + file);
+      return loadFile(Path.of(file).toAbsolutePath(), PROPERTY + "=" + file, "name the right one");
     }
     try {
       System.loadLibrary("palpate");
@@ -59,13 +61,14 @@ public final class NativeLibrary {
     }
   }
 
-  private static NativeLibrary loadFile(Path file, String origin) {
+  /** Loads a file; where it does not load, {@code remedy} ends the line that says so. */
+  static NativeLibrary loadFile(Path file, String origin, String remedy) {
     try {
       System.load(file.toString());
       return new NativeLibrary(origin, "");
     } catch (UnsatisfiedLinkError e) {
       return new NativeLibrary(
-          "", "cannot load the native library: " + origin + ": " + e.getMessage());
+          "", "cannot load the native library: " + origin + ": " + e.getMessage() + ": " + remedy);
     }
   }
 
@@ -79,7 +82,10 @@ public final class NativeLibrary {
                 + resource
                 + ": build it with cmake and a C++ compiler");
       }
-      return loadFile(copyOut(bytes, resource), "jar:" + resource);
+      return loadFile(
+          copyOut(bytes, resource),
+          "jar:" + resource,
+          "name a folder for programs with -Djava.io.tmpdir");
     } catch (IOException e) {
       return new NativeLibrary(
           "",

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Path;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -64,6 +65,15 @@ class NativeDeviceTest {
     DeviceException e =
         assertThrows(DeviceException.class, () -> DeviceCatalog.open("abacus", "7"));
     assertEquals("cannot open the device: abacus:7: no such back end", e.getMessage());
+  }
+
+  @Test
+  void saysInOneLineWhichFileDoesNotLoadAndWhatToDo() {
+    String why =
+        NativeLibrary.loadFile(Path.of("/no/such.so"), "given", "name the right one").whyNot;
+    assertTrue(why.startsWith("cannot load the native library: given: "), why);
+    assertTrue(why.contains("/no/such.so") && why.endsWith(": name the right one"), why);
+    assertEquals(1, why.lines().count(), why);
   }
 
   @Test
