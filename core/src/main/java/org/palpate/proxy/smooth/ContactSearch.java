@@ -34,6 +34,10 @@ final class ContactSearch {
   static final double LEAST_SLOPE = 0.02;
 
   private static final double TOLERANCE_EDGES = 2e-3;
+
+  /** Of the way that the first step has to go: what is left of it is gone in the next frame. */
+  private static final double TOLERANCE_SHARE = 0.01;
+
   private static final double DEEPEST_EDGES = 1.6;
   private static final int MOST_STEPS = 12;
   private static final double LONGEST_STEP_EDGES = 2.2;
@@ -90,6 +94,7 @@ final class ContactSearch {
     at.set(start);
     double damping = 1;
     double lastOffset = Double.POSITIVE_INFINITY;
+    double tolerance = 0;
     for (int n = 0; n < MOST_STEPS; n++) {
       field.evaluate(at.x, at.y, at.z);
       if (!findNormal() || heightEdges < -DEEPEST_EDGES) {
@@ -98,12 +103,14 @@ final class ContactSearch {
       if (!project(device)) {
         return OUTSIDE;
       }
-      double tolerance = n == 0 ? 0 : TOLERANCE_EDGES;
       if (offsetEdges <= tolerance && Math.abs(heightEdges) <= tolerance) {
         return FOUND;
       }
       if (offsetEdges > SLOW_SHARE * lastOffset) {
         damping = Math.max(LEAST_DAMPING, damping / 2);
+      }
+      if (n == 0) {
+        tolerance = Math.max(TOLERANCE_EDGES, TOLERANCE_SHARE * offsetEdges);
       }
       lastOffset = offsetEdges;
       findStep(damping);
