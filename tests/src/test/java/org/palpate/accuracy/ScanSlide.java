@@ -7,9 +7,9 @@ import org.palpate.volume.BitCube;
 
 /**
  * A way of the device below the outer surface of a scan, in one slice: the longest arc around the
- * middle of the solids along which rays from outside meet a surface without a gap, with solid enough
- * behind it and in the slices beside it. The surface is smoothed along the arc, so that the way has
- * no stairs of its own. Positions in grid coordinates.
+ * middle of the solids along which rays from outside meet a surface without a gap, with solid
+ * enough behind it and in the slices beside it. The surface is smoothed along the arc, so that the
+ * way has no stairs of its own. Positions in grid coordinates.
  */
 final class ScanSlide {
   /** Between two rays on the arc. */

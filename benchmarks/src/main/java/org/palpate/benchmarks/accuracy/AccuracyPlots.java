@@ -1,5 +1,6 @@
 package org.palpate.benchmarks.accuracy;
 
+import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -19,6 +20,13 @@ final class AccuracyPlots {
   private static final int WIDTH = 1000;
   private static final int HEIGHT = 640;
 
+  /** As many as there are contestants, told apart on white. */
+  private static final Color[] COLOURS = {
+    new Color(0x1F4FD8), new Color(0xF0A000), new Color(0xA86A00), new Color(0x7A2FB8),
+    new Color(0xB04FC8), new Color(0xD070A0), new Color(0x5A3A80), new Color(0xD02020),
+    new Color(0x101010), new Color(0x0A8A8A)
+  };
+
   private AccuracyPlots() {}
 
   /** Time against the angle of the force, every solver on every slide: the whole front. */
@@ -34,6 +42,7 @@ final class AccuracyPlots {
     chart.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);
     chart.getStyler().setDefaultSeriesRenderStyle(XYSeriesRenderStyle.Scatter);
     chart.getStyler().setMarkerSize(7);
+    chart.getStyler().setSeriesColors(COLOURS);
     Map<String, List<AccuracyRow>> bySolver = new LinkedHashMap<>();
     for (AccuracyRow row : rows) {
       bySolver.computeIfAbsent(row.solver(), name -> new ArrayList<>()).add(row);
