@@ -158,6 +158,37 @@ public final class BitCube {
    * cube nothing is solid. Cost: eight loads, and no branch that is mispredicted.
    */
   public long window(int i, int j, int k) {
+    int x = i >> BRICK_SHIFT;
+    int y = j >> BRICK_SHIFT;
+    int z = k >> BRICK_SHIFT;
+    boolean inside =
+        x >= 0 && x < bricksX - 1 && y >= 0 && y < bricksY - 1 && z >= 0 && z < bricksZ - 1;
+    return inside ? windowInside(i, j, k, brickIndex(x, y, z)) : windowAtRim(i, j, k);
+  }
+
+  /** The window where all eight bricks are the cube's, of which the first is at an index. */
+  private long windowInside(int i, int j, int k, int at) {
+    int shift = (k & 3) << 4;
+    int above = at + bricksX * bricksY;
+    long near = slabInside(i, j, at) >>> shift;
+    return near | slabInside(i, j, above) << (48 - shift) << 16;
+  }
+
+  private long slabInside(int i, int j, int at) {
+    int shift = (j & 3) << 2;
+    long nearRows = (0xffff >>> shift) * 0x0001_0001_0001_0001L;
+    long near = rowInside(i, at) >>> shift;
+    long far = rowInside(i, at + bricksX) << (16 - shift);
+    return (near & nearRows) | (far & ~nearRows);
+  }
+
+  private long rowInside(int i, int at) {
+    int shift = i & 3;
+    long nearVoxels = (0xf >>> shift) * 0x1111_1111_1111_1111L;
+    return (bricks[at] >>> shift & nearVoxels) | (bricks[at + 1] << (4 - shift) & ~nearVoxels);
+  }
+
+  private long windowAtRim(int i, int j, int k) {
     int shift = (k & 3) << 4;
     long near = slab(i, j, k >> BRICK_SHIFT) >>> shift;
     long far = slab(i, j, (k >> BRICK_SHIFT) + 1);
@@ -252,13 +283,32 @@ public final class BitCube {
   }
 
   private void includeBrick(int brickX, int brickY, int brickZ, long word) {
-    for (long rest = word; rest != 0; rest &= rest - 1) {
-      int bit = Long.numberOfTrailingZeros(rest);
-      bounds.include(
-          (brickX << BRICK_SHIFT) + (bit & 3),
-          (brickY << BRICK_SHIFT) + (bit >> 2 & 3),
-          (brickZ << BRICK_SHIFT) + (bit >> 4));
+    if (word == 0) {
+      return;
     }
+    int i = brickX << BRICK_SHIFT;
+    int j = brickY << BRICK_SHIFT;
+    int k = brickZ << BRICK_SHIFT;
+    if (bounds.contains(i, j, k) && bounds.contains(i + 3, j + 3, k + 3)) {
+      return;
+    }
+    long half = word | word >>> 32;
+    int layer = (int) (half | half >>> 16) & 0xffff; // all z in one
+    int row = (layer | layer >>> 4 | layer >>> 8 | layer >>> 12) & 0xf; // and all y
+    bounds.include(
+        i + lowest(row), j + (lowest(layer) >> 2), k + (Long.numberOfTrailingZeros(word) >> 4));
+    bounds.include(
+        i + highest(row),
+        j + (highest(layer) >> 2),
+        k + ((63 - Long.numberOfLeadingZeros(word)) >> 4));
+  }
+
+  private static int lowest(int bits) {
+    return Integer.numberOfTrailingZeros(bits);
+  }
+
+  private static int highest(int bits) {
+    return 31 - Integer.numberOfLeadingZeros(bits);
   }
 
   private void putBrick(int index, long word, int brickX, int brickY, int brickZ) {
@@ -273,6 +323,9 @@ public final class BitCube {
     int x = Math.min(4, sizeX - (brickX << BRICK_SHIFT));
     int y = Math.min(4, sizeY - (brickY << BRICK_SHIFT));
     int z = Math.min(4, sizeZ - (brickZ << BRICK_SHIFT));
+    if (x == 4 && y == 4 && z == 4) {
+      return -1L;
+    }
     long row = (1L << x) - 1;
     long layer = 0;
     for (int j = 0; j < y; j++) {

@@ -101,6 +101,33 @@ class BitCubeTest {
   }
 
   @Test
+  void boundsOfBricksAreThoseOfTheirVoxels() {
+    SplittableRandom random = new SplittableRandom(Seeds.seed());
+    for (int run = 0; run < 2_000; run++) {
+      BitCube byBrick = new BitCube(16, 16, 16);
+      BitCube byVoxel = new BitCube(16, 16, 16);
+      for (int brick = 0; brick < 3; brick++) {
+        int x = random.nextInt(4);
+        int y = random.nextInt(4);
+        int z = random.nextInt(4);
+        long word = 0;
+        for (int voxel = random.nextInt(4); voxel >= 0; voxel--) {
+          word |= 1L << random.nextInt(64);
+        }
+        byBrick.setBrick(x, y, z, word | byBrick.brick(x, y, z));
+        for (long rest = word; rest != 0; rest &= rest - 1) {
+          int bit = Long.numberOfTrailingZeros(rest);
+          byVoxel.set(4 * x + (bit & 3), 4 * y + (bit >> 2 & 3), 4 * z + (bit >> 4));
+        }
+        assertEquals(
+            byVoxel.bounds().toString(),
+            byBrick.bounds().toString(),
+            "seed=" + Seeds.seed() + " run=" + run);
+      }
+    }
+  }
+
+  @Test
   void boundsHoldEverythingAndAreTightOnceTightened() {
     BitCube cube = new BitCube(40, 30, 20);
     cube.set(3, 4, 5);
