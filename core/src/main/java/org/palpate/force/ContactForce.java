@@ -86,7 +86,7 @@ public final class ContactForce {
     double dampingNewton = damps ? damp(device, elapsedNanos, forceNewton) : 0;
     if (settings.form() == FrictionForm.CONE) {
       cone.add(point, device, felt, forceNewton);
-    } else if (settings.skipsFriction() && isFrictionless(point.legs)) {
+    } else if (settings.skipsFriction() && felt.slidingFriction() == 0) {
       frictionSkipped++;
     } else {
       addFriction(point.legs, forceNewton);
@@ -151,21 +151,12 @@ public final class ContactForce {
     }
   }
 
-  private boolean isFrictionless(LegPath legs) {
-    return felt.slidingFriction() == 0 || !anySlid(legs);
-  }
-
-  private static boolean anySlid(LegPath legs) {
-    for (int leg = 0; leg < legs.count(); leg++) {
-      if (legs.slid(leg)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   private void addFriction(LegPath legs, Vec3 force) {
-    sumSlide(legs);
+    boolean slid = sumSlide(legs); // one look at the legs for both: a second costs what it saves
+    if (!slid && settings.skipsFriction()) {
+      frictionSkipped++;
+      return;
+    }
     double length = slide.length();
     if (!(length > 0) || !(legs.lengthMm() > 0)) {
       return;
@@ -176,18 +167,21 @@ public final class ContactForce {
     force.set(force.x - newton * slide.x, force.y - newton * slide.y, force.z - newton * slide.z);
   }
 
-  /** v_bv, the sum of the legs along surfaces, mm, and w_bv, their length. */
-  private void sumSlide(LegPath legs) {
+  /** v_bv, the sum of the legs along surfaces, mm, and w_bv, their length; whether any slid. */
+  private boolean sumSlide(LegPath legs) {
     slide.set(0, 0, 0);
     slideLengthMm = 0;
+    boolean slid = false;
     for (int leg = 0; leg < legs.count(); leg++) {
       if (legs.slid(leg)) {
+        slid = true;
         slide.x += (legs.end(leg, 0) - legs.start(leg, 0)) * metric.spacingX();
         slide.y += (legs.end(leg, 1) - legs.start(leg, 1)) * metric.spacingY();
         slide.z += (legs.end(leg, 2) - legs.start(leg, 2)) * metric.spacingZ();
         slideLengthMm += legs.lengthMm(leg);
       }
     }
+    return slid;
   }
 
   /** |Fc.n|, n the normal to the slide in the plane of the slide and the coupling force. */

@@ -1,5 +1,7 @@
 package org.palpate.interaction;
 
+import java.util.Map;
+
 /**
  * What happened in the frames of a session so far.
  *
@@ -7,7 +9,7 @@ package org.palpate.interaction;
  * @param contactFrames those that ended in contact
  * @param freed times that the point was set free, at the start or from a solid that came to it
  * @param maxForceNewton the longest force that was written
- * @param frictionSkipped frames that needed no friction
+ * @param skipped how often what was left out, by kind, see {@link org.palpate.proxy.SkipKind}
  * @param faults what went wrong and was met
  */
 public record FrameCounts(
@@ -15,7 +17,7 @@ public record FrameCounts(
     long contactFrames,
     long freed,
     double maxForceNewton,
-    long frictionSkipped,
+    Map<String, Long> skipped,
     Faults faults) {
 
   /**

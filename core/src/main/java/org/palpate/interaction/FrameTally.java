@@ -1,10 +1,15 @@
 package org.palpate.interaction;
 
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceLimiter;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.SkipCounts;
+import org.palpate.proxy.SkipKind;
 
 /** Counts of frames. The haptic thread alone writes; what is atomic here any thread may read. */
 final class FrameTally {
@@ -15,6 +20,7 @@ final class FrameTally {
   private long freed;
   private long unreached;
   private double maxForceNewton;
+  private final SkipCounts before = new SkipCounts();
 
   void count(InteractionPoint point, Vec3 forceNewton, boolean wasFreed) {
     double newton = forceNewton.length();
@@ -47,13 +53,32 @@ final class FrameTally {
     return Double.longBitsToDouble(forceBits.get());
   }
 
-  FrameCounts counts(Watchdog watchdog, ContactForce force, ForceLimiter limiter) {
+  /** Keeps what a solver skipped that will follow no more. */
+  void keepSkips(ProxySolver solver) {
+    solver.addSkips(before);
+  }
+
+  private Map<String, Long> skipped(ProxySolver solver, Obstacles obstacles, ContactForce force) {
+    SkipCounts all = new SkipCounts();
+    all.add(before);
+    solver.addSkips(all);
+    all.add(SkipKind.FAR_OBJECTS, obstacles.skippedCubes());
+    all.add(SkipKind.FRICTION, force.frictionSkipped());
+    return all.byKey();
+  }
+
+  FrameCounts counts(
+      Watchdog watchdog,
+      ProxySolver solver,
+      Obstacles obstacles,
+      ContactForce force,
+      ForceLimiter limiter) {
     return new FrameCounts(
         frames(),
         contactFrames,
         freed,
         maxForceNewton,
-        force.frictionSkipped(),
+        skipped(solver, obstacles, force),
         new FrameCounts.Faults(
             watchdog.held(),
             watchdog.notFinite(),

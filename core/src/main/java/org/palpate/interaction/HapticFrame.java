@@ -124,6 +124,7 @@ public final class HapticFrame {
     contactForce.change(requestedForce);
     ProxySolver wanted = requestedSolver;
     if (wanted != solver) {
+      tally.keepSkips(solver);
       solver = wanted;
       solver.reset();
       point.surfaceHeightMm = 0;
@@ -265,7 +266,7 @@ public final class HapticFrame {
 
   /** The counts so far; allocates. Haptic thread, or anyone after the last frame. */
   public FrameCounts counts() {
-    return tally.counts(watchdog, contactForce, limiter);
+    return tally.counts(watchdog, solver, obstacles, contactForce, limiter);
   }
 
   /** What any thread may look at while frames run. */

@@ -1,6 +1,7 @@
 package org.palpate.proxy;
 
 import org.palpate.geometry.Vec3;
+import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayCaster;
 import org.palpate.raycast.RayHit;
@@ -14,6 +15,7 @@ public final class CollisionOnlySolver implements ProxySolver {
   private final Metric metric;
   private final Ray ray = new Ray();
   private final RayHit hit = new RayHit();
+  private long frames;
 
   /** A solver that keeps scratch; contact is as {@code caster} sees it. */
   public CollisionOnlySolver(RayCaster caster, Metric metric) {
@@ -22,7 +24,17 @@ public final class CollisionOnlySolver implements ProxySolver {
   }
 
   @Override
+  public void addSkips(SkipCounts dest) {
+    dest.add(SkipKind.RESPONSE, frames);
+    if (caster instanceof ExactRayCaster exact) {
+      dest.add(SkipKind.EMPTY_BRICKS, exact.skippedBricks());
+      dest.add(SkipKind.BESIDE_BOUNDS, exact.skippedBeside());
+    }
+  }
+
+  @Override
   public void follow(Obstacles obstacles, Vec3 device, InteractionPoint point) {
+    frames++;
     Vec3 p = point.position;
     ray.from(p.x, p.y, p.z).to(device.x, device.y, device.z);
     point.contact = obstacles.cast(caster, ray, hit);

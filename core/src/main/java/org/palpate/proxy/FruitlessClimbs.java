@@ -16,6 +16,7 @@ final class FruitlessClimbs {
   private static final int CAPACITY = 24;
 
   private final Metric metric;
+  private final boolean remembers;
   private final Vec3[] ends = new Vec3[CAPACITY];
 
   /**
@@ -32,8 +33,9 @@ final class FruitlessClimbs {
   private int k;
   private int way;
 
-  FruitlessClimbs(Metric metric) {
+  FruitlessClimbs(Metric metric, boolean remembers) {
     this.metric = metric;
+    this.remembers = remembers;
     for (int n = 0; n < CAPACITY; n++) {
       ends[n] = new Vec3();
     }
@@ -77,7 +79,7 @@ final class FruitlessClimbs {
 
   /** The search was in vain, and all its ends were added. */
   void remember() {
-    known = count <= CAPACITY;
+    known = remembers && count <= CAPACITY;
   }
 
   /**

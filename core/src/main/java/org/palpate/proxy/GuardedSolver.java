@@ -55,14 +55,15 @@ public final class GuardedSolver implements ProxySolver {
   private final Metric metric;
   private final double maxStepMm;
   private final double farMm;
-  private final ExactRayCaster caster = new ExactRayCaster();
+  private final boolean skipsRest;
+  private final ExactRayCaster caster;
   private final Ray ray = new Ray();
   private final RayHit hit = new RayHit();
   private final Vec3 target = new Vec3();
   private final Vec3 end = new Vec3();
   private final Vec3 beforeClimb = new Vec3();
   private final Vec3 restedAt = new Vec3();
-  private final PointVoxel voxel = new PointVoxel();
+  private final PointVoxel voxel;
   private final FruitlessClimbs fruitless;
 
   private Obstacles obstacles;
@@ -74,6 +75,8 @@ public final class GuardedSolver implements ProxySolver {
   private boolean rests;
   private boolean pathTooShort;
   private boolean skippedClimbs;
+  private long climbsSkipped;
+  private long restsSkipped;
 
   /**
    * A solver for one grid.
@@ -82,13 +85,25 @@ public final class GuardedSolver implements ProxySolver {
    * @param maxStepMm the most the point may travel in one frame, w_max, positive
    */
   public GuardedSolver(Metric metric, double maxStepMm) {
+    this(metric, maxStepMm, SolverSkips.ALL);
+  }
+
+  /**
+   * The same with a choice of what is skipped, to see what that is worth; answers are the same.
+   *
+   * @param skips what may be left out
+   */
+  public GuardedSolver(Metric metric, double maxStepMm, SolverSkips skips) {
     if (!(maxStepMm > 0)) {
       throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);
     }
     this.metric = metric;
     this.maxStepMm = maxStepMm;
     farMm = FAR_VOXELS * metric.shortestEdgeMm();
-    fruitless = new FruitlessClimbs(metric);
+    caster = new ExactRayCaster(skips.emptyBricks());
+    voxel = new PointVoxel(skips.neighbours());
+    fruitless = new FruitlessClimbs(metric, skips.climbs());
+    skipsRest = skips.rest();
   }
 
   @Override
@@ -99,9 +114,19 @@ public final class GuardedSolver implements ProxySolver {
   }
 
   @Override
+  public void addSkips(SkipCounts dest) {
+    dest.add(SkipKind.EMPTY_BRICKS, caster.skippedBricks());
+    dest.add(SkipKind.BESIDE_BOUNDS, caster.skippedBeside());
+    dest.add(SkipKind.NEIGHBOURS, voxel.knownNeighbours());
+    dest.add(SkipKind.CLIMBS, climbsSkipped);
+    dest.add(SkipKind.REST, restsSkipped);
+  }
+
+  @Override
   public void follow(Obstacles solids, Vec3 devicePosition, InteractionPoint point) {
     point.legs.clear();
     if (rests && devicePosition.sameBits(restedAt)) {
+      restsSkipped++;
       return; // nothing that the answer depends on has changed: same bits, same contact
     }
     begin(solids, devicePosition, point);
@@ -112,7 +137,7 @@ public final class GuardedSolver implements ProxySolver {
       descend(NOTHING_HELD);
     } while (!outOfPath && !arrived() && climb());
     point.contact = stopped || (!arrived() && isWayBlocked());
-    rests = legs.count() == 0 && !skippedClimbs;
+    rests = skipsRest && legs.count() == 0 && !skippedClimbs;
     restedAt.set(devicePosition);
   }
 
@@ -275,6 +300,7 @@ public final class GuardedSolver implements ProxySolver {
     int way = wayToDevice(square);
     if (fruitless.holds(voxel, way, device, square)) {
       skippedClimbs = true;
+      climbsSkipped++;
       return false;
     }
     fruitless.begin(voxel, way, device);

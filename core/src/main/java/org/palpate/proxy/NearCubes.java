@@ -25,6 +25,7 @@ final class NearCubes {
   private int looseCount;
   private int count;
   private long searches;
+  private long skipped;
 
   /** Takes the cubes' bounds as they are now. */
   NearCubes(BitCube[] cubes) {
@@ -54,6 +55,7 @@ final class NearCubes {
       asked.include(highX, highY, highZ);
       search();
     }
+    skipped += cubes.length - count;
     return count;
   }
 
@@ -70,6 +72,11 @@ final class NearCubes {
   /** How often a question left what was known. */
   long searches() {
     return searches;
+  }
+
+  /** How many cubes were not looked at, over all questions. */
+  long skipped() {
+    return skipped;
   }
 
   private void search() {

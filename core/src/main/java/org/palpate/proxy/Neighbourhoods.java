@@ -33,8 +33,23 @@ final class Neighbourhoods {
 
   private final long[] solid = new long[KEPT];
 
-  Neighbourhoods() {
+  private final boolean keeps;
+  private long asked;
+  private long looked;
+
+  /**
+   * Knows nothing yet.
+   *
+   * @param keeps whether anything is kept, or looked at each time, to see what that is worth
+   */
+  Neighbourhoods(boolean keeps) {
+    this.keeps = keeps;
     forget();
+  }
+
+  /** How often a neighbourhood was known. */
+  long known() {
+    return asked - looked;
   }
 
   /** The step along an axis: 0 is x, 1 is y, 2 is z. */
@@ -51,7 +66,9 @@ final class Neighbourhoods {
   /** The solid voxels among (i,j,k) and its neighbours. */
   long around(Obstacles obstacles, int i, int j, int k) {
     int at = (i + 5 * j + 3 * k) & (KEPT - 1);
-    if (x[at] != i || y[at] != j || z[at] != k) {
+    asked++;
+    if (x[at] != i || y[at] != j || z[at] != k || !keeps) {
+      looked++;
       solid[at] = obstacles.window(i - 1, j - 1, k - 1);
       x[at] = i;
       y[at] = j;

@@ -52,6 +52,11 @@ public final class Obstacles {
     return nearCubes == null ? 0 : nearCubes.searches();
   }
 
+  /** How many cubes were left out, over all questions; 0 where all are looked at. */
+  public long skippedCubes() {
+    return nearCubes == null ? 0 : nearCubes.skipped();
+  }
+
   /** Whether voxel (i,j,k) is solid in any cube; outside all is empty. */
   public boolean isSolid(int i, int j, int k) {
     if (nearCubes != null) {

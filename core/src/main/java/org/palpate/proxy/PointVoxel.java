@@ -11,7 +11,7 @@ import org.palpate.raycast.RayHit;
  * looked at until {@link #forget}: haptic thread only.
  */
 final class PointVoxel {
-  private final Neighbourhoods neighbourhoods = new Neighbourhoods();
+  private final Neighbourhoods neighbourhoods;
   private Obstacles obstacles;
   private Vec3 p;
   private int i;
@@ -22,6 +22,16 @@ final class PointVoxel {
   private long solidNear;
 
   private boolean knowsNear;
+
+  /** In no voxel yet; {@code keeps} says whether neighbours are kept. */
+  PointVoxel(boolean keeps) {
+    neighbourhoods = new Neighbourhoods(keeps);
+  }
+
+  /** How often the neighbours were known. */
+  long knownNeighbours() {
+    return neighbourhoods.known();
+  }
 
   /** Forgets what was solid, since that may have changed. */
   void forget() {

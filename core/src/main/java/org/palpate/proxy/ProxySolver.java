@@ -20,4 +20,7 @@ public interface ProxySolver {
    * Forgets what is kept from frame to frame, after the point was placed anew or solids changed.
    */
   default void reset() {}
+
+  /** Adds how often this solver has left out what to {@code dest}. */
+  default void addSkips(SkipCounts dest) {}
 }

@@ -32,7 +32,7 @@ public final class ExactRayCaster implements RayCaster {
    */
   private static final double LONGEST = 0x1p46;
 
-  private final boolean skipsEmpty;
+  private final EmptySkips empty;
   private final ExactPredicates exact = new ExactPredicates();
   private final ExhaustiveRayCaster exhaustive = new ExhaustiveRayCaster(exact);
   private final AxisWalk x = new AxisWalk();
@@ -58,13 +58,24 @@ public final class ExactRayCaster implements RayCaster {
    *     voxel, to see what that is worth
    */
   public ExactRayCaster(boolean skipsEmpty) {
-    this.skipsEmpty = skipsEmpty;
+    empty = new EmptySkips(skipsEmpty);
+  }
+
+  /** How often something empty was passed in one step: a brick, a block, a box in a brick. */
+  public long skippedBricks() {
+    return empty.bricks;
+  }
+
+  /** How many rays lay beside the box of all solids. */
+  public long skippedBeside() {
+    return empty.beside;
   }
 
   @Override
   public boolean cast(BitCube cube, Ray newRay, RayHit newHit) {
     IntBox box = cube.bounds();
     if (misses(newRay, box)) {
+      empty.beside++;
       return false;
     }
     double dx = newRay.toX - newRay.fromX;
@@ -85,10 +96,10 @@ public final class ExactRayCaster implements RayCaster {
 
   private int walkWhereSure(BitCube cube, Ray ray, double dx, double dy, double dz, RayHit hit) {
     if (NearRayWalk.isNear(dx, dy, dz)) {
-      return NearRayWalk.walk(cube, ray, skipsEmpty, hit);
+      return NearRayWalk.walk(cube, ray, empty, hit);
     }
     return FarRayWalk.isWithinReach(ray)
-        ? FarRayWalk.walk(cube, ray, skipsEmpty, hit)
+        ? FarRayWalk.walk(cube, ray, empty, hit)
         : NearRayWalk.DOUBT;
   }
 
@@ -165,7 +176,7 @@ public final class ExactRayCaster implements RayCaster {
       hit.set(0, x.cell, y.cell, z.cell, RayHit.NO_AXIS);
       return true;
     }
-    if (skipsEmpty && brick() == 0) {
+    if (empty.on && brick() == 0) {
       skipEmpty();
     }
     return walk();
@@ -230,7 +241,7 @@ public final class ExactRayCaster implements RayCaster {
     AxisWalk axis = crossed == 1 ? x : crossed == 2 ? y : z;
     axis.advance();
     long brick = brick();
-    if (skipsEmpty && brick == 0) {
+    if (empty.on && brick == 0) {
       skipEmpty();
       return false;
     }
@@ -250,6 +261,7 @@ public final class ExactRayCaster implements RayCaster {
 
   /** Goes on to the last cells before the ray leaves the empty brick, or empty block of bricks. */
   private void skipEmpty() {
+    empty.bricks++;
     boolean emptyBlock =
         bits.block(
                 x.cell >> BitCube.BLOCK_SHIFT,

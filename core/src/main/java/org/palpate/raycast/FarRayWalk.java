@@ -37,10 +37,10 @@ final class FarRayWalk {
    * Walks the ray from where it enters the cube's bounds.
    *
    * @param ray of ordinary components, within reach, not beside the bounds
-   * @param skipsEmpty whether empty bricks are passed in one step
+   * @param empty whether empty bricks are passed in one step
    * @param hit filled where the answer is {@link NearRayWalk#HIT}
    */
-  static int walk(BitCube bits, Ray ray, boolean skipsEmpty, RayHit hit) {
+  static int walk(BitCube bits, Ray ray, EmptySkips empty, RayHit hit) {
     // Of a component that is 0 the reciprocal is infinite, and the next plane crossed there: never.
     double inverseX = 1 / (ray.toX - ray.fromX);
     double inverseY = 1 / (ray.toY - ray.fromY);
@@ -63,7 +63,7 @@ final class FarRayWalk {
     }
     hit.t = Math.max(0, start);
     hit.axis = start <= 0 ? RayHit.NO_AXIS : start == entryX ? 0 : start == entryY ? 1 : 2;
-    return walk(bits, ray, skipsEmpty, end, inverseX, inverseY, inverseZ, hit);
+    return walk(bits, ray, empty, end, inverseX, inverseY, inverseZ, hit);
   }
 
   private static boolean isPlane(double coordinate) {
@@ -76,7 +76,7 @@ final class FarRayWalk {
   private static int walk(
       BitCube bits,
       Ray ray,
-      boolean skipsEmpty,
+      EmptySkips empty,
       double end,
       double inverseX,
       double inverseY,
@@ -109,7 +109,7 @@ final class FarRayWalk {
         hit.set(t, i, j, k, axis);
         return NearRayWalk.HIT;
       }
-      shift = brick != 0 || !skipsEmpty ? 0 : emptyShift(bits, i, j, k);
+      shift = brick != 0 || !empty.on ? 0 : emptyShift(bits, empty, i, j, k);
       int planeX = ((i >> shift) + aheadX) << shift;
       int planeY = ((j >> shift) + aheadY) << shift;
       int planeZ = ((k >> shift) + aheadZ) << shift;
@@ -148,7 +148,8 @@ final class FarRayWalk {
   }
 
   /** Of the empty brick that the voxel lies in, or of the whole block where that is empty too. */
-  private static int emptyShift(BitCube bits, int i, int j, int k) {
+  private static int emptyShift(BitCube bits, EmptySkips empty, int i, int j, int k) {
+    empty.bricks++;
     int shift = BitCube.BLOCK_SHIFT;
     return bits.block(i >> shift, j >> shift, k >> shift) == 0 ? shift : BitCube.BRICK_SHIFT;
   }

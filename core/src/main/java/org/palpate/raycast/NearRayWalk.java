@@ -32,10 +32,10 @@ final class NearRayWalk {
    * Walks the ray.
    *
    * @param ray of ordinary components, near
-   * @param skipsEmpty whether a ray among empty voxels of one brick is not walked
+   * @param empty whether a ray among empty voxels of one brick is not walked
    * @param hit filled where the answer is {@link #HIT}
    */
-  static int walk(BitCube bits, Ray ray, boolean skipsEmpty, RayHit hit) {
+  static int walk(BitCube bits, Ray ray, EmptySkips empty, RayHit hit) {
     final double fromX = ray.fromX;
     final double fromY = ray.fromY;
     final double fromZ = ray.fromZ;
@@ -49,7 +49,8 @@ final class NearRayWalk {
     if (isSolid(brick, i, j, k)) {
       hit.set(0, i, j, k, RayHit.NO_AXIS);
       return HIT;
-    } else if (skipsEmpty && staysAmongEmpty(brick, i, j, k, ray)) {
+    } else if (empty.on && staysAmongEmpty(brick, i, j, k, ray)) {
+      empty.bricks++;
       return MISS;
     }
     // Of a component that is 0 the reciprocal is infinite, and the next plane crossed there: never.

@@ -49,6 +49,7 @@ public final class Accumulator {
     }
   }
 
+  private final boolean skipsUnchanged;
   private final List<Property> properties = new ArrayList<>();
   private boolean started;
 
@@ -57,6 +58,7 @@ public final class Accumulator {
   private long[] stamps = new long[0];
   private long stamp;
   private long writes;
+  private long unchanged;
 
   /** Odd while values are being set. */
   @SuppressWarnings("unused") // by its handle
@@ -73,9 +75,26 @@ public final class Accumulator {
   private boolean[] pending = new boolean[0];
   private long copiedStamp;
   private long copiedWrites;
+  private long copiedUnchanged;
   private long seenStamp;
   private long seenWrites;
+  private long seenUnchanged;
   private long applied;
+
+  /** Writes what changed, and nothing else. */
+  public Accumulator() {
+    this(true);
+  }
+
+  /**
+   * An accumulator with a choice, to see what it is worth.
+   *
+   * @param skipsUnchanged whether a value that did not change is left out, or written all the same,
+   *     handed over and applied
+   */
+  public Accumulator(boolean skipsUnchanged) {
+    this.skipsUnchanged = skipsUnchanged;
+  }
 
   /** Makes a position, three doubles. Before the first publication only, as all that follow. */
   public PositionProperty position(String name) {
@@ -159,7 +178,7 @@ public final class Accumulator {
   }
 
   boolean put(int offset, long word) {
-    if (words[offset] == word) {
+    if (words[offset] == word && skipsUnchanged) {
       return false;
     }
     if (!open) {
@@ -172,7 +191,7 @@ public final class Accumulator {
   /** Three words in a row, the most frequent case; whether any differed. */
   boolean put(int offset, long a, long b, long c) {
     long[] into = words;
-    if (into[offset] == a && into[offset + 1] == b && into[offset + 2] == c) {
+    if (into[offset] == a && into[offset + 1] == b && into[offset + 2] == c && skipsUnchanged) {
       return false;
     }
     if (!open) {
@@ -182,6 +201,11 @@ public final class Accumulator {
     into[offset + 1] = b;
     into[offset + 2] = c;
     return true;
+  }
+
+  /** A property's value was set to what it was. */
+  void unchanged() {
+    unchanged++;
   }
 
   void changed(Property property) {
@@ -215,6 +239,7 @@ public final class Accumulator {
     System.arraycopy(stamps, 0, copiedStamps, 0, copiedStamps.length);
     copiedStamp = stamp;
     copiedWrites = writes;
+    copiedUnchanged = unchanged;
     VarHandle.loadLoadFence();
     return (long) SEQUENCE.getOpaque(this) == before;
   }
@@ -225,6 +250,7 @@ public final class Accumulator {
     }
     seenStamp = copiedStamp;
     seenWrites = copiedWrites;
+    seenUnchanged = copiedUnchanged;
     long[] old = taken;
     taken = copy;
     copy = old;
@@ -241,7 +267,7 @@ public final class Accumulator {
 
   /** The numbers of what the reader has taken so far. Reader, or anyone after both have ended. */
   public SyncCounts counts() {
-    return new SyncCounts(seenWrites, seenStamp, applied);
+    return new SyncCounts(seenWrites, seenUnchanged, seenStamp, applied);
   }
 
   long taken(int offset) {

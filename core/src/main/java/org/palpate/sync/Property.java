@@ -70,6 +70,8 @@ public abstract sealed class Property
     long c = Double.doubleToRawLongBits(z);
     if (accumulator.put(offset, a, b, c)) {
       accumulator.changed(this);
+    } else {
+      accumulator.unchanged();
     }
   }
 
@@ -78,6 +80,8 @@ public abstract sealed class Property
     if (changed) {
       changed = false;
       accumulator.changed(this);
+    } else {
+      accumulator.unchanged();
     }
   }
 

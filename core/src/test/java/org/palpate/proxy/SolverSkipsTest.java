@@ -1,0 +1,90 @@
+package org.palpate.proxy;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.Vec3;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.Phantom;
+
+class SolverSkipsTest {
+  private static final long SEED = Seeds.seed();
+  private static final Metric METRIC = new Metric(1, 1, 1);
+  private static final double MAX_STEP_MM = 8;
+  private static final int FRAMES = 20_000;
+  private static final int EDGE = 48;
+
+  private final BitCube bits = Phantom.parse("sphere:" + EDGE).segments().segments().get(0).bits();
+
+  /** Where a hand leads the point that wanders on and in a ball, rests, and jumps. */
+  private double[] wayOf(ProxySolver solver) {
+    SplittableRandom random = new SplittableRandom(SEED);
+    Obstacles obstacles = new Obstacles(List.of(bits));
+    InteractionPoint point = new InteractionPoint();
+    Vec3 device = new Vec3(1.5, 1.5, 1.5);
+    point.position.set(device);
+    double[] way = new double[3 * FRAMES];
+    for (int frame = 0; frame < FRAMES; frame++) {
+      if (random.nextInt(4) != 0) {
+        double step = random.nextInt(50) == 0 ? 40 : 0.3;
+        device.set(
+            inside(device.x + step * (random.nextDouble() - 0.49)),
+            inside(device.y + step * (random.nextDouble() - 0.49)),
+            inside(device.z + step * (random.nextDouble() - 0.49)));
+      }
+      solver.follow(obstacles, device, point);
+      for (int axis = 0; axis < 3; axis++) {
+        way[3 * frame + axis] = point.position.get(axis);
+      }
+    }
+    return way;
+  }
+
+  private static double inside(double coordinate) {
+    return Math.max(0.3, Math.min(EDGE - 0.3, coordinate));
+  }
+
+  private static SkipCounts countsOf(ProxySolver solver) {
+    SkipCounts counts = new SkipCounts();
+    solver.addSkips(counts);
+    return counts;
+  }
+
+  @Test
+  void whatIsSkippedLeadsThePointNowhereElse() {
+    double[] expected = wayOf(new GuardedSolver(METRIC, MAX_STEP_MM));
+    for (int off = 0; off < 4; off++) {
+      SolverSkips skips = new SolverSkips(off != 0, off != 1, off != 2, off != 3);
+      double[] way = wayOf(new GuardedSolver(METRIC, MAX_STEP_MM, skips));
+      for (int n = 0; n < way.length; n++) {
+        assertEquals(expected[n], way[n], skips + " seed=" + SEED + " frame=" + n / 3);
+      }
+    }
+  }
+
+  @Test
+  void countsWhatItSkipsAndNothingWhereItDoesNot() {
+    GuardedSolver skips = new GuardedSolver(METRIC, MAX_STEP_MM);
+    wayOf(skips);
+    SolverSkips nothing = new SolverSkips(false, false, false, false);
+    GuardedSolver skipsNothing = new GuardedSolver(METRIC, MAX_STEP_MM, nothing);
+    wayOf(skipsNothing);
+    for (SkipKind kind :
+        List.of(SkipKind.EMPTY_BRICKS, SkipKind.NEIGHBOURS, SkipKind.CLIMBS, SkipKind.REST)) {
+      assertTrue(countsOf(skips).of(kind) > 0, kind + " seed=" + SEED);
+      assertEquals(0, countsOf(skipsNothing).of(kind), kind.key());
+    }
+  }
+
+  @Test
+  void countsEveryFrameWithoutResponse() {
+    CollisionOnlySolver solver = new CollisionOnlySolver(new ExactRayCaster(), METRIC);
+    wayOf(solver);
+    assertEquals(FRAMES, countsOf(solver).byKey().get("response"));
+  }
+}
