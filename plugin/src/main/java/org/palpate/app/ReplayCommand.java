@@ -150,7 +150,7 @@ final class ReplayCommand implements Callable<Integer> {
         .put("max_force_n", counts.maxForceNewton())
         .put("solver", contact.solver().toString())
         .put("collision", contact.collision().toString())
-        .put("skipped", Map.of("friction", counts.frictionSkipped()))
+        .put("skipped", counts.skipped())
         .put("faults", FaultFields.of(counts.faults()));
   }
 

@@ -130,9 +130,17 @@ final class TouchReport {
         .put("device", choice.toString())
         .put("realtime", granted(loop.granted()))
         .put("sync", sync())
-        .put("skipped", Map.of("friction", counts.frictionSkipped()))
+        .put("skipped", skipped(counts))
         .put("faults", FaultFields.of(counts.faults()))
         .put("end", end.cause().name().toLowerCase(Locale.ROOT));
+  }
+
+  private Map<String, Object> skipped(FrameCounts counts) {
+    Map<String, Object> fields = new LinkedHashMap<>(counts.skipped());
+    fields.put("unchanged_properties", session.syncCounts().unchanged());
+    fields.put("unchanged_nodes", view.map(SessionView::stillKept).orElse(0L));
+    fields.put("unseen_nodes", view.map(SessionView::skippedBricks).orElse(0L));
+    return fields;
   }
 
   private static Map<String, Object> quantiles(Quantiles micros) {

@@ -306,6 +306,18 @@ public final class SessionView implements AutoCloseable {
     return shown == null ? 0 : shown.redraws();
   }
 
+  /** How often the picture of what stands still was kept; once the session has ended. */
+  public long stillKept() {
+    SceneWindow shown = window;
+    return shown == null ? 0 : shown.stillKept();
+  }
+
+  /** Bricks of surfaces that were not drawn, outside the view; once the session has ended. */
+  public long skippedBricks() {
+    SceneWindow shown = window;
+    return shown == null ? 0 : shown.skippedBricks();
+  }
+
   /**
    * Ends the synchronization and closes the window, also one that is just being opened. Any number
    * of times.

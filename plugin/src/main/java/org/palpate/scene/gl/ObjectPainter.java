@@ -24,6 +24,8 @@ final class ObjectPainter {
   private final Map<SceneObject, List<Map<Integer, GlMesh>>> meshes = new HashMap<>();
   private long drawnTriangles;
   private long allTriangles;
+  private long skippedMeshes;
+  private boolean skipsUnseen = true;
 
   ObjectPainter(GL3 gl) {
     program = new GlProgram(gl, Shaders.MESH_VERTEX, Shaders.MESH_FRAGMENT);
@@ -32,6 +34,16 @@ final class ObjectPainter {
   /** Triangles of the last picture that were sent to be drawn. */
   long drawnTriangles() {
     return drawnTriangles;
+  }
+
+  /** Whether bricks outside the view are left out; they are at first. */
+  void skipUnseen(boolean skips) {
+    skipsUnseen = skips;
+  }
+
+  /** How many bricks were left out so far, since they were outside the view. */
+  long skippedMeshes() {
+    return skippedMeshes;
   }
 
   /** Triangles of the visible segments in full detail. */
@@ -96,7 +108,9 @@ final class ObjectPainter {
     program.set(gl, "opacity", object.opacity());
     gl.glFrontFace(SurfaceFile.isMirrored(object.pose()) ? GL.GL_CW : GL.GL_CCW);
     for (GlMesh mesh : uploaded.values()) {
-      if (!mesh.isOutside(toClip)) {
+      if (skipsUnseen && mesh.isOutside(toClip)) {
+        skippedMeshes++;
+      } else {
         mesh.draw(gl);
         drawnTriangles += mesh.triangleCount();
       }

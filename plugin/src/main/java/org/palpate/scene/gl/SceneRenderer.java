@@ -32,12 +32,16 @@ public final class SceneRenderer {
   private SlicePainter slices;
   private int[] emptyArray;
   private long stillDrawn;
+  private long stillKept;
+  private boolean skipsUnseen = true;
+  private boolean skipsUnchanged = true;
 
   /** Makes what a context needs; again for a new context after {@link #dispose} or its loss. */
   public void init(GL3 gl) {
     background = new GlProgram(gl, Shaders.SCREEN_VERTEX, Shaders.BACKGROUND_FRAGMENT);
     present = new GlProgram(gl, Shaders.SCREEN_VERTEX, Shaders.PRESENT_FRAGMENT);
     objects = new ObjectPainter(gl);
+    objects.skipUnseen(skipsUnseen);
     marks = new MarkPainter(gl);
     landmarks = new LandmarkPainter(gl);
     overlay = new OverlayPainter(gl);
@@ -49,6 +53,30 @@ public final class SceneRenderer {
       still[eye] = new GlTarget();
       stillRevision[eye] = -1;
     }
+  }
+
+  /**
+   * What is left out, all of it at first; pictures are the same. With the context's thread.
+   *
+   * @param unseen whether bricks of surfaces outside the view are not sent to be drawn
+   * @param unchanged whether what stands still is kept from the last picture
+   */
+  public void skip(boolean unseen, boolean unchanged) {
+    skipsUnseen = unseen;
+    skipsUnchanged = unchanged;
+    if (objects != null) {
+      objects.skipUnseen(unseen);
+    }
+  }
+
+  /** Bricks that were left out so far, since they were outside the view. */
+  public long skippedBricks() {
+    return objects == null ? 0 : objects.skippedMeshes();
+  }
+
+  /** How often what stands still was kept. */
+  public long stillKept() {
+    return stillKept;
   }
 
   /** How often what stands still was drawn anew. */
@@ -104,7 +132,10 @@ public final class SceneRenderer {
     Matrix4 projection = camera.perspective(eye, aspect, state.middle(), state.radiusMm());
     GlTarget target = still[Math.max(0, eye)];
     boolean resized = target.resize(gl, width, height);
-    if (resized || stillRevision[Math.max(0, eye)] != state.stillRevision()) {
+    boolean changed = resized || stillRevision[Math.max(0, eye)] != state.stillRevision();
+    if (!changed && skipsUnchanged) {
+      stillKept++;
+    } else {
       drawStill(gl, state, target, toEye, projection);
       stillRevision[Math.max(0, eye)] = state.stillRevision();
     }

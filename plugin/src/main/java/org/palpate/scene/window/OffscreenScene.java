@@ -91,6 +91,11 @@ public final class OffscreenScene implements AutoCloseable {
     return found[0];
   }
 
+  /** What is left out; see {@link SceneRenderer#skip}. */
+  public void skip(boolean unseen, boolean unchanged) {
+    renderer.skip(unseen, unchanged);
+  }
+
   /** How often what stands still was drawn anew. */
   public long stillDrawn() {
     return renderer.stillDrawn();

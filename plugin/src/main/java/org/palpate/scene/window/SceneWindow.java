@@ -178,6 +178,16 @@ public final class SceneWindow implements AutoCloseable {
     return firstSurfaceMillis;
   }
 
+  /** How often what stands still was kept; right once drawing has ended. */
+  public long stillKept() {
+    return renderer.stillKept();
+  }
+
+  /** Bricks of surfaces left out, outside the view; right once drawing has ended. */
+  public long skippedBricks() {
+    return renderer.skippedBricks();
+  }
+
   /** How often what stands still was drawn anew. */
   public long stillDrawn() {
     return renderer.stillDrawn();
