@@ -18,27 +18,37 @@ import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.geometry.Vec3;
+import org.palpate.proxy.CollisionOnlySolver;
 import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.SolverSkips;
 import org.palpate.raycast.ExactRayCaster;
+import org.palpate.sync.Accumulator;
+import org.palpate.sync.TouchProperties;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 import org.palpate.volume.phantom.SurfaceTruth;
 
 /**
  * What each thing that is skipped is worth: time with the skip and without, where it helps and
- * where it does not. Objects that are far have {@link ManyObjectsBenchmark}.
+ * where it does not. Objects that are far have {@link ManyObjectsBenchmark}; what the scene skips
+ * is drawn by {@code bench --skips} itself.
  *
  * <ul>
  *   <li>{@code empty bricks}: a ray; helps over 50 voxels of mostly empty space, not at length 4
  *       one voxel above a surface.
- *   <li>{@code memory}: a pressed frame of {@code guarded} that remembers fruitless climbs,
- *       neighbours and where it rested; helps at 0.05 voxel a frame, not at 2.
+ *   <li>{@code neighbours}: a pressed frame of {@code guarded} that keeps the neighbourhoods of the
+ *       last frames; helps at 0.05 voxel a frame, less at 2.
+ *   <li>{@code climbs}: the same, which remembers fruitless climbs.
  *   <li>{@code rest}: the same where the device rests in every frame but one of a hundred; does not
  *       help where it moves in each.
- *   <li>{@code friction}: a force; helps in frames that touch nothing, not in those that slide.
+ *   <li>{@code response}: a pressed frame where collision alone is asked for, against {@code
+ *       guarded}; helps less where nothing is touched.
+ *   <li>{@code friction}: frame and force of a pressed hand; helps where mu is 0.
+ *   <li>{@code properties}: what a frame publishes; helps where nothing changed.
  * </ul>
  */
 @State(Scope.Thread)
@@ -50,11 +60,13 @@ import org.palpate.volume.phantom.SurfaceTruth;
 public class SkipBenchmark {
   private static final int FRAMES = 20_000;
   private static final int EDGE = 256;
+  private static final int FRAMES_AT_REST = 100;
   private static final double DEPTH = 5;
+  private static final double MAX_STEP_VOXELS = 8;
   private static final long SEED = 7;
   private static final Metric METRIC = new Metric(1, 1, 1);
 
-  @Param({"empty bricks", "memory", "rest", "friction"})
+  @Param({"empty bricks", "neighbours", "climbs", "rest", "response", "friction", "properties"})
   public String skip;
 
   @Param({"helps", "does not help"})
@@ -63,13 +75,14 @@ public class SkipBenchmark {
   @Param({"with", "without"})
   public String way;
 
-  private final GuardedSolver solver = new GuardedSolver(METRIC, 8);
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 device = new Vec3();
   private final Vec3 force = new Vec3();
   private RaySet rays;
+  private ProxySolver solver;
   private ExactRayCaster caster;
   private ContactForce contactForce;
+  private TouchProperties properties;
   private BitCube bits;
   private Obstacles obstacles;
   private Trajectory trajectory;
@@ -86,53 +99,80 @@ public class SkipBenchmark {
     bits = phantom.segments().segments().get(0).bits();
     obstacles = new Obstacles(List.of(bits));
     caster = new ExactRayCaster(with);
-    double speed = helps ? 0.05 : skip.equals("memory") ? 2 : 0.2;
-    boolean touches = !skip.equals("friction") || !helps;
-    trajectory = Trajectories.slide(truth, EDGE, touches ? DEPTH : -DEPTH, speed, FRAMES, SEED);
-    contactForce =
-        new ContactForce(METRIC, new ForceSettings(0.5, 0.2, FrictionForm.EQUATION_4, with));
     rays = RaySet.of(truth, EDGE, helps ? "anywhere" : "near", helps ? 50 : 4, FRAMES, SEED);
+    boolean touches = helps || !skip.equals("response");
+    trajectory = Trajectories.slide(truth, EDGE, touches ? DEPTH : -DEPTH, speed(), FRAMES, SEED);
+    double friction = helps ? 0 : 0.2;
+    contactForce =
+        new ContactForce(METRIC, new ForceSettings(0.5, friction, FrictionForm.EQUATION_4, with));
+    properties = new TouchProperties(new Accumulator(with));
+    solver = solver();
   }
 
-  /** A frame, or a ray. */
+  private double speed() {
+    boolean isMemory = skip.equals("neighbours") || skip.equals("climbs");
+    return !isMemory ? 0.2 : helps ? 0.05 : 2;
+  }
+
+  private ProxySolver solver() {
+    if (skip.equals("response") && with) {
+      return new CollisionOnlySolver(new ExactRayCaster(), METRIC);
+    }
+    SolverSkips skips =
+        new SolverSkips(
+            true,
+            with || !skip.equals("neighbours"),
+            with || !skip.equals("climbs"),
+            with || !skip.equals("rest"));
+    return new GuardedSolver(METRIC, MAX_STEP_VOXELS, skips);
+  }
+
+  /** A frame, a ray, or what a frame publishes. */
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double frames() {
     return switch (skip) {
       case "empty bricks" -> rays.hits(caster, bits);
-      case "memory" -> follow(1);
-      case "rest" -> follow(helps ? 100 : 1);
+      case "neighbours", "climbs", "response" -> follow(1);
+      case "rest" -> follow(helps ? FRAMES_AT_REST : 1);
       case "friction" -> forces();
+      case "properties" -> publish();
       default -> throw new IllegalArgumentException("no such skip: " + skip);
     };
   }
 
-  /** Each place of the device for so many frames. */
-  private double follow(int framesEach) {
+  private void begin() {
     trajectory.at(0, point.position);
     solver.reset();
+  }
+
+  /** Each place of the device for so many frames. */
+  private double follow(int framesEach) {
+    begin();
     double sum = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
-      trajectory.at(frame / framesEach, device);
-      if (!with) {
-        solver.reset(); // forgets all that was kept from the last frame
-      }
-      solver.follow(obstacles, device, point);
+      solver.follow(obstacles, trajectory.at(frame / framesEach, device), point);
       sum += point.position.x;
     }
     return sum;
   }
 
   private double forces() {
-    trajectory.at(0, point.position);
-    solver.reset();
+    begin();
     double sum = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
-      trajectory.at(frame, device);
-      solver.follow(obstacles, device, point);
+      solver.follow(obstacles, trajectory.at(frame, device), point);
       contactForce.compute(point, device, force);
       sum += force.x;
     }
     return sum;
+  }
+
+  private double publish() {
+    for (int frame = 0; frame < FRAMES; frame++) {
+      trajectory.at(helps ? 0 : frame, device);
+      properties.publish(device, device, device, true, frame);
+    }
+    return device.x;
   }
 }

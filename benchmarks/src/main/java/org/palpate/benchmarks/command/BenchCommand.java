@@ -124,7 +124,10 @@ public final class BenchCommand implements Callable<Integer> {
 
   @Option(
       names = "--skips",
-      description = "What each skip is worth: with and without, where it helps and where not.")
+      description = {
+        "What each skip is worth: with and without, where it helps and where not.",
+        "Draws, so it needs OpenGL."
+      })
   private boolean skips;
 
   @Option(
@@ -149,7 +152,7 @@ public final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    if (sync && !Graphics.hasDisplay()) {
+    if ((sync || skips) && !Graphics.hasDisplay()) {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
     PrintWriter out = spec.commandLine().getOut();

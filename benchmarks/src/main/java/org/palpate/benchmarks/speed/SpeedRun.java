@@ -51,6 +51,9 @@ public final class SpeedRun {
               progress.flush();
             });
     List<SpeedRow> rows = runner.run(study.subjects(quick));
+    if (study == SpeedStudy.SKIPS) {
+      rows.addAll(new SceneSkips(quick).rows(out));
+    }
     rows.forEach(row -> out.println(line(row)));
     if (study == SpeedStudy.TABLE1) {
       tellPaper(out);

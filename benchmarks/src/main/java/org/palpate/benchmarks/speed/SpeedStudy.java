@@ -52,7 +52,15 @@ public enum SpeedStudy {
     List<Subject> subjects(boolean quick) {
       return List.of(
           Subject.frame("skips", SkipBenchmark.class, "frames")
-              .with("skip", "empty bricks", "memory", "rest", "friction")
+              .with(
+                  "skip",
+                  "empty bricks",
+                  "neighbours",
+                  "climbs",
+                  "rest",
+                  "response",
+                  "friction",
+                  "properties")
               .with("scene", "helps", "does not help")
               .with("way", "with", "without"),
           objects());

@@ -1,0 +1,129 @@
+package org.palpate.benchmarks.speed;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.io.PrintWriter;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.TimeoutException;
+import org.palpate.geometry.Vec3;
+import org.palpate.scene.SceneLoader;
+import org.palpate.scene.SceneModel;
+import org.palpate.scene.StandardView;
+import org.palpate.scene.Theme;
+import org.palpate.scene.TouchMarks;
+import org.palpate.scene.WorldAxes;
+import org.palpate.scene.window.GraphicsException;
+import org.palpate.scene.window.OffscreenScene;
+import org.palpate.volume.phantom.Phantom;
+
+/**
+ * What the scene skips is worth: processor time of a redraw, of all threads of the process, since a
+ * software renderer has its own. With and without in turns.
+ *
+ * <ul>
+ *   <li>{@code nodes not seen}: bricks of surfaces outside the view; helps where the camera has
+ *       gone near and moves, not where it sees all.
+ *   <li>{@code nodes unchanged}: the picture of what stands still is kept; helps where only the
+ *       hand moves, not where the camera does.
+ * </ul>
+ */
+final class SceneSkips {
+  private static final int WIDTH = 640;
+  private static final int HEIGHT = 480;
+  private static final int WARM_UP_ROUNDS = 1;
+
+  /** The clock of a process is as coarse as 10 ms. */
+  private static final int PICTURES_A_ROUND = 10;
+
+  private static final long PATIENCE_MS = 600_000;
+  private static final double NEARER = 0.12;
+  private static final double MOVE_RADIANS = 0.002;
+
+  private final int rounds;
+  private final String phantom;
+  private final OperatingSystemMXBean process =
+      ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+
+  SceneSkips(boolean quick) {
+    rounds = quick ? 3 : 7;
+    phantom = quick ? "head:128" : "head:256";
+  }
+
+  /** Measures; no rows, and a line that says why, where nothing can be drawn. */
+  List<SpeedRow> rows(PrintWriter out) {
+    SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
+    try (SceneLoader loader = new SceneLoader(model, Phantom.parse(phantom).segments(), 1);
+        OffscreenScene picture = new OffscreenScene(WIDTH, HEIGHT, 1)) {
+      loader.await(PATIENCE_MS);
+      List<SpeedRow> rows = new ArrayList<>();
+      rows.addAll(compare(picture, model, "nodes not seen", true));
+      rows.addAll(compare(picture, model, "nodes not seen", false));
+      rows.addAll(compare(picture, model, "nodes unchanged", true));
+      rows.addAll(compare(picture, model, "nodes unchanged", false));
+      return rows;
+    } catch (GraphicsException e) {
+      out.println("the scene's skips were not measured: " + e.what() + ": " + e.remedy());
+      return List.of();
+    } catch (TimeoutException e) {
+      throw new IllegalStateException("the surface was not made", e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return List.of();
+    }
+  }
+
+  private List<SpeedRow> compare(
+      OffscreenScene picture, SceneModel model, String skip, boolean helps) {
+    boolean isUnseen = skip.equals("nodes not seen");
+    boolean moves = isUnseen || !helps;
+    model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
+    if (isUnseen && helps) {
+      model.moveCamera(camera -> camera.zoom(NEARER), false);
+    }
+    List<Double> with = new ArrayList<>();
+    List<Double> without = new ArrayList<>();
+    for (int round = -WARM_UP_ROUNDS; round < rounds; round++) {
+      for (boolean on : new boolean[] {true, false}) {
+        picture.skip(!isUnseen || on, isUnseen || on);
+        double millis = millisAPicture(picture, model, moves);
+        if (round >= 0) {
+          (on ? with : without).add(millis);
+        }
+      }
+    }
+    return List.of(row(skip, helps, "with", with), row(skip, helps, "without", without));
+  }
+
+  /** Moves the camera to and fro, or the hand alone. */
+  private static void change(SceneModel model, boolean camera, int n) {
+    if (camera) {
+      model.moveCamera(now -> now.orbit((n & 1) == 0 ? MOVE_RADIANS : -MOVE_RADIANS, 0), false);
+    } else {
+      Vec3 at = new Vec3(n, n, n);
+      model.setMarks(Optional.of(new TouchMarks(at, at, new Vec3(0, 0, 1), true, List.of())));
+    }
+  }
+
+  private double millisAPicture(OffscreenScene picture, SceneModel model, boolean moves) {
+    long began = process.getProcessCpuTime();
+    for (int n = 0; n < PICTURES_A_ROUND; n++) {
+      change(model, moves, n);
+      picture.draw(model.state());
+    }
+    return (process.getProcessCpuTime() - began) / (1e6 * PICTURES_A_ROUND);
+  }
+
+  private static SpeedRow row(String skip, boolean helps, String way, List<Double> millis) {
+    Collections.sort(millis);
+    Map<String, String> condition = new LinkedHashMap<>();
+    condition.put("skip", skip);
+    condition.put("scene", helps ? "helps" : "does not help");
+    condition.put("way", way);
+    return new SpeedRow("skips", "redraw", condition, "ms/op", millis, Double.NaN);
+  }
+}
