@@ -5,6 +5,8 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.SkipCounts;
+import org.palpate.proxy.SkipKind;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
@@ -130,5 +132,11 @@ final class LegGuard {
 
   double distanceMm(Vec3 from, Vec3 to) {
     return metric.distance(from.x, from.y, from.z, to.x, to.y, to.z);
+  }
+
+  /** Adds what its rays skipped. */
+  void addSkips(SkipCounts dest) {
+    dest.add(SkipKind.EMPTY_BRICKS, caster.skippedBricks());
+    dest.add(SkipKind.BESIDE_BOUNDS, caster.skippedBeside());
   }
 }

@@ -6,6 +6,7 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.SkipCounts;
 import org.palpate.raycast.RayHit;
 
 /**
@@ -143,6 +144,12 @@ public final class SmoothSolver implements ProxySolver {
     field = new SmoothField(nodes, edges);
     level = new SurfaceLevel(nodes, edges);
     search = new ContactSearch(field, level, edges);
+  }
+
+  @Override
+  public void addSkips(SkipCounts dest) {
+    onVoxels.addSkips(dest);
+    guard.addSkips(dest);
   }
 
   @Override
