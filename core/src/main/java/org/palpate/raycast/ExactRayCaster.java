@@ -111,7 +111,9 @@ public final class ExactRayCaster implements RayCaster {
   }
 
   private static boolean beside(double from, double to, int low, int high) {
-    return low > high || Math.max(from, to) < low || Math.min(from, to) > (double) high + 1;
+    double end = (double) high + 1;
+    // compared one by one, since Math.max of doubles takes longer than both
+    return low > high || (from < low && to < low) || (from > end && to > end);
   }
 
   private static boolean isOrdinary(double delta) {
