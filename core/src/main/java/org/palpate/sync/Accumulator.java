@@ -55,10 +55,10 @@ public final class Accumulator {
 
   // Written between an odd and an even sequence number, read between two that are the same.
   private long[] words = new long[0];
-  private long[] stamps = new long[0];
   private long stamp;
-  private long writes;
-  private long unchanged;
+
+  /** Changes of each property: a count of its own each, since one for all would be waited for. */
+  private long[] writes = new long[0];
 
   /** Odd while values are being set. */
   @SuppressWarnings("unused") // by its handle
@@ -67,18 +67,16 @@ public final class Accumulator {
   // The writer's.
   private boolean open;
   private long writerSequence;
+  private long unchanged;
 
   // The reader's.
   private long[] copy = new long[0];
-  private long[] copiedStamps = new long[0];
+  private long[] copiedWrites = new long[0];
+  private long[] seenWrites = new long[0];
   private long[] taken = new long[0];
   private boolean[] pending = new boolean[0];
   private long copiedStamp;
-  private long copiedWrites;
-  private long copiedUnchanged;
   private long seenStamp;
-  private long seenWrites;
-  private long seenUnchanged;
   private long applied;
 
   /** Writes what changed, and nothing else. */
@@ -146,8 +144,9 @@ public final class Accumulator {
     words = new long[length];
     copy = new long[length];
     taken = new long[length];
-    stamps = new long[properties.size()];
-    copiedStamps = new long[properties.size()];
+    writes = new long[properties.size()];
+    copiedWrites = new long[properties.size()];
+    seenWrites = new long[properties.size()];
     pending = new boolean[properties.size()];
     return property;
   }
@@ -167,6 +166,8 @@ public final class Accumulator {
       stamp++;
       open = false;
       SEQUENCE.setRelease(this, ++writerSequence);
+    } else {
+      unchanged++;
     }
   }
 
@@ -203,14 +204,8 @@ public final class Accumulator {
     return true;
   }
 
-  /** A property's value was set to what it was. */
-  void unchanged() {
-    unchanged++;
-  }
-
   void changed(Property property) {
-    stamps[property.index()] = stamp + 1;
-    writes++;
+    writes[property.index()]++;
   }
 
   /**
@@ -236,21 +231,18 @@ public final class Accumulator {
       return false;
     }
     System.arraycopy(words, 0, copy, 0, copy.length);
-    System.arraycopy(stamps, 0, copiedStamps, 0, copiedStamps.length);
+    System.arraycopy(writes, 0, copiedWrites, 0, copiedWrites.length);
     copiedStamp = stamp;
-    copiedWrites = writes;
-    copiedUnchanged = unchanged;
     VarHandle.loadLoadFence();
     return (long) SEQUENCE.getOpaque(this) == before;
   }
 
   private void keepCopy() {
     for (int i = 0; i < pending.length; i++) {
-      pending[i] |= copiedStamps[i] > seenStamp;
+      pending[i] |= copiedWrites[i] != seenWrites[i];
+      seenWrites[i] = copiedWrites[i];
     }
     seenStamp = copiedStamp;
-    seenWrites = copiedWrites;
-    seenUnchanged = copiedUnchanged;
     long[] old = taken;
     taken = copy;
     copy = old;
@@ -267,7 +259,11 @@ public final class Accumulator {
 
   /** The numbers of what the reader has taken so far. Reader, or anyone after both have ended. */
   public SyncCounts counts() {
-    return new SyncCounts(seenWrites, seenUnchanged, seenStamp, applied);
+    long writesSeen = 0;
+    for (long ofProperty : seenWrites) {
+      writesSeen += ofProperty;
+    }
+    return new SyncCounts(writesSeen, unchanged, seenStamp, applied);
   }
 
   long taken(int offset) {

@@ -70,8 +70,6 @@ public abstract sealed class Property
     long c = Double.doubleToRawLongBits(z);
     if (accumulator.put(offset, a, b, c)) {
       accumulator.changed(this);
-    } else {
-      accumulator.unchanged();
     }
   }
 
@@ -80,8 +78,6 @@ public abstract sealed class Property
     if (changed) {
       changed = false;
       accumulator.changed(this);
-    } else {
-      accumulator.unchanged();
     }
   }
 

@@ -5,7 +5,8 @@ package org.palpate.sync;
  *
  * @param writes changes of a property's value in the haptic thread, as of the last publication that
  *     was taken; a set to the same value is none
- * @param unchanged sets to the same value, which were skipped, as of the last turn of the reader
+ * @param unchanged frames in which no value changed, so that nothing was handed over; right once
+ *     the writer has ended
  * @param publications frames that changed anything
  * @param applied properties that the reader applied to the scene
  */

@@ -137,7 +137,7 @@ final class TouchReport {
 
   private Map<String, Object> skipped(FrameCounts counts) {
     Map<String, Object> fields = new LinkedHashMap<>(counts.skipped());
-    fields.put("unchanged_properties", session.syncCounts().unchanged());
+    fields.put("unchanged_frames", session.syncCounts().unchanged());
     fields.put("unchanged_nodes", view.map(SessionView::stillKept).orElse(0L));
     fields.put("unseen_nodes", view.map(SessionView::skippedBricks).orElse(0L));
     return fields;
