@@ -26,7 +26,7 @@ import org.palpate.volume.VoxelGrid;
  */
 public record Phantom(Kind kind, int edge, boolean grey, long seed) {
   public static final int LEAST_EDGE = 16;
-  public static final int LARGEST_EDGE = 2048;
+  public static final int LARGEST_EDGE = 4096;
   public static final int DEFAULT_EDGE = 256;
   public static final long DEFAULT_SEED = 1;
 
