@@ -16,10 +16,7 @@ public final class PlainTwin {
 
   private static final double MISS = -1;
 
-  private final int sizeX;
-  private final int sizeY;
-  private final int sizeZ;
-  private final long[] bits;
+  private final FlatBits bits;
   private final double maxPath;
 
   private double px;
@@ -34,21 +31,8 @@ public final class PlainTwin {
 
   /** Copies the voxels; {@code maxPath} is w_max in voxels. */
   public PlainTwin(BitCube cube, double maxPath) {
-    sizeX = cube.sizeX();
-    sizeY = cube.sizeY();
-    sizeZ = cube.sizeZ();
-    bits = new long[(int) (((long) sizeX * sizeY * sizeZ + 63) / 64)];
+    bits = new FlatBits(cube);
     this.maxPath = maxPath;
-    for (int k = 0; k < sizeZ; k++) {
-      for (int j = 0; j < sizeY; j++) {
-        for (int i = 0; i < sizeX; i++) {
-          if (cube.get(i, j, k)) {
-            int index = (k * sizeY + j) * sizeX + i;
-            bits[index >> 6] |= 1L << index;
-          }
-        }
-      }
-    }
   }
 
   /** Puts p, grid coordinates. */
@@ -117,11 +101,11 @@ public final class PlainTwin {
     double length = Math.sqrt(ux * ux + uy * uy + uz * uz);
     for (double at = 1; at < length; at++) {
       double t = at / length;
-      if (solidAt(px + t * ux, py + t * uy, pz + t * uz)) {
+      if (bits.solidAt(px + t * ux, py + t * uy, pz + t * uz)) {
         return at;
       }
     }
-    return solidAt(dx, dy, dz) ? length : MISS;
+    return bits.solidAt(dx, dy, dz) ? length : MISS;
   }
 
   private void stopBefore(double hit) {
@@ -132,7 +116,7 @@ public final class PlainTwin {
       double x = px + t * (dx - px);
       double y = py + t * (dy - py);
       double z = pz + t * (dz - pz);
-      if (!solidAt(x, y, z)) {
+      if (!bits.solidAt(x, y, z)) {
         px = x;
         py = y;
         pz = z;
@@ -164,7 +148,7 @@ public final class PlainTwin {
 
   private boolean straightIsFree() {
     double t = Math.min(1, 1 / distance(px, py, pz, dx, dy, dz));
-    return !solidAt(px + t * (dx - px), py + t * (dy - py), pz + t * (dz - pz));
+    return !bits.solidAt(px + t * (dx - px), py + t * (dy - py), pz + t * (dz - pz));
   }
 
   /** The number of the neighbour, 0 to 26, or -1 where none is nearer to d than p. */
@@ -185,13 +169,13 @@ public final class PlainTwin {
   }
 
   private boolean border(int i, int j, int k) {
-    if (solid(i, j, k)) {
+    if (bits.solid(i, j, k)) {
       return false;
     }
     for (int z = k - 1; z <= k + 1; z++) {
       for (int y = j - 1; y <= j + 1; y++) {
         for (int x = i - 1; x <= i + 1; x++) {
-          if (solid(x, y, z)) {
+          if (bits.solid(x, y, z)) {
             return true;
           }
         }
@@ -205,7 +189,7 @@ public final class PlainTwin {
     double y = py;
     double z = pz;
     double step = moveTowards(i + 0.5, j + 0.5, k + 0.5, maxPath - path);
-    if (!solidAt(px, py, pz)) {
+    if (!bits.solidAt(px, py, pz)) {
       return step;
     }
     px = x;
@@ -227,18 +211,6 @@ public final class PlainTwin {
     py += t * (y - py);
     pz += t * (z - pz);
     return atMost;
-  }
-
-  private boolean solidAt(double x, double y, double z) {
-    return solid((int) Math.floor(x), (int) Math.floor(y), (int) Math.floor(z));
-  }
-
-  private boolean solid(int i, int j, int k) {
-    if (i < 0 || i >= sizeX || j < 0 || j >= sizeY || k < 0 || k >= sizeZ) {
-      return false;
-    }
-    int index = (k * sizeY + j) * sizeX + i;
-    return (bits[index >> 6] >>> index & 1) != 0;
   }
 
   private static double distance(double x0, double y0, double z0, double x1, double y1, double z1) {

@@ -35,7 +35,8 @@ public class RayCastBenchmark {
   private static final int EDGE = 256;
   private static final long SEED = 11;
 
-  @Param({"exact", "sampled:1", "sampled:0.1", "gridplanes"})
+  /** {@code plain:1} skips nothing, see {@link PlainSamples}. */
+  @Param({"exact", "plain:1", "sampled:1", "sampled:0.1", "gridplanes"})
   public String caster;
 
   /** See {@link RaySet#of}. */
@@ -55,12 +56,13 @@ public class RayCastBenchmark {
     Phantom phantom = Phantom.parse("sphere:" + EDGE);
     bits = phantom.segments().segments().get(0).bits();
     rays = RaySet.of(phantom.truth().orElseThrow(), EDGE, place, length, RAYS, SEED);
-    rayCaster = casterOf(caster);
+    rayCaster = casterOf(caster, bits);
   }
 
-  private static RayCaster casterOf(String name) {
+  private static RayCaster casterOf(String name, BitCube bits) {
     return switch (name) {
       case "exact" -> new ExactRayCaster();
+      case "plain:1" -> new PlainSamples(bits);
       case "gridplanes" -> new GridPlanesRayCaster();
       default -> new SampledRayCaster(Double.parseDouble(name.substring("sampled:".length())));
     };

@@ -33,7 +33,7 @@ import org.palpate.volume.phantom.Phantom;
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
 @Fork(
     value = 1,
-    jvmArgsAppend = {"-Xmx4g"}) // 2048^3 bits are 1.02 GB
+    jvmArgsAppend = {"-Xmx10g", "-XX:MaxNewSize=256m"}) // 4096^3 bits are 8.1 GB in one array
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class ScaleBenchmark {
@@ -43,7 +43,7 @@ public class ScaleBenchmark {
   private static final int SCALED_FROM = 256;
   private static final long SEED = 7;
 
-  @Param({"256", "512", "1024", "2048"})
+  @Param({"256", "512", "1024", "2048", "4096"})
   public int edge;
 
   @Param({"voxels", "scaled", "cold"})

@@ -51,6 +51,11 @@ public final class SpeedRun {
               progress.flush();
             });
     List<SpeedRow> rows = runner.run(study.subjects(quick));
+    if (study == SpeedStudy.ALL) {
+      progress.println("the longest frames");
+      progress.flush();
+      rows.addAll(new FrameTails().rows());
+    }
     if (study == SpeedStudy.SKIPS) {
       rows.addAll(new SceneSkips(quick).rows(out));
     }

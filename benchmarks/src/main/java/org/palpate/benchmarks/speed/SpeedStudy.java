@@ -72,14 +72,19 @@ public enum SpeedStudy {
     @Override
     List<Subject> subjects(boolean quick) {
       String[] edges =
-          quick ? new String[] {"256", "1024"} : new String[] {"256", "512", "1024", "2048"};
-      return List.of(
-          Subject.frame("scale", ScaleBenchmark.class, "follow")
-              .with("hand", "voxels", "scaled", "cold")
-              .with("edge", edges)
-              .withHeap(4096));
+          quick ? new String[] {"256", "2048"} : new String[] {"256", "512", "1024", "2048"};
+      Subject frames = Subject.frame("scale", ScaleBenchmark.class, "follow").withHeap(HUGE_HEAP);
+      List<Subject> subjects = new ArrayList<>();
+      subjects.add(frames.with("hand", "voxels", "scaled", "cold").with("edge", edges));
+      if (!quick) {
+        subjects.add(frames.with("hand", "voxels", "cold").with("edge", "4096"));
+      }
+      return subjects;
     }
   };
+
+  /** Bits of 4096^3 voxels are 8.1 GB. */
+  private static final int HUGE_HEAP = 10_240;
 
   private final String fileName;
 
@@ -100,10 +105,10 @@ public enum SpeedStudy {
     return quick
         ? rays.with("place", "free", "near", "hit")
             .with("length", "4", "50")
-            .with("caster", "exact", "sampled:1")
+            .with("caster", "exact", "plain:1", "sampled:1")
         : rays.with("place", "free", "near", "hit", "anywhere", "slide")
             .with("length", "1", "4", "16", "50")
-            .with("caster", "exact", "sampled:1", "sampled:0.1", "gridplanes");
+            .with("caster", "exact", "plain:1", "sampled:1", "sampled:0.1", "gridplanes");
   }
 
   private static List<Subject> response(boolean quick) {

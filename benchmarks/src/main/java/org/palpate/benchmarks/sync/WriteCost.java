@@ -51,7 +51,8 @@ final class WriteCost {
             new Way("wait-free", ours::publish, () -> takeAll(ours.accumulator())));
     double[][] changed = new double[ways.size()][ROUNDS];
     double[][] unchanged = new double[ways.size()][ROUNDS];
-    Histogram[] single = {new Histogram(LONGEST_NANOS, 3), new Histogram(LONGEST_NANOS, 3)};
+    Histogram[] single = new Histogram[ways.size()];
+    Arrays.setAll(single, n -> new Histogram(LONGEST_NANOS, 3));
     for (int round = -WARM_UP_ROUNDS; round < ROUNDS; round++) {
       for (int n = 0; n < ways.size(); n++) {
         Way way = ways.get(n);

@@ -61,9 +61,26 @@ struct Cube {
     uint64_t kept = static_cast<uint64_t>(0xffff >> shift) * 0x0001000100010001u;
     return (row(i, j >> 2, z) >> shift & kept) | (row(i, (j >> 2) + 1, z) << (16 - shift) & ~kept);
   }
+  uint64_t rowInside(int i, size_t at) const {
+    int shift = i & 3;
+    uint64_t kept = static_cast<uint64_t>(0xf >> shift) * 0x1111111111111111u;
+    return (bricks[at] >> shift & kept) | (bricks[at + 1] << (4 - shift) & ~kept);
+  }
+  uint64_t slabInside(int i, int j, size_t at) const {
+    int shift = (j & 3) << 2;
+    uint64_t kept = static_cast<uint64_t>(0xffff >> shift) * 0x0001000100010001u;
+    return (rowInside(i, at) >> shift & kept) |
+           (rowInside(i, at + bricksX) << (16 - shift) & ~kept);
+  }
   uint64_t window(int i, int j, int k) const {
     int shift = (k & 3) << 4;
-    return slab(i, j, k >> 2) >> shift | slab(i, j, (k >> 2) + 1) << (48 - shift) << 16;
+    int x = i >> 2, y = j >> 2, z = k >> 2;
+    if (x >= 0 && x < bricksX - 1 && y >= 0 && y < bricksY - 1 && z >= 0 && z < bricksZ - 1) {
+      size_t at = (static_cast<size_t>(z) * bricksY + y) * bricksX + x;
+      size_t above = at + static_cast<size_t>(bricksX) * bricksY;
+      return slabInside(i, j, at) >> shift | slabInside(i, j, above) << (48 - shift) << 16;
+    }
+    return slab(i, j, z) >> shift | slab(i, j, z + 1) << (48 - shift) << 16;
   }
 };
 
