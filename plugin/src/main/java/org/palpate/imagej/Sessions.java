@@ -4,7 +4,11 @@ import java.util.concurrent.atomic.AtomicReference;
 
 /** The one session that runs in this ImageJ: there is one hand. Any thread. */
 final class Sessions {
+  /** The longest that a device takes to be sent zero force. */
   private static final long PATIENCE_MILLIS = 10_000;
+
+  /** A window that is just being opened is waited for, and has nothing to do with the force. */
+  private static final long WINDOW_MILLIS = 60_000;
 
   private static final AtomicReference<TouchRun> CURRENT = new AtomicReference<>();
 
@@ -51,8 +55,11 @@ final class Sessions {
       return;
     }
     run.session().askToStop();
-    if (!run.await(PATIENCE_MILLIS)) {
+    if (!run.session().awaitForceOff(PATIENCE_MILLIS)) {
       throw new StackRefused("The session does not end: look at the device's cable and driver.");
+    }
+    if (!run.await(WINDOW_MILLIS)) {
+      throw new StackRefused("The session has ended, but its 3-D window does not close.");
     }
   }
 

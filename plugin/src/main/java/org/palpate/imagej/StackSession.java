@@ -53,6 +53,7 @@ final class StackSession implements AutoCloseable {
   private final StrokeHistory strokes;
   private final Queue<ViewKeys.Action> asked = new ConcurrentLinkedQueue<>();
   private final CountDownLatch forceOn = new CountDownLatch(1);
+  private final CountDownLatch forceOff = new CountDownLatch(1);
   private final Vec3 taken = new Vec3();
   private volatile Vec3 tip = new Vec3(Double.NaN, Double.NaN, Double.NaN);
   private volatile boolean stopAsked;
@@ -135,6 +136,7 @@ final class StackSession implements AutoCloseable {
     } finally {
       forceOn.countDown();
       session.stop();
+      forceOff.countDown();
     }
     return session.stop();
   }
@@ -245,6 +247,16 @@ final class StackSession implements AutoCloseable {
     landmarks.add(landmarks.nextName(), touchedGrid());
   }
 
+  /** Waits until zero force was sent for good; whether it was. Any thread. */
+  boolean awaitForceOff(long millis) {
+    try {
+      return forceOff.await(millis, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+
   /** Asks the session to end. Any thread. */
   void askToStop() {
     stopAsked = true;
@@ -313,6 +325,7 @@ final class StackSession implements AutoCloseable {
     watcher.close();
     view.ifPresent(SessionView::close);
     session.close();
+    forceOff.countDown();
     realtime.close();
   }
 }
