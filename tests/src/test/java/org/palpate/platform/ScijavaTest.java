@@ -76,6 +76,8 @@ class ScijavaTest {
             "ball=>=100",
             "--trajectory",
             trajectory.toString(),
+            "--solver",
+            "guarded",
             "--out",
             expected.toString());
     assertTrue(Files.readString(expected).contains(",1,"), "some frame has contact");
