@@ -1,19 +1,24 @@
 package org.palpate.app;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.palpate.io.GreyVolumes;
 import org.palpate.io.SegmentSpec;
 import org.palpate.io.VolumeFormatException;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.volume.ScalarVolume;
+import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Option;
 
 /** The option that says what drawn surfaces are made from. */
 final class SurfaceOptions {
   private static final String GREY = "grey";
   private static final double MEMORY_SHARE = 0.25;
+  private static final double SAMPLE = 100_000;
+  private static final int MOST_LABELS = 64;
 
   @Option(
       names = "--surface",
@@ -55,7 +60,24 @@ final class SurfaceOptions {
   /** Not for masks and labels, nor where the values would take most of the memory. */
   private static boolean isWorthIt(VolumeSource source) throws VolumeFormatException {
     double mostBytes = Runtime.getRuntime().maxMemory() * MEMORY_SHARE;
-    return GreyVolumes.bytesFor(source.header()) < mostBytes && source.holdsIntensities();
+    return source.hasGreyValues()
+        ? hasManyValues(source.greyValues())
+        : GreyVolumes.bytesFor(source.header()) < mostBytes && source.holdsIntensities();
+  }
+
+  /** Whether a sample says that they are no labels; quicker than to look at them all. */
+  private static boolean hasManyValues(ScalarVolume values) {
+    VoxelGrid grid = values.grid();
+    int step = (int) Math.max(1, Math.cbrt((double) grid.voxelCount() / SAMPLE));
+    Set<Double> seen = new HashSet<>();
+    for (int k = 0; k < grid.sizeZ() && seen.size() <= MOST_LABELS; k += step) {
+      for (int j = 0; j < grid.sizeY(); j += step) {
+        for (int i = 0; i < grid.sizeX(); i += step) {
+          seen.add(values.value(i, j, k));
+        }
+      }
+    }
+    return seen.size() > MOST_LABELS;
   }
 
   private static boolean isRange(SegmentSpec spec) {
