@@ -159,13 +159,14 @@ final class RenderCommand implements Callable<Integer> {
     check();
     boolean surfaceOnly = SurfaceFile.isSurfaceName(outFile);
     checkSense(surfaceOnly);
-    if (!surfaceOnly && !Graphics.hasDisplay()) {
-      return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
-    }
     VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
     Optional.ofNullable(trajectory).ifPresent(inputs::add);
     Outputs.checked("--out", outFile, inputs);
+    surface.checkPossible(source);
+    if (!surfaceOnly && !Graphics.hasDisplay()) {
+      return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
+    }
     Report report = new Report("render", output.report(), inputs);
     SegmentedVolume segments = source.segments();
     SceneModel model = new SceneModel(axes(source.header().world()), theme);

@@ -38,6 +38,20 @@ final class SurfaceOptions {
     }
   }
 
+  /** Refuses grey values where no segment came from any. */
+  void checkPossible(VolumeSource source) {
+    if (GREY.equals(surface) && !isPossible(source)) {
+      throw PalpateException.wrongUse(
+          "a surface of grey values needs a segment made by a threshold",
+          "--surface grey",
+          "choose one with --segment NAME=>=VALUE, or leave --surface out");
+    }
+  }
+
+  private static boolean isPossible(VolumeSource source) {
+    return source.asked().stream().anyMatch(SurfaceOptions::isRange);
+  }
+
   /**
    * What each segment was made of; none where surfaces go by bits.
    *
@@ -45,15 +59,9 @@ final class SurfaceOptions {
    */
   List<Optional<GreyRange>> greys(VolumeSource source, boolean byDefault)
       throws VolumeFormatException {
+    checkPossible(source);
     boolean asked = GREY.equals(surface);
-    boolean possible = source.asked().stream().anyMatch(SurfaceOptions::isRange);
-    if (asked && !possible) {
-      throw PalpateException.wrongUse(
-          "a surface of grey values needs a segment made by a threshold",
-          "--surface grey",
-          "choose one with --segment NAME=>=VALUE, or leave --surface out");
-    }
-    boolean unasked = surface == null && byDefault && possible && isWorthIt(source);
+    boolean unasked = surface == null && byDefault && isPossible(source) && isWorthIt(source);
     return asked || unasked ? ranges(source.asked(), source.greyValues()) : List.of();
   }
 
