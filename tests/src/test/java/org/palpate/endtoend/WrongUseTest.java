@@ -75,7 +75,12 @@ class WrongUseTest {
         "devices --watch simulated",
         "jitter --out jitter --seconds 0",
         "jitter --out jitter --heap 0",
-        "jitter --out jitter --minutes NaN");
+        "jitter --out jitter --minutes NaN",
+        "bench --frames 5",
+        "bench --table1 --seed 5",
+        "bench --stability --solver smooth",
+        "bench --stress --frames 0",
+        "bench --stress --solver paper");
   }
 
   @ParameterizedTest

@@ -2,11 +2,10 @@ package org.palpate.benchmarks.accuracy;
 
 import java.util.List;
 import org.palpate.benchmarks.PlainTwin;
-import org.palpate.geometry.Vec3;
+import org.palpate.benchmarks.PlainTwinSolver;
 import org.palpate.proxy.BorderVoxels;
 import org.palpate.proxy.DotSolver;
 import org.palpate.proxy.GuardedSolver;
-import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.PaperSolver;
@@ -35,7 +34,7 @@ record Contestant(String name, ProxySolver solver, Obstacles obstacles) {
   static List<Contestant> all(AccuracyScene scene) {
     Obstacles bits = scene.obstacles;
     return List.of(
-        new Contestant(TWIN, new TwinSolver(new PlainTwin(scene.bits, MAX_STEP_MM)), bits),
+        new Contestant(TWIN, new PlainTwinSolver(new PlainTwin(scene.bits, MAX_STEP_MM)), bits),
         new Contestant("dot sampled:1", dot(new SampledRayCaster(1)), bits),
         new Contestant("dot exact", dot(new ExactRayCaster()), bits),
         new Contestant("paper sampled:1", paper(new SampledRayCaster(1)), bits),
@@ -54,32 +53,5 @@ record Contestant(String name, ProxySolver solver, Obstacles obstacles) {
 
   private static ProxySolver paper(RayCaster caster) {
     return new PaperSolver(caster, UNIT, MAX_STEP_MM, BorderVoxels.onTheFly());
-  }
-
-  /** The plain twin behind the interface; it knows no legs. */
-  private static final class TwinSolver implements ProxySolver {
-    private final PlainTwin twin;
-    private boolean placed;
-
-    TwinSolver(PlainTwin twin) {
-      this.twin = twin;
-    }
-
-    @Override
-    public void reset() {
-      placed = false;
-    }
-
-    @Override
-    public void follow(Obstacles obstacles, Vec3 device, InteractionPoint point) {
-      if (!placed) {
-        twin.place(point.position.x, point.position.y, point.position.z);
-        placed = true;
-      }
-      twin.frame(device.x, device.y, device.z);
-      point.position.set(twin.x(), twin.y(), twin.z());
-      point.contact = twin.contact();
-      point.legs.clear();
-    }
   }
 }

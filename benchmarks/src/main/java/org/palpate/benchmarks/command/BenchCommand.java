@@ -13,6 +13,7 @@ import org.palpate.app.PalpateException;
 import org.palpate.app.Report;
 import org.palpate.app.VirtualDisplay;
 import org.palpate.benchmarks.accuracy.AccuracyRun;
+import org.palpate.benchmarks.nearest.NearestRun;
 import org.palpate.benchmarks.speed.CppTwinRun;
 import org.palpate.benchmarks.speed.SpeedRun;
 import org.palpate.benchmarks.speed.SpeedStudy;
@@ -47,10 +48,17 @@ import picocli.CommandLine.Spec;
       "  palpate bench --accuracy --out figures",
       "  palpate bench --sync --out figures",
       "  palpate bench --surfaces --out figures",
-      "  palpate bench --stress --frames 20000000 --seed 7"
+      "  palpate bench --stress --frames 20000000 --seed 7",
+      "  palpate bench --skips --scale --stability --quick"
     })
 public final class BenchCommand implements Callable<Integer> {
   private static final Path DATA = Path.of(System.getProperty("palpate.data", "../shared/data"));
+  private static final long USUAL_FRAMES = 10_000_000;
+  private static final long USUAL_SEED = 7;
+  private static final String USUAL_SOLVER = "guarded";
+
+  /** Of the frames of --stress so many run whole, with device, edits and force. */
+  private static final long WHOLE_FRAMES_SHARE = 10;
 
   @Spec private CommandSpec spec;
   @Mixin private OutputOptions output;
@@ -63,14 +71,12 @@ public final class BenchCommand implements Callable<Integer> {
       })
   private boolean stability;
 
-  /** Of the frames of --stress so many run whole, with device, edits and force. */
-  private static final long WHOLE_FRAMES_SHARE = 10;
-
   @Option(
       names = "--accuracy",
       description = {
         "Run time against error, for every solver and collision method:",
-        "solvers pressed into surfaces known by formula and slid along them."
+        "solvers pressed into surfaces known by formula and slid along them;",
+        "and how far from the nearest free point they come to rest."
       })
   private boolean accuracy;
 
@@ -86,17 +92,17 @@ public final class BenchCommand implements Callable<Integer> {
       names = "--frames",
       paramLabel = "N",
       description = "With --stress: frames in all (10000000).")
-  private long frames = 10_000_000;
+  private Long frames;
 
   @Option(names = "--seed", paramLabel = "S", description = "With --stress: which attack (7).")
-  private long seed = 7;
+  private Long seed;
 
   @Option(
       names = "--solver",
       paramLabel = "NAME",
       description =
           "With --stress: guarded (every promise) or smooth (its legs). Default: guarded.")
-  private String solver = "guarded";
+  private String solver;
 
   @Option(
       names = "--sync",
@@ -152,31 +158,22 @@ public final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
+    List<SpeedStudy> speeds = speedStudies();
+    Attack attack = attack();
+    Path data = dataOfTable1();
     if ((sync || skips) && !Graphics.hasDisplay()) {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
-    PrintWriter out = spec.commandLine().getOut();
-    PrintWriter progress = spec.commandLine().getErr();
     Report report = new Report("bench", output.report(), List.of());
     try {
-      measureSpeed(report, out, progress);
-      if (cpp) {
-        report.put("java_over_cpp", CppTwinRun.run(folder, out));
+      for (SpeedStudy study : speeds) {
+        report.put(
+            study.name().toLowerCase(Locale.ROOT),
+            SpeedRun.run(study, folder, quick, data, out(), progress()));
       }
-      if (stability) {
-        report.put("least_margin", StabilityRun.run(folder, quick, out, progress));
-      }
-      if (accuracy) {
-        report.put("time_over_twin", AccuracyRun.run(folder, quick, out, progress));
-      }
-      if (sync) {
-        report.put("sync_work_p99_us", SyncRun.run(folder, quick, out, progress));
-      }
-      if (surfaces) {
-        report.put("triangles", SurfaceStudy.run(scans(), folder, out, progress));
-      }
-      if (stress) {
-        attack(report, out, progress);
+      measureOthers(report);
+      if (attack != null) {
+        attack.run(report);
       }
     } catch (StressSession.FailedCaseException e) {
       throw PalpateException.failed(
@@ -199,19 +196,16 @@ public final class BenchCommand implements Callable<Integer> {
     return 0;
   }
 
-  private StressSession.Attacked solverUnderAttack() {
-    return switch (solver) {
-      case "guarded" -> StressSession.Attacked.GUARDED;
-      case "smooth" -> StressSession.Attacked.SMOOTH;
-      default ->
-          throw PalpateException.wrongUse(
-              "no solver to attack", "--solver " + solver, "choose guarded or smooth");
-    };
+  private PrintWriter out() {
+    return spec.commandLine().getOut();
   }
 
-  /** The studies of speed that were chosen; all of it where nothing else was. */
-  private void measureSpeed(Report report, PrintWriter out, PrintWriter progress)
-      throws IOException {
+  private PrintWriter progress() {
+    return spec.commandLine().getErr();
+  }
+
+  /** The studies of speed that were chosen; all of it where nothing at all was. */
+  private List<SpeedStudy> speedStudies() {
     List<SpeedStudy> studies = new ArrayList<>();
     if (table1) {
       studies.add(SpeedStudy.TABLE1);
@@ -225,12 +219,11 @@ public final class BenchCommand implements Callable<Integer> {
     if (studies.isEmpty() && !stability && !accuracy && !sync && !stress && !cpp && !surfaces) {
       studies.add(SpeedStudy.ALL);
     }
-    Path data = table1 ? scans() : DATA;
-    for (SpeedStudy study : studies) {
-      report.put(
-          study.name().toLowerCase(Locale.ROOT),
-          SpeedRun.run(study, folder, quick, data, out, progress));
-    }
+    return studies;
+  }
+
+  private Path dataOfTable1() {
+    return table1 ? scans() : DATA;
   }
 
   /** The folder of the scans. */
@@ -244,25 +237,93 @@ public final class BenchCommand implements Callable<Integer> {
     return DATA;
   }
 
-  private void attack(Report report, PrintWriter out, PrintWriter progress) throws IOException {
-    if (frames < 1) {
+  private void measureOthers(Report report)
+      throws IOException, InterruptedException, GraphicsException {
+    if (cpp) {
+      report.put("java_over_cpp", CppTwinRun.run(folder, out()));
+    }
+    if (stability) {
+      report.put("least_margin", StabilityRun.run(folder, quick, out(), progress()));
+    }
+    if (accuracy) {
+      report.put("time_over_twin", AccuracyRun.run(folder, quick, out(), progress()));
+      NearestRun.run(folder, quick, out(), progress());
+    }
+    if (sync) {
+      report.put("sync_work_p99_us", SyncRun.run(folder, quick, out(), progress()));
+    }
+    if (surfaces) {
+      report.put("triangles", SurfaceStudy.run(scans(), folder, out(), progress()));
+    }
+  }
+
+  /** The attack that was asked for, or null; refuses its options where it was not. */
+  private Attack attack() {
+    if (!stress) {
+      refuseWithoutStress("--frames", frames);
+      refuseWithoutStress("--seed", seed);
+      refuseWithoutStress("--solver", solver);
+      return null;
+    }
+    if (frames != null && frames < 1) {
       throw PalpateException.wrongUse(
           "a positive number is needed", "--frames " + frames, "try --frames 1000000");
     }
-    StressSession session = new StressSession(folder, seed, solverUnderAttack(), progress);
-    StressTotals totals = session.run(frames);
-    out.println(
-        solver
-            + ": "
-            + totals.frames()
-            + " frames, "
-            + totals.legs()
-            + " legs, 0 violations, seed "
-            + seed);
-    out.println(session.attackFrames(frames / WHOLE_FRAMES_SHARE));
-    out.println();
-    session.printBaselines(out);
-    report.put("seed", seed).put("frames", totals.frames()).put("legs", totals.legs());
-    report.put("violations", 0).put("exact_decisions", totals.exactDecisions());
+    return new Attack(
+        frames == null ? USUAL_FRAMES : frames,
+        seed == null ? USUAL_SEED : seed,
+        solverUnderAttack());
+  }
+
+  private static void refuseWithoutStress(String option, Object given) {
+    if (given != null) {
+      throw PalpateException.wrongUse(
+          "this belongs to --stress, which was not asked for",
+          option + " " + given,
+          "add --stress, or leave it out");
+    }
+  }
+
+  private StressSession.Attacked solverUnderAttack() {
+    String name = solver == null ? USUAL_SOLVER : solver;
+    return switch (name) {
+      case "guarded" -> StressSession.Attacked.GUARDED;
+      case "smooth" -> StressSession.Attacked.SMOOTH;
+      default ->
+          throw PalpateException.wrongUse(
+              "no solver to attack", "--solver " + name, "choose guarded or smooth");
+    };
+  }
+
+  /** What --stress does. */
+  private final class Attack {
+    private final long wanted;
+    private final long ofSeed;
+    private final StressSession.Attacked attacked;
+
+    Attack(long wanted, long ofSeed, StressSession.Attacked attacked) {
+      this.wanted = wanted;
+      this.ofSeed = ofSeed;
+      this.attacked = attacked;
+    }
+
+    void run(Report report) throws IOException {
+      StressSession session = new StressSession(folder, ofSeed, attacked, progress());
+      StressTotals totals = session.run(wanted);
+      out()
+          .println(
+              attacked
+                  + ": "
+                  + totals.frames()
+                  + " frames, "
+                  + totals.legs()
+                  + " legs, 0 violations, seed "
+                  + ofSeed);
+      out().println(session.attackFrames(wanted / WHOLE_FRAMES_SHARE));
+      out().println();
+      session.printBaselines(out());
+      report.put("seed", ofSeed).put("frames", totals.frames()).put("legs", totals.legs());
+      report.put("violations", 0).put("exact_decisions", totals.exactDecisions());
+    }
   }
 }

@@ -1,0 +1,116 @@
+package org.palpate.benchmarks.nearest;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.knowm.xchart.BitmapEncoder;
+import org.knowm.xchart.BitmapEncoder.BitmapFormat;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.style.Styler.LegendPosition;
+import org.palpate.benchmarks.Figures;
+import org.palpate.io.CsvNumbers;
+import org.palpate.io.NewFile;
+
+/** Runs the study and leaves a table and a picture in a folder. */
+public final class NearestRun {
+  private static final long SEED = 7;
+  private static final int PRESSES = 60;
+  private static final int QUICK_PRESSES = 10;
+  private static final int WIDTH = 640;
+  private static final int HEIGHT = 430;
+
+  private NearestRun() {}
+
+  /**
+   * Runs it.
+   *
+   * @param folder made where it is not there
+   * @param quick fewer presses
+   * @param out gets the table
+   * @param progress hears what runs
+   */
+  public static void run(Path folder, boolean quick, PrintWriter out, PrintWriter progress)
+      throws IOException {
+    Files.createDirectories(folder);
+    NearestStudy study =
+        new NearestStudy(
+            quick ? QUICK_PRESSES : PRESSES,
+            SEED,
+            line -> {
+              progress.println(line);
+              progress.flush();
+            });
+    List<NearestRow> rows = study.rows();
+    tell(rows, out);
+    write(folder.resolve("nearest.csv"), rows);
+    plot(folder.resolve("nearest.png"), rows);
+  }
+
+  private static void tell(List<NearestRow> rows, PrintWriter out) {
+    out.println("voxels farther than the nearest free point, mean / worst, seed " + SEED);
+    for (NearestRow row : rows) {
+      out.printf(
+          Locale.ROOT,
+          "%-12s %5.1f deep  %-18s %6.2f / %5.2f  of %d%n",
+          row.shape(),
+          row.depth(),
+          row.solver(),
+          row.meanExcess(),
+          row.worstExcess(),
+          row.presses());
+    }
+    out.flush();
+  }
+
+  private static void write(Path file, List<NearestRow> rows) throws IOException {
+    StringBuilder text =
+        new StringBuilder(
+            "shape,depth_voxels,solver,mean_excess_voxels,worst_excess_voxels,presses\n");
+    for (NearestRow row : rows) {
+      text.append(row.shape()).append(',').append(CsvNumbers.text(row.depth())).append(',');
+      text.append(row.solver()).append(',').append(CsvNumbers.text(row.meanExcess()));
+      text.append(',').append(CsvNumbers.text(row.worstExcess())).append(',');
+      text.append(row.presses()).append('\n');
+    }
+    NewFile.write(file, text);
+  }
+
+  private static void plot(Path file, List<NearestRow> rows) throws IOException {
+    double most = rows.stream().mapToDouble(NearestRow::meanExcess).max().orElse(1);
+    List<XYChart> charts = new ArrayList<>();
+    for (String shape : rows.stream().map(NearestRow::shape).distinct().toList()) {
+      charts.add(chart(shape, rows.stream().filter(r -> r.shape().equals(shape)).toList(), most));
+    }
+    try (NewFile out = new NewFile(file)) {
+      BitmapEncoder.saveBitmap(charts, 2, charts.size() / 2, out.stream(), BitmapFormat.PNG);
+      out.commit();
+    }
+  }
+
+  private static XYChart chart(String shape, List<NearestRow> rows, double most) {
+    XYChart chart =
+        new XYChartBuilder()
+            .width(WIDTH)
+            .height(HEIGHT)
+            .title(shape + ": farther than the nearest free point, mean")
+            .xAxisTitle("depth of the device, voxels")
+            .yAxisTitle("voxels")
+            .build();
+    Figures.plain(chart);
+    chart.getStyler().setLegendPosition(LegendPosition.InsideNW);
+    chart.getStyler().setYAxisMin(Math.min(0, -0.02 * most)).setYAxisMax(1.05 * most);
+    for (String solver : rows.stream().map(NearestRow::solver).distinct().toList()) {
+      List<NearestRow> own = rows.stream().filter(r -> r.solver().equals(solver)).toList();
+      chart.addSeries(
+          solver,
+          own.stream().map(NearestRow::depth).toList(),
+          own.stream().map(NearestRow::meanExcess).toList());
+    }
+    return chart;
+  }
+}
