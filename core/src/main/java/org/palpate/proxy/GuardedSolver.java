@@ -13,7 +13,8 @@ import org.palpate.raycast.RayHit;
  * the way, goes on along its face, and where it is stuck climbs a stair of one voxel, or of a few
  * where it is far behind, when it comes out nearer on top. So a frame ends strictly nearer to the
  * device, by {@link Metric#squaredDistance} in doubles, or at the same bits: squared distances are
- * finitely many, so for a device at rest there is no cycle and an end.
+ * finitely many, so for a device at rest there is no cycle and an end. A way over very many stairs
+ * goes on in the next frame, see {@link #ENOUGH_STEPS}.
  *
  * <p>Source: the way of following surfaces is Vlasov et al. 2013, section 4.2; faces as constraints
  * that are held until the way is free are Zilles and Salisbury 1995. Haptic thread only; allocates
@@ -50,6 +51,19 @@ public final class GuardedSolver implements ProxySolver {
   /** Along a longer way the ray cast, which skips empty bricks, is faster than voxel by voxel. */
   private static final double LONGEST_ROW_VOXELS = 16;
 
+  /**
+   * A frame that came nearer and took more steps than this is enough: the rest of a long way is
+   * left to the next one. A hand that slides two voxels a frame takes a dozen; only jumps over many
+   * stairs take more, most where w_max is many voxels.
+   */
+  public static final int ENOUGH_STEPS = 40;
+
+  /** A long way counts as a step more for each of these: where w_max is many voxels. */
+  private static final double VOXELS_A_STEP = 8;
+
+  /** And as no more than of this length. */
+  private static final double LONG_VOXELS = 64;
+
   private static final int NOTHING_HELD = 0;
 
   private final Metric metric;
@@ -77,6 +91,7 @@ public final class GuardedSolver implements ProxySolver {
   private boolean skippedClimbs;
   private long climbsSkipped;
   private long restsSkipped;
+  private int steps;
 
   /**
    * A solver for one grid.
@@ -125,6 +140,7 @@ public final class GuardedSolver implements ProxySolver {
   @Override
   public void follow(Obstacles solids, Vec3 devicePosition, InteractionPoint point) {
     point.legs.clear();
+    steps = 0;
     if (rests && devicePosition.sameBits(restedAt)) {
       restsSkipped++;
       return; // nothing that the answer depends on has changed: same bits, same contact
@@ -135,7 +151,7 @@ public final class GuardedSolver implements ProxySolver {
     }
     do {
       descend(NOTHING_HELD);
-    } while (!outOfPath && !arrived() && climb());
+    } while (!outOfPath && !arrived() && !hasWorkedEnough() && climb());
     point.contact = stopped || (!arrived() && isWayBlocked());
     rests = skipsRest && legs.count() == 0 && !skippedClimbs;
     restedAt.set(devicePosition);
@@ -150,6 +166,19 @@ public final class GuardedSolver implements ProxySolver {
     outOfPath = false;
     skippedClimbs = false;
     voxel.locate(solids, p);
+  }
+
+  /** Whether the rest of a long way is left to the next frame: only where this one came nearer. */
+  private boolean hasWorkedEnough() {
+    return steps > ENOUGH_STEPS && legs.count() > 0;
+  }
+
+  /**
+   * Ways that the last frame tried and stairs that it looked at. What it read of the solids is not
+   * in here: a {@link org.palpate.volume.BitCube} can count that.
+   */
+  public int steps() {
+    return steps;
   }
 
   private boolean arrived() {
@@ -167,7 +196,10 @@ public final class GuardedSolver implements ProxySolver {
    */
   private void descend(int held) {
     boolean mayComeNearer = true;
-    while (mayComeNearer && !outOfPath && !arrived()) {
+    while (mayComeNearer
+        && !outOfPath
+        && !arrived()
+        && !(held == NOTHING_HELD && hasWorkedEnough())) {
       mayComeNearer = slide(held);
     }
   }
@@ -180,6 +212,7 @@ public final class GuardedSolver implements ProxySolver {
     boolean moved = false;
     int faces = held;
     while (!outOfPath && aim(faces)) {
+      steps++;
       int stops = voxel.stopsOnWayTo(target);
       if (stops != 0) {
         stopped = true;
@@ -193,6 +226,7 @@ public final class GuardedSolver implements ProxySolver {
         moveNearer(target, faces != NOTHING_HELD);
         return false; // in the same voxel before the same stops, and at the device along the rest
       }
+      steps += (int) (Math.min(LONG_VOXELS, span(target)) / VOXELS_A_STEP);
       if (isFree(target)) {
         outOfPath |= cut;
         return moveNearer(target, faces != NOTHING_HELD) || moved;
@@ -215,6 +249,11 @@ public final class GuardedSolver implements ProxySolver {
         (faces & 2) != 0 ? p.y : device.y,
         (faces & 4) != 0 ? p.z : device.z);
     return target.x != p.x || target.y != p.y || target.z != p.z;
+  }
+
+  /** The longest component of the way from the point. */
+  private double span(Vec3 to) {
+    return Math.max(Math.abs(to.x - p.x), Math.max(Math.abs(to.y - p.y), Math.abs(to.z - p.z)));
   }
 
   private boolean cutToPathLeft() {
@@ -344,6 +383,7 @@ public final class GuardedSolver implements ProxySolver {
    * long for this frame.
    */
   private boolean aimAtStair(int axis, int direction, double squareBefore) {
+    steps++;
     if (!voxel.isStairOpen(axis, direction, device)) {
       return false;
     }

@@ -17,8 +17,11 @@ import org.palpate.geometry.IntBox;
  *
  * <p>One thread writes. Reading is free of locks and needs no more than that the writer's changes
  * were published.
+ *
+ * <p>Every look at the solids goes through {@link #brick} or {@link #block}, so that a subclass can
+ * count them; where none is loaded the virtual machine binds calls as if this class were final.
  */
-public final class BitCube {
+public class BitCube {
   /** Voxels along an edge of a brick, as a power of two. */
   public static final int BRICK_SHIFT = 2;
 

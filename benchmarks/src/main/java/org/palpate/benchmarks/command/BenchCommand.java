@@ -321,6 +321,8 @@ public final class BenchCommand implements Callable<Integer> {
                   + ofSeed);
       out().println(session.attackFrames(wanted / WHOLE_FRAMES_SHARE));
       out().println();
+      session.tellSteps(out());
+      out().println();
       session.printBaselines(out());
       report.put("seed", ofSeed).put("frames", totals.frames()).put("legs", totals.legs());
       report.put("violations", 0).put("exact_decisions", totals.exactDecisions());

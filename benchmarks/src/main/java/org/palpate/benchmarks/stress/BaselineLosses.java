@@ -58,7 +58,7 @@ public final class BaselineLosses {
   /** Runs a number of cases. */
   public void run(int cases) {
     for (int n = 0; n < cases; n++) {
-      StressCase stress = new StressCase(seed * 0x9E3779B97F4A7C15L + n);
+      StressCase stress = new StressCase(StressRun.caseSeed(seed, n));
       ProxySolver guarded = new GuardedSolver(stress.scene.metric(), stress.scene.maxStepMm());
       List<Vec3> devices = stress.devices(guarded, StressCase.FRAMES);
       casters.forEach(caster -> caster.run(stress, devices));

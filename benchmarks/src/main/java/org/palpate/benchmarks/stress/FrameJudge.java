@@ -1,6 +1,7 @@
 package org.palpate.benchmarks.stress;
 
 import org.palpate.geometry.Vec3;
+import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
 import org.palpate.proxy.Metric;
@@ -33,6 +34,7 @@ final class FrameJudge {
   private final Vec3 before = new Vec3();
   private final Vec3 held = new Vec3();
   private long heldMoves;
+  private long heldLongFrames;
   private double heldPathMm;
   private long legs;
 
@@ -59,14 +61,18 @@ final class FrameJudge {
     return judge.exactDecisions();
   }
 
-  /** What is wrong with the frame that just ended, or null. */
-  String fault(Vec3 device, InteractionPoint point) {
+  /**
+   * What is wrong with the frame that just ended, or null.
+   *
+   * @param steps that it took, as the guarded solver counts them
+   */
+  String fault(Vec3 device, InteractionPoint point, int steps) {
     String fault = faultOfLegs(point);
     if (fault == null) {
       fault = faultOfProgress(device, point);
     }
     if (fault == null) {
-      fault = faultOfRest(device, point);
+      fault = faultOfRest(device, point, steps);
     }
     before.set(point.position);
     return fault;
@@ -109,18 +115,21 @@ final class FrameJudge {
     return stayed || nearer ? null : "the frame ended neither nearer nor at the same bits";
   }
 
-  private String faultOfRest(Vec3 device, InteractionPoint point) {
+  private String faultOfRest(Vec3 device, InteractionPoint point, int steps) {
     if (!device.sameBits(held)) {
       held.set(device);
       heldMoves = 0;
+      heldLongFrames = 0;
       heldPathMm = 0;
     }
     heldPathMm += point.legs.lengthMm();
+    heldLongFrames += steps > GuardedSolver.ENOUGH_STEPS ? 1 : 0;
     heldMoves += before.sameBits(point.position) ? 0 : 1;
     if (!isFine(point.position) || !isFine(device)) {
       return null;
     }
-    double needed = Math.ceil(2 * heldPathMm / (maxStepMm * CUT)) + framesToSettle;
+    double needed =
+        Math.ceil(2 * heldPathMm / (maxStepMm * CUT)) + 2 * heldLongFrames + framesToSettle;
     return heldMoves <= needed
         ? null
         : "for a device at rest it took " + heldMoves + " frames to go " + heldPathMm + " mm";

@@ -99,7 +99,7 @@ final class Shrinker {
     point.position.set(start);
     for (int frame = 0; frame < devices.size(); frame++) {
       solver.follow(obstacles, devices.get(frame), point);
-      if (judge.fault(devices.get(frame), point) != null) {
+      if (judge.fault(devices.get(frame), point, maker.steps(solver)) != null) {
         return new ArrayList<>(devices.subList(0, frame + 1));
       }
     }

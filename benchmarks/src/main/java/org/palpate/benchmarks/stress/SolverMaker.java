@@ -1,5 +1,6 @@
 package org.palpate.benchmarks.stress;
 
+import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.proxy.smooth.SmoothSolver;
@@ -31,6 +32,11 @@ public interface SolverMaker {
 
   ProxySolver make(Metric metric, double maxStepMm);
 
+  /** The steps of the last frame, where the solver tells them. */
+  default int steps(ProxySolver solver) {
+    return solver instanceof GuardedSolver guarded ? guarded.steps() : 0;
+  }
+
   /** Whether each frame has to end strictly nearer to the device or at the same bits. */
   default boolean endsNearer() {
     return true;
@@ -39,7 +45,8 @@ public interface SolverMaker {
   /**
    * Frames that a point may take beyond its path, until it rests. Two frames that follow each other
    * go at least w_max together: the first leaves a part unused only where a climb needed more than
-   * that part, and then the second begins with that climb.
+   * that part, and then the second begins with that climb. A frame that worked enough and left the
+   * rest to the next one goes as far as it goes, and may part two such frames: it is not in here.
    */
   default int framesToSettle() {
     return 2;

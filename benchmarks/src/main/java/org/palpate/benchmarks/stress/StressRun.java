@@ -55,7 +55,7 @@ public final class StressRun {
   }
 
   private FailedCase runCase(StressTotals totals) {
-    long caseSeed = caseSeed(totals.cases);
+    long caseSeed = caseSeed(seed, totals.cases);
     StressCase stress = new StressCase(caseSeed);
     FrameJudge judge = new FrameJudge(stress.scene, stress.start, maker);
     ProxySolver solver = maker.make(stress.scene.metric(), stress.scene.maxStepMm());
@@ -66,7 +66,7 @@ public final class StressRun {
     for (int frame = 0; frame < StressCase.ALL_FRAMES; frame++) {
       stress.next(frame, point.position, device);
       solver.follow(obstacles, device, point);
-      if (judge.fault(device, point) != null) {
+      if (judge.fault(device, point, maker.steps(solver)) != null) {
         return failed(caseSeed, frame + 1);
       }
     }
@@ -84,7 +84,8 @@ public final class StressRun {
     return new Shrinker(maker).shrink(new FailedCase(again.scene, again.start, devices, caseSeed));
   }
 
-  private long caseSeed(long number) {
+  /** What the case of a number is made from. */
+  static long caseSeed(long seed, long number) {
     return seed * 0x9E3779B97F4A7C15L + number;
   }
 }

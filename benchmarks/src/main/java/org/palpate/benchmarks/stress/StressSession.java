@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import org.palpate.io.NewFile;
 import org.palpate.proxy.GuardedSolver;
 
 /**
@@ -15,6 +16,8 @@ import org.palpate.proxy.GuardedSolver;
 public final class StressSession {
   private static final long NANOS_BETWEEN_LINES = 5_000_000_000L;
   private static final int BASELINE_CASES = 100;
+  private static final int STEP_CASES = 1000;
+  private static final int JUMPS = 100_000;
 
   private final Path folder;
   private final long seed;
@@ -110,6 +113,30 @@ public final class StressSession {
         attack.legs(),
         attack.edits(),
         attack.freed());
+  }
+
+  /**
+   * Prints what work frames were, in steps, as Markdown, and leaves it as a table in the folder.
+   */
+  public void tellSteps(PrintWriter out) throws IOException {
+    StringBuilder csv = new StringBuilder("hand,frames,median_steps,p99_steps,worst_steps\n");
+    out.println("| steps a frame, " + attacked + " | frames | median | p99 | worst |");
+    out.println("| --- | --- | --- | --- | --- |");
+    for (StepStudy.Row row : new StepStudy(attacked, seed, STEP_CASES, JUMPS).rows()) {
+      out.printf(
+          Locale.ROOT,
+          "| %s | %d | %d | %d | %d |%n",
+          row.hand(),
+          row.frames(),
+          row.median(),
+          row.p99(),
+          row.worst());
+      csv.append('"').append(row.hand()).append("\",").append(row.frames()).append(',');
+      csv.append(row.median()).append(',').append(row.p99()).append(',').append(row.worst());
+      csv.append('\n');
+    }
+    NewFile.write(folder.resolve("steps-" + attacked + "-" + seed + ".csv"), csv);
+    out.flush();
   }
 
   /** Prints what other ways lose on the first cases of the seed. */

@@ -32,6 +32,7 @@ struct Guarded {
   bool knowsNear = false, stopped = false, outOfPath = false, rests = false, pathTooShort = false;
   bool skippedClimbs = false, contact = false;
   int legCount = 0;
+  int steps = 0;
   double legLength = 0;
   Vec legFrom[kLegs], legTo[kLegs];
   double legLengths[kLegs];
@@ -179,6 +180,7 @@ struct Guarded {
     bool moved = false;
     int faces = held;
     while (!outOfPath && aim(faces)) {
+      steps++;
       int stops = stopsOnWayTo(target);
       if (stops != 0) {
         stopped = true;
@@ -190,6 +192,10 @@ struct Guarded {
         moveNearer(target, faces != 0);
         return false;
       }
+      double span = 0;
+      for (int a = 0; a < 3; a++)
+        span = std::max(span, std::fabs(target.c[a] - p.c[a]));
+      steps += (int)(std::min(64.0, span) / 8);
       if (isFree(target)) {
         outOfPath |= cut;
         return moveNearer(target, faces != 0) || moved;
@@ -203,8 +209,10 @@ struct Guarded {
   bool arrived() const { return p == device; }
   void descend(int held) {
     bool on = true;
-    while (on && !outOfPath && !arrived()) on = slide(held);
+    while (on && !outOfPath && !arrived() && !(held == 0 && hasWorkedEnough()))
+      on = slide(held);
   }
+  bool hasWorkedEnough() const { return steps > 40 && legCount > 0; }
   bool isFar(double sq) const { return sq > kFarVoxels * kFarVoxels; }
 
   void addEnd(const Vec& e) {
@@ -272,6 +280,7 @@ struct Guarded {
     return false;
   }
   bool aimAtStair(int a, int direction, double before) {
+    steps++;
     if (!stairOpen(a, direction)) return false;
     double top = direction > 0 ? cell[a] + 1 + kStopShort : cell[a] - kStopShort;
     end = device;
@@ -311,6 +320,7 @@ struct Guarded {
   }
   void follow(const Vec& d) {
     legCount = 0;
+    steps = 0;
     legLength = 0;
     bool same = std::memcmp(&d, &restedAt, sizeof d) == 0;
     if (rests && same) return;
@@ -319,7 +329,7 @@ struct Guarded {
     locate();
     if (same) known = false;
     do descend(0);
-    while (!outOfPath && !arrived() && climb());
+    while (!outOfPath && !arrived() && !hasWorkedEnough() && climb());
     contact = stopped || (!arrived() && !isFree(device));
     rests = legCount == 0 && !skippedClimbs;
     restedAt = d;

@@ -29,6 +29,10 @@ final class LegGuard {
   private final Ray ray = new Ray();
   private final Vec3 target = new Vec3();
   private final Vec3 start = new Vec3();
+
+  /** Ways looked at since the frame began. */
+  private int casts;
+
   private Obstacles obstacles;
   private Vec3 position;
   private LegPath legs;
@@ -44,6 +48,7 @@ final class LegGuard {
     position = point.position;
     legs = point.legs;
     legs.clear();
+    casts = 0;
     start.set(position);
   }
 
@@ -55,6 +60,7 @@ final class LegGuard {
 
   /** Whether the straight way between two points touches no solid; else {@link #hit} says where. */
   boolean isFree(Vec3 from, Vec3 to) {
+    casts++;
     return !obstacles.cast(caster, ray.from(from.x, from.y, from.z).to(to.x, to.y, to.z), hit);
   }
 
@@ -76,6 +82,11 @@ final class LegGuard {
   /** Whether there is path and room for another leg in this frame. */
   boolean canMove() {
     return !legs.isFull() && legs.lengthMm() < maxStepMm * CUT_SHORT;
+  }
+
+  /** Ways that were looked at in this frame. */
+  int casts() {
+    return casts;
   }
 
   boolean hasMoved() {

@@ -94,6 +94,8 @@ public final class SmoothSolver implements ProxySolver {
   private boolean deviceInSolid;
   private double lastFlightEdges;
   private boolean onSurface;
+  private long evaluationsBefore;
+  private int stepsOnVoxels;
   private Obstacles obstacles;
   private Vec3 device;
   private InteractionPoint point;
@@ -188,6 +190,17 @@ public final class SmoothSolver implements ProxySolver {
     p = moved.position;
     moved.handsOver = true;
     guard.begin(solids, moved);
+    evaluationsBefore = field.evaluation;
+    stepsOnVoxels = 0;
+  }
+
+  /**
+   * Values of the surface that the last frame took, ways that it looked at, and steps on the
+   * voxels. What it read of the solids is not in here: a {@link org.palpate.volume.BitCube} can
+   * count that.
+   */
+  public int steps() {
+    return (int) (field.evaluation - evaluationsBefore) + guard.casts() + stepsOnVoxels;
   }
 
   private boolean isWayBlocked() {
@@ -239,6 +252,7 @@ public final class SmoothSolver implements ProxySolver {
     guard.takeBack();
     onVoxels.reset();
     onVoxels.follow(obstacles, device, point);
+    stepsOnVoxels = onVoxels.steps();
     double toll = onSurface ? TOLL_EDGES : 0;
     if (guard.hasMoved() && isBelow(highest - toll)) {
       point.surfaceHeightMm = shortestMm * heightOnVoxels();

@@ -1,0 +1,37 @@
+package org.palpate.benchmarks.stress;
+
+import org.palpate.volume.BitCube;
+
+/** A bit cube that counts the words that are read of it. */
+final class CountingCube extends BitCube {
+  private long words;
+
+  /** The same voxels as another. */
+  CountingCube(BitCube like) {
+    super(like.sizeX(), like.sizeY(), like.sizeZ());
+    for (int z = 0; z < like.bricksZ(); z++) {
+      for (int y = 0; y < like.bricksY(); y++) {
+        for (int x = 0; x < like.bricksX(); x++) {
+          setBrick(x, y, z, like.brick(x, y, z));
+        }
+      }
+    }
+  }
+
+  /** Words read so far. */
+  long words() {
+    return words;
+  }
+
+  @Override
+  public long brick(int brickX, int brickY, int brickZ) {
+    words++;
+    return super.brick(brickX, brickY, brickZ);
+  }
+
+  @Override
+  public long block(int blockX, int blockY, int blockZ) {
+    words++;
+    return super.block(blockX, blockY, blockZ);
+  }
+}

@@ -1,0 +1,57 @@
+package org.palpate.guarantee;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.benchmarks.stress.StepStudy;
+import org.palpate.benchmarks.stress.StressSession.Attacked;
+import org.palpate.testing.Seeds;
+
+/** The work of a frame at the default w_max, in steps, which no machine changes. */
+class FrameStepsTest {
+  private static final int MOST_TIMES_A_SLIDE = 20;
+  private static final int CASES = 500;
+  private static final int JUMPS = 20_000;
+
+  @Test
+  void noFrameOfGuardedIsMoreThanTwentyTimesTheWorkOfOneThatSlides() {
+    List<StepStudy.Row> rows = rows(Attacked.GUARDED);
+    long sliding = median(rows, StepStudy.SLIDING);
+    assertTrue(sliding > 10, "what a frame reads is counted: " + rows);
+    for (StepStudy.Row row : rows) {
+      assertTrue(
+          row.worst() <= MOST_TIMES_A_SLIDE * sliding,
+          () -> row + " sliding " + sliding + " seed " + Seeds.seed());
+    }
+    System.out.println("steps of guarded: " + rows);
+  }
+
+  /** Where a hand jumps; in hostile scenes a frame of smooth was seen to be 21 times a slide. */
+  @Test
+  void noJumpOfSmoothIsMoreThanTwentyTimesTheWorkOfAFrameThatSlides() {
+    List<StepStudy.Row> rows = rows(Attacked.SMOOTH);
+    long sliding = median(rows, StepStudy.SLIDING);
+    for (StepStudy.Row row : rows) {
+      assertTrue(
+          row.hand().equals(StepStudy.HOSTILE) || row.worst() <= MOST_TIMES_A_SLIDE * sliding,
+          () -> row + " sliding " + sliding + " seed " + Seeds.seed());
+    }
+    System.out.println("steps of smooth: " + rows);
+  }
+
+  @Test
+  void theCountIsTheSameInEveryRun() {
+    StepStudy study = new StepStudy(Attacked.GUARDED, Seeds.seed(), 5, 1000);
+    assertEquals(study.rows(), study.rows());
+  }
+
+  private static List<StepStudy.Row> rows(Attacked solver) {
+    return new StepStudy(solver, Seeds.seed(), CASES, JUMPS).rows();
+  }
+
+  private static long median(List<StepStudy.Row> rows, String hand) {
+    return rows.stream().filter(row -> row.hand().equals(hand)).findFirst().orElseThrow().median();
+  }
+}
