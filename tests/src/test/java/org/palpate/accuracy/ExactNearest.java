@@ -43,7 +43,8 @@ final class ExactNearest {
     forEachFree(
         (i, j, k) ->
             found[0] |=
-                square(i, j, k).equals(leastMm2) && squareTo(p, i, j, k).compareTo(most) <= 0);
+                square(i, j, k).compareTo(leastMm2) == 0
+                    && squareTo(p, i, j, k).compareTo(most) <= 0);
     return found[0];
   }
 

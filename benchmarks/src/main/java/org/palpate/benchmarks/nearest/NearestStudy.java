@@ -28,7 +28,7 @@ final class NearestStudy {
   static final String SEARCH = "search sqrt(2s+1)";
 
   /** The smooth solver's point with the height of its surface taken off, as the force does. */
-  static final String SMOOTH_FELT = "smooth, felt";
+  static final String SMOOTH_FELT = "smooth felt";
 
   private static final String SMOOTH = "smooth";
   private static final String GUARDED = "guarded";
