@@ -27,11 +27,11 @@ public record DeviceModel(
           new DeviceModel("Touch", 3.3, 0.4, 0.05, 0.5, 0.055),
           new DeviceModel("Omni", 3.3, 0.7, 0.05, 0.5, 0.055),
           new DeviceModel("Premium 1.5", 8.5, 0.8, 0.075, 0.5, 0.03),
-          new DeviceModel("Falcon", 8, 1.5, 0.15, 1, 0.06),
+          new DeviceModel("Falcon", 8, 0.75, 0.15, 1, 0.06),
           new DeviceModel("lambda", 12, 0.4, 0.3, 2, 0.0015),
           new DeviceModel("sigma", 12, 0.45, 0.3, 2, 0.0015),
-          new DeviceModel("omega", 12, 1.9, 0.2, 2, 0.009),
-          new DeviceModel("delta", 20, 0.7, 0.25, 2, 0.03));
+          new DeviceModel("omega", 12, 0.7, 0.2, 2, 0.009),
+          new DeviceModel("delta", 20, 0.6, 0.25, 2, 0.03));
 
   /** The same with another mass. */
   public DeviceModel withHandleKg(double kg) {

@@ -24,8 +24,11 @@ final class Plant implements HapticDevice {
 
   private static final double MM_PER_M = 1e3;
 
-  /** The last two parts of the stay, in which the handle should rest, are as long as this each. */
+  /** The last part of the stay, in which the handle should rest, is as long as this. */
   private static final double WATCHED_SECONDS = 0.25;
+
+  /** Another part of that length is watched before it, so that play which shrinks is seen to. */
+  static final double APART_SECONDS = 1;
 
   private final DeviceModel device;
   private final Sampling sampling;
@@ -53,7 +56,7 @@ final class Plant implements HapticDevice {
     this.reach = reach;
     this.voxelMm = voxelMm;
     double leave = reach.leaveSeconds();
-    before = new PlayWatch(leave - 2 * WATCHED_SECONDS, leave - WATCHED_SECONDS);
+    before = new PlayWatch(leave - APART_SECONDS - WATCHED_SECONDS, leave - APART_SECONDS);
     last = new PlayWatch(leave - WATCHED_SECONDS, leave);
     motion = new HandleMotion(device, grip, reach);
     state = motion.start();
@@ -136,7 +139,7 @@ final class Plant implements HapticDevice {
     return last.playMm();
   }
 
-  /** How far it moved in the part of the same length before, mm. */
+  /** How far it moved in a part of the same length that ended {@link #APART_SECONDS} before, mm. */
   double earlierPlayMm() {
     return before.playMm();
   }

@@ -2,20 +2,20 @@ package org.palpate.benchmarks.stability;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.BitmapEncoder.BitmapFormat;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
-import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
-import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.CategorySeries;
+import org.knowm.xchart.CategorySeries.CategorySeriesRenderStyle;
 import org.knowm.xchart.internal.chartpart.Chart;
 import org.knowm.xchart.style.Styler.LegendPosition;
-import org.knowm.xchart.style.lines.SeriesLines;
 import org.knowm.xchart.style.markers.SeriesMarkers;
+import org.palpate.benchmarks.Figures;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
 import org.palpate.io.NewFile;
@@ -28,78 +28,81 @@ final class StabilityPlots {
   /** Bars above this say no more: the stiffness is beyond what any device renders. */
   private static final double MOST_MARGIN = 20;
 
+  private static final double WANTED_MARGIN = 2;
+
+  private static final double MICROMETRES_PER_MM = 1e3;
+
   private StabilityPlots() {}
 
   /** The largest stiffness against the rate for one physical damping: marks; the theory: lines. */
   static void plotTheory(Path file, List<TheoryRow> rows, double damping) throws IOException {
-    XYChart chart =
-        new XYChartBuilder()
-            .width(WIDTH)
-            .height(HEIGHT)
-            .title("Largest stable stiffness, bare handle on a wall, b = " + damping + " N s/m")
-            .xAxisTitle("frames a second")
-            .yAxisTitle("N/m")
-            .build();
-    chart.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);
+    List<TheoryRow> drawn =
+        rows.stream()
+            .filter(row -> row.damping() == damping)
+            .filter(row -> row.largest() > 0 && Double.isFinite(row.largest()))
+            .toList();
+    CategoryChart chart =
+        chart("Largest stable stiffness, bare handle on a wall, b = " + damping + " N s/m");
+    chart.setXAxisTitle("frames a second");
+    chart.setYAxisTitle("N/m");
+    chart.getStyler().setYAxisLogarithmic(true).setYAxisDecimalPattern("#,##0");
+    chart.getStyler().setOverlapped(true); // marks and lines of one rate over each other
     chart.getStyler().setLegendPosition(LegendPosition.InsideNW);
+    double least = drawn.stream().mapToDouble(TheoryRow::largest).min().orElse(1);
+    chart.getStyler().setYAxisMin(least / 2); // bars, of which there are none, would begin at 0
     for (int delay = 0; delay <= 2; delay++) {
-      addDelay(chart, rows, damping, delay);
+      addDelay(chart, drawn, delay);
     }
     save(chart, file);
   }
 
-  private static void addDelay(XYChart chart, List<TheoryRow> rows, double damping, int delay) {
-    List<Double> rates = new ArrayList<>();
-    List<Double> largest = new ArrayList<>();
-    List<Double> passive = new ArrayList<>();
-    for (TheoryRow row : rows) {
-      boolean drawn =
-          row.damping() == damping
-              && row.sampling().delaySamples() == delay
-              && row.largest() > 0
-              && Double.isFinite(row.largest());
-      if (drawn) {
-        rates.add(row.sampling().rateHz());
-        largest.add(row.largest());
-        passive.add(row.passive());
-      }
-    }
-    if (rates.isEmpty()) {
+  private static void addDelay(CategoryChart chart, List<TheoryRow> rows, int delay) {
+    List<TheoryRow> own =
+        rows.stream().filter(row -> row.sampling().delaySamples() == delay).toList();
+    if (own.isEmpty()) {
       return;
     }
-    XYSeries model = chart.addSeries("model, delay " + delay, rates, largest);
-    model.setLineStyle(SeriesLines.NONE);
-    XYSeries theory = chart.addSeries("theory, delay " + delay, rates, passive);
-    theory.setMarker(SeriesMarkers.NONE);
+    List<String> rates =
+        own.stream()
+            .map(row -> String.format(Locale.ROOT, "%.0f", row.sampling().rateHz()))
+            .toList();
+    CategorySeries model =
+        chart.addSeries(
+            "model, delay " + delay, rates, own.stream().map(TheoryRow::largest).toList());
+    model.setChartCategorySeriesRenderStyle(CategorySeriesRenderStyle.Scatter);
+    model.setMarkerColor(Figures.colour(delay));
+    CategorySeries theory =
+        chart.addSeries(
+            "theory, delay " + delay, rates, own.stream().map(TheoryRow::passive).toList());
+    theory.setChartCategorySeriesRenderStyle(CategorySeriesRenderStyle.Line);
+    theory.setMarker(SeriesMarkers.NONE).setLineColor(Figures.colour(delay));
   }
 
   /** The least margin of each device over the sweep, up to a most. */
   static void plotMargins(Path file, Map<String, Double> margins) throws IOException {
     CategoryChart chart =
-        new CategoryChartBuilder()
-            .width(WIDTH)
-            .height(HEIGHT)
-            .title("Least margin of the default stiffness over mass, damping, grip and delay")
-            .xAxisTitle("device (model)")
-            .yAxisTitle("largest stable / default (cut at " + (int) MOST_MARGIN + ")")
-            .build();
+        chart("Least margin of the default stiffness over mass, damping, grip and delay");
+    chart.setXAxisTitle("device (model)");
+    chart.setYAxisTitle("largest stable / default (cut at " + (int) MOST_MARGIN + ")");
+    chart.getStyler().setYAxisMin(0.0);
+    chart.getStyler().setOverlapped(true);
     chart.getStyler().setLegendVisible(false);
     List<Double> bars =
         margins.values().stream().map(margin -> Math.min(margin, MOST_MARGIN)).toList();
-    chart.addSeries("margin", new ArrayList<>(margins.keySet()), bars);
+    List<String> names = List.copyOf(margins.keySet());
+    chart.addSeries("margin", names, bars);
+    CategorySeries wanted =
+        chart.addSeries("wanted", names, Collections.nCopies(names.size(), WANTED_MARGIN));
+    wanted.setChartCategorySeriesRenderStyle(CategorySeriesRenderStyle.Line);
+    wanted.setMarker(SeriesMarkers.NONE);
     save(chart, file);
   }
 
   /** The play of the handle at rest, at the default stiffness, by shape and solver. */
   static void plotPlay(Path file, List<DeviceRow> rows, String device) throws IOException {
-    CategoryChart chart =
-        new CategoryChartBuilder()
-            .width(WIDTH)
-            .height(HEIGHT)
-            .title("Play of the handle at rest at the default stiffness, " + device)
-            .xAxisTitle("shape")
-            .yAxisTitle("mm")
-            .build();
+    CategoryChart chart = chart("Play of the handle at rest at the default stiffness, " + device);
+    chart.setXAxisTitle("shape");
+    chart.setYAxisTitle("micrometres");
     chart.getStyler().setLegendPosition(LegendPosition.InsideNW);
     List<String> solvers =
         rows.stream().map(row -> row.trial().solver().name()).distinct().toList();
@@ -112,9 +115,17 @@ final class StabilityPlots {
       chart.addSeries(
           solver,
           drawn.stream().map(row -> row.trial().shape().name()).toList(),
-          drawn.stream().map(row -> row.atDefault().playMm()).toList());
+          drawn.stream().map(row -> MICROMETRES_PER_MM * row.atDefault().playMm()).toList());
     }
     save(chart, file);
+  }
+
+  private static CategoryChart chart(String title) {
+    CategoryChart chart =
+        new CategoryChartBuilder().width(WIDTH).height(HEIGHT).title(title).build();
+    Figures.plain(chart);
+    chart.getStyler().setLocale(Locale.ROOT);
+    return chart;
   }
 
   private static void save(Chart<?, ?> chart, Path file) throws IOException {

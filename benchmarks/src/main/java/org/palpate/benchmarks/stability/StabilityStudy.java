@@ -93,7 +93,7 @@ public final class StabilityStudy {
 
   /** Sweeps devices by name, mass, damping, grip and delay. */
   public List<DeviceRow> devices() {
-    double[] shares = quick ? new double[] {1} : new double[] {0.5, 1, 2};
+    double[] shares = quick ? new double[] {0.5, 2} : new double[] {0.5, 1, 2};
     double[] dampingShares = quick ? new double[] {0.25, 1} : new double[] {0.25, 1, 4};
     List<DeviceRow> rows = new ArrayList<>();
     for (DeviceModel device : DeviceModel.KNOWN) {

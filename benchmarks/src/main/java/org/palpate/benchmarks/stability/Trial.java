@@ -45,9 +45,11 @@ public record Trial(
   private static final double REST_MM = 0.01;
 
   /**
-   * A handle in a hand that has not settled yet is at rest if its play shrinks at least so fast.
+   * A handle in a hand that has not settled yet is stable if its play shrinks at least so fast in
+   * {@link Plant#APART_SECONDS}: a heavy one that two fingers hardly hold swings for seconds, with
+   * or without a surface, and that is no shaking.
    */
-  private static final double SETTLING_SHARE = 0.8;
+  private static final double SETTLING_SHARE = 0.9;
 
   /** A solver with a name. */
   public record SolverChoice(String name, Maker maker) {

@@ -41,8 +41,21 @@ class ClosedLoopTest {
   void everyDevicesDefaultStiffnessRestsWithAMarginOfTwo() {
     List<DeviceRow> rows =
         new StabilityStudy(true, List.of(StabilityStudy.GUARDED), line -> {}).devices();
+    for (DeviceModel device : DeviceModel.KNOWN) {
+      assertTrue(rows.stream().anyMatch(row -> isHeavyAndHardlyDamped(row, device)), device.name());
+    }
     StabilityStudy.leastMargins(rows)
         .forEach((device, margin) -> assertTrue(margin >= 2, device + " margin=" + margin));
+  }
+
+  /** Twice the assumed mass with a quarter of the damping, two fingers, two frames late. */
+  private static boolean isHeavyAndHardlyDamped(DeviceRow row, DeviceModel device) {
+    DeviceModel swept = row.trial().device();
+    return swept.name().equals(device.name())
+        && swept.handleKg() == 2 * device.handleKg()
+        && swept.dampingNewtonSecondPerM() == 0.25 * device.dampingNewtonSecondPerM()
+        && row.trial().grip().equals(Grip.LIGHT)
+        && row.trial().sampling().delaySamples() == 2;
   }
 
   @Test
