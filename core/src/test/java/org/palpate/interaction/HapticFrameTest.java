@@ -144,6 +144,40 @@ class HapticFrameTest {
   }
 
   @Test
+  void aClockThatStandsStillHoldsTheForceWithinItsLimitsAndGoesOnLater() {
+    ScriptedDevice device = descendsTo(5);
+    HapticFrame frame = floor.frame(device);
+    run(frame, 20);
+    for (int n = 0; n < 50; n++) {
+      assertEquals(FrameOutcome.RUNNING, frame.run(nowNanos));
+      assertEquals(1.5, device.lastForce().z, 1e-5);
+    }
+    assertEquals(0, frame.counts().faults().clockJumps());
+    device.script = (read, state) -> ReadStatus.REPEATED;
+    run(frame, 22);
+    assertEquals(0, device.lastForce().length(), "time that goes on again is a silence's again");
+  }
+
+  @Test
+  void aDeviceThatDisappearsBetweenReadAndWriteIsGoneAndWasLastSentZeroForce() {
+    ScriptedDevice device = descendsTo(5);
+    HapticFrame frame = floor.frame(device);
+    run(frame, 20);
+    ScriptedDevice.Script speaking = device.script;
+    device.script =
+        (read, state) -> {
+          device.reachable = false;
+          return read == 20 ? speaking.read(read, state) : ReadStatus.DISCONNECTED;
+        };
+    run(frame, 1);
+    device.reachable = true; // plugged in again: the frame that finds it gone still says zero
+    ScriptedDevice.Script gone = (read, state) -> ReadStatus.DISCONNECTED;
+    device.script = gone;
+    assertEquals(FrameOutcome.DEVICE_GONE, frame.run(nowNanos));
+    assertEquals(0, device.lastForce().length());
+  }
+
+  @Test
   void aHandThatStartsInsideASolidIsSetFreeWithTheForceRamped() {
     ScriptedDevice device = ScriptedDevice.at(16.25, 16.25, 6.5);
     HapticFrame frame = floor.frame(device);

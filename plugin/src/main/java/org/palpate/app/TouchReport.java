@@ -56,6 +56,15 @@ final class TouchReport {
    * @throws PalpateException exit code 1, where it failed
    */
   int exitCode() {
+    return exitCode(end, choice, device.ending());
+  }
+
+  /**
+   * The same of any ending.
+   *
+   * @param ending what the device tells of its going, or nothing
+   */
+  static int exitCode(LoopEnd end, DeviceChoice choice, String ending) {
     switch (end.cause()) {
       case FAILED ->
           throw PalpateException.failed(
@@ -72,7 +81,7 @@ final class TouchReport {
       case DEVICE_GONE -> {
         if (!choice.ends()) {
           throw PalpateException.failed(
-              "the device went away" + because(),
+              "the device went away" + (ending.isEmpty() ? "" : " (" + ending + ")"),
               "device " + choice,
               "look at its cable and power; what it still holds its own watchdog ends",
               null);
@@ -81,10 +90,6 @@ final class TouchReport {
       case STOPPED -> {}
     }
     return 0;
-  }
-
-  private String because() {
-    return device.ending().isEmpty() ? "" : " (" + device.ending() + ")";
   }
 
   /** Tells it in two lines. */
