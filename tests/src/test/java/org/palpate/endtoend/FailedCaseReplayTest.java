@@ -1,0 +1,170 @@
+package org.palpate.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.palpate.benchmarks.stress.FailedCase;
+import org.palpate.benchmarks.stress.SolverMaker;
+import org.palpate.benchmarks.stress.StressRun;
+import org.palpate.benchmarks.stress.StressTotals;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.ReadOptions;
+import org.palpate.io.SegmentBuilder;
+import org.palpate.io.SegmentSpec;
+import org.palpate.io.VolumeFiles;
+import org.palpate.proxy.BorderVoxels;
+import org.palpate.proxy.GuardedSolver;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.Metric;
+import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.PaperSolver;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.SampledRayCaster;
+import org.palpate.testing.ExactOracle;
+import org.palpate.testing.LegJudge;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+
+/** What the attack finds lies in files that {@code replay} takes, and fails there again. */
+class FailedCaseReplayTest {
+  private static final long ENOUGH_FRAMES = 1_000_000;
+
+  @TempDir private Path folder;
+
+  @Test
+  void aCaseThatBreaksTheListingAsPrintedBreaksItInReplayAndGuardedDoesNot() throws IOException {
+    SolverMaker paper =
+        judgedByLegs(
+            (metric, maxStepMm) ->
+                new PaperSolver(
+                    new SampledRayCaster(1), metric, maxStepMm, BorderVoxels.onTheFly()));
+    attack(paper).write(folder, "paper");
+    BitCube bits = solids();
+    assertTrue(touchingLegs(bits, "paper") > 0, "the saved case breaks nothing");
+    assertTrue(touchingLegs(bits, "guarded") == 0, "guarded breaks on the saved case");
+  }
+
+  @Test
+  void aCaseThatBreaksAnInjectedFaultBreaksItAgainFromItsFiles() throws IOException {
+    FailedCase failed = attack(judgedByLegs(LeapingSolver::new));
+    failed.write(folder, "guarded");
+    assertTrue(failed.scene().bits().solidCount() <= 4, failed.summary());
+    BitCube bits = solids();
+    Metric metric = Metric.of(failed.scene().spacingMm());
+    assertNotNull(fault(bits, new LeapingSolver(metric, failed.scene().maxStepMm())));
+    assertTrue(touchingLegs(bits, "guarded") == 0, "guarded breaks on the saved case");
+  }
+
+  private static FailedCase attack(SolverMaker maker) {
+    FailedCase failed =
+        new StressRun(Seeds.seed(), maker)
+            .untilFrames(new StressTotals(), ENOUGH_FRAMES, now -> {});
+    assertNotNull(failed, "the attack found nothing");
+    return failed;
+  }
+
+  /** A solver of which the guarantee alone is asked. */
+  private static SolverMaker judgedByLegs(SolverMaker solver) {
+    return new SolverMaker() {
+      @Override
+      public ProxySolver make(Metric metric, double maxStepMm) {
+        return solver.make(metric, maxStepMm);
+      }
+
+      @Override
+      public boolean endsNearer() {
+        return false;
+      }
+
+      @Override
+      public int framesToSettle() {
+        return Integer.MAX_VALUE;
+      }
+    };
+  }
+
+  private BitCube solids() throws IOException {
+    return SegmentBuilder.read(
+            VolumeFiles.open(folder.resolve("scene.nrrd"), ReadOptions.defaults()),
+            List.of(SegmentSpec.parse("solid=nonzero")))
+        .segments()
+        .get(0)
+        .bits();
+  }
+
+  /** Runs the command that was saved, with this solver; how many legs of it touch a solid. */
+  private int touchingLegs(BitCube bits, String solver) throws IOException {
+    List<Object> arguments = new ArrayList<>();
+    String[] saved = Files.readString(folder.resolve("replay.txt")).trim().split(" ", -1);
+    for (String word : Arrays.copyOfRange(saved, 1, saved.length)) {
+      arguments.add(word.endsWith(".nrrd") || word.endsWith(".csv") ? folder.resolve(word) : word);
+    }
+    assertTrue(arguments.contains("--raw-device"), arguments.toString());
+    arguments.set(arguments.indexOf("--solver") + 1, solver);
+    CommandRun.of(arguments.toArray()).mustSucceed();
+    int touching = 0;
+    for (double[] row : rows("legs.csv")) {
+      Ray leg = new Ray().from(row[2], row[3], row[4]).to(row[5], row[6], row[7]);
+      assertFalse(row[1] < 0, "the start is free");
+      touching += ExactOracle.touchesAny(bits, leg) ? 1 : 0;
+    }
+    return touching;
+  }
+
+  private List<double[]> rows(String name) throws IOException {
+    return Files.readAllLines(folder.resolve(name)).stream()
+        .skip(1)
+        .map(line -> Arrays.stream(line.split(",")).mapToDouble(Double::parseDouble).toArray())
+        .toList();
+  }
+
+  private String fault(BitCube bits, ProxySolver solver) throws IOException {
+    Obstacles obstacles = new Obstacles(List.of(bits));
+    InteractionPoint point = new InteractionPoint();
+    LegJudge judge = null;
+    for (double[] row : rows("device.csv")) {
+      Vec3 device = new Vec3(row[1], row[2], row[3]);
+      if (judge == null) {
+        point.position.set(device);
+        judge = new LegJudge(bits, device);
+      }
+      solver.follow(obstacles, device, point);
+      String fault = judge.faultOf(point);
+      if (fault != null) {
+        return fault;
+      }
+    }
+    return null;
+  }
+
+  /** The guarded solver with a fault: in the third frame of a contact it leaps to the device. */
+  private static final class LeapingSolver implements ProxySolver {
+    private final GuardedSolver guarded;
+    private int contacts;
+
+    LeapingSolver(Metric metric, double maxStepMm) {
+      guarded = new GuardedSolver(metric, maxStepMm);
+    }
+
+    @Override
+    public void follow(Obstacles obstacles, Vec3 device, InteractionPoint point) {
+      guarded.follow(obstacles, device, point);
+      contacts = point.contact ? contacts + 1 : 0;
+      if (contacts == 3) {
+        Vec3 p = point.position;
+        point.legs.add(p.x, p.y, p.z, device.x, device.y, device.z, 0, false);
+        p.set(device);
+      }
+    }
+  }
+}
