@@ -18,7 +18,7 @@ import org.palpate.geometry.IntBox;
  * <p>One thread writes. Reading is free of locks and needs no more than that the writer's changes
  * were published.
  *
- * <p>Every look at the solids goes through {@link #brick} or {@link #block}, so that a subclass can
+ * <p>Every look at the solids is {@link #brick}, {@link #block} or {@link #window}: a subclass can
  * count them; where none is loaded the virtual machine binds calls as if this class were final.
  */
 public class BitCube {
