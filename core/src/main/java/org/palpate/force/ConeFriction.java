@@ -34,8 +34,7 @@ final class ConeFriction {
 
   ConeFriction(Metric metric) {
     this.metric = metric;
-    stopMm =
-        STOP_EDGES * Math.min(metric.spacingX(), Math.min(metric.spacingY(), metric.spacingZ()));
+    stopMm = STOP_EDGES * metric.shortestEdgeMm();
   }
 
   boolean isSliding() {

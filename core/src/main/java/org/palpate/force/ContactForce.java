@@ -25,6 +25,7 @@ public final class ContactForce {
   private final ContactDamping damping;
   private final Vec3 lastDevice = new Vec3();
   private final Vec3 outward = new Vec3();
+  private boolean damps;
   private boolean pressed;
   private double slideLengthMm;
   private long frictionSkipped;
@@ -33,10 +34,11 @@ public final class ContactForce {
   public ContactForce(Metric metric, ForceSettings settings) {
     this.metric = metric;
     this.settings = settings;
+    damps = settings.damps();
     handOver = new ForceHandOver(metric);
     cone = new ConeFriction(metric);
     damping = new ContactDamping(metric);
-    double shortestMm = Math.min(metric.spacingX(), Math.min(metric.spacingY(), metric.spacingZ()));
+    double shortestMm = metric.shortestEdgeMm();
     felt = new MaterialBlend(shortestMm, settings.general());
   }
 
@@ -49,6 +51,7 @@ public final class ContactForce {
   public void change(ForceSettings newSettings) {
     if (settings != newSettings) {
       settings = newSettings;
+      damps = newSettings.damps();
       pressed = false;
     }
   }
@@ -82,7 +85,6 @@ public final class ContactForce {
     feel(point, device, forceNewton.length());
     forceNewton.mul(felt.stiffnessNewtonPerMm(), forceNewton);
     handOver(point, device, forceNewton);
-    boolean damps = settings.damps();
     double dampingNewton = damps ? damp(device, elapsedNanos, forceNewton) : 0;
     if (settings.form() == FrictionForm.CONE) {
       cone.add(point, device, felt, forceNewton);

@@ -26,9 +26,7 @@ final class ForceHandOver {
 
   ForceHandOver(Metric metric) {
     this.metric = metric;
-    leastMotionMm =
-        LEAST_MOTION_EDGES
-            * Math.min(metric.spacingX(), Math.min(metric.spacingY(), metric.spacingZ()));
+    leastMotionMm = LEAST_MOTION_EDGES * metric.shortestEdgeMm();
   }
 
   /** How often the force began to lag behind a jump. */

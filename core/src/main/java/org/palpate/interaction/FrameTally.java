@@ -20,7 +20,12 @@ final class FrameTally {
   private long freed;
   private long unreached;
   private double maxForceNewton;
-  private final SkipCounts before = new SkipCounts();
+
+  /** Of the solvers at the end of each turn, the present one's left out. */
+  private final SkipCounts ofTurns = new SkipCounts();
+
+  /** Of the solvers at the beginning of each turn, the first one's left out. */
+  private final SkipCounts beforeTurns = new SkipCounts();
 
   void count(InteractionPoint point, Vec3 forceNewton, boolean wasFreed) {
     double newton = forceNewton.length();
@@ -53,15 +58,17 @@ final class FrameTally {
     return Double.longBitsToDouble(forceBits.get());
   }
 
-  /** Keeps what a solver skipped that will follow no more. */
-  void keepSkips(ProxySolver solver) {
-    solver.addSkips(before);
+  /** Keeps what a solver skipped so far, and leaves out what the next one did before its turn. */
+  void changeSolver(ProxySolver last, ProxySolver next) {
+    last.addSkips(ofTurns);
+    next.addSkips(beforeTurns);
   }
 
   private Map<String, Long> skipped(ProxySolver solver, Obstacles obstacles, ContactForce force) {
     SkipCounts all = new SkipCounts();
-    all.add(before);
+    all.add(ofTurns);
     solver.addSkips(all);
+    all.subtract(beforeTurns);
     all.add(SkipKind.FAR_OBJECTS, obstacles.skippedCubes());
     all.add(SkipKind.FRICTION, force.frictionSkipped());
     return all.byKey();

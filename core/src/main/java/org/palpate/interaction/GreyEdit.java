@@ -24,16 +24,17 @@ public final class GreyEdit extends Edit {
   @Override
   void check(VoxelGrid grid, Metric gridMetric) {
     VoxelGrid values = fresh.volume().grid();
-    if (!values.contains(grid.sizeX() - 1, grid.sizeY() - 1, grid.sizeZ() - 1)
-        || !grid.contains(values.sizeX() - 1, values.sizeY() - 1, values.sizeZ() - 1)) {
+    if (!sizes(values).equals(sizes(grid))) {
       throw new IllegalArgumentException(
           "grey values must have the grid's sizes: values="
-              + values.sizeX()
-              + "x"
-              + values.sizeY()
-              + "x"
-              + values.sizeZ());
+              + sizes(values)
+              + " grid="
+              + sizes(grid));
     }
+  }
+
+  private static String sizes(VoxelGrid grid) {
+    return grid.sizeX() + "x" + grid.sizeY() + "x" + grid.sizeZ();
   }
 
   @Override

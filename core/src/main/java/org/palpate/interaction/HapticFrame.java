@@ -124,7 +124,7 @@ public final class HapticFrame {
     contactForce.change(requestedForce);
     ProxySolver wanted = requestedSolver;
     if (wanted != solver) {
-      tally.keepSkips(solver);
+      tally.changeSolver(solver, wanted);
       solver = wanted;
       solver.reset();
       point.surfaceHeightMm = 0;

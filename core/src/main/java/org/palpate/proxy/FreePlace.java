@@ -25,7 +25,7 @@ public final class FreePlace {
   /** Measures distances by {@code metric}. */
   public FreePlace(Metric metric) {
     this.metric = metric;
-    shortestSpacing = Math.min(metric.spacingX(), Math.min(metric.spacingY(), metric.spacingZ()));
+    shortestSpacing = metric.shortestEdgeMm();
   }
 
   /**

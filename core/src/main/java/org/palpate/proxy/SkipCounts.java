@@ -29,6 +29,11 @@ public final class SkipCounts {
     other.counts.forEach((kind, count) -> add(kind, count.get()));
   }
 
+  /** Takes all of another off. */
+  public void subtract(SkipCounts other) {
+    other.counts.forEach((kind, count) -> add(kind, -count.get()));
+  }
+
   /** The count of a kind. */
   public long of(SkipKind kind) {
     return counts.get(kind).get();

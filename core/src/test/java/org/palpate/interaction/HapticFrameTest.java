@@ -10,7 +10,10 @@ import org.junit.jupiter.api.Test;
 import org.palpate.device.ReadStatus;
 import org.palpate.force.ForceSettings;
 import org.palpate.geometry.Vec3;
+import org.palpate.proxy.CollisionOnlySolver;
 import org.palpate.proxy.GuardedSolver;
+import org.palpate.proxy.SkipKind;
+import org.palpate.raycast.ExactRayCaster;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.TouchProperties;
 
@@ -299,6 +302,20 @@ class HapticFrameTest {
     frame.requestSolver(new GuardedSolver(Floor.METRIC, 8));
     run(frame, 1);
     assertEquals(3, device.lastForce().z, 1e-5);
+  }
+
+  @Test
+  void whatIsSkippedCountsOnceThoughSolversTakeTurns() {
+    ScriptedDevice device = descendsTo(5);
+    HapticFrame frame = floor.frame(device);
+    CollisionOnlySolver none = new CollisionOnlySolver(new ExactRayCaster(), Floor.METRIC);
+    for (int turn = 0; turn < 3; turn++) {
+      frame.requestSolver(none);
+      run(frame, 10);
+      frame.requestSolver(new GuardedSolver(Floor.METRIC, 8));
+      run(frame, 10);
+    }
+    assertEquals(30, frame.counts().skipped().get(SkipKind.RESPONSE.key()));
   }
 
   @Test

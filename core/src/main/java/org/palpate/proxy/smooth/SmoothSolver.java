@@ -135,7 +135,7 @@ public final class SmoothSolver implements ProxySolver {
       throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);
     }
     this.metric = metric;
-    shortestMm = Math.min(metric.spacingX(), Math.min(metric.spacingY(), metric.spacingZ()));
+    shortestMm = metric.shortestEdgeMm();
     edges =
         new Vec3(
             metric.spacingX() / shortestMm,

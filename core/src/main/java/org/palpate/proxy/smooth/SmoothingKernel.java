@@ -38,7 +38,7 @@ final class SmoothingKernel {
    * @param widest {@link #FOR_BITS} or {@link #FOR_GREY}, the boxes along the shortest axis
    */
   SmoothingKernel(Metric metric, int widest) {
-    double shortest = Math.min(metric.spacingX(), Math.min(metric.spacingY(), metric.spacingZ()));
+    double shortest = metric.shortestEdgeMm();
     double product = 1;
     for (int axis = 0; axis < 3; axis++) {
       double ratio = spacing(metric, axis) / shortest;
