@@ -4,12 +4,13 @@ import org.palpate.geometry.Vec3;
 
 /**
  * Remembers that no climb from a voxel led nearer to the device, and where each ended. As long as
- * point and device stay in their voxels the same faces stop the same climbs: where the ends, moved
- * along with the device as far as no face stopped them, are no nearer than the point, a search can
- * be skipped.
+ * the point stays in its voxel, and the device in its own along the axes on which a climb came as
+ * far as the device, mostly the same faces stop the same climbs: where the ends, moved along with
+ * the device as far as no face stopped them, are no nearer than the point, a search can be skipped.
  *
- * <p>Nothing rests on it but time: a skipped search leaves the point where it is, and a device that
- * rests is searched for in full before the point does.
+ * <p>Mostly: a climb that would go another way round by now is found only after the point has moved
+ * on, or the device rests. Nothing else rests on it: a skipped search leaves the point where it is,
+ * and a device that rests is searched for in full before the point does.
  */
 final class FruitlessClimbs {
   /** Six directions and three stairs each are 18; more than this are not remembered. */
@@ -27,6 +28,10 @@ final class FruitlessClimbs {
 
   private final Vec3 device = new Vec3();
   private boolean known;
+
+  /** The axes, as bits, along which a climb came as far as the device. */
+  private int reached;
+
   private int count;
   private int i;
   private int j;
@@ -56,6 +61,7 @@ final class FruitlessClimbs {
   void begin(PointVoxel voxel, int newWay, Vec3 newDevice) {
     known = false;
     count = 0;
+    reached = 0;
     way = newWay;
     i = voxel.cell(0);
     j = voxel.cell(1);
@@ -63,14 +69,21 @@ final class FruitlessClimbs {
     device.set(newDevice);
   }
 
-  /** A climb ended at {@code end}, or would at best, too far from the device. */
-  void add(Vec3 end) {
+  /** A climb would at best end at {@code end}, too far from the device, wherever that goes. */
+  void addBest(Vec3 end) {
     if (count < CAPACITY) {
       ends[count].set(end);
       stops[count] =
           stop(end.x, device.x) | stop(end.y, device.y) << 1 | stop(end.z, device.z) << 2;
     }
     count++;
+  }
+
+  /** A climb ended at {@code end}, too far from the device. */
+  void add(Vec3 end) {
+    addBest(end);
+    reached |=
+        (end.x == device.x ? 1 : 0) | (end.y == device.y ? 2 : 0) | (end.z == device.z ? 4 : 0);
   }
 
   private static int stop(double end, double at) {
@@ -88,7 +101,7 @@ final class FruitlessClimbs {
    * @param square of the distance of the point from the device now, mm^2
    */
   boolean holds(PointVoxel voxel, int newWay, Vec3 newDevice, double square) {
-    if (!known || way != newWay || !voxel.isCell(i, j, k) || !isNear(newDevice)) {
+    if (!known || way != newWay || !voxel.isCell(i, j, k) || !isWhereItWas(newDevice)) {
       return false;
     }
     for (int n = 0; n < count; n++) {
@@ -99,10 +112,11 @@ final class FruitlessClimbs {
     return true;
   }
 
-  private boolean isNear(Vec3 now) {
-    return Math.floor(now.x) == Math.floor(device.x)
-        && Math.floor(now.y) == Math.floor(device.y)
-        && Math.floor(now.z) == Math.floor(device.z);
+  /** Whether the device is in the same voxel, along the axes where that matters. */
+  private boolean isWhereItWas(Vec3 now) {
+    return ((reached & 1) == 0 || Math.floor(now.x) == Math.floor(device.x))
+        && ((reached & 2) == 0 || Math.floor(now.y) == Math.floor(device.y))
+        && ((reached & 4) == 0 || Math.floor(now.z) == Math.floor(device.z));
   }
 
   private double nearest(Vec3 end, int stop, Vec3 now) {
@@ -112,7 +126,12 @@ final class FruitlessClimbs {
     return x * x + y * y + z * z;
   }
 
+  /** How far the device is from the end along an axis, beyond the face that stopped it there. */
   private static double left(double end, double at, int stop) {
-    return (stop & 1) != 0 ? Math.max(0, at - end) : (stop & 8) != 0 ? Math.max(0, end - at) : 0;
+    // compared by hand, since Math.max of doubles takes several times as long
+    if ((stop & 1) != 0) {
+      return at > end ? at - end : 0;
+    }
+    return (stop & 8) != 0 && end > at ? end - at : 0;
   }
 }

@@ -253,7 +253,11 @@ public final class GuardedSolver implements ProxySolver {
 
   /** The longest component of the way from the point. */
   private double span(Vec3 to) {
-    return Math.max(Math.abs(to.x - p.x), Math.max(Math.abs(to.y - p.y), Math.abs(to.z - p.z)));
+    double x = Math.abs(to.x - p.x);
+    double y = Math.abs(to.y - p.y);
+    double z = Math.abs(to.z - p.z);
+    double longer = x > y ? x : y; // by hand, since Math.max of doubles takes several times as long
+    return longer > z ? longer : z;
   }
 
   private boolean cutToPathLeft() {
@@ -308,9 +312,11 @@ public final class GuardedSolver implements ProxySolver {
         p.y + share * (target.y - p.y),
         p.z + share * (target.z - p.z));
     end.set(axis, stop);
-    int namedAxis = hit.axis;
+    if (voxel.axisOfWay(target) == axis) {
+      return moveNearer(end, alongSurface); // the voxels up to the hit are known to be free
+    }
     boolean free = isFree(end);
-    hit.axis = namedAxis;
+    hit.axis = axis;
     return free && moveNearer(end, alongSurface);
   }
 
@@ -391,7 +397,7 @@ public final class GuardedSolver implements ProxySolver {
     end.set(device);
     end.set(axis, top);
     if (squareToDevice(end) >= squareBefore) { // were the way on top free for ever
-      fruitless.add(end);
+      fruitless.addBest(end);
       return false;
     }
     end.set(p);

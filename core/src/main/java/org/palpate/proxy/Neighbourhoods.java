@@ -3,15 +3,16 @@ package org.palpate.proxy;
 import java.util.Arrays;
 
 /**
- * Which of a voxel's 26 neighbours are solid, as bits of one word, kept for the voxels last asked
- * for: a point that slides asks for the same few again and again.
+ * Which of a voxel's 26 neighbours are solid, as bits of one word. Windows of 4x4x4 voxels that
+ * start at even numbers are kept, each with the neighbours of 2x2x2 voxels: a point that slides
+ * asks for the same few again and again.
  *
  * <pre>
  *   bit   16 (z + 1) + 4 (y + 1) + (x + 1)     of the neighbour at offset x, y, z, each -1 to 1; others mean nothing
  * </pre>
  *
  * <p>Must be told to forget where a solid changed. Haptic thread only. Cost: a few nanoseconds
- * where the voxel is known; else a {@link Obstacles#window}.
+ * where the window is known; else a {@link Obstacles#window}.
  */
 final class Neighbourhoods {
   /** The bit of the voxel itself; the steps below lead from it to its neighbours. */
@@ -21,11 +22,11 @@ final class Neighbourhoods {
   static final int STEP_Y = 4;
   static final int STEP_Z = 16;
 
-  /** The point's voxel, and those that it climbs to and slides on to from there. */
+  /** Those around the point, and around where it climbs to and slides on to from there. */
   private static final int KEPT = 16;
 
-  /** No voxel's coordinate: its neighbours have none. */
-  private static final int NOWHERE = Integer.MIN_VALUE;
+  /** Odd: no window starts there. */
+  private static final int NOWHERE = 1;
 
   private final int[] x = new int[KEPT];
   private final int[] y = new int[KEPT];
@@ -60,20 +61,22 @@ final class Neighbourhoods {
   /** Forgets all. */
   void forget() {
     Arrays.fill(x, NOWHERE);
-    Arrays.fill(solid, 0); // so far out that a cell number is cut to this one, nothing is solid
   }
 
   /** The solid voxels among (i,j,k) and its neighbours. */
   long around(Obstacles obstacles, int i, int j, int k) {
-    int at = (i + 5 * j + 3 * k) & (KEPT - 1);
+    int fromX = (i - 1) & ~1;
+    int fromY = (j - 1) & ~1;
+    int fromZ = (k - 1) & ~1;
+    int at = ((fromX >> 1) + 5 * (fromY >> 1) + 3 * (fromZ >> 1)) & (KEPT - 1);
     asked++;
-    if (x[at] != i || y[at] != j || z[at] != k || !keeps) {
+    if (x[at] != fromX || y[at] != fromY || z[at] != fromZ || !keeps) {
       looked++;
-      solid[at] = obstacles.window(i - 1, j - 1, k - 1);
-      x[at] = i;
-      y[at] = j;
-      z[at] = k;
+      solid[at] = obstacles.window(fromX, fromY, fromZ);
+      x[at] = fromX;
+      y[at] = fromY;
+      z[at] = fromZ;
     }
-    return solid[at];
+    return solid[at] >>> ((i - 1 & 1) * STEP_X + (j - 1 & 1) * STEP_Y + (k - 1 & 1) * STEP_Z);
   }
 }

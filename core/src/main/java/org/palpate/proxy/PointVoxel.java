@@ -12,6 +12,7 @@ import org.palpate.raycast.RayHit;
  */
 final class PointVoxel {
   private final Neighbourhoods neighbourhoods;
+  private final boolean keeps;
   private Obstacles obstacles;
   private Vec3 p;
   private int i;
@@ -25,6 +26,7 @@ final class PointVoxel {
 
   /** In no voxel yet; {@code keeps} says whether neighbours are kept. */
   PointVoxel(boolean keeps) {
+    this.keeps = keeps;
     neighbourhoods = new Neighbourhoods(keeps);
   }
 
@@ -36,19 +38,23 @@ final class PointVoxel {
   /** Forgets what was solid, since that may have changed. */
   void forget() {
     neighbourhoods.forget();
+    knowsNear = false;
   }
 
   /** Sets the point, after it moved. */
   void locate(Obstacles solids, Vec3 point) {
     if (solids != obstacles) {
-      neighbourhoods.forget();
+      forget();
     }
     obstacles = solids;
     p = point;
-    i = (int) Math.floor(point.x);
-    j = (int) Math.floor(point.y);
-    k = (int) Math.floor(point.z);
-    knowsNear = false;
+    int newI = (int) Math.floor(point.x);
+    int newJ = (int) Math.floor(point.y);
+    int newK = (int) Math.floor(point.z);
+    knowsNear = knowsNear && keeps && isCell(newI, newJ, newK);
+    i = newI;
+    j = newJ;
+    k = newK;
   }
 
   /** The voxel's coordinate along an axis. */

@@ -18,6 +18,7 @@ class SolverSkipsTest {
   private static final double MAX_STEP_MM = 8;
   private static final int FRAMES = 20_000;
   private static final int EDGE = 48;
+  private static final SolverSkips NOTHING = new SolverSkips(false, false, false, false);
 
   private final BitCube bits = Phantom.parse("sphere:" + EDGE).segments().segments().get(0).bits();
 
@@ -31,11 +32,7 @@ class SolverSkipsTest {
     double[] way = new double[3 * FRAMES];
     for (int frame = 0; frame < FRAMES; frame++) {
       if (random.nextInt(4) != 0) {
-        double step = random.nextInt(50) == 0 ? 40 : 0.3;
-        device.set(
-            inside(device.x + step * (random.nextDouble() - 0.49)),
-            inside(device.y + step * (random.nextDouble() - 0.49)),
-            inside(device.z + step * (random.nextDouble() - 0.49)));
+        wander(device, random);
       }
       solver.follow(obstacles, device, point);
       for (int axis = 0; axis < 3; axis++) {
@@ -43,6 +40,14 @@ class SolverSkipsTest {
       }
     }
     return way;
+  }
+
+  private static void wander(Vec3 device, SplittableRandom random) {
+    double step = random.nextInt(50) == 0 ? 40 : 0.3;
+    device.set(
+        inside(device.x + step * (random.nextDouble() - 0.49)),
+        inside(device.y + step * (random.nextDouble() - 0.49)),
+        inside(device.z + step * (random.nextDouble() - 0.49)));
   }
 
   private static double inside(double coordinate) {
@@ -58,8 +63,8 @@ class SolverSkipsTest {
   @Test
   void whatIsSkippedLeadsThePointNowhereElse() {
     double[] expected = wayOf(new GuardedSolver(METRIC, MAX_STEP_MM));
-    for (int off = 0; off < 4; off++) {
-      SolverSkips skips = new SolverSkips(off != 0, off != 1, off != 2, off != 3);
+    for (int off = 0; off < 3; off++) {
+      SolverSkips skips = new SolverSkips(off != 0, off != 1, true, off != 2);
       double[] way = wayOf(new GuardedSolver(METRIC, MAX_STEP_MM, skips));
       for (int n = 0; n < way.length; n++) {
         assertEquals(expected[n], way[n], skips + " seed=" + SEED + " frame=" + n / 3);
@@ -68,11 +73,34 @@ class SolverSkipsTest {
   }
 
   @Test
+  void aPointAtRestHasSkippedNoClimbThatLeadsNearer() {
+    SplittableRandom random = new SplittableRandom(SEED);
+    Obstacles obstacles = new Obstacles(List.of(bits));
+    GuardedSolver solver = new GuardedSolver(METRIC, MAX_STEP_MM);
+    InteractionPoint point = new InteractionPoint();
+    InteractionPoint other = new InteractionPoint();
+    Vec3 device = new Vec3(1.5, 1.5, 1.5);
+    point.position.set(device);
+    for (int rest = 0; rest < 3 * FRAMES; rest++) {
+      for (int frame = 0; frame < 3; frame++) {
+        wander(device, random);
+        solver.follow(obstacles, device, point);
+      }
+      do {
+        solver.follow(obstacles, device, point);
+      } while (point.legs.count() > 0);
+      solver.follow(obstacles, device, point);
+      other.position.set(point.position);
+      new GuardedSolver(METRIC, MAX_STEP_MM, NOTHING).follow(obstacles, device, other);
+      assertEquals(0, other.legs.count(), "seed=" + SEED + " rest=" + rest + " " + point.position);
+    }
+  }
+
+  @Test
   void countsWhatItSkipsAndNothingWhereItDoesNot() {
     GuardedSolver skips = new GuardedSolver(METRIC, MAX_STEP_MM);
     wayOf(skips);
-    SolverSkips nothing = new SolverSkips(false, false, false, false);
-    GuardedSolver skipsNothing = new GuardedSolver(METRIC, MAX_STEP_MM, nothing);
+    GuardedSolver skipsNothing = new GuardedSolver(METRIC, MAX_STEP_MM, NOTHING);
     wayOf(skipsNothing);
     for (SkipKind kind :
         List.of(SkipKind.EMPTY_BRICKS, SkipKind.NEIGHBOURS, SkipKind.CLIMBS, SkipKind.REST)) {

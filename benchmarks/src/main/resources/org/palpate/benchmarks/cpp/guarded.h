@@ -1,5 +1,5 @@
-// The guarded frame of the C++ twin: follows GuardedSolver, PointVoxel, Neighbourhoods and
-// FruitlessClimbs step by step. Spacing 1, one cube.
+// The guarded frame of the C++ twin: follows GuardedSolver, PointVoxel,
+// Neighbourhoods and FruitlessClimbs step by step. Spacing 1, one cube.
 #pragma once
 #include <cstring>
 
@@ -37,37 +37,42 @@ struct Guarded {
   Vec legFrom[kLegs], legTo[kLegs];
   double legLengths[kLegs];
   bool legSlid[kLegs];
-  int keptCell[16][3];
+  int keptFrom[16][3];
   uint64_t kept[16];
   // fruitless climbs
   bool known = false;
-  int endCount = 0, endStops[24], fromCell[3], way = 0;
+  int endCount = 0, reached = 0, endStops[24], fromCell[3], way = 0;
   Vec ends[24], climbDevice{};
 
   Guarded(const Cube& c, double step) : cube(c), maxStep(step) { reset(); }
 
   void reset() {
-    rests = known = false;
-    for (int n = 0; n < 16; n++) {
-      keptCell[n][0] = std::numeric_limits<int>::min();
-      kept[n] = 0;
-    }
+    rests = known = knowsNear = false;
+    for (int n = 0; n < 16; n++) keptFrom[n][0] = 1;  // odd: no window starts there
   }
 
   void locate() {
-    for (int a = 0; a < 3; a++) cell[a] = floorInt(p.c[a]);
-    knowsNear = false;
+    for (int a = 0; a < 3; a++) {
+      int at = floorInt(p.c[a]);
+      knowsNear &= at == cell[a];
+      cell[a] = at;
+    }
   }
 
   uint64_t solidNear() {
     if (!knowsNear) {
       knowsNear = true;
-      int n = (cell[0] + 5 * cell[1] + 3 * cell[2]) & 15;
-      if (std::memcmp(keptCell[n], cell, sizeof cell) != 0) {
-        kept[n] = cube.window(cell[0] - 1, cell[1] - 1, cell[2] - 1);
-        std::memcpy(keptCell[n], cell, sizeof cell);
+      int from[3], shift = 0;
+      for (int a = 0; a < 3; a++) {
+        from[a] = (cell[a] - 1) & ~1;
+        shift += ((cell[a] - 1) & 1) * kSteps[a];
       }
-      near_ = kept[n];
+      int n = ((from[0] >> 1) + 5 * (from[1] >> 1) + 3 * (from[2] >> 1)) & 15;
+      if (std::memcmp(keptFrom[n], from, sizeof from) != 0) {
+        kept[n] = cube.window(from[0], from[1], from[2]);
+        std::memcpy(keptFrom[n], from, sizeof from);
+      }
+      near_ = kept[n] >> shift;
     }
     return near_;
   }
@@ -172,6 +177,7 @@ struct Guarded {
     double share = (stopAt - p.c[a]) / (target.c[a] - p.c[a]);
     for (int b = 0; b < 3; b++) end.c[b] = p.c[b] + share * (target.c[b] - p.c[b]);
     end.c[a] = stopAt;
+    if (axisOfWay(target) == a) return moveNearer(end, slid);
     bool free = isFree(end);
     hit.axis = a;
     return free && moveNearer(end, slid);
@@ -193,8 +199,7 @@ struct Guarded {
         return false;
       }
       double span = 0;
-      for (int a = 0; a < 3; a++)
-        span = std::max(span, std::fabs(target.c[a] - p.c[a]));
+      for (int a = 0; a < 3; a++) span = std::max(span, std::fabs(target.c[a] - p.c[a]));
       steps += (int)(std::min(64.0, span) / 8);
       if (isFree(target)) {
         outOfPath |= cut;
@@ -209,13 +214,12 @@ struct Guarded {
   bool arrived() const { return p == device; }
   void descend(int held) {
     bool on = true;
-    while (on && !outOfPath && !arrived() && !(held == 0 && hasWorkedEnough()))
-      on = slide(held);
+    while (on && !outOfPath && !arrived() && !(held == 0 && hasWorkedEnough())) on = slide(held);
   }
   bool hasWorkedEnough() const { return steps > 40 && legCount > 0; }
   bool isFar(double sq) const { return sq > kFarVoxels * kFarVoxels; }
 
-  void addEnd(const Vec& e) {
+  void addBest(const Vec& e) {
     if (endCount < 24) {
       ends[endCount] = e;
       int s = 0;
@@ -225,10 +229,14 @@ struct Guarded {
     }
     endCount++;
   }
+  void addEnd(const Vec& e) {
+    addBest(e);
+    for (int a = 0; a < 3; a++) reached |= (e.c[a] == climbDevice.c[a]) << a;
+  }
   bool holds(int newWay, double sq) const {
     if (!known || way != newWay || std::memcmp(fromCell, cell, sizeof cell) != 0) return false;
     for (int a = 0; a < 3; a++)
-      if (std::floor(device.c[a]) != std::floor(climbDevice.c[a])) return false;
+      if (reached >> a & 1 && std::floor(device.c[a]) != std::floor(climbDevice.c[a])) return false;
     for (int n = 0; n < endCount; n++) {
       double left[3];
       for (int a = 0; a < 3; a++) {
@@ -252,7 +260,7 @@ struct Guarded {
       return false;
     }
     known = false;
-    endCount = 0;
+    endCount = reached = 0;
     way = newWay;
     std::memcpy(fromCell, cell, sizeof cell);
     climbDevice = device;
@@ -286,7 +294,7 @@ struct Guarded {
     end = device;
     end.c[a] = top;
     if (square(end, device) >= before) {
-      addEnd(end);
+      addBest(end);
       return false;
     }
     end = p;
