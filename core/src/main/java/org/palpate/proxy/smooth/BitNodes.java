@@ -21,6 +21,10 @@ final class BitNodes implements NodeSource {
   private final BitWindow window = new BitWindow();
   private final long[] sumsOfRow = new long[1 << BitWindow.EDGE];
   private final long[] rowsTwice = new long[SUMS];
+
+  /** What a layer of solid voxels alone adds, to each node alike. */
+  private final long wholeLayer;
+
   private final long[][] layersTwice = new long[3][SUMS];
   private final AxisTaps alongY;
   private final AxisTaps alongZ;
@@ -36,6 +40,8 @@ final class BitNodes implements NodeSource {
     for (int row = 0; row <= ROW_MASK; row++) {
       sumsOfRow[row] = sumsOf(row);
     }
+    sumLayer(BitWindow.ROW_MASK, BitWindow.ROW_MASK, BitWindow.ROW_MASK);
+    wholeLayer = alongY.weigh(rowsTwice, 0);
   }
 
   private long sumsOf(int row) {
@@ -84,7 +90,11 @@ final class BitNodes implements NodeSource {
       long a = reached[BitWindow.WORDS * z];
       long b = reached[BitWindow.WORDS * z + 1];
       long c = reached[BitWindow.WORDS * z + 2];
-      if ((a & b & c) != BitWindow.ROW_MASK) {
+      if ((a | b | c) == 0) {
+        once0 += wholeLayer;
+        once1 += wholeLayer;
+        once2 += wholeLayer;
+      } else if ((a & b & c) != BitWindow.ROW_MASK) {
         sumLayer(~a, ~b, ~c);
         once0 += alongY.weigh(rowsTwice, 0);
         once1 += alongY.weigh(rowsTwice, 1);

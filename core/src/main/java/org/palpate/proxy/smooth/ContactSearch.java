@@ -47,6 +47,9 @@ final class ContactSearch {
   /** A step that leaves more than this share of the offset makes the next ones shorter. */
   private static final double SLOW_SHARE = 0.7;
 
+  /** Offsets below this are no way to anywhere. */
+  private static final double LEAST_OFFSET_EDGES = 1e-12;
+
   private static final double LEAST_DAMPING = 0.25;
 
   /** Keeps the tangential system positive definite near centres of curvature. */
@@ -63,9 +66,6 @@ final class ContactSearch {
   /** The height of the visited point over the level, edges. */
   double heightEdges;
 
-  /** The tangential distance from the visited point to the foot of the device, edges. */
-  double offsetEdges;
-
   private final SmoothField field;
   private final SurfaceLevel level;
   private final Vec3 edges;
@@ -77,6 +77,9 @@ final class ContactSearch {
   private double slope;
   private double edgesAShare;
   private double depth;
+
+  /** The square of the tangential distance from the visited point to the foot of the device. */
+  private double offsetSquare;
 
   ContactSearch(SmoothField field, SurfaceLevel level, Vec3 edges) {
     this.field = field;
@@ -93,8 +96,8 @@ final class ContactSearch {
   int search(Vec3 start, Vec3 device) {
     at.set(start);
     double damping = 1;
-    double lastOffset = Double.POSITIVE_INFINITY;
-    double tolerance = 0;
+    double lastSquare = Double.POSITIVE_INFINITY;
+    double tolerance = 0; // a square, as all offsets here
     for (int n = 0; n < MOST_STEPS; n++) {
       field.evaluate(at.x, at.y, at.z);
       if (!findNormal() || heightEdges < -DEEPEST_EDGES) {
@@ -103,16 +106,19 @@ final class ContactSearch {
       if (!project(device)) {
         return OUTSIDE;
       }
-      if (offsetEdges <= tolerance && Math.abs(heightEdges) <= tolerance) {
+      if (offsetSquare <= tolerance && heightEdges * heightEdges <= tolerance) {
         return FOUND;
       }
-      if (offsetEdges > SLOW_SHARE * lastOffset) {
+      if (offsetSquare > SLOW_SHARE * SLOW_SHARE * lastSquare) {
         damping = Math.max(LEAST_DAMPING, damping / 2);
       }
       if (n == 0) {
-        tolerance = Math.max(TOLERANCE_EDGES, TOLERANCE_SHARE * offsetEdges);
+        tolerance =
+            Math.max(
+                TOLERANCE_EDGES * TOLERANCE_EDGES,
+                TOLERANCE_SHARE * TOLERANCE_SHARE * offsetSquare);
       }
-      lastOffset = offsetEdges;
+      lastSquare = offsetSquare;
       findStep(damping);
       if (leavesReach(start) && n > 0) {
         return FAR;
@@ -158,13 +164,13 @@ final class ContactSearch {
         toDevice.x - along * normal.x,
         toDevice.y - along * normal.y,
         toDevice.z - along * normal.z);
-    offsetEdges = tangent.length();
+    offsetSquare = tangent.dot(tangent);
     return depth > 0;
   }
 
   private void findStep(double damping) {
     double bend = 0;
-    if (offsetEdges > 1e-12) {
+    if (offsetSquare > LEAST_OFFSET_EDGES * LEAST_OFFSET_EDGES) {
       bend = curvedStep(damping);
     } else {
       step.set(0, 0, 0);
@@ -173,12 +179,14 @@ final class ContactSearch {
     step.set(step.x + drop * normal.x, step.y + drop * normal.y, step.z + drop * normal.z);
   }
 
-  /** Writes the tangential step; returns how much the surface falls off along it. */
+  /**
+   * Writes the tangential step; returns how much the surface falls off along it. In the basis of
+   * the way to the foot, a, and of b, as long and at right angles to it: neither is made a unit.
+   */
   private double curvedStep(double damping) {
-    double perEdge = 1 / offsetEdges;
-    double ax = tangent.x * perEdge;
-    double ay = tangent.y * perEdge;
-    double az = tangent.z * perEdge;
+    double ax = tangent.x;
+    double ay = tangent.y;
+    double az = tangent.z;
     double bx = normal.y * az - normal.z * ay;
     double by = normal.z * ax - normal.x * az;
     double bz = normal.x * ay - normal.y * ax;
@@ -188,17 +196,17 @@ final class ContactSearch {
     double hbx = field.hxx * bx + field.hxy * by + field.hxz * bz;
     double hby = field.hxy * bx + field.hyy * by + field.hyz * bz;
     double hbz = field.hxz * bx + field.hyz * by + field.hzz * bz;
-    double curvatureA = -(ax * hax + ay * hay + az * haz) * edgesAShare;
-    double curvatureAb = -(bx * hax + by * hay + bz * haz) * edgesAShare;
-    double curvatureB = -(bx * hbx + by * hby + bz * hbz) * edgesAShare;
-    double diagonalA = Math.max(LEAST_DIAGONAL, 1 - depth * curvatureA);
-    double diagonalB = Math.max(LEAST_DIAGONAL, 1 - depth * curvatureB);
+    double toCurvature = -edgesAShare / offsetSquare;
+    double curvatureA = (ax * hax + ay * hay + az * haz) * toCurvature;
+    double curvatureAb = (bx * hax + by * hay + bz * haz) * toCurvature;
+    double curvatureB = (bx * hbx + by * hby + bz * hbz) * toCurvature;
+    double diagonalA = atLeast(LEAST_DIAGONAL, 1 - depth * curvatureA);
+    double diagonalB = atLeast(LEAST_DIAGONAL, 1 - depth * curvatureB);
     double coupling = within(-depth * curvatureAb, MOST_COUPLING_SQUARED * diagonalA * diagonalB);
-    double determinant = diagonalA * diagonalB - coupling * coupling;
-    double share = damping * offsetEdges / determinant;
+    double share = damping / (diagonalA * diagonalB - coupling * coupling);
     double alongA = share * diagonalB;
     double alongB = -share * coupling;
-    double squared = alongA * alongA + alongB * alongB;
+    double squared = (alongA * alongA + alongB * alongB) * offsetSquare;
     if (squared > LONGEST_STEP_EDGES * LONGEST_STEP_EDGES) {
       double shorter = LONGEST_STEP_EDGES / Math.sqrt(squared);
       alongA *= shorter;
@@ -206,6 +214,7 @@ final class ContactSearch {
     }
     step.set(ax * alongA + bx * alongB, ay * alongA + by * alongB, az * alongA + bz * alongB);
     return 0.5
+        * offsetSquare
         * (curvatureA * alongA * alongA
             + 2 * curvatureAb * alongA * alongB
             + curvatureB * alongB * alongB);
@@ -230,7 +239,13 @@ final class ContactSearch {
     return value * value <= squared ? value : Math.copySign(Math.sqrt(squared), value);
   }
 
+  // By comparisons that are foreseen: Math.min and max of doubles wait for their numbers.
+
   private static double clamp(double value, double limit) {
-    return Math.max(-limit, Math.min(limit, value));
+    return Math.abs(value) <= limit ? value : Math.copySign(limit, value);
+  }
+
+  private static double atLeast(double least, double value) {
+    return value >= least ? value : least;
   }
 }

@@ -328,8 +328,10 @@ public final class SmoothSolver implements ProxySolver {
     field.seed(p.x, p.y, p.z);
     field.evaluate(p.x, p.y, p.z);
     double over = overLevel();
-    double weighed = over > 0 ? -LIFT_WEIGHT * over : DEPTH_WEIGHT * Math.min(DEEPEST_EDGES, -over);
-    return farEdges + weighed;
+    if (over > 0) {
+      return farEdges - LIFT_WEIGHT * over;
+    }
+    return farEdges + DEPTH_WEIGHT * (over > -DEEPEST_EDGES ? -over : DEEPEST_EDGES);
   }
 
   private double distanceEdges(Vec3 from, Vec3 to) {
