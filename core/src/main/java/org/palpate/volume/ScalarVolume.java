@@ -41,6 +41,9 @@ public abstract class ScalarVolume {
     }
   }
 
+  /** How many voxels {@link #levels} reads. */
+  public static final int LEVELS = 8;
+
   private final VoxelGrid grid;
   private final Storage storage;
   final int sizeX;
@@ -119,6 +122,12 @@ public abstract class ScalarVolume {
   /** The value of voxel (i,j,k), which must lie in the grid. */
   public abstract double value(int i, int j, int k);
 
+  /**
+   * The levels of {@link #LEVELS} voxels from (i,j,k) on along a row, all in the grid: a byte each,
+   * the first in the lowest. For who reads many: several times as fast as {@link #value}.
+   */
+  public abstract long levels(int i, int j, int k, GreyLevels scale);
+
   /** Stores a value, rounded and held to the storage's range, at voxel (i,j,k) of the grid. */
   public abstract void set(int i, int j, int k, double value);
 
@@ -145,6 +154,17 @@ public abstract class ScalarVolume {
     }
 
     @Override
+    public long levels(int i, int j, int k, GreyLevels scale) {
+      byte[] slice = slices[k];
+      int from = indexInSlice(i, j, k);
+      long levels = 0;
+      for (int n = 0; n < LEVELS; n++) {
+        levels |= (long) scale.ofWhole(slice[from + n] & 0xff) << (8 * n);
+      }
+      return levels;
+    }
+
+    @Override
     public void set(int i, int j, int k, double value) {
       slices[k][indexInSlice(i, j, k)] = (byte) super.nearestWhole(value);
     }
@@ -166,6 +186,17 @@ public abstract class ScalarVolume {
     }
 
     @Override
+    public long levels(int i, int j, int k, GreyLevels scale) {
+      short[] slice = slices[k];
+      int from = indexInSlice(i, j, k);
+      long levels = 0;
+      for (int n = 0; n < LEVELS; n++) {
+        levels |= (long) scale.ofWhole(slice[from + n] & mask) << (8 * n);
+      }
+      return levels;
+    }
+
+    @Override
     public void set(int i, int j, int k, double value) {
       slices[k][indexInSlice(i, j, k)] = (short) super.nearestWhole(value);
     }
@@ -182,6 +213,17 @@ public abstract class ScalarVolume {
     @Override
     public double value(int i, int j, int k) {
       return slices[k][indexInSlice(i, j, k)];
+    }
+
+    @Override
+    public long levels(int i, int j, int k, GreyLevels scale) {
+      float[] slice = slices[k];
+      int from = indexInSlice(i, j, k);
+      long levels = 0;
+      for (int n = 0; n < LEVELS; n++) {
+        levels |= (long) scale.of(slice[from + n]) << (8 * n);
+      }
+      return levels;
     }
 
     @Override

@@ -27,6 +27,7 @@ final class BitWindow {
   private static final int AREA_BRICKS = 4;
   private static final int AREA_EDGE = 16;
   static final long ROW_MASK = 0x0FFF_0FFF_0FFF_0FFFL;
+  private static final int ROW_OF_WORD = 0x0FFF;
 
   private final long[] area = new long[AREA_EDGE * AREA_BRICKS];
   private int areaX;
@@ -157,6 +158,17 @@ final class BitWindow {
   /** Whether the voxel (x,y,z) of the window is empty. */
   boolean isFree(int x, int y, int z) {
     return (free[z * WORDS + (y >> 2)] >>> ((y & 3) << 4 | x) & 1) != 0;
+  }
+
+  /** Whether some empty voxels do not count as reached. */
+  boolean anyUnreached() {
+    return inside != free && !isAllReached();
+  }
+
+  /** The empty voxels of a row that do not count as reached, a bit a voxel. */
+  int unreachedOfRow(int y, int z) {
+    int word = z * WORDS + (y >> 2);
+    return (int) ((free[word] & ~inside[word]) >>> ((y & 3) << 4)) & ROW_OF_WORD;
   }
 
   /** The voxels that count as reached, as words; good until the next {@link #load}. */

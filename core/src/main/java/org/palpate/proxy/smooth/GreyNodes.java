@@ -1,35 +1,45 @@
 package org.palpate.proxy.smooth;
 
 import org.palpate.proxy.Obstacles;
-import org.palpate.volume.VoxelGrid;
 
 /**
  * Corner values from grey values where the bits are what a threshold made of them, and from the
  * bits where an edit changed them: a voxel that is solid against its grey value is wholly solid,
  * one that is empty against it wholly empty.
+ *
+ * <p>Shares are whole numbers to {@link ShareRows#WHOLE}; four are weighed at a time, side by side
+ * in a word.
  */
 final class GreyNodes implements NodeSource {
   /** Voxels along an edge of the window that is weighed. */
-  private static final int EDGE = 8;
+  private static final int EDGE = ShareRows.EDGE;
 
   /** From the low voxel of the window of bits to that of the window that is weighed. */
   private static final int INSET = (BitWindow.EDGE - EDGE) / 2;
 
   private static final int TO_MIDDLE = BitWindow.EDGE / 2;
 
-  /** The share at the threshold. */
-  private static final double HALF = 0.5;
+  private static final int FIRST_TAP = (SmoothingKernel.TAPS - 6) / 2;
 
-  private static final int TAPS = 6;
-  private static final int FIRST_TAP = (SmoothingKernel.TAPS - TAPS) / 2;
+  /**
+   * Every other byte: four lanes of 16 bits. Relies on taps of two axes adding up to 257 at most.
+   */
+  private static final long EVEN_BYTES = 0x00FF_00FF_00FF_00FFL;
+
+  private static final int LANE = 0xFFFF;
 
   private final SmoothingKernel kernel;
-  private final ShareCache shares;
-  private final VoxelGrid grid;
+  private final ShareRows shares;
   private final BitWindow window = new BitWindow();
-  private final double[] row = new double[EDGE];
-  private final double[] alongX = new double[3 * EDGE];
-  private final double[] alongXy = new double[9 * EDGE];
+  private final double scale;
+
+  /** The shares of the window, a row a word, y fastest. */
+  private final long[] rows = new long[EDGE * EDGE];
+
+  /** Weighed along z, for each of three nodes: a row of even voxels, one of odd ones, y fastest. */
+  private final long[] even = new long[3 * EDGE];
+
+  private final long[] odd = new long[3 * EDGE];
   private int lowX;
   private int lowY;
   private int lowZ;
@@ -37,8 +47,8 @@ final class GreyNodes implements NodeSource {
 
   GreyNodes(SmoothingKernel kernel, LiveGrey grey) {
     this.kernel = kernel;
-    shares = new ShareCache(grey);
-    grid = grey.grid();
+    shares = new ShareRows(grey);
+    scale = kernel.scale() / ShareRows.WHOLE;
   }
 
   @Override
@@ -53,61 +63,80 @@ final class GreyNodes implements NodeSource {
       return false;
     }
     window.floodFrom(seedX - lowX, seedY - lowY, seedZ - lowZ);
-    for (int k = 0; k < EDGE; k++) {
-      sumLayer(k);
+    shares.read(obstacles, lowX + INSET, lowY + INSET, lowZ + INSET, rows);
+    if (window.anyUnreached()) {
+      fillUnreached();
     }
-    for (int n = 0; n < 9; n++) {
-      for (int z3 = 0; z3 < 3; z3++) {
-        nodes[9 * z3 + n] = weigh(2, alongXy, EDGE * n + z3) * kernel.scale();
-      }
+    weighAlongZ();
+    for (int node = 0; node < 9; node++) {
+      int at = node / 3 * EDGE;
+      weighAlongX(weigh(1, even, at, 1, node % 3), weigh(1, odd, at, 1, node % 3), 3 * node, nodes);
     }
     return true;
   }
 
-  private void sumLayer(int k) {
-    for (int j = 0; j < EDGE; j++) {
-      readRow(j, k);
-      for (int x = 0; x < 3; x++) {
-        alongX[EDGE * x + j] = weigh(0, row, x);
-      }
-    }
-    for (int x = 0; x < 3; x++) {
-      for (int y = 0; y < 3; y++) {
-        alongXy[EDGE * (3 * y + x) + k] = weigh(1, alongX, EDGE * x + y);
+  /** What cannot be reached counts as wholly solid. */
+  private void fillUnreached() {
+    for (int k = 0; k < EDGE; k++) {
+      for (int j = 0; j < EDGE; j++) {
+        rows[EDGE * k + j] |=
+            ShareRows.bytesOf(window.unreachedOfRow(j + INSET, k + INSET) >>> INSET & 0xFF);
       }
     }
   }
 
-  private double weigh(int axis, double[] values, int from) {
-    return kernel.tap(axis, FIRST_TAP) * (values[from] + values[from + 5])
-        + kernel.tap(axis, FIRST_TAP + 1) * (values[from + 1] + values[from + 4])
-        + kernel.tap(axis, FIRST_TAP + 2) * (values[from + 2] + values[from + 3]);
-  }
-
-  private void readRow(int j, int k) {
-    int y = j + INSET;
-    int z = k + INSET;
-    for (int i = 0; i < EDGE; i++) {
-      int x = i + INSET;
-      if (window.isFree(x, y, z)) {
-        row[i] = window.isReached(x, y, z) ? shareOfEmpty(x, y, z) : 1;
-      } else {
-        row[i] = shareOfSolid(x, y, z);
+  private void weighAlongZ() {
+    for (int node = 0; node < 3; node++) {
+      for (int j = 0; j < EDGE; j++) {
+        even[EDGE * node + j] = weighEven(j, node);
+        odd[EDGE * node + j] = weighOdd(j, node);
       }
     }
   }
 
-  private double shareOfEmpty(int x, int y, int z) {
-    if (!grid.contains(lowX + x, lowY + y, lowZ + z)) {
-      return 0;
-    }
-    double share = shares.share(lowX + x, lowY + y, lowZ + z);
-    return share <= HALF ? share : 0;
+  private long weighEven(int j, int node) {
+    int at = EDGE * node + j;
+    return kernel.tap(2, FIRST_TAP) * ((rows[at] & EVEN_BYTES) + (rows[at + 5 * EDGE] & EVEN_BYTES))
+        + kernel.tap(2, FIRST_TAP + 1)
+            * ((rows[at + EDGE] & EVEN_BYTES) + (rows[at + 4 * EDGE] & EVEN_BYTES))
+        + kernel.tap(2, FIRST_TAP + 2)
+            * ((rows[at + 2 * EDGE] & EVEN_BYTES) + (rows[at + 3 * EDGE] & EVEN_BYTES));
   }
 
-  private double shareOfSolid(int x, int y, int z) {
-    double share = shares.share(lowX + x, lowY + y, lowZ + z);
-    return share >= HALF ? share : 1;
+  private long weighOdd(int j, int node) {
+    int at = EDGE * node + j;
+    return kernel.tap(2, FIRST_TAP)
+            * ((rows[at] >>> 8 & EVEN_BYTES) + (rows[at + 5 * EDGE] >>> 8 & EVEN_BYTES))
+        + kernel.tap(2, FIRST_TAP + 1)
+            * ((rows[at + EDGE] >>> 8 & EVEN_BYTES) + (rows[at + 4 * EDGE] >>> 8 & EVEN_BYTES))
+        + kernel.tap(2, FIRST_TAP + 2)
+            * ((rows[at + 2 * EDGE] >>> 8 & EVEN_BYTES) + (rows[at + 3 * EDGE] >>> 8 & EVEN_BYTES));
+  }
+
+  /** The weighed sum of six values, lane by lane. */
+  private long weigh(int axis, long[] values, int at, int stride, int node) {
+    int from = at + stride * node;
+    return kernel.tap(axis, FIRST_TAP) * (values[from] + values[from + 5 * stride])
+        + kernel.tap(axis, FIRST_TAP + 1) * (values[from + stride] + values[from + 4 * stride])
+        + kernel.tap(axis, FIRST_TAP + 2) * (values[from + 2 * stride] + values[from + 3 * stride]);
+  }
+
+  /** Three nodes of a row whose even and odd voxels are lanes. */
+  private void weighAlongX(long evenLanes, long oddLanes, int at, double[] nodes) {
+    int v0 = (int) evenLanes & LANE;
+    int v1 = (int) oddLanes & LANE;
+    int v2 = (int) (evenLanes >>> 16) & LANE;
+    int v3 = (int) (oddLanes >>> 16) & LANE;
+    int v4 = (int) (evenLanes >>> 32) & LANE;
+    int v5 = (int) (oddLanes >>> 32) & LANE;
+    int v6 = (int) (evenLanes >>> 48);
+    int v7 = (int) (oddLanes >>> 48);
+    int outer = kernel.tap(0, FIRST_TAP);
+    int middle = kernel.tap(0, FIRST_TAP + 1);
+    int inner = kernel.tap(0, FIRST_TAP + 2);
+    nodes[at] = scale * (outer * (v0 + v5) + middle * (v1 + v4) + inner * (v2 + v3));
+    nodes[at + 1] = scale * (outer * (v1 + v6) + middle * (v2 + v5) + inner * (v3 + v4));
+    nodes[at + 2] = scale * (outer * (v2 + v7) + middle * (v3 + v6) + inner * (v4 + v5));
   }
 
   @Override

@@ -8,16 +8,29 @@ import org.palpate.proxy.Obstacles;
 
 /**
  * The smoothed field as its definition has it: every voxel that cannot be reached inside the window
- * adds the convolution of two boxes of voxels and a quadratic B-spline, axis by axis.
+ * adds its share times the convolution of two boxes of voxels and a quadratic B-spline, axis by
+ * axis.
  */
 final class NaiveField {
   private final Obstacles obstacles;
   private final int[][] boxes;
+  private final Share share;
+
+  /** The share of solid of a voxel that is solid or that can be reached. */
+  interface Share {
+    double of(int i, int j, int k, boolean isSolid);
+  }
 
   /** The field for the two box widths along each axis. */
   NaiveField(Obstacles obstacles, int[][] boxes) {
+    this(obstacles, boxes, (i, j, k, isSolid) -> isSolid ? 1 : 0);
+  }
+
+  /** The field of shares; what cannot be reached is wholly solid. */
+  NaiveField(Obstacles obstacles, int[][] boxes, Share share) {
     this.obstacles = obstacles;
     this.boxes = boxes;
+    this.share = share;
   }
 
   /** The value at a point as seen from the cell of the seed. */
@@ -28,9 +41,13 @@ final class NaiveField {
     for (int k = low[2]; k < low[2] + 12; k++) {
       for (int j = low[1]; j < low[1] + 12; j++) {
         for (int i = low[0]; i < low[0] + 12; i++) {
-          if (!reached.contains(List.of(i, j, k))) {
-            sum += weight(0, x - i - 0.5) * weight(1, y - j - 0.5) * weight(2, z - k - 0.5);
-          }
+          boolean isSolid = obstacles.isSolid(i, j, k);
+          boolean isLost = !isSolid && !reached.contains(List.of(i, j, k));
+          sum +=
+              (isLost ? 1 : share.of(i, j, k, isSolid))
+                  * weight(0, x - i - 0.5)
+                  * weight(1, y - j - 0.5)
+                  * weight(2, z - k - 0.5);
         }
       }
     }
