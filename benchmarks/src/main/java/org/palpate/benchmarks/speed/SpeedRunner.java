@@ -22,7 +22,7 @@ import org.openjdk.jmh.runner.options.VerboseMode;
  */
 final class SpeedRunner {
   private static final TimeValue QUICK_ITERATION = TimeValue.milliseconds(250);
-  private static final TimeValue ITERATION = TimeValue.seconds(1);
+  private static final TimeValue ITERATION = TimeValue.milliseconds(300);
 
   private final boolean quick;
   private final String data;
