@@ -27,6 +27,15 @@ public final class OutputOptions {
     return Optional.ofNullable(report);
   }
 
+  /**
+   * The folder that {@code --out} names, for commands that leave many files; it may be made later.
+   *
+   * @throws PalpateException exit code 2, where a file stands in its place
+   */
+  public Path checked(Path folder) {
+    return Outputs.checkedFolder("--out", folder);
+  }
+
   public boolean debug() {
     return debug;
   }

@@ -39,6 +39,18 @@ final class Outputs {
   }
 
   /**
+   * The folder, which may be made later, once it is known that no file stands in its place.
+   *
+   * @throws PalpateException exit code 2
+   */
+  static Path checkedFolder(String option, Path folder) {
+    if (Files.exists(folder) && !Files.isDirectory(folder)) {
+      throw wrong("not a folder", option, folder, "name a new folder");
+    }
+    return folder;
+  }
+
+  /**
    * Refuses two outputs in one file.
    *
    * @throws PalpateException exit code 2

@@ -158,6 +158,7 @@ public final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
+    output.checked(folder);
     List<SpeedStudy> speeds = speedStudies();
     Attack attack = attack();
     Path data = dataOfTable1();

@@ -117,9 +117,7 @@ public final class JitterCommand implements Callable<Integer> {
     check(seconds == null || seconds >= 1, "--seconds " + seconds, "give seconds from 1");
     check(heapMb >= LEAST_HEAP_MB, "--heap " + heapMb, "give a heap from " + LEAST_HEAP_MB + " MB");
     check(minutes == null || minutes >= 0, "--minutes " + minutes, "give minutes from 0");
-    if (Files.exists(folder) && !Files.isDirectory(folder)) {
-      throw PalpateException.wrongUse("not a folder", "--out " + folder, "name a new folder");
-    }
+    output.checked(folder);
   }
 
   private static void check(boolean isRight, String given, String remedy) {
