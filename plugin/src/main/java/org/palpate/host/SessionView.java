@@ -124,6 +124,7 @@ public final class SessionView implements AutoCloseable {
     SceneLoader started = begin();
     try {
       SceneWindow opened = newWindow();
+      opened.onPicture(started::pictureDrawn);
       addKeys(opened.input());
       listener.opening(opened);
       if (!isClosed()) {
@@ -183,7 +184,7 @@ public final class SessionView implements AutoCloseable {
   }
 
   private SceneLoader begin() {
-    SceneLoader started = new SceneLoader(model, volume, options.greys(), 1);
+    SceneLoader started = SceneLoader.forWindow(model, volume, options.greys(), 1);
     model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
     loader = started;
     return started;

@@ -3,6 +3,7 @@ package org.palpate.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.IntStream;
 import org.palpate.geometry.IntBox;
@@ -25,10 +26,12 @@ import org.palpate.volume.VoxelGrid;
 /**
  * Gives the segments of a volume their surfaces, in the background: a quarter of the resolution
  * first, then a half, then all. Any thread; closed by whoever opened it.
+ *
+ * <p>In a window the finer levels wait until the coarse one was seen ({@link #forWindow}), so that
+ * their making does not keep the processors from showing it.
  */
 public final class SceneLoader implements AutoCloseable {
-  /** Levels in the order in which they are made. */
-  private static final int[] COARSE_FIRST = {2, 1, 0};
+  private static final int COARSEST = SceneObject.LEVELS - 1;
 
   private static final double SURROUNDING_OPACITY = 0.3;
 
@@ -43,7 +46,10 @@ public final class SceneLoader implements AutoCloseable {
   /** Of each segment at a half and at a quarter of the resolution. */
   private final List<List<CoarseVolume>> coarse = new ArrayList<>();
 
-  private final List<SurfaceBuild> builds = new ArrayList<>();
+  private final List<SurfaceBuild> builds = new CopyOnWriteArrayList<>();
+
+  /** Whether the finer levels were begun, or never will be. */
+  private volatile boolean refined;
 
   /** Adds the segments of a volume to a model and begins with their surfaces, made of bits. */
   public SceneLoader(SceneModel model, SegmentedVolume volume, int threads) {
@@ -58,6 +64,15 @@ public final class SceneLoader implements AutoCloseable {
    */
   public SceneLoader(
       SceneModel model, SegmentedVolume volume, List<Optional<GreyRange>> greys, int threads) {
+    this(model, volume, greys, threads, false);
+  }
+
+  private SceneLoader(
+      SceneModel model,
+      SegmentedVolume volume,
+      List<Optional<GreyRange>> greys,
+      int threads,
+      boolean waits) {
     this.model = model;
     this.greys = List.copyOf(greys);
     grid = volume.grid();
@@ -71,10 +86,54 @@ public final class SceneLoader implements AutoCloseable {
     model.addDetail(Math.max(spacing.x, Math.max(spacing.y, spacing.z)));
     segments.forEach(this::add);
     showWhatIsInside();
-    for (int level : COARSE_FIRST) {
-      for (int i = 0; i < objects.size(); i++) {
-        builds.add(build(i, level));
+    begin(COARSEST);
+    if (!waits) {
+      refine();
+    }
+  }
+
+  /**
+   * The same for a window: the finer levels are begun by {@link #pictureDrawn}, once the coarsest
+   * one is whole.
+   */
+  public static SceneLoader forWindow(
+      SceneModel model, SegmentedVolume volume, List<Optional<GreyRange>> greys, int threads) {
+    return new SceneLoader(model, volume, greys, threads, true);
+  }
+
+  /**
+   * Says that a picture of the model was drawn. Any thread, as often as one likes; costs a look at
+   * a flag once the finer levels are begun.
+   */
+  public void pictureDrawn() {
+    if (!refined && isCoarseDone()) {
+      refine();
+    }
+  }
+
+  /** Asked after a picture that the last coarse surface called for, which is complete by then. */
+  private boolean isCoarseDone() {
+    for (int i = 0; i < objects.size(); i++) {
+      // One that failed is never complete; the finer ones may yet be made.
+      if (!objects.get(i).isComplete(COARSEST) && !builds.get(i).isDone()) {
+        return false;
       }
+    }
+    return true;
+  }
+
+  private synchronized void refine() {
+    if (!refined) {
+      refined = true;
+      for (int level = COARSEST - 1; level >= 0; level--) {
+        begin(level);
+      }
+    }
+  }
+
+  private void begin(int level) {
+    for (int i = 0; i < objects.size(); i++) {
+      builds.add(build(i, level));
     }
   }
 
@@ -142,13 +201,13 @@ public final class SceneLoader implements AutoCloseable {
     model.surfaceChanged();
   }
 
-  /** The share of the work that is done, 0 to 1. */
+  /** The share of the work begun that is done, 0 to 1. */
   public double progress() {
     return builds.stream().mapToDouble(SurfaceBuild::progress).average().orElse(1);
   }
 
   /**
-   * Waits for every surface.
+   * Waits for every surface that was begun.
    *
    * @throws TimeoutException where it takes longer
    */
@@ -207,7 +266,8 @@ public final class SceneLoader implements AutoCloseable {
 
   /** Stops the work; what is there stays. */
   @Override
-  public void close() {
+  public synchronized void close() {
+    refined = true; // what was not begun is not begun any more
     builder.close();
   }
 }

@@ -46,7 +46,7 @@ final class ObjectPainter {
     return skippedMeshes;
   }
 
-  /** Triangles of the visible segments in full detail. */
+  /** Triangles of the visible segments at the finest level of each that is whole. */
   long allTriangles() {
     return allTriangles;
   }
@@ -54,7 +54,7 @@ final class ObjectPainter {
   /** Draws the opaque segments, then the transparent ones, the nearest surface of each. */
   void draw(GL3 gl, SceneState state, Matrix4 toEye, Matrix4 projection) {
     drawnTriangles = 0;
-    allTriangles = state.objects().stream().mapToLong(o -> o.object().triangleCount(0)).sum();
+    allTriangles = state.objects().stream().mapToLong(o -> wholeTriangles(o.object())).sum();
     program.use(gl);
     program.set(gl, "projection", projection);
     gl.glEnable(GL.GL_DEPTH_TEST);
@@ -70,6 +70,11 @@ final class ObjectPainter {
     }
     transparent.sort(Comparator.comparingDouble(o -> depth(o, toEye)));
     transparent.forEach(object -> drawTransparent(gl, state, object, toEye, projection));
+  }
+
+  private static long wholeTriangles(SceneObject object) {
+    int finest = object.finestComplete();
+    return finest < 0 ? 0 : object.triangleCount(finest);
   }
 
   private static double depth(DrawnObject object, Matrix4 toEye) {

@@ -89,7 +89,7 @@ public final class SceneRenderer {
     return objects.drawnTriangles();
   }
 
-  /** Triangles of the visible segments in full detail. */
+  /** Triangles of the visible segments at the finest level of each that is whole. */
   public long allTriangles() {
     return objects.allTriangles();
   }

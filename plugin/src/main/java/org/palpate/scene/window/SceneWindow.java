@@ -48,6 +48,9 @@ public final class SceneWindow implements AutoCloseable {
   private final AtomicReference<Consumer<Picture>> snapshot = new AtomicReference<>();
   private volatile Throwable failure;
   private volatile boolean initialized;
+  private volatile Runnable onPicture = () -> {};
+  private volatile long drawnTriangles;
+  private volatile long allTriangles;
   private volatile long firstSurfaceMillis;
   private volatile boolean ended;
   private volatile boolean displayGone;
@@ -134,6 +137,14 @@ public final class SceneWindow implements AutoCloseable {
     boolean shown = window.isNativeValid() && window.getSurfaceWidth() > 0;
     if (shown && window.getSurfaceHeight() > 0) {
       window.display();
+      noteSurface();
+      onPicture.run();
+    }
+  }
+
+  private void noteSurface() {
+    if (firstSurfaceMillis == 0 && drawnTriangles > 0) {
+      firstSurfaceMillis = System.currentTimeMillis();
     }
   }
 
@@ -173,7 +184,7 @@ public final class SceneWindow implements AutoCloseable {
     return drawing.drawn();
   }
 
-  /** When a surface was first drawn, as the system counts milliseconds; 0 before. */
+  /** When a surface was first shown, as the system counts milliseconds; 0 before. */
   public long firstSurfaceMillis() {
     return firstSurfaceMillis;
   }
@@ -196,12 +207,13 @@ public final class SceneWindow implements AutoCloseable {
   /** Triangles drawn of all, for the overlay; empty before the first picture. */
   public String drawnOfAll() {
     return initialized
-        ? String.format(
-            Locale.ROOT,
-            "%,d of %,d triangles drawn",
-            renderer.drawnTriangles(),
-            renderer.allTriangles())
+        ? String.format(Locale.ROOT, "%,d of %,d triangles drawn", drawnTriangles, allTriangles)
         : "";
+  }
+
+  /** Gives those something to do who want to know of each picture shown; on the drawing thread. */
+  public void onPicture(Runnable told) {
+    onPicture = told;
   }
 
   /** Reads the next picture back and gives it to {@code taker} on the thread that draws. */
@@ -283,17 +295,12 @@ public final class SceneWindow implements AutoCloseable {
       int height = drawable.getSurfaceHeight();
       SceneState state = model.state();
       renderer.draw(gl, state, gl.getDefaultDrawFramebuffer(), width, height, 1);
-      noteSurface();
+      drawnTriangles = renderer.drawnTriangles();
+      allTriangles = renderer.allTriangles();
       input.pick(at -> pick(gl, state, width, height, at));
       Consumer<Picture> taker = snapshot.getAndSet(null);
       if (taker != null) {
         taker.accept(PixelReader.read(gl, width, height));
-      }
-    }
-
-    private void noteSurface() {
-      if (firstSurfaceMillis == 0 && renderer.drawnTriangles() > 0) {
-        firstSurfaceMillis = System.currentTimeMillis();
       }
     }
 
