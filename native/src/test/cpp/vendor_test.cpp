@@ -53,6 +53,16 @@ void checkTowardsRightUp(const char* backend, double newtonTolerance) {
   CHECK_EQUAL(0, panel.overlaps.load());
 }
 
+/** A Phantom as ready as told, 1 for a hand's help wanted, 2 for an update; held still and pushed.
+ */
+int64_t pushedPhantom(substitutes::Panel& panel, int notReady) {
+  panel.notReady = notReady;
+  const int64_t handle = bench::open("openhaptics", "");
+  bench::holdStill(handle);
+  pushUntilFelt(handle, 1, 0, 0);
+  return handle;
+}
+
 }  // namespace
 
 TEST("Force Dimension's axes, metres and newtons become ours and back") {
@@ -130,10 +140,7 @@ TEST("a device whose dead-man is let go gives no force until it is held and stil
 
 TEST("a Phantom that wants a hand's help to calibrate says so and gives no force") {
   substitutes::Panel& panel = bench::freshPanel();
-  panel.notReady = 1;
-  const int64_t handle = bench::open("openhaptics", "");
-  bench::holdStill(handle);
-  pushUntilFelt(handle, 1, 0, 0);
+  const int64_t handle = pushedPhantom(panel, 1);
   CHECK((Session::frame(handle)->sample.flags & palpate::kNeedsCalibration) != 0);
   CHECK_EQUAL(0.0, panel.force[0].load());
   Session::close(handle, kWait);
@@ -141,10 +148,7 @@ TEST("a Phantom that wants a hand's help to calibrate says so and gives no force
 
 TEST("a Phantom whose calibration wants an update gets it in opening") {
   substitutes::Panel& panel = bench::freshPanel();
-  panel.notReady = 2;
-  const int64_t handle = bench::open("openhaptics", "");
-  bench::holdStill(handle);
-  pushUntilFelt(handle, 1, 0, 0);
+  const int64_t handle = pushedPhantom(panel, 2);
   CHECK((Session::frame(handle)->sample.flags & palpate::kNeedsCalibration) == 0);
   CHECK_EQUAL(1.0, panel.force[0].load());
   Session::close(handle, kWait);
