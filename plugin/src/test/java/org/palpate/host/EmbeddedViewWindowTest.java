@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -19,9 +18,8 @@ import org.palpate.interaction.LoopEnd;
 import org.palpate.interaction.LoopSettings;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.Picture;
-import org.palpate.scene.window.ScenePanel;
+import org.palpate.scene.window.ProgramWithPanel;
 import org.palpate.scene.window.SceneWindow;
-import org.palpate.scene.window.TestDisplay;
 import org.palpate.volume.phantom.Phantom;
 
 /** A session seen inside the window of another program. */
@@ -30,26 +28,17 @@ class EmbeddedViewWindowTest {
   private static final long PERIOD_NANOS = 1_000_000;
 
   private final CompletableFuture<SceneWindow> opening = new CompletableFuture<>();
-  private ScenePanel panel;
-  private JFrame frame;
+  private ProgramWithPanel program;
 
   @BeforeEach
   void openProgram() throws Exception {
-    TestDisplay.require();
-    EventQueue.invokeAndWait(
-        () -> {
-          panel = new ScenePanel();
-          frame = new JFrame("host");
-          frame.add(panel.component());
-          frame.setSize(320, 240);
-          frame.setVisible(true);
-        });
+    program = new ProgramWithPanel();
   }
 
   @AfterEach
   void closeProgram() throws Exception {
-    if (frame != null) {
-      EventQueue.invokeAndWait(frame::dispose);
+    if (program != null) {
+      program.close();
     }
   }
 
@@ -68,11 +57,11 @@ class EmbeddedViewWindowTest {
                 WorldAxes.LPS,
                 hand,
                 listener(),
-                ViewOptions.PLAIN.in(panel))) {
+                ViewOptions.PLAIN.in(program.panel()))) {
       session.start();
       view.start();
       Picture picture = picture(opening.get(PATIENCE_S, TimeUnit.SECONDS));
-      assertEquals(panel.component().getWidth(), picture.width());
+      assertEquals(program.panel().component().getWidth(), picture.width());
       end = session.stop();
     }
     assertEquals(LoopEnd.Cause.STOPPED, end.cause());

@@ -9,6 +9,7 @@ import ij.process.ImageProcessor;
 import ij.process.ShortProcessor;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReplayDevice;
@@ -66,41 +67,52 @@ class StackGreyTest {
 
   @Test
   void whatIsPaintedBelowTheThresholdMovesTheSurfaceUnderTheHand() throws StackRefused {
-    StackVolume volume = StackVolume.shownIn(image);
-    StackPixels pixels = new StackPixels(volume);
-    ContactScene scene = scene(pixels);
-    HapticFrame frame = pressed(scene);
-    int n = run(frame, 1);
-    double before = point.z;
-    try (StackWatcher watcher = watcher(volume, pixels, scene, false)) {
-      ImageProcessor slice = image.getStack().getProcessor(TOP + 1);
-      slice.setRoi(8, 8, 16, 16);
-      slice.setValue(950); // empty as before, but nearly solid
-      slice.fill();
-      watcher.noteUpdate();
-      assertEquals(0, watcher.carryOverWhenUpdated());
-      run(frame, n);
-    }
-    assertEquals(950, scene.grey().orElseThrow().volume().value(16, 15, TOP));
-    assertTrue(point.z > before + 0.1, "from " + before + " to " + point.z);
+    Risen risen =
+        risen(
+            false,
+            watcher -> {
+              ImageProcessor slice = image.getStack().getProcessor(TOP + 1);
+              slice.setRoi(8, 8, 16, 16);
+              slice.setValue(950); // empty as before, but nearly solid
+              slice.fill();
+              watcher.noteUpdate();
+            });
+    assertEquals(0, risen.voxels());
+    assertEquals(950, risen.surface().volume().value(16, 15, TOP));
+    assertTrue(risen.after() > risen.before() + 0.1, risen::toString);
   }
 
   @Test
   void theSurfaceFollowsTheThresholdThatTheImageShows() throws StackRefused {
+    Risen risen =
+        risen(
+            true,
+            watcher -> {
+              image.getProcessor().setThreshold(500, 65535, ImageProcessor.NO_LUT_UPDATE);
+              watcher.imageUpdated(image);
+            });
+    assertEquals(EDGE * EDGE, risen.voxels());
+    assertEquals(500, risen.surface().threshold());
+    assertTrue(risen.after() > risen.before() + 0.1, risen::toString);
+  }
+
+  /** How high the pressed point was before the image changed and after; what changed with it. */
+  private record Risen(double before, double after, int voxels, GreySurface surface) {}
+
+  private Risen risen(boolean followsThreshold, Consumer<StackWatcher> change) throws StackRefused {
     StackVolume volume = StackVolume.shownIn(image);
     StackPixels pixels = new StackPixels(volume);
     ContactScene scene = scene(pixels);
     HapticFrame frame = pressed(scene);
     int n = run(frame, 1);
     double before = point.z;
-    try (StackWatcher watcher = watcher(volume, pixels, scene, true)) {
-      image.getProcessor().setThreshold(500, 65535, ImageProcessor.NO_LUT_UPDATE);
-      watcher.imageUpdated(image);
-      assertEquals(EDGE * EDGE, watcher.carryOverWhenUpdated());
+    int voxels;
+    try (StackWatcher watcher = watcher(volume, pixels, scene, followsThreshold)) {
+      change.accept(watcher);
+      voxels = watcher.carryOverWhenUpdated();
       run(frame, n);
     }
-    assertEquals(500, scene.grey().orElseThrow().threshold());
-    assertTrue(point.z > before + 0.1, "from " + before + " to " + point.z);
+    return new Risen(before, point.z, voxels, scene.grey().orElseThrow());
   }
 
   private Optional<GreySurface> surface(VoxelRule... rules) throws StackRefused {

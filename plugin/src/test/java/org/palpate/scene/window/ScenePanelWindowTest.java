@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
@@ -30,27 +29,20 @@ class ScenePanelWindowTest {
   private static final long PATIENCE_S = 60;
 
   private final SceneModel model = new SceneModel(WorldAxes.LPS, Theme.LIGHT);
+  private ProgramWithPanel program;
   private ScenePanel panel;
-  private JFrame frame;
 
   @BeforeEach
   void open() throws Exception {
-    TestDisplay.require();
+    program = new ProgramWithPanel();
+    panel = program.panel();
     model.add("none", Palette.BONE, RigidTransform.identity(), new Vec3(), new Vec3(9, 9, 9));
-    EventQueue.invokeAndWait(
-        () -> {
-          panel = new ScenePanel();
-          frame = new JFrame("host");
-          frame.add(panel.component());
-          frame.setSize(320, 240);
-          frame.setVisible(true);
-        });
   }
 
   @AfterEach
   void close() throws Exception {
-    if (frame != null) {
-      EventQueue.invokeAndWait(frame::dispose);
+    if (program != null) {
+      program.close();
     }
   }
 
@@ -131,12 +123,12 @@ class ScenePanelWindowTest {
     try (SceneWindow window = new SceneWindow(model, panel, end -> {})) {
       window.show();
       picture(window);
-      EventQueue.invokeAndWait(() -> frame.remove(panel.component()));
+      EventQueue.invokeAndWait(() -> program.frame().remove(panel.component()));
       model.requestRedraw();
       EventQueue.invokeAndWait(
           () -> {
-            frame.add(panel.component());
-            frame.validate();
+            program.frame().add(panel.component());
+            program.frame().validate();
           });
       assertTrue(picture(window).width() > 100);
     }
