@@ -86,8 +86,7 @@ class SceneLoaderTest {
   }
 
   private static SegmentedVolume volume(BitCube... segments) {
-    VoxelGrid grid =
-        new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(1, 1, 1), RigidTransform.identity());
+    VoxelGrid grid = new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(1, 1, 1), RigidTransform.identity());
     return new SegmentedVolume(
         grid, List.of(segments).stream().map(bits -> new Segment("one", bits, 0xd62728)).toList());
   }

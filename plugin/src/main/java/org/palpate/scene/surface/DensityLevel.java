@@ -68,15 +68,38 @@ final class DensityLevel {
     float u = x * cell - 0.5f;
     float v = y * cell - 0.5f;
     float w = z * cell - 0.5f;
-    int i = (int) Math.floor(u);
-    int j = (int) Math.floor(v);
-    int k = (int) Math.floor(w);
+    int i = floor(u);
+    int j = floor(v);
+    int k = floor(w);
     u -= i;
     v -= j;
     w -= k;
-    float low = mix(mix(cell(i, j, k), cell(i + 1, j, k), u), row(i, j + 1, k, u), v);
+    boolean isWithin =
+        i >= 0 && j >= 0 && k >= 0 && i < sizeX - 1 && j < sizeY - 1 && k < sizeZ - 1;
+    return (isWithin ? within(index(i, j, k), u, v, w) : atBorder(i, j, k, u, v, w)) / FULL;
+  }
+
+  private static int floor(float value) {
+    int towardsZero = (int) value;
+    return value < towardsZero ? towardsZero - 1 : towardsZero;
+  }
+
+  /** Between eight cells of which none is outside the grid, the first of them at an index. */
+  private float within(int at, float u, float v, float w) {
+    int plane = sizeX * sizeY;
+    float low = mix(row(at, u), row(at + sizeX, u), v);
+    float high = mix(row(at + plane, u), row(at + plane + sizeX, u), v);
+    return mix(low, high, w);
+  }
+
+  private float row(int at, float u) {
+    return mix(fullness[at] & 255, fullness[at + 1] & 255, u);
+  }
+
+  private float atBorder(int i, int j, int k, float u, float v, float w) {
+    float low = mix(row(i, j, k, u), row(i, j + 1, k, u), v);
     float high = mix(row(i, j, k + 1, u), row(i, j + 1, k + 1, u), v);
-    return mix(low, high, w) / FULL;
+    return mix(low, high, w);
   }
 
   private float row(int i, int j, int k, float u) {

@@ -6,17 +6,40 @@ import java.util.Arrays;
  * One vertex for each sheet of each cell of a padded brick, its place relative to its cell's
  * middle, and its neighbours. Scratch of one {@link SurfaceExtractor}.
  *
+ * <p>What a vertex in the padding becomes is found only as long as it is felt in the brick: each
+ * pass reaches one cell less deep into the padding than the one before.
+ *
  * <p>Places are relative and sums run in a fixed order, so a vertex gets the same bits whatever
  * brick it is computed in.
  */
 final class SheetVertices {
   // Keeps vertices of neighbouring cells, and so the two sides of a thin wall, apart.
   private static final float MAX_OFFSET = 0.49f;
-  private static final int FACES = 6;
+
+  /** A neighbour is its first coordinate's place in an array of vectors, and the face between. */
+  private static final int FACE_BITS = 3;
+
+  private static final int FACE_MASK = (1 << FACE_BITS) - 1;
+
+  /** From a cell to the one beyond a face, by axis and face. */
+  private static final float[] STEP_X = {-1, 1, 0, 0, 0, 0, 0, 0};
+
+  private static final float[] STEP_Y = {0, 0, -1, 1, 0, 0, 0, 0};
+  private static final float[] STEP_Z = {0, 0, 0, 0, -1, 1, 0, 0};
+
+  /** Depth in the padding of the vertices that the brick's triangles use. */
+  private static final int USED_DEPTH = 1;
+
+  /** Depth of those whose normals are added to the normals of the ones used. */
+  private static final int NORMALS_DEPTH = USED_DEPTH + 1;
+
+  /** Depth of those that the quads about them reach: from their places normals are taken. */
+  static final int PLACES_DEPTH = NORMALS_DEPTH + 1;
 
   int count;
   int[] cell = new int[1 << 12];
   byte[] sheet = new byte[1 << 12];
+  private byte[] depth = new byte[1 << 12];
   float[] offset = new float[3 << 12];
 
   /** Smoother places, to take normals from. */
@@ -31,13 +54,18 @@ final class SheetVertices {
     count = 0;
   }
 
-  /** Adds a vertex and returns its number; its offset is the caller's to set. */
-  int add(int newCell, int newSheet) {
+  /**
+   * Adds a vertex and returns its number; its offset is the caller's to set.
+   *
+   * @param newDepth cells from the brick's own to this one, 0 for its own
+   */
+  int add(int newCell, int newSheet, int newDepth) {
     if (count == cell.length) {
       grow();
     }
     cell[count] = newCell;
     sheet[count] = (byte) newSheet;
+    depth[count] = (byte) newDepth;
     return count++;
   }
 
@@ -45,6 +73,7 @@ final class SheetVertices {
     int capacity = 2 * count;
     cell = Arrays.copyOf(cell, capacity);
     sheet = Arrays.copyOf(sheet, capacity);
+    depth = Arrays.copyOf(depth, capacity);
     offset = Arrays.copyOf(offset, 3 * capacity);
     moved = new float[3 * capacity];
     neighbourStart = Arrays.copyOf(neighbourStart, capacity + 1);
@@ -76,7 +105,8 @@ final class SheetVertices {
       int face = way >> 4;
       int beyond = cells.beyond(at, face);
       if (beyond >= 0) {
-        neighbour[neighbourCount++] = cells.vertexAt(beyond, way & 15) * FACES + face;
+        int other = 3 * cells.vertexAt(beyond, way & 15);
+        neighbour[neighbourCount++] = (other << FACE_BITS) | face;
       }
     }
   }
@@ -92,17 +122,17 @@ final class SheetVertices {
    */
   void smooth(int passes) {
     float[] before = Arrays.copyOf(offset, 3 * count);
-    for (int pass = 0; pass < passes; pass++) {
-      relax();
+    for (int left = 2 * passes - 1; left >= passes; left--) {
+      relax(PLACES_DEPTH + left);
     }
     float[] smooth = Arrays.copyOf(offset, 3 * count);
     float[] displaced = new float[3 * count];
     for (int i = 0; i < displaced.length; i++) {
       displaced[i] = smooth[i] - before[i];
     }
-    for (int pass = 0; pass < passes; pass++) {
-      relax();
-      means(displaced, before);
+    for (int left = passes - 1; left >= 0; left--) {
+      relax(PLACES_DEPTH + left);
+      means(displaced, before, USED_DEPTH + left);
       float[] old = displaced;
       displaced = before;
       before = old;
@@ -115,29 +145,39 @@ final class SheetVertices {
     moved = new float[offset.length];
   }
 
-  /** Writes the mean of each vertex's neighbours into {@code dest}. */
-  private void means(float[] vectors, float[] dest) {
-    Arrays.fill(dest, 0);
+  /** Writes the mean of each vertex's neighbours into {@code dest}, down to a depth. */
+  private void means(float[] vectors, float[] dest, int deepest) {
     for (int vertex = 0; vertex < count; vertex++) {
-      int from = neighbourStart[vertex];
-      int to = neighbourStart[vertex + 1];
-      float share = 1f / Math.max(1, to - from);
-      for (int i = from; i < to; i++) {
-        int other = 3 * (neighbour[i] / FACES);
-        dest[3 * vertex] += vectors[other];
-        dest[3 * vertex + 1] += vectors[other + 1];
-        dest[3 * vertex + 2] += vectors[other + 2];
+      if (depth[vertex] <= deepest) {
+        meanOne(vertex, vectors, dest);
       }
-      dest[3 * vertex] *= share;
-      dest[3 * vertex + 1] *= share;
-      dest[3 * vertex + 2] *= share;
     }
   }
 
-  /** Moves every vertex to the mean of its neighbours, within its cell. */
-  private void relax() {
+  private void meanOne(int vertex, float[] vectors, float[] dest) {
+    float x = 0;
+    float y = 0;
+    float z = 0;
+    int from = neighbourStart[vertex];
+    int to = neighbourStart[vertex + 1];
+    for (int i = from; i < to; i++) {
+      int other = neighbour[i] >> FACE_BITS;
+      x += vectors[other];
+      y += vectors[other + 1];
+      z += vectors[other + 2];
+    }
+    float share = 1f / Math.max(1, to - from);
+    dest[3 * vertex] = x * share;
+    dest[3 * vertex + 1] = y * share;
+    dest[3 * vertex + 2] = z * share;
+  }
+
+  /** Moves every vertex to the mean of its neighbours, within its cell, down to a depth. */
+  private void relax(int deepest) {
     for (int vertex = 0; vertex < count; vertex++) {
-      relaxOne(vertex);
+      if (depth[vertex] <= deepest) {
+        relaxOne(vertex);
+      }
     }
     float[] old = offset;
     offset = moved;
@@ -151,12 +191,11 @@ final class SheetVertices {
     int from = neighbourStart[vertex];
     int to = neighbourStart[vertex + 1];
     for (int i = from; i < to; i++) {
-      int other = neighbour[i] / FACES;
-      int face = neighbour[i] - other * FACES;
-      int step = (face & 1) * 2 - 1;
-      x += offset[3 * other] + (face >> 1 == 0 ? step : 0);
-      y += offset[3 * other + 1] + (face >> 1 == 1 ? step : 0);
-      z += offset[3 * other + 2] + (face >> 1 == 2 ? step : 0);
+      int other = neighbour[i] >> FACE_BITS;
+      int face = neighbour[i] & FACE_MASK;
+      x += offset[other] + STEP_X[face];
+      y += offset[other + 1] + STEP_Y[face];
+      z += offset[other + 2] + STEP_Z[face];
     }
     float share = 1f / Math.max(1, to - from);
     moved[3 * vertex] = clamp(x * share);
@@ -168,21 +207,38 @@ final class SheetVertices {
     return Math.max(-MAX_OFFSET, Math.min(MAX_OFFSET, value));
   }
 
-  /** Adds to each vertex's normal those of its neighbours; all are made unit vectors first. */
+  /**
+   * Adds to the normal of each vertex that the brick uses those of its neighbours; all are made
+   * unit vectors first.
+   */
   void smoothNormals(float[] normals, float[] dest) {
     for (int vertex = 0; vertex < count; vertex++) {
-      normalize(normals, 3 * vertex);
-    }
-    System.arraycopy(normals, 0, dest, 0, 3 * count);
-    for (int vertex = 0; vertex < count; vertex++) {
-      for (int i = neighbourStart[vertex]; i < neighbourStart[vertex + 1]; i++) {
-        int other = neighbour[i] / FACES;
-        dest[3 * vertex] += normals[3 * other];
-        dest[3 * vertex + 1] += normals[3 * other + 1];
-        dest[3 * vertex + 2] += normals[3 * other + 2];
+      if (depth[vertex] <= NORMALS_DEPTH) {
+        normalize(normals, 3 * vertex);
       }
-      normalize(dest, 3 * vertex);
     }
+    for (int vertex = 0; vertex < count; vertex++) {
+      if (depth[vertex] <= USED_DEPTH) {
+        smoothNormal(vertex, normals, dest);
+      }
+    }
+  }
+
+  private void smoothNormal(int vertex, float[] normals, float[] dest) {
+    int at = 3 * vertex;
+    float x = normals[at];
+    float y = normals[at + 1];
+    float z = normals[at + 2];
+    for (int i = neighbourStart[vertex]; i < neighbourStart[vertex + 1]; i++) {
+      int other = neighbour[i] >> FACE_BITS;
+      x += normals[other];
+      y += normals[other + 1];
+      z += normals[other + 2];
+    }
+    dest[at] = x;
+    dest[at + 1] = y;
+    dest[at + 2] = z;
+    normalize(dest, at);
   }
 
   private static void normalize(float[] vectors, int at) {

@@ -18,9 +18,13 @@ public final class SurfaceExtractor {
   /** The most smoothing that a brick of {@link #BRICK_EDGE} has padding for. */
   public static final int MAX_SMOOTHING = 4;
 
-  // A brick's quads reach one cell back, their normals' neighbours one on, the quads of those one
-  // more.
-  private static final int CELLS_FOR_NORMALS = 3;
+  /**
+   * A brick's quads reach one cell back, their normals' neighbours one on, their quads one more.
+   */
+  private static final int CELLS_FOR_NORMALS = SheetVertices.PLACES_DEPTH;
+
+  /** Cells of the padding whose quads lie about a vertex whose normal counts. */
+  private static final int CELLS_FOR_QUADS = CELLS_FOR_NORMALS - 1;
 
   private final int brickEdge;
   private final BitRows rows = new BitRows();
@@ -119,11 +123,17 @@ public final class SurfaceExtractor {
     int corners = rows.corners(x, y, z);
     cells.corners[cell] = (byte) corners;
     cells.firstVertex[cell] = vertices.count;
+    int depth = Math.max(depth(x), Math.max(depth(y), depth(z)));
     for (int sheet = 0; sheet < SheetTable.count(corners); sheet++) {
-      int vertex = vertices.add(cell, sheet);
+      int vertex = vertices.add(cell, sheet, depth);
       meanCrossing(x, y, z, corners, sheet);
       vertices.setOffset(vertex, crossing[0], crossing[1], crossing[2]);
     }
+  }
+
+  /** How many cells outside the brick a place is along an axis; 0 within it. */
+  private int depth(int place) {
+    return Math.max(0, Math.max(pad - place, place - (pad + brickEdge - 1)));
   }
 
   private void meanCrossing(int x, int y, int z, int corners, int sheet) {
@@ -162,11 +172,13 @@ public final class SurfaceExtractor {
 
   private void findQuads() {
     quads.clear();
-    long inner = (-1L >>> (Long.SIZE - cells.edge)) & ~1L;
-    for (int z = 1; z < cells.edge; z++) {
-      for (int y = 1; y < cells.edge; y++) {
+    int from = pad - CELLS_FOR_QUADS;
+    int to = pad + brickEdge + CELLS_FOR_QUADS;
+    long wanted = (-1L >>> (Long.SIZE - (to - from))) << from;
+    for (int z = from; z < to; z++) {
+      for (int y = from; y < to; y++) {
         boolean core = isCore(y) && isCore(z);
-        for (long mixed = rows.mixedCells(y, z) & inner; mixed != 0; mixed &= mixed - 1) {
+        for (long mixed = rows.mixedCells(y, z) & wanted; mixed != 0; mixed &= mixed - 1) {
           int x = Long.numberOfTrailingZeros(mixed);
           addQuads(cells.index(x, y, z), core && isCore(x));
         }
@@ -175,7 +187,7 @@ public final class SurfaceExtractor {
   }
 
   private boolean isCore(int place) {
-    return place >= pad && place < pad + brickEdge;
+    return depth(place) == 0;
   }
 
   private void addQuads(int cell, boolean core) {
