@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import org.palpate.geometry.Vec3;
 import org.palpate.scene.Matrix4;
 import org.palpate.scene.SceneObject;
 import org.palpate.scene.SceneState;
@@ -31,7 +32,7 @@ final class ObjectPainter {
     program = new GlProgram(gl, Shaders.MESH_VERTEX, Shaders.MESH_FRAGMENT);
   }
 
-  /** Triangles of the last picture that were sent to be drawn. */
+  /** Triangles of the last picture that were sent to be drawn; those of glass are sent twice. */
   long drawnTriangles() {
     return drawnTriangles;
   }
@@ -78,9 +79,8 @@ final class ObjectPainter {
   }
 
   private static double depth(DrawnObject object, Matrix4 toEye) {
-    var middle =
-        object.object().corner(0).add(object.object().corner(7), object.object().corner(0));
-    middle.mul(0.5, middle);
+    Vec3 middle = object.object().corner(0);
+    middle.add(object.object().corner(7), middle).mul(0.5, middle);
     object.pose().transform(middle, middle);
     toEye.project(middle, middle);
     return middle.z;
@@ -88,9 +88,14 @@ final class ObjectPainter {
 
   private void drawTransparent(
       GL3 gl, SceneState state, DrawnObject object, Matrix4 toEye, Matrix4 projection) {
+    long drawnBefore = drawnTriangles;
+    long skippedBefore = skippedMeshes;
     gl.glColorMask(false, false, false, false);
     drawObject(gl, state, object, toEye, projection);
     gl.glColorMask(true, true, true, true);
+    // The same once more, in colour: counted once.
+    drawnTriangles = drawnBefore;
+    skippedMeshes = skippedBefore;
     gl.glEnable(GL.GL_BLEND);
     gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
     gl.glDepthFunc(GL.GL_EQUAL);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.jogamp.opengl.GLContext;
+import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -15,11 +16,14 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Palette;
+import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
+import org.palpate.scene.SceneObject;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
+import org.palpate.volume.phantom.Phantom;
 
 class SceneWindowWindowTest {
   private static final long PATIENCE_S = 60;
@@ -41,6 +45,21 @@ class SceneWindowWindowTest {
       Picture taken = picture.get(PATIENCE_S, TimeUnit.SECONDS);
       assertTrue(taken.width() > 0 && taken.height() > 0);
       assertTrue((taken.rgb(5, 5) & 255) > 180, "the light theme's background is light");
+    }
+  }
+
+  @Test
+  void trianglesOfGlassAreSentTwiceAndCountedOnce() throws Exception {
+    try (SceneLoader loader = new SceneLoader(model, Phantom.parse("sphere:32").segments(), 1);
+        SceneWindow window = new SceneWindow(model, "test", 200, 150, end -> {})) {
+      loader.await(TimeUnit.SECONDS.toMillis(PATIENCE_S));
+      SceneObject sphere = model.objects().get(1);
+      model.setOpacity(sphere, 0.5);
+      model.look(StandardView.FRONT, 4.0 / 3);
+      window.show();
+      picture(window);
+      String count = String.format(Locale.ROOT, "%,d", sphere.triangleCount(0));
+      assertEquals(count + " of " + count + " triangles drawn", window.drawnOfAll());
     }
   }
 
