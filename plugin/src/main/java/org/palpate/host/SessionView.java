@@ -99,7 +99,7 @@ public final class SessionView implements AutoCloseable {
     this.listener = listener;
     model = new SceneModel(axes, Theme.DARK);
     sync = new TouchSync(session.properties(), volume.grid(), model, this::overlay);
-    ticking = new SynchronizationThread(this::tick);
+    ticking = new SynchronizationThread(this::tick, this::notKeptUp);
     opening = new Thread(this::open, "palpate-open-view");
     opening.setDaemon(true);
     slices = options.slices().map(start -> new MovableSlices(model, start));
@@ -241,6 +241,10 @@ public final class SessionView implements AutoCloseable {
 
   private static String words(Throwable failure) {
     return failure.getMessage() == null ? failure.toString() : failure.getMessage();
+  }
+
+  private void notKeptUp(RuntimeException failure) {
+    tell("the scene is not brought up to date (" + words(failure) + "); the session goes on");
   }
 
   private void tell(String line) {

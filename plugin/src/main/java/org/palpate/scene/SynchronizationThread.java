@@ -2,15 +2,16 @@ package org.palpate.scene;
 
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 
 /**
  * Runs a tick some 30 times a second on a thread of its own: takes what the haptic thread published
  * and applies it to the scene.
  *
  * <p>Ticks keep to the clock: a late one is followed by the next at its own time, and ticks that
- * were missed wholly are left out, never made up for in a burst. What a tick throws is kept and the
- * thread goes on, so that a broken renderer does not end the session. Started and closed by any
- * thread.
+ * were missed wholly are left out, never made up for in a burst. What a tick throws is told, the
+ * first time, and the thread goes on, so that a broken renderer does not end the session. Started
+ * and closed by any thread.
  */
 public final class SynchronizationThread implements AutoCloseable {
   /** The paper's rate. Source: Vlasov et al. 2013, section 5.2. */
@@ -22,15 +23,23 @@ public final class SynchronizationThread implements AutoCloseable {
   private final Runnable tick;
   private final Thread thread;
   private final AtomicLong ticks = new AtomicLong();
-  private final AtomicLong failures = new AtomicLong();
-  private volatile RuntimeException lastFailure;
+  private final Consumer<RuntimeException> trouble;
   private volatile boolean closed;
+
+  /** Touched by the thread alone. */
+  private boolean failed;
+
   private volatile long startedNanos;
   private volatile long lastNanos;
 
-  /** A thread that has not started. */
-  public SynchronizationThread(Runnable tick) {
+  /**
+   * A thread that has not started.
+   *
+   * @param trouble told of the first tick that throws; on this thread
+   */
+  public SynchronizationThread(Runnable tick, Consumer<RuntimeException> trouble) {
     this.tick = tick;
+    this.trouble = trouble;
     thread = new Thread(this::run, "palpate-sync");
     thread.setDaemon(true);
   }
@@ -58,8 +67,10 @@ public final class SynchronizationThread implements AutoCloseable {
     try {
       tick.run();
     } catch (RuntimeException e) {
-      lastFailure = e;
-      failures.incrementAndGet();
+      if (!failed) {
+        failed = true;
+        trouble.accept(e);
+      }
     }
     ticks.incrementAndGet();
     lastNanos = System.nanoTime();
@@ -68,16 +79,6 @@ public final class SynchronizationThread implements AutoCloseable {
   /** Ticks so far. */
   public long ticks() {
     return ticks.get();
-  }
-
-  /** Ticks that threw. */
-  public long failures() {
-    return failures.get();
-  }
-
-  /** What the last failed tick threw; null where none did. */
-  public RuntimeException lastFailure() {
-    return lastFailure;
   }
 
   /** Ticks a second from start to the last one; 0 before the first. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -75,17 +76,20 @@ class TouchSyncTest {
   }
 
   @Test
-  void theThreadGoesOnWhenATickThrows() throws Exception {
+  void theThreadGoesOnWhenTicksThrowAndTellsOfTheFirst() throws Exception {
     CountDownLatch ticks = new CountDownLatch(5);
+    List<String> told = new CopyOnWriteArrayList<>();
     Runnable failing =
         () -> {
           ticks.countDown();
           throw new IllegalStateException("tick");
         };
-    try (SynchronizationThread thread = new SynchronizationThread(failing)) {
+    try (SynchronizationThread thread =
+        new SynchronizationThread(failing, failure -> told.add(failure.getMessage()))) {
       thread.start();
       assertTrue(ticks.await(PATIENCE_S, TimeUnit.SECONDS));
     }
+    assertEquals(List.of("tick"), told);
   }
 
   private void publish(double x, long frame) {

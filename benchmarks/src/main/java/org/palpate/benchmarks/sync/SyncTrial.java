@@ -3,6 +3,7 @@ package org.palpate.benchmarks.sync;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import org.HdrHistogram.Histogram;
 import org.palpate.device.SimulatedDevice;
@@ -73,12 +74,17 @@ final class SyncTrial implements AutoCloseable {
           case PAPER -> () -> paper.synchronize(this::change);
           case OURS -> sync;
         };
+    AtomicReference<RuntimeException> failure = new AtomicReference<>();
     try (Drawing drawing = new Drawing(way == SyncWay.DIRECT ? () -> {} : this::draw);
-        SynchronizationThread ticking = new SynchronizationThread(tick)) {
+        SynchronizationThread ticking = new SynchronizationThread(tick, failure::set)) {
       model.onChange(drawing::request);
       drawing.start();
       ticking.start();
-      return loop(way, round, seconds, publisher);
+      SyncRow row = loop(way, round, seconds, publisher);
+      if (failure.get() != null) {
+        throw new IllegalStateException("the scene was not kept up to date", failure.get());
+      }
+      return row;
     }
   }
 
