@@ -13,8 +13,8 @@ import org.palpate.scene.SceneState.Look;
 
 /**
  * Everything that can be seen. Any thread changes it, under one short lock; who draws takes a
- * {@link #state}. A change that makes a difference asks for one redraw, one that makes none asks
- * for none.
+ * {@link #state}. A change asks for one redraw; one of looks, visibility, colour, opacity or text
+ * that makes no difference asks for none.
  */
 public final class SceneModel {
   /** One count for all models, so that a renderer never takes one for the other. */

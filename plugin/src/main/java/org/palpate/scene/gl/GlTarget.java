@@ -11,14 +11,6 @@ final class GlTarget {
   private int width;
   private int height;
 
-  int width() {
-    return width;
-  }
-
-  int height() {
-    return height;
-  }
-
   int colour() {
     return textures[0];
   }

@@ -1,6 +1,5 @@
 package org.palpate.scene.window;
 
-import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
 
 /** Whether this machine can draw. */
@@ -88,9 +87,7 @@ public final class Graphics {
             null);
       }
       return GLProfile.get(GLProfile.GL3);
-    } catch (GLException | LinkageError e) {
-      throw refused(e);
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | LinkageError e) {
       // JOGL wraps a missing or dead X server in bare RuntimeExceptions.
       throw refused(e);
     }

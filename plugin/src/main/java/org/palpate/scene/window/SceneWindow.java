@@ -1,5 +1,6 @@
 package org.palpate.scene.window;
 
+import com.jogamp.nativewindow.NativeWindowException;
 import com.jogamp.newt.event.WindowAdapter;
 import com.jogamp.newt.event.WindowEvent;
 import com.jogamp.newt.event.WindowUpdateEvent;
@@ -88,7 +89,7 @@ public final class SceneWindow implements AutoCloseable {
       window.addWindowListener(new Ending());
       window.addMouseListener(input);
       window.addKeyListener(input.keys());
-    } catch (GLException e) {
+    } catch (GLException | NativeWindowException e) {
       throw Graphics.refused(e);
     }
   }
@@ -101,7 +102,7 @@ public final class SceneWindow implements AutoCloseable {
   public void show() throws GraphicsException {
     try {
       panel.ifPresentOrElse(place -> place.put(window), () -> window.setVisible(true));
-    } catch (GLException e) {
+    } catch (GLException | NativeWindowException e) {
       throw Graphics.refused(e);
     }
     model.onChange(drawing::request);
@@ -256,7 +257,7 @@ public final class SceneWindow implements AutoCloseable {
   private void destroy() {
     try {
       window.destroy();
-    } catch (GLException e) {
+    } catch (GLException | NativeWindowException e) {
       failure = e; // the display or the driver went first, and the window with it
     }
   }

@@ -1,0 +1,68 @@
+package org.palpate.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.scene.SceneState.DrawnObject;
+
+class SceneModelTest {
+  private final SceneModel model = new SceneModel(WorldAxes.RAS, Theme.DARK);
+  private final SceneObject bone =
+      model.add("bone", Palette.BONE, RigidTransform.identity(), new Vec3(), new Vec3(2, 4, 6));
+  private final AtomicInteger redraws = new AtomicInteger();
+
+  @Test
+  void aChangeAsksForOneRedrawAndTheSameAgainForNone() {
+    model.onChange(redraws::incrementAndGet);
+    List<Runnable> changes =
+        List.of(
+            () -> model.setColour(bone, Palette.POINT),
+            () -> model.setOpacity(bone, 0.5),
+            () -> model.setVisible(bone, false),
+            () -> model.changeLook(look -> look.with(Stereo.ANAGLYPH)),
+            () -> model.setOverlay(List.of("1 kHz")),
+            () -> model.setHelp(List.of("h: help")));
+    for (int done = 0; done < changes.size(); done++) {
+      changes.get(done).run();
+      changes.get(done).run();
+      assertEquals(done + 1, redraws.get());
+    }
+  }
+
+  @Test
+  void aStateIsACopyThatLaterChangesLeaveAlone() {
+    SceneState before = model.state();
+    model.setColour(bone, Palette.POINT);
+    model.setOpacity(bone, 0.5);
+    DrawnObject then = before.objects().get(0);
+    assertEquals(Palette.BONE, then.rgb());
+    assertEquals(1, then.opacity());
+    assertTrue(before.stillRevision() < model.state().stillRevision());
+  }
+
+  @Test
+  void whatIsHiddenOrWhollyTransparentIsNotDrawn() {
+    model.setVisible(bone, false);
+    assertEquals(List.of(), model.state().objects());
+    model.setVisible(bone, true);
+    model.setOpacity(bone, 0);
+    assertEquals(List.of(), model.state().objects());
+  }
+
+  @Test
+  void aMovedSegmentStandsElsewhereInTheScene() {
+    Vec3 x = new Vec3(1, 0, 0);
+    Vec3 y = new Vec3(0, 1, 0);
+    Vec3 z = new Vec3(0, 0, 1);
+    model.setPose(bone, new RigidTransform(x, y, z, new Vec3(10, 20, 30)));
+    Vec3 corner = model.state().objects().get(0).pose().transform(bone.corner(7), new Vec3());
+    assertEquals(-12, corner.x, "RAS runs to the right, the scene to the left");
+    assertEquals(-24, corner.y);
+    assertEquals(36, corner.z);
+  }
+}
