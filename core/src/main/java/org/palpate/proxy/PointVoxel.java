@@ -123,19 +123,25 @@ final class PointVoxel {
     double deltaY = Math.abs(to.y - p.y);
     double deltaZ = Math.abs(to.z - p.z);
     int late = 0;
-    if ((stops & 1) == 0 && deltaX != 0) {
-      late |= late(deltaX, to.x > p.x ? i + 1.0 - p.x : p.x - i, deltaX, deltaY, deltaZ);
+    if ((stops & 1) == 0) {
+      double gap = to.x > p.x ? i + 1.0 - p.x : p.x - i;
+      late |= late(deltaX, gap, deltaX, deltaY, deltaZ);
     }
-    if ((stops & 2) == 0 && deltaY != 0) {
-      late |= late(deltaY, to.y > p.y ? j + 1.0 - p.y : p.y - j, deltaX, deltaY, deltaZ);
+    if ((stops & 2) == 0) {
+      double gap = to.y > p.y ? j + 1.0 - p.y : p.y - j;
+      late |= late(deltaY, gap, deltaX, deltaY, deltaZ);
     }
-    if ((stops & 4) == 0 && deltaZ != 0) {
-      late |= late(deltaZ, to.z > p.z ? k + 1.0 - p.z : p.z - k, deltaX, deltaY, deltaZ);
+    if ((stops & 4) == 0) {
+      double gap = to.z > p.z ? k + 1.0 - p.z : p.z - k;
+      late |= late(deltaZ, gap, deltaX, deltaY, deltaZ);
     }
     return late;
   }
 
   private static int late(double delta, double gap, double deltaX, double deltaY, double deltaZ) {
+    if (delta < gap || delta == 0) {
+      return 0; // the way ends before that face, but not before a stop
+    }
     double least = 2 * GuardedSolver.STOP_SHORT_VOXELS * delta;
     return (least >= gap * deltaX ? 1 : 0)
         | (least >= gap * deltaY ? 2 : 0)
@@ -169,27 +175,23 @@ final class PointVoxel {
     double from = p.get(axis);
     int step = to > from ? 1 : -1;
     int last = to > from ? (int) Math.floor(to) : (int) Math.ceil(to) - 1;
-    if (cell(axis) == last || isFreeBeside(axis, step, last)) {
-      return false;
-    }
     int at = cell(axis);
-    do {
+    while (at != last) {
       at += step;
-      if (isSolidInRow(axis, at)) {
+      if (isSolidInRow(axis, at, step)) {
         double plane = step > 0 ? at : at + 1;
         hit.set((plane - from) / (to - from), i, j, k, axis);
         hit.setCell(axis, at);
         return true;
       }
-    } while (at != last);
+    }
     return false;
   }
 
-  private boolean isFreeBeside(int axis, int step, int last) {
-    return cell(axis) + step == last && solidBeside(step * Neighbourhoods.step(axis)) == 0;
-  }
-
-  private boolean isSolidInRow(int axis, int at) {
+  private boolean isSolidInRow(int axis, int at, int step) {
+    if (at == cell(axis) + step) {
+      return solidBeside(step * Neighbourhoods.step(axis)) != 0;
+    }
     return obstacles.isSolid(axis == 0 ? at : i, axis == 1 ? at : j, axis == 2 ? at : k);
   }
 

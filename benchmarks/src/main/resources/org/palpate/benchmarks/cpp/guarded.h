@@ -103,6 +103,7 @@ struct Guarded {
     for (int a = 0; a < 3; a++) {
       if (stops >> a & 1 || delta[a] == 0) continue;
       double gap = to.c[a] > p.c[a] ? cell[a] + 1 - p.c[a] : p.c[a] - cell[a];
+      if (delta[a] < gap) continue;
       double least = 2 * kStopShort * delta[a];
       for (int b = 0; b < 3; b++) late |= (least >= gap * delta[b]) << b;
     }
@@ -118,17 +119,17 @@ struct Guarded {
     double from = p.c[a];
     int step = to > from ? 1 : -1;
     int last = to > from ? floorInt(to) : static_cast<int>(std::ceil(to)) - 1;
-    if (cell[a] == last) return false;
-    if (cell[a] + step == last && !(solidNear() >> (kCentre + step * kSteps[a]) & 1)) return false;
     int at[3] = {cell[0], cell[1], cell[2]};
-    do {
+    while (at[a] != last) {
       at[a] += step;
-      if (cube.solid(at[0], at[1], at[2])) {
+      bool beside = at[a] == cell[a] + step;
+      if (beside ? solidNear() >> (kCentre + step * kSteps[a]) & 1
+                 : cube.solid(at[0], at[1], at[2])) {
         double plane = step > 0 ? at[a] : at[a] + 1;
         hit = {(plane - from) / (to - from), {at[0], at[1], at[2]}, a};
         return true;
       }
-    } while (at[a] != last);
+    }
     return false;
   }
   bool meetsSolid(const Vec& to) {
