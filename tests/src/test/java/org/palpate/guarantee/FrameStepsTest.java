@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.benchmarks.stress.StepStudy;
 import org.palpate.benchmarks.stress.StressSession.Attacked;
 import org.palpate.testing.Seeds;
@@ -15,9 +17,10 @@ class FrameStepsTest {
   private static final int CASES = 500;
   private static final int JUMPS = 20_000;
 
-  @Test
-  void noFrameOfGuardedIsMoreThanTwentyTimesTheWorkOfOneThatSlides() {
-    List<StepStudy.Row> rows = rows(Attacked.GUARDED);
+  @ParameterizedTest
+  @EnumSource
+  void noFrameIsMoreThanTwentyTimesTheWorkOfOneThatSlides(Attacked solver) {
+    List<StepStudy.Row> rows = rows(solver);
     long sliding = median(rows, StepStudy.SLIDING);
     assertTrue(sliding > 10, "what a frame reads is counted: " + rows);
     for (StepStudy.Row row : rows) {
@@ -25,20 +28,7 @@ class FrameStepsTest {
           row.worst() <= MOST_TIMES_A_SLIDE * sliding,
           () -> row + " sliding " + sliding + " seed " + Seeds.seed());
     }
-    System.out.println("steps of guarded: " + rows);
-  }
-
-  /** Where a hand jumps; in hostile scenes a frame of smooth was seen to be 21 times a slide. */
-  @Test
-  void noJumpOfSmoothIsMoreThanTwentyTimesTheWorkOfAFrameThatSlides() {
-    List<StepStudy.Row> rows = rows(Attacked.SMOOTH);
-    long sliding = median(rows, StepStudy.SLIDING);
-    for (StepStudy.Row row : rows) {
-      assertTrue(
-          row.hand().equals(StepStudy.HOSTILE) || row.worst() <= MOST_TIMES_A_SLIDE * sliding,
-          () -> row + " sliding " + sliding + " seed " + Seeds.seed());
-    }
-    System.out.println("steps of smooth: " + rows);
+    System.out.println("steps of " + solver + ": " + rows);
   }
 
   @Test

@@ -215,22 +215,79 @@ final class BitWindow {
     return x >= 0 && x < EDGE && y >= 0 && y < EDGE && z >= 0 && z < EDGE;
   }
 
-  /** Keeps as reached only what is joined to the empty voxel (x,y,z) by faces inside the window. */
+  /**
+   * Keeps as reached only what is joined to the empty voxel (x,y,z) by faces inside the window:
+   * fills runs of free voxels along an axis after the other, until two axes add nothing to the
+   * third.
+   */
   private void flood(int x, int y, int z) {
     inside = reached;
     Arrays.fill(reached, 0);
     reached[z * WORDS + (y >> 2)] = 1L << ((y & 3) << 4 | x);
-    spreadLayer(z * WORDS, 0, 0, 0);
-    boolean changed = true;
-    while (changed && !isAllReached()) {
-      changed = false;
-      for (int layer = 1; layer < EDGE; layer++) {
-        changed |= spreadFrom((layer - 1) * WORDS, layer * WORDS);
-      }
-      for (int layer = EDGE - 2; layer >= 0; layer--) {
-        changed |= spreadFrom((layer + 1) * WORDS, layer * WORDS);
-      }
+    int idle = 0;
+    for (int axis = 0; idle < 3; axis = axis == 2 ? 0 : axis + 1) {
+      idle = spreadAlong(axis) ? 1 : idle + 1;
     }
+  }
+
+  private boolean spreadAlong(int axis) {
+    return axis == 0 ? spreadAlongZ() : axis == 1 ? spreadAlongY() : spreadAlongX();
+  }
+
+  private boolean spreadAlongX() {
+    long more = 0;
+    for (int word = 0; word < EDGE * WORDS; word++) {
+      long before = reached[word];
+      long after = spreadRows(before, free[word]);
+      more |= before ^ after;
+      reached[word] = after;
+    }
+    return more != 0;
+  }
+
+  private boolean spreadAlongY() {
+    long more = 0;
+    for (int layer = 0; layer < EDGE * WORDS; layer += WORDS) {
+      long freeA = free[layer];
+      long freeB = free[layer + 1];
+      long freeC = free[layer + 2];
+      long a = spreadUp(reached[layer], freeA);
+      long b = spreadUp(reached[layer + 1] | (freeB & a >>> 48), freeB);
+      long c = spreadDown(spreadUp(reached[layer + 2] | (freeC & b >>> 48), freeC), freeC);
+      b = spreadDown(b | (freeB & c << 48), freeB);
+      a = spreadDown(a | (freeA & b << 48), freeA);
+      more |= (a ^ reached[layer]) | (b ^ reached[layer + 1]) | (c ^ reached[layer + 2]);
+      reached[layer] = a;
+      reached[layer + 1] = b;
+      reached[layer + 2] = c;
+    }
+    return more != 0;
+  }
+
+  private boolean spreadAlongZ() {
+    long more = 0;
+    long a = 0;
+    long b = 0;
+    long c = 0;
+    for (int layer = 0; layer < EDGE * WORDS; layer += WORDS) {
+      long addA = a & free[layer] & ~reached[layer];
+      long addB = b & free[layer + 1] & ~reached[layer + 1];
+      long addC = c & free[layer + 2] & ~reached[layer + 2];
+      more |= addA | addB | addC;
+      reached[layer] = a = reached[layer] | addA;
+      reached[layer + 1] = b = reached[layer + 1] | addB;
+      reached[layer + 2] = c = reached[layer + 2] | addC;
+    }
+    for (int layer = (EDGE - 2) * WORDS; layer >= 0; layer -= WORDS) {
+      long addA = a & free[layer] & ~reached[layer];
+      long addB = b & free[layer + 1] & ~reached[layer + 1];
+      long addC = c & free[layer + 2] & ~reached[layer + 2];
+      more |= addA | addB | addC;
+      reached[layer] = a = reached[layer] | addA;
+      reached[layer + 1] = b = reached[layer + 1] | addB;
+      reached[layer + 2] = c = reached[layer + 2] | addC;
+    }
+    return more != 0;
   }
 
   private boolean isAllReached() {
@@ -239,18 +296,6 @@ final class BitWindow {
       missing |= free[word] ^ reached[word];
     }
     return missing == 0;
-  }
-
-  private boolean spreadFrom(int from, int to) {
-    long a = reached[from] & free[to];
-    long b = reached[from + 1] & free[to + 1];
-    long c = reached[from + 2] & free[to + 2];
-    long more = (a & ~reached[to]) | (b & ~reached[to + 1]) | (c & ~reached[to + 2]);
-    boolean adds = more != 0;
-    if (adds) {
-      spreadLayer(to, a, b, c);
-    }
-    return adds;
   }
 
   /** Adds three words to a layer's reached voxels and spreads them inside the layer until idle. */
@@ -279,10 +324,16 @@ final class BitWindow {
 
   /** Fills the runs of free voxels that hold a seed, along y both ways, inside a word. */
   private static long spreadColumns(long seeds, long free) {
-    long pairs = free & free << 16;
+    return spreadDown(spreadUp(seeds, free), free);
+  }
+
+  private static long spreadUp(long seeds, long free) {
     long up = seeds | (free & seeds << 16);
-    up |= pairs & up << 32;
-    long down = up | (free & up >>> 16);
+    return up | (free & free << 16 & up << 32);
+  }
+
+  private static long spreadDown(long seeds, long free) {
+    long down = seeds | (free & seeds >>> 16);
     return down | (free & free >>> 16 & down >>> 32);
   }
 

@@ -21,7 +21,10 @@ final class ContactSearch {
   /** The device lies above the tangent plane of the point that was visited last. */
   static final int OUTSIDE = 1;
 
-  /** The next step would lead farther than {@link #REACH_EDGES}; the last visited point is kept. */
+  /**
+   * The next step would lead farther than {@link #REACH_EDGES}, or enough windows were read; the
+   * last visited point is kept.
+   */
   static final int FAR = 2;
 
   /** The field is too flat here, or the level too far away, to say where its surface runs. */
@@ -49,6 +52,12 @@ final class ContactSearch {
 
   /** Offsets below this are no way to anywhere. */
   private static final double LEAST_OFFSET_EDGES = 1e-12;
+
+  /** A search that is nearer is all but done: to leave it to the next frame would be felt. */
+  private static final double FAR_OFF_EDGES = 2;
+
+  /** But not for the price of more windows than this. */
+  static final int SOME_WINDOWS = 5;
 
   private static final double LEAST_DAMPING = 0.25;
 
@@ -91,9 +100,11 @@ final class ContactSearch {
   /**
    * Searches from {@code start}; the field must be seeded and stands at {@link #at} afterwards.
    *
+   * @param enoughWindows a search that has gone a step and is still far off ends once the field has
+   *     read so many; {@link #SOME_WINDOWS} later, wherever it is
    * @return one of the four answers
    */
-  int search(Vec3 start, Vec3 device) {
+  int search(Vec3 start, Vec3 device, long enoughWindows) {
     at.set(start);
     double damping = 1;
     double lastSquare = Double.POSITIVE_INFINITY;
@@ -120,7 +131,7 @@ final class ContactSearch {
       }
       lastSquare = offsetSquare;
       findStep(damping);
-      if (leavesReach(start) && n > 0) {
+      if (n > 0 && (isEnough(enoughWindows) || leavesReach(start))) {
         return FAR;
       }
       takeStep();
@@ -218,6 +229,12 @@ final class ContactSearch {
         * (curvatureA * alongA * alongA
             + 2 * curvatureAb * alongA * alongB
             + curvatureB * alongB * alongB);
+  }
+
+  private boolean isEnough(long enoughWindows) {
+    return field.windows >= enoughWindows
+        && (offsetSquare > FAR_OFF_EDGES * FAR_OFF_EDGES
+            || field.windows >= enoughWindows + SOME_WINDOWS);
   }
 
   private boolean leavesReach(Vec3 start) {

@@ -19,6 +19,9 @@ final class SmoothField {
   /** Changes whenever value and derivatives do. */
   long evaluation;
 
+  /** How many windows of voxels were read so far: most of what an evaluation takes. */
+  long windows;
+
   /** Its gradient, a metric edge. */
   double gx;
 
@@ -107,6 +110,7 @@ final class SmoothField {
             && atZ == cornerZ
             && source.holdsFor(seedX, seedY, seedZ);
     if (!kept) {
+      windows++;
       any = source.load(obstacles, atX, atY, atZ, seedX, seedY, seedZ, nodes);
       cornerX = atX;
       cornerY = atY;

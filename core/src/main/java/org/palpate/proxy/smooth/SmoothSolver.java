@@ -25,7 +25,8 @@ import org.palpate.raycast.RayHit;
  * Arriving at the device ends it too. A flight in the open towards a device beyond w_max may raise
  * the potential, but while the device rests only from nearer than every flight before: there are
  * finitely many of these as well, and after the last one the potential falls. The same rule is the
- * hysteresis between places that are about equally near.
+ * hysteresis between places that are about equally near. A frame that has read {@link
+ * #ENOUGH_WINDOWS} ends there only where it counts, so the rule is not touched by it.
  *
  * <p>References: Zilles and Salisbury 1995, Salisbury and Tarr 1997, Chan et al. 2011. Haptic
  * thread only; allocates nothing.
@@ -55,10 +56,6 @@ public final class SmoothSolver implements ProxySolver {
   /** Shares of solid below this are the open: there is no surface near. */
   private static final double OPEN_SHARE = 0.02;
 
-  private static final double CROSSING_EDGES = 0.02;
-
-  private static final int MOST_HALVINGS = 60;
-
   /** How far from voxels the point stays that hold it above the surface, shortest voxel edges. */
   private static final double CLEARANCE_EDGES = 1e-3;
 
@@ -71,6 +68,13 @@ public final class SmoothSolver implements ProxySolver {
   private static final double TOLL_EDGES = 0.3;
 
   private static final int MOST_HOPS = 6;
+
+  /**
+   * A frame that read this many windows and fell as far as it must is enough: the rest of a long
+   * way is left to the next one. A hand that slides two voxels a frame reads one or two.
+   */
+  private static final int ENOUGH_WINDOWS = 3;
+
   private static final double[] LIFTS_EDGES = {.05, .13, .3, .56, 1, 1.4};
 
   private final Metric metric;
@@ -81,6 +85,7 @@ public final class SmoothSolver implements ProxySolver {
   private final SmoothField field;
   private final SurfaceLevel level;
   private final ContactSearch search;
+  private final SurfaceCrossing crossing;
   private final Vec3 target = new Vec3();
   private final Vec3 foot = new Vec3();
   private final Vec3 low = new Vec3();
@@ -95,6 +100,7 @@ public final class SmoothSolver implements ProxySolver {
   private double lastFlightEdges;
   private boolean onSurface;
   private long evaluationsBefore;
+  private long enoughWindows;
   private int stepsOnVoxels;
   private Obstacles obstacles;
   private Vec3 device;
@@ -146,6 +152,7 @@ public final class SmoothSolver implements ProxySolver {
     field = new SmoothField(nodes, edges);
     level = new SurfaceLevel(nodes, edges);
     search = new ContactSearch(field, level, edges);
+    crossing = new SurfaceCrossing(field, search, edges);
   }
 
   @Override
@@ -191,6 +198,7 @@ public final class SmoothSolver implements ProxySolver {
     moved.handsOver = true;
     guard.begin(solids, moved);
     evaluationsBefore = field.evaluation;
+    enoughWindows = field.windows + ENOUGH_WINDOWS;
     stepsOnVoxels = 0;
   }
 
@@ -243,7 +251,7 @@ public final class SmoothSolver implements ProxySolver {
 
   private void followSurface(double farEdges) {
     double highest = potential(farEdges) + allowedRise();
-    slide();
+    slide(highest);
     if (guard.hasMoved() && isBelow(highest)) {
       point.surfaceHeightMm = shortestMm * heightOnSurface();
       onSurface = true;
@@ -339,12 +347,20 @@ public final class SmoothSolver implements ProxySolver {
   }
 
   /** Moves along the surface towards the point nearest to the device, hop by hop. */
-  private void slide() {
+  private void slide(double highest) {
     for (int hop = 0; hop < MOST_HOPS && guard.canMove(); hop++) {
-      if (!hop(hop)) {
+      if (!hop(hop) || (hasWorkedEnough() && isBelow(highest))) {
         return;
       }
     }
+  }
+
+  private long mostWindows() {
+    return enoughWindows + ContactSearch.SOME_WINDOWS;
+  }
+
+  private boolean hasWorkedEnough() {
+    return field.windows >= enoughWindows;
   }
 
   /** One hop; true where another one may lead on. */
@@ -357,7 +373,7 @@ public final class SmoothSolver implements ProxySolver {
     if (field.value < OPEN_SHARE && !fly()) {
       return false;
     }
-    int answer = search.search(p, device);
+    int answer = search.search(p, device, enoughWindows);
     if (answer == ContactSearch.LOST) {
       return false;
     }
@@ -369,12 +385,12 @@ public final class SmoothSolver implements ProxySolver {
 
   private boolean flyOrProject() {
     foot.set(p);
-    if (fly() && distanceEdges(foot, p) > CROSSING_EDGES) {
+    if (fly() && distanceEdges(foot, p) > SurfaceCrossing.EDGES) {
       return true;
     }
     field.seed(p.x, p.y, p.z);
     if (distanceEdges(p, device) > ContactSearch.REACH_EDGES
-        || search.search(device, device) != ContactSearch.FOUND) {
+        || search.search(device, device, enoughWindows) != ContactSearch.FOUND) {
       return false;
     }
     goTo(search.at);
@@ -387,32 +403,14 @@ public final class SmoothSolver implements ProxySolver {
     if (guard.isFree(target)) {
       return guard.move(target, false);
     }
-    double low = 0;
-    double high = guard.hit.t;
-    double length = distanceEdges(p, target);
-    if (!isInside(high)) {
+    double share = crossing.find(p, target, guard.hit.t, mostWindows());
+    if (Double.isNaN(share)) {
       return false;
     }
-    for (int n = 0; n < MOST_HALVINGS && (high - low) * length > CROSSING_EDGES; n++) {
-      double middle = 0.5 * (low + high);
-      if (isInside(middle)) {
-        high = middle;
-      } else {
-        low = middle;
-      }
-    }
-    LegGuard.between(p, target, low, foot);
+    LegGuard.between(p, target, share, foot);
     boolean moved = guard.move(foot, false);
     field.seed(p.x, p.y, p.z);
     return moved;
-  }
-
-  /** Whether the surface has been passed at a share of the way to the target. */
-  private boolean isInside(double share) {
-    LegGuard.between(p, target, share, foot);
-    field.seed(foot.x, foot.y, foot.z);
-    field.evaluate(foot.x, foot.y, foot.z);
-    return search.findNormal() && search.heightEdges < 0;
   }
 
   /** Goes to a point of the surface, above it where a voxel is in the way; false when it stays. */
