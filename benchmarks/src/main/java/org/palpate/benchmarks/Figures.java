@@ -1,7 +1,12 @@
 package org.palpate.benchmarks;
 
 import java.awt.Color;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.knowm.xchart.BitmapEncoder;
+import org.knowm.xchart.BitmapEncoder.BitmapFormat;
 import org.knowm.xchart.internal.chartpart.Chart;
+import org.palpate.io.NewFile;
 
 /** How the pictures of studies look. */
 public final class Figures {
@@ -23,6 +28,14 @@ public final class Figures {
     chart.getStyler().setPlotBackgroundColor(Color.WHITE);
     chart.getStyler().setLegendBorderColor(Color.WHITE);
     chart.getStyler().setSeriesColors(COLOURS);
+  }
+
+  /** Writes a PNG file, whole or not at all. */
+  public static void save(Chart<?, ?> chart, Path file) throws IOException {
+    try (NewFile out = new NewFile(file)) {
+      BitmapEncoder.saveBitmap(chart, out.stream(), BitmapFormat.PNG);
+      out.commit();
+    }
   }
 
   /** The colour of a series by its number, for series that belong together. */

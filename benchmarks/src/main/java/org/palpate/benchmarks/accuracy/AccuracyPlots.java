@@ -7,13 +7,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.knowm.xchart.BitmapEncoder;
-import org.knowm.xchart.BitmapEncoder.BitmapFormat;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries.XYSeriesRenderStyle;
 import org.knowm.xchart.style.markers.SeriesMarkers;
-import org.palpate.io.NewFile;
+import org.palpate.benchmarks.Figures;
 
 /** Draws the study's rows as PNG files. */
 final class AccuracyPlots {
@@ -48,7 +46,7 @@ final class AccuracyPlots {
       bySolver.computeIfAbsent(row.solver(), name -> new ArrayList<>()).add(row);
     }
     bySolver.forEach((solver, own) -> addSolver(chart, solver, own));
-    save(chart, file);
+    Figures.save(chart, file);
   }
 
   private static void addSolver(XYChart chart, String solver, List<AccuracyRow> rows) {
@@ -69,7 +67,7 @@ final class AccuracyPlots {
             .yAxisTitle("angle of the force to the true normal, degrees")
             .build();
     anglesBySolver.forEach((solver, angles) -> addSlide(chart, solver, angles));
-    save(chart, file);
+    Figures.save(chart, file);
   }
 
   private static void addSlide(XYChart chart, String solver, double[] angles) {
@@ -78,12 +76,5 @@ final class AccuracyPlots {
       way[frame] = 0.05 * frame;
     }
     chart.addSeries(solver, way, angles).setMarker(SeriesMarkers.NONE);
-  }
-
-  private static void save(XYChart chart, Path file) throws IOException {
-    try (NewFile out = new NewFile(file)) {
-      BitmapEncoder.saveBitmap(chart, out.stream(), BitmapFormat.PNG);
-      out.commit();
-    }
   }
 }

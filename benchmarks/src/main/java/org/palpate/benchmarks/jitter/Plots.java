@@ -10,12 +10,12 @@ import java.util.Locale;
 import java.util.Map;
 import org.HdrHistogram.Histogram;
 import org.HdrHistogram.HistogramIterationValue;
-import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
+import org.palpate.benchmarks.Figures;
 
 /** Percentile curves of a table's cells, and a time line of every cell with its causes marked. */
 final class Plots {
@@ -58,8 +58,7 @@ final class Plots {
   }
 
   private void save(XYChart chart, String name) throws IOException {
-    BitmapEncoder.saveBitmap(
-        chart, folder.resolve(name).toString(), BitmapEncoder.BitmapFormat.PNG);
+    Figures.save(chart, folder.resolve(name));
   }
 
   private static XYChart curves(Table table, List<CellResult> results) {

@@ -1,6 +1,5 @@
 package org.palpate.benchmarks.speed;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -9,11 +8,9 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.knowm.xchart.BitmapEncoder;
-import org.knowm.xchart.BitmapEncoder.BitmapFormat;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
-import org.palpate.io.NewFile;
+import org.palpate.benchmarks.Figures;
 
 /**
  * Draws a picture for each table: a group of bars for each condition, a colour for each value of
@@ -35,7 +32,7 @@ final class SpeedPlots {
     }
     for (Map.Entry<String, List<SpeedRow>> table : tables.entrySet()) {
       String name = study.fileName() + "-" + table.getKey().replace(' ', '-') + ".png";
-      save(chart(table.getKey(), table.getValue()), folder.resolve(name));
+      Figures.save(chart(table.getKey(), table.getValue()), folder.resolve(name));
     }
   }
 
@@ -65,14 +62,5 @@ final class SpeedPlots {
             chart.addSeries(
                 series, List.copyOf(conditions), conditions.stream().map(medians::get).toList()));
     return chart;
-  }
-
-  private static void save(CategoryChart chart, Path file) throws IOException {
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    BitmapEncoder.saveBitmap(chart, bytes, BitmapFormat.PNG);
-    try (NewFile out = new NewFile(file)) {
-      out.stream().write(bytes.toByteArray());
-      out.commit();
-    }
   }
 }

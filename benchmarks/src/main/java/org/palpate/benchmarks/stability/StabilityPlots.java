@@ -6,19 +6,15 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.knowm.xchart.BitmapEncoder;
-import org.knowm.xchart.BitmapEncoder.BitmapFormat;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.CategorySeries;
 import org.knowm.xchart.CategorySeries.CategorySeriesRenderStyle;
-import org.knowm.xchart.internal.chartpart.Chart;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import org.palpate.benchmarks.Figures;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
-import org.palpate.io.NewFile;
 
 /** Draws the study's rows as PNG files. */
 final class StabilityPlots {
@@ -53,7 +49,7 @@ final class StabilityPlots {
     for (int delay = 0; delay <= 2; delay++) {
       addDelay(chart, drawn, delay);
     }
-    save(chart, file);
+    Figures.save(chart, file);
   }
 
   private static void addDelay(CategoryChart chart, List<TheoryRow> rows, int delay) {
@@ -95,7 +91,7 @@ final class StabilityPlots {
         chart.addSeries("wanted", names, Collections.nCopies(names.size(), WANTED_MARGIN));
     wanted.setChartCategorySeriesRenderStyle(CategorySeriesRenderStyle.Line);
     wanted.setMarker(SeriesMarkers.NONE);
-    save(chart, file);
+    Figures.save(chart, file);
   }
 
   /** The play of the handle at rest, at the default stiffness, by shape and solver. */
@@ -117,7 +113,7 @@ final class StabilityPlots {
           drawn.stream().map(row -> row.trial().shape().name()).toList(),
           drawn.stream().map(row -> MICROMETRES_PER_MM * row.atDefault().playMm()).toList());
     }
-    save(chart, file);
+    Figures.save(chart, file);
   }
 
   private static CategoryChart chart(String title) {
@@ -126,12 +122,5 @@ final class StabilityPlots {
     Figures.plain(chart);
     chart.getStyler().setLocale(Locale.ROOT);
     return chart;
-  }
-
-  private static void save(Chart<?, ?> chart, Path file) throws IOException {
-    try (NewFile out = new NewFile(file)) {
-      BitmapEncoder.saveBitmap(chart, out.stream(), BitmapFormat.PNG);
-      out.commit();
-    }
   }
 }

@@ -10,11 +10,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.knowm.xchart.BitmapEncoder;
-import org.knowm.xchart.BitmapEncoder.BitmapFormat;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.CategorySeries.CategorySeriesRenderStyle;
+import org.palpate.benchmarks.Figures;
 import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
@@ -182,9 +181,6 @@ public final class SyncRun {
       }
       chart.addSeries(way.title(), shares, values);
     }
-    try (NewFile out = new NewFile(file)) {
-      BitmapEncoder.saveBitmap(chart, out.stream(), BitmapFormat.PNG);
-      out.commit();
-    }
+    Figures.save(chart, file);
   }
 }
