@@ -4,6 +4,7 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.ArrayList;
 import java.util.List;
+import org.palpate.geometry.Vec3;
 
 /**
  * Collects changes of scene properties in the haptic thread and hands them, a whole frame at a
@@ -124,6 +125,11 @@ public final class Accumulator {
     return add(new LinesProperty(this, name, properties.size(), words.length, capacity));
   }
 
+  /** Makes a place for what a haptic frame has to show. */
+  public TouchProperty touch(String name) {
+    return add(new TouchProperty(this, name, properties.size(), words.length));
+  }
+
   /** Makes a text of at most {@code capacity} chars. */
   public TextProperty text(String name, int capacity) {
     return add(new TextProperty(this, name, properties.size(), words.length, capacity));
@@ -201,6 +207,52 @@ public final class Accumulator {
     into[offset] = a;
     into[offset + 1] = b;
     into[offset + 2] = c;
+    return true;
+  }
+
+  /**
+   * The eleven words of a {@link TouchProperty}, all in one go: whether any but the last differed.
+   * Written out, since a loop over them takes longer than all the rest.
+   */
+  boolean putTouch(int offset, Vec3 device, Vec3 point, Vec3 force, long contact, long frame) {
+    long[] into = words;
+    long deviceX = Double.doubleToRawLongBits(device.x);
+    long deviceY = Double.doubleToRawLongBits(device.y);
+    long deviceZ = Double.doubleToRawLongBits(device.z);
+    long pointX = Double.doubleToRawLongBits(point.x);
+    long pointY = Double.doubleToRawLongBits(point.y);
+    long pointZ = Double.doubleToRawLongBits(point.z);
+    long forceX = Double.doubleToRawLongBits(force.x);
+    long forceY = Double.doubleToRawLongBits(force.y);
+    long forceZ = Double.doubleToRawLongBits(force.z);
+    long differs =
+        (into[offset] ^ deviceX)
+            | (into[offset + 1] ^ deviceY)
+            | (into[offset + 2] ^ deviceZ)
+            | (into[offset + 3] ^ pointX)
+            | (into[offset + 4] ^ pointY)
+            | (into[offset + 5] ^ pointZ)
+            | (into[offset + 6] ^ forceX)
+            | (into[offset + 7] ^ forceY)
+            | (into[offset + 8] ^ forceZ)
+            | (into[offset + 9] ^ contact);
+    if (differs == 0 && skipsUnchanged) {
+      return false;
+    }
+    if (!open) {
+      open();
+    }
+    into[offset] = deviceX;
+    into[offset + 1] = deviceY;
+    into[offset + 2] = deviceZ;
+    into[offset + 3] = pointX;
+    into[offset + 4] = pointY;
+    into[offset + 5] = pointZ;
+    into[offset + 6] = forceX;
+    into[offset + 7] = forceY;
+    into[offset + 8] = forceZ;
+    into[offset + 9] = contact;
+    into[offset + 10] = frame;
     return true;
   }
 

@@ -1,5 +1,7 @@
 package org.palpate.sync;
 
+import org.palpate.geometry.Vec3;
+
 /**
  * A property of the scene that crosses from the haptic thread to the synchronization thread, held
  * as words in an {@link Accumulator}. What sets belongs to the writer, what reads to the reader.
@@ -11,6 +13,7 @@ public abstract sealed class Property
         ColourProperty,
         VisibilityProperty,
         LinesProperty,
+        TouchProperty,
         TextProperty {
   private final Accumulator accumulator;
   private final String name;
@@ -69,6 +72,13 @@ public abstract sealed class Property
     long b = Double.doubleToRawLongBits(y);
     long c = Double.doubleToRawLongBits(z);
     if (accumulator.put(offset, a, b, c)) {
+      accumulator.changed(this);
+    }
+  }
+
+  /** The words of a {@link TouchProperty}. */
+  final void putTouch(Vec3 device, Vec3 point, Vec3 force, long contact, long frame) {
+    if (accumulator.putTouch(offset, device, point, force, contact, frame)) {
       accumulator.changed(this);
     }
   }

@@ -352,10 +352,10 @@ class HapticFrameTest {
             touch::publish);
     run(frame, 20);
     assertTrue(accumulator.take());
-    assertEquals("(16.0, 16.0, 5.0)", touch.device().read(new Vec3()).toString());
-    assertTrue(touch.interactionPoint().read(new Vec3()).sameBits(frame.point().position));
-    assertTrue(touch.force().read(new Vec3()).sameBits(device.lastForce()));
-    assertTrue(touch.contact().read());
+    assertEquals("(16.0, 16.0, 5.0)", touch.touch().device(new Vec3()).toString());
+    assertTrue(touch.touch().interactionPoint(new Vec3()).sameBits(frame.point().position));
+    assertTrue(touch.touch().force(new Vec3()).sameBits(device.lastForce()));
+    assertTrue(touch.touch().contact());
   }
 
   @Test

@@ -64,14 +64,14 @@ class AccumulatorStressTest {
   }
 
   private void check() {
-    double frame = touch.frame().read();
+    double frame = touch.touch().frame();
     double rareNow = rare.read();
     boolean whole =
         frame > lastFrame
-            && isAt(touch.device(), frame)
-            && isAt(touch.interactionPoint(), frame)
-            && touch.force().read(scratch).dot(new Vec3(1, 1, 1)) == -6 * frame
-            && touch.contact().read() == (frame % 2 == 0)
+            && isAt(touch.touch().device(scratch), frame)
+            && isAt(touch.touch().interactionPoint(scratch), frame)
+            && touch.touch().force(scratch).dot(new Vec3(1, 1, 1)) == -6 * frame
+            && touch.touch().contact() == (frame % 2 == 0)
             && rareNow == Math.floor(frame / 1000)
             && trailIsOf(frame);
     if (!whole) {
@@ -82,9 +82,8 @@ class AccumulatorStressTest {
     accumulator.properties().forEach(Property::applied);
   }
 
-  private boolean isAt(PositionProperty property, double frame) {
-    property.read(scratch);
-    return scratch.x == frame && scratch.y == frame + 0.25 && scratch.z == frame + 0.5;
+  private static boolean isAt(Vec3 place, double frame) {
+    return place.x == frame && place.y == frame + 0.25 && place.z == frame + 0.5;
   }
 
   private boolean trailIsOf(double frame) {

@@ -144,7 +144,7 @@ class AccumulatorTest {
     }
     accumulator.take();
     assertEquals(1, accumulator.counts().publications());
-    assertEquals(1, touch.frame().read());
+    assertEquals(1, touch.touch().frame());
   }
 
   /**

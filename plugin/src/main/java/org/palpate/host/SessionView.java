@@ -114,7 +114,7 @@ public final class SessionView implements AutoCloseable {
   private void tick() {
     sync.run();
     if (sync.applications() > 0) {
-      session.properties().interactionPoint().read(taken);
+      session.properties().touch().interactionPoint(taken);
       tipGrid = new Vec3().set(taken);
       slices.ifPresent(planes -> planes.follow(taken));
     }

@@ -188,7 +188,7 @@ final class StackSession implements AutoCloseable {
 
   private Vec3 takeUnseen() {
     session.takeUnseen();
-    return new Vec3().set(session.properties().interactionPoint().read(taken));
+    return new Vec3().set(session.properties().touch().interactionPoint(taken));
   }
 
   private void carryOutWhatWasAsked() {

@@ -57,12 +57,12 @@ public final class TouchSync implements Runnable {
   }
 
   private void apply() {
-    toScene(properties.device().read(device), device);
-    toScene(properties.interactionPoint().read(point), point);
-    properties.force().read(force);
+    toScene(properties.touch().device(device), device);
+    toScene(properties.touch().interactionPoint(point), point);
+    properties.touch().force(force);
     grid.gridMmToWorld().rotate(force, force);
     model.axes().swap(force, force);
-    boolean contact = properties.contact().read();
+    boolean contact = properties.touch().contact();
     extendTrail(contact);
     TouchMarks marks =
         new TouchMarks(

@@ -54,7 +54,7 @@ final class MinimalHost implements AutoCloseable {
   /** To be called some 30 times a second, by one thread; false when the session has ended. */
   boolean tick() {
     session.takeUnseen();
-    session.properties().interactionPoint().read(point);
+    session.properties().touch().interactionPoint(point);
     scene.grid().gridToWorld(point, point);
     return !session.supervise();
   }
