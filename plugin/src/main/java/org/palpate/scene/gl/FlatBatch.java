@@ -6,7 +6,7 @@ import java.util.Arrays;
 
 /** Rectangles and lines in pixels from the upper left corner, drawn at once. */
 final class FlatBatch {
-  static final int FLOATS_A_VERTEX = 8;
+  private static final int FLOATS_A_VERTEX = 8;
 
   /** The place in the texture that means a plain area. */
   private static final float PLAIN = -1;

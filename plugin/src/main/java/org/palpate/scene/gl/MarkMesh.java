@@ -8,7 +8,7 @@ import org.palpate.geometry.Vec3;
 
 /** Triangles of balls, tubes and cones, made anew for each picture. Scene frame, mm. */
 final class MarkMesh {
-  static final int FLOATS_A_VERTEX = 10;
+  private static final int FLOATS_A_VERTEX = 10;
 
   private static final int AROUND = 14;
   private static final int BALL_RINGS = 10;
@@ -96,7 +96,7 @@ final class MarkMesh {
     }
   }
 
-  /** A tube through points, balls in its bends. */
+  /** A tube through points, bar by bar. */
   void tube(List<Vec3> points, double radius) {
     for (int i = 0; i + 1 < points.size(); i++) {
       bar(points.get(i), points.get(i + 1), radius, radius);

@@ -1,8 +1,6 @@
 package org.palpate.scene.gl;
 
-import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
-import java.nio.FloatBuffer;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Matrix4;
 import org.palpate.scene.Palette;
@@ -22,8 +20,7 @@ final class MarkPainter {
   /** How much of a mark shows through what hides it. */
   private static final double HIDDEN_OPACITY = 0.42;
 
-  private final GlProgram program;
-  private final StreamBuffer buffer;
+  private final MarkProgram program;
 
   /** The device and the spring. */
   private final MarkMesh device = new MarkMesh();
@@ -32,8 +29,7 @@ final class MarkPainter {
   private final MarkMesh point = new MarkMesh();
 
   MarkPainter(GL3 gl) {
-    program = new GlProgram(gl, Shaders.MARK_VERTEX, Shaders.MARK_FRAGMENT);
-    buffer = new StreamBuffer(gl, 3, 3, 4);
+    program = new MarkProgram(gl);
   }
 
   /** Draws the marks over a picture whose depth is there; what is hidden shows faintly. */
@@ -41,38 +37,9 @@ final class MarkPainter {
     double size = POINT_SIZE * state.camera().distanceMm();
     buildDevice(shown, size);
     buildPoint(shown, size, state.camera().distanceMm());
-    program.use(gl);
-    program.set(gl, "toEye", toEye);
-    program.set(gl, "projection", projection);
-    gl.glDisable(GL.GL_CULL_FACE);
-    gl.glEnable(GL.GL_DEPTH_TEST);
-    draw(gl, device, 0);
-    draw(gl, point, state.detailMm());
-  }
-
-  /**
-   * Draws some marks.
-   *
-   * @param nearerMm how much nearer to the eye they count as
-   */
-  private void draw(GL3 gl, MarkMesh marks, double nearerMm) {
-    FloatBuffer vertices = marks.buffer();
-    program.set(gl, "nearer", nearerMm);
-    drawHidden(gl, vertices, marks.vertexCount());
-    gl.glDepthMask(true);
-    gl.glDepthFunc(GL.GL_LESS);
-    program.set(gl, "opacity", 1.0);
-    buffer.draw(gl, vertices, marks.vertexCount());
-  }
-
-  private void drawHidden(GL3 gl, FloatBuffer vertices, int count) {
-    gl.glEnable(GL.GL_BLEND);
-    gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
-    gl.glDepthFunc(GL.GL_GREATER);
-    gl.glDepthMask(false);
-    program.set(gl, "opacity", HIDDEN_OPACITY);
-    buffer.draw(gl, vertices, count);
-    gl.glDisable(GL.GL_BLEND);
+    program.use(gl, toEye, projection);
+    program.draw(gl, device, 0, HIDDEN_OPACITY);
+    program.draw(gl, point, state.detailMm(), HIDDEN_OPACITY);
   }
 
   private void buildDevice(TouchMarks shown, double size) {
@@ -102,6 +69,5 @@ final class MarkPainter {
 
   void dispose(GL3 gl) {
     program.dispose(gl);
-    buffer.dispose(gl);
   }
 }
