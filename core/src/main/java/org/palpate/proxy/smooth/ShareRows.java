@@ -50,6 +50,7 @@ final class ShareRows {
   private final int[] octets = new int[RING];
   private final int[] lows = new int[RING];
   private final int[] highs = new int[RING];
+  private GreySurface grey;
   private ScalarVolume volume;
   private GreyLevels scale;
 
@@ -68,13 +69,12 @@ final class ShareRows {
 
   /** Forgets all shares, and takes the surface's values as they are now. */
   void forget() {
-    GreySurface grey = live.now();
-    volume = grey.volume();
-    scale = new GreyLevels(grey.threshold(), 0.5 * WHOLE / grey.contrast());
-    clear();
-  }
-
-  private void clear() {
+    GreySurface now = live.now();
+    if (!now.equals(grey)) { // else a frame after an edit would allocate
+      grey = now;
+      volume = now.volume();
+      scale = new GreyLevels(now.threshold(), 0.5 * WHOLE / now.contrast());
+    }
     Arrays.fill(planes, NO_PLANE);
     Arrays.fill(brickX, Integer.MIN_VALUE);
   }
