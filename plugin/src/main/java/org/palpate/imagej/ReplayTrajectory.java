@@ -60,6 +60,7 @@ public final class ReplayTrajectory extends PalpateCommand {
     List<Segment> segments =
         StackSegments.of(
             volume, pixels::slice, rules, k -> IJ.showProgress(k + 1, volume.slices()));
+    options.materials().checkNamed(segments);
     ContactScene scene =
         new ContactScene(
             new SegmentedVolume(geometry.grid(), segments),

@@ -75,6 +75,7 @@ final class StackSession implements AutoCloseable {
         StackSegments.of(
             volume, pixels::slice, rules, k -> IJ.showProgress(k + 1, volume.slices()));
     refuseEmpty(options);
+    options.materials().checkNamed(segments);
     ContactScene scene =
         new ContactScene(
             new SegmentedVolume(geometry.grid(), segments),

@@ -1,5 +1,6 @@
 package org.palpate.imagej;
 
+import ij.Macro;
 import ij.Prefs;
 import ij.gui.GenericDialog;
 import ij.measure.Calibration;
@@ -8,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.FrictionForm;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
 import org.palpate.io.LabelTable;
@@ -26,6 +28,7 @@ import org.palpate.io.LabelTable;
  * @param solver what moves the interaction point
  * @param stiffnessNewtonPerMm force over distance; the device's own default where 0
  * @param friction coefficient
+ * @param materials of segments that feel otherwise
  * @param device as {@link StackDevice} reads it
  * @param workspace how the reach of a real device is laid over the stack
  * @param seconds how long; until Escape or the image closes where 0
@@ -41,6 +44,7 @@ record TouchOptions(
     SolverKind solver,
     double stiffnessNewtonPerMm,
     double friction,
+    StackMaterials materials,
     String device,
     StackWorkspace workspace,
     double seconds,
@@ -100,6 +104,9 @@ record TouchOptions(
         "Stiffness (0: device default)", Prefs.get(PREFIX + "stiffness", 0), 3, 8, "N/mm");
     dialog.addNumericField(
         "Friction", Prefs.get(PREFIX + "friction", ForceSettings.DEFAULT_FRICTION), 2);
+    // A macro that says nothing of them means none, whatever was chosen in a dialog before.
+    String materials = Macro.getOptions() == null ? Prefs.get(PREFIX + "materials", "") : "";
+    dialog.addStringField("Materials (bone=stiffness:0.8,friction:0.3; ...)", materials, 24);
   }
 
   private static void addDevice(GenericDialog dialog) {
@@ -134,6 +141,7 @@ record TouchOptions(
     String solver = dialog.getNextChoice();
     double stiffness = dialog.getNextNumber();
     double friction = dialog.getNextNumber();
+    String materials = dialog.getNextString();
     String device = live ? dialog.getNextString().strip() : SIMULATED;
     String workspace = live ? dialog.getNextChoice() : StackWorkspace.Kind.FIT.toString();
     double scale = live ? dialog.getNextNumber() : 1;
@@ -153,6 +161,7 @@ record TouchOptions(
         known("solver", solver, SolverKind.parse(solver), solvers()),
         stiffness,
         friction,
+        StackMaterials.parse(materials),
         device,
         workspace(workspace, scale),
         seconds,
@@ -211,6 +220,7 @@ record TouchOptions(
     Prefs.set(PREFIX + "solver", solver.toString());
     Prefs.set(PREFIX + "stiffness", stiffnessNewtonPerMm);
     Prefs.set(PREFIX + "friction", friction);
+    Prefs.set(PREFIX + "materials", materials.text());
     if (live) {
       Prefs.set(PREFIX + "device", device);
       Prefs.set(PREFIX + "workspace", workspace.kind().toString());
@@ -230,7 +240,9 @@ record TouchOptions(
         stiffness,
         friction,
         OptionalDouble.empty(),
-        OptionalDouble.empty());
+        OptionalDouble.empty(),
+        FrictionForm.EQUATION_4,
+        materials.choices());
   }
 
   /**

@@ -196,7 +196,8 @@ public final class ImagejProbe implements PlugIn {
     text(dialog, 0, "ball");
     number(dialog, 0, "100");
     number(dialog, 1, "255");
-    text(dialog, 1, "replay:" + folder.resolve("slide.csv"));
+    text(dialog, 1, "ball=stiffness:0.3,friction:0");
+    text(dialog, 2, "replay:" + folder.resolve("slide.csv"));
   }
 
   private void others() {

@@ -156,6 +156,8 @@ class RealImagejTest {
     assertEquals(7, recorded.size(), recorded.toString());
     assertTrue(
         recorded.get(0).contains("segment=ball colour=bone lower=100 upper=255"), recorded.get(0));
+    assertTrue(
+        recorded.get(0).contains("materials=ball=stiffness:0.3,friction:0 "), recorded.get(0));
     assertTrue(recorded.get(1).contains("name=[tip A] save="), recorded.get(1));
     assertTrue(recorded.get(2).contains("action=add radius=4"), recorded.get(2));
     assertTrue(recorded.get(4).contains("action=redo"), recorded.get(4));
