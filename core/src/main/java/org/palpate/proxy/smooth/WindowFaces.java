@@ -69,23 +69,29 @@ final class WindowFaces {
 
   private boolean isOpenToLowX() {
     long closed = 0;
-    for (int word = 0; word < EDGE * WORDS; word++) {
-      closed |= free[word] & ~(free[word] << 1) & BUT_FIRST_OF_ROWS;
+    for (int layer = 0; layer < EDGE * WORDS && closed == 0; layer += WORDS) {
+      long a = free[layer];
+      long b = free[layer + 1];
+      long c = free[layer + 2];
+      closed = ((a & ~(a << 1)) | (b & ~(b << 1)) | (c & ~(c << 1))) & BUT_FIRST_OF_ROWS;
     }
     return closed == 0;
   }
 
   private boolean isOpenToHighX() {
     long closed = 0;
-    for (int word = 0; word < EDGE * WORDS; word++) {
-      closed |= free[word] & ~(free[word] >>> 1) & BUT_LAST_OF_ROWS;
+    for (int layer = 0; layer < EDGE * WORDS && closed == 0; layer += WORDS) {
+      long a = free[layer];
+      long b = free[layer + 1];
+      long c = free[layer + 2];
+      closed = ((a & ~(a >>> 1)) | (b & ~(b >>> 1)) | (c & ~(c >>> 1))) & BUT_LAST_OF_ROWS;
     }
     return closed == 0;
   }
 
   private boolean isOpenToLowY() {
     long closed = 0;
-    for (int layer = 0; layer < EDGE * WORDS; layer += WORDS) {
+    for (int layer = 0; layer < EDGE * WORDS && closed == 0; layer += WORDS) {
       long a = free[layer];
       long b = free[layer + 1];
       long c = free[layer + 2];
@@ -98,7 +104,7 @@ final class WindowFaces {
 
   private boolean isOpenToHighY() {
     long closed = 0;
-    for (int layer = 0; layer < EDGE * WORDS; layer += WORDS) {
+    for (int layer = 0; layer < EDGE * WORDS && closed == 0; layer += WORDS) {
       long a = free[layer];
       long b = free[layer + 1];
       long c = free[layer + 2];
@@ -114,8 +120,10 @@ final class WindowFaces {
    */
   private boolean isOpenAlongZ(int from, int to) {
     long closed = 0;
-    for (int word = 0; word < LAST; word++) {
-      closed |= free[word + from] & ~free[word + to];
+    for (int layer = 0; layer < LAST && closed == 0; layer += WORDS) {
+      closed = free[layer + from] & ~free[layer + to];
+      closed |= free[layer + 1 + from] & ~free[layer + 1 + to];
+      closed |= free[layer + 2 + from] & ~free[layer + 2 + to];
     }
     return closed == 0;
   }
