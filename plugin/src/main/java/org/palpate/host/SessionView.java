@@ -68,6 +68,7 @@ public final class SessionView implements AutoCloseable {
   private long linesNanos;
   private long linesFrames;
   private long linesApplications;
+  private double linesMade;
 
   /**
    * A view of surfaces that is not open yet; from now on the reader of the session's properties.
@@ -254,7 +255,8 @@ public final class SessionView implements AutoCloseable {
   /** New numbers twice a second while something moves; the same lines else, so no redraw. */
   private List<String> overlay() {
     long now = System.nanoTime();
-    boolean moved = sync.applications() != linesApplications;
+    double made = surfacesMade();
+    boolean moved = sync.applications() != linesApplications || made != linesMade;
     if (retuned || (moved && now - linesNanos >= OVERLAY_NANOS)) {
       retuned = false;
       LoopStatus status = session.status();
@@ -263,6 +265,7 @@ public final class SessionView implements AutoCloseable {
       linesNanos = now;
       linesFrames = status.frames();
       linesApplications = sync.applications();
+      linesMade = made;
     }
     return lines;
   }
@@ -278,8 +281,21 @@ public final class SessionView implements AutoCloseable {
             status.contact() ? "contact" : "free"),
         feelLine(),
         slices.map(MovableSlices::line).orElse(""),
-        shown == null ? "" : shown.drawnOfAll(),
+        shown == null ? "" : shown.drawnOfAll() + stillToMake(),
         "h: help");
+  }
+
+  /** The share of the surfaces that is made; all where none are. */
+  private double surfacesMade() {
+    SceneLoader meshes = loader;
+    return meshes == null ? 1 : meshes.progress();
+  }
+
+  private String stillToMake() {
+    double made = surfacesMade();
+    return made == 1
+        ? ""
+        : String.format(Locale.ROOT, "   surfaces %.0f %%", Math.floor(100 * made));
   }
 
   private String feelLine() {

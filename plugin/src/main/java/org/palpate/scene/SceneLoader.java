@@ -201,9 +201,10 @@ public final class SceneLoader implements AutoCloseable {
     model.surfaceChanged();
   }
 
-  /** The share of the work begun that is done, 0 to 1. */
+  /** The share of the surfaces that is made, 0 to 1, each level of each segment alike. */
   public double progress() {
-    return builds.stream().mapToDouble(SurfaceBuild::progress).average().orElse(1);
+    int all = objects.size() * (COARSEST + 1);
+    return all == 0 ? 1 : builds.stream().mapToDouble(SurfaceBuild::progress).sum() / all;
   }
 
   /**

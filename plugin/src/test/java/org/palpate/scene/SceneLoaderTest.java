@@ -26,8 +26,10 @@ class SceneLoaderTest {
     try (SceneLoader loader = SceneLoader.forWindow(model, volume(box(), dot()), List.of(), 1)) {
       loader.await(PATIENCE_MS);
       assertEquals(List.of(2, 2), finest());
+      assertEquals(1.0 / SceneObject.LEVELS, loader.progress());
       loader.pictureDrawn();
       loader.await(PATIENCE_MS);
+      assertEquals(1, loader.progress());
       assertEquals(List.of(0, 0), finest());
       assertTrue(model.objects().get(0).isComplete(1), "the level between is made too");
     }
