@@ -168,7 +168,7 @@ final class RenderCommand implements Callable<Integer> {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
     Report report = new Report("render", output.report(), inputs);
-    SegmentedVolume segments = source.segments();
+    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
     SceneModel model = new SceneModel(axes(source.header().world()), theme);
     Optional<MovableSlices.Start> planes = slices.start(source);
     showHand(model, source, segments);

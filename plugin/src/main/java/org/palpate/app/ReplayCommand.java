@@ -95,7 +95,7 @@ final class ReplayCommand implements Callable<Integer> {
     ReplayTables tables = ReplayTables.checked(framesFile, legsFile, output.report(), inputs);
     Trajectory trajectory = new Trajectory();
     TrajectoryCsv.read(trajectoryFile, !rawDevice, trajectory::add);
-    SegmentedVolume segments = source.segments();
+    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
     ContactScene scene = contact.scene(source, segments);
     FrameCounts counts =
         run(new ReplayRun(scene, trajectory, world, rawDevice), trajectory, tables);

@@ -126,7 +126,7 @@ final class TouchCommand implements Callable<Integer> {
         Optional.ofNullable(recordFile).map(path -> Outputs.checked("--record", path, inputs));
     checkDistinct(record);
     sayFirst(source, choice, settings);
-    SegmentedVolume segments = source.segments();
+    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
     ContactScene scene = contact.scene(source, segments);
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);

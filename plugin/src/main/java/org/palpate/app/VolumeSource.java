@@ -1,6 +1,7 @@
 package org.palpate.app;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -24,6 +25,7 @@ import org.palpate.io.VolumeHeader;
 import org.palpate.io.VolumeReader;
 import org.palpate.proxy.smooth.GreySurface;
 import org.palpate.volume.ScalarVolume;
+import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
 
@@ -130,11 +132,17 @@ final class VolumeSource {
   /**
    * Reads the segments that were asked for, or one for each label.
    *
+   * @param err is told which of them have no voxel
    * @throws PalpateException exit code 2, where none was asked for and the values are intensities
    */
-  SegmentedVolume segments() throws VolumeFormatException {
+  SegmentedVolume segments(PrintWriter err) throws VolumeFormatException {
     if (!asked.isEmpty()) {
-      return read(asked);
+      SegmentedVolume found = read(asked);
+      found.segments().stream()
+          .filter(segment -> segment.bits().solidCount() == 0)
+          .forEach(segment -> err.println(emptyLine(segment)));
+      err.flush();
+      return found;
     }
     if (phantom.isPresent() && !phantom.get().grey()) {
       return phantom.get().segments();
@@ -176,6 +184,14 @@ final class VolumeSource {
   /** Reads segments by the given rules. */
   SegmentedVolume read(List<SegmentSpec> specs) throws VolumeFormatException {
     return SegmentBuilder.read(reader, specs);
+  }
+
+  private String emptyLine(Segment segment) {
+    return "palpate: segment "
+        + segment.name()
+        + " has no voxel: "
+        + name
+        + ": palpate info tells its values";
   }
 
   private ValueSurvey.Found survey() throws VolumeFormatException {

@@ -21,6 +21,22 @@ class TouchCommandTest {
   @TempDir private Path folder;
 
   @Test
+  void aSegmentWithoutVoxelsIsTold() {
+    CommandRun run =
+        CommandRun.of(
+            "touch",
+            "--phantom",
+            "head:64:grey",
+            "--segment",
+            "bone=>=1e9",
+            "--headless",
+            "--seconds",
+            "0.2");
+    assertEquals(0, run.exitCode(), run.err());
+    assertTrue(run.err().startsWith("palpate: segment bone has no voxel: phantom"), run.err());
+  }
+
+  @Test
   void aSessionTouchesAndReportsWhatTheContractNames() throws IOException {
     Path report = folder.resolve("r.json");
     CommandRun.of(
