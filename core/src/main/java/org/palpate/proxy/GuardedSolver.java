@@ -104,7 +104,8 @@ public final class GuardedSolver implements ProxySolver {
   }
 
   /**
-   * The same with a choice of what is skipped, to see what that is worth; answers are the same.
+   * The same with a choice of what is skipped, to see what that is worth. Answers are the same, but
+   * that a climb may wait, see {@link FruitlessClimbs}.
    *
    * @param skips what may be left out
    */
@@ -232,7 +233,9 @@ public final class GuardedSolver implements ProxySolver {
         return moveNearer(target, faces != NOTHING_HELD) || moved;
       }
       stopped = true;
-      assert hit.axis != RayHit.NO_AXIS : "the point touches a solid at " + p;
+      if (hit.axis == RayHit.NO_AXIS) {
+        return moved; // the point touches a solid: it stays until it is set free
+      }
       moved |= approach(faces != NOTHING_HELD);
       faces |= 1 << hit.axis;
     }
@@ -312,8 +315,11 @@ public final class GuardedSolver implements ProxySolver {
         p.y + share * (target.y - p.y),
         p.z + share * (target.z - p.z));
     end.set(axis, stop);
-    if (voxel.axisOfWay(target) == axis) {
-      return moveNearer(end, alongSurface); // the voxels up to the hit are known to be free
+    if (voxel.axisOfWay(target) == axis
+        && Math.abs(target.get(axis) - p.get(axis)) <= LONGEST_ROW_VOXELS) {
+      // The row was walked, so the voxels up to the hit are free; of a cast from very far out the
+      // first of several hits may be told by rounding alone.
+      return moveNearer(end, alongSurface);
     }
     boolean free = isFree(end);
     hit.axis = axis;

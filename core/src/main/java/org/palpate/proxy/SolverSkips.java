@@ -1,8 +1,8 @@
 package org.palpate.proxy;
 
 /**
- * What a solver may skip; answers are the same either way. All of it, unless a measurement is to
- * show what one is worth.
+ * What a solver may skip; answers are the same either way, but that without {@code climbs} none
+ * waits. All of it, unless a measurement is to show what one is worth.
  *
  * @param emptyBricks whether rays pass empty bricks in one step
  * @param neighbours whether neighbourhoods are kept from frame to frame

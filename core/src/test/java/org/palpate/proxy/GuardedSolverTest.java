@@ -48,6 +48,35 @@ class GuardedSolverTest {
     assertTrue(point.position.x < 1 && point.position.y < 1);
   }
 
+  /** From 1e17 all parameters along the way round to 1, so that which solid is first is unclear. */
+  @Test
+  void stopsBeforeTheFirstOfTwoSolidsFromFarOut() {
+    BitCube bits = new BitCube(16, 16, 16);
+    bits.set(3, 5, 5);
+    bits.set(6, 5, 5);
+    follow(bits, new Vec3(1e17, 5.5, 5.5), new Vec3(1.5, 5.5, 5.5), 1e19);
+    BitCube one = new BitCube(16, 16, 16);
+    one.set(3, 5, 5);
+    BitCube other = new BitCube(16, 16, 16);
+    other.set(6, 5, 5);
+    Vec3 start = new Vec3(1e17, 5.5, 5.5);
+    point.position.set(start);
+    LegJudge judge = new LegJudge(other, start);
+    Obstacles both = new Obstacles(List.of(one, other));
+    new GuardedSolver(UNIT, 1e19).follow(both, new Vec3(1.5, 5.5, 5.5), point);
+    assertNull(judge.faultOf(point));
+  }
+
+  @Test
+  void aPointInASolidStaysWhereItIsUntilItIsSetFree() {
+    BitCube bits = new BitCube(4, 4, 4);
+    bits.setBrick(0, 0, 0, -1L);
+    point.position.set(1.5, 1.5, 1.5);
+    Obstacles obstacles = new Obstacles(List.of(bits));
+    new GuardedSolver(UNIT, 100).follow(obstacles, new Vec3(3.5, 1.7, 1.6), point);
+    assertEquals(0, point.legs.count());
+  }
+
   @Test
   void climbsAStairOfOneVoxelWhenItComesOutNearerOnTop() {
     BitCube bits = floorWithStair();

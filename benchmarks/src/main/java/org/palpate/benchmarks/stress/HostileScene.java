@@ -210,7 +210,7 @@ public record HostileScene(String kind, BitCube bits, Vec3 spacingMm, double max
   private static double maxStep(SplittableRandom random) {
     return switch (random.nextInt(8)) {
       case 0 -> 1e-6;
-      case 1 -> 1e9;
+      case 1 -> random.nextBoolean() ? 1e9 : 1e301;
       case 2 -> random.nextDouble() + 0.01;
       default -> 8;
     };

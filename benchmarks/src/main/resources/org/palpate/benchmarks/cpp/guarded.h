@@ -178,7 +178,8 @@ struct Guarded {
     double share = (stopAt - p.c[a]) / (target.c[a] - p.c[a]);
     for (int b = 0; b < 3; b++) end.c[b] = p.c[b] + share * (target.c[b] - p.c[b]);
     end.c[a] = stopAt;
-    if (axisOfWay(target) == a) return moveNearer(end, slid);
+    if (axisOfWay(target) == a && std::fabs(target.c[a] - p.c[a]) <= kLongestRow)
+      return moveNearer(end, slid);
     bool free = isFree(end);
     hit.axis = a;
     return free && moveNearer(end, slid);
