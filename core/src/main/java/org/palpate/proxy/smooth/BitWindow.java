@@ -46,6 +46,9 @@ final class BitWindow {
 
   private boolean anySolid;
 
+  /** Whether all free voxels are known to be joined, so that no seed matters. */
+  private boolean joined;
+
   /** Forgets the copied bits. */
   void forget() {
     areaValid = false;
@@ -57,6 +60,7 @@ final class BitWindow {
       copyArea(obstacles, centred(lowX), centred(lowY), centred(lowZ));
     }
     inside = free;
+    joined = false;
     int x = lowX - areaX;
     int y = lowY - areaY;
     int z = lowZ - areaZ;
@@ -178,8 +182,11 @@ final class BitWindow {
 
   /** Floods from the voxel (x,y,z) if it lies in the window and is empty; else all is reached. */
   void floodFrom(int x, int y, int z) {
-    if (isInside(x, y, z) && isFree(x, y, z) && !isPlainlyJoined()) {
-      flood(x, y, z);
+    if (isSeed(x, y, z)) {
+      joined = isPlainlyJoined();
+      if (!joined) {
+        flood(x, y, z);
+      }
     }
   }
 
@@ -208,7 +215,14 @@ final class BitWindow {
 
   /** Whether a flood from the voxel (x,y,z) would reach the same, as far as it is in the window. */
   boolean holdsFor(int x, int y, int z) {
-    return !isInside(x, y, z) || isReached(x, y, z);
+    if (inside != free) {
+      return isSeed(x, y, z) ? isReached(x, y, z) : isAllReached();
+    }
+    return joined || !isSeed(x, y, z);
+  }
+
+  private boolean isSeed(int x, int y, int z) {
+    return isInside(x, y, z) && isFree(x, y, z);
   }
 
   private static boolean isInside(int x, int y, int z) {

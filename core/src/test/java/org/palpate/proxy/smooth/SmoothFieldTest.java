@@ -44,6 +44,38 @@ class SmoothFieldTest {
     compare(randomBits(0.4), new Vec3(0.5, 0.5, 1), new int[][] {ISOTROPIC, ISOTROPIC, {3, 2}});
   }
 
+  /**
+   * A seed in a solid reaches nothing, and all counts as reached; the next one is another matter.
+   */
+  @Test
+  void aSeedInASolidLeavesNothingBehind() {
+    BitCube wall = new BitCube(24, 24, 24);
+    for (int k = 0; k < 24; k++) {
+      for (int j = 0; j < 24; j++) {
+        wall.set(10, j, k);
+      }
+    }
+    Obstacles obstacles = new Obstacles(List.of(wall));
+    SmoothField fresh = field(new Vec3(1, 1, 1));
+    SmoothField used = field(new Vec3(1, 1, 1));
+    used.use(obstacles);
+    used.seed(10, 12.5, 12.5);
+    used.evaluate(10, 12.5, 12.5);
+    for (SmoothField field : List.of(fresh, used)) {
+      field.use(obstacles);
+      field.seed(9.7, 12.5, 12.5);
+      field.evaluate(9.7, 12.5, 12.5);
+    }
+    assertEquals(fresh.value, used.value);
+    used.seed(10, 12.5, 12.5);
+    used.evaluate(9.7, 12.5, 12.5);
+    SmoothField other = field(new Vec3(1, 1, 1));
+    other.use(obstacles);
+    other.seed(10, 12.5, 12.5);
+    other.evaluate(9.7, 12.5, 12.5);
+    assertEquals(other.value, used.value);
+  }
+
   @Test
   void answersAlikeWhateverWasAskedBefore() {
     Obstacles obstacles = new Obstacles(List.of(randomBits(0.3)));

@@ -38,6 +38,34 @@ class SmoothSolverTest {
   }
 
   @Test
+  void aThinWallFeelsTheSameFromBothSides() {
+    for (double maxStep : new double[] {0.5, 1, 2, 8}) {
+      Vec3 fromLow = restAtWall(10, 3.3, 10.9, maxStep);
+      Vec3 fromHigh = restAtWall(13, 20.7, 13.1, maxStep);
+      assertEquals(fromLow.x, 24 - fromHigh.x, 1e-6, "w_max=" + maxStep);
+    }
+  }
+
+  /** Where a point comes to rest that a device behind a wall one voxel thick draws to it. */
+  private Vec3 restAtWall(int wallX, double startX, double deviceX, double maxStep) {
+    BitCube wall = new BitCube(24, 24, 24);
+    for (int k = 0; k < 24; k++) {
+      for (int j = 0; j < 24; j++) {
+        wall.set(wallX, j, k);
+      }
+    }
+    SmoothSolver solver = new SmoothSolver(UNIT, maxStep);
+    point.position.set(startX, 12.5, 12.5);
+    device.set(deviceX, 12.7, 12.6);
+    int frames = 0;
+    do {
+      solver.follow(obstacles(wall), device, point);
+      frames++;
+    } while (point.legs.count() > 0 && frames < 200);
+    return new Vec3().set(point.position);
+  }
+
+  @Test
   void refusesAStepThatIsNotPositive() {
     assertThrows(IllegalArgumentException.class, () -> new SmoothSolver(UNIT, 0));
   }
