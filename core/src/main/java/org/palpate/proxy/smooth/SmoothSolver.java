@@ -236,7 +236,7 @@ public final class SmoothSolver implements ProxySolver {
     }
     field.seed(p.x, p.y, p.z);
     field.evaluate(p.x, p.y, p.z);
-    boolean mayFly = field.value < OPEN_SHARE && fromEdges < lastFlightEdges;
+    boolean mayFly = field.value < OPEN_SHARE && lastFlightEdges - fromEdges >= LEAST_FALL_EDGES;
     if (!mayFly || !guard.move(device, false)) {
       return false;
     }
