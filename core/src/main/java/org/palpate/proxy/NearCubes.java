@@ -38,6 +38,16 @@ final class NearCubes {
     near = new BitCube[cubes.length];
   }
 
+  /** The same cubes by their bounds as they are now, those that were handed out among them. */
+  NearCubes anew() {
+    NearCubes fresh = new NearCubes(cubes);
+    System.arraycopy(loose, 0, fresh.loose, 0, loose.length);
+    fresh.looseCount = looseCount;
+    fresh.searches = searches;
+    fresh.skipped = skipped;
+    return fresh;
+  }
+
   /** From now on the cube is always among the near ones. */
   void loosen(int number) {
     if (!loose[number]) {

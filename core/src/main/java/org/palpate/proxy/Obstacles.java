@@ -1,6 +1,7 @@
 package org.palpate.proxy;
 
 import java.util.List;
+import org.palpate.geometry.IntBox;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayCaster;
 import org.palpate.raycast.RayHit;
@@ -44,7 +45,7 @@ public final class Obstacles {
    * To be told where the bounds of a cube may have grown otherwise than through this. Allocates.
    */
   public void boundsChanged() {
-    nearCubes = nearCubes == null ? null : new NearCubes(cubes);
+    nearCubes = nearCubes == null ? null : nearCubes.anew();
   }
 
   /** How often it was searched which cubes are near; 0 where all are looked at. */
@@ -161,6 +162,18 @@ public final class Obstacles {
       word |= cube.window(i, j, k);
     }
     return word;
+  }
+
+  /** A box that holds every solid voxel of all cubes. */
+  void bounds(IntBox dest) {
+    dest.clear();
+    for (BitCube cube : cubes) {
+      IntBox box = cube.bounds();
+      if (!box.isEmpty()) {
+        dest.include(box.lowX, box.lowY, box.lowZ);
+        dest.include(box.highX, box.highY, box.highZ);
+      }
+    }
   }
 
   /** The cubes near 4x4x4 voxels, of which some may have numbers beyond all numbers. */

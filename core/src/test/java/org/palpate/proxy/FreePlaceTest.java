@@ -1,9 +1,11 @@
 package org.palpate.proxy;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.Seeds;
@@ -19,7 +21,10 @@ class FreePlaceTest {
       BitCube bits =
           new BitCube(random.nextInt(1, 14), random.nextInt(1, 14), random.nextInt(1, 14));
       fill(bits, random, random.nextInt(4));
-      Metric metric = new Metric(1, random.nextInt(1, 3), random.nextInt(1, 4));
+      Metric metric =
+          scene % 2 == 0
+              ? new Metric(1, random.nextInt(1, 3), random.nextInt(1, 4))
+              : new Metric(1, random.nextInt(1, 30), random.nextInt(1, 400));
       Vec3 from =
           new Vec3(
               random.nextInt(0, 2 * bits.sizeX()) * 0.5,
@@ -30,6 +35,28 @@ class FreePlaceTest {
           naive(bits, metric, from).toString(),
           found.toString(),
           "seed=" + seed + " scene=" + scene);
+    }
+  }
+
+  /** The way out along the long axis is as long as many voxels are wide. */
+  @Test
+  void flatVoxelsCostNoSearchFarBeyondTheSolids() {
+    AtomicInteger looks = new AtomicInteger();
+    BitCube bits =
+        new BitCube(8, 8, 8) {
+          @Override
+          public long brick(int brickX, int brickY, int brickZ) {
+            looks.incrementAndGet();
+            return super.brick(brickX, brickY, brickZ);
+          }
+        };
+    bits.set(4, 4, 4);
+    Obstacles obstacles = new Obstacles(List.of(bits));
+    for (double ratio : new double[] {1, 20, 1e3, 1e6, 1e24}) {
+      looks.set(0);
+      Metric metric = new Metric(1e-12, 1e-12, 1e-12 * ratio);
+      new FreePlace(metric).find(obstacles, new Vec3(4.5, 4.5, 4.95), new Vec3());
+      assertTrue(looks.get() <= 125, "1:1:" + ratio + " took " + looks + " looks");
     }
   }
 

@@ -43,6 +43,21 @@ class ManyObstaclesTest {
     }
   }
 
+  @Test
+  void aCubeThatWasHandedOutIsLookedAtAfterBoundsChangedToo() {
+    List<BitCube> cubes = new ArrayList<>();
+    for (int n = 0; n < 12; n++) {
+      BitCube cube = new BitCube(256, 16, 16);
+      cube.set(20 * n, 1, 1);
+      cubes.add(cube);
+    }
+    Obstacles obstacles = new Obstacles(cubes);
+    BitCube edited = obstacles.cube(11);
+    obstacles.boundsChanged();
+    edited.set(10, 8, 8);
+    assertTrue(obstacles.isSolid(10, 8, 8));
+  }
+
   private static List<Integer> naive(IntBox[] boxes, IntBox asked) {
     List<Integer> numbers = new ArrayList<>();
     for (int n = 0; n < boxes.length; n++) {
