@@ -18,6 +18,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.proxy.BorderVoxels;
 import org.palpate.proxy.CollisionOnlySolver;
 import org.palpate.proxy.DotSolver;
+import org.palpate.proxy.FreePlace;
 import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.Metric;
 import org.palpate.proxy.Obstacles;
@@ -62,6 +63,7 @@ public class ResponseBenchmark {
   @Param({"0.05", "0.3", "2"})
   public double speed;
 
+  private final Vec3 start = new Vec3();
   private final Vec3 device = new Vec3();
   private Trajectory trajectory;
   private PlainTwin twin;
@@ -74,8 +76,13 @@ public class ResponseBenchmark {
     BitCube bits = phantom.segments().segments().get(0).bits();
     trajectory = trajectory(phantom);
     twin = new PlainTwin(bits, MAX_STEP_VOXELS);
+    Obstacles obstacles = new Obstacles(List.of(bits));
+    trajectory.at(0, start);
+    if (obstacles.touches(start.x, start.y, start.z)) { // a hand in a groove begins pressed
+      new FreePlace(new Metric(1, 1, 1)).find(obstacles, start, start);
+    }
     if (!solver.equals("twin")) {
-      followed = new FollowedWay(follower(solver), new Obstacles(List.of(bits)), trajectory);
+      followed = new FollowedWay(follower(solver), obstacles, trajectory);
     }
   }
 
@@ -110,12 +117,11 @@ public class ResponseBenchmark {
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double pressAndSlide() {
-    return followed == null ? twinFrames() : followed.follow();
+    return followed == null ? twinFrames() : followed.followFrom(start);
   }
 
   private double twinFrames() {
-    trajectory.at(0, device);
-    twin.place(device.x, device.y, device.z);
+    twin.place(start.x, start.y, start.z);
     double sum = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
       trajectory.at(frame, device);
