@@ -35,7 +35,10 @@ public final class SampledRayCaster implements RayCaster {
     double dz = ray.toZ - ray.fromZ;
     double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
     double lastAt = near.to * length;
-    for (double n = Math.floor(near.from * length / stepVoxels); ; n++) {
+    // Beyond 2^53 steps the next number is the next double, so that even there the samples go on.
+    for (double n = Math.floor(near.from * length / stepVoxels);
+        ;
+        n = Math.max(n + 1, Math.nextUp(n))) {
       double at = n * stepVoxels;
       if (at >= length) {
         return sample(bits, ray.toX, ray.toY, ray.toZ, 1, hit);

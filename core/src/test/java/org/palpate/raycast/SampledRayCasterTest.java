@@ -36,6 +36,17 @@ class SampledRayCasterTest {
     }
   }
 
+  /** From where a step is less than the distance of two doubles. */
+  @Test
+  void aRayOfMoreStepsThanDoublesTellApartEnds() {
+    BitCube bits = new BitCube(4, 4, 4);
+    bits.setBrick(0, 0, 0, -1L);
+    for (double far : new double[] {0x1p53, 1e17, 1e30, 1e90}) {
+      Ray ray = new Ray().from(far, 1.5, 1.5).to(1.5, 1.5, 1.5);
+      assertTrue(new SampledRayCaster(1).cast(bits, ray, hit), "from " + far);
+    }
+  }
+
   @Test
   void gridPlanesAgreeWithTheirNaiveTwin() {
     RayCaster caster = new GridPlanesRayCaster();

@@ -6,7 +6,7 @@ import org.palpate.volume.BitCube;
 
 /**
  * A hand that goes where geometry is weakest: grid planes, edges and corners to the ulp, subnormal
- * steps, 1e12 and up to 1e300 voxels and back, the interaction point itself, the inside of solids.
+ * steps, 1e12 and up to 1e99 voxels and back, the interaction point itself, the inside of solids.
  * Finite always.
  */
 final class HostileHand {
@@ -78,7 +78,7 @@ final class HostileHand {
       case 2 -> -Double.MIN_VALUE;
       case 3 -> 1e-300;
       case 4 -> FAR * random.nextDouble();
-      case 5 -> random.nextBoolean() ? -FAR : Math.scalb(1.0, random.nextInt(46, 1000));
+      case 5 -> random.nextBoolean() ? -FAR : Math.scalb(1.0, random.nextInt(46, 330));
       case 6 -> 0x1p-60;
       default -> -1e-17;
     };
