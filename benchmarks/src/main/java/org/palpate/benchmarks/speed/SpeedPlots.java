@@ -44,6 +44,7 @@ final class SpeedPlots {
             .title(title + ": median time")
             .yAxisTitle(rows.get(0).unit())
             .build();
+    Figures.plain(chart);
     chart.getStyler().setYAxisLogarithmic(true).setXAxisLabelRotation(30);
     chart.getStyler().setPlotGridVerticalLinesVisible(false);
     chart.getStyler().setYAxisMin(rows.stream().mapToDouble(SpeedRow::median).min().orElse(1) / 2);
