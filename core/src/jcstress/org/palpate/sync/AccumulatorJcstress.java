@@ -1,5 +1,7 @@
 package org.palpate.sync;
 
+import org.palpate.geometry.Vec3;
+
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;
@@ -9,7 +11,6 @@ import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.DDD_Result;
 import org.openjdk.jcstress.infra.results.DD_Result;
 import org.openjdk.jcstress.infra.results.ZZ_Result;
-import org.palpate.geometry.Vec3;
 
 /**
  * What the reader of an {@link Accumulator} can see of a writer that publishes meanwhile, on every

@@ -16,11 +16,11 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.volume.BitCube;
 
 /**
@@ -52,10 +52,10 @@ public class ManyObjectsBenchmark {
   @Param({"tree", "each"})
   public String candidates;
 
-  private final GuardedSolver solver = new GuardedSolver(new Metric(1, 1, 1), MAX_STEP_VOXELS);
+  private final GuardedSolver solver = new GuardedSolver(new GridMetric(1, 1, 1), MAX_STEP_VOXELS);
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 device = new Vec3();
-  private Obstacles obstacles;
+  private CollisionScene obstacles;
 
   /** Makes five slabs that form a floor, and small objects all over the rest of the grid. */
   @Setup
@@ -78,7 +78,7 @@ public class ManyObjectsBenchmark {
       }
       cubes.add(cube);
     }
-    obstacles = new Obstacles(cubes, candidates.equals("tree"));
+    obstacles = new CollisionScene(cubes, candidates.equals("tree"));
   }
 
   private static void fill(BitCube cube, int i, int j, int k, int x, int y, int z) {

@@ -16,16 +16,16 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.benchmarks.shell.PointShell;
+import org.palpate.benchmarks.shell.ShellCollider;
+import org.palpate.benchmarks.shell.ShellContacts;
+import org.palpate.benchmarks.shell.ShellPool;
+import org.palpate.benchmarks.shell.ShellResponse;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.interaction.shell.ShellPool;
-import org.palpate.proxy.GuardedSolver;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
-import org.palpate.proxy.shell.PointShell;
-import org.palpate.proxy.shell.ShellCollider;
-import org.palpate.proxy.shell.ShellContacts;
-import org.palpate.proxy.shell.ShellResponse;
+import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
@@ -40,7 +40,7 @@ import org.palpate.volume.phantom.Phantom;
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class PointShellBenchmark {
-  private static final Metric METRIC = new Metric(1, 1, 1);
+  private static final GridMetric METRIC = new GridMetric(1, 1, 1);
   private static final double MAX_STEP_VOXELS = 8;
   private static final double TOOL_RADIUS = 20;
   private static final double DEPTH = 10;
@@ -59,7 +59,7 @@ public class PointShellBenchmark {
   private final Vec3 axisY = new Vec3(0, 1, 0);
   private final Vec3 origin = new Vec3();
   private final RigidTransform pose = new RigidTransform(axisX, axisY, new Vec3(0, 0, 1), origin);
-  private Obstacles[] views;
+  private CollisionScene[] views;
   private ShellCollider[] colliders;
   private PointShell shell;
   private ShellContacts contacts;
@@ -77,8 +77,8 @@ public class PointShellBenchmark {
     BitCube bits = phantom.segments().segments().get(0).bits();
     double ballRadius = -phantom.truth().orElseThrow().signedDistance(new Vec3(128, 128, 128));
     orbitRadius = ballRadius + TOOL_RADIUS - DEPTH;
-    views = new Obstacles[threads];
-    Arrays.setAll(views, thread -> new Obstacles(List.of(bits)));
+    views = new CollisionScene[threads];
+    Arrays.setAll(views, thread -> new CollisionScene(List.of(bits)));
     colliders = new ShellCollider[threads];
     Arrays.setAll(colliders, thread -> new ShellCollider());
     shell = new PointShell(ball(points));

@@ -13,6 +13,8 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.benchmarks.baseline.PlainRayCaster;
+import org.palpate.benchmarks.input.RaySet;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.GridPlanesRayCaster;
 import org.palpate.raycast.RayCaster;
@@ -35,7 +37,7 @@ public class RayCastBenchmark {
   private static final int EDGE = 256;
   private static final long SEED = 11;
 
-  /** {@code plain:1} skips nothing, see {@link PlainSamples}. */
+  /** {@code plain:1} skips nothing, see {@link PlainRayCaster}. */
   @Param({"exact", "plain:1", "sampled:1", "sampled:0.1", "gridplanes"})
   public String caster;
 
@@ -62,7 +64,7 @@ public class RayCastBenchmark {
   private static RayCaster casterOf(String name, BitCube bits) {
     return switch (name) {
       case "exact" -> new ExactRayCaster();
-      case "plain:1" -> new PlainSamples(bits);
+      case "plain:1" -> new PlainRayCaster(bits);
       case "gridplanes" -> new GridPlanesRayCaster();
       default -> new SampledRayCaster(Double.parseDouble(name.substring("sampled:".length())));
     };

@@ -14,22 +14,25 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.benchmarks.baseline.PlainBaseline;
+import org.palpate.benchmarks.input.Trajectories;
+import org.palpate.benchmarks.input.Trajectory;
+import org.palpate.collision.CollisionScene;
+import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.BorderVoxels;
-import org.palpate.proxy.CollisionOnlySolver;
-import org.palpate.proxy.DotSolver;
-import org.palpate.proxy.FreePlace;
-import org.palpate.proxy.GuardedSolver;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
-import org.palpate.proxy.PaperSolver;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.reference.BorderVoxels;
+import org.palpate.proxy.reference.CollisionOnlySolver;
+import org.palpate.proxy.reference.DotSolver;
+import org.palpate.proxy.reference.PaperSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.SampledRayCaster;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
-import org.palpate.volume.phantom.SurfaceTruth;
 
 /**
  * Time of one frame of response, by solver, on one and the same trajectory: the hand comes down and
@@ -66,8 +69,8 @@ public class ResponseBenchmark {
   private final Vec3 start = new Vec3();
   private final Vec3 device = new Vec3();
   private Trajectory trajectory;
-  private PlainTwin twin;
-  private FollowedWay followed;
+  private PlainBaseline twin;
+  private TrajectoryFollower followed;
 
   /** Makes the phantom and the trajectory. */
   @Setup
@@ -75,20 +78,20 @@ public class ResponseBenchmark {
     Phantom phantom = Phantom.parse(scene);
     BitCube bits = phantom.segments().segments().get(0).bits();
     trajectory = trajectory(phantom);
-    twin = new PlainTwin(bits, MAX_STEP_VOXELS);
-    Obstacles obstacles = new Obstacles(List.of(bits));
+    twin = new PlainBaseline(bits, MAX_STEP_VOXELS);
+    CollisionScene obstacles = new CollisionScene(List.of(bits));
     trajectory.at(0, start);
     if (obstacles.touches(start.x, start.y, start.z)) { // a hand in a groove begins pressed
-      new FreePlace(new Metric(1, 1, 1)).find(obstacles, start, start);
+      new NearestFreeVoxel(new GridMetric(1, 1, 1)).find(obstacles, start, start);
     }
     if (!solver.equals("twin")) {
-      followed = new FollowedWay(follower(solver), obstacles, trajectory);
+      followed = new TrajectoryFollower(follower(solver), obstacles, trajectory);
     }
   }
 
   private Trajectory trajectory(Phantom phantom) {
     int edge = phantom.edge();
-    SurfaceTruth truth = phantom.truth().orElse(null); // jumps do without
+    AnalyticSurface truth = phantom.truth().orElse(null); // jumps do without
     return switch (motion) {
       case "slide" -> Trajectories.slide(truth, edge, depth, speed, FRAMES, SEED);
       case "press" -> Trajectories.approach(truth, edge, depth, speed, FRAMES, SEED);
@@ -101,7 +104,7 @@ public class ResponseBenchmark {
   }
 
   private static ProxySolver follower(String name) {
-    Metric metric = new Metric(1, 1, 1);
+    GridMetric metric = new GridMetric(1, 1, 1);
     SampledRayCaster sampled = new SampledRayCaster(1);
     return switch (name) {
       case "guarded" -> new GuardedSolver(metric, MAX_STEP_VOXELS);
@@ -117,10 +120,10 @@ public class ResponseBenchmark {
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double pressAndSlide() {
-    return followed == null ? twinFrames() : followed.followFrom(start);
+    return followed == null ? baselineFrames() : followed.followFromStart(start);
   }
 
-  private double twinFrames() {
+  private double baselineFrames() {
     twin.place(start.x, start.y, start.z);
     double sum = 0;
     for (int frame = 0; frame < FRAMES; frame++) {

@@ -14,11 +14,13 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.benchmarks.input.Trajectories;
+import org.palpate.benchmarks.input.Trajectory;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
@@ -52,8 +54,8 @@ public class ScaleBenchmark {
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 device = new Vec3();
   private GuardedSolver solver;
-  private Obstacles obstacles;
-  private FollowedWay followed;
+  private CollisionScene obstacles;
+  private TrajectoryFollower followed;
   private double[] places;
 
   /** Makes the ball. */
@@ -61,13 +63,13 @@ public class ScaleBenchmark {
   public void prepare() {
     Phantom phantom = Phantom.parse("sphere:" + edge);
     BitCube bits = phantom.segments().segments().get(0).bits();
-    obstacles = new Obstacles(List.of(bits));
+    obstacles = new CollisionScene(List.of(bits));
     double scale = hand.equals("scaled") ? (double) edge / SCALED_FROM : 1;
     Trajectory trajectory =
         Trajectories.slide(
             phantom.truth().orElseThrow(), edge, DEPTH * scale, SPEED * scale, FRAMES, SEED);
-    solver = new GuardedSolver(new Metric(1, 1, 1), 8 * scale);
-    followed = new FollowedWay(solver, obstacles, trajectory);
+    solver = new GuardedSolver(new GridMetric(1, 1, 1), 8 * scale);
+    followed = new TrajectoryFollower(solver, obstacles, trajectory);
     placeAbove(phantom);
   }
 

@@ -14,23 +14,26 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.benchmarks.input.RaySet;
+import org.palpate.benchmarks.input.Trajectories;
+import org.palpate.benchmarks.input.Trajectory;
+import org.palpate.collision.CollisionScene;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.CollisionOnlySolver;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.SolverSkips;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.exact.SkipOptions;
+import org.palpate.proxy.reference.CollisionOnlySolver;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.TouchProperties;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
-import org.palpate.volume.phantom.SurfaceTruth;
 
 /**
  * What each thing that is skipped is worth: time with the skip and without, where it helps and
@@ -64,7 +67,7 @@ public class SkipBenchmark {
   private static final double DEPTH = 5;
   private static final double MAX_STEP_VOXELS = 8;
   private static final long SEED = 7;
-  private static final Metric METRIC = new Metric(1, 1, 1);
+  private static final GridMetric METRIC = new GridMetric(1, 1, 1);
 
   @Param({"empty bricks", "neighbours", "climbs", "rest", "response", "friction", "properties"})
   public String skip;
@@ -84,7 +87,7 @@ public class SkipBenchmark {
   private ContactForce contactForce;
   private TouchProperties properties;
   private BitCube bits;
-  private Obstacles obstacles;
+  private CollisionScene obstacles;
   private Trajectory trajectory;
   private boolean with;
   private boolean helps;
@@ -95,9 +98,9 @@ public class SkipBenchmark {
     with = way.equals("with");
     helps = scene.equals("helps");
     Phantom phantom = Phantom.parse("sphere:" + EDGE);
-    SurfaceTruth truth = phantom.truth().orElseThrow();
+    AnalyticSurface truth = phantom.truth().orElseThrow();
     bits = phantom.segments().segments().get(0).bits();
-    obstacles = new Obstacles(List.of(bits));
+    obstacles = new CollisionScene(List.of(bits));
     caster = new ExactRayCaster(with);
     rays = RaySet.of(truth, EDGE, helps ? "anywhere" : "near", helps ? 50 : 4, FRAMES, SEED);
     boolean touches = helps || !skip.equals("response");
@@ -118,8 +121,8 @@ public class SkipBenchmark {
     if (skip.equals("response") && with) {
       return new CollisionOnlySolver(new ExactRayCaster(), METRIC);
     }
-    SolverSkips skips =
-        new SolverSkips(
+    SkipOptions skips =
+        new SkipOptions(
             true,
             with || !skip.equals("neighbours"),
             with || !skip.equals("climbs"),

@@ -16,13 +16,17 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.benchmarks.baseline.PlainBaseline;
+import org.palpate.benchmarks.input.Scans;
+import org.palpate.benchmarks.input.Trajectories;
+import org.palpate.benchmarks.input.Trajectory;
+import org.palpate.collision.CollisionScene;
+import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.CollisionOnlySolver;
-import org.palpate.proxy.FreePlace;
-import org.palpate.proxy.GuardedSolver;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.reference.CollisionOnlySolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.volume.BitCube;
@@ -57,27 +61,27 @@ public class Table1Benchmark {
 
   private final Vec3 start = new Vec3();
   private final Vec3 device = new Vec3();
-  private FollowedWay followed;
-  private PlainTwin twin;
+  private TrajectoryFollower followed;
+  private PlainBaseline twin;
   private Trajectory trajectory;
-  private Metric metric;
+  private GridMetric metric;
 
   /** Reads and, where so named, resamples the scan. */
   @Setup
   public void prepare() throws IOException {
     Scans scan = Scans.read(Path.of(System.getProperty("palpate.data")), data);
     BitCube bits = scan.bone();
-    metric = data.contains(" to ") ? new Metric(1, 1, 1) : Metric.of(scan.spacingMm());
-    Obstacles obstacles = new Obstacles(List.of(bits));
+    metric = data.contains(" to ") ? new GridMetric(1, 1, 1) : GridMetric.of(scan.spacingMm());
+    CollisionScene obstacles = new CollisionScene(List.of(bits));
     trajectory = Trajectories.wander(bits.sizeX(), bits.sizeY(), bits.sizeZ(), SPEED, FRAMES, SEED);
     trajectory.at(0, start);
     if (solver.equals("twin")) {
-      twin = new PlainTwin(bits, MAX_STEP_MM);
+      twin = new PlainBaseline(bits, MAX_STEP_MM);
     } else {
-      followed = new FollowedWay(follower(), obstacles, trajectory);
+      followed = new TrajectoryFollower(follower(), obstacles, trajectory);
     }
     if (twin != null || obstacles.touches(start.x, start.y, start.z)) {
-      new FreePlace(metric).find(obstacles, start, start);
+      new NearestFreeVoxel(metric).find(obstacles, start, start);
     }
   }
 
@@ -104,6 +108,6 @@ public class Table1Benchmark {
       }
       return sum;
     }
-    return followed.followFrom(start);
+    return followed.followFromStart(start);
   }
 }

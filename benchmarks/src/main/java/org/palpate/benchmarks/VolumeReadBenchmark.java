@@ -29,11 +29,11 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 import org.palpate.io.PhantomReader;
-import org.palpate.io.ReadOptions;
-import org.palpate.io.SegmentBuilder;
-import org.palpate.io.SegmentSpec;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.VolumeWriter;
+import org.palpate.io.label.SegmentBuilder;
+import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.volume.ReadOptions;
 import org.palpate.volume.phantom.Phantom;
 
 /**

@@ -13,20 +13,20 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import org.palpate.collision.CollisionScene;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
+import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.HapticFrame;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.interaction.EditQueue;
-import org.palpate.interaction.FramePublisher;
-import org.palpate.interaction.FrameRecorder;
-import org.palpate.interaction.FrameSettings;
-import org.palpate.interaction.HapticFrame;
-import org.palpate.interaction.RecordingDevice;
-import org.palpate.proxy.GuardedSolver;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.recording.RecordingDevice;
+import org.palpate.recording.SampleRecorder;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.TouchProperties;
 import org.palpate.volume.SegmentedVolume;
@@ -51,7 +51,7 @@ public class WholeFrameBenchmark {
   @Param({"bare", "recorded and shown"})
   public String frameOf;
 
-  private final FrameRecorder recorder = new FrameRecorder();
+  private final SampleRecorder recorder = new SampleRecorder();
   private HapticFrame frame;
   private long nowNanos;
 
@@ -59,9 +59,9 @@ public class WholeFrameBenchmark {
   @Setup
   public void prepare() {
     SegmentedVolume volume = Phantom.parse("head:256").segments();
-    Metric metric = Metric.of(volume.grid().spacingMm());
-    Obstacles obstacles =
-        new Obstacles(volume.segments().stream().map(segment -> segment.bits()).toList());
+    GridMetric metric = GridMetric.of(volume.grid().spacingMm());
+    CollisionScene obstacles =
+        new CollisionScene(volume.segments().stream().map(segment -> segment.bits()).toList());
     HandTarget target = HandTarget.ofBox(new Vec3(40, 40, 40), new Vec3(216, 216, 216), 1);
     SimulatedDevice hand = new SimulatedDevice(SEED, target, FRAME_NANOS);
     boolean whole = frameOf.startsWith("recorded");

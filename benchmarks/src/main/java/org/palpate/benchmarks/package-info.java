@@ -1,6 +1,7 @@
 /**
- * Run time against error, scaling, skips and jitter: JMH benchmarks and the commands that run them.
+ * JMH benchmarks of collision, response, volumes, whole frames and native crossings.
  *
- * <p>Uses everything. No test asserts a time; these show it.
+ * <p>Uses {@code benchmarks.baseline} and {@code benchmarks.input}. One thread a benchmark unless
+ * its name says otherwise. Grid coordinates; each class states its unit of time.
  */
 package org.palpate.benchmarks;

@@ -17,7 +17,7 @@ public final class SimulatedDevice implements HapticDevice {
   public static final double MAX_STIFFNESS_NEWTON_PER_MM = 1;
 
   private final DeviceSpecification specification;
-  private final SeededHand hand;
+  private final SimulatedHand hand;
   private final long intervalNanos;
   private final Vec3 lastForceNewton = new Vec3();
   private long reads;
@@ -35,7 +35,7 @@ public final class SimulatedDevice implements HapticDevice {
           "intervalNanos must be positive: intervalNanos=" + intervalNanos);
     }
     this.intervalNanos = intervalNanos;
-    hand = new SeededHand(seed, target, intervalNanos);
+    hand = new SimulatedHand(seed, target, intervalNanos);
     specification =
         new DeviceSpecification(
             "simulated",

@@ -13,7 +13,7 @@ import org.palpate.geometry.Vec3;
  *
  * <p>Read and written by the haptic thread, which owns all of the state; allocates nothing.
  */
-public final class WorkspaceDevice extends WrappedDevice {
+public final class WorkspaceDevice extends DeviceDecorator {
   /** How long the force takes to come back after the clutch. */
   public static final long RETURN_NANOS = 150_000_000L;
 

@@ -1,8 +1,7 @@
 /**
- * The port to haptic devices: what is read, what is written, what a device can do; the simulated
- * and the replay device.
+ * The port to haptic devices, with a simulated device and a device that replays a trajectory.
  *
- * <p>Uses {@code geometry}. Read and written by the haptic thread, closed by whoever opened it.
- * World millimetres and newtons.
+ * <p>Uses {@code geometry}. The haptic thread reads and writes a device; whoever opened it closes
+ * it. World millimetres and newtons.
  */
 package org.palpate.device;

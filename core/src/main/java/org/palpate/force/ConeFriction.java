@@ -1,8 +1,8 @@
 package org.palpate.force;
 
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
 
 /**
  * Static and sliding friction: the point sticks to an anchor on the surface, pulled back by a
@@ -23,7 +23,7 @@ final class ConeFriction {
   /** Below this share of an edge a frame, a sliding point stops and sticks. */
   private static final double STOP_EDGES = 1e-4;
 
-  private final Metric metric;
+  private final GridMetric metric;
   private final double stopMm;
   private final Vec3 anchor = new Vec3();
   private final Vec3 lastDevice = new Vec3();
@@ -32,7 +32,7 @@ final class ConeFriction {
   private boolean anchored;
   private boolean sliding;
 
-  ConeFriction(Metric metric) {
+  ConeFriction(GridMetric metric) {
     this.metric = metric;
     stopMm = STOP_EDGES * metric.shortestEdgeMm();
   }
@@ -42,7 +42,7 @@ final class ConeFriction {
   }
 
   /** Adds friction to the coupling force in {@code force}; lets go where nothing presses. */
-  void add(InteractionPoint point, Vec3 device, MaterialBlend felt, Vec3 force) {
+  void add(InteractionPoint point, Vec3 device, MaterialTransition felt, Vec3 force) {
     double pressing = force.length();
     if (!(pressing > 0) || felt.stickingFriction() == 0 || !point.contact) {
       anchored = false;
@@ -62,7 +62,7 @@ final class ConeFriction {
   }
 
   private void addPull(
-      Vec3 position, Vec3 device, MaterialBlend felt, double pressing, Vec3 force) {
+      Vec3 position, Vec3 device, MaterialTransition felt, double pressing, Vec3 force) {
     toMm(position, anchor, pull);
     takeOffAlong(force, pressing, pull);
     pull.mul(felt.stiffnessNewtonPerMm(), pull);
@@ -78,7 +78,7 @@ final class ConeFriction {
     vector.set(vector.x - share * force.x, vector.y - share * force.y, vector.z - share * force.z);
   }
 
-  private void stayInCone(Vec3 position, MaterialBlend felt, double pressing) {
+  private void stayInCone(Vec3 position, MaterialTransition felt, double pressing) {
     double newton = pull.length();
     double stickingNewton = felt.stickingFriction() * pressing;
     double movedMm =

@@ -1,7 +1,7 @@
 package org.palpate.force;
 
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.Metric;
 
 /**
  * Damping in contact: a force against the speed at which the hand goes in or out along the coupling
@@ -17,12 +17,12 @@ final class ContactDamping {
   private static final double NANOS_PER_MS = 1e6;
   private static final double MS_PER_S = 1e3;
 
-  private final Metric metric;
+  private final GridMetric metric;
   private final Vec3 lastDevice = new Vec3();
   private final Vec3 mmPerMs = new Vec3();
   private boolean begun;
 
-  ContactDamping(Metric metric) {
+  ContactDamping(GridMetric metric) {
     this.metric = metric;
   }
 

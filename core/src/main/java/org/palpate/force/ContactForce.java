@@ -1,27 +1,27 @@
 package org.palpate.force;
 
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
-import org.palpate.proxy.Metric;
 
 /**
  * Force on the hand: the virtual coupling k(p-d) that pulls it back to the interaction point, less
  * the height at which the solver's surface runs, and dry friction against the way that the point
  * slid. Where the solver asks for it the coupling hands over without a jump, see {@link
- * ForceHandOver}. Stiffness, friction and damping are those of the object that is touched, see
- * {@link MaterialBlend}.
+ * ForceRateLimit}. Stiffness, friction and damping are those of the object that is touched, see
+ * {@link MaterialTransition}.
  *
  * <p>Source: Vlasov et al. 2013, section 5.1, equations (3) and (4). Zero where undefined. Haptic
  * thread; allocates nothing.
  */
 public final class ContactForce {
-  private final Metric metric;
+  private final GridMetric metric;
   private ForceSettings settings;
   private final Vec3 slide = new Vec3();
-  private final ForceHandOver handOver;
+  private final ForceRateLimit handOver;
   private final ConeFriction cone;
-  private final MaterialBlend felt;
+  private final MaterialTransition felt;
   private final ContactDamping damping;
   private final Vec3 lastDevice = new Vec3();
   private final Vec3 outward = new Vec3();
@@ -31,15 +31,15 @@ public final class ContactForce {
   private long frictionSkipped;
 
   /** Lengths are those of {@code metric}. */
-  public ContactForce(Metric metric, ForceSettings settings) {
+  public ContactForce(GridMetric metric, ForceSettings settings) {
     this.metric = metric;
     this.settings = settings;
     damps = settings.damps();
-    handOver = new ForceHandOver(metric);
+    handOver = new ForceRateLimit(metric);
     cone = new ConeFriction(metric);
     damping = new ContactDamping(metric);
     double shortestMm = metric.shortestEdgeMm();
-    felt = new MaterialBlend(shortestMm, settings.general());
+    felt = new MaterialTransition(shortestMm, settings.general());
   }
 
   public ForceSettings settings() {

@@ -1,7 +1,7 @@
 /**
- * Vectors, rigid transforms and boxes: mutable carriers that are written into, destination last.
+ * Vectors, rigid transforms, integer boxes and the metric of a voxel grid.
  *
- * <p>Uses the JDK alone. No thread of its own; an instance belongs to one thread at a time. Units
- * and frame are those of the caller and stand in the caller's names.
+ * <p>Uses the JDK alone. Mutable classes belong to one thread; records may be shared. Each class
+ * states its frame; lengths are millimetres unless a name says voxels.
  */
 package org.palpate.geometry;

@@ -35,7 +35,7 @@ public final class InteractionPoint {
 
   /**
    * The object that stops the point on its straight way to the device, by its place among the
-   * obstacles, or {@link #NOTHING}; written by who wants to know, see {@link TouchedObject}.
+   * obstacles, or {@link #NOTHING}; written by who wants to know, see {@link TouchedObjectFinder}.
    */
   public int touched = NOTHING;
 }

@@ -1,5 +1,6 @@
 package org.palpate.proxy;
 
+import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -14,7 +15,7 @@ public interface ProxySolver {
    * @param device where the device is, grid coordinates, finite
    * @param point moved; touches no solid when the frame begins
    */
-  void follow(Obstacles obstacles, Vec3 device, InteractionPoint point);
+  void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point);
 
   /**
    * Forgets what is kept from frame to frame, after the point was placed anew or solids changed.
@@ -22,5 +23,5 @@ public interface ProxySolver {
   default void reset() {}
 
   /** Adds how often this solver has left out what to {@code dest}. */
-  default void addSkips(SkipCounts dest) {}
+  default void addSkips(SkipCounters dest) {}
 }

@@ -1,8 +1,8 @@
 /**
- * Response: the solvers that move the interaction point after the device, and the legs that it
- * travels.
+ * The interaction point, the path that it travels in a frame, and the interface of the solvers that
+ * move it.
  *
- * <p>Uses {@code raycast}. An instance keeps scratch and belongs to the haptic thread. Positions
- * are grid coordinates, lengths and distances are millimetres.
+ * <p>Uses {@code collision} and what stands below it. Belongs to the haptic thread. Positions are
+ * grid coordinates; path lengths are millimetres.
  */
 package org.palpate.proxy;

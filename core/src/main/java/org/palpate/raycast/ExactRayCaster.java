@@ -32,12 +32,12 @@ public final class ExactRayCaster implements RayCaster {
    */
   private static final double LONGEST = 0x1p46;
 
-  private final EmptySkips empty;
+  private final EmptySpaceSkipper empty;
   private final ExactPredicates exact = new ExactPredicates();
   private final ExhaustiveRayCaster exhaustive = new ExhaustiveRayCaster(exact);
-  private final AxisWalk x = new AxisWalk();
-  private final AxisWalk y = new AxisWalk();
-  private final AxisWalk z = new AxisWalk();
+  private final AxisTraversal x = new AxisTraversal();
+  private final AxisTraversal y = new AxisTraversal();
+  private final AxisTraversal z = new AxisTraversal();
   private final RayHit other = new RayHit();
 
   private BitCube bits;
@@ -58,7 +58,7 @@ public final class ExactRayCaster implements RayCaster {
    *     voxel, to see what that is worth
    */
   public ExactRayCaster(boolean skipsEmpty) {
-    empty = new EmptySkips(skipsEmpty);
+    empty = new EmptySpaceSkipper(skipsEmpty);
   }
 
   /** How often something empty was passed in one step: a brick, a block, a box in a brick. */
@@ -85,8 +85,8 @@ public final class ExactRayCaster implements RayCaster {
       return exhaustive.cast(cube, newRay, newHit);
     }
     int answer = walkWhereSure(cube, newRay, dx, dy, dz, newHit);
-    if (answer != NearRayWalk.DOUBT) {
-      return answer == NearRayWalk.HIT;
+    if (answer != NearRayTraversal.DOUBT) {
+      return answer == NearRayTraversal.HIT;
     }
     bits = cube;
     ray = newRay;
@@ -95,12 +95,12 @@ public final class ExactRayCaster implements RayCaster {
   }
 
   private int walkWhereSure(BitCube cube, Ray ray, double dx, double dy, double dz, RayHit hit) {
-    if (NearRayWalk.isNear(dx, dy, dz)) {
-      return NearRayWalk.walk(cube, ray, empty, hit);
+    if (NearRayTraversal.isNear(dx, dy, dz)) {
+      return NearRayTraversal.walk(cube, ray, empty, hit);
     }
-    return FarRayWalk.isWithinReach(ray)
-        ? FarRayWalk.walk(cube, ray, empty, hit)
-        : NearRayWalk.DOUBT;
+    return FarRayTraversal.isWithinReach(ray)
+        ? FarRayTraversal.walk(cube, ray, empty, hit)
+        : NearRayTraversal.DOUBT;
   }
 
   /** Whether the ray lies on one side of the box. Exact: only comparisons. */
@@ -166,10 +166,10 @@ public final class ExactRayCaster implements RayCaster {
     clip(x, box.lowX, box.highX);
     clip(y, box.lowY, box.highY);
     clip(z, box.lowZ, box.highZ);
-    if (start - AxisWalk.doubt(start) > end + AxisWalk.doubt(end)) {
+    if (start - AxisTraversal.doubt(start) > end + AxisTraversal.doubt(end)) {
       return false;
     }
-    end += AxisWalk.doubt(end);
+    end += AxisTraversal.doubt(end);
     if (start > 0) {
       enter(x, box.lowX, box.highX);
       enter(y, box.lowY, box.highY);
@@ -185,7 +185,7 @@ public final class ExactRayCaster implements RayCaster {
   }
 
   /** Narrows the walk to the box that holds all solids. */
-  private void clip(AxisWalk axis, int low, int high) {
+  private void clip(AxisTraversal axis, int low, int high) {
     if (axis.step == 0) {
       return;
     }
@@ -198,7 +198,7 @@ public final class ExactRayCaster implements RayCaster {
   }
 
   /** Sets the walk along an axis to where the ray reaches the box. */
-  private void enter(AxisWalk axis, int low, int high) {
+  private void enter(AxisTraversal axis, int low, int high) {
     boolean up = axis.step > 0;
     boolean outside = axis.startsBefore(up ? low : high + 1);
     int first = outside ? (up ? low : high + 1) : (up ? axis.cell + 1 : axis.cell);
@@ -211,7 +211,7 @@ public final class ExactRayCaster implements RayCaster {
       if (t > end) {
         return false;
       }
-      double together = t + AxisWalk.doubt(t);
+      double together = t + AxisTraversal.doubt(t);
       int crossed = crossedUntil(together);
       boolean sure = (crossed & (crossed - 1)) == 0 && together < 1;
       if (sure ? crossOne(crossed, t) : crossSeveral(withNeighbours(crossed), t)) {
@@ -235,12 +235,12 @@ public final class ExactRayCaster implements RayCaster {
     last = (crossed & 1) != 0 ? Math.max(last, x.next) : last;
     last = (crossed & 2) != 0 ? Math.max(last, y.next) : last;
     last = (crossed & 4) != 0 ? Math.max(last, z.next) : last;
-    return crossedUntil(last + AxisWalk.doubt(last));
+    return crossedUntil(last + AxisTraversal.doubt(last));
   }
 
   /** Crosses one plane, with no doubt about it. */
   private boolean crossOne(int crossed, double t) {
-    AxisWalk axis = crossed == 1 ? x : crossed == 2 ? y : z;
+    AxisTraversal axis = crossed == 1 ? x : crossed == 2 ? y : z;
     axis.advance();
     long brick = brick();
     if (empty.on && brick == 0) {

@@ -1,8 +1,7 @@
 /**
- * Collision: where the straight way from one point to another first meets a solid voxel, sampled or
- * exact.
+ * Finds the first solid voxel on a straight segment, by sampling or exactly.
  *
- * <p>Uses {@code volume}. An instance keeps scratch and belongs to one thread. Everything is in
- * grid coordinates.
+ * <p>Uses {@code volume}. An instance keeps scratch memory and belongs to one thread. Everything is
+ * in grid coordinates.
  */
 package org.palpate.raycast;

@@ -310,12 +310,12 @@ public final class Accumulator {
   }
 
   /** The numbers of what the reader has taken so far. Reader, or anyone after both have ended. */
-  public SyncCounts counts() {
+  public SyncCounters counts() {
     long writesSeen = 0;
     for (long ofProperty : seenWrites) {
       writesSeen += ofProperty;
     }
-    return new SyncCounts(writesSeen, unchanged, seenStamp, applied);
+    return new SyncCounters(writesSeen, unchanged, seenStamp, applied);
   }
 
   long taken(int offset) {

@@ -1,8 +1,7 @@
 /**
- * Accumulators of scene properties: the hand-over from the haptic thread at kilohertz to the scene
- * at 30 Hz.
+ * Hands scene properties from the haptic thread, at kilohertz, to the scene, at 30 Hz.
  *
- * <p>Uses {@code geometry}. One writer, the haptic thread; one reader, the synchronization thread.
- * A value's frame and unit are what its writer says.
+ * <p>Uses {@code geometry}. One writer, the haptic thread, and one reader, the synchronization
+ * thread; neither waits for the other. The writer of a property states its frame and unit.
  */
 package org.palpate.sync;

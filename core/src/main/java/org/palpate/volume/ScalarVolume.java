@@ -126,7 +126,7 @@ public abstract class ScalarVolume {
    * The levels of {@link #LEVELS} voxels from (i,j,k) on along a row, all in the grid: a byte each,
    * the first in the lowest. For who reads many: several times as fast as {@link #value}.
    */
-  public abstract long levels(int i, int j, int k, GreyLevels scale);
+  public abstract long levels(int i, int j, int k, GreyQuantizer scale);
 
   /** Stores a value, rounded and held to the storage's range, at voxel (i,j,k) of the grid. */
   public abstract void set(int i, int j, int k, double value);
@@ -154,7 +154,7 @@ public abstract class ScalarVolume {
     }
 
     @Override
-    public long levels(int i, int j, int k, GreyLevels scale) {
+    public long levels(int i, int j, int k, GreyQuantizer scale) {
       byte[] slice = slices[k];
       int from = indexInSlice(i, j, k);
       long levels = 0;
@@ -186,7 +186,7 @@ public abstract class ScalarVolume {
     }
 
     @Override
-    public long levels(int i, int j, int k, GreyLevels scale) {
+    public long levels(int i, int j, int k, GreyQuantizer scale) {
       short[] slice = slices[k];
       int from = indexInSlice(i, j, k);
       long levels = 0;
@@ -216,7 +216,7 @@ public abstract class ScalarVolume {
     }
 
     @Override
-    public long levels(int i, int j, int k, GreyLevels scale) {
+    public long levels(int i, int j, int k, GreyQuantizer scale) {
       float[] slice = slices[k];
       int from = indexInSlice(i, j, k);
       long levels = 0;

@@ -1,5 +1,6 @@
 package org.palpate.volume;
 
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
@@ -13,19 +14,13 @@ import org.palpate.geometry.Vec3;
  * @param sizeX voxels along x, at least 1
  * @param sizeY voxels along y, at least 1
  * @param sizeZ voxels along z, at least 1
- * @param spacingMm edge lengths of a voxel, from {@link #LEAST_SPACING_MM} to {@link
- *     #GREATEST_SPACING_MM}
+ * @param spacingMm edge lengths of a voxel, from {@link GridMetric#MIN_SPACING_MM} to {@link
+ *     GridMetric#MAX_SPACING_MM}
  * @param gridMmToWorld from grid millimetres to world; its origin is the world position of the
  *     corner (0,0,0) of voxel 0
  */
 public record VoxelGrid(
     int sizeX, int sizeY, int sizeZ, Vec3 spacingMm, RigidTransform gridMmToWorld) {
-
-  /** Far less than an atom; squares of distances stay far from subnormal numbers. */
-  public static final double LEAST_SPACING_MM = 1e-12;
-
-  /** A million kilometres; squares of distances stay far from infinity. */
-  public static final double GREATEST_SPACING_MM = 1e12;
 
   /** Checks sizes and spacing. */
   public VoxelGrid {
@@ -33,15 +28,12 @@ public record VoxelGrid(
       throw new IllegalArgumentException(
           "sizes must be at least 1: sizes=" + sizeX + "x" + sizeY + "x" + sizeZ);
     }
-    if (!isSpacing(spacingMm.x) || !isSpacing(spacingMm.y) || !isSpacing(spacingMm.z)) {
+    if (!GridMetric.isValidSpacing(spacingMm.x)
+        || !GridMetric.isValidSpacing(spacingMm.y)
+        || !GridMetric.isValidSpacing(spacingMm.z)) {
       throw new IllegalArgumentException(
           "spacing must be from 1e-12 to 1e12 mm: spacingMm=" + spacingMm);
     }
-  }
-
-  /** Whether a voxel's edge may have this length, mm; false for NaN. */
-  public static boolean isSpacing(double mm) {
-    return mm >= LEAST_SPACING_MM && mm <= GREATEST_SPACING_MM;
   }
 
   /** A grid of unit voxels whose grid coordinates are its world coordinates. */

@@ -1,8 +1,8 @@
 /**
- * Bit cubes, the voxel grid that they fill, segments, phantoms and editing.
+ * Bit cubes, the voxel grid that they fill, segments, and grey values.
  *
- * <p>Uses {@code geometry}. Bits are changed by one thread, the haptic thread while a session runs;
- * any thread may read what no one changes. Grid coordinates: voxel (i,j,k) is the closed cell
- * [i,i+1]x[j,j+1]x[k,k+1], outside is empty.
+ * <p>Uses {@code geometry}. One thread changes the bits: the haptic thread while a session runs.
+ * Any thread may read what no thread changes. In grid coordinates voxel (i,j,k) is the closed cell
+ * [i,i+1]x[j,j+1]x[k,k+1]; spacing is in millimetres.
  */
 package org.palpate.volume;

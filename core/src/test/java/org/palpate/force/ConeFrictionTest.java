@@ -6,17 +6,17 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
 
 class ConeFrictionTest {
   private static final long SEED = Long.getLong("palpate.seed", 20130613);
-  private static final Metric UNIT = new Metric(1, 1, 1);
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
   private static final double MU = 0.4;
   private static final double PRESSING = 3;
-  private static final MaterialBlend FELT =
-      new MaterialBlend(1, Material.of(1, MU, FrictionForm.CONE));
+  private static final MaterialTransition FELT =
+      new MaterialTransition(1, Material.of(1, MU, FrictionForm.CONE));
 
   private final ConeFriction cone = new ConeFriction(UNIT);
   private final InteractionPoint point = new InteractionPoint();

@@ -6,14 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
 
 class ContactForceTest {
   private static final long SEED = Long.getLong("palpate.seed", 20130613);
-  private static final Metric UNIT = new Metric(1, 1, 1);
-  private static final Metric CT = new Metric(1, 1, 2);
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
+  private static final GridMetric CT = new GridMetric(1, 1, 2);
 
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 force = new Vec3();
@@ -171,7 +171,12 @@ class ContactForceTest {
   }
 
   private static void slide(
-      InteractionPoint moved, Metric metric, double x, double y, double z, boolean alongSurface) {
+      InteractionPoint moved,
+      GridMetric metric,
+      double x,
+      double y,
+      double z,
+      boolean alongSurface) {
     Vec3 p = moved.position;
     double length = metric.distance(p.x, p.y, p.z, x, y, z);
     moved.legs.add(p.x, p.y, p.z, x, y, z, length, alongSurface);

@@ -7,13 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.TouchedObject;
+import org.palpate.proxy.TouchedObjectFinder;
+import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.volume.BitCube;
 
@@ -23,7 +23,7 @@ class MaterialTest {
   private static final int EDGE = 48;
   private static final int TOP = 16;
   private static final int SEAM = 24;
-  private static final Metric UNIT = new Metric(1, 1, 1);
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
   private static final Material SOFT = new Material(0.2, 0.5, 0.4, 0);
   private static final Material BONE = new Material(0.9, 0.1, 0.1, 0);
   private static final Material SOFT_SLIPPERY = new Material(0.2, 0, 0, 0);
@@ -33,8 +33,8 @@ class MaterialTest {
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 device = new Vec3();
   private final Vec3 force = new Vec3();
-  private final TouchedObject touched = new TouchedObject();
-  private final Obstacles floor = new Obstacles(List.of(slab(0, SEAM), slab(SEAM, EDGE)));
+  private final TouchedObjectFinder touched = new TouchedObjectFinder();
+  private final CollisionScene floor = new CollisionScene(List.of(slab(0, SEAM), slab(SEAM, EDGE)));
 
   @Test
   void theObjectThatStopsThePointIsTheOneThatIsFelt() {
@@ -59,7 +59,7 @@ class MaterialTest {
 
   @Test
   void ofObjectsThatShareAVoxelTheFirstIsFelt() {
-    Obstacles twice = new Obstacles(List.of(slab(0, EDGE), slab(0, EDGE)));
+    CollisionScene twice = new CollisionScene(List.of(slab(0, EDGE), slab(0, EDGE)));
     point.position.set(10, 10, TOP + 2);
     point.contact = true;
     touched.find(twice, device.set(10.5, 10.5, TOP - 2), point);
@@ -70,7 +70,7 @@ class MaterialTest {
 
   @Test
   void theObjectIsTheSameWhereManyAreSearchedByATree() {
-    Obstacles byTree = new Obstacles(List.of(slab(0, SEAM), slab(SEAM, EDGE)), true);
+    CollisionScene byTree = new CollisionScene(List.of(slab(0, SEAM), slab(SEAM, EDGE)), true);
     SplittableRandom random = new SplittableRandom(SEED);
     for (int n = 0; n < 2000; n++) {
       int i = random.nextInt(-2, EDGE + 2);
@@ -92,7 +92,8 @@ class MaterialTest {
         for (double x = SEAM - 6.2; x < SEAM + 9; x += speed) {
           frame(solver, contact, x, TOP - 5, FRAME_NANOS);
           double change = force.sub(last, new Vec3()).length();
-          largest = Math.max(largest, change / Math.max(speed, MaterialBlend.LEAST_MOTION_EDGES));
+          largest =
+              Math.max(largest, change / Math.max(speed, MaterialTransition.LEAST_MOTION_EDGES));
           last.set(force);
         }
         assertEquals(0.9 * 5, force.z, 0.1, form + " speed=" + speed);

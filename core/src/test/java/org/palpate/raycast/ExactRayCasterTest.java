@@ -108,7 +108,7 @@ class ExactRayCasterTest {
       from[axis] = corner[axis] + random.nextDouble(-9, 9);
     }
     double beyond = random.nextInt(1, 9) * Math.ulp(corner[first] + 0.5);
-    double length = beyond / (AxisWalk.DOUBT_RELATIVE * random.nextDouble(0.95, 1.05));
+    double length = beyond / (AxisTraversal.DOUBT_RELATIVE * random.nextDouble(0.95, 1.05));
     double side = random.nextBoolean() ? 1 : -1;
     to[first] = corner[first] + side * beyond;
     from[first] = corner[first] - side * length;

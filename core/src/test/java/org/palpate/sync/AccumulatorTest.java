@@ -32,7 +32,7 @@ class AccumulatorTest {
     }
     assertTrue(accumulator.take());
     assertEquals(5, number.read());
-    assertEquals(new SyncCounts(5, 0, 5, 0), accumulator.counts());
+    assertEquals(new SyncCounters(5, 0, 5, 0), accumulator.counts());
   }
 
   @Test
@@ -46,7 +46,7 @@ class AccumulatorTest {
     assertFalse(accumulator.isDirty());
     accumulator.publish();
     assertFalse(accumulator.take());
-    assertEquals(new SyncCounts(1, 1, 1, 1), accumulator.counts());
+    assertEquals(new SyncCounters(1, 1, 1, 1), accumulator.counts());
   }
 
   @Test

@@ -7,37 +7,37 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
+import org.palpate.collision.CollisionScene;
+import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.FreePlace;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.volume.BitCube;
 
 /** A solver in a {@link HostileWorld}: what every one with the guarantee has to stand. */
 public final class HostileTouch {
-  private static final Metric UNIT = new Metric(1, 1, 1);
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
 
   /** Makes a fresh solver. */
   @FunctionalInterface
-  public interface SolverMaker {
-    ProxySolver make(Metric metric, double maxStepMm);
+  public interface SolverFactory {
+    ProxySolver make(GridMetric metric, double maxStepMm);
   }
 
   /** What a solver promises of a frame beside the guarantee. */
   @FunctionalInterface
   public interface FramePromise {
     /** Whether the frame that led from {@code before} to {@code after} kept it. */
-    boolean isKept(Metric metric, Vec3 device, Vec3 before, Vec3 after);
+    boolean isKept(GridMetric metric, Vec3 device, Vec3 before, Vec3 after);
   }
 
-  private final SolverMaker maker;
+  private final SolverFactory maker;
   private final long seed = Seeds.seed();
   private final SplittableRandom random = new SplittableRandom(seed);
   private final InteractionPoint point = new InteractionPoint();
 
-  public HostileTouch(SolverMaker maker) {
+  public HostileTouch(SolverFactory maker) {
     this.maker = maker;
   }
 
@@ -56,10 +56,11 @@ public final class HostileTouch {
 
   private long touchScene(String what, FramePromise promise) {
     BitCube bits = HostileWorld.scene(random);
-    Metric metric = new Metric(1, 1, random.nextBoolean() ? 1 : random.nextDouble(0.05, 20));
+    GridMetric metric =
+        new GridMetric(1, 1, random.nextBoolean() ? 1 : random.nextDouble(0.05, 20));
     double maxStepMm = random.nextInt(4) == 0 ? 1e-3 : random.nextDouble(0.5, 60);
     ProxySolver solver = maker.make(metric, maxStepMm);
-    Obstacles obstacles = new Obstacles(List.of(bits));
+    CollisionScene obstacles = new CollisionScene(List.of(bits));
     place(obstacles, metric, HostileWorld.point(random, bits), point);
     LegJudge judge = new LegJudge(bits, point.position);
     Vec3 device = new Vec3().set(point.position);
@@ -85,7 +86,7 @@ public final class HostileTouch {
   public void comesToRest(int scenes, int mostFrames, Consumer<ProxySolver> atRest) {
     for (int scene = 0; scene < scenes; scene++) {
       ProxySolver solver = maker.make(UNIT, 8);
-      Obstacles obstacles = startInScene();
+      CollisionScene obstacles = startInScene();
       Vec3 device =
           new Vec3(random.nextDouble(-4, 20), random.nextDouble(-4, 20), random.nextDouble(-4, 20));
       int frames = 0;
@@ -106,7 +107,7 @@ public final class HostileTouch {
   public void restsWhereAFreshSolverWouldRest(int scenes) {
     for (int scene = 0; scene < scenes; scene++) {
       ProxySolver solver = maker.make(UNIT, 8);
-      Obstacles obstacles = startInScene();
+      CollisionScene obstacles = startInScene();
       Vec3 device = new Vec3().set(point.position);
       for (int frame = 0; frame < 80; frame++) {
         if (frame < 40) {
@@ -119,8 +120,8 @@ public final class HostileTouch {
     }
   }
 
-  private Obstacles startInScene() {
-    Obstacles obstacles = new Obstacles(List.of(HostileWorld.scene(random)));
+  private CollisionScene startInScene() {
+    CollisionScene obstacles = new CollisionScene(List.of(HostileWorld.scene(random)));
     Vec3 start = new Vec3(random.nextInt(-4, 20), random.nextInt(-4, 20) + 0.5, 1);
     place(obstacles, UNIT, start, point);
     return obstacles;
@@ -132,10 +133,11 @@ public final class HostileTouch {
     }
   }
 
-  private static void place(Obstacles obstacles, Metric metric, Vec3 start, InteractionPoint dest) {
+  private static void place(
+      CollisionScene obstacles, GridMetric metric, Vec3 start, InteractionPoint dest) {
     dest.position.set(start);
     if (obstacles.touches(start.x, start.y, start.z)) {
-      new FreePlace(metric).find(obstacles, start, dest.position);
+      new NearestFreeVoxel(metric).find(obstacles, start, dest.position);
     }
   }
 }

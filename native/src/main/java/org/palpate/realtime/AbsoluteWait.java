@@ -1,5 +1,7 @@
 package org.palpate.realtime;
 
+import org.palpate.realtime.os.PreciseSleep;
+
 /** The system's sleep to an absolute moment, again where a signal ended it early. */
 final class AbsoluteWait implements DeadlineWait {
   private final PreciseSleep sleep;

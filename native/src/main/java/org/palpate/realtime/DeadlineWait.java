@@ -1,6 +1,6 @@
 package org.palpate.realtime;
 
-import org.palpate.interaction.Pacer;
+import org.palpate.loop.Pacer;
 
 /**
  * A way to wait that may hold something of the system's. Belongs to one thread. On the clock of

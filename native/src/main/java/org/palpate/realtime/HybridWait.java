@@ -1,6 +1,8 @@
 package org.palpate.realtime;
 
 import java.util.function.LongSupplier;
+import org.palpate.realtime.os.PreciseSleep;
+import org.palpate.realtime.os.Throttling;
 
 /**
  * Sleeps to a little before the moment, then spins: the processor is free most of the time and the
@@ -38,12 +40,12 @@ public final class HybridWait implements DeadlineWait {
     while (before < deadlineNanos && !Thread.currentThread().isInterrupted()) {
       Thread.onSpinWait();
       long now = clock.getAsLong();
-      noteGap(now - before);
+      recordGap(now - before);
       before = now;
     }
   }
 
-  private void noteGap(long gapNanos) {
+  private void recordGap(long gapNanos) {
     if (gapNanos > longestGapNanos) {
       longestGapNanos = gapNanos;
     }

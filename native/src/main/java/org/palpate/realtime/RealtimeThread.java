@@ -6,8 +6,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.palpate.interaction.Pacer;
-import org.palpate.interaction.ThreadSetup;
+import org.palpate.loop.Pacer;
+import org.palpate.loop.ThreadSetup;
+import org.palpate.realtime.os.OperatingSystem;
+import org.palpate.realtime.os.RealtimeRequest;
+import org.palpate.realtime.os.RequestOutcome;
+import org.palpate.realtime.os.Throttling;
 
 /**
  * Makes the haptic thread fit and lets it wait: both ports of the loop, since how long before a
@@ -21,20 +25,20 @@ import org.palpate.interaction.ThreadSetup;
  * <p>{@link #setUp} and {@link #awaitUntil} are for the haptic thread, the rest for any.
  */
 public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
-  private static final int REHEARSED_WAITS = 30_000;
-  private static final long REHEARSED_WAIT_NANOS = 1_000;
+  private static final int WARM_UP_WAITS = 30_000;
+  private static final long WARM_UP_WAIT_NANOS = 1_000;
 
   /** Wishes that {@link ThreadSetup.Granted} tells by fields of their own. */
-  private static final Set<String> TOLD_APART = Set.of("class", "affinity", "memory_lock");
+  private static final Set<String> REPORTED_SEPARATELY = Set.of("class", "affinity", "memory_lock");
 
-  private final RealtimeWish wish;
+  private final RealtimeRequest wish;
   private final WaitKind waiting;
   private final Throttling throttling;
-  private volatile List<Grant> grants = List.of();
+  private volatile List<RequestOutcome> grants = List.of();
   private volatile DeadlineWait wait = new ParkWait();
 
   /** A thread that asks for {@code wish} and waits in one of the known ways. */
-  public RealtimeThread(RealtimeWish wish, WaitKind waiting) {
+  public RealtimeThread(RealtimeRequest wish, WaitKind waiting) {
     this.wish = wish;
     this.waiting = waiting;
     throttling = Throttling.read(Path.of("/"));
@@ -45,16 +49,16 @@ public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
    * own.
    */
   public static RealtimeThread recommended() {
-    return new RealtimeThread(RealtimeWish.usual(), WaitKind.HYBRID);
+    return new RealtimeThread(RealtimeRequest.usual(), WaitKind.HYBRID);
   }
 
   /** Asks the system, measures the wait, and runs it until it is compiled. Takes half a second. */
   @Override
   public Granted setUp() {
-    grants = Realtime.apply(wish);
+    grants = OperatingSystem.apply(wish);
     DeadlineWait made = waiting.create();
-    for (int i = 0; i < REHEARSED_WAITS; i++) {
-      made.awaitUntil(System.nanoTime() + REHEARSED_WAIT_NANOS);
+    for (int i = 0; i < WARM_UP_WAITS; i++) {
+      made.awaitUntil(System.nanoTime() + WARM_UP_WAIT_NANOS);
     }
     wait = made;
     return granted();
@@ -66,7 +70,7 @@ public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
   }
 
   /** Every wish with its answer, in the order in which they were asked; empty before the set-up. */
-  public List<Grant> grants() {
+  public List<RequestOutcome> grants() {
     return grants;
   }
 
@@ -84,7 +88,7 @@ public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
     String schedulingClass = "default";
     String affinity = "any";
     boolean locked = false;
-    for (Grant grant : grants) {
+    for (RequestOutcome grant : grants) {
       boolean isClass = grant.wish().equals("class") && grant.granted();
       boolean isAffinity = grant.wish().equals("affinity") && grant.granted();
       schedulingClass = isClass ? grant.detail() : schedulingClass;
@@ -96,22 +100,25 @@ public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
 
   private Map<String, String> others() {
     Map<String, String> words = new LinkedHashMap<>();
-    for (Grant grant : grants) {
-      if (!TOLD_APART.contains(grant.wish())) {
+    for (RequestOutcome grant : grants) {
+      if (!REPORTED_SEPARATELY.contains(grant.wish())) {
         words.put(grant.wish(), grant.granted() ? grant.detail() : grant.word());
       }
     }
     words.put("wait", waiting());
-    words.putAll(Realtime.noticed());
+    words.putAll(OperatingSystem.noticed());
     return words;
   }
 
   private List<String> refusals() {
     List<String> lines = new ArrayList<>();
-    grants.stream().filter(grant -> !grant.granted()).map(Grant::toString).forEach(lines::add);
+    grants.stream()
+        .filter(grant -> !grant.granted())
+        .map(RequestOutcome::toString)
+        .forEach(lines::add);
     boolean realtime =
         grants.stream().anyMatch(grant -> grant.wish().equals("class") && grant.granted());
-    if (realtime && !wish.everSleeps() && throttling.limits()) {
+    if (realtime && !wish.sleepsEachFrame() && throttling.limits()) {
       lines.add(
           "throttling: the kernel rests a thread that never sleeps "
               + throttling.restMicros() / 1000

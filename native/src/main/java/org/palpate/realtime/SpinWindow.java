@@ -2,14 +2,15 @@ package org.palpate.realtime;
 
 import java.util.function.LongSupplier;
 import org.HdrHistogram.Histogram;
+import org.palpate.realtime.os.PreciseSleep;
 
 /**
  * How long before a deadline a thread must leave its sleep to be on time: found by sleeping and
  * looking how late it wakes, on the machine, in the thread and under the scheduling that it is for.
  */
 final class SpinWindow {
-  static final long LEAST_NANOS = 20_000;
-  static final long MOST_NANOS = 400_000;
+  static final long MIN_NANOS = 20_000;
+  static final long MAX_NANOS = 400_000;
 
   private static final int SLEEPS = 200;
   private static final long SLEEP_NANOS =
@@ -19,7 +20,7 @@ final class SpinWindow {
 
   private SpinWindow() {}
 
-  /** Sleeps for about a fifth of a second; {@link #MOST_NANOS} at most. */
+  /** Sleeps for about a fifth of a second; {@link #MAX_NANOS} at most. */
   static long measureNanos(PreciseSleep sleep) {
     return measureNanos(sleep, System::nanoTime);
   }
@@ -33,6 +34,6 @@ final class SpinWindow {
     }
     long covered = lateness.getValueAtPercentile(COVERED_PERCENTILE);
     // A quarter more, since the machine was seen for a moment only.
-    return Math.min(MOST_NANOS, Math.max(LEAST_NANOS, covered + covered / 4));
+    return Math.min(MAX_NANOS, Math.max(MIN_NANOS, covered + covered / 4));
   }
 }

@@ -1,6 +1,9 @@
 package org.palpate.realtime;
 
 import java.nio.file.Path;
+import org.palpate.realtime.os.OperatingSystem;
+import org.palpate.realtime.os.PreciseSleep;
+import org.palpate.realtime.os.Throttling;
 
 /** The ways in which a thread can wait for its next frame. */
 public enum WaitKind {
@@ -23,14 +26,14 @@ public enum WaitKind {
     return switch (this) {
       case PARK -> new ParkWait();
       case SLEEP -> new SleepWait();
-      case ABSOLUTE -> new AbsoluteWait(Realtime.sleep());
+      case ABSOLUTE -> new AbsoluteWait(OperatingSystem.sleep());
       case HYBRID -> hybrid();
       case SPIN -> new SpinWait();
     };
   }
 
   private static HybridWait hybrid() {
-    PreciseSleep sleep = Realtime.sleep();
+    PreciseSleep sleep = OperatingSystem.sleep();
     return new HybridWait(sleep, SpinWindow.measureNanos(sleep), Throttling.read(Path.of("/")));
   }
 

@@ -1,9 +1,8 @@
 /**
- * What makes a JVM's thread wake on time: scheduling class, affinity, memory lock, timer slack and
- * an absolute sleep, through JNA's direct mapping; each granted or refused in one word.
+ * Sets up the haptic thread and waits for its deadlines: park, sleep, absolute sleep, spin, or
+ * sleep and then spin.
  *
- * <p>Uses {@code interaction}, whose ports it implements. The only package that uses JNA. What sets
- * a thread up is called by that thread, once, before its first frame; what waits is called every
- * frame and allocates nothing. Nanoseconds of {@link System#nanoTime}.
+ * <p>Uses {@code loop}, whose ports it implements, and {@code realtime.os}. Set-up and waiting run
+ * in the haptic thread; a wait allocates nothing. Nanoseconds of {@code System.nanoTime}.
  */
 package org.palpate.realtime;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.palpate.realtime.os.Throttling;
 
 class HybridWaitTest {
   private static final Throttling USUAL = new Throttling(950_000, 1_000_000);

@@ -6,12 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
-import org.palpate.interaction.ThreadSetup.Granted;
+import org.palpate.loop.ThreadSetup.Granted;
+import org.palpate.realtime.os.RealtimeRequest;
+import org.palpate.realtime.os.SchedulingClass;
 
 class RealtimeThreadTest {
   @Test
   void tellsNothingOfWhatWasNotAsked() throws InterruptedException {
-    Granted granted = setUp(new RealtimeThread(RealtimeWish.none(), WaitKind.PARK));
+    Granted granted = setUp(new RealtimeThread(RealtimeRequest.none(), WaitKind.PARK));
     assertEquals("default", granted.schedulingClass());
     assertEquals("any", granted.affinity());
     assertFalse(granted.memoryLocked());
@@ -19,7 +21,7 @@ class RealtimeThreadTest {
 
   @Test
   void grantsOrRefusesTheClassAndNeverBothOrNeither() throws InterruptedException {
-    RealtimeWish wish = new RealtimeWish(SchedulingClass.FIFO, false, false, false, true);
+    RealtimeRequest wish = new RealtimeRequest(SchedulingClass.FIFO, false, false, false, true);
     Granted granted = setUp(new RealtimeThread(wish, WaitKind.HYBRID));
     boolean refused = granted.refusals().stream().anyMatch(line -> line.startsWith("class:"));
     assertEquals(refused, granted.schedulingClass().equals("default"), granted.toString());

@@ -24,13 +24,13 @@ class SpinWindowTest {
 
   @Test
   void staysBetweenItsEnds() {
-    assertEquals(SpinWindow.LEAST_NANOS, measure(nth -> 0));
-    assertEquals(SpinWindow.MOST_NANOS, measure(nth -> 5_000_000));
+    assertEquals(SpinWindow.MIN_NANOS, measure(nth -> 0));
+    assertEquals(SpinWindow.MAX_NANOS, measure(nth -> 5_000_000));
   }
 
   @Test
   void takesAnEarlyWakeUpAsPunctual() {
-    assertEquals(SpinWindow.LEAST_NANOS, measure(nth -> -30_000));
+    assertEquals(SpinWindow.MIN_NANOS, measure(nth -> -30_000));
   }
 
   private long measure(LongUnaryOperator lateNanos) {

@@ -1,6 +1,7 @@
 package org.palpate.app;
 
 import java.util.concurrent.Callable;
+import org.palpate.app.process.PalpateException;
 
 /**
  * Adds a command to the command line. Found by {@link java.util.ServiceLoader}, so that a module

@@ -2,7 +2,8 @@ package org.palpate.app;
 
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import org.palpate.realtime.DisplayLoss;
+import org.palpate.app.process.ShutdownHook;
+import org.palpate.display.DisplayLoss;
 
 /** Where the JVM starts. */
 public final class Main {
@@ -15,8 +16,8 @@ public final class Main {
     PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
     PrintStream err = new PrintStream(System.err, true, StandardCharsets.UTF_8);
     int exitCode = new PalpateCommandLine(out, err).run(arguments);
-    EndOfProcess.commandDone(exitCode);
-    DisplayLoss.exitIfHappened(exitCode);
+    ShutdownHook.commandDone(exitCode);
+    DisplayLoss.exitIfLost(exitCode);
     System.exit(exitCode);
   }
 }

@@ -9,9 +9,17 @@ import java.util.List;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.stream.Stream;
-import org.palpate.io.CsvFormatException;
-import org.palpate.io.VolumeFormatException;
-import org.palpate.io.WriteFailedException;
+import org.palpate.app.command.DevicesCommand;
+import org.palpate.app.command.InfoCommand;
+import org.palpate.app.command.RenderCommand;
+import org.palpate.app.command.ReplayCommand;
+import org.palpate.app.command.TouchCommand;
+import org.palpate.app.options.OutputPaths;
+import org.palpate.app.process.PalpateException;
+import org.palpate.app.process.VersionProvider;
+import org.palpate.io.file.WriteFailedException;
+import org.palpate.io.table.CsvFormatException;
+import org.palpate.io.volume.VolumeFormatException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.MissingParameterException;
@@ -121,7 +129,9 @@ public final class PalpateCommandLine {
     }
     if (e instanceof WriteFailedException written) {
       print(
-          "palpate: " + oneLine(Outputs.failed(written.target(), written).getMessage()), e, debug);
+          "palpate: " + oneLine(OutputPaths.failed(written.target(), written).getMessage()),
+          e,
+          debug);
       return PalpateException.FAILED;
     }
     String where = command.getCommandSpec().qualifiedName();

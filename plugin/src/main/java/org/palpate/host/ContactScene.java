@@ -3,29 +3,29 @@ package org.palpate.host;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.palpate.collision.CollisionScene;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
+import org.palpate.edit.EditQueue;
+import org.palpate.edit.GreyEdit;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.force.Material;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.HapticFrame;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.interaction.EditQueue;
-import org.palpate.interaction.FramePublisher;
-import org.palpate.interaction.FrameSettings;
-import org.palpate.interaction.GreyEdit;
-import org.palpate.interaction.HapticFrame;
-import org.palpate.proxy.BorderVoxels;
-import org.palpate.proxy.CollisionOnlySolver;
-import org.palpate.proxy.DotSolver;
-import org.palpate.proxy.GuardedSolver;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
-import org.palpate.proxy.PaperSolver;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.smooth.GreySurface;
-import org.palpate.proxy.smooth.LiveGrey;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.reference.BorderVoxels;
+import org.palpate.proxy.reference.CollisionOnlySolver;
+import org.palpate.proxy.reference.DotSolver;
+import org.palpate.proxy.reference.PaperSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.proxy.smooth.field.GreyIsosurface;
+import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.GridPlanesRayCaster;
 import org.palpate.raycast.RayCaster;
@@ -43,10 +43,10 @@ import org.palpate.volume.VoxelGrid;
 public final class ContactScene {
   private final SegmentedVolume volume;
   private final ContactSettings settings;
-  private final Metric metric;
+  private final GridMetric metric;
   private final double maxStepMm;
   private final EditQueue edits;
-  private final Optional<LiveGrey> grey;
+  private final Optional<GreyIsosurfaceSource> grey;
 
   /** A scene over a volume whose bits the haptic thread alone will change. */
   public ContactScene(SegmentedVolume volume, ContactSettings settings) {
@@ -59,12 +59,12 @@ public final class ContactScene {
    * @param grey what {@link SolverKind#SMOOTH} makes its surface of; of the bits where empty
    */
   public ContactScene(
-      SegmentedVolume volume, ContactSettings settings, Optional<GreySurface> grey) {
-    this.grey = grey.map(LiveGrey::new);
+      SegmentedVolume volume, ContactSettings settings, Optional<GreyIsosurface> grey) {
+    this.grey = grey.map(GreyIsosurfaceSource::new);
     this.volume = volume;
     this.settings = settings;
     Vec3 spacing = volume.grid().spacingMm();
-    metric = Metric.of(spacing);
+    metric = GridMetric.of(spacing);
     maxStepMm = settings.maxStepMm().orElseGet(() -> ContactSettings.defaultMaxStepMm(spacing));
     edits = new EditQueue(volume.grid(), volume.segments().size());
   }
@@ -81,7 +81,7 @@ public final class ContactScene {
     return settings;
   }
 
-  public Metric metric() {
+  public GridMetric metric() {
     return metric;
   }
 
@@ -91,8 +91,8 @@ public final class ContactScene {
   }
 
   /** The grey values that the smooth solver goes by, if any. */
-  public Optional<GreySurface> grey() {
-    return grey.map(LiveGrey::now);
+  public Optional<GreyIsosurface> grey() {
+    return grey.map(GreyIsosurfaceSource::now);
   }
 
   /**
@@ -101,8 +101,9 @@ public final class ContactScene {
    * @return false where the queue of edits is full; try again later
    * @throws IllegalStateException where the scene was made without
    */
-  public boolean offerGrey(GreySurface fresh) {
-    LiveGrey live = grey.orElseThrow(() -> new IllegalStateException("made without grey values"));
+  public boolean offerGrey(GreyIsosurface fresh) {
+    GreyIsosurfaceSource live =
+        grey.orElseThrow(() -> new IllegalStateException("made without grey values"));
     return edits.offer(new GreyEdit(0, live, fresh));
   }
 
@@ -113,13 +114,13 @@ public final class ContactScene {
 
   /** What a simulated hand goes for, world mm. */
   public HandTarget handTarget() {
-    return HandTargets.of(volume);
+    return HandTargetFinder.of(volume);
   }
 
   /** All segments as one obstacle each. */
-  public Obstacles newObstacles() {
+  public CollisionScene newObstacles() {
     List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
-    return new Obstacles(cubes);
+    return new CollisionScene(cubes);
   }
 
   /** A solver as the settings want it. */
@@ -165,11 +166,11 @@ public final class ContactScene {
 
   /** One a segment, in their order; none where all feel alike. */
   private List<Material> materials(Material general, FrictionForm form) {
-    Map<String, MaterialChoice> chosen = settings.materials();
+    Map<String, MaterialOverride> chosen = settings.materials();
     return volume.segments().stream().noneMatch(segment -> chosen.containsKey(segment.name()))
         ? List.of()
         : volume.segments().stream()
-            .map(segment -> chosen.getOrDefault(segment.name(), MaterialChoice.NONE))
+            .map(segment -> chosen.getOrDefault(segment.name(), MaterialOverride.NONE))
             .map(choice -> choice.over(general, form))
             .toList();
   }
@@ -194,7 +195,7 @@ public final class ContactScene {
   }
 
   /** A frame that edits nothing and tells no one, to warm up with. */
-  HapticFrame newRehearsal(HapticDevice gridDevice, FrameSettings frame) {
+  HapticFrame newWarmUpFrame(HapticDevice gridDevice, FrameSettings frame) {
     EditQueue none = new EditQueue(volume.grid(), volume.segments().size(), 1);
     return new HapticFrame(
         gridDevice, newSolver(), newObstacles(), metric, frame, none, FramePublisher.NONE);

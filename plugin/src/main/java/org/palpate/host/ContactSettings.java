@@ -27,7 +27,7 @@ public record ContactSettings(
     OptionalDouble maxStepMm,
     OptionalDouble maxForceNewton,
     FrictionForm frictionForm,
-    Map<String, MaterialChoice> materials) {
+    Map<String, MaterialOverride> materials) {
 
   /** Keeps a copy of the map. */
   public ContactSettings {

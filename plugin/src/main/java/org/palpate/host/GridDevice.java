@@ -1,9 +1,9 @@
 package org.palpate.host;
 
+import org.palpate.device.DeviceDecorator;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
-import org.palpate.device.WrappedDevice;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.VoxelGrid;
 
@@ -13,7 +13,7 @@ import org.palpate.volume.VoxelGrid;
  *
  * <p>Read and written by one thread, closed by any; allocates nothing.
  */
-public final class GridDevice extends WrappedDevice {
+public final class GridDevice extends DeviceDecorator {
   private final VoxelGrid grid;
   private final Vec3 forceWorldNewton = new Vec3();
 

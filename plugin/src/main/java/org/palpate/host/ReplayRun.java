@@ -5,12 +5,12 @@ import org.palpate.device.HapticDevice;
 import org.palpate.device.Trajectory;
 import org.palpate.force.ForceRamp;
 import org.palpate.force.ForceSettings;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.FrameStatistics;
+import org.palpate.frame.HapticFrame;
+import org.palpate.frame.Watchdog;
 import org.palpate.geometry.Vec3;
-import org.palpate.interaction.FrameCounts;
-import org.palpate.interaction.FramePublisher;
-import org.palpate.interaction.FrameSettings;
-import org.palpate.interaction.HapticFrame;
-import org.palpate.interaction.Watchdog;
 import org.palpate.proxy.InteractionPoint;
 
 /**
@@ -61,7 +61,7 @@ public final class ReplayRun {
   }
 
   /** Runs every frame once, from a fresh start, and gives the counts over all of them. */
-  public FrameCounts run(FrameSink sink) throws IOException {
+  public FrameStatistics run(FrameSink sink) throws IOException {
     TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
     HapticDevice inGrid = world ? new GridDevice(device, scene.grid()) : device;
     HapticFrame frame = scene.newFrame(inGrid, frameSettings(), FramePublisher.NONE);

@@ -1,27 +1,27 @@
 package org.palpate.host;
 
 import java.util.Arrays;
+import org.palpate.collision.CollisionScene;
+import org.palpate.collision.NearestFreeVoxel;
 import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.FreePlace;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.TouchedObject;
+import org.palpate.proxy.TouchedObjectFinder;
 
 /** The time of solver and force over a trajectory, nothing else inside. One thread. */
 public final class ReplayTiming {
   /** Passes that are run first and not counted: they find interpreted code. */
   public static final int UNCOUNTED_PASSES = 2;
 
-  private final Obstacles obstacles;
+  private final CollisionScene obstacles;
   private final ProxySolver solver;
   private final ContactForce contactForce;
-  private final TouchedObject touched = new TouchedObject();
-  private final FreePlace freePlace;
+  private final TouchedObjectFinder touched = new TouchedObjectFinder();
+  private final NearestFreeVoxel freePlace;
   private final Vec3[] devices;
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 forceNewton = new Vec3();
@@ -37,7 +37,7 @@ public final class ReplayTiming {
     contactForce =
         new ContactForce(
             scene.metric(), scene.force(ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM));
-    freePlace = new FreePlace(scene.metric());
+    freePlace = new NearestFreeVoxel(scene.metric());
     devices = positions(scene, trajectory, world);
   }
 

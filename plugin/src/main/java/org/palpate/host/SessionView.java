@@ -7,15 +7,15 @@ import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
-import org.palpate.interaction.LoopStatus;
+import org.palpate.loop.LoopStatus;
 import org.palpate.scene.MovableSlices;
-import org.palpate.scene.NamedPlace;
+import org.palpate.scene.NamedPoint;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
+import org.palpate.scene.SceneSynchronizer;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.SynchronizationThread;
 import org.palpate.scene.Theme;
-import org.palpate.scene.TouchSync;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.scene.window.SceneWindow;
@@ -55,11 +55,11 @@ public final class SessionView implements AutoCloseable {
   private final ViewOptions options;
   private final Optional<MovableSlices> slices;
   private final SceneModel model;
-  private final TouchSync sync;
+  private final SceneSynchronizer sync;
   private final SynchronizationThread ticking;
   private final Thread opening;
   private final Vec3 taken = new Vec3();
-  private volatile Vec3 tipGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
+  private volatile Vec3 proxyGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
   private volatile SceneLoader loader;
   private volatile SceneWindow window;
   private volatile boolean retuned;
@@ -74,7 +74,7 @@ public final class SessionView implements AutoCloseable {
    * A view of surfaces that is not open yet; from now on the reader of the session's properties.
    *
    * @param volume what is drawn; its bits may be a copy of those that are touched
-   * @param device what is held; the mouse moves it where it is a {@link PointerDevice}
+   * @param device what is held; the mouse moves it where it is a {@link MouseDevice}
    */
   public SessionView(
       TouchSession session,
@@ -99,8 +99,8 @@ public final class SessionView implements AutoCloseable {
     this.device = device;
     this.listener = listener;
     model = new SceneModel(axes, Theme.DARK);
-    sync = new TouchSync(session.properties(), volume.grid(), model, this::overlay);
-    ticking = new SynchronizationThread(this::tick, this::notKeptUp);
+    sync = new SceneSynchronizer(session.properties(), volume.grid(), model, this::overlay);
+    ticking = new SynchronizationThread(this::tick, this::synchronizationFailed);
     opening = new Thread(this::open, "palpate-open-view");
     opening.setDaemon(true);
     slices = options.slices().map(start -> new MovableSlices(model, start));
@@ -116,7 +116,7 @@ public final class SessionView implements AutoCloseable {
     sync.run();
     if (sync.applications() > 0) {
       session.properties().touch().interactionPoint(taken);
-      tipGrid = new Vec3().set(taken);
+      proxyGrid = new Vec3().set(taken);
       slices.ifPresent(planes -> planes.follow(taken));
     }
   }
@@ -147,13 +147,13 @@ public final class SessionView implements AutoCloseable {
 
   private void addKeys(WindowInput input) {
     input.onKey(ESCAPE, "end", listener::stop);
-    Feel feel = session.feel();
+    ContactTuning feel = session.feel();
     input.onKey('+', "stiffer", () -> retune(feel::stiffer));
     input.onKey('-', "softer", () -> retune(feel::softer));
     input.onKey('.', "more friction", () -> retune(feel::rougher));
-    input.onKey(',', "less friction", () -> retune(feel::slipperier));
+    input.onKey(',', "less friction", () -> retune(feel::decreaseFriction));
     input.onKey('n', "next solver: smooth, guarded, paper, dot", () -> retune(feel::nextSolver));
-    if (device instanceof PointerDevice pointer) {
+    if (device instanceof MouseDevice pointer) {
       input.setPointer(pointer::moveTo);
     }
     if (device instanceof WorkspaceDevice mapped) {
@@ -213,13 +213,13 @@ public final class SessionView implements AutoCloseable {
   }
 
   /** Shows landmarks, all that there are; places in the world. Any thread. */
-  public void showLandmarks(List<NamedPlace> world) {
+  public void showLandmarks(List<NamedPoint> world) {
     model.setLandmarks(world);
   }
 
   /** Where the interaction point was at the last tick, grid coordinates; NaN before. Any thread. */
-  public Vec3 tipGrid() {
-    return new Vec3().set(tipGrid);
+  public Vec3 proxyGrid() {
+    return new Vec3().set(proxyGrid);
   }
 
   /** The window, once it is shown; null before and where there is none. */
@@ -244,7 +244,7 @@ public final class SessionView implements AutoCloseable {
     return failure.getMessage() == null ? failure.toString() : failure.getMessage();
   }
 
-  private void notKeptUp(RuntimeException failure) {
+  private void synchronizationFailed(RuntimeException failure) {
     tell("the scene is not brought up to date (" + words(failure) + "); the session goes on");
   }
 
@@ -255,7 +255,7 @@ public final class SessionView implements AutoCloseable {
   /** New numbers twice a second while something moves; the same lines else, so no redraw. */
   private List<String> overlay() {
     long now = System.nanoTime();
-    double made = surfacesMade();
+    double made = surfaceProgress();
     boolean moved = sync.applications() != linesApplications || made != linesMade;
     if (retuned || (moved && now - linesNanos >= OVERLAY_NANOS)) {
       retuned = false;
@@ -279,27 +279,27 @@ public final class SessionView implements AutoCloseable {
             "%.2f N   %s",
             status.forceNewton(),
             status.contact() ? "contact" : "free"),
-        feelLine(),
+        tuningLine(),
         slices.map(MovableSlices::line).orElse(""),
-        shown == null ? "" : shown.drawnOfAll() + stillToMake(),
+        shown == null ? "" : shown.drawnTriangleText() + pendingSurfaceText(),
         "h: help");
   }
 
   /** The share of the surfaces that is made; all where none are. */
-  private double surfacesMade() {
+  private double surfaceProgress() {
     SceneLoader meshes = loader;
     return meshes == null ? 1 : meshes.progress();
   }
 
-  private String stillToMake() {
-    double made = surfacesMade();
+  private String pendingSurfaceText() {
+    double made = surfaceProgress();
     return made == 1
         ? ""
         : String.format(Locale.ROOT, "   surfaces %.0f %%", Math.floor(100 * made));
   }
 
-  private String feelLine() {
-    Feel feel = session.feel();
+  private String tuningLine() {
+    ContactTuning feel = session.feel();
     boolean clutched = device instanceof WorkspaceDevice mapped && mapped.isClutchWanted();
     return String.format(
         Locale.ROOT,

@@ -6,20 +6,20 @@ import java.util.function.Consumer;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
-import org.palpate.interaction.FrameRecorder;
-import org.palpate.interaction.FrameSettings;
-import org.palpate.interaction.HapticFrame;
-import org.palpate.interaction.HapticLoop;
-import org.palpate.interaction.LoopEnd;
-import org.palpate.interaction.LoopReport;
-import org.palpate.interaction.LoopSettings;
-import org.palpate.interaction.LoopStatus;
-import org.palpate.interaction.NanoClock;
-import org.palpate.interaction.RecordingDevice;
-import org.palpate.interaction.WarmUp;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.HapticFrame;
+import org.palpate.loop.HapticLoop;
+import org.palpate.loop.LoopEnd;
+import org.palpate.loop.LoopReport;
+import org.palpate.loop.LoopSettings;
+import org.palpate.loop.LoopStatus;
+import org.palpate.loop.NanoClock;
+import org.palpate.loop.WarmUp;
+import org.palpate.recording.RecordingDevice;
+import org.palpate.recording.SampleRecorder;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.Property;
-import org.palpate.sync.SyncCounts;
+import org.palpate.sync.SyncCounters;
 import org.palpate.sync.TouchProperties;
 
 /**
@@ -43,7 +43,7 @@ public final class TouchSession implements AutoCloseable {
 
   private final HapticDevice device;
   private final HapticLoop loop;
-  private final Feel feel;
+  private final ContactTuning feel;
   private final TouchProperties properties = new TouchProperties(new Accumulator());
   private final List<Property> taken = properties.accumulator().properties();
   private long ticks;
@@ -62,13 +62,13 @@ public final class TouchSession implements AutoCloseable {
       HapticDevice worldDevice,
       double defaultNewtonPerMm,
       LoopSettings settings,
-      Optional<FrameRecorder> recorder,
+      Optional<SampleRecorder> recorder,
       Consumer<LoopEnd> listener) {
     device = recorder.isPresent() ? new RecordingDevice(worldDevice, recorder.get()) : worldDevice;
     FrameSettings frameSettings = scene.liveFrame(worldDevice.specification(), defaultNewtonPerMm);
     HapticFrame frame =
         scene.newFrame(new GridDevice(device, scene.grid()), frameSettings, properties::publish);
-    feel = new Feel(frame, scene, frameSettings.force(), worldDevice.specification());
+    feel = new ContactTuning(frame, scene, frameSettings.force(), worldDevice.specification());
     Runnable warmUp = warmUp(scene, frameSettings, settings.periodNanos());
     loop = new HapticLoop(frame, settings.withWarmUp(warmUp), listener);
   }
@@ -77,7 +77,7 @@ public final class TouchSession implements AutoCloseable {
       ContactScene scene, FrameSettings frameSettings, long periodNanos) {
     HandTarget target = scene.handTarget();
     HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, periodNanos);
-    HapticFrame rehearsal = scene.newRehearsal(new GridDevice(hand, scene.grid()), frameSettings);
+    HapticFrame rehearsal = scene.newWarmUpFrame(new GridDevice(hand, scene.grid()), frameSettings);
     return new WarmUp(rehearsal, WARM_UP_LEAST_FRAMES, WARM_UP_NANOS, NanoClock.SYSTEM);
   }
 
@@ -110,7 +110,7 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /** What the surface feels like, to be changed while it is touched. Any thread. */
-  public Feel feel() {
+  public ContactTuning feel() {
     return feel;
   }
 
@@ -130,7 +130,7 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /** What was published and taken; whole after {@link #stop}. */
-  public SyncCounts syncCounts() {
+  public SyncCounters syncCounts() {
     return properties.accumulator().counts();
   }
 

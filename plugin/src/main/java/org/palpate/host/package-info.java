@@ -1,7 +1,8 @@
 /**
- * What a volume platform gives and gets: volume and segments in, properties and edits out,
- * lifecycle. World to grid and back happens here alone.
+ * The port to a volume platform: contact scene, session, and the change from world to grid
+ * coordinates.
  *
- * <p>Uses {@code interaction}, {@code scene}, {@code device}, {@code volume}.
+ * <p>Uses {@code frame}, {@code loop}, {@code scene} and {@code device}. Each class states its
+ * thread. World millimetres outside, grid coordinates inside.
  */
 package org.palpate.host;

@@ -1,8 +1,12 @@
 package org.palpate.imagej;
 
 import ij.IJ;
-import ij.Prefs;
 import ij.gui.GenericDialog;
+import org.palpate.imagej.annotation.StrokeHistory;
+import org.palpate.imagej.dialog.HelpText;
+import org.palpate.imagej.session.CurrentSession;
+import org.palpate.imagej.session.StackSession;
+import org.palpate.imagej.stack.TouchRefusedException;
 
 /**
  * "Correct Segment...": adds or removes the voxels of a ball around the interaction point, in the
@@ -14,8 +18,6 @@ public final class CorrectSegment extends PalpateCommand {
   private static final String REMOVE = "remove";
   private static final String UNDO = "undo";
   private static final String REDO = "redo";
-  private static final String RADIUS = "palpate.brush";
-  private static final double DEFAULT_RADIUS_MM = 2;
 
   /** Made by ImageJ. */
   public CorrectSegment() {
@@ -23,12 +25,12 @@ public final class CorrectSegment extends PalpateCommand {
   }
 
   @Override
-  void execute() throws StackRefused {
-    StackSession session = Sessions.current();
+  void execute() throws TouchRefusedException {
+    StackSession session = CurrentSession.current();
     GenericDialog dialog = new GenericDialog("Correct Segment");
     String[] actions = {ADD, REMOVE, UNDO, REDO};
     dialog.addChoice("Action", actions, ADD);
-    dialog.addNumericField("Radius", lastRadiusMm(), 2, 8, "mm");
+    dialog.addNumericField("Radius", StrokeHistory.lastRadiusMm(), 2, 8, "mm");
     HelpText.addTo(dialog);
     dialog.showDialog();
     if (dialog.wasCanceled()) {
@@ -37,9 +39,9 @@ public final class CorrectSegment extends PalpateCommand {
     String action = dialog.getNextChoice();
     double radiusMm = dialog.getNextNumber();
     if (dialog.invalidNumber() || !(radiusMm > 0)) {
-      throw new StackRefused("The radius must be a positive number of mm.");
+      throw new TouchRefusedException("The radius must be a positive number of mm.");
     }
-    Prefs.set(RADIUS, radiusMm);
+    StrokeHistory.keepRadiusMm(radiusMm);
     int changed =
         switch (action) {
           case UNDO -> session.undo();
@@ -47,10 +49,5 @@ public final class CorrectSegment extends PalpateCommand {
           default -> session.paint(radiusMm, action.equals(ADD));
         };
     IJ.showStatus("Palpate: " + changed + " voxels changed");
-  }
-
-  /** The radius that was used last. */
-  static double lastRadiusMm() {
-    return Prefs.get(RADIUS, DEFAULT_RADIUS_MM);
   }
 }

@@ -2,8 +2,8 @@ package org.palpate.imagej;
 
 import ij.text.TextWindow;
 import java.util.List;
+import org.palpate.device.jni.BackendProbe;
 import org.palpate.device.jni.DeviceCatalog;
-import org.palpate.device.jni.Finding;
 
 /** "Devices...": what can be used here, each back end found or why not. */
 public final class Devices extends PalpateCommand {
@@ -21,9 +21,9 @@ public final class Devices extends PalpateCommand {
     row(rows, "simulated", "found", "", "a hand that approaches, presses, slides, taps and tears");
     row(rows, "mouse", "found", "", "the mouse in the 3-D window");
     row(rows, "replay", "found", "FILE.csv", "a recorded trajectory");
-    for (Finding finding : realOnes()) {
+    for (BackendProbe finding : realOnes()) {
       row(rows, finding.backend(), finding.usable() ? "found" : "not usable", "", finding.why());
-      for (Finding.Found device : finding.devices()) {
+      for (BackendProbe.Found device : finding.devices()) {
         row(
             rows,
             finding.backend(),
@@ -36,8 +36,8 @@ public final class Devices extends PalpateCommand {
         "Palpate Devices", "Back end\tState\tId\tWhat", rows.toString().strip(), WIDTH, HEIGHT);
   }
 
-  private static List<Finding> realOnes() {
-    return DeviceCatalog.findings().stream()
+  private static List<BackendProbe> realOnes() {
+    return DeviceCatalog.probeAll().stream()
         .filter(finding -> DeviceCatalog.isNative(finding.backend()))
         .toList();
   }

@@ -3,6 +3,11 @@ package org.palpate.imagej;
 import ij.IJ;
 import ij.gui.GenericDialog;
 import org.palpate.geometry.Vec3;
+import org.palpate.imagej.dialog.FilePaths;
+import org.palpate.imagej.dialog.HelpText;
+import org.palpate.imagej.session.CurrentSession;
+import org.palpate.imagej.session.StackSession;
+import org.palpate.imagej.stack.TouchRefusedException;
 
 /**
  * "Landmarks...": puts a named point where the interaction point is, into the table "Palpate
@@ -16,9 +21,9 @@ public final class Landmarks extends PalpateCommand {
   }
 
   @Override
-  void execute() throws StackRefused {
-    StackSession session = Sessions.current();
-    Vec3 grid = session.touchedGrid();
+  void execute() throws TouchRefusedException {
+    StackSession session = CurrentSession.current();
+    Vec3 grid = session.touchedPointGrid();
     GenericDialog dialog = new GenericDialog("Landmarks");
     dialog.addStringField("Name", session.landmarks().nextName(), 16);
     dialog.addDirectoryField("Save in folder (or empty)", "", 24);

@@ -14,9 +14,14 @@ import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.TouchSession;
-import org.palpate.interaction.LoopReport;
-import org.palpate.interaction.LoopSettings;
-import org.palpate.interaction.Quantiles;
+import org.palpate.imagej.dialog.HelpText;
+import org.palpate.imagej.session.CurrentSession;
+import org.palpate.imagej.session.StackRealtime;
+import org.palpate.imagej.stack.SegmentColour;
+import org.palpate.imagej.stack.TouchRefusedException;
+import org.palpate.loop.LoopReport;
+import org.palpate.loop.LoopSettings;
+import org.palpate.loop.Quantiles;
 import org.palpate.realtime.RealtimeThread;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
@@ -46,8 +51,8 @@ public final class MeasureJitter extends PalpateCommand {
   }
 
   @Override
-  void execute() throws StackRefused {
-    Sessions.refuseSecond();
+  void execute() throws TouchRefusedException {
+    CurrentSession.requireNoneRunning();
     GenericDialog dialog = new GenericDialog("Measure Jitter");
     dialog.addNumericField("Time", Prefs.get(SECONDS, DEFAULT_SECONDS), 1, 8, "s each");
     HelpText.addTo(dialog);
@@ -57,7 +62,7 @@ public final class MeasureJitter extends PalpateCommand {
     }
     double seconds = dialog.getNextNumber();
     if (dialog.invalidNumber() || !(seconds > 0)) {
-      throw new StackRefused("The time must be a positive number of seconds.");
+      throw new TouchRefusedException("The time must be a positive number of seconds.");
     }
     Prefs.set(SECONDS, seconds);
     IJ.resetEscape();

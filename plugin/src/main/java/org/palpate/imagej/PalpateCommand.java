@@ -1,6 +1,8 @@
 package org.palpate.imagej;
 
 import ij.plugin.PlugIn;
+import org.palpate.imagej.dialog.ErrorDialogs;
+import org.palpate.imagej.stack.TouchRefusedException;
 
 /** A command of the menu: says in a dialog, in plain words, what could not be done. */
 abstract class PalpateCommand implements PlugIn {
@@ -11,29 +13,29 @@ abstract class PalpateCommand implements PlugIn {
   }
 
   /** Does what the command is for, in ImageJ's thread for it. */
-  abstract void execute() throws StackRefused;
+  abstract void execute() throws TouchRefusedException;
 
   @Override
   public final void run(String argument) {
     try {
       execute();
-    } catch (StackRefused e) {
-      PlainErrors.show(title, e);
+    } catch (TouchRefusedException e) {
+      ErrorDialogs.show(title, e);
     } catch (RuntimeException e) {
-      if (PlainErrors.endsMacro(e)) {
+      if (ErrorDialogs.endsMacro(e)) {
         throw e;
       }
-      PlainErrors.show(title, e);
+      ErrorDialogs.show(title, e);
     } catch (OutOfMemoryError e) {
-      PlainErrors.showOutOfMemory(title);
+      ErrorDialogs.showOutOfMemory(title);
     } catch (NoClassDefFoundError e) {
-      PlainErrors.show(title, missing(e));
+      ErrorDialogs.show(title, missing(e));
     }
   }
 
   /** The thin jar where JOGL and JNA are not. */
-  private static StackRefused missing(NoClassDefFoundError e) {
-    return new StackRefused(
+  private static TouchRefusedException missing(NoClassDefFoundError e) {
+    return new TouchRefusedException(
         "A library is missing ("
             + e.getMessage()
             + "): Palpate_.jar is for Fiji; plain ImageJ needs Palpate_bundle_.jar instead.");

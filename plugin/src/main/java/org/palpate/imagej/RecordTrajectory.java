@@ -4,6 +4,12 @@ import ij.IJ;
 import ij.io.SaveDialog;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.palpate.imagej.dialog.TouchOptions;
+import org.palpate.imagej.session.CurrentSession;
+import org.palpate.imagej.session.StackRecording;
+import org.palpate.imagej.session.StackSessionRunner;
+import org.palpate.imagej.stack.StackVolume;
+import org.palpate.imagej.stack.TouchRefusedException;
 
 /**
  * "Record Trajectory...": touches the stack in front and writes what the device sends into a file
@@ -16,10 +22,10 @@ public final class RecordTrajectory extends PalpateCommand {
   }
 
   @Override
-  void execute() throws StackRefused {
-    Sessions.refuseSecond();
+  void execute() throws TouchRefusedException {
+    CurrentSession.requireNoneRunning();
     StackVolume volume = StackVolume.shownIn(IJ.getImage());
-    if (volume.isOneOfSeveral() && !TouchVolume.asksFor(volume)) {
+    if (volume.hasMoreChannelsOrTimes() && !TouchVolume.confirmShownChannel(volume)) {
       return;
     }
     TouchOptions options = TouchOptions.ask("Record Trajectory", volume, true);
@@ -29,7 +35,7 @@ public final class RecordTrajectory extends PalpateCommand {
     SaveDialog where = new SaveDialog("Record Trajectory", "trajectory", ".csv");
     if (where.getFileName() != null) {
       Path target = Path.of(where.getDirectory(), where.getFileName());
-      TouchRun.begin(volume, options, Optional.of(new StackRecording(target)));
+      StackSessionRunner.begin(volume, options, Optional.of(new StackRecording(target)));
     }
   }
 }

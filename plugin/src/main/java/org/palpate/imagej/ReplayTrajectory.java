@@ -9,7 +9,17 @@ import java.util.List;
 import org.palpate.device.Trajectory;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
-import org.palpate.io.TrajectoryCsv;
+import org.palpate.imagej.dialog.FilePaths;
+import org.palpate.imagej.dialog.HelpText;
+import org.palpate.imagej.dialog.TouchOptions;
+import org.palpate.imagej.stack.PixelSnapshot;
+import org.palpate.imagej.stack.SegmentRange;
+import org.palpate.imagej.stack.StackGeometry;
+import org.palpate.imagej.stack.StackGreyValues;
+import org.palpate.imagej.stack.StackSegments;
+import org.palpate.imagej.stack.StackVolume;
+import org.palpate.imagej.stack.TouchRefusedException;
+import org.palpate.io.table.TrajectoryCsvReader;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
@@ -26,7 +36,7 @@ public final class ReplayTrajectory extends PalpateCommand {
   }
 
   @Override
-  void execute() throws StackRefused {
+  void execute() throws TouchRefusedException {
     StackVolume volume = StackVolume.shownIn(IJ.getImage());
     GenericDialog dialog = new GenericDialog("Replay Trajectory");
     dialog.addFileField("Trajectory", "", 30);
@@ -42,21 +52,21 @@ public final class ReplayTrajectory extends PalpateCommand {
     }
   }
 
-  private static Trajectory read(Path file) throws StackRefused {
+  private static Trajectory read(Path file) throws TouchRefusedException {
     Trajectory trajectory = new Trajectory();
     try {
-      TrajectoryCsv.read(file, true, trajectory::add);
+      TrajectoryCsvReader.read(file, true, trajectory::add);
     } catch (IOException e) {
-      throw new StackRefused("The trajectory cannot be read: " + e.getMessage());
+      throw new TouchRefusedException("The trajectory cannot be read: " + e.getMessage());
     }
     return trajectory;
   }
 
   private static void replay(StackVolume volume, TouchOptions options, Trajectory trajectory)
-      throws StackRefused {
+      throws TouchRefusedException {
     StackGeometry geometry = StackGeometry.of(volume.image());
-    List<VoxelRule> rules = options.rules(volume);
-    StackPixels pixels = new StackPixels(volume);
+    List<SegmentRange> rules = options.rules(volume);
+    PixelSnapshot pixels = new PixelSnapshot(volume);
     List<Segment> segments =
         StackSegments.of(
             volume, pixels::slice, rules, k -> IJ.showProgress(k + 1, volume.slices()));
@@ -65,7 +75,7 @@ public final class ReplayTrajectory extends PalpateCommand {
         new ContactScene(
             new SegmentedVolume(geometry.grid(), segments),
             options.contactSettings(),
-            StackGrey.surface(pixels, volume.slices(), geometry.grid(), rules));
+            StackGreyValues.surface(pixels, volume.slices(), geometry.grid(), rules));
     ResultsTable table = new ResultsTable();
     try {
       new ReplayRun(scene, trajectory, true, false)
@@ -82,7 +92,7 @@ public final class ReplayTrajectory extends PalpateCommand {
                 table.addValue("contact", state.contact ? 1 : 0);
               });
     } catch (IOException e) {
-      throw new StackRefused("The replay failed: " + e.getMessage());
+      throw new TouchRefusedException("The replay failed: " + e.getMessage());
     }
     table.show(TABLE);
   }

@@ -1,5 +1,8 @@
 package org.palpate.imagej;
 
+import org.palpate.imagej.session.CurrentSession;
+import org.palpate.imagej.stack.TouchRefusedException;
+
 /** "Stop Touching": ends the session as Escape does, and waits for its end. */
 public final class StopTouching extends PalpateCommand {
   /** Made by ImageJ. */
@@ -8,7 +11,7 @@ public final class StopTouching extends PalpateCommand {
   }
 
   @Override
-  void execute() throws StackRefused {
-    Sessions.stop();
+  void execute() throws TouchRefusedException {
+    CurrentSession.stop();
   }
 }

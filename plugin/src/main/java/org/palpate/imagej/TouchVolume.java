@@ -4,6 +4,12 @@ import ij.IJ;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.host.SessionView;
+import org.palpate.imagej.dialog.TouchOptions;
+import org.palpate.imagej.session.CurrentSession;
+import org.palpate.imagej.session.StackSession;
+import org.palpate.imagej.session.StackSessionRunner;
+import org.palpate.imagej.stack.StackVolume;
+import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.volume.Segment;
 
 /**
@@ -19,19 +25,19 @@ public final class TouchVolume extends PalpateCommand {
   }
 
   @Override
-  void execute() throws StackRefused {
-    Sessions.refuseSecond();
+  void execute() throws TouchRefusedException {
+    CurrentSession.requireNoneRunning();
     StackVolume volume = StackVolume.shownIn(IJ.getImage());
-    if (!volume.isOneOfSeveral() || asksFor(volume)) {
+    if (!volume.hasMoreChannelsOrTimes() || confirmShownChannel(volume)) {
       TouchOptions options = TouchOptions.ask("Touch Volume", volume, true);
       if (options != null) {
-        TouchRun.begin(volume, options, Optional.empty());
+        StackSessionRunner.begin(volume, options, Optional.empty());
       }
     }
   }
 
   /** Asks whether the shown channel and time is meant. */
-  static boolean asksFor(StackVolume volume) {
+  static boolean confirmShownChannel(StackVolume volume) {
     return IJ.showMessageWithCancel(
         "Palpate",
         "The image has several channels or times.\nChannel "
@@ -43,7 +49,7 @@ public final class TouchVolume extends PalpateCommand {
 
   /** For macros: "true" while a session runs, else "false". */
   public static String isTouching() {
-    return Boolean.toString(Sessions.isRunning());
+    return Boolean.toString(CurrentSession.isRunning());
   }
 
   /**
@@ -52,14 +58,14 @@ public final class TouchVolume extends PalpateCommand {
    */
   public static String segments() {
     try {
-      StackSession session = Sessions.current();
+      StackSession session = CurrentSession.current();
       List<Segment> segments = session.segments();
       StringBuilder lines = new StringBuilder();
       for (int n = 0; n < segments.size(); n++) {
         lines.append(segments.get(n).name()).append('\t').append(session.voxels(n)).append('\n');
       }
       return lines.toString();
-    } catch (StackRefused e) {
+    } catch (TouchRefusedException e) {
       return "";
     }
   }
@@ -67,8 +73,8 @@ public final class TouchVolume extends PalpateCommand {
   /** For macros: frames so far, "0" where no session runs. */
   public static String frames() {
     try {
-      return Long.toString(Sessions.current().status().frames());
-    } catch (StackRefused e) {
+      return Long.toString(CurrentSession.current().status().frames());
+    } catch (TouchRefusedException e) {
       return "0";
     }
   }
@@ -76,8 +82,8 @@ public final class TouchVolume extends PalpateCommand {
   /** For macros: pictures drawn in the 3-D window so far, "0" where there is none. */
   public static String redraws() {
     try {
-      return Long.toString(Sessions.current().view().map(SessionView::redraws).orElse(0L));
-    } catch (StackRefused e) {
+      return Long.toString(CurrentSession.current().view().map(SessionView::redraws).orElse(0L));
+    } catch (TouchRefusedException e) {
       return "0";
     }
   }

@@ -1,7 +1,7 @@
 /**
- * The ImageJ and Fiji plug-in, an implementation of {@code host}.
+ * The commands of ImageJ's menu Plugins, Palpate.
  *
- * <p>Uses {@code host} and {@code io}; besides {@code io} the only package that imports ImageJ's
- * API.
+ * <p>Uses {@code imagej.dialog} and {@code imagej.session}. Each command runs on ImageJ's command
+ * thread. Calibrated units of the image and newtons per millimetre.
  */
 package org.palpate.imagej;

@@ -1,6 +1,11 @@
 package org.palpate.io;
 
-import org.palpate.io.VolumeHeader.ValueRange;
+import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeHeader.ValueRange;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelSlice;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.ScalarVolume.Storage;
 import org.palpate.volume.VoxelGrid;
@@ -17,7 +22,8 @@ public final class GreyVolumes {
   public static ScalarVolume read(VolumeReader reader) throws VolumeFormatException {
     VoxelGrid grid = reader.header().grid();
     Storage storage = storage(reader.header().values());
-    Memory.require(ScalarVolume.bytesFor(grid, storage), "keeping its grey values", reader.place());
+    MemoryCheck.require(
+        ScalarVolume.bytesFor(grid, storage), "keeping its grey values", reader.place());
     ScalarVolume volume = ScalarVolume.of(grid, storage);
     reader.read((k, slice) -> store(k, slice, volume));
     return volume;

@@ -6,6 +6,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.palpate.io.volume.LabelTable;
+import org.palpate.io.volume.SliceSink;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelSlice;
+import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.phantom.Phantom;
 import org.palpate.volume.phantom.PhantomSlices;
 
@@ -45,7 +52,7 @@ public final class PhantomReader implements VolumeReader {
     VoxelSlice slice = new VoxelSlice(edge, edge, true);
     for (int k = 0; k < edge; k++) {
       slices.read(k, values);
-      Arrays.setAll(slice.wholes(), n -> values[n]);
+      Arrays.setAll(slice.integers(), n -> values[n]);
       sink.accept(k, slice);
     }
   }

@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelSlice;
 
 /** The SHA-256 by which a report says which volume it is about. */
 public final class VolumeDigest {
@@ -38,7 +40,7 @@ public final class VolumeDigest {
   private static void update(MessageDigest digest, VoxelSlice slice) {
     byte[] bytes = new byte[4 * slice.count()];
     for (int n = 0; n < slice.count(); n++) {
-      int value = slice.wholes()[n];
+      int value = slice.integers()[n];
       for (int b = 0; b < 4; b++) {
         bytes[4 * n + b] = (byte) (value >> (8 * b));
       }

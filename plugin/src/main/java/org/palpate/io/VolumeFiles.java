@@ -5,6 +5,25 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import org.palpate.io.dicom.DicomFile;
+import org.palpate.io.dicom.DicomReader;
+import org.palpate.io.dicom.DicomSeriesFinder;
+import org.palpate.io.format.BinaryData;
+import org.palpate.io.format.InputFiles;
+import org.palpate.io.format.ReadOptionChecks;
+import org.palpate.io.label.LabelledReader;
+import org.palpate.io.metaimage.MetaImageHeader;
+import org.palpate.io.metaimage.MetaImageReader;
+import org.palpate.io.nifti.NiftiHeader;
+import org.palpate.io.nifti.NiftiReader;
+import org.palpate.io.nrrd.NrrdHeader;
+import org.palpate.io.nrrd.NrrdReader;
+import org.palpate.io.raw.RawReader;
+import org.palpate.io.tiff.TiffFile;
+import org.palpate.io.tiff.TiffReader;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeReader;
 
 /** Finds out what format a file has, and opens it. */
 public final class VolumeFiles {
@@ -20,9 +39,9 @@ public final class VolumeFiles {
    */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     if (Files.isDirectory(file) && options.raw().isEmpty()) {
-      return DicomFolder.open(file, options);
+      return DicomSeriesFinder.open(file, options);
     }
-    Choices.requireNoSeries(options, file);
+    ReadOptionChecks.refuseSeriesOption(options, file);
     if (options.raw().isPresent()) {
       return RawReader.open(file, options.raw().get(), options);
     }
@@ -31,10 +50,10 @@ public final class VolumeFiles {
 
   private static VolumeReader openFile(Path file, ReadOptions options)
       throws VolumeFormatException {
-    if (Inputs.length(file) == 0) {
+    if (InputFiles.length(file) == 0) {
       throw new VolumeFormatException("it is empty", file, "copy or export it again");
     }
-    byte[] start = Inputs.start(file, START_BYTES);
+    byte[] start = InputFiles.start(file, START_BYTES);
     if (startsWith(start, NrrdHeader.MAGIC)) {
       return NrrdReader.open(file, options);
     }
@@ -48,8 +67,8 @@ public final class VolumeFiles {
         || NiftiHeader.isNifti(BinaryData.isGzip(start) ? NiftiHeader.start(file) : start)) {
       return NiftiReader.open(file, options);
     }
-    if (hasEnding(file, ".mha", ".mhd") || MetaHeader.isMeta(start)) {
-      return MetaReader.open(file, options);
+    if (hasEnding(file, ".mha", ".mhd") || MetaImageHeader.isMeta(start)) {
+      return MetaImageReader.open(file, options);
     }
     if (hasEnding(file, ".dcm", ".ima")) {
       throw new VolumeFormatException(

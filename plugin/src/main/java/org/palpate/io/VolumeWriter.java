@@ -8,6 +8,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.zip.GZIPOutputStream;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.format.InputFiles;
+import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.nifti.NiftiHeaderWriter;
+import org.palpate.io.nrrd.NrrdHeaderWriter;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelType;
 
 /**
  * Writes a volume as NRRD or NIfTI, by the ending of its name, slice by slice. The file is written
@@ -33,7 +42,7 @@ public final class VolumeWriter {
         nifti
             ? NiftiHeaderWriter.of(volume.header(), type)
             : NrrdHeaderWriter.of(volume.header(), type);
-    try (NewFile file = new NewFile(target)) {
+    try (AtomicFile file = new AtomicFile(target)) {
       OutputStream out = file.stream();
       if (!nifti) {
         out.write(header);
@@ -59,7 +68,7 @@ public final class VolumeWriter {
 
   private static OutputStream writeGzip(
       VolumeReader volume, VoxelType type, OutputStream out, byte[] header) throws IOException {
-    GZIPOutputStream gzip = new GZIPOutputStream(out, Inputs.BUFFER_BYTES);
+    GZIPOutputStream gzip = new GZIPOutputStream(out, InputFiles.BUFFER_BYTES);
     gzip.write(header);
     writeSamples(volume, type, gzip);
     gzip.finish();
@@ -97,7 +106,7 @@ public final class VolumeWriter {
       } catch (VolumeFormatException e) {
         throw e;
       } catch (IOException e) {
-        throw Inputs.unreadable(target, e);
+        throw InputFiles.unreadable(target, e);
       }
     }
   }
@@ -122,7 +131,7 @@ public final class VolumeWriter {
   private static void writeSamples(VolumeReader volume, VoxelType type, OutputStream out)
       throws VolumeFormatException {
     int count = volume.header().grid().sizeX() * volume.header().grid().sizeY();
-    Memory.require((double) count * type.bytes(), "one slice", volume.place());
+    MemoryCheck.require((double) count * type.bytes(), "one slice", volume.place());
     ByteBuffer bytes =
         ByteBuffer.allocate(Math.multiplyExact(count, type.bytes())).order(ByteOrder.LITTLE_ENDIAN);
     volume.read(

@@ -1,9 +1,7 @@
 /**
- * Volume files in, tables and pictures out; the only package that knows file formats.
+ * Opens a volume in any known format and writes volumes.
  *
- * <p>{@link org.palpate.io.VolumeFiles#open} finds the format and gives a {@link
- * org.palpate.io.VolumeReader}: its header, and its values one slice after the other. {@link
- * org.palpate.io.SegmentBuilder} makes bits of them without keeping the grey values. Uses {@code
- * volume}. World millimetres; any one thread.
+ * <p>Uses every format package; no format package may use it. One thread an instance. Sizes in
+ * voxels, spacing and positions in millimetres of the file's world.
  */
 package org.palpate.io;

@@ -11,8 +11,8 @@ import org.palpate.volume.VoxelGrid;
  * what one in a hundred lies above. Immutable but for the volume; any thread.
  */
 public final class GreySlices implements Grey {
-  private static final int SAMPLES_AN_AXIS = 48;
-  private static final double LEFT_OUT = 0.01;
+  private static final int SAMPLES_PER_AXIS = 48;
+  private static final double TAIL_FRACTION = 0.01;
 
   private final ScalarVolume volume;
   private final double black;
@@ -22,7 +22,7 @@ public final class GreySlices implements Grey {
   public GreySlices(ScalarVolume volume) {
     this.volume = volume;
     double[] sample = sample();
-    int left = (int) (sample.length * LEFT_OUT);
+    int left = (int) (sample.length * TAIL_FRACTION);
     black = sample.length == 0 ? 0 : sample[left];
     double high = sample.length == 0 ? 0 : sample[sample.length - 1 - left];
     white = high > black ? high : black + 1;
@@ -32,7 +32,7 @@ public final class GreySlices implements Grey {
     int stepX = step(0);
     int stepY = step(1);
     int stepZ = step(2);
-    double[] values = new double[8 * SAMPLES_AN_AXIS * SAMPLES_AN_AXIS * SAMPLES_AN_AXIS];
+    double[] values = new double[8 * SAMPLES_PER_AXIS * SAMPLES_PER_AXIS * SAMPLES_PER_AXIS];
     int count = 0;
     for (int k = 0; k < size(2); k += stepZ) {
       for (int j = 0; j < size(1); j += stepY) {
@@ -50,7 +50,7 @@ public final class GreySlices implements Grey {
   }
 
   private int step(int axis) {
-    return Math.max(1, size(axis) / SAMPLES_AN_AXIS);
+    return Math.max(1, size(axis) / SAMPLES_PER_AXIS);
   }
 
   /**

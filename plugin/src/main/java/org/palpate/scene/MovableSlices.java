@@ -33,10 +33,10 @@ public final class MovableSlices {
   public record Start(GreySlices grey, Mode mode, int i, int j, int k) {}
 
   /** One in so many ticks of the 30 Hz follows the point: each makes the surfaces be drawn anew. */
-  private static final int TICKS_A_MOVE = 3;
+  private static final int TICKS_PER_MOVE = 3;
 
   /** A press of a key moves a plane by one in so many of the voxels along it. */
-  private static final int MOVES_ACROSS = 128;
+  private static final int KEY_STEPS_PER_AXIS = 128;
 
   private final SceneModel model;
   private final GreySlices grey;
@@ -90,14 +90,14 @@ public final class MovableSlices {
       System.arraycopy(shown, 0, fixed, 0, fixed.length);
     }
     mode = Mode.FIXED;
-    int step = steps * Math.max(1, grey.size(axis) / MOVES_ACROSS);
+    int step = steps * Math.max(1, grey.size(axis) / KEY_STEPS_PER_AXIS);
     fixed[axis] = within(axis, (double) fixed[axis] + step);
     show(fixed);
   }
 
   /** Lets the slices follow the point where they do; once a tick. */
   public synchronized void follow(Vec3 pointGrid) {
-    if (mode == Mode.AT_POINT && ticks++ % TICKS_A_MOVE == 0) {
+    if (mode == Mode.AT_POINT && ticks++ % TICKS_PER_MOVE == 0) {
       int[] voxel = new int[3];
       for (int along = 0; along < voxel.length; along++) {
         voxel[along] = within(along, Math.floor(pointGrid.get(along)));

@@ -9,14 +9,14 @@ import java.util.stream.IntStream;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.surface.AmbientOcclusion;
 import org.palpate.scene.surface.BrickLayout;
 import org.palpate.scene.surface.CoarseVolume;
-import org.palpate.scene.surface.DensityOpenness;
+import org.palpate.scene.surface.DensityAmbientOcclusion;
 import org.palpate.scene.surface.GreyRange;
-import org.palpate.scene.surface.Openness;
-import org.palpate.scene.surface.SurfaceBuild;
 import org.palpate.scene.surface.SurfaceBuilder;
 import org.palpate.scene.surface.SurfaceExtractor;
+import org.palpate.scene.surface.SurfaceJob;
 import org.palpate.scene.surface.SurfaceSource;
 import org.palpate.scene.surface.WeldedSurface;
 import org.palpate.volume.Segment;
@@ -38,7 +38,7 @@ public final class SceneLoader implements AutoCloseable {
   private final SceneModel model;
   private final SurfaceBuilder builder;
   private final VoxelGrid grid;
-  private final Openness openness;
+  private final AmbientOcclusion openness;
   private final List<Optional<GreyRange>> greys;
   private final List<SceneObject> objects = new ArrayList<>();
   private final List<SurfaceSource> sources = new ArrayList<>();
@@ -46,7 +46,7 @@ public final class SceneLoader implements AutoCloseable {
   /** Of each segment at a half and at a quarter of the resolution. */
   private final List<List<CoarseVolume>> coarse = new ArrayList<>();
 
-  private final List<SurfaceBuild> builds = new CopyOnWriteArrayList<>();
+  private final List<SurfaceJob> builds = new CopyOnWriteArrayList<>();
 
   /** Whether the finer levels were begun, or never will be. */
   private volatile boolean refined;
@@ -80,8 +80,8 @@ public final class SceneLoader implements AutoCloseable {
     List<Segment> segments = volume.segments();
     openness =
         segments.isEmpty()
-            ? Openness.EVERYWHERE
-            : new DensityOpenness(segments.stream().map(Segment::bits).toList());
+            ? AmbientOcclusion.EVERYWHERE
+            : new DensityAmbientOcclusion(segments.stream().map(Segment::bits).toList());
     Vec3 spacing = grid.spacingMm();
     model.addDetail(Math.max(spacing.x, Math.max(spacing.y, spacing.z)));
     segments.forEach(this::add);
@@ -168,7 +168,7 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /** Begins with all bricks of a level. */
-  private SurfaceBuild build(int number, int level) {
+  private SurfaceJob build(int number, int level) {
     SceneObject object = objects.get(number);
     int urgency = level == 0 ? SurfaceBuilder.FINE : SurfaceBuilder.COARSE;
     return builder.build(
@@ -188,11 +188,11 @@ public final class SceneLoader implements AutoCloseable {
     return coarse.get(number).get(level - 1);
   }
 
-  private Openness light(int level) {
+  private AmbientOcclusion light(int level) {
     return level == 0 ? openness : scaled(1 << level);
   }
 
-  private Openness scaled(int factor) {
+  private AmbientOcclusion scaled(int factor) {
     return (x, y, z, nx, ny, nz) -> openness.at(x * factor, y * factor, z * factor, nx, ny, nz);
   }
 
@@ -204,7 +204,7 @@ public final class SceneLoader implements AutoCloseable {
   /** The share of the surfaces that is made, 0 to 1, each level of each segment alike. */
   public double progress() {
     int all = objects.size() * (COARSEST + 1);
-    return all == 0 ? 1 : builds.stream().mapToDouble(SurfaceBuild::progress).sum() / all;
+    return all == 0 ? 1 : builds.stream().mapToDouble(SurfaceJob::progress).sum() / all;
   }
 
   /**
@@ -213,7 +213,7 @@ public final class SceneLoader implements AutoCloseable {
    * @throws TimeoutException where it takes longer
    */
   public void await(long timeoutMillis) throws InterruptedException, TimeoutException {
-    for (SurfaceBuild build : builds) {
+    for (SurfaceJob build : builds) {
       build.await(timeoutMillis);
     }
   }
@@ -226,8 +226,8 @@ public final class SceneLoader implements AutoCloseable {
    * @param voxels a box about the edited voxels
    * @return the work on each level, the finest first
    */
-  public synchronized List<SurfaceBuild> edited(int segment, IntBox voxels) {
-    List<SurfaceBuild> begun = new ArrayList<>();
+  public synchronized List<SurfaceJob> edited(int segment, IntBox voxels) {
+    List<SurfaceJob> begun = new ArrayList<>();
     begun.add(rebuild(segment, 0, voxels, SurfaceBuilder.EDITED));
     for (int level = 1; level < SceneObject.LEVELS; level++) {
       CoarseVolume volume = coarse(segment, level);
@@ -238,7 +238,7 @@ public final class SceneLoader implements AutoCloseable {
     return begun;
   }
 
-  private SurfaceBuild rebuild(int segment, int level, IntBox voxels, int urgency) {
+  private SurfaceJob rebuild(int segment, int level, IntBox voxels, int urgency) {
     SurfaceSource source = source(segment, level);
     SceneObject object = objects.get(segment);
     return builder.build(

@@ -27,9 +27,9 @@ public final class SceneModel {
   private Optional<TouchMarks> marks = Optional.empty();
   private List<String> overlay = List.of();
   private List<String> help = List.of();
-  private List<NamedPlace> landmarks = List.of();
+  private List<NamedPoint> landmarks = List.of();
   private Look look;
-  private long stillRevision;
+  private long staticRevision;
   private boolean moving;
   private final Vec3 middle = new Vec3();
   private double radiusMm = 1;
@@ -64,7 +64,7 @@ public final class SceneModel {
     synchronized (this) {
       objects.add(object);
       fitBall();
-      stillRevision = REVISIONS.incrementAndGet();
+      staticRevision = REVISIONS.incrementAndGet();
     }
     requestRedraw();
     return object;
@@ -84,7 +84,7 @@ public final class SceneModel {
   public void look(StandardView view, double aspect) {
     synchronized (this) {
       camera = Camera.seeing(middle, corners(), view, aspect);
-      stillRevision = REVISIONS.incrementAndGet();
+      staticRevision = REVISIONS.incrementAndGet();
     }
     requestRedraw();
   }
@@ -98,7 +98,7 @@ public final class SceneModel {
     synchronized (this) {
       camera = move.apply(camera);
       moving = stillMoving;
-      stillRevision = REVISIONS.incrementAndGet();
+      staticRevision = REVISIONS.incrementAndGet();
     }
     requestRedraw();
   }
@@ -174,10 +174,10 @@ public final class SceneModel {
   }
 
   /** Shows landmarks, all that there are; places in the world. */
-  public void setLandmarks(List<NamedPlace> world) {
-    List<NamedPlace> shown =
+  public void setLandmarks(List<NamedPoint> world) {
+    List<NamedPoint> shown =
         world.stream()
-            .map(mark -> new NamedPlace(mark.name(), axes.swap(mark.place(), new Vec3())))
+            .map(mark -> new NamedPoint(mark.name(), axes.swap(mark.place(), new Vec3())))
             .toList();
     change(
         () -> {
@@ -227,7 +227,7 @@ public final class SceneModel {
         radiusMm,
         detailMm,
         look,
-        stillRevision,
+        staticRevision,
         moving,
         landmarks);
   }
@@ -242,7 +242,7 @@ public final class SceneModel {
     synchronized (this) {
       differs = change.apply();
       if (differs && still) {
-        stillRevision = REVISIONS.incrementAndGet();
+        staticRevision = REVISIONS.incrementAndGet();
       }
     }
     if (differs) {

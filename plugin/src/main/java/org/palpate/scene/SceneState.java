@@ -17,7 +17,7 @@ import org.palpate.geometry.Vec3;
  * @param radiusMm of a ball about the middle that holds all objects
  * @param detailMm how far a drawn surface may be from the voxels that are touched
  * @param look theme, axes, stereo, slices
- * @param stillRevision changes with everything but marks and text
+ * @param staticRevision changes with everything but marks and text
  * @param moving whether the camera is being moved, so that speed counts more than detail
  * @param landmarks in the scene frame
  */
@@ -31,9 +31,9 @@ public record SceneState(
     double radiusMm,
     double detailMm,
     Look look,
-    long stillRevision,
+    long staticRevision,
     boolean moving,
-    List<NamedPlace> landmarks) {
+    List<NamedPoint> landmarks) {
 
   /** Copies the lists. */
   public SceneState {

@@ -1,9 +1,7 @@
 /**
- * The picture of what is touched: the model of the scene and the 30 Hz synchronization thread.
- * Below it, {@code surface} makes its meshes, {@code gl} draws it, {@code window} shows it.
+ * The scene as it is drawn: objects, camera, slices, marks, and its synchronization at 30 Hz.
  *
- * <p>Uses {@code sync}, {@code volume}, {@code geometry}; JOGL stands in the packages below alone.
- * World millimetres come in; inside, the scene's frame has x to the left, y to the back, z to the
- * head. The model is changed by any thread; OpenGL is called by the one thread that draws.
+ * <p>Uses {@code sync}, {@code scene.surface} and {@code volume}. Any thread changes the model; one
+ * thread synchronizes. World millimetres.
  */
 package org.palpate.scene;

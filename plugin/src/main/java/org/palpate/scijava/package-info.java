@@ -1,6 +1,7 @@
 /**
- * A second face for Fiji's search bar, scripts and headless runs: SciJava commands.
+ * The command of SciJava and Fiji's search bar that replays a trajectory.
  *
- * <p>Uses {@code app}; the only package that imports SciJava's API, and loaded by SciJava alone.
+ * <p>Uses {@code app}. It is a package of its own because it alone may use SciJava. SciJava's
+ * command thread. World millimetres.
  */
 package org.palpate.scijava;

@@ -20,6 +20,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.palpate.io.dicom.DicomSliceWriter;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.phantom.Phantom;
 
 /**
@@ -95,7 +98,7 @@ class ReaderFuzzTest {
       Files.copy(in, jpeg);
     }
     Path slice = folder.resolve("slice.dcm");
-    DicomMaker.slice(slice, "1.2", "0\\0\\0", "1\\0\\0\\0\\1\\0", 7);
+    DicomSliceWriter.slice(slice, "1.2", "0\\0\\0", "1\\0\\0\\0\\1\\0", 7);
     fuzz("dcm", samples("formats/dicom", jpeg, slice));
   }
 
@@ -135,7 +138,7 @@ class ReaderFuzzTest {
     }
     for (long now = System.nanoTime(); now < end; cases++) {
       int which = random.nextInt(samples.size());
-      byte[] spoiled = Mutator.spoil(contents.get(which), random);
+      byte[] spoiled = FileMutator.spoil(contents.get(which), random);
       String name = samples.get(which).getFileName().toString();
       Path file = Files.write(folder.resolve("spoiled-" + name), spoiled);
       refused += isRead(file, spoiled, format + " case " + cases) ? 0 : 1;

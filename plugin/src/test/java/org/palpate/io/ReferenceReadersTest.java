@@ -9,6 +9,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.TestData;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelCrc;
 
 /**
  * Values and places agree with the formats' own readers: nibabel 5.4.2, pynrrd 1.1.3 and SimpleITK

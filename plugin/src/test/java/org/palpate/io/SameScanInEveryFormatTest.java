@@ -21,6 +21,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.io.dicom.DicomSliceWriter;
+import org.palpate.io.label.SegmentBuilder;
+import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.volume.RawLayout;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.TestData;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelCrc;
 
 /** One scan in each format: bone of CThead is counted to the voxel, its spacing is the same. */
 class SameScanInEveryFormatTest {
@@ -44,7 +53,7 @@ class SameScanInEveryFormatTest {
     scan.read(
         (k, slice) -> {
           for (int n = 0; n < slice.count(); n++) {
-            bytes.putShort((short) slice.wholes()[n]);
+            bytes.putShort((short) slice.integers()[n]);
           }
         });
   }
@@ -143,7 +152,7 @@ class SameScanInEveryFormatTest {
     for (int k = 0; k < SLICES; k++) {
       byte[] pixels = Arrays.copyOfRange(samples, k * SLICE_BYTES, (k + 1) * SLICE_BYTES);
       Path file = folder.resolve("IM" + k * 37 % SLICES);
-      DicomMaker.slice(file, 2.0 * k, EDGE, EDGE, pixels);
+      DicomSliceWriter.slice(file, 2.0 * k, EDGE, EDGE, pixels);
     }
     requireSame(open(folder));
   }

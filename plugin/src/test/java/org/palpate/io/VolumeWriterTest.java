@@ -13,7 +13,19 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.geometry.Vec3;
-import org.palpate.io.VolumeHeader.World;
+import org.palpate.io.label.SegmentBuilder;
+import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.label.SegmentsAsLabels;
+import org.palpate.io.volume.LabelTable;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.SliceSink;
+import org.palpate.io.volume.TestData;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeHeader.World;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelCrc;
+import org.palpate.io.volume.VoxelSlice;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
@@ -69,7 +81,7 @@ class VolumeWriterTest {
   @Test
   void segmentsReadBackWithTheirNamesAndColours() throws Exception {
     SegmentedVolume volume = Phantom.parse("head:48").segments();
-    VolumeReader read = writtenAndOpened(new SegmentReader(volume, World.LPS), "a.nrrd");
+    VolumeReader read = writtenAndOpened(new SegmentsAsLabels(volume, World.LPS), "a.nrrd");
     for (int n = 0; n < volume.segments().size(); n++) {
       Segment segment = volume.segments().get(n);
       LabelTable.Label label = read.header().labels().get().labels().get(n + 1L);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.Vec3;
-import org.palpate.scene.surface.Openness;
+import org.palpate.scene.surface.AmbientOcclusion;
 import org.palpate.scene.surface.SurfaceBrick;
 import org.palpate.scene.surface.SurfaceExtractor;
 import org.palpate.scene.surface.SurfaceSource;
@@ -18,7 +18,7 @@ class LevelBricksTest {
     BitCube bits = new BitCube(4, 4, 4);
     bits.set(1, 1, 1);
     SurfaceSource source = SurfaceSource.ofBits(bits, new Vec3(1, 1, 1));
-    return new SurfaceExtractor().extract(source, Openness.EVERYWHERE, 0);
+    return new SurfaceExtractor().extract(source, AmbientOcclusion.EVERYWHERE, 0);
   }
 
   @Test

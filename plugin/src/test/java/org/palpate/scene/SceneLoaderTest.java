@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.scene.surface.SurfaceBuild;
+import org.palpate.scene.surface.SurfaceJob;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
@@ -56,7 +56,7 @@ class SceneLoaderTest {
         bits.set(i, 10, 10);
         edited.include(i, 10, 10);
       }
-      for (SurfaceBuild level : loader.edited(0, edited)) {
+      for (SurfaceJob level : loader.edited(0, edited)) {
         level.await(PATIENCE_MS);
       }
       loader.pictureDrawn();

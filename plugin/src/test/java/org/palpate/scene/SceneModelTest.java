@@ -42,7 +42,7 @@ class SceneModelTest {
     DrawnObject then = before.objects().get(0);
     assertEquals(Palette.BONE, then.rgb());
     assertEquals(1, then.opacity());
-    assertTrue(before.stillRevision() < model.state().stillRevision());
+    assertTrue(before.staticRevision() < model.state().staticRevision());
   }
 
   @Test

@@ -7,18 +7,18 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.palpate.benchmarks.PlainTwin;
-import org.palpate.benchmarks.Trajectories;
-import org.palpate.benchmarks.Trajectory;
+import org.palpate.benchmarks.baseline.PlainBaseline;
+import org.palpate.benchmarks.input.Trajectories;
+import org.palpate.benchmarks.input.Trajectory;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
-import org.palpate.volume.phantom.SurfaceTruth;
 
 /** The guarded solver stays at least as close behind the device as the plain twin does. */
 class DistanceBehindDeviceTest {
@@ -50,7 +50,7 @@ class DistanceBehindDeviceTest {
   private static void assertNoFarther(String spec, double depth, int slides, double... speeds) {
     Phantom phantom = Phantom.parse(spec);
     BitCube bits = phantom.segments().segments().get(0).bits();
-    SurfaceTruth truth = phantom.truth().orElseThrow();
+    AnalyticSurface truth = phantom.truth().orElseThrow();
     double guarded = 0;
     double twin = 0;
     for (double speed : speeds) {
@@ -67,8 +67,8 @@ class DistanceBehindDeviceTest {
   }
 
   private static double meanOfGuarded(BitCube bits, Trajectory slide) {
-    GuardedSolver solver = new GuardedSolver(new Metric(1, 1, 1), MAX_STEP_VOXELS);
-    Obstacles obstacles = new Obstacles(List.of(bits));
+    GuardedSolver solver = new GuardedSolver(new GridMetric(1, 1, 1), MAX_STEP_VOXELS);
+    CollisionScene obstacles = new CollisionScene(List.of(bits));
     InteractionPoint point = new InteractionPoint();
     slide.at(0, point.position);
     Vec3 device = new Vec3();
@@ -82,7 +82,7 @@ class DistanceBehindDeviceTest {
   }
 
   private static double meanOfTwin(BitCube bits, Trajectory slide) {
-    PlainTwin twin = new PlainTwin(bits, MAX_STEP_VOXELS);
+    PlainBaseline twin = new PlainBaseline(bits, MAX_STEP_VOXELS);
     Vec3 device = slide.at(0, new Vec3());
     twin.place(device.x, device.y, device.z);
     double sum = 0;

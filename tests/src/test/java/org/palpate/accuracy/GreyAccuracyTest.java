@@ -10,12 +10,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.benchmarks.accuracy.Accuracy;
 import org.palpate.benchmarks.accuracy.AccuracyMeter;
 import org.palpate.benchmarks.accuracy.SlideTrajectory;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
-import org.palpate.proxy.smooth.GreySurface;
 import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.phantom.Phantom;
 
@@ -24,13 +24,13 @@ class GreyAccuracyTest {
   private static final int EDGE = 192;
   private static final int FRAMES = 3000;
   private static final long SEED = 7;
-  private static final Metric UNIT = new Metric(1, 1, 1);
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
 
   @ParameterizedTest
   @ValueSource(strings = {"sphere:64:grey", "plane:64:grey", "torus:64:grey"})
   void theContrastIsToldByTheValuesAtTheSurface(String spec) {
     GreySolids solid = new GreySolids(Phantom.parse(spec), 0, Seeds.seed());
-    double contrast = GreySurface.ofThreshold(solid.volume, Phantom.HALF_GREY).contrast();
+    double contrast = GreyIsosurface.ofThreshold(solid.volume, Phantom.HALF_GREY).contrast();
     assertEquals(Phantom.HALF_GREY, contrast, 0.15 * Phantom.HALF_GREY, spec);
   }
 
@@ -59,7 +59,7 @@ class GreyAccuracyTest {
   @Test
   void anEditIsFeltAgainstTheGreyValues() {
     GreySolids solids = new GreySolids(Phantom.parse("plane:64:grey"), 0, SEED);
-    Obstacles obstacles = new Obstacles(List.of(solids.bits));
+    CollisionScene obstacles = new CollisionScene(List.of(solids.bits));
     SmoothSolver solver = solver(solids);
     InteractionPoint point = new InteractionPoint();
     point.position.set(32, 32, 62);
@@ -77,7 +77,7 @@ class GreyAccuracyTest {
   }
 
   private static void follow(
-      SmoothSolver solver, Obstacles obstacles, Vec3 device, InteractionPoint point) {
+      SmoothSolver solver, CollisionScene obstacles, Vec3 device, InteractionPoint point) {
     for (int frame = 0; frame < 50; frame++) {
       solver.follow(obstacles, device, point);
     }
@@ -93,7 +93,7 @@ class GreyAccuracyTest {
             new SlideTrajectory(phantom.truth().orElseThrow(), EDGE, row[0], speed, FRAMES, SEED);
         Accuracy accuracy =
             new AccuracyMeter(phantom.truth().orElseThrow(), UNIT, slide, row[0])
-                .measure(solver(solids), new Obstacles(List.of(solids.bits)));
+                .measure(solver(solids), new CollisionScene(List.of(solids.bits)));
         assertTrue(accuracy.angleRmsDegrees() <= row[1], accuracy::toString);
         assertTrue(accuracy.angleWorstDegrees() <= row[2], accuracy::toString);
         assertTrue(accuracy.heightStdMm() <= heightStd, accuracy::toString);
@@ -105,6 +105,6 @@ class GreyAccuracyTest {
 
   private static SmoothSolver solver(GreySolids solids) {
     double half = Phantom.HALF_GREY;
-    return new SmoothSolver(UNIT, 8, new GreySurface(solids.volume, half, half));
+    return new SmoothSolver(UNIT, 8, new GreyIsosurface(solids.volume, half, half));
   }
 }

@@ -2,9 +2,9 @@ package org.palpate.accuracy;
 
 import static org.junit.jupiter.api.Assertions.assertNull;
 
+import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.testing.LegJudge;
 import org.palpate.volume.BitCube;
@@ -27,7 +27,7 @@ final class JudgedSolver implements ProxySolver {
   }
 
   @Override
-  public void follow(Obstacles obstacles, Vec3 device, InteractionPoint point) {
+  public void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point) {
     if (judge == null) {
       judge = new LegJudge(bits, point.position);
     }

@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
@@ -64,9 +64,9 @@ class NearestFreePointTest {
     }
   }
 
-  private void endsWithinAVoxel(Function<Metric, ProxySolver> maker, double heights) {
-    Obstacles obstacles = new Obstacles(List.of(box()));
-    ProxySolver solver = maker.apply(Metric.of(spacingMm));
+  private void endsWithinAVoxel(Function<GridMetric, ProxySolver> maker, double heights) {
+    CollisionScene obstacles = new CollisionScene(List.of(box()));
+    ProxySolver solver = maker.apply(GridMetric.of(spacingMm));
     InteractionPoint point = new InteractionPoint();
     comeOverTheFace();
     point.position.set(device);
@@ -110,7 +110,7 @@ class NearestFreePointTest {
   }
 
   /** In some steps straight to where this face is nearest, and rests there. */
-  private void goInside(ProxySolver solver, Obstacles obstacles, InteractionPoint point) {
+  private void goInside(ProxySolver solver, CollisionScene obstacles, InteractionPoint point) {
     Vec3 from = new Vec3().set(device);
     do {
       anywhereInside();

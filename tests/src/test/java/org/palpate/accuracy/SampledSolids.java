@@ -3,7 +3,7 @@ package org.palpate.accuracy;
 import java.util.SplittableRandom;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
-import org.palpate.volume.phantom.SurfaceTruth;
+import org.palpate.volume.phantom.AnalyticSurface;
 
 /** Bits that sample a surface known by formula, with voxels of any size and with noise. */
 final class SampledSolids {
@@ -14,7 +14,7 @@ final class SampledSolids {
   private SampledSolids() {}
 
   /** The voxels whose centres are inside. */
-  static BitCube of(SurfaceTruth truth, double edgeMm, Vec3 spacingMm) {
+  static BitCube of(AnalyticSurface truth, double edgeMm, Vec3 spacingMm) {
     BitCube bits =
         new BitCube(
             (int) (edgeMm / spacingMm.x),

@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.volume.BitCube;
 
@@ -15,7 +15,7 @@ import org.palpate.volume.BitCube;
 class SharpEdgeTest {
   private static final int EDGE = 64;
   private static final double MIDDLE = 32;
-  private static final Metric UNIT = new Metric(1, 1, 1);
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
 
   /** Distances of the two sides of the edge from the middle, off the grid. */
   private static final double SIDE_U = 12.3;
@@ -39,7 +39,7 @@ class SharpEdgeTest {
   private double slideAround(double turn, double depth) {
     double cosine = StrictMath.cos(turn);
     double sine = StrictMath.sin(turn);
-    Obstacles obstacles = new Obstacles(List.of(cube(cosine, sine)));
+    CollisionScene obstacles = new CollisionScene(List.of(cube(cosine, sine)));
     SmoothSolver solver = new SmoothSolver(UNIT, 8);
     point.position.set(MIDDLE + 20 * cosine, MIDDLE + 20 * sine, MIDDLE);
     double corner = SIDE_V - depth;

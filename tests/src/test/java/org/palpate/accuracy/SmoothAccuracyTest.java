@@ -8,13 +8,13 @@ import org.junit.jupiter.api.Test;
 import org.palpate.benchmarks.accuracy.Accuracy;
 import org.palpate.benchmarks.accuracy.AccuracyMeter;
 import org.palpate.benchmarks.accuracy.SlideTrajectory;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
-import org.palpate.volume.phantom.SurfaceTruth;
 
 /** Errors of the smooth solver's force; they do not depend on the machine. */
 class SmoothAccuracyTest {
@@ -62,7 +62,7 @@ class SmoothAccuracyTest {
   void aShellOfOneVoxelFeelsLikeASolidFromEitherSide() {
     Phantom shell = Phantom.parse("shell:" + EDGE);
     BitCube bits = shell.segments().segments().get(0).bits();
-    SurfaceTruth ball = Phantom.parse("sphere:" + EDGE).truth().orElseThrow();
+    AnalyticSurface ball = Phantom.parse("sphere:" + EDGE).truth().orElseThrow();
     check(measure(ball, CUBES, bits, 5, 0.3), 1.5, 6, 0.15, 0.05);
     check(measure(new Cavity(ball, 1), CUBES, bits, 5, 0.3), 1.5, 6, 0.15, 0.3);
   }
@@ -70,7 +70,7 @@ class SmoothAccuracyTest {
   @Test
   void tenPercentOfTheBorderFlippedIsHardlyFelt() {
     for (String name : List.of("plane", "sphere", "torus")) {
-      SurfaceTruth truth = Phantom.parse(name + ":" + EDGE).truth().orElseThrow();
+      AnalyticSurface truth = Phantom.parse(name + ":" + EDGE).truth().orElseThrow();
       BitCube noisy = SampledSolids.flipped(SampledSolids.of(truth, EDGE, CUBES), 0.1, SEED);
       check(measure(truth, CUBES, noisy, 5, 0.3), 2.2, 8, 0.2, 0.03);
       check(measure(truth, CUBES, noisy, 5, 0.05), 2.2, 8, 0.2, 0.03);
@@ -87,13 +87,13 @@ class SmoothAccuracyTest {
 
   @Test
   void everyLegOfASlideIsDisjointFromAllSolids() {
-    SurfaceTruth truth = Phantom.parse("torus:96").truth().orElseThrow();
+    AnalyticSurface truth = Phantom.parse("torus:96").truth().orElseThrow();
     BitCube bits = SampledSolids.flipped(SampledSolids.of(truth, 96, CUBES), 0.1, SEED);
     SlideTrajectory slide = new SlideTrajectory(truth, 96, 4, 0.3, 1500, SEED);
-    Metric metric = Metric.of(CUBES);
+    GridMetric metric = GridMetric.of(CUBES);
     AccuracyMeter meter = new AccuracyMeter(truth, metric, slide, 4);
     JudgedSolver solver = new JudgedSolver(new SmoothSolver(metric, 8), bits);
-    assertEquals(0, meter.measure(solver, new Obstacles(List.of(bits))).lostFrames());
+    assertEquals(0, meter.measure(solver, new CollisionScene(List.of(bits))).lostFrames());
   }
 
   private static Accuracy measure(String name, double depth, double speed) {
@@ -103,16 +103,16 @@ class SmoothAccuracyTest {
   }
 
   private static Accuracy measureSampled(String name, Vec3 spacingMm, double depth) {
-    SurfaceTruth truth = Phantom.parse(name + ":" + EDGE).truth().orElseThrow();
+    AnalyticSurface truth = Phantom.parse(name + ":" + EDGE).truth().orElseThrow();
     return measure(truth, spacingMm, SampledSolids.of(truth, EDGE, spacingMm), depth, 0.3);
   }
 
   private static Accuracy measure(
-      SurfaceTruth truth, Vec3 spacingMm, BitCube bits, double depth, double speed) {
+      AnalyticSurface truth, Vec3 spacingMm, BitCube bits, double depth, double speed) {
     SlideTrajectory slide = new SlideTrajectory(truth, EDGE, depth, speed, FRAMES, SEED);
-    Metric metric = Metric.of(spacingMm);
+    GridMetric metric = GridMetric.of(spacingMm);
     return new AccuracyMeter(truth, metric, slide, depth)
-        .measure(new SmoothSolver(metric, 8), new Obstacles(List.of(bits)));
+        .measure(new SmoothSolver(metric, 8), new CollisionScene(List.of(bits)));
   }
 
   private static void check(
@@ -125,7 +125,7 @@ class SmoothAccuracyTest {
   }
 
   /** The inside of a ball with a wall of some thickness, felt from the cavity. */
-  private record Cavity(SurfaceTruth ball, double wallMm) implements SurfaceTruth {
+  private record Cavity(AnalyticSurface ball, double wallMm) implements AnalyticSurface {
     @Override
     public double signedDistance(Vec3 point) {
       return -ball.signedDistance(point) - wallMm;

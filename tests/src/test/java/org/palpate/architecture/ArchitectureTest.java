@@ -6,17 +6,20 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static java.util.stream.Collectors.counting;
+import static java.util.stream.Collectors.groupingBy;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import com.tngtech.archunit.core.domain.Dependency;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.ForkJoinPool;
@@ -25,30 +28,146 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
-/** The house of the design: each package uses those below it and no other. */
+/** Holds the package map: each package uses the packages below it and no other. */
 class ArchitectureTest {
   private static final String BASE = "org.palpate.";
 
-  /** Each package with those that it may use; what these may use, it may too. */
+  private static final int MAX_CLASSES_PER_PACKAGE = 30;
+
+  /** Each package with the packages that it may use; it may also use what these may use. */
   private static final Map<String, List<String>> MAY_USE =
       Map.ofEntries(
-          Map.entry("geometry", List.of()),
-          Map.entry("volume", List.of("geometry")),
-          Map.entry("raycast", List.of("volume")),
-          Map.entry("proxy", List.of("raycast")),
-          Map.entry("force", List.of("proxy")),
+          Map.entry("app", List.of("app.command")),
+          Map.entry("app.command", List.of("app.output", "realtime")),
+          Map.entry("app.options", List.of("app.process", "device.jni", "host", "io", "io.table")),
+          Map.entry("app.output", List.of("app.options")),
+          Map.entry("app.process", List.of("display", "io.volume")),
+          Map.entry(
+              "benchmarks",
+              List.of(
+                  "benchmarks.baseline",
+                  "benchmarks.input",
+                  "benchmarks.shell",
+                  "device.jni",
+                  "frame",
+                  "proxy.reference",
+                  "proxy.smooth",
+                  "recording",
+                  "sync")),
+          Map.entry(
+              "benchmarks.accuracy",
+              List.of(
+                  "benchmarks.baseline",
+                  "benchmarks.report",
+                  "force",
+                  "proxy.reference",
+                  "proxy.smooth",
+                  "volume.phantom")),
+          Map.entry("benchmarks.baseline", List.of("proxy")),
+          Map.entry(
+              "benchmarks.command",
+              List.of(
+                  "app",
+                  "benchmarks.accuracy",
+                  "benchmarks.nearest",
+                  "benchmarks.speed",
+                  "benchmarks.stability",
+                  "benchmarks.stress",
+                  "benchmarks.surface",
+                  "benchmarks.sync")),
+          Map.entry("benchmarks.input", List.of("io", "raycast")),
+          Map.entry(
+              "benchmarks.jitter",
+              List.of("app", "benchmarks.jitter.experiment", "benchmarks.report")),
+          Map.entry(
+              "benchmarks.jitter.experiment",
+              List.of("app.options", "benchmarks.jitter.trace", "realtime")),
+          Map.entry("benchmarks.jitter.trace", List.of("io.file")),
+          Map.entry(
+              "benchmarks.nearest",
+              List.of(
+                  "benchmarks.baseline",
+                  "benchmarks.report",
+                  "proxy.reference",
+                  "proxy.smooth",
+                  "volume.phantom")),
+          Map.entry("benchmarks.report", List.of("io.file")),
+          Map.entry("benchmarks.shell", List.of("proxy")),
+          Map.entry(
+              "benchmarks.speed",
+              List.of("benchmarks", "benchmarks.report", "io.table", "scene.window")),
+          Map.entry(
+              "benchmarks.stability",
+              List.of(
+                  "benchmarks.report",
+                  "frame",
+                  "proxy.reference",
+                  "proxy.smooth",
+                  "volume.phantom")),
+          Map.entry("benchmarks.stress", List.of("benchmarks.input", "host")),
+          Map.entry("benchmarks.surface", List.of("benchmarks.input", "scene.surface")),
+          Map.entry("benchmarks.sync", List.of("benchmarks.report", "host", "volume.phantom")),
+          Map.entry("collision", List.of("raycast")),
           Map.entry("device", List.of("geometry")),
-          Map.entry("sync", List.of("geometry")),
-          Map.entry("interaction", List.of("device", "proxy", "force", "sync")),
           Map.entry("device.jni", List.of("device")),
-          Map.entry("realtime", List.of("interaction")),
-          Map.entry("scene", List.of("sync", "volume", "geometry")),
-          Map.entry("io", List.of("volume")),
-          Map.entry("host", List.of("interaction", "scene", "device", "volume")),
-          Map.entry("imagej", List.of("host", "io", "device.jni", "realtime")),
-          Map.entry("app", List.of("host", "io", "device.jni", "realtime")),
+          Map.entry("display", List.of()),
+          Map.entry("edit", List.of("proxy.smooth.field")),
+          Map.entry("force", List.of("proxy")),
+          Map.entry("frame", List.of("device", "edit", "force")),
+          Map.entry("geometry", List.of()),
+          Map.entry(
+              "host",
+              List.of("loop", "proxy.reference", "proxy.smooth", "recording", "scene.window")),
+          Map.entry("imagej", List.of("imagej.session")),
+          Map.entry("imagej.annotation", List.of("imagej.stack", "io.table")),
+          Map.entry("imagej.dialog", List.of("imagej.stack")),
+          Map.entry(
+              "imagej.session",
+              List.of("device.jni", "imagej.annotation", "imagej.dialog", "realtime")),
+          Map.entry("imagej.stack", List.of("host", "io")),
+          Map.entry(
+              "io",
+              List.of(
+                  "io.dicom",
+                  "io.label",
+                  "io.metaimage",
+                  "io.nifti",
+                  "io.raw",
+                  "io.tiff",
+                  "volume.phantom")),
+          Map.entry("io.codec", List.of()),
+          Map.entry("io.dicom", List.of("io.codec", "io.format")),
+          Map.entry("io.file", List.of()),
+          Map.entry("io.format", List.of("io.volume")),
+          Map.entry("io.label", List.of("io.format")),
+          Map.entry("io.metaimage", List.of("io.format")),
+          Map.entry("io.nifti", List.of("io.nrrd")),
+          Map.entry("io.nrrd", List.of("io.codec", "io.format")),
+          Map.entry("io.raw", List.of("io.format")),
+          Map.entry("io.table", List.of("geometry", "io.file")),
+          Map.entry("io.tiff", List.of("io.codec", "io.format")),
+          Map.entry("io.volume", List.of("io.file", "volume")),
+          Map.entry("loop", List.of("frame")),
+          Map.entry("proxy", List.of("collision")),
+          Map.entry("proxy.exact", List.of("proxy")),
+          Map.entry("proxy.reference", List.of("proxy")),
+          Map.entry("proxy.smooth", List.of("proxy.exact", "proxy.smooth.field")),
+          Map.entry("proxy.smooth.field", List.of("collision")),
+          Map.entry("raycast", List.of("volume")),
+          Map.entry("realtime", List.of("loop", "realtime.os")),
+          Map.entry("realtime.os", List.of()),
+          Map.entry("recording", List.of("device")),
+          Map.entry("scene", List.of("scene.surface", "sync")),
+          Map.entry("scene.gl", List.of("scene")),
+          Map.entry("scene.surface", List.of("volume")),
+          Map.entry("scene.window", List.of("scene.gl")),
           Map.entry("scijava", List.of("app")),
-          Map.entry("benchmarks", List.of("app", "imagej")));
+          Map.entry("sync", List.of("geometry")),
+          Map.entry("volume", List.of("geometry")),
+          Map.entry("volume.phantom", List.of("volume")));
+
+  /** Classes that embedding programs use and no other production class does. */
+  private static final Set<String> PUBLIC_API = new TreeSet<>(List.of());
 
   private static final JavaClasses CLASSES =
       new ClassFileImporter()
@@ -81,23 +200,68 @@ class ArchitectureTest {
     MAY_USE.get(name).forEach(below -> addWithAllBelow(below, dest));
   }
 
-  /** The longest name of {@link #MAY_USE} that holds the class; empty outside Palpate. */
+  /** Returns the package of a class without the common prefix; empty outside Palpate. */
   private static String house(JavaClass c) {
-    String packageName = c.getPackageName() + ".";
-    return MAY_USE.keySet().stream()
-        .filter(name -> packageName.startsWith(BASE + name + "."))
-        .reduce("", (a, b) -> a.length() > b.length() ? a : b);
+    String packageName = c.getPackageName();
+    return packageName.startsWith(BASE) ? packageName.substring(BASE.length()) : "";
   }
 
   @Test
-  void everyPackageHasItsPlaceInTheHouse() {
-    List<String> strays = new ArrayList<>();
+  void everyPackageIsInTheMap() {
+    Set<String> packages = new TreeSet<>();
+    CLASSES.forEach(c -> packages.add(house(c)));
+    assertEquals(new TreeSet<>(MAY_USE.keySet()), packages);
+  }
+
+  @Test
+  void noPackageHoldsMoreThanThirtyClasses() {
+    Map<String, Long> counts =
+        CLASSES.stream()
+            .filter(c -> !c.isNestedClass() && !c.getSimpleName().equals("package-info"))
+            .collect(groupingBy(ArchitectureTest::house, TreeMap::new, counting()));
+    counts.values().removeIf(count -> count <= MAX_CLASSES_PER_PACKAGE);
+    assertEquals(Map.of(), counts);
+  }
+
+  @Test
+  void noProductionClassIsThereForABenchmarkOrATestAlone() {
+    Set<String> unused = new TreeSet<>();
     for (JavaClass c : CLASSES) {
-      if (house(c).isEmpty() && !c.getPackageName().startsWith("org.palpate.benchmarks")) {
-        strays.add(c.getName());
+      if (isProduction(c) && !c.isNestedClass() && !isEntryPoint(c) && !isUsedInProduction(c)) {
+        unused.add(c.getName());
       }
     }
-    assertEquals(List.of(), strays);
+    assertEquals(PUBLIC_API, unused);
+  }
+
+  private static boolean isProduction(JavaClass c) {
+    return !house(c).startsWith("benchmarks") && !c.getSimpleName().equals("package-info");
+  }
+
+  /** Whether the JVM, ImageJ or SciJava starts the class by its name. */
+  private static boolean isEntryPoint(JavaClass c) {
+    return c.getName().equals("org.palpate.app.Main")
+        || c.isAssignableTo("ij.plugin.PlugIn")
+        || c.isAssignableTo("org.scijava.command.Command");
+  }
+
+  private static boolean isUsedInProduction(JavaClass c) {
+    return withNested(c)
+        .flatMap(part -> part.getDirectDependenciesToSelf().stream())
+        .map(Dependency::getOriginClass)
+        .anyMatch(origin -> isProduction(origin) && !outermost(origin).equals(c));
+  }
+
+  private static Stream<JavaClass> withNested(JavaClass c) {
+    return CLASSES.stream().filter(part -> outermost(part).equals(c));
+  }
+
+  private static JavaClass outermost(JavaClass c) {
+    JavaClass outer = c;
+    while (outer.getEnclosingClass().isPresent()) {
+      outer = outer.getEnclosingClass().get();
+    }
+    return outer;
   }
 
   @Test
@@ -113,11 +277,15 @@ class ArchitectureTest {
             BASE + "geometry..",
             BASE + "volume..",
             BASE + "raycast..",
+            BASE + "collision..",
             BASE + "proxy..",
             BASE + "force..",
             BASE + "device",
-            BASE + "sync..",
-            BASE + "interaction..")
+            BASE + "edit..",
+            BASE + "frame..",
+            BASE + "loop..",
+            BASE + "recording..",
+            BASE + "sync..")
         .should()
         .onlyDependOnClassesThat()
         .resideInAnyPackage("java..", "org.HdrHistogram..", "org.palpate..")
@@ -130,8 +298,8 @@ class ArchitectureTest {
   }
 
   @Test
-  void jnaStandsOnlyInRealtime() {
-    onlyIn("..realtime..").accept("com.sun.jna..");
+  void jnaStandsOnlyInRealtimeAndDisplay() {
+    onlyIn("..realtime..", "..display..").accept("com.sun.jna..");
   }
 
   @Test
@@ -165,7 +333,8 @@ class ArchitectureTest {
         .areDeclaredInClassesThat(
             describe(
                 "are ours and bind nothing by JNA",
-                (JavaClass c) -> !house(c).equals("realtime") && !house(c).equals("device.jni")))
+                (JavaClass c) ->
+                    !Set.of("realtime.os", "display", "device.jni").contains(house(c))))
         .should()
         .notHaveModifier(JavaModifier.NATIVE)
         .check(CLASSES);
@@ -178,7 +347,12 @@ class ArchitectureTest {
             resideInAnyPackage("org.palpate..")
                 .and(
                     resideInAnyPackage(
-                            "..interaction..", "..scene..", "..host..", "..app..", "..benchmarks..")
+                            "..loop..",
+                            "..recording..",
+                            "..scene..",
+                            "..host..",
+                            "..app..",
+                            "..benchmarks..")
                         .negate()))
         .should()
         .callConstructorWhere(
@@ -201,8 +375,11 @@ class ArchitectureTest {
         .resideInAnyPackage(
             BASE + "geometry..",
             BASE + "raycast..",
+            BASE + "collision..",
             BASE + "proxy..",
             BASE + "force..",
+            BASE + "edit..",
+            BASE + "frame..",
             BASE + "sync..")
         .should()
         .dependOnClassesThat()

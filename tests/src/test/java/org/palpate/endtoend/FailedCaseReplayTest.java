@@ -13,21 +13,21 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.benchmarks.stress.FailedCase;
-import org.palpate.benchmarks.stress.SolverMaker;
+import org.palpate.benchmarks.stress.SolverFactory;
 import org.palpate.benchmarks.stress.StressRun;
 import org.palpate.benchmarks.stress.StressTotals;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.io.ReadOptions;
-import org.palpate.io.SegmentBuilder;
-import org.palpate.io.SegmentSpec;
 import org.palpate.io.VolumeFiles;
-import org.palpate.proxy.BorderVoxels;
-import org.palpate.proxy.GuardedSolver;
+import org.palpate.io.label.SegmentBuilder;
+import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.volume.ReadOptions;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
-import org.palpate.proxy.PaperSolver;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.reference.BorderVoxels;
+import org.palpate.proxy.reference.PaperSolver;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.SampledRayCaster;
 import org.palpate.testing.ExactOracle;
@@ -43,7 +43,7 @@ class FailedCaseReplayTest {
 
   @Test
   void aCaseThatBreaksTheListingAsPrintedBreaksItInReplayAndGuardedDoesNot() throws IOException {
-    SolverMaker paper =
+    SolverFactory paper =
         judgedByLegs(
             (metric, maxStepMm) ->
                 new PaperSolver(
@@ -60,12 +60,12 @@ class FailedCaseReplayTest {
     failed.write(folder, "guarded");
     assertTrue(failed.scene().bits().solidCount() <= 4, failed.summary());
     BitCube bits = solids();
-    Metric metric = Metric.of(failed.scene().spacingMm());
+    GridMetric metric = GridMetric.of(failed.scene().spacingMm());
     assertNotNull(fault(bits, new LeapingSolver(metric, failed.scene().maxStepMm())));
     assertTrue(touchingLegs(bits, "guarded") == 0, "guarded breaks on the saved case");
   }
 
-  private static FailedCase attack(SolverMaker maker) {
+  private static FailedCase attack(SolverFactory maker) {
     FailedCase failed =
         new StressRun(Seeds.seed(), maker)
             .untilFrames(new StressTotals(), ENOUGH_FRAMES, now -> {});
@@ -74,10 +74,10 @@ class FailedCaseReplayTest {
   }
 
   /** A solver of which the guarantee alone is asked. */
-  private static SolverMaker judgedByLegs(SolverMaker solver) {
-    return new SolverMaker() {
+  private static SolverFactory judgedByLegs(SolverFactory solver) {
+    return new SolverFactory() {
       @Override
-      public ProxySolver make(Metric metric, double maxStepMm) {
+      public ProxySolver make(GridMetric metric, double maxStepMm) {
         return solver.make(metric, maxStepMm);
       }
 
@@ -129,7 +129,7 @@ class FailedCaseReplayTest {
   }
 
   private String fault(BitCube bits, ProxySolver solver) throws IOException {
-    Obstacles obstacles = new Obstacles(List.of(bits));
+    CollisionScene obstacles = new CollisionScene(List.of(bits));
     InteractionPoint point = new InteractionPoint();
     LegJudge judge = null;
     for (double[] row : rows("device.csv")) {
@@ -152,12 +152,12 @@ class FailedCaseReplayTest {
     private final GuardedSolver guarded;
     private int contacts;
 
-    LeapingSolver(Metric metric, double maxStepMm) {
+    LeapingSolver(GridMetric metric, double maxStepMm) {
       guarded = new GuardedSolver(metric, maxStepMm);
     }
 
     @Override
-    public void follow(Obstacles obstacles, Vec3 device, InteractionPoint point) {
+    public void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point) {
       guarded.follow(obstacles, device, point);
       contacts = point.contact ? contacts + 1 : 0;
       if (contacts == 3) {

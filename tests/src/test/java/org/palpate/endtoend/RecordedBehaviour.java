@@ -75,7 +75,7 @@ final class RecordedBehaviour {
     Files.writeString(Path.of(arguments[2]), text(all));
   }
 
-  /** Returns the checksums as lines {@code SHA256  NAME}. */
+  /** Returns the checksums as lines {@code SHA256 NAME}. */
   static String text(Map<String, String> checksums) {
     StringBuilder lines = new StringBuilder();
     checksums.forEach((name, sum) -> lines.append(sum).append("  ").append(name).append('\n'));
@@ -104,7 +104,15 @@ final class RecordedBehaviour {
     Path trajectory = TestFiles.trajectory(folder.resolve("t.csv"), FRAMES, 64, 7);
     String[][] variants = {
       {"smooth grey", "--phantom", "sphere:64:grey", "--segment", "ball=>=500"},
-      {"smooth bits", "--phantom", "sphere:64:grey", "--segment", "b=>=500", "--smooth-from", "bits"},
+      {
+        "smooth bits",
+        "--phantom",
+        "sphere:64:grey",
+        "--segment",
+        "b=>=500",
+        "--smooth-from",
+        "bits"
+      },
       {"range of grey", "--phantom", "torus:64:grey", "--segment", "b=300..900"},
       {"friction none", "--phantom", "torus:64", "--friction", "0"},
       {"friction shorter", "--phantom", "torus:64", "--friction-form", "shorter"},
@@ -213,8 +221,15 @@ final class RecordedBehaviour {
       command(phantom.replace(':', ' ') + ".nrrd", "info", "--phantom", phantom);
     }
     command("head.ply", "render", "--phantom", "head:96");
-    command("torus bits.ply", "render", "--phantom", "torus:64:grey", "--surface", "bits",
-        "--segment", "b=>=500");
+    command(
+        "torus bits.ply",
+        "render",
+        "--phantom",
+        "torus:64:grey",
+        "--surface",
+        "bits",
+        "--segment",
+        "b=>=500");
     command("head.nii", "info", "--phantom", "head:96:grey");
     command("torus.nii.gz", "info", "--phantom", "torus:64:grey", "--segment", "b=300..900");
   }

@@ -13,7 +13,7 @@ import org.palpate.host.ReplayRun;
 import org.palpate.host.SolverKind;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
-import org.palpate.proxy.smooth.GreySurface;
+import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.raycast.Ray;
 import org.palpate.testing.ExactOracle;
 import org.palpate.volume.BitCube;
@@ -46,7 +46,11 @@ final class SessionLegs implements ReplayRun.FrameSink {
 
   /** The same over the grey values that the volume's one segment was made of. */
   static SessionLegs of(
-      SegmentedVolume volume, SolverKind solver, Optional<GreySurface> grey, long seed, int frames)
+      SegmentedVolume volume,
+      SolverKind solver,
+      Optional<GreyIsosurface> grey,
+      long seed,
+      int frames)
       throws IOException {
     ContactSettings settings =
         new ContactSettings(

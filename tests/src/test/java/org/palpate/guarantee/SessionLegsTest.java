@@ -14,11 +14,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.host.SolverKind;
 import org.palpate.io.GreyVolumes;
-import org.palpate.io.ReadOptions;
-import org.palpate.io.SegmentBuilder;
-import org.palpate.io.SegmentSpec;
 import org.palpate.io.VolumeFiles;
-import org.palpate.proxy.smooth.GreySurface;
+import org.palpate.io.label.SegmentBuilder;
+import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
@@ -62,8 +62,8 @@ class SessionLegsTest {
   void noLegTouchesASolidWhereGreyValuesMakeTheSurface(String file, double threshold)
       throws IOException {
     SegmentedVolume volume = scan(file, "bone=>=" + threshold);
-    GreySurface grey =
-        GreySurface.ofThreshold(
+    GreyIsosurface grey =
+        GreyIsosurface.ofThreshold(
             GreyVolumes.read(VolumeFiles.open(data(file), ReadOptions.defaults())), threshold);
     isKept(
         file,

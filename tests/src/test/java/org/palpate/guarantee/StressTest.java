@@ -15,12 +15,12 @@ import org.palpate.benchmarks.stress.BaselineLosses;
 import org.palpate.benchmarks.stress.ExactJudge;
 import org.palpate.benchmarks.stress.FailedCase;
 import org.palpate.benchmarks.stress.FrameAttack;
-import org.palpate.benchmarks.stress.SolverMaker;
+import org.palpate.benchmarks.stress.SolverFactory;
 import org.palpate.benchmarks.stress.StressRun;
 import org.palpate.benchmarks.stress.StressTotals;
-import org.palpate.proxy.BorderVoxels;
-import org.palpate.proxy.GuardedSolver;
-import org.palpate.proxy.PaperSolver;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.reference.BorderVoxels;
+import org.palpate.proxy.reference.PaperSolver;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.SampledRayCaster;
 import org.palpate.testing.ExactOracle;
@@ -51,7 +51,7 @@ class StressTest {
   void smoothKeepsItsLegsUnderAttack() {
     StressTotals totals = new StressTotals();
     FailedCase failed =
-        new StressRun(Seeds.seed(), SolverMaker.SMOOTH).untilLegs(totals, LEGS / 5, now -> {});
+        new StressRun(Seeds.seed(), SolverFactory.SMOOTH).untilLegs(totals, LEGS / 5, now -> {});
     assertNull(failed, () -> failed.summary() + " seed " + Seeds.seed());
     System.out.println(
         "stress of smooth: " + totals.legs() + " legs in " + totals.frames() + " frames");

@@ -12,7 +12,7 @@ import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Vec3;
-import org.palpate.interaction.LoopReport;
+import org.palpate.loop.LoopReport;
 
 /** A second host, so that ImageJ is not the only one that the port fits. */
 class MinimalHostTest {

@@ -24,9 +24,9 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.app.PalpateCommandLine;
-import org.palpate.io.ReadOptions;
 import org.palpate.io.VolumeFiles;
-import org.palpate.io.VolumeReader;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.VolumeReader;
 
 /** Real scans in the real ImageJ: every segment has the voxels that the command line counts. */
 class RealImagejScansTest {

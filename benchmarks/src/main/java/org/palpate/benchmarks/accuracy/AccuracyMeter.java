@@ -1,18 +1,18 @@
 package org.palpate.benchmarks.accuracy;
 
+import org.palpate.collision.CollisionScene;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.volume.phantom.SurfaceTruth;
+import org.palpate.volume.phantom.AnalyticSurface;
 
 /** Runs a solver along a trajectory and measures its coupling force, without friction. */
 public final class AccuracyMeter {
-  private final SurfaceTruth truth;
-  private final Metric metric;
+  private final AnalyticSurface truth;
+  private final GridMetric metric;
   private final SlideTrajectory trajectory;
   private final double depthMm;
   private final Vec3 deviceMm = new Vec3();
@@ -35,7 +35,7 @@ public final class AccuracyMeter {
 
   /** A meter for one trajectory at one depth; the truth in millimetres. */
   public AccuracyMeter(
-      SurfaceTruth truth, Metric metric, SlideTrajectory trajectory, double depthMm) {
+      AnalyticSurface truth, GridMetric metric, SlideTrajectory trajectory, double depthMm) {
     this.truth = truth;
     this.metric = metric;
     this.trajectory = trajectory;
@@ -43,7 +43,7 @@ public final class AccuracyMeter {
   }
 
   /** Runs the solver over all frames and measures those of the slide. */
-  public Accuracy measure(ProxySolver solver, Obstacles obstacles) {
+  public Accuracy measure(ProxySolver solver, CollisionScene obstacles) {
     clear();
     InteractionPoint point = new InteractionPoint();
     ContactForce contact = new ContactForce(metric, ForceSettings.of(1, 0));

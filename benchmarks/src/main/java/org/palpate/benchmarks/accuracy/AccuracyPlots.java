@@ -11,7 +11,7 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries.XYSeriesRenderStyle;
 import org.knowm.xchart.style.markers.SeriesMarkers;
-import org.palpate.benchmarks.Figures;
+import org.palpate.benchmarks.report.Figures;
 
 /** Draws the study's rows as PNG files. */
 final class AccuracyPlots {

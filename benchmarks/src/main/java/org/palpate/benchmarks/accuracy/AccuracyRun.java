@@ -8,8 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.palpate.io.CsvNumbers;
-import org.palpate.io.NewFile;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.file.NumberText;
 
 /** Runs the whole study and leaves a table and two pictures in a folder. */
 public final class AccuracyRun {
@@ -89,7 +89,7 @@ public final class AccuracyRun {
     for (AccuracyRow row : rows) {
       appendRow(text, row);
     }
-    NewFile.write(file, text);
+    AtomicFile.write(file, text);
   }
 
   private static void appendRow(StringBuilder text, AccuracyRow row) {
@@ -106,19 +106,19 @@ public final class AccuracyRun {
         a.lag(),
         a.forceChange(),
         a.lostFrames());
-    text.append(CsvNumbers.text(row.nanosPerFrame())).append('\n');
+    text.append(NumberText.text(row.nanosPerFrame())).append('\n');
   }
 
   private static void appendNumbers(StringBuilder text, double... values) {
     for (double value : values) {
-      text.append(CsvNumbers.text(value)).append(',');
+      text.append(NumberText.text(value)).append(',');
     }
   }
 
   private static void pictureSlide(Path file) throws IOException {
     AccuracyScene scene = new AccuracyScene("sphere", 192);
     Map<String, double[]> angles = new LinkedHashMap<>();
-    for (Contestant one : Contestant.all(scene)) {
+    for (ComparedSolver one : ComparedSolver.all(scene)) {
       if (PICTURED.contains(one.name())) {
         angles.put(one.name(), AccuracyStudy.angles(scene, one, PICTURED_DEPTH, PICTURED_FRAMES));
       }
@@ -132,7 +132,7 @@ public final class AccuracyRun {
     double twin = 0;
     int slides = 0;
     for (AccuracyRow row : rows) {
-      if (row.solver().equals(Contestant.TWIN)) {
+      if (row.solver().equals(ComparedSolver.BASELINE)) {
         twin = row.nanosPerFrame();
         slides++;
       }

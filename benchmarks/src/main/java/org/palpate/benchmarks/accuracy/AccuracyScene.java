@@ -1,36 +1,36 @@
 package org.palpate.benchmarks.accuracy;
 
 import java.util.List;
-import org.palpate.proxy.Obstacles;
-import org.palpate.proxy.smooth.GreySurface;
+import org.palpate.collision.CollisionScene;
+import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.ScalarVolume.Storage;
+import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
 import org.palpate.volume.phantom.PhantomSlices;
-import org.palpate.volume.phantom.SurfaceTruth;
 
 /** A phantom as bits and as grey values, and its surface by formula. */
 final class AccuracyScene {
   final Phantom phantom;
-  final SurfaceTruth truth;
+  final AnalyticSurface truth;
   final BitCube bits;
-  final Obstacles obstacles;
+  final CollisionScene obstacles;
 
   /** The grey values and what they make of the surface. */
-  final GreySurface grey;
+  final GreyIsosurface grey;
 
   /** The solids that the threshold makes of the grey values. */
-  final Obstacles greyObstacles;
+  final CollisionScene greyObstacles;
 
   AccuracyScene(String kind, int edge) {
     phantom = Phantom.parse(kind + ":" + edge);
     truth = phantom.truth().orElseThrow();
     bits = phantom.segments().segments().get(0).bits();
-    obstacles = new Obstacles(List.of(bits));
+    obstacles = new CollisionScene(List.of(bits));
     ScalarVolume volume = read(Phantom.parse(kind + ":" + edge + ":grey"));
-    grey = new GreySurface(volume, Phantom.HALF_GREY, Phantom.HALF_GREY);
-    greyObstacles = new Obstacles(List.of(threshold(volume)));
+    grey = new GreyIsosurface(volume, Phantom.HALF_GREY, Phantom.HALF_GREY);
+    greyObstacles = new CollisionScene(List.of(threshold(volume)));
   }
 
   private static ScalarVolume read(Phantom phantom) {

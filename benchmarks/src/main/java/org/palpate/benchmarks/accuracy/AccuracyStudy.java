@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
 
 /** Runs every solver along every slide: first for its errors, then, taking turns, for its time. */
 final class AccuracyStudy {
@@ -21,7 +21,7 @@ final class AccuracyStudy {
   private static final long SEED = 7;
   private static final int ROUNDS = 7;
   private static final int WARM_UP_ROUNDS = 2;
-  private static final Metric UNIT = new Metric(1, 1, 1);
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
 
   private final double[] depths;
   private final double[] speeds;
@@ -51,11 +51,11 @@ final class AccuracyStudy {
 
   private List<AccuracyRow> slide(AccuracyScene scene, String shape, double depth, double speed) {
     SlideTrajectory slide = new SlideTrajectory(scene.truth, EDGE, depth, speed, frames, SEED);
-    List<Contestant> contestants = Contestant.all(scene);
+    List<ComparedSolver> contestants = ComparedSolver.all(scene);
     double[] nanos = times(contestants, slide);
     List<AccuracyRow> rows = new ArrayList<>();
     for (int n = 0; n < contestants.size(); n++) {
-      Contestant one = contestants.get(n);
+      ComparedSolver one = contestants.get(n);
       Accuracy accuracy =
           new AccuracyMeter(scene.truth, UNIT, slide, depth).measure(one.solver(), one.obstacles());
       rows.add(new AccuracyRow(one.name(), shape, depth, speed, accuracy, nanos[n]));
@@ -64,7 +64,7 @@ final class AccuracyStudy {
   }
 
   /** Medians over rounds in which all take turns. */
-  private static double[] times(List<Contestant> contestants, SlideTrajectory slide) {
+  private static double[] times(List<ComparedSolver> contestants, SlideTrajectory slide) {
     double[][] nanos = new double[contestants.size()][ROUNDS];
     for (int round = -WARM_UP_ROUNDS; round < ROUNDS; round++) {
       for (int n = 0; n < contestants.size(); n++) {
@@ -77,7 +77,7 @@ final class AccuracyStudy {
     return Arrays.stream(nanos).mapToDouble(AccuracyStudy::median).toArray();
   }
 
-  private static double time(Contestant one, SlideTrajectory slide) {
+  private static double time(ComparedSolver one, SlideTrajectory slide) {
     InteractionPoint point = new InteractionPoint();
     Vec3 device = new Vec3();
     one.solver().reset();
@@ -95,7 +95,7 @@ final class AccuracyStudy {
   }
 
   /** Angles of the force to the true normal, frame by frame, along a piece of a slide. */
-  static double[] angles(AccuracyScene scene, Contestant one, double depth, int count) {
+  static double[] angles(AccuracyScene scene, ComparedSolver one, double depth, int count) {
     SlideTrajectory slide = new SlideTrajectory(scene.truth, EDGE, depth, 0.05, count, SEED);
     InteractionPoint point = new InteractionPoint();
     Vec3 device = new Vec3();

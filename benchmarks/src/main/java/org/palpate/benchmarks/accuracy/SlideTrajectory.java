@@ -2,7 +2,7 @@ package org.palpate.benchmarks.accuracy;
 
 import java.util.SplittableRandom;
 import org.palpate.geometry.Vec3;
-import org.palpate.volume.phantom.SurfaceTruth;
+import org.palpate.volume.phantom.AnalyticSurface;
 
 /**
  * A device that comes down on a surface, presses to a depth, and wanders along it at a speed: the
@@ -34,7 +34,7 @@ public final class SlideTrajectory {
    * @param slideFrames frames that count, after the approach
    */
   public SlideTrajectory(
-      SurfaceTruth truth,
+      AnalyticSurface truth,
       double edgeMm,
       double depthMm,
       double speedMmAFrame,
@@ -81,14 +81,14 @@ public final class SlideTrajectory {
 
   /** A point that walks on the surface, heading where it did but for small turns. */
   private static final class Wanderer {
-    private final SurfaceTruth truth;
+    private final AnalyticSurface truth;
     private final double edgeMm;
     private final SplittableRandom random;
     private final Vec3 at = new Vec3();
     private final Vec3 normal = new Vec3();
     private final Vec3 heading = new Vec3();
 
-    Wanderer(SurfaceTruth truth, double edgeMm, SplittableRandom random) {
+    Wanderer(AnalyticSurface truth, double edgeMm, SplittableRandom random) {
       this.truth = truth;
       this.edgeMm = edgeMm;
       this.random = random;

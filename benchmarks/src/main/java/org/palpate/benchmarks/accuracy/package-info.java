@@ -1,8 +1,7 @@
 /**
- * How true forces are: solvers pressed into surfaces known by formula, slid along them, and
- * compared with what the surface itself would give; as tables and pictures.
+ * Measures how far forces and positions are from those on an analytic surface.
  *
- * <p>Uses {@code proxy}, {@code force} and the phantoms. One thread. Millimetres unless a name says
- * otherwise.
+ * <p>Uses {@code benchmarks.baseline} and {@code benchmarks.report}. One thread. Degrees, voxels,
+ * nanoseconds.
  */
 package org.palpate.benchmarks.accuracy;

@@ -8,13 +8,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import org.palpate.app.OutputOptions;
-import org.palpate.app.PalpateException;
-import org.palpate.app.Report;
-import org.palpate.app.VirtualDisplay;
+import org.palpate.app.options.OutputOptions;
+import org.palpate.app.output.Report;
+import org.palpate.app.process.PalpateException;
+import org.palpate.app.process.VirtualDisplay;
 import org.palpate.benchmarks.accuracy.AccuracyRun;
 import org.palpate.benchmarks.nearest.NearestRun;
-import org.palpate.benchmarks.speed.CppTwinRun;
+import org.palpate.benchmarks.speed.CppComparison;
 import org.palpate.benchmarks.speed.SpeedRun;
 import org.palpate.benchmarks.speed.SpeedStudy;
 import org.palpate.benchmarks.stability.StabilityRun;
@@ -22,7 +22,7 @@ import org.palpate.benchmarks.stress.StressSession;
 import org.palpate.benchmarks.stress.StressTotals;
 import org.palpate.benchmarks.surface.SurfaceStudy;
 import org.palpate.benchmarks.sync.SyncRun;
-import org.palpate.scene.window.Graphics;
+import org.palpate.scene.window.GraphicsDriver;
 import org.palpate.scene.window.GraphicsException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -162,7 +162,7 @@ public final class BenchCommand implements Callable<Integer> {
     List<SpeedStudy> speeds = speedStudies();
     Attack attack = attack();
     Path data = dataOfTable1();
-    if ((sync || skips) && !Graphics.hasDisplay()) {
+    if ((sync || skips) && !GraphicsDriver.hasDisplay()) {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
     Report report = new Report("bench", output.report(), List.of());
@@ -241,7 +241,7 @@ public final class BenchCommand implements Callable<Integer> {
   private void measureOthers(Report report)
       throws IOException, InterruptedException, GraphicsException {
     if (cpp) {
-      report.put("java_over_cpp", CppTwinRun.run(folder, out()));
+      report.put("java_over_cpp", CppComparison.run(folder, out()));
     }
     if (stability) {
       report.put("least_margin", StabilityRun.run(folder, quick, out(), progress()));

@@ -1,2 +1,6 @@
-/** The command {@code bench}: chooses what to measure. Uses every other package of benchmarks. */
+/**
+ * The command {@code bench}, which runs every study.
+ *
+ * <p>Uses all studies and {@code app}. One thread. Units are in the names of columns and keys.
+ */
 package org.palpate.benchmarks.command;

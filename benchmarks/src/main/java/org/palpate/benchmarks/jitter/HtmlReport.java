@@ -8,6 +8,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.HdrHistogram.Histogram;
+import org.palpate.benchmarks.jitter.experiment.Experiment;
+import org.palpate.benchmarks.jitter.experiment.ExperimentTable;
+import org.palpate.benchmarks.jitter.experiment.JvmCommand;
+import org.palpate.benchmarks.jitter.trace.Cause;
+import org.palpate.benchmarks.jitter.trace.CauseCounts;
+import org.palpate.benchmarks.jitter.trace.DelayHistograms;
 
 /** One page that holds everything, its pictures too, and needs no network. */
 final class HtmlReport {
@@ -44,7 +50,7 @@ final class HtmlReport {
         .append(" was held up (coordinated omission); the tables show both. A percentile that")
         .append(" needs more frames than a cell has equals its maximum.</p>");
     addMachine();
-    for (Table table : run.tables()) {
+    for (ExperimentTable table : run.tables()) {
       addTable(table);
     }
     addCells();
@@ -64,17 +70,17 @@ final class HtmlReport {
     html.append("</table>");
   }
 
-  private void addTable(Table table) throws IOException {
+  private void addTable(ExperimentTable table) throws IOException {
     html.append("<h2>").append(escaped(table.name())).append("</h2><p>");
     html.append(escaped(table.question())).append("</p>");
-    addPicture(Plots.curvesName(table));
+    addPicture(JitterPlots.curvesName(table));
     html.append("<table><tr><th>cell</th>");
     PERCENTILES.forEach(p -> html.append("<th>p").append(number(p)).append("</th>"));
     html.append("<th>max</th><th>corrected p99.9</th><th>work p99.9</th><th>omitted</th>");
     html.append("<th>&gt; 1.5 ms</th><th>&gt; 10 ms</th><th class=l>causes of the worst ten</th>");
     html.append("<th>machine busy</th></tr>");
-    for (Cell cell : table.cells()) {
-      CellResult result = run.results().get(cell.key());
+    for (Experiment cell : table.cells()) {
+      ExperimentResult result = run.results().get(cell.key());
       if (result != null) {
         addRow(result);
       }
@@ -82,8 +88,8 @@ final class HtmlReport {
     html.append("</table>");
   }
 
-  private void addRow(CellResult result) {
-    Delays delays = result.delays();
+  private void addRow(ExperimentResult result) {
+    DelayHistograms delays = result.delays();
     html.append("<tr><td><a href=\"#" + result.cell().key() + "\">")
         .append(escaped(result.cell().key()))
         .append("</a></td>");
@@ -94,25 +100,27 @@ final class HtmlReport {
     addCell(Long.toString(delays.omitted()));
     addCell(Long.toString(delays.overOneAndAHalfMillis()));
     addCell(Long.toString(delays.overTenMillis()));
-    html.append("<td class=l>").append(escaped(Causes.inWords(result.causes()))).append("</td>");
+    html.append("<td class=l>")
+        .append(escaped(CauseCounts.inWords(result.causes())))
+        .append("</td>");
     addCell(Math.round(100 * result.machine().busyShare()) + " %");
     html.append("</tr>");
   }
 
   private void addCells() throws IOException {
     html.append("<h2>Cells</h2>");
-    for (CellResult result : run.results().values()) {
+    for (ExperimentResult result : run.results().values()) {
       html.append("<details id=\"" + result.cell().key() + "\"><summary>")
           .append(escaped(result.cell().key()))
           .append("</summary>");
-      addPicture(Plots.timelineName(result.cell()));
+      addPicture(JitterPlots.timelineName(result.cell()));
       addCauses(result);
       addAnswers(result);
       html.append("</details>");
     }
   }
 
-  private void addCauses(CellResult result) {
+  private void addCauses(ExperimentResult result) {
     html.append("<table><tr><th>at, s</th><th>late, us</th><th>work, us</th>");
     html.append("<th class=l>cause</th><th class=l>evidence</th></tr>");
     for (Cause cause : result.causes()) {
@@ -126,7 +134,7 @@ final class HtmlReport {
     html.append("</table>");
   }
 
-  private void addAnswers(CellResult result) {
+  private void addAnswers(ExperimentResult result) {
     html.append("<p>");
     result.answers().stringPropertyNames().stream()
         .sorted()

@@ -9,9 +9,16 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
-import org.palpate.app.OutputOptions;
-import org.palpate.app.PalpateException;
-import org.palpate.app.VolumeOptions;
+import org.palpate.app.options.OutputOptions;
+import org.palpate.app.options.VolumeOptions;
+import org.palpate.app.process.PalpateException;
+import org.palpate.benchmarks.jitter.experiment.Experiment;
+import org.palpate.benchmarks.jitter.experiment.ExperimentRunner;
+import org.palpate.benchmarks.jitter.experiment.ExperimentScene;
+import org.palpate.benchmarks.jitter.experiment.ExperimentTable;
+import org.palpate.benchmarks.jitter.experiment.ExperimentTables;
+import org.palpate.benchmarks.jitter.experiment.Jdk;
+import org.palpate.benchmarks.jitter.experiment.Jdks;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -100,8 +107,8 @@ public final class JitterCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     PrintWriter out = spec.commandLine().getOut();
     check();
-    List<Table> chosen = chosenTables();
-    List<Cell> all = JitterRun.cells(chosen);
+    List<ExperimentTable> chosen = chosenTables();
+    List<Experiment> all = JitterRun.cells(chosen);
     if (all.isEmpty()) {
       throw PalpateException.wrongUse("no cell matches", cells, "--list shows their names");
     }
@@ -126,13 +133,13 @@ public final class JitterCommand implements Callable<Integer> {
     }
   }
 
-  private int measure(List<Table> chosen, PrintWriter out)
+  private int measure(List<ExperimentTable> chosen, PrintWriter out)
       throws IOException, InterruptedException {
-    String scene = CellScene.textOf(volume);
-    CellScene.check(scene);
+    String scene = ExperimentScene.textOf(volume);
+    ExperimentScene.check(scene);
     Path root = Files.createDirectories(folder).toRealPath();
     var machine = MachineFacts.read();
-    JitterRun run = new JitterRun(chosen, new CellRunner(root, scene), budgetSeconds(), out);
+    JitterRun run = new JitterRun(chosen, new ExperimentRunner(root, scene), budgetSeconds(), out);
     run.run();
     if (run.results().isEmpty()) {
       String first = run.left().values().iterator().next();
@@ -154,17 +161,17 @@ public final class JitterCommand implements Callable<Integer> {
     return quick ? QUICK_BUDGET_SECONDS : Double.POSITIVE_INFINITY;
   }
 
-  private List<Table> chosenTables() {
+  private List<ExperimentTable> chosenTables() {
     List<Jdk> jdks = jdks();
     int chosenSeconds = seconds != null ? seconds : quick ? QUICK_SECONDS : USUAL_SECONDS;
-    Tables known = new Tables(jdks, heapMb, chosenSeconds);
+    ExperimentTables known = new ExperimentTables(jdks, heapMb, chosenSeconds);
     for (String name : tables) {
-      if (!Tables.NAMES.contains(name)) {
+      if (!ExperimentTables.NAMES.contains(name)) {
         throw PalpateException.wrongUse(
-            "no such table", name, "choose of " + String.join(", ", Tables.NAMES));
+            "no such table", name, "choose of " + String.join(", ", ExperimentTables.NAMES));
       }
     }
-    List<Table> all = quick ? known.quick() : known.all();
+    List<ExperimentTable> all = quick ? known.quick() : known.all();
     return all.stream()
         .filter(table -> tables.isEmpty() || tables.contains(table.name()))
         .map(this::matching)
@@ -172,7 +179,7 @@ public final class JitterCommand implements Callable<Integer> {
         .toList();
   }
 
-  private Table matching(Table table) {
+  private ExperimentTable matching(ExperimentTable table) {
     Pattern pattern;
     try {
       pattern = Pattern.compile(cells);
@@ -180,9 +187,9 @@ public final class JitterCommand implements Callable<Integer> {
       throw PalpateException.wrongUse(
           e.getDescription(), "--cells " + cells, "give a regular expression", e);
     }
-    List<Cell> found =
+    List<Experiment> found =
         table.cells().stream().filter(cell -> pattern.matcher(cell.key()).matches()).toList();
-    return new Table(table.name(), table.question(), found);
+    return new ExperimentTable(table.name(), table.question(), found);
   }
 
   private List<Jdk> jdks() {

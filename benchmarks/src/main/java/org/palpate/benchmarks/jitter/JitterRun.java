@@ -8,27 +8,34 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.palpate.benchmarks.jitter.experiment.Experiment;
+import org.palpate.benchmarks.jitter.experiment.ExperimentRunner;
+import org.palpate.benchmarks.jitter.experiment.ExperimentTable;
 
 /** Runs all cells of some tables, tells how far it is, and gathers what they found. */
 final class JitterRun {
   /** What a process costs beside its measured time, s: start, warm-up, analysis. */
-  static final int SECONDS_BESIDE = 4;
+  static final int OVERHEAD_SECONDS = 4;
 
   private static final String TIME_IS_UP = "the time is up; the same command again goes on";
   private static final double NANOS_A_MICRO = 1e3;
 
-  private final List<Table> tables;
-  private final CellRunner runner;
+  private final List<ExperimentTable> tables;
+  private final ExperimentRunner runner;
   private final double budgetSeconds;
   private final long beganNanos = System.nanoTime();
   private final PrintWriter out;
-  private final Map<String, CellResult> results = new LinkedHashMap<>();
+  private final Map<String, ExperimentResult> results = new LinkedHashMap<>();
   private final Map<String, String> left = new LinkedHashMap<>();
 
   /**
    * @param budgetSeconds no cell is begun later than this
    */
-  JitterRun(List<Table> tables, CellRunner runner, double budgetSeconds, PrintWriter out) {
+  JitterRun(
+      List<ExperimentTable> tables,
+      ExperimentRunner runner,
+      double budgetSeconds,
+      PrintWriter out) {
     this.tables = tables;
     this.budgetSeconds = budgetSeconds;
     this.runner = runner;
@@ -36,24 +43,24 @@ final class JitterRun {
   }
 
   /** The cells of the tables, each once, in their order. */
-  static List<Cell> cells(List<Table> tables) {
-    Map<String, Cell> byKey = new LinkedHashMap<>();
+  static List<Experiment> cells(List<ExperimentTable> tables) {
+    Map<String, Experiment> byKey = new LinkedHashMap<>();
     tables.forEach(table -> table.cells().forEach(cell -> byKey.putIfAbsent(cell.key(), cell)));
     return List.copyOf(byKey.values());
   }
 
   /** About how long these cells take, s. */
-  static int secondsFor(List<Cell> cells) {
+  static int secondsFor(List<Experiment> cells) {
     return cells.stream()
-        .mapToInt(cell -> cell.seconds() + (cell.isControl() ? 2 : SECONDS_BESIDE))
+        .mapToInt(cell -> cell.seconds() + (cell.isControl() ? 2 : OVERHEAD_SECONDS))
         .sum();
   }
 
   /** Runs what is not whole yet; a cell that fails is told and left out. */
   void run() throws IOException, InterruptedException {
-    List<Cell> cells = cells(tables);
+    List<Experiment> cells = cells(tables);
     for (int i = 0; i < cells.size(); i++) {
-      Cell cell = cells.get(i);
+      Experiment cell = cells.get(i);
       String outcome = runOne(cell);
       String rest = minutes(secondsFor(notWhole(cells.subList(i + 1, cells.size()))));
       out.printf(
@@ -68,9 +75,9 @@ final class JitterRun {
     }
   }
 
-  private List<Cell> notWhole(List<Cell> cells) throws IOException {
-    List<Cell> rest = new ArrayList<>();
-    for (Cell cell : cells) {
+  private List<Experiment> notWhole(List<Experiment> cells) throws IOException {
+    List<Experiment> rest = new ArrayList<>();
+    for (Experiment cell : cells) {
       if (!runner.isWhole(cell)) {
         rest.add(cell);
       }
@@ -78,14 +85,14 @@ final class JitterRun {
     return rest;
   }
 
-  private String runOne(Cell cell) throws InterruptedException {
+  private String runOne(Experiment cell) throws InterruptedException {
     try {
       Optional<String> why = isTimeUp(cell) ? Optional.of(TIME_IS_UP) : runner.run(cell);
       if (why.isPresent()) {
         left.put(cell.key(), why.get());
         return "left out: " + why.get();
       }
-      CellResult result = CellResult.of(cell, runner.folder(cell));
+      ExperimentResult result = ExperimentResult.of(cell, runner.folder(cell));
       results.put(cell.key(), result);
       return inShort(result);
     } catch (IOException e) {
@@ -94,12 +101,12 @@ final class JitterRun {
     }
   }
 
-  private boolean isTimeUp(Cell cell) throws IOException {
+  private boolean isTimeUp(Experiment cell) throws IOException {
     double seconds = (System.nanoTime() - beganNanos) / 1e9;
     return seconds > budgetSeconds && !runner.isWhole(cell);
   }
 
-  private static String inShort(CellResult result) {
+  private static String inShort(ExperimentResult result) {
     var lateness = result.delays().lateness();
     return String.format(
         Locale.ROOT,
@@ -116,7 +123,7 @@ final class JitterRun {
   }
 
   /** What the cells found, by their keys, in the order of the run. */
-  Map<String, CellResult> results() {
+  Map<String, ExperimentResult> results() {
     return results;
   }
 
@@ -125,7 +132,7 @@ final class JitterRun {
     return left;
   }
 
-  List<Table> tables() {
+  List<ExperimentTable> tables() {
     return tables;
   }
 }

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.palpate.realtime.Realtime;
+import org.palpate.realtime.os.OperatingSystem;
 
 /** What a reader must know of the machine that figures come from. */
 final class MachineFacts {
@@ -32,7 +32,7 @@ final class MachineFacts {
     facts.put(
         "nohz_full_cpus",
         line("/sys/devices/system/cpu/nohz_full").filter(s -> !s.isEmpty()).orElse("none"));
-    facts.put("realtime_throttling", Realtime.throttlingInWords());
+    facts.put("realtime_throttling", OperatingSystem.throttlingText());
     facts.put("load_at_start", line("/proc/loadavg").orElse("unknown"));
     return facts;
   }

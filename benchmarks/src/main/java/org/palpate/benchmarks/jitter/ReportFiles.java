@@ -11,9 +11,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.HdrHistogram.Histogram;
-import org.palpate.io.CsvNumbers;
-import org.palpate.io.NewFile;
-import org.palpate.io.ReportJson;
+import org.palpate.benchmarks.jitter.experiment.Experiment;
+import org.palpate.benchmarks.jitter.experiment.ExperimentTable;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.file.NumberText;
+import org.palpate.io.table.ReportJson;
 
 /** Writes what a run found: tables, histograms, pictures, one page. */
 final class ReportFiles {
@@ -38,30 +40,30 @@ final class ReportFiles {
     writeHistograms();
     writeJson(folder.resolve("jitter.json"));
     Path plots = Files.createDirectories(folder.resolve("plots"));
-    new Plots(plots).write(run);
-    NewFile.write(folder.resolve("index.html"), new HtmlReport(run, machine, plots).page());
+    new JitterPlots(plots).write(run);
+    AtomicFile.write(folder.resolve("index.html"), new HtmlReport(run, machine, plots).page());
   }
 
   private void writeTable() throws IOException {
     StringBuilder text = new StringBuilder();
-    for (CellResult result : run.results().values()) {
-      Map<String, Object> row = Rows.flat(result);
+    for (ExperimentResult result : run.results().values()) {
+      Map<String, Object> row = ResultRows.flat(result);
       if (text.length() == 0) {
         text.append(String.join(",", row.keySet())).append('\n');
       }
       text.append(row.values().stream().map(ReportFiles::field).collect(Collectors.joining(",")))
           .append('\n');
     }
-    NewFile.write(folder.resolve("cells.csv"), text);
+    AtomicFile.write(folder.resolve("cells.csv"), text);
   }
 
   private static String field(Object value) {
-    return value instanceof Double number ? CsvNumbers.text(number) : value.toString();
+    return value instanceof Double number ? NumberText.text(number) : value.toString();
   }
 
   private void writeHistograms() throws IOException {
     Path histograms = Files.createDirectories(folder.resolve("hgrm"));
-    for (CellResult result : run.results().values()) {
+    for (ExperimentResult result : run.results().values()) {
       String key = result.cell().key();
       write(histograms.resolve(key + ".late.hgrm"), result.delays().lateness());
       write(histograms.resolve(key + ".late-corrected.hgrm"), result.delays().corrected());
@@ -71,7 +73,7 @@ final class ReportFiles {
   }
 
   private static void write(Path path, Histogram histogram) throws IOException {
-    try (NewFile file = new NewFile(path)) {
+    try (AtomicFile file = new AtomicFile(path)) {
       PrintStream stream = new PrintStream(file.stream(), false, StandardCharsets.UTF_8);
       histogram.outputPercentileDistribution(stream, NANOS_A_MICRO);
       stream.flush();
@@ -81,7 +83,7 @@ final class ReportFiles {
 
   /** Writes all figures as one JSON object. */
   void writeJson(Path path) throws IOException {
-    try (NewFile file = new NewFile(path)) {
+    try (AtomicFile file = new AtomicFile(path)) {
       ReportJson.write(json(), file.stream());
       file.commit();
     }
@@ -95,15 +97,15 @@ final class ReportFiles {
     report.put("command", "jitter");
     report.put("machine", machine);
     List<Object> tables = new ArrayList<>();
-    for (Table table : run.tables()) {
+    for (ExperimentTable table : run.tables()) {
       tables.add(
           Map.of(
               "name", table.name(),
               "question", table.question(),
-              "cells", table.cells().stream().map(Cell::key).toList()));
+              "cells", table.cells().stream().map(Experiment::key).toList()));
     }
     report.put("tables", tables);
-    report.put("cells", run.results().values().stream().map(Rows::nested).toList());
+    report.put("cells", run.results().values().stream().map(ResultRows::nested).toList());
     report.put("left_out", run.left());
     return report;
   }

@@ -12,9 +12,9 @@ import org.knowm.xchart.BitmapEncoder.BitmapFormat;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
-import org.palpate.benchmarks.Figures;
-import org.palpate.io.CsvNumbers;
-import org.palpate.io.NewFile;
+import org.palpate.benchmarks.report.Figures;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.file.NumberText;
 
 /** Runs the study and leaves a table and a picture in a folder. */
 public final class NearestRun {
@@ -72,12 +72,12 @@ public final class NearestRun {
         new StringBuilder(
             "shape,depth_voxels,solver,mean_excess_voxels,worst_excess_voxels,presses\n");
     for (NearestRow row : rows) {
-      text.append(row.shape()).append(',').append(CsvNumbers.text(row.depth())).append(',');
-      text.append(row.solver()).append(',').append(CsvNumbers.text(row.meanExcess()));
-      text.append(',').append(CsvNumbers.text(row.worstExcess())).append(',');
+      text.append(row.shape()).append(',').append(NumberText.text(row.depth())).append(',');
+      text.append(row.solver()).append(',').append(NumberText.text(row.meanExcess()));
+      text.append(',').append(NumberText.text(row.worstExcess())).append(',');
       text.append(row.presses()).append('\n');
     }
-    NewFile.write(file, text);
+    AtomicFile.write(file, text);
   }
 
   private static void plot(Path file, List<NearestRow> rows) throws IOException {
@@ -86,7 +86,7 @@ public final class NearestRun {
     for (String shape : rows.stream().map(NearestRow::shape).distinct().toList()) {
       charts.add(chart(shape, rows.stream().filter(r -> r.shape().equals(shape)).toList(), most));
     }
-    try (NewFile out = new NewFile(file)) {
+    try (AtomicFile out = new AtomicFile(file)) {
       BitmapEncoder.saveBitmap(charts, 2, charts.size() / 2, out.stream(), BitmapFormat.PNG);
       out.commit();
     }

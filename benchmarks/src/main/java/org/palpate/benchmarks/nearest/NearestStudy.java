@@ -6,17 +6,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
-import org.palpate.benchmarks.PlainTwin;
-import org.palpate.benchmarks.PlainTwinSolver;
+import org.palpate.benchmarks.baseline.PlainBaseline;
+import org.palpate.benchmarks.baseline.PlainBaselineSolver;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.BorderVoxels;
-import org.palpate.proxy.DotSolver;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
-import org.palpate.proxy.PaperSolver;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.reference.BorderVoxels;
+import org.palpate.proxy.reference.DotSolver;
+import org.palpate.proxy.reference.PaperSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.raycast.SampledRayCaster;
 
@@ -33,7 +33,7 @@ final class NearestStudy {
   private static final String SMOOTH = "smooth";
   private static final String GUARDED = "guarded";
 
-  private static final Metric UNIT = new Metric(1, 1, 1);
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
   private static final double MAX_STEP_VOXELS = 8;
 
   /** The paper's solver as printed never rests on a slope; the others do long before. */
@@ -56,7 +56,7 @@ final class NearestStudy {
       for (double depth : DEPTHS) {
         SplittableRandom random = new SplittableRandom(seed);
         for (int n = 0; n < presses; n++) {
-          press(solid, depth, Press.way(solid, depth, random), tallies);
+          press(solid, depth, PressTrajectory.way(solid, depth, random), tallies);
         }
       }
     }
@@ -68,12 +68,12 @@ final class NearestStudy {
   private static void press(
       PressedSolid solid, double depth, List<Vec3> way, Map<String, Tally> tallies) {
     Vec3 device = way.get(way.size() - 1);
-    NearestFree free = new NearestFree(solid.bits());
+    NearestFreeOracle free = new NearestFreeOracle(solid.bits());
     double nearest = free.distance(device);
     solvers(solid)
         .forEach(
             (name, solver) -> {
-              InteractionPoint point = rest(solver, new Obstacles(List.of(solid.bits())), way);
+              InteractionPoint point = rest(solver, new CollisionScene(List.of(solid.bits())), way);
               Vec3 p = point.position;
               double reached = p.sub(device, new Vec3()).length();
               tally(tallies, solid, depth, name).add(reached - nearest);
@@ -92,7 +92,8 @@ final class NearestStudy {
     SampledRayCaster sampled = new SampledRayCaster(1);
     BorderVoxels border = BorderVoxels.onTheFly();
     Map<String, ProxySolver> solvers = new LinkedHashMap<>();
-    solvers.put("plain twin", new PlainTwinSolver(new PlainTwin(solid.bits(), MAX_STEP_VOXELS)));
+    solvers.put(
+        "plain twin", new PlainBaselineSolver(new PlainBaseline(solid.bits(), MAX_STEP_VOXELS)));
     solvers.put("dot", new DotSolver(sampled, UNIT, MAX_STEP_VOXELS, border));
     solvers.put("paper", new PaperSolver(sampled, UNIT, MAX_STEP_VOXELS, border));
     solvers.put(GUARDED, new GuardedSolver(UNIT, MAX_STEP_VOXELS));
@@ -101,7 +102,8 @@ final class NearestStudy {
   }
 
   /** Where the point is after the device has rested for a while. */
-  private static InteractionPoint rest(ProxySolver solver, Obstacles obstacles, List<Vec3> way) {
+  private static InteractionPoint rest(
+      ProxySolver solver, CollisionScene obstacles, List<Vec3> way) {
     InteractionPoint point = new InteractionPoint();
     point.position.set(way.get(0));
     for (Vec3 device : way) {

@@ -3,14 +3,14 @@ package org.palpate.benchmarks.nearest;
 import java.util.List;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
-import org.palpate.volume.phantom.SurfaceTruth;
+import org.palpate.volume.phantom.AnalyticSurface;
 
 /**
  * A solid well inside a grid, solid where a voxel's centre lies within its surface.
  *
  * @param shape what tables call it; several may be one shape
  */
-record PressedSolid(String shape, BitCube bits, SurfaceTruth truth) {
+record PressedSolid(String shape, BitCube bits, AnalyticSurface truth) {
   static final int EDGE = 112;
 
   private static final Vec3 MIDDLE = new Vec3(56.3, 55.6, 56.1);
@@ -32,7 +32,7 @@ record PressedSolid(String shape, BitCube bits, SurfaceTruth truth) {
         of("tilted plane", plane(new Vec3(-3, 1, 1))));
   }
 
-  private static PressedSolid of(String shape, SurfaceTruth truth) {
+  private static PressedSolid of(String shape, AnalyticSurface truth) {
     BitCube bits = new BitCube(EDGE, EDGE, EDGE);
     Vec3 centre = new Vec3();
     for (int k = 0; k < EDGE; k++) {
@@ -47,8 +47,8 @@ record PressedSolid(String shape, BitCube bits, SurfaceTruth truth) {
     return new PressedSolid(shape, bits, truth);
   }
 
-  private static SurfaceTruth ball(double radius) {
-    return new SurfaceTruth() {
+  private static AnalyticSurface ball(double radius) {
+    return new AnalyticSurface() {
       @Override
       public double signedDistance(Vec3 grid) {
         return grid.sub(MIDDLE, new Vec3()).length() - radius;
@@ -61,9 +61,9 @@ record PressedSolid(String shape, BitCube bits, SurfaceTruth truth) {
     };
   }
 
-  private static SurfaceTruth cylinder(Vec3 direction, double radius) {
+  private static AnalyticSurface cylinder(Vec3 direction, double radius) {
     Vec3 axis = unit(new Vec3().set(direction));
-    return new SurfaceTruth() {
+    return new AnalyticSurface() {
       @Override
       public double signedDistance(Vec3 grid) {
         return fromAxis(grid, new Vec3()).length() - radius;
@@ -81,9 +81,9 @@ record PressedSolid(String shape, BitCube bits, SurfaceTruth truth) {
     };
   }
 
-  private static SurfaceTruth plane(Vec3 up) {
+  private static AnalyticSurface plane(Vec3 up) {
     Vec3 normal = unit(new Vec3().set(up));
-    return new SurfaceTruth() {
+    return new AnalyticSurface() {
       @Override
       public double signedDistance(Vec3 grid) {
         return grid.sub(MIDDLE, new Vec3()).dot(normal);
@@ -97,8 +97,8 @@ record PressedSolid(String shape, BitCube bits, SurfaceTruth truth) {
   }
 
   /** Known inside, and outside where a face is nearest. */
-  private static SurfaceTruth box(Vec3 low, Vec3 high) {
-    return new SurfaceTruth() {
+  private static AnalyticSurface box(Vec3 low, Vec3 high) {
+    return new AnalyticSurface() {
       @Override
       public double signedDistance(Vec3 grid) {
         int axis = nearestFace(grid);

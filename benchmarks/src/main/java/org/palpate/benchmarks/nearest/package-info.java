@@ -1,9 +1,8 @@
 /**
- * How far a point at rest stays from the device, beside the nearest free point: every solver
- * pressed into solids of a few shapes, and a naive search over all voxels that says what is
- * nearest.
+ * Measures how far a resting interaction point is from the free point that is nearest to the
+ * device.
  *
- * <p>Uses {@code proxy} and the truths of {@code volume.phantom}. One thread. Voxels are unit
- * cubes.
+ * <p>Uses {@code benchmarks.baseline} and {@code benchmarks.report}. One thread. Millimetres and
+ * voxels.
  */
 package org.palpate.benchmarks.nearest;

@@ -5,15 +5,15 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.palpate.benchmarks.Trajectories;
-import org.palpate.benchmarks.Trajectory;
+import org.palpate.benchmarks.input.Trajectories;
+import org.palpate.benchmarks.input.Trajectory;
+import org.palpate.collision.CollisionScene;
+import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.io.CsvNumbers;
-import org.palpate.proxy.FreePlace;
-import org.palpate.proxy.GuardedSolver;
+import org.palpate.io.file.NumberText;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
+import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.volume.phantom.Phantom;
 
 /**
@@ -23,7 +23,7 @@ import org.palpate.volume.phantom.Phantom;
  * it; less what reading the clock takes.
  */
 final class FrameTails {
-  private static final Metric UNIT = new Metric(1, 1, 1);
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
   private static final int FRAMES = 20_000;
   private static final int PASSES = 40;
   private static final double MAX_STEP_VOXELS = 8;
@@ -49,7 +49,7 @@ final class FrameTails {
     for (double speed : SLIDE_SPEEDS) {
       rows.addAll(
           percentiles(
-              "slide on a ball at " + CsvNumbers.people(speed),
+              "slide on a ball at " + NumberText.people(speed),
               ball,
               Trajectories.slide(
                   ball.truth().orElseThrow(), ball.edge(), SLIDE_DEPTH, speed, FRAMES, SEED)));
@@ -58,8 +58,8 @@ final class FrameTails {
   }
 
   private List<SpeedRow> percentiles(String way, Phantom phantom, Trajectory trajectory) {
-    Obstacles obstacles =
-        new Obstacles(
+    CollisionScene obstacles =
+        new CollisionScene(
             phantom.segments().segments().stream().map(segment -> segment.bits()).toList());
     long[] least = new long[FRAMES];
     Arrays.fill(least, Long.MAX_VALUE);
@@ -80,11 +80,11 @@ final class FrameTails {
     return rows;
   }
 
-  private void follow(Obstacles obstacles, Trajectory trajectory, long[] least) {
+  private void follow(CollisionScene obstacles, Trajectory trajectory, long[] least) {
     GuardedSolver solver = new GuardedSolver(UNIT, MAX_STEP_VOXELS);
     trajectory.at(0, point.position);
     if (obstacles.touches(point.position.x, point.position.y, point.position.z)) {
-      new FreePlace(UNIT).find(obstacles, point.position, point.position);
+      new NearestFreeVoxel(UNIT).find(obstacles, point.position, point.position);
     }
     for (int frame = 0; frame < FRAMES; frame++) {
       trajectory.at(frame, device);

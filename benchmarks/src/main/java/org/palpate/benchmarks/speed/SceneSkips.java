@@ -18,7 +18,7 @@ import org.palpate.scene.Theme;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.GraphicsException;
-import org.palpate.scene.window.OffscreenScene;
+import org.palpate.scene.window.OffscreenRenderer;
 import org.palpate.volume.phantom.Phantom;
 
 /**
@@ -58,7 +58,7 @@ final class SceneSkips {
   List<SpeedRow> rows(PrintWriter out) {
     SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
     try (SceneLoader loader = new SceneLoader(model, Phantom.parse(phantom).segments(), 1);
-        OffscreenScene picture = new OffscreenScene(WIDTH, HEIGHT, 1)) {
+        OffscreenRenderer picture = new OffscreenRenderer(WIDTH, HEIGHT, 1)) {
       loader.await(PATIENCE_MS);
       List<SpeedRow> rows = new ArrayList<>();
       rows.addAll(compare(picture, model, "nodes not seen", true));
@@ -78,7 +78,7 @@ final class SceneSkips {
   }
 
   private List<SpeedRow> compare(
-      OffscreenScene picture, SceneModel model, String skip, boolean helps) {
+      OffscreenRenderer picture, SceneModel model, String skip, boolean helps) {
     boolean isUnseen = skip.equals("nodes not seen");
     boolean moves = isUnseen || !helps;
     model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
@@ -109,7 +109,7 @@ final class SceneSkips {
     }
   }
 
-  private double millisAPicture(OffscreenScene picture, SceneModel model, boolean moves) {
+  private double millisAPicture(OffscreenRenderer picture, SceneModel model, boolean moves) {
     long began = process.getProcessCpuTime();
     for (int n = 0; n < PICTURES_A_ROUND; n++) {
       change(model, moves, n);

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
-import org.palpate.benchmarks.Figures;
+import org.palpate.benchmarks.report.Figures;
 
 /**
  * Draws a picture for each table: a group of bars for each condition, a colour for each value of

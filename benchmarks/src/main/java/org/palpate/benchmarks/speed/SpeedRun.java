@@ -9,9 +9,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.palpate.io.CsvNumbers;
-import org.palpate.io.NewFile;
-import org.palpate.io.ReportJson;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.file.NumberText;
+import org.palpate.io.table.ReportJson;
 
 /** Runs a study and leaves its table as CSV and JSON, and plots, in a folder. */
 public final class SpeedRun {
@@ -39,8 +39,8 @@ public final class SpeedRun {
       PrintWriter progress)
       throws IOException {
     Files.createDirectories(folder);
-    Map<String, Object> machine = MachineLine.facts();
-    out.println(MachineLine.line(machine));
+    Map<String, Object> machine = MachineSummary.facts();
+    out.println(MachineSummary.line(machine));
     out.flush();
     SpeedRunner runner =
         new SpeedRunner(
@@ -64,7 +64,7 @@ public final class SpeedRun {
       tellPaper(out);
     }
     tellAllocations(rows, out);
-    NewFile.write(folder.resolve(study.fileName() + ".csv"), csv(rows));
+    AtomicFile.write(folder.resolve(study.fileName() + ".csv"), csv(rows));
     writeJson(folder.resolve(study.fileName() + ".json"), machine, rows);
     SpeedPlots.plot(folder, study, rows);
     Map<String, Object> medians = new LinkedHashMap<>();
@@ -122,10 +122,10 @@ public final class SpeedRun {
       text.append(row.group()).append(',').append(row.name()).append(',');
       text.append('"').append(row.condition()).append("\",").append(row.unit());
       for (double value : new double[] {row.median(), row.least(), row.greatest()}) {
-        text.append(',').append(CsvNumbers.text(value));
+        text.append(',').append(NumberText.text(value));
       }
       text.append(',').append(row.scores().size()).append(',');
-      text.append(Double.isNaN(row.bytes()) ? "" : CsvNumbers.text(row.bytes())).append('\n');
+      text.append(Double.isNaN(row.bytes()) ? "" : NumberText.text(row.bytes())).append('\n');
     }
     return text.toString();
   }
@@ -147,7 +147,7 @@ public final class SpeedRun {
       entries.add(entry);
     }
     report.put("rows", entries);
-    try (NewFile out = new NewFile(file)) {
+    try (AtomicFile out = new AtomicFile(file)) {
       ReportJson.write(report, out.stream());
       out.commit();
     }

@@ -1,9 +1,7 @@
 /**
- * The speed study: the JMH benchmarks, chosen, run in fresh processes and written down as tables
- * and plots.
+ * Runs the JMH benchmarks and compares with the paper's table, with a C++ port, and with what each
+ * skip saves.
  *
- * <p>Uses the benchmarks themselves, {@code io} for files. Times are medians over all iterations of
- * all forks, with the least and the greatest: processor time of the one thread, or the wall clock
- * where several work.
+ * <p>Uses {@code benchmarks} and {@code benchmarks.report}. One thread. Nanoseconds a frame.
  */
 package org.palpate.benchmarks.speed;

@@ -6,20 +6,20 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
+import org.palpate.collision.CollisionScene;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HandTarget;
 import org.palpate.device.ReplayDevice;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.device.Trajectory;
+import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
+import org.palpate.frame.FrameOutcome;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.HapticFrame;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.interaction.EditQueue;
-import org.palpate.interaction.FrameOutcome;
-import org.palpate.interaction.FramePublisher;
-import org.palpate.interaction.FrameSettings;
-import org.palpate.interaction.HapticFrame;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
@@ -67,14 +67,14 @@ public final class LongRun {
 
   /** A run of one solver with a seeded hand. */
   public LongRun(SolverChoice solver, long seed) {
-    Metric metric = Metric.of(head.grid().spacingMm());
+    GridMetric metric = GridMetric.of(head.grid().spacingMm());
     device = new ReplayDevice("closed motion", motion(seed));
     List<Segment> segments = head.segments();
     frame =
         new HapticFrame(
             device,
             solver.maker().make(metric, 8),
-            new Obstacles(segments.stream().map(Segment::bits).toList()),
+            new CollisionScene(segments.stream().map(Segment::bits).toList()),
             metric,
             FrameSettings.live(device.specification(), ForceSettings.of(0.5, 0.2)),
             new EditQueue(head.grid(), segments.size()),

@@ -47,8 +47,8 @@ final class Plant implements HapticDevice {
   private double energyJoule;
   private double mostEnergyJoule;
   private double steepestNewtonPerMs;
-  private final PlayWatch before;
-  private final PlayWatch last;
+  private final HandleExcursion before;
+  private final HandleExcursion last;
 
   Plant(DeviceModel device, Grip grip, Sampling sampling, Reach reach, double voxelMm) {
     this.device = device;
@@ -56,8 +56,8 @@ final class Plant implements HapticDevice {
     this.reach = reach;
     this.voxelMm = voxelMm;
     double leave = reach.leaveSeconds();
-    before = new PlayWatch(leave - APART_SECONDS - WATCHED_SECONDS, leave - APART_SECONDS);
-    last = new PlayWatch(leave - WATCHED_SECONDS, leave);
+    before = new HandleExcursion(leave - APART_SECONDS - WATCHED_SECONDS, leave - APART_SECONDS);
+    last = new HandleExcursion(leave - WATCHED_SECONDS, leave);
     motion = new HandleMotion(device, grip, reach);
     state = motion.start();
     double period = 1 / sampling.rateHz();

@@ -12,7 +12,7 @@ import org.knowm.xchart.CategorySeries;
 import org.knowm.xchart.CategorySeries.CategorySeriesRenderStyle;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
-import org.palpate.benchmarks.Figures;
+import org.palpate.benchmarks.report.Figures;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
 

@@ -10,12 +10,12 @@ import java.util.Map;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
-import org.palpate.proxy.BorderVoxels;
-import org.palpate.proxy.DotSolver;
-import org.palpate.proxy.GuardedSolver;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.PaperSolver;
+import org.palpate.geometry.GridMetric;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.reference.BorderVoxels;
+import org.palpate.proxy.reference.DotSolver;
+import org.palpate.proxy.reference.PaperSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.raycast.SampledRayCaster;
 
@@ -40,11 +40,11 @@ public final class StabilityRun {
         new SolverChoice("dot", StabilityRun::dot));
   }
 
-  private static ProxySolver paper(Metric metric, double maxStepMm) {
+  private static ProxySolver paper(GridMetric metric, double maxStepMm) {
     return new PaperSolver(new SampledRayCaster(1), metric, maxStepMm, BorderVoxels.onTheFly());
   }
 
-  private static ProxySolver dot(Metric metric, double maxStepMm) {
+  private static ProxySolver dot(GridMetric metric, double maxStepMm) {
     return new DotSolver(new SampledRayCaster(1), metric, maxStepMm, BorderVoxels.onTheFly());
   }
 

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import org.palpate.benchmarks.stability.Trial.Outcome;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
-import org.palpate.proxy.GuardedSolver;
+import org.palpate.proxy.exact.GuardedSolver;
 
 /**
  * The sweeps. Each gives rows; what runs is told to a listener, a line at a time.

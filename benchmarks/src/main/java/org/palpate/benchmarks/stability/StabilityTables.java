@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
-import org.palpate.io.CsvNumbers;
-import org.palpate.io.NewFile;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.file.NumberText;
 
 /** Writes the study's rows as CSV files: a header, a row a line, numbers to read back. */
 final class StabilityTables {
@@ -57,7 +57,7 @@ final class StabilityTables {
   }
 
   private static String number(double value) {
-    return CsvNumbers.text(value);
+    return NumberText.text(value);
   }
 
   private static void append(StringBuilder text, String... cells) {
@@ -65,7 +65,7 @@ final class StabilityTables {
   }
 
   private static void write(Path file, StringBuilder text) throws IOException {
-    try (NewFile out = new NewFile(file)) {
+    try (AtomicFile out = new AtomicFile(file)) {
       out.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
       out.commit();
     }

@@ -2,8 +2,8 @@ package org.palpate.benchmarks.stability;
 
 import java.util.List;
 import java.util.function.IntPredicate;
+import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.Obstacles;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
@@ -15,7 +15,7 @@ import org.palpate.volume.phantom.Phantom;
  * @param touchMm a point of the surface
  * @param inward unit direction into the solid
  */
-public record TouchedShape(String name, Obstacles obstacles, Vec3 touchMm, Vec3 inward) {
+public record TouchedShape(String name, CollisionScene obstacles, Vec3 touchMm, Vec3 inward) {
   /** Edge of a voxel. */
   public static final double VOXEL_MM = 0.5;
 
@@ -79,7 +79,7 @@ public record TouchedShape(String name, Obstacles obstacles, Vec3 touchMm, Vec3 
     Phantom head = Phantom.parse("head:" + EDGE);
     List<BitCube> cubes =
         head.segments().segments().stream().map(segment -> segment.bits()).toList();
-    Obstacles obstacles = new Obstacles(cubes);
+    CollisionScene obstacles = new CollisionScene(cubes);
     int top = EDGE - 1;
     while (top > 0 && !obstacles.isSolid(MIDDLE, MIDDLE, top)) {
       top--;
@@ -99,7 +99,7 @@ public record TouchedShape(String name, Obstacles obstacles, Vec3 touchMm, Vec3 
         }
       }
     }
-    return new TouchedShape(name, new Obstacles(List.of(bits)), toMm(touchGrid), inward);
+    return new TouchedShape(name, new CollisionScene(List.of(bits)), toMm(touchGrid), inward);
   }
 
   private static Vec3 toMm(Vec3 grid) {

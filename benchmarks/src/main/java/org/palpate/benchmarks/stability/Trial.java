@@ -1,12 +1,12 @@
 package org.palpate.benchmarks.stability;
 
+import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
-import org.palpate.interaction.EditQueue;
-import org.palpate.interaction.FrameOutcome;
-import org.palpate.interaction.FramePublisher;
-import org.palpate.interaction.FrameSettings;
-import org.palpate.interaction.HapticFrame;
-import org.palpate.proxy.Metric;
+import org.palpate.frame.FrameOutcome;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.HapticFrame;
+import org.palpate.geometry.GridMetric;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.volume.VoxelGrid;
 
@@ -57,7 +57,7 @@ public record Trial(
     @FunctionalInterface
     public interface Maker {
       /** A fresh one for a metric and w_max, mm. */
-      ProxySolver make(Metric metric, double maxStepMm);
+      ProxySolver make(GridMetric metric, double maxStepMm);
     }
   }
 
@@ -112,7 +112,7 @@ public record Trial(
 
   private HapticFrame frame(Plant plant, double newtonPerM) {
     double voxel = TouchedShape.VOXEL_MM;
-    Metric metric = new Metric(voxel, voxel, voxel);
+    GridMetric metric = new GridMetric(voxel, voxel, voxel);
     ForceSettings force = ForceSettings.of(newtonPerM * 1e-3, FRICTION);
     FrameSettings live = FrameSettings.live(plant.specification(), force);
     FrameSettings settings =

@@ -1,9 +1,8 @@
 /**
- * Person, device and contact as one closed loop in simulation: how stiff a surface may be before
- * the hand shakes, beside the theory.
+ * Simulates hand, device and coupling as a closed loop, and searches for the stiffness at which
+ * each device becomes unstable.
  *
- * <p>Uses {@code interaction} for the frame that a session runs, and an ODE library for what
- * happens between frames. One thread. SI units inside the plant (m, kg, N, s), grid coordinates at
- * its device. Every claim is about the model.
+ * <p>Uses {@code force}, {@code frame} and {@code benchmarks.report}. One thread. Newtons,
+ * millimetres, seconds.
  */
 package org.palpate.benchmarks.stability;

@@ -4,14 +4,14 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.BorderVoxels;
-import org.palpate.proxy.DotSolver;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Obstacles;
-import org.palpate.proxy.PaperSolver;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.reference.BorderVoxels;
+import org.palpate.proxy.reference.DotSolver;
+import org.palpate.proxy.reference.PaperSolver;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.GridPlanesRayCaster;
 import org.palpate.raycast.Ray;
@@ -51,7 +51,7 @@ public final class BaselineLosses {
     add("guarded", GuardedSolver::new);
   }
 
-  private void add(String name, SolverMaker maker) {
+  private void add(String name, SolverFactory maker) {
     solvers.add(new SolverLoss(name, maker));
   }
 
@@ -130,7 +130,7 @@ public final class BaselineLosses {
   /** One solver, leg by leg. */
   private static final class SolverLoss {
     private final String name;
-    private final SolverMaker maker;
+    private final SolverFactory maker;
     private final ExactJudge judge = new ExactJudge();
     private final InteractionPoint point = new InteractionPoint();
     private long frames;
@@ -139,14 +139,14 @@ public final class BaselineLosses {
     private long badLegs;
     private double deepestVoxels;
 
-    SolverLoss(String name, SolverMaker maker) {
+    SolverLoss(String name, SolverFactory maker) {
       this.name = name;
       this.maker = maker;
     }
 
     void run(StressCase stress, List<Vec3> devices) {
       ProxySolver solver = maker.make(stress.scene.metric(), stress.scene.maxStepMm());
-      Obstacles obstacles = stress.obstacles();
+      CollisionScene obstacles = stress.obstacles();
       point.position.set(stress.start);
       for (Vec3 device : devices) {
         solver.follow(obstacles, device, point);
@@ -156,7 +156,7 @@ public final class BaselineLosses {
         badLegs += bad;
         badFrames += bad > 0 ? 1 : 0;
         if (bad > 0) {
-          double depth = SolidDepth.voxels(stress.scene.bits(), point.position);
+          double depth = PenetrationDepth.voxels(stress.scene.bits(), point.position);
           deepestVoxels = Math.max(deepestVoxels, depth);
         }
       }

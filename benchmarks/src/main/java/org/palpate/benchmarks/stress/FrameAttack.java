@@ -2,22 +2,22 @@ package org.palpate.benchmarks.stress;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import org.palpate.collision.CollisionScene;
+import org.palpate.edit.BrushEdit;
+import org.palpate.edit.Edit;
+import org.palpate.edit.EditQueue;
+import org.palpate.edit.SwapEdit;
+import org.palpate.edit.VoxelEdit;
 import org.palpate.force.ForceSettings;
+import org.palpate.frame.FrameOutcome;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.HapticFrame;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.interaction.BrushEdit;
-import org.palpate.interaction.Edit;
-import org.palpate.interaction.EditQueue;
-import org.palpate.interaction.FrameOutcome;
-import org.palpate.interaction.FramePublisher;
-import org.palpate.interaction.FrameSettings;
-import org.palpate.interaction.HapticFrame;
-import org.palpate.interaction.SwapEdit;
-import org.palpate.interaction.VoxelEdit;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.LegPath;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -79,7 +79,7 @@ public final class FrameAttack {
     private final SplittableRandom random;
     private final HostileScene scene;
     private final FaultyDevice device;
-    private final Obstacles obstacles;
+    private final CollisionScene obstacles;
     private final EditQueue queue;
     private final HapticFrame frame;
     private final Vec3 before = new Vec3();
@@ -94,7 +94,7 @@ public final class FrameAttack {
       BitCube bits = scene.bits();
       HostileHand hand = new HostileHand(random.split(), bits);
       device = new FaultyDevice(random.split(), hand, new Vec3(0.5, 0.5, 0.5));
-      obstacles = new Obstacles(List.of(bits));
+      obstacles = new CollisionScene(List.of(bits));
       Vec3 spacing = scene.spacingMm();
       VoxelGrid grid =
           new VoxelGrid(

@@ -1,10 +1,10 @@
 package org.palpate.benchmarks.stress;
 
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
-import org.palpate.proxy.Metric;
+import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.volume.BitCube;
 
 /**
@@ -27,7 +27,7 @@ final class FrameJudge {
 
   private final ExactJudge judge = new ExactJudge();
   private final BitCube bits;
-  private final Metric metric;
+  private final GridMetric metric;
   private final double maxStepMm;
   private final boolean nearerAlways;
   private final int framesToSettle;
@@ -43,7 +43,7 @@ final class FrameJudge {
    *
    * @param maker says what its solver promises beside the guarantee
    */
-  FrameJudge(HostileScene scene, Vec3 start, SolverMaker maker) {
+  FrameJudge(HostileScene scene, Vec3 start, SolverFactory maker) {
     nearerAlways = maker.endsNearer();
     framesToSettle = maker.framesToSettle();
     bits = scene.bits();

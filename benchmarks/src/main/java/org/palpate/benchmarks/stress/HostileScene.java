@@ -1,8 +1,8 @@
 package org.palpate.benchmarks.stress;
 
 import java.util.SplittableRandom;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.Metric;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
@@ -227,7 +227,7 @@ public record HostileScene(String kind, BitCube bits, Vec3 spacingMm, double max
     return z ^ (z >>> 31);
   }
 
-  Metric metric() {
-    return Metric.of(spacingMm);
+  GridMetric metric() {
+    return GridMetric.of(spacingMm);
   }
 }

@@ -2,9 +2,9 @@ package org.palpate.benchmarks.stress;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.volume.BitCube;
 
@@ -15,9 +15,9 @@ import org.palpate.volume.BitCube;
 final class Shrinker {
   private static final int PASSES = 3;
 
-  private final SolverMaker maker;
+  private final SolverFactory maker;
 
-  Shrinker(SolverMaker maker) {
+  Shrinker(SolverFactory maker) {
     this.maker = maker;
   }
 
@@ -92,7 +92,7 @@ final class Shrinker {
 
   /** The devices up to the first frame with a fault; null where there is none. */
   private List<Vec3> upToFault(HostileScene scene, Vec3 start, List<Vec3> devices) {
-    Obstacles obstacles = new Obstacles(List.of(scene.bits()));
+    CollisionScene obstacles = new CollisionScene(List.of(scene.bits()));
     FrameJudge judge = new FrameJudge(scene, start, maker);
     ProxySolver solver = maker.make(scene.metric(), scene.maxStepMm());
     InteractionPoint point = new InteractionPoint();

@@ -3,10 +3,10 @@ package org.palpate.benchmarks.stress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.palpate.collision.CollisionScene;
+import org.palpate.collision.NearestFreeVoxel;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.FreePlace;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
 
 /**
@@ -34,15 +34,15 @@ final class StressCase {
 
   /** Moves a start that touches a solid to the nearest free place, as a replay does. */
   private void place(Vec3 at) {
-    Obstacles obstacles = obstacles();
-    FreePlace free = new FreePlace(scene.metric());
+    CollisionScene obstacles = obstacles();
+    NearestFreeVoxel free = new NearestFreeVoxel(scene.metric());
     if (obstacles.touches(at.x, at.y, at.z)) {
       free.find(obstacles, at, at);
     }
   }
 
-  Obstacles obstacles() {
-    return new Obstacles(List.of(scene.bits()));
+  CollisionScene obstacles() {
+    return new CollisionScene(List.of(scene.bits()));
   }
 
   /** Writes where the device is in a frame; {@code p} is where the interaction point is. */
@@ -58,7 +58,7 @@ final class StressCase {
     InteractionPoint point = new InteractionPoint();
     point.position.set(start);
     Vec3 device = new Vec3().set(start);
-    Obstacles obstacles = obstacles();
+    CollisionScene obstacles = obstacles();
     for (int frame = 0; frame < frames; frame++) {
       next(frame, point.position, device);
       way.add(new Vec3().set(device));

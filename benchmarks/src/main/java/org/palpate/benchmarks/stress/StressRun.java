@@ -2,9 +2,9 @@ package org.palpate.benchmarks.stress;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
 
 /**
@@ -14,10 +14,10 @@ import org.palpate.proxy.ProxySolver;
  */
 public final class StressRun {
   private final long seed;
-  private final SolverMaker maker;
+  private final SolverFactory maker;
 
   /** A run over the cases of a seed. */
-  public StressRun(long seed, SolverMaker maker) {
+  public StressRun(long seed, SolverFactory maker) {
     this.seed = seed;
     this.maker = maker;
   }
@@ -59,7 +59,7 @@ public final class StressRun {
     StressCase stress = new StressCase(caseSeed);
     FrameJudge judge = new FrameJudge(stress.scene, stress.start, maker);
     ProxySolver solver = maker.make(stress.scene.metric(), stress.scene.maxStepMm());
-    Obstacles obstacles = stress.obstacles();
+    CollisionScene obstacles = stress.obstacles();
     InteractionPoint point = new InteractionPoint();
     point.position.set(stress.start);
     Vec3 device = new Vec3().set(stress.start);

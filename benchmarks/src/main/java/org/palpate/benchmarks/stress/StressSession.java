@@ -6,8 +6,8 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import org.palpate.io.NewFile;
-import org.palpate.proxy.GuardedSolver;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.proxy.exact.GuardedSolver;
 
 /**
  * {@code palpate bench --stress}: a run that says how far it is, keeps its totals in a folder, goes
@@ -30,8 +30,8 @@ public final class StressSession {
     GUARDED,
     SMOOTH;
 
-    private SolverMaker maker() {
-      return this == GUARDED ? GuardedSolver::new : SolverMaker.SMOOTH;
+    private SolverFactory maker() {
+      return this == GUARDED ? GuardedSolver::new : SolverFactory.SMOOTH;
     }
 
     /** As on the command line. */
@@ -122,7 +122,7 @@ public final class StressSession {
     StringBuilder csv = new StringBuilder("hand,frames,median_steps,p99_steps,worst_steps\n");
     out.println("| steps a frame, " + attacked + " | frames | median | p99 | worst |");
     out.println("| --- | --- | --- | --- | --- |");
-    for (StepStudy.Row row : new StepStudy(attacked, seed, STEP_CASES, JUMPS).rows()) {
+    for (WorkStudy.Row row : new WorkStudy(attacked, seed, STEP_CASES, JUMPS).rows()) {
       out.printf(
           Locale.ROOT,
           "| %s | %d | %d | %d | %d |%n",
@@ -135,7 +135,7 @@ public final class StressSession {
       csv.append(row.median()).append(',').append(row.p99()).append(',').append(row.worst());
       csv.append('\n');
     }
-    NewFile.write(folder.resolve("steps-" + attacked + "-" + seed + ".csv"), csv);
+    AtomicFile.write(folder.resolve("steps-" + attacked + "-" + seed + ".csv"), csv);
     out.flush();
   }
 

@@ -1,8 +1,8 @@
 /**
- * The attack on the guarantee: hostile scenes, hostile motions, an exact judge of every leg, and
- * the smallest case of what fails.
+ * Attacks solvers and frames with hostile motion and edits, and judges every leg in exact
+ * arithmetic.
  *
- * <p>Uses {@code proxy}, {@code raycast}, {@code volume} of core and {@code app} for its command.
- * One thread a run. Grid coordinates, millimetres.
+ * <p>Uses {@code frame}, {@code host} and {@code benchmarks.input}. One thread a run. Grid
+ * coordinates.
  */
 package org.palpate.benchmarks.stress;

@@ -10,12 +10,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import org.palpate.benchmarks.Scans;
-import org.palpate.io.CsvNumbers;
-import org.palpate.io.NewFile;
+import org.palpate.benchmarks.input.Scans;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.file.NumberText;
+import org.palpate.scene.surface.AmbientOcclusion;
 import org.palpate.scene.surface.CoarseVolume;
-import org.palpate.scene.surface.DensityOpenness;
-import org.palpate.scene.surface.Openness;
+import org.palpate.scene.surface.DensityAmbientOcclusion;
 import org.palpate.scene.surface.SurfaceBrick;
 import org.palpate.scene.surface.SurfaceExtractor;
 import org.palpate.scene.surface.SurfaceSource;
@@ -67,11 +67,11 @@ public final class SurfaceStudy {
     Scans scan = Scans.read(data, name);
     long began = threads.getCurrentThreadCpuTime();
     SurfaceSource coarse = CoarseVolume.of(scan.bone(), 2).source(scan.spacingMm());
-    make(coarse, Openness.EVERYWHERE);
+    make(coarse, AmbientOcclusion.EVERYWHERE);
     double coarseSeconds = (threads.getCurrentThreadCpuTime() - began) / NANOS_PER_SECOND;
     long coarseTriangles = triangles;
     began = threads.getCurrentThreadCpuTime();
-    Openness light = new DensityOpenness(List.of(scan.bone()));
+    AmbientOcclusion light = new DensityAmbientOcclusion(List.of(scan.bone()));
     double[] brickMs = make(SurfaceSource.ofBits(scan.bone(), scan.spacingMm()), light);
     double seconds = (threads.getCurrentThreadCpuTime() - began) / NANOS_PER_SECOND;
     Arrays.sort(brickMs);
@@ -90,7 +90,7 @@ public final class SurfaceStudy {
   }
 
   /** Makes every brick; the time of each that is not empty, ms. */
-  private double[] make(SurfaceSource source, Openness light) {
+  private double[] make(SurfaceSource source, AmbientOcclusion light) {
     triangles = 0;
     vertices = 0;
     heapBytes = 0;
@@ -156,12 +156,12 @@ public final class SurfaceStudy {
     for (SurfaceRow row : rows) {
       text.append(row.data()).append(',').append(row.voxels()).append(',');
       text.append(row.triangles()).append(',').append(row.vertices()).append(',');
-      text.append(CsvNumbers.text(row.cpuSeconds())).append(',').append(row.heapBytes());
+      text.append(NumberText.text(row.cpuSeconds())).append(',').append(row.heapBytes());
       text.append(',').append(row.cardBytes()).append(',').append(row.coarseTriangles());
-      text.append(',').append(CsvNumbers.text(row.coarseCpuSeconds())).append(',');
-      text.append(CsvNumbers.text(row.brickMedianMs())).append(',');
-      text.append(CsvNumbers.text(row.brickMostMs())).append('\n');
+      text.append(',').append(NumberText.text(row.coarseCpuSeconds())).append(',');
+      text.append(NumberText.text(row.brickMedianMs())).append(',');
+      text.append(NumberText.text(row.brickMostMs())).append('\n');
     }
-    NewFile.write(file, text);
+    AtomicFile.write(file, text);
   }
 }

@@ -1,7 +1,6 @@
 /**
- * The surfaces of the paper's Table 1: triangles, time and memory, on scans as they are and
- * resampled to its sizes.
+ * Measures the extraction of surfaces: triangles, time and memory.
  *
- * <p>Uses {@code scene.surface} and {@code io}. One thread. Grid millimetres.
+ * <p>Uses {@code scene.surface} and {@code benchmarks.input}. One thread. Seconds and megabytes.
  */
 package org.palpate.benchmarks.surface;

@@ -11,7 +11,7 @@ import org.HdrHistogram.Histogram;
  * @param seconds that it took
  */
 record SyncRow(
-    SyncWay way, int round, Histogram work, Histogram period, long redraws, double seconds) {
+    SyncMethod way, int round, Histogram work, Histogram period, long redraws, double seconds) {
 
   double workMicros(double percentile) {
     return work.getValueAtPercentile(percentile) / 1e3;

@@ -13,13 +13,13 @@ import java.util.OptionalDouble;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.CategorySeries.CategorySeriesRenderStyle;
-import org.palpate.benchmarks.Figures;
+import org.palpate.benchmarks.report.Figures;
 import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
-import org.palpate.io.CsvNumbers;
-import org.palpate.io.NewFile;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.file.NumberText;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.volume.phantom.Phantom;
 
@@ -54,7 +54,7 @@ public final class SyncRun {
     progress.flush();
     tellWrites(new WriteCost().measure(), folder.resolve("sync-writes.csv"), out);
     Map<String, Double> p99 = new LinkedHashMap<>();
-    for (SyncWay way : SyncWay.values()) {
+    for (SyncMethod way : SyncMethod.values()) {
       p99.put(way.title(), median(rows, way, 99));
     }
     return p99;
@@ -74,9 +74,9 @@ public final class SyncRun {
         new ContactScene(Phantom.parse(quick ? "head:96" : "head:256").segments(), settings);
     List<SyncRow> rows = new ArrayList<>();
     try (SyncTrial trial = new SyncTrial(scene)) {
-      trial.run(SyncWay.OURS, 0, WARM_UP_SECONDS);
+      trial.run(SyncMethod.WAIT_FREE, 0, WARM_UP_SECONDS);
       for (int round = 1; round <= (quick ? 1 : 3); round++) {
-        for (SyncWay way : SyncWay.values()) {
+        for (SyncMethod way : SyncMethod.values()) {
           progress.println("sync: round " + round + ", " + way.title());
           progress.flush();
           rows.add(trial.run(way, round, quick ? QUICK_SECONDS : SECONDS));
@@ -114,16 +114,16 @@ public final class SyncRun {
                 + "period_p99_us,period_p99_9_us,period_max_us,redraws\n");
     for (SyncRow row : rows) {
       text.append('"').append(row.way().title()).append("\",").append(row.round()).append(',');
-      text.append(CsvNumbers.text(row.rateHz())).append(',');
+      text.append(NumberText.text(row.rateHz())).append(',');
       for (double percentile : PERCENTILES) {
-        text.append(CsvNumbers.text(row.workMicros(percentile))).append(',');
+        text.append(NumberText.text(row.workMicros(percentile))).append(',');
       }
       for (double percentile : PERCENTILES) {
-        text.append(CsvNumbers.text(row.periodMicros(percentile))).append(',');
+        text.append(NumberText.text(row.periodMicros(percentile))).append(',');
       }
       text.append(row.redraws()).append('\n');
     }
-    NewFile.write(file, text);
+    AtomicFile.write(file, text);
   }
 
   private static void tellWrites(List<WriteCost.Row> rows, Path file, PrintWriter out)
@@ -139,15 +139,15 @@ public final class SyncRun {
           row.unchangedNanos(),
           row.p999Nanos(),
           row.maxNanos());
-      text.append('"').append(row.way()).append("\",").append(CsvNumbers.text(row.nanos()));
-      text.append(',').append(CsvNumbers.text(row.unchangedNanos())).append(',');
+      text.append('"').append(row.way()).append("\",").append(NumberText.text(row.nanos()));
+      text.append(',').append(NumberText.text(row.unchangedNanos())).append(',');
       text.append(row.p999Nanos()).append(',').append(row.maxNanos()).append('\n');
     }
     out.flush();
-    NewFile.write(file, text);
+    AtomicFile.write(file, text);
   }
 
-  private static double median(List<SyncRow> rows, SyncWay way, double percentile) {
+  private static double median(List<SyncRow> rows, SyncMethod way, double percentile) {
     double[] values =
         rows.stream()
             .filter(row -> row.way() == way)
@@ -172,9 +172,9 @@ public final class SyncRun {
     chart.getStyler().setOverlapped(true);
     List<String> shares = new ArrayList<>();
     for (double percentile : PERCENTILES) {
-      shares.add(percentile == 100 ? "all" : CsvNumbers.people(percentile) + " %");
+      shares.add(percentile == 100 ? "all" : NumberText.people(percentile) + " %");
     }
-    for (SyncWay way : SyncWay.values()) {
+    for (SyncMethod way : SyncMethod.values()) {
       List<Double> values = new ArrayList<>();
       for (double percentile : PERCENTILES) {
         values.add(median(rows, way, percentile));

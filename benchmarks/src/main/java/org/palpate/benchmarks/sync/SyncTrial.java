@@ -8,21 +8,21 @@ import java.util.concurrent.locks.LockSupport;
 import org.HdrHistogram.Histogram;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.force.ForceSettings;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.HapticFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.GridDevice;
-import org.palpate.interaction.FramePublisher;
-import org.palpate.interaction.HapticFrame;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
+import org.palpate.scene.SceneSynchronizer;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.SynchronizationThread;
 import org.palpate.scene.Theme;
 import org.palpate.scene.TouchMarks;
-import org.palpate.scene.TouchSync;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.GraphicsException;
-import org.palpate.scene.window.OffscreenScene;
+import org.palpate.scene.window.OffscreenRenderer;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.TouchProperties;
 import org.palpate.volume.SegmentedVolume;
@@ -38,7 +38,7 @@ final class SyncTrial implements AutoCloseable {
 
   private final ContactScene contact;
   private final SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
-  private final OffscreenScene picture;
+  private final OffscreenRenderer picture;
   private long redraws;
 
   /** Opens a picture of a scene that will be touched. */
@@ -51,12 +51,12 @@ final class SyncTrial implements AutoCloseable {
       throw new IllegalStateException("the surface was not made", e);
     }
     model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
-    picture = new OffscreenScene(WIDTH, HEIGHT, 1);
+    picture = new OffscreenRenderer(WIDTH, HEIGHT, 1);
     picture.draw(model.state());
   }
 
   /** Runs one way for a while. */
-  SyncRow run(SyncWay way, int round, double seconds) {
+  SyncRow run(SyncMethod way, int round, double seconds) {
     redraws = 0;
     TouchProperties properties = new TouchProperties(new Accumulator());
     PaperSync paper = new PaperSync();
@@ -65,17 +65,18 @@ final class SyncTrial implements AutoCloseable {
           case NONE -> FramePublisher.NONE;
           case DIRECT -> this::changeAndDraw;
           case PAPER -> paper::publish;
-          case OURS -> properties::publish;
+          case WAIT_FREE -> properties::publish;
         };
-    TouchSync sync = new TouchSync(properties, contact.grid(), model, List::of);
+    SceneSynchronizer sync = new SceneSynchronizer(properties, contact.grid(), model, List::of);
     Runnable tick =
         switch (way) {
           case NONE, DIRECT -> () -> {};
           case PAPER -> () -> paper.synchronize(this::change);
-          case OURS -> sync;
+          case WAIT_FREE -> sync;
         };
     AtomicReference<RuntimeException> failure = new AtomicReference<>();
-    try (Drawing drawing = new Drawing(way == SyncWay.DIRECT ? () -> {} : this::draw);
+    try (DrawingThread drawing =
+            new DrawingThread(way == SyncMethod.DIRECT ? () -> {} : this::draw);
         SynchronizationThread ticking = new SynchronizationThread(tick, failure::set)) {
       model.onChange(drawing::request);
       drawing.start();
@@ -88,7 +89,7 @@ final class SyncTrial implements AutoCloseable {
     }
   }
 
-  private SyncRow loop(SyncWay way, int round, double seconds, FramePublisher publisher) {
+  private SyncRow loop(SyncMethod way, int round, double seconds, FramePublisher publisher) {
     SimulatedDevice hand = new SimulatedDevice(SEED, contact.handTarget(), PERIOD_NANOS);
     HapticFrame frame =
         contact.newFrame(

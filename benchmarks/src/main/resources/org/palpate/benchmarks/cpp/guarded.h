@@ -1,5 +1,5 @@
-// The guarded frame of the C++ twin: follows GuardedSolver, PointVoxel,
-// Neighbourhoods and FruitlessClimbs step by step. Spacing 1, one cube.
+// The guarded frame of the C++ twin: follows GuardedSolver, ProxyVoxel,
+// Neighbourhoods and FailedStepCache step by step. Spacing 1, one cube.
 #pragma once
 #include <cstring>
 

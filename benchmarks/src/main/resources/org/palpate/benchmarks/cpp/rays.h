@@ -1,4 +1,4 @@
-// Bricks and the exact ray cast over them, for the C++ twin: follows NearRayWalk and FarRayWalk
+// Bricks and the exact ray cast over them, for the C++ twin: follows NearRayTraversal and FarRayTraversal
 // step by step, so that every double is the same (no fused multiply-add). Where a ray is in doubt
 // it counts that and calls it a miss: Java asks its thorough walk there, the twin has none.
 //

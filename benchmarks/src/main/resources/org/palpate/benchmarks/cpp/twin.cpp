@@ -1,7 +1,7 @@
 // The C++ twin of the guarded frame and the exact ray cast, over the same bricks: what the machine
 // can do.
 //
-//   twin INPUT PASSES    INPUT as CppTwin writes it; one line: hash, doubts, nanoseconds of each
+//   twin INPUT PASSES    INPUT as CppPort writes it; one line: hash, doubts, nanoseconds of each
 //   pass
 //
 // INPUT says how many of its places go to one operation: 1 is a frame, 2 are the ends of a ray.

@@ -1,19 +1,27 @@
 package org.palpate.proxy.smooth;
 
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.GuardedSolver;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.SkipCounts;
+import org.palpate.proxy.SkipCounters;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.smooth.field.BinaryCoefficientSource;
+import org.palpate.proxy.smooth.field.CoefficientSource;
+import org.palpate.proxy.smooth.field.GreyCoefficientSource;
+import org.palpate.proxy.smooth.field.GreyIsosurface;
+import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
+import org.palpate.proxy.smooth.field.IsoLevel;
+import org.palpate.proxy.smooth.field.OccupancyField;
+import org.palpate.proxy.smooth.field.SmoothingKernel;
 import org.palpate.raycast.RayHit;
 
 /**
  * Slides the interaction point on an implicit surface that is made on the fly from the voxels
  * around it, so that forces feel like the surface and not like stairs. Nothing is precalculated.
  *
- * <p>Guarantee: the point moves by legs that {@link LegGuard} or {@link GuardedSolver} cast
+ * <p>Guarantee: the point moves by legs that {@link VerifiedMotion} or {@link GuardedSolver} cast
  * exactly, whatever the surface says.
  *
  * <p>Rest: a frame counts only if it lowers a potential, the distance to the device plus what the
@@ -77,15 +85,15 @@ public final class SmoothSolver implements ProxySolver {
 
   private static final double[] LIFTS_EDGES = {.05, .13, .3, .56, 1, 1.4};
 
-  private final Metric metric;
+  private final GridMetric metric;
   private final double shortestMm;
   private final Vec3 edges;
-  private final LegGuard guard;
+  private final VerifiedMotion guard;
   private final GuardedSolver onVoxels;
-  private final SmoothField field;
-  private final SurfaceLevel level;
-  private final ContactSearch search;
-  private final SurfaceCrossing crossing;
+  private final OccupancyField field;
+  private final IsoLevel level;
+  private final ClosestPointSearch search;
+  private final IsosurfaceIntersection crossing;
   private final Vec3 target = new Vec3();
   private final Vec3 foot = new Vec3();
   private final Vec3 low = new Vec3();
@@ -102,7 +110,7 @@ public final class SmoothSolver implements ProxySolver {
   private long evaluationsBefore;
   private long enoughWindows;
   private int stepsOnVoxels;
-  private Obstacles obstacles;
+  private CollisionScene obstacles;
   private Vec3 device;
   private InteractionPoint point;
   private Vec3 p;
@@ -113,8 +121,11 @@ public final class SmoothSolver implements ProxySolver {
    * @param metric the grid's spacing
    * @param maxStepMm the most the point may travel in one frame, w_max, positive
    */
-  public SmoothSolver(Metric metric, double maxStepMm) {
-    this(metric, maxStepMm, new BitNodes(new SmoothingKernel(metric, SmoothingKernel.FOR_BITS)));
+  public SmoothSolver(GridMetric metric, double maxStepMm) {
+    this(
+        metric,
+        maxStepMm,
+        new BinaryCoefficientSource(new SmoothingKernel(metric, SmoothingKernel.FOR_BITS)));
   }
 
   /**
@@ -124,19 +135,19 @@ public final class SmoothSolver implements ProxySolver {
    * @param metric the grid's spacing
    * @param maxStepMm the most the point may travel in one frame, w_max, positive
    */
-  public SmoothSolver(Metric metric, double maxStepMm, GreySurface grey) {
-    this(metric, maxStepMm, new LiveGrey(grey));
+  public SmoothSolver(GridMetric metric, double maxStepMm, GreyIsosurface grey) {
+    this(metric, maxStepMm, new GreyIsosurfaceSource(grey));
   }
 
   /** The same where the grey values may change; {@link #reset} after each change. */
-  public SmoothSolver(Metric metric, double maxStepMm, LiveGrey grey) {
+  public SmoothSolver(GridMetric metric, double maxStepMm, GreyIsosurfaceSource grey) {
     this(
         metric,
         maxStepMm,
-        new GreyNodes(new SmoothingKernel(metric, SmoothingKernel.FOR_GREY), grey));
+        new GreyCoefficientSource(new SmoothingKernel(metric, SmoothingKernel.FOR_GREY), grey));
   }
 
-  private SmoothSolver(Metric metric, double maxStepMm, NodeSource nodes) {
+  private SmoothSolver(GridMetric metric, double maxStepMm, CoefficientSource nodes) {
     if (!(maxStepMm > 0)) {
       throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);
     }
@@ -147,16 +158,16 @@ public final class SmoothSolver implements ProxySolver {
             metric.spacingX() / shortestMm,
             metric.spacingY() / shortestMm,
             metric.spacingZ() / shortestMm);
-    guard = new LegGuard(metric, maxStepMm);
+    guard = new VerifiedMotion(metric, maxStepMm);
     onVoxels = new GuardedSolver(metric, maxStepMm);
-    field = new SmoothField(nodes, edges);
-    level = new SurfaceLevel(nodes, edges);
-    search = new ContactSearch(field, level, edges);
-    crossing = new SurfaceCrossing(field, search, edges);
+    field = new OccupancyField(nodes, edges);
+    level = new IsoLevel(nodes, edges);
+    search = new ClosestPointSearch(field, level, edges);
+    crossing = new IsosurfaceIntersection(field, search, edges);
   }
 
   @Override
-  public void addSkips(SkipCounts dest) {
+  public void addSkips(SkipCounters dest) {
     onVoxels.addSkips(dest);
     guard.addSkips(dest);
   }
@@ -170,7 +181,7 @@ public final class SmoothSolver implements ProxySolver {
   }
 
   @Override
-  public void follow(Obstacles solids, Vec3 devicePosition, InteractionPoint moved) {
+  public void follow(CollisionScene solids, Vec3 devicePosition, InteractionPoint moved) {
     begin(solids, devicePosition, moved);
     if (device.sameBits(restedAt) && solids == obstacles) {
       return; // nothing that the answer depends on has changed: same bits, same contact
@@ -191,7 +202,7 @@ public final class SmoothSolver implements ProxySolver {
     lastDevice.set(device);
   }
 
-  private void begin(Obstacles solids, Vec3 devicePosition, InteractionPoint moved) {
+  private void begin(CollisionScene solids, Vec3 devicePosition, InteractionPoint moved) {
     device = devicePosition;
     point = moved;
     p = moved.position;
@@ -356,7 +367,7 @@ public final class SmoothSolver implements ProxySolver {
   }
 
   private long mostWindows() {
-    return enoughWindows + ContactSearch.SOME_WINDOWS;
+    return enoughWindows + ClosestPointSearch.SOME_WINDOWS;
   }
 
   private boolean hasWorkedEnough() {
@@ -374,23 +385,23 @@ public final class SmoothSolver implements ProxySolver {
       return false;
     }
     int answer = search.search(p, device, enoughWindows);
-    if (answer == ContactSearch.LOST) {
+    if (answer == ClosestPointSearch.LOST) {
       return false;
     }
-    if (answer == ContactSearch.OUTSIDE && search.at.sameBits(p)) {
+    if (answer == ClosestPointSearch.OUTSIDE && search.at.sameBits(p)) {
       return flyOrProject();
     }
-    return goTo(search.at) && answer != ContactSearch.FOUND;
+    return goTo(search.at) && answer != ClosestPointSearch.FOUND;
   }
 
   private boolean flyOrProject() {
     foot.set(p);
-    if (fly() && distanceEdges(foot, p) > SurfaceCrossing.EDGES) {
+    if (fly() && distanceEdges(foot, p) > IsosurfaceIntersection.EDGES) {
       return true;
     }
     field.seed(p.x, p.y, p.z);
-    if (distanceEdges(p, device) > ContactSearch.REACH_EDGES
-        || search.search(device, device, enoughWindows) != ContactSearch.FOUND) {
+    if (distanceEdges(p, device) > ClosestPointSearch.REACH_EDGES
+        || search.search(device, device, enoughWindows) != ClosestPointSearch.FOUND) {
       return false;
     }
     goTo(search.at);
@@ -407,7 +418,7 @@ public final class SmoothSolver implements ProxySolver {
     if (Double.isNaN(share)) {
       return false;
     }
-    LegGuard.between(p, target, share, foot);
+    VerifiedMotion.between(p, target, share, foot);
     boolean moved = guard.move(foot, false);
     field.seed(p.x, p.y, p.z);
     return moved;
@@ -436,7 +447,7 @@ public final class SmoothSolver implements ProxySolver {
       dest.set(to);
     } else {
       double clearance = CLEARANCE_EDGES / Math.max(CLEARANCE_EDGES, distanceEdges(from, to));
-      LegGuard.between(from, to, Math.max(0, guard.hit.t - clearance), dest);
+      VerifiedMotion.between(from, to, Math.max(0, guard.hit.t - clearance), dest);
     }
   }
 

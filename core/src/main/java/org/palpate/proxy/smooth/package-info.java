@@ -1,9 +1,9 @@
 /**
- * The smooth solver: an implicit surface made on the fly from the voxels around the interaction
- * point, and a point that slides on it.
+ * The smooth solver: slides the interaction point on an isosurface of the occupancy field, by legs
+ * that exact arithmetic has verified.
  *
- * <p>Uses {@code raycast}, {@code volume} and {@code geometry}. Everything keeps scratch and
- * belongs to the haptic thread. Positions are grid coordinates; lengths inside are in shortest
- * voxel edges ("edges"), lengths that leave the package are millimetres.
+ * <p>Uses {@code proxy.smooth.field} and {@code proxy.exact}. Belongs to the haptic thread; a frame
+ * allocates nothing. Positions are grid coordinates. Lengths inside the package are in shortest
+ * voxel edges ("edges"); lengths that leave it are millimetres.
  */
 package org.palpate.proxy.smooth;

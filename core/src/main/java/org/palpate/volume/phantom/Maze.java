@@ -10,12 +10,12 @@ package org.palpate.volume.phantom;
  * neighbours differ in parity. Half of the pieces into which the planes cut one another are left
  * out, as doors, by a hash of the seed and the piece.
  */
-record Maze(long seed) implements Bricks {
+record Maze(long seed) implements BrickSource {
   private static final int PERIOD_SHIFT = 4;
   static final int PERIOD = 1 << PERIOD_SHIFT;
 
   /** Grey value that an empty voxel gets from each wall voxel beside it; six stay under half. */
-  private static final int BLEED_GREY = 75;
+  private static final int PARTIAL_VOLUME_GREY = 75;
 
   private static final int FAMILIES = 4;
   private static final int DOOR_ONE_IN = 2;
@@ -91,6 +91,6 @@ record Maze(long seed) implements Bricks {
       walls += isWall(i, j + side, k) ? 1 : 0;
       walls += isWall(i, j, k + side) ? 1 : 0;
     }
-    return walls * BLEED_GREY;
+    return walls * PARTIAL_VOLUME_GREY;
   }
 }

@@ -158,7 +158,7 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     for (int n = 0; n < cubes.length; n++) {
       cubes[n] = new BitCube(edge, edge, edge);
     }
-    new PhantomWriter(bricks(false), edge).writeLabels(cubes);
+    new PhantomBrickWriter(bricks(false), edge).writeLabels(cubes);
     List<Segment> segments = new ArrayList<>();
     for (int n = 0; n < cubes.length; n++) {
       segments.add(new Segment(labels.get(n).name(), cubes[n], labels.get(n).rgb()));
@@ -168,17 +168,17 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
 
   /** A reader of its voxels, labels or grey values, slice by slice. */
   public PhantomSlices slices() {
-    return new PhantomSlices(new PhantomWriter(bricks(grey), edge), edge, grey);
+    return new PhantomSlices(new PhantomBrickWriter(bricks(grey), edge), edge, grey);
   }
 
   /** The surface by formula; none for a head or a maze. */
-  public Optional<SurfaceTruth> truth() {
-    return PhantomForms.truth(kind, edge);
+  public Optional<AnalyticSurface> truth() {
+    return PhantomShapes.truth(kind, edge);
   }
 
-  private Bricks bricks(boolean asGrey) {
+  private BrickSource bricks(boolean asGrey) {
     return kind == Kind.MAZE
         ? new Maze(seed)
-        : new Painter(PhantomForms.anatomy(kind, edge, asGrey));
+        : new AnatomyVoxelizer(PhantomShapes.anatomy(kind, edge, asGrey));
   }
 }

@@ -8,13 +8,13 @@ public final class PhantomSlices {
   private static final int SLICES_A_LAYER = 4;
   private static final int NONE = -1;
 
-  private final PhantomWriter writer;
+  private final PhantomBrickWriter writer;
   private final int edge;
   private final boolean grey;
   private final short[] layer;
   private int layerIndex = NONE;
 
-  PhantomSlices(PhantomWriter writer, int edge, boolean grey) {
+  PhantomSlices(PhantomBrickWriter writer, int edge, boolean grey) {
     this.writer = writer;
     this.edge = edge;
     this.grey = grey;

@@ -1,9 +1,8 @@
 /**
- * Volumes made by formula: what is there to touch where there is no scan, with the truth to measure
- * against.
+ * Synthetic volumes, with analytic surfaces to measure forces against.
  *
- * <p>Uses {@code volume} and {@code geometry}. No threads; every answer depends on its arguments
- * alone and is the same to the bit on every JDK (plus, minus, times, divide, square root). Grid
- * coordinates; voxels are cubes of 1 mm.
+ * <p>Uses {@code volume} and {@code geometry}. Starts no thread. Every result depends on the
+ * arguments alone and is the same, bit for bit, on every JDK. Voxels are cubes of 1 mm, and grid
+ * coordinates equal world coordinates.
  */
 package org.palpate.volume.phantom;

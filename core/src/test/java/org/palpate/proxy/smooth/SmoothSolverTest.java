@@ -11,17 +11,17 @@ import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.Metric;
-import org.palpate.proxy.Obstacles;
 import org.palpate.testing.LegJudge;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
 class SmoothSolverTest {
-  private static final Metric UNIT = new Metric(1, 1, 1);
-  private static final Metric TALL = new Metric(0.9, 0.9, 1.8);
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
+  private static final GridMetric TALL = new GridMetric(0.9, 0.9, 1.8);
 
   private final SplittableRandom random = new SplittableRandom(Seeds.seed());
   private final InteractionPoint point = new InteractionPoint();
@@ -78,9 +78,9 @@ class SmoothSolverTest {
     }
   }
 
-  private void wander(String name, Metric metric, int frames) {
+  private void wander(String name, GridMetric metric, int frames) {
     BitCube bits = Worlds.make(name, Seeds.seed());
-    Obstacles obstacles = obstacles(bits);
+    CollisionScene obstacles = obstacles(bits);
     SmoothSolver solver = new SmoothSolver(metric, 8);
     point.position.set(-3, -3, 45);
     device.set(point.position);
@@ -102,7 +102,7 @@ class SmoothSolverTest {
   private void approach(Vec3 goal, double step) {
     double length = UNIT.distance(device.x, device.y, device.z, goal.x, goal.y, goal.z);
     double share = Math.min(1, step / Math.max(length, 1e-9));
-    LegGuard.between(device, goal, share, device);
+    VerifiedMotion.between(device, goal, share, device);
   }
 
   private double anywhere() {
@@ -114,7 +114,7 @@ class SmoothSolverTest {
     int longest = 0;
     for (String name : Worlds.NAMES) {
       BitCube bits = Worlds.make(name, Seeds.seed());
-      Obstacles obstacles = obstacles(bits);
+      CollisionScene obstacles = obstacles(bits);
       SmoothSolver solver = new SmoothSolver(UNIT, 8);
       point.position.set(-3, -3, 45);
       device.set(point.position);
@@ -131,7 +131,7 @@ class SmoothSolverTest {
     assertTrue(longest < 200, "longest=" + longest + " seed=" + Seeds.seed());
   }
 
-  private int framesToRest(SmoothSolver solver, Obstacles obstacles, String name) {
+  private int framesToRest(SmoothSolver solver, CollisionScene obstacles, String name) {
     Vec3 before = new Vec3();
     int moving = 0;
     do {
@@ -152,7 +152,7 @@ class SmoothSolverTest {
   void thePotentialFallsInEveryFrameThatMovesWhileTheDeviceRests() {
     int moving = 0;
     for (String name : Worlds.NAMES) {
-      Obstacles obstacles = obstacles(Worlds.make(name, Seeds.seed()));
+      CollisionScene obstacles = obstacles(Worlds.make(name, Seeds.seed()));
       SmoothSolver solver = new SmoothSolver(UNIT, 0.4);
       point.position.set(-3, -3, 45);
       device.set(point.position);
@@ -165,7 +165,7 @@ class SmoothSolverTest {
     assertTrue(moving > 1000, "too few frames to mean anything: " + moving);
   }
 
-  private int framesThatFall(SmoothSolver solver, Obstacles obstacles, String name) {
+  private int framesThatFall(SmoothSolver solver, CollisionScene obstacles, String name) {
     int frames = 0;
     double flight = Double.POSITIVE_INFINITY;
     double before = solver.potential();
@@ -195,7 +195,7 @@ class SmoothSolverTest {
   @Test
   void restsWithoutRememberingThatItRested() {
     BitCube bits = Worlds.make("maze", Seeds.seed());
-    Obstacles obstacles = obstacles(bits);
+    CollisionScene obstacles = obstacles(bits);
     SmoothSolver solver = new SmoothSolver(UNIT, 8);
     point.position.set(-3, -3, 45);
     device.set(20.3, 21.2, 19.9);
@@ -212,7 +212,7 @@ class SmoothSolverTest {
   @Test
   void anEditedVoxelIsFeltInTheNextFrame() {
     BitCube bits = Worlds.make("slope", Seeds.seed());
-    Obstacles obstacles = obstacles(bits);
+    CollisionScene obstacles = obstacles(bits);
     SmoothSolver solver = new SmoothSolver(UNIT, 8);
     point.position.set(25, 25, 30);
     device.set(20, 20, 14);
@@ -232,7 +232,7 @@ class SmoothSolverTest {
   @Test
   void allocatesNothingInAWarmFrame() {
     var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    Obstacles obstacles = obstacles(Worlds.make("sponge", Seeds.seed()));
+    CollisionScene obstacles = obstacles(Worlds.make("sponge", Seeds.seed()));
     SmoothSolver solver = new SmoothSolver(UNIT, 8);
     point.position.set(-3, -3, 45);
     device.set(point.position);
@@ -245,7 +245,7 @@ class SmoothSolverTest {
     assertTrue(allocated <= 200, "allocated=" + allocated);
   }
 
-  private void slideAndTurn(SmoothSolver solver, Obstacles obstacles, Vec3 goal, int frames) {
+  private void slideAndTurn(SmoothSolver solver, CollisionScene obstacles, Vec3 goal, int frames) {
     for (int frame = 0; frame < frames; frame++) {
       if (frame % 50 == 0) {
         goal.set(goal.y, goal.z + frame % 7 - 3, goal.x);
@@ -255,7 +255,7 @@ class SmoothSolverTest {
     }
   }
 
-  private static Obstacles obstacles(BitCube bits) {
-    return new Obstacles(List.of(bits));
+  private static CollisionScene obstacles(BitCube bits) {
+    return new CollisionScene(List.of(bits));
   }
 }

@@ -8,7 +8,7 @@ final class NaivePhantom {
     if (phantom.kind() == Phantom.Kind.MAZE) {
       return new Maze(phantom.seed()).isWall(i, j, k) ? 1 : 0;
     }
-    Anatomy anatomy = PhantomForms.anatomy(phantom.kind(), phantom.edge(), false);
+    Anatomy anatomy = PhantomShapes.anatomy(phantom.kind(), phantom.edge(), false);
     return label(anatomy, i + 0.5, j + 0.5, k + 0.5);
   }
 
@@ -16,7 +16,7 @@ final class NaivePhantom {
     if (phantom.kind() == Phantom.Kind.MAZE) {
       return mazeGrey(phantom, i, j, k);
     }
-    Anatomy anatomy = PhantomForms.anatomy(phantom.kind(), phantom.edge(), true);
+    Anatomy anatomy = PhantomShapes.anatomy(phantom.kind(), phantom.edge(), true);
     int whole = label(anatomy, i + 0.5, j + 0.5, k + 0.5);
     if (whole != 0 && anatomy.hasWalls(region(anatomy, i + 0.5, j + 0.5, k + 0.5))) {
       return anatomy.greyValue(whole);

@@ -34,7 +34,7 @@ class PhantomTest {
   void fillsTheVoxelsWhoseCentresLieInside(String spec) {
     Phantom phantom = Phantom.parse(spec);
     BitCube bits = onlySegment(phantom);
-    SurfaceTruth truth = phantom.truth().orElseThrow();
+    AnalyticSurface truth = phantom.truth().orElseThrow();
     Vec3 centre = new Vec3();
     for (int k = 0; k < phantom.edge(); k++) {
       for (int j = 0; j < phantom.edge(); j++) {
@@ -49,7 +49,7 @@ class PhantomTest {
   @ParameterizedTest
   @ValueSource(strings = {"sphere:40", "plane:33", "torus:64", "shell:40"})
   void truthsNormalIsTheGradientOfItsDistance(String spec) {
-    SurfaceTruth truth = Phantom.parse(spec).truth().orElseThrow();
+    AnalyticSurface truth = Phantom.parse(spec).truth().orElseThrow();
     double step = 1e-4;
     Vec3 point = new Vec3(31.3, 12.7, 22.9);
     Vec3 normal = truth.normal(point, new Vec3());
@@ -119,18 +119,19 @@ class PhantomTest {
   @ValueSource(strings = {"shell:48", "shell:48:grey"})
   void shellIsClosed(String spec) {
     BitCube bits = thresholded(Phantom.parse(spec), Phantom.HALF_GREY);
-    BitCube outside = Flood.throughFaces(bits, 0, 0, 0);
+    BitCube outside = FloodFill.throughFaces(bits, 0, 0, 0);
     assertFalse(outside.get(24, 24, 24));
   }
 
   @Test
   void shellIsOneVoxelThick() {
     BitCube bits = onlySegment(Phantom.parse("shell:48"));
-    BitCube outside = Flood.throughFaces(bits, 0, 0, 0);
-    long inner = Flood.throughFaces(bits, 24, 24, 24).solidCount();
+    BitCube outside = FloodFill.throughFaces(bits, 0, 0, 0);
+    long inner = FloodFill.throughFaces(bits, 24, 24, 24).solidCount();
     assertEquals(48L * 48 * 48, bits.solidCount() + outside.solidCount() + inner);
-    Flood.forEachSolid(
-        bits, (i, j, k) -> assertTrue(Flood.hasFaceNeighbour(outside, i, j, k), "an outer voxel"));
+    FloodFill.forEachSolid(
+        bits,
+        (i, j, k) -> assertTrue(FloodFill.hasFaceNeighbour(outside, i, j, k), "an outer voxel"));
   }
 
   @Test
@@ -139,9 +140,9 @@ class PhantomTest {
     BitCube skull = head.segments().get(0).bits();
     BitCube jaw = head.segments().get(1).bits();
     BitCube skin = head.segments().get(2).bits();
-    BitCube outside = Flood.throughFaces(skin, 0, 0, 0);
-    Flood.forEachSolid(skull, (i, j, k) -> assertFalse(outside.get(i, j, k)));
-    Flood.forEachSolid(jaw, (i, j, k) -> assertFalse(outside.get(i, j, k)));
+    BitCube outside = FloodFill.throughFaces(skin, 0, 0, 0);
+    FloodFill.forEachSolid(skull, (i, j, k) -> assertFalse(outside.get(i, j, k)));
+    FloodFill.forEachSolid(jaw, (i, j, k) -> assertFalse(outside.get(i, j, k)));
     assertTrue(skull.solidCount() > 0 && jaw.solidCount() > 0);
   }
 
@@ -149,22 +150,22 @@ class PhantomTest {
   void jawTouchesNothingOfTheSkull() {
     SegmentedVolume head = Phantom.parse("head:128").segments();
     BitCube skull = head.segments().get(0).bits();
-    Flood.forEachSolid(
+    FloodFill.forEachSolid(
         head.segments().get(1).bits(),
-        (i, j, k) -> assertFalse(Flood.hasNeighbour(skull, i, j, k), "jaw beside skull"));
+        (i, j, k) -> assertFalse(FloodFill.hasNeighbour(skull, i, j, k), "jaw beside skull"));
   }
 
   @Test
   void sinusesAreClosedByWallsOfOneVoxel() {
     BitCube skull = Phantom.parse("head:128").segments().segments().get(0).bits();
-    BitCube maxillary = Flood.throughFaces(skull, 78, 29, 43);
-    BitCube frontal = Flood.throughFaces(skull, 69, 24, 76);
-    BitCube outside = Flood.throughFaces(skull, 0, 0, 0);
+    BitCube maxillary = FloodFill.throughFaces(skull, 78, 29, 43);
+    BitCube frontal = FloodFill.throughFaces(skull, 69, 24, 76);
+    BitCube outside = FloodFill.throughFaces(skull, 0, 0, 0);
     assertTrue(maxillary.solidCount() > 500 && maxillary.solidCount() < 6000, "maxillary sinus");
     assertTrue(frontal.solidCount() > 50 && frontal.solidCount() < 1500, "frontal sinus");
     assertTrue(outside.get(64, 70, 76), "the cranium is open by its foramen");
     assertTrue(outside.get(78, 20, 60), "the orbit is open");
-    long thin = Flood.countThinBetween(skull, maxillary, outside);
+    long thin = FloodFill.countThinBetween(skull, maxillary, outside);
     assertTrue(thin > 100, "one-voxel walls of a maxillary sinus: " + thin);
   }
 
@@ -172,11 +173,11 @@ class PhantomTest {
   void mazeWallsHoldTogetherByEdgesAndCornersAlone() {
     BitCube maze = onlySegment(Phantom.parse("maze:64"));
     long[] edges = new long[1];
-    Flood.forEachSolid(
+    FloodFill.forEachSolid(
         maze,
         (i, j, k) -> {
-          assertFalse(Flood.hasFaceNeighbour(maze, i, j, k));
-          edges[0] += Flood.hasNeighbour(maze, i, j, k) ? 1 : 0;
+          assertFalse(FloodFill.hasFaceNeighbour(maze, i, j, k));
+          edges[0] += FloodFill.hasNeighbour(maze, i, j, k) ? 1 : 0;
         });
     assertTrue(edges[0] > 0.99 * maze.solidCount(), "nearly every voxel has a neighbour");
   }
@@ -185,7 +186,7 @@ class PhantomTest {
   void mazeHasRoomsAndDoors() {
     BitCube maze = onlySegment(Phantom.parse("maze:96"));
     long free = 96L * 96 * 96 - maze.solidCount();
-    long reached = Flood.throughFaces(maze, 49, 50, 50).solidCount();
+    long reached = FloodFill.throughFaces(maze, 49, 50, 50).solidCount();
     assertTrue(reached > 0.5 * free, "doors lead on: " + reached + " of " + free);
     assertTrue(reached < free, "and some rooms have none");
   }

@@ -16,8 +16,8 @@ public final class DeviceCatalog {
   private DeviceCatalog() {}
 
   /** What each back end found, in the order in which they are listed; none is left out. */
-  public static List<Finding> findings() {
-    List<Finding> all = new ArrayList<>();
+  public static List<BackendProbe> probeAll() {
+    List<BackendProbe> all = new ArrayList<>();
     all.add(builtIn("simulated", "a hand that approaches, presses, slides, taps and tears"));
     all.add(builtIn("replay", "a recorded trajectory: --device replay:FILE.csv"));
     for (String backend : NATIVE_BACKENDS) {
@@ -26,20 +26,21 @@ public final class DeviceCatalog {
     return all;
   }
 
-  private static Finding builtIn(String backend, String name) {
-    return new Finding(backend, true, "", "", "", List.of(new Finding.Found("", name, true, "")));
+  private static BackendProbe builtIn(String backend, String name) {
+    return new BackendProbe(
+        backend, true, "", "", "", List.of(new BackendProbe.Found("", name, true, "")));
   }
 
   /** What one native back end found. */
-  public static Finding probe(String backend) {
+  public static BackendProbe probe(String backend) {
     if (!NativeLibrary.isLoaded()) {
-      return new Finding(backend, false, "", "", NativeLibrary.whyNot(), List.of());
+      return new BackendProbe(backend, false, "", "", NativeLibrary.whyNot(), List.of());
     }
     String lines = NativeCalls.probe(backend, PROBE_WAIT_MILLIS);
     if (lines == null) {
       throw new IllegalArgumentException("no such back end: backend=" + backend);
     }
-    return Finding.parse(backend, lines);
+    return BackendProbe.parse(backend, lines);
   }
 
   /** Whether {@link #open} knows a back end of that name. */
@@ -52,7 +53,7 @@ public final class DeviceCatalog {
    *
    * @param backend one of {@code hid}, {@code openhaptics}, {@code forcedimension}, {@code
    *     virtuose}; {@code empty} for one without anything behind it
-   * @param id serial, name or host as {@link Finding.Found#id} has it; empty for the first
+   * @param id serial, name or host as {@link BackendProbe.Found#id} has it; empty for the first
    * @throws DeviceException where it cannot be opened; its message says why and what to do
    */
   public static NativeDevice open(String backend, String id) throws DeviceException {

@@ -39,7 +39,7 @@ public final class NativeLibrary {
   }
 
   /** Calls native code that does nothing: the yardstick of what a crossing costs. */
-  public static void crossOnce() {
+  public static void callNothing() {
     NativeCalls.nothing();
   }
 

@@ -109,7 +109,7 @@ final class GlyphAtlas {
   }
 
   /** Adds a line to a batch; x and y are its upper left corner, pixels from the upper left. */
-  void add(FlatBatch batch, String text, double x, double y) {
+  void add(OverlayBatch batch, String text, double x, double y) {
     double at = x;
     for (int i = 0; i < text.length(); i++) {
       int index = index(text.charAt(i));

@@ -3,7 +3,7 @@ package org.palpate.scene.gl;
 import com.jogamp.opengl.GL3;
 import java.util.List;
 import org.palpate.scene.Matrix4;
-import org.palpate.scene.NamedPlace;
+import org.palpate.scene.NamedPoint;
 import org.palpate.scene.Palette;
 import org.palpate.scene.SceneState;
 
@@ -24,7 +24,7 @@ final class LandmarkPainter {
 
   /** Draws them over a picture whose depth is there; what is hidden shows faintly. */
   void draw(GL3 gl, SceneState state, Matrix4 toEye, Matrix4 projection) {
-    List<NamedPlace> landmarks = state.landmarks();
+    List<NamedPoint> landmarks = state.landmarks();
     if (landmarks.isEmpty()) {
       return;
     }

@@ -25,7 +25,7 @@ final class ObjectPainter {
   private final Map<SceneObject, List<Map<Integer, GlMesh>>> meshes = new HashMap<>();
   private long drawnTriangles;
   private long allTriangles;
-  private long skippedMeshes;
+  private long culledMeshes;
   private boolean skipsUnseen = true;
 
   ObjectPainter(GL3 gl) {
@@ -43,8 +43,8 @@ final class ObjectPainter {
   }
 
   /** How many bricks were left out so far, since they were outside the view. */
-  long skippedMeshes() {
-    return skippedMeshes;
+  long culledMeshes() {
+    return culledMeshes;
   }
 
   /** Triangles of the visible segments at the finest level of each that is whole. */
@@ -89,13 +89,13 @@ final class ObjectPainter {
   private void drawTransparent(
       GL3 gl, SceneState state, DrawnObject object, Matrix4 toEye, Matrix4 projection) {
     long drawnBefore = drawnTriangles;
-    long skippedBefore = skippedMeshes;
+    long skippedBefore = culledMeshes;
     gl.glColorMask(false, false, false, false);
     drawObject(gl, state, object, toEye, projection);
     gl.glColorMask(true, true, true, true);
     // The same once more, in colour: counted once.
     drawnTriangles = drawnBefore;
-    skippedMeshes = skippedBefore;
+    culledMeshes = skippedBefore;
     gl.glEnable(GL.GL_BLEND);
     gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
     gl.glDepthFunc(GL.GL_EQUAL);
@@ -119,7 +119,7 @@ final class ObjectPainter {
     gl.glFrontFace(SurfaceFile.isMirrored(object.pose()) ? GL.GL_CW : GL.GL_CCW);
     for (GlMesh mesh : uploaded.values()) {
       if (skipsUnseen && mesh.isOutside(toClip)) {
-        skippedMeshes++;
+        culledMeshes++;
       } else {
         mesh.draw(gl);
         drawnTriangles += mesh.triangleCount();

@@ -6,7 +6,7 @@ import java.util.List;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Camera;
 import org.palpate.scene.Matrix4;
-import org.palpate.scene.NamedPlace;
+import org.palpate.scene.NamedPoint;
 import org.palpate.scene.SceneState;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
@@ -21,7 +21,7 @@ final class OverlayPainter {
 
   private final GlProgram program;
   private final StreamBuffer buffer;
-  private final FlatBatch batch = new FlatBatch();
+  private final OverlayBatch batch = new OverlayBatch();
   private GlyphAtlas atlas;
   private int atlasPixels;
 
@@ -70,7 +70,7 @@ final class OverlayPainter {
   /** The name of each landmark beside it. */
   private void names(SceneState state, Matrix4 toPicture, int width, int height, double scale) {
     Vec3 at = new Vec3();
-    for (NamedPlace mark : state.landmarks()) {
+    for (NamedPoint mark : state.landmarks()) {
       if (toPicture.project(mark.place(), at) > 0) {
         double x = (1 + at.x) / 2 * width + 10 * scale;
         double y = (1 - at.y) / 2 * height - atlas.lineHeight() / 2.0;

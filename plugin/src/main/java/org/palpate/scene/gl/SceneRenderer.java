@@ -20,9 +20,9 @@ import org.palpate.scene.Stereo;
 public final class SceneRenderer {
   private static final int EYES = 2;
 
-  private final GlTarget[] still = new GlTarget[EYES];
-  private final long[] stillRevision = {-1, -1};
-  private GlTarget composed;
+  private final GlFramebuffer[] still = new GlFramebuffer[EYES];
+  private final long[] staticRevision = {-1, -1};
+  private GlFramebuffer composed;
   private GlProgram background;
   private GlProgram present;
   private ObjectPainter objects;
@@ -46,12 +46,12 @@ public final class SceneRenderer {
     landmarks = new LandmarkPainter(gl);
     overlay = new OverlayPainter(gl);
     slices = new SlicePainter(gl);
-    composed = new GlTarget();
+    composed = new GlFramebuffer();
     emptyArray = new int[1];
     gl.glGenVertexArrays(1, emptyArray, 0);
     for (int eye = 0; eye < EYES; eye++) {
-      still[eye] = new GlTarget();
-      stillRevision[eye] = -1;
+      still[eye] = new GlFramebuffer();
+      staticRevision[eye] = -1;
     }
   }
 
@@ -71,7 +71,7 @@ public final class SceneRenderer {
 
   /** Bricks that were left out so far, since they were outside the view. */
   public long skippedBricks() {
-    return objects == null ? 0 : objects.skippedMeshes();
+    return objects == null ? 0 : objects.culledMeshes();
   }
 
   /** How often what stands still was kept. */
@@ -130,14 +130,14 @@ public final class SceneRenderer {
     Matrix4 toEye = camera.view(eye);
     double aspect = (double) width / height;
     Matrix4 projection = camera.perspective(eye, aspect, state.middle(), state.radiusMm());
-    GlTarget target = still[Math.max(0, eye)];
+    GlFramebuffer target = still[Math.max(0, eye)];
     boolean resized = target.resize(gl, width, height);
-    boolean changed = resized || stillRevision[Math.max(0, eye)] != state.stillRevision();
+    boolean changed = resized || staticRevision[Math.max(0, eye)] != state.staticRevision();
     if (!changed && skipsUnchanged) {
       stillKept++;
     } else {
       drawStill(gl, state, target, toEye, projection);
-      stillRevision[Math.max(0, eye)] = state.stillRevision();
+      staticRevision[Math.max(0, eye)] = state.staticRevision();
     }
     composed.resize(gl, width, height);
     composed.copyFrom(gl, target);
@@ -148,7 +148,7 @@ public final class SceneRenderer {
   }
 
   private void drawStill(
-      GL3 gl, SceneState state, GlTarget target, Matrix4 toEye, Matrix4 projection) {
+      GL3 gl, SceneState state, GlFramebuffer target, Matrix4 toEye, Matrix4 projection) {
     target.bind(gl);
     gl.glDepthMask(true);
     gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT);
@@ -212,7 +212,8 @@ public final class SceneRenderer {
     if (!(found < 1)) {
       return false;
     }
-    Ndc.toScene(state, (double) width / height, 2 * x / width - 1, 1 - 2 * y / height, found, at);
+    Unprojection.toScene(
+        state, (double) width / height, 2 * x / width - 1, 1 - 2 * y / height, found, at);
     return true;
   }
 
@@ -226,7 +227,7 @@ public final class SceneRenderer {
     overlay.dispose(gl);
     slices.dispose(gl);
     composed.dispose(gl);
-    for (GlTarget target : still) {
+    for (GlFramebuffer target : still) {
       target.dispose(gl);
     }
     gl.glDeleteVertexArrays(1, emptyArray, 0);

@@ -1,6 +1,7 @@
 /**
- * How a scene's state is drawn with OpenGL 3.3.
+ * Draws a scene state with OpenGL 3.3.
  *
- * <p>Uses JOGL and the scene's model. One thread, with the context current. Scene frame, mm.
+ * <p>Uses {@code scene} and JOGL. Belongs to the one thread that has the context current. World
+ * millimetres and pixels.
  */
 package org.palpate.scene.gl;

@@ -51,7 +51,7 @@ final class BitRows {
     return (any | (any >>> 1)) & ~(all & (all >>> 1));
   }
 
-  /** The corners of cell (x,y,z), as {@link SheetTable} numbers them. */
+  /** The corners of cell (x,y,z), as {@link CellCaseTable} numbers them. */
   int corners(int x, int y, int z) {
     return (int)
         (two(x, y, z)

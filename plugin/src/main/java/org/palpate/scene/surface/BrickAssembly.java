@@ -30,7 +30,7 @@ final class BrickAssembly {
    *
    * @param low the padded brick's first cell
    */
-  SurfaceBrick assemble(int[] low, Openness openness) {
+  SurfaceBrick assemble(int[] low, AmbientOcclusion openness) {
     int[] triangles = triangles();
     if (triangles.length == 0) {
       return null;
@@ -130,7 +130,12 @@ final class BrickAssembly {
   }
 
   private void write(
-      int vertex, int to, int[] low, float[] normals, Openness openness, SurfaceBrick brick) {
+      int vertex,
+      int to,
+      int[] low,
+      float[] normals,
+      AmbientOcclusion openness,
+      SurfaceBrick brick) {
     int cell = vertices.cell[vertex];
     int cellX = low[0] + cells.x(cell);
     int cellY = low[1] + cells.y(cell);
@@ -157,6 +162,6 @@ final class BrickAssembly {
 
   private long key(int x, int y, int z, int sheet) {
     long row = (long) z * (source.bits().sizeY() + 1) + y;
-    return (row * (source.bits().sizeX() + 1) + x) * SheetTable.MAX_SHEETS + sheet;
+    return (row * (source.bits().sizeX() + 1) + x) * CellCaseTable.MAX_SHEETS + sheet;
   }
 }

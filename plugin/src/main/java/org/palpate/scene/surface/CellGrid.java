@@ -44,6 +44,6 @@ final class CellGrid {
 
   /** The vertex of the sheet that crosses an edge of a cell. */
   int vertexAt(int cell, int edgeOfCell) {
-    return firstVertex[cell] + SheetTable.sheetOfEdge(corners[cell] & 255, edgeOfCell);
+    return firstVertex[cell] + CellCaseTable.sheetOfEdge(corners[cell] & 255, edgeOfCell);
   }
 }

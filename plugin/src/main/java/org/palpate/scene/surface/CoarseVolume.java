@@ -9,7 +9,7 @@ import org.palpate.volume.BitCube;
  * meshes: a coarse voxel is solid where any of its voxels is, so thin bone does not vanish, and how
  * many are tells where the surface runs. A copy, which {@link #update} brings up to date.
  */
-public final class CoarseVolume implements Crossings {
+public final class CoarseVolume implements EdgeCrossings {
   // Less full than this, a coarse voxel still keeps its two walls apart.
   private static final float MIN_FRACTION = 0.05f;
 

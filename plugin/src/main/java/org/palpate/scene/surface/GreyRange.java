@@ -16,9 +16,9 @@ public record GreyRange(ScalarVolume volume, double low, double high) {
   private static final double HALF_STEP = 0.5;
 
   /** Where between solid and empty voxels the surface runs. */
-  Crossings crossings() {
+  EdgeCrossings crossings() {
     double margin = volume.storage() == Storage.FLOAT32 ? 0 : HALF_STEP;
-    return new GreyCrossings(this::value, (float) (low - margin), (float) (high + margin));
+    return new GreyEdgeCrossings(this::value, (float) (low - margin), (float) (high + margin));
   }
 
   private float value(int i, int j, int k) {

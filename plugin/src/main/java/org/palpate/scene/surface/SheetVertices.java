@@ -97,7 +97,7 @@ final class SheetVertices {
 
   private void linkOne(int vertex, CellGrid cells) {
     int at = cell[vertex];
-    byte[] ways = SheetTable.neighbours(cells.corners[at] & 255, sheet[vertex]);
+    byte[] ways = CellCaseTable.neighbours(cells.corners[at] & 255, sheet[vertex]);
     if (neighbourCount + ways.length > neighbour.length) {
       neighbour = Arrays.copyOf(neighbour, 2 * neighbour.length);
     }

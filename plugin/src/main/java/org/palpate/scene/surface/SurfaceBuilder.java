@@ -66,8 +66,8 @@ public final class SurfaceBuilder implements AutoCloseable {
   }
 
   /** Extracts every brick of a source; {@code whenDone} runs after the last, where none failed. */
-  public SurfaceBuild build(
-      SurfaceSource source, Openness openness, int urgency, Sink sink, Runnable whenDone) {
+  public SurfaceJob build(
+      SurfaceSource source, AmbientOcclusion openness, int urgency, Sink sink, Runnable whenDone) {
     int count = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE).count();
     return build(source, openness, urgency, IntStream.range(0, count).toArray(), sink, whenDone);
   }
@@ -77,14 +77,14 @@ public final class SurfaceBuilder implements AutoCloseable {
    *
    * @return how far it is; a failure in the extraction or the sink is reported there
    */
-  public SurfaceBuild build(
+  public SurfaceJob build(
       SurfaceSource source,
-      Openness openness,
+      AmbientOcclusion openness,
       int urgency,
       int[] bricks,
       Sink sink,
       Runnable whenDone) {
-    SurfaceBuild build = new SurfaceBuild(bricks.length, whenDone);
+    SurfaceJob build = new SurfaceJob(bricks.length, whenDone);
     for (int brick : bricks) {
       threads.execute(
           new BrickTask(
@@ -95,7 +95,7 @@ public final class SurfaceBuilder implements AutoCloseable {
     return build;
   }
 
-  private void extract(SurfaceSource source, Openness openness, int brick, Sink sink) {
+  private void extract(SurfaceSource source, AmbientOcclusion openness, int brick, Sink sink) {
     long begun = beginnings.getAndIncrement();
     sink.accept(brick, begun, extractor.get().extract(source, openness, brick));
   }

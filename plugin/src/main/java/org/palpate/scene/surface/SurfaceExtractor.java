@@ -72,7 +72,7 @@ public final class SurfaceExtractor {
    * @param openness how open to light a place is
    * @param brick a number of the {@link #layout}
    */
-  public SurfaceBrick extract(SurfaceSource from, Openness openness, int brick) {
+  public SurfaceBrick extract(SurfaceSource from, AmbientOcclusion openness, int brick) {
     BrickLayout layout = layout(from);
     source = from;
     pad = 2 * from.smoothing() + CELLS_FOR_NORMALS;
@@ -124,7 +124,7 @@ public final class SurfaceExtractor {
     cells.corners[cell] = (byte) corners;
     cells.firstVertex[cell] = vertices.count;
     int depth = Math.max(depth(x), Math.max(depth(y), depth(z)));
-    for (int sheet = 0; sheet < SheetTable.count(corners); sheet++) {
+    for (int sheet = 0; sheet < CellCaseTable.count(corners); sheet++) {
       int vertex = vertices.add(cell, sheet, depth);
       meanCrossing(x, y, z, corners, sheet);
       vertices.setOffset(vertex, crossing[0], crossing[1], crossing[2]);
@@ -141,8 +141,8 @@ public final class SurfaceExtractor {
     float sumY = 0;
     float sumZ = 0;
     int count = 0;
-    for (int edge = 0; edge < SheetTable.EDGES; edge++) {
-      if (SheetTable.sheetOfEdge(corners, edge) == sheet) {
+    for (int edge = 0; edge < CellCaseTable.EDGES; edge++) {
+      if (CellCaseTable.sheetOfEdge(corners, edge) == sheet) {
         setCrossing(x, y, z, edge);
         sumX += crossing[0];
         sumY += crossing[1];
@@ -157,7 +157,7 @@ public final class SurfaceExtractor {
 
   private void setCrossing(int x, int y, int z, int edge) {
     int axis = edge >> 2;
-    int corner = SheetTable.lowCorner(edge);
+    int corner = CellCaseTable.lowCorner(edge);
     int stepX = corner & 1;
     int stepY = (corner >> 1) & 1;
     int stepZ = corner >> 2;

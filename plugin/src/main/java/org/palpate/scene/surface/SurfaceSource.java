@@ -12,7 +12,7 @@ import org.palpate.volume.BitCube;
  * @param smoothing how far the stairs of voxels are smoothed, each vertex within its cell: most for
  *     bits alone, little for grey values; 0 to {@link SurfaceExtractor#MAX_SMOOTHING}
  */
-public record SurfaceSource(BitCube bits, Crossings crossings, Vec3 spacingMm, int smoothing) {
+public record SurfaceSource(BitCube bits, EdgeCrossings crossings, Vec3 spacingMm, int smoothing) {
   /** Checks the smoothing. */
   public SurfaceSource {
     if (smoothing < 0 || smoothing > SurfaceExtractor.MAX_SMOOTHING) {
@@ -23,13 +23,14 @@ public record SurfaceSource(BitCube bits, Crossings crossings, Vec3 spacingMm, i
 
   /** The surface of bits alone. */
   public static SurfaceSource ofBits(BitCube bits, Vec3 spacingMm) {
-    return new SurfaceSource(bits, Crossings.HALF_WAY, spacingMm, SurfaceExtractor.MAX_SMOOTHING);
+    return new SurfaceSource(
+        bits, EdgeCrossings.MIDPOINT, spacingMm, SurfaceExtractor.MAX_SMOOTHING);
   }
 
   /** The surface of a segment that came from grey values by a threshold. */
   public static SurfaceSource ofGrey(
-      BitCube bits, GreyCrossings.Values values, float threshold, Vec3 spacingMm) {
-    return new SurfaceSource(bits, new GreyCrossings(values, threshold), spacingMm, 1);
+      BitCube bits, GreyEdgeCrossings.Values values, float threshold, Vec3 spacingMm) {
+    return new SurfaceSource(bits, new GreyEdgeCrossings(values, threshold), spacingMm, 1);
   }
 
   /** The surface of a segment that came from grey values by a threshold or a range. */

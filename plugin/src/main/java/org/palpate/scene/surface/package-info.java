@@ -1,9 +1,6 @@
 /**
- * Surfaces of bit cubes: closed triangle meshes, by brick and in parallel, coarse first, and their
- * export.
+ * Extracts closed triangle meshes from bit cubes and grey values, brick by brick, and exports them.
  *
- * <p>Uses {@code volume} and {@code geometry}; knows nothing of OpenGL. Positions are grid
- * millimetres (grid coordinates times spacing); a pose takes them to the world. Extraction reads
- * bits from any thread that sees the last edit.
+ * <p>Uses {@code volume}. Each class states its thread. Grid millimetres.
  */
 package org.palpate.scene.surface;

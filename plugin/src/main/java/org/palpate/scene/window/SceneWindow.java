@@ -54,7 +54,7 @@ public final class SceneWindow implements AutoCloseable {
   private volatile long allTriangles;
   private volatile long firstSurfaceMillis;
   private volatile boolean ended;
-  private volatile boolean displayGone;
+  private volatile boolean displayLost;
 
   /**
    * A window that is not yet shown.
@@ -80,17 +80,17 @@ public final class SceneWindow implements AutoCloseable {
     this.model = model;
     this.panel = panel;
     this.onEnd = onEnd;
-    GLProfile profile = Graphics.profile();
+    GLProfile profile = GraphicsDriver.profile();
     drawing = new DrawThread(this::draw, this::fail);
     try {
       window = GLWindow.create(capabilities(profile));
       input = new WindowInput(model, window::getSurfaceWidth, window::getSurfaceHeight);
-      window.addGLEventListener(new Painter());
+      window.addGLEventListener(new AnatomyVoxelizer());
       window.addWindowListener(new Ending());
       window.addMouseListener(input);
       window.addKeyListener(input.keys());
     } catch (GLException | NativeWindowException e) {
-      throw Graphics.refused(e);
+      throw GraphicsDriver.refused(e);
     }
   }
 
@@ -103,7 +103,7 @@ public final class SceneWindow implements AutoCloseable {
     try {
       panel.ifPresentOrElse(place -> place.put(window), () -> window.setVisible(true));
     } catch (GLException | NativeWindowException e) {
-      throw Graphics.refused(e);
+      throw GraphicsDriver.refused(e);
     }
     model.onChange(drawing::request);
     drawing.start();
@@ -206,7 +206,7 @@ public final class SceneWindow implements AutoCloseable {
   }
 
   /** Triangles drawn of all, for the overlay; empty before the first picture. */
-  public String drawnOfAll() {
+  public String drawnTriangleText() {
     return initialized
         ? String.format(Locale.ROOT, "%,d of %,d triangles drawn", drawnTriangles, allTriangles)
         : "";
@@ -227,8 +227,8 @@ public final class SceneWindow implements AutoCloseable {
    * Says that the display went away: the owner is told, and nothing of the window is touched any
    * more, for whoever touches it hangs. Any thread.
    */
-  public void displayGone() {
-    displayGone = true;
+  public void displayLost() {
+    displayLost = true;
     fail(new IllegalStateException("the display is gone"));
   }
 
@@ -238,7 +238,7 @@ public final class SceneWindow implements AutoCloseable {
     synchronized (this) {
       ended = true;
     }
-    if (displayGone) {
+    if (displayLost) {
       drawing.abandon();
       return;
     }
@@ -279,7 +279,7 @@ public final class SceneWindow implements AutoCloseable {
     }
   }
 
-  private final class Painter implements GLEventListener {
+  private final class AnatomyVoxelizer implements GLEventListener {
     @Override
     public void init(GLAutoDrawable drawable) {
       // Comes again where the context was lost: all that was uploaded is uploaded anew.

@@ -25,10 +25,10 @@ import org.palpate.scene.Stereo;
  * touching, presses more and less.
  */
 public final class WindowInput extends MouseAdapter {
-  private static final double RADIANS_A_HEIGHT = Math.PI;
+  private static final double RADIANS_PER_HEIGHT = Math.PI;
   private static final double ZOOM_STEP = 0.9;
-  private static final double LEAST_PRESS = 0.002;
-  private static final double LARGEST_PRESS = 0.2;
+  private static final double MIN_PRESS = 0.002;
+  private static final double MAX_PRESS = 0.2;
 
   private final SceneModel model;
   private final IntSupplier width;
@@ -36,7 +36,7 @@ public final class WindowInput extends MouseAdapter {
   private final Map<Character, Key> keys = new LinkedHashMap<>();
   private final AtomicReference<double[]> wantedPick = new AtomicReference<>();
   private volatile Optional<PointerListener> pointer = Optional.empty();
-  private volatile double pressShare = 0.02;
+  private volatile double pressFraction = 0.02;
   private boolean helpShown;
   private boolean touching;
   private int lastX;
@@ -173,7 +173,8 @@ public final class WindowInput extends MouseAdapter {
     } else if (event.isButtonDown(MouseEvent.BUTTON2) || event.isShiftDown()) {
       model.moveCamera(camera -> camera.pan(dx, -dy), true);
     } else {
-      model.moveCamera(camera -> camera.orbit(dx * RADIANS_A_HEIGHT, -dy * RADIANS_A_HEIGHT), true);
+      model.moveCamera(
+          camera -> camera.orbit(dx * RADIANS_PER_HEIGHT, -dy * RADIANS_PER_HEIGHT), true);
     }
   }
 
@@ -190,8 +191,8 @@ public final class WindowInput extends MouseAdapter {
   public void mouseWheelMoved(MouseEvent event) {
     double steps = event.getRotation()[1];
     if (touching) {
-      double pressed = pressShare * Math.pow(ZOOM_STEP, -steps);
-      pressShare = Math.max(LEAST_PRESS, Math.min(LARGEST_PRESS, pressed));
+      double pressed = pressFraction * Math.pow(ZOOM_STEP, -steps);
+      pressFraction = Math.max(MIN_PRESS, Math.min(MAX_PRESS, pressed));
       touch(event);
     } else {
       model.moveCamera(camera -> camera.zoom(Math.pow(ZOOM_STEP, steps)), false);
@@ -215,7 +216,7 @@ public final class WindowInput extends MouseAdapter {
 
   private void tellPointer(Vec3 onSurface) {
     SceneState state = model.state();
-    Vec3 pressed = state.camera().back().mul(-pressShare * state.radiusMm(), new Vec3());
+    Vec3 pressed = state.camera().back().mul(-pressFraction * state.radiusMm(), new Vec3());
     Vec3 world = model.axes().swap(onSurface.add(pressed, pressed), pressed);
     pointer.ifPresent(listener -> listener.moved(world));
   }

@@ -1,7 +1,7 @@
 /**
- * Where a scene is shown: the NEWT window with its mouse and keys, and pictures made without one.
+ * The window with mouse and keys, and rendering without a window.
  *
- * <p>Uses {@code scene}, {@code scene.gl} and JOGL. A window draws in a thread of its own; a
- * picture is drawn by its caller. Pixels.
+ * <p>Uses {@code scene.gl} and JOGL's NEWT. NEWT's thread delivers events; a thread of its own
+ * draws. Pixels.
  */
 package org.palpate.scene.window;

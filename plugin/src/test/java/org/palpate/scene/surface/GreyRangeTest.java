@@ -9,7 +9,8 @@ import org.palpate.volume.VoxelGrid;
 class GreyRangeTest {
   private static final double NONE = Double.POSITIVE_INFINITY;
 
-  private static Crossings of(ScalarVolume.Storage storage, double low, double high, int... row) {
+  private static EdgeCrossings of(
+      ScalarVolume.Storage storage, double low, double high, int... row) {
     ScalarVolume volume = ScalarVolume.of(VoxelGrid.ofUnitVoxels(row.length, 1, 1), storage);
     for (int i = 0; i < row.length; i++) {
       volume.set(i, 0, 0, row[i]);
@@ -19,27 +20,27 @@ class GreyRangeTest {
 
   @Test
   void aMaskOfZeroAndOneIsCutHalfWay() {
-    Crossings mask = of(ScalarVolume.Storage.UINT8, 1, NONE, 0, 1, 0);
+    EdgeCrossings mask = of(ScalarVolume.Storage.UINT8, 1, NONE, 0, 1, 0);
     assertEquals(0.5, mask.fraction(0, 0, 0, 0));
     assertEquals(0.5, mask.fraction(1, 0, 0, 0));
   }
 
   @Test
   void theSurfaceRunsWhereTheValuesPassTheThreshold() {
-    Crossings bone = of(ScalarVolume.Storage.FLOAT32, 100, NONE, 0, 400);
+    EdgeCrossings bone = of(ScalarVolume.Storage.FLOAT32, 100, NONE, 0, 400);
     assertEquals(0.25, bone.fraction(0, 0, 0, 0), 1e-6);
   }
 
   @Test
   void aRangeIsLeftAtEitherEnd() {
-    Crossings soft = of(ScalarVolume.Storage.FLOAT32, 100, 200, 0, 150, 350);
+    EdgeCrossings soft = of(ScalarVolume.Storage.FLOAT32, 100, 200, 0, 150, 350);
     assertEquals(100.0 / 150, soft.fraction(0, 0, 0, 0), 1e-6);
     assertEquals(0.25, soft.fraction(1, 0, 0, 0), 1e-6);
   }
 
   @Test
   void theBorderOfTheGridAndAnEditedVoxelAreCutHalfWay() {
-    Crossings bone = of(ScalarVolume.Storage.FLOAT32, 100, NONE, 300, 400);
+    EdgeCrossings bone = of(ScalarVolume.Storage.FLOAT32, 100, NONE, 300, 400);
     assertEquals(0.5, bone.fraction(1, 0, 0, 0), "beyond the grid");
     assertEquals(0.5, bone.fraction(0, 0, 0, 0), "one of two solid voxels was emptied");
   }

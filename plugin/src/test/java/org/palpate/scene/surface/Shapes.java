@@ -53,7 +53,7 @@ final class Shapes {
     SurfaceExtractor extractor = new SurfaceExtractor(brickEdge);
     List<SurfaceBrick> bricks = new ArrayList<>();
     for (int brick = 0; brick < extractor.layout(source).count(); brick++) {
-      SurfaceBrick mesh = extractor.extract(source, Openness.EVERYWHERE, brick);
+      SurfaceBrick mesh = extractor.extract(source, AmbientOcclusion.EVERYWHERE, brick);
       if (mesh != null) {
         bricks.add(mesh);
       }

@@ -43,7 +43,7 @@ class SurfaceBuilderTest {
       builder
           .build(
               source,
-              Openness.EVERYWHERE,
+              AmbientOcclusion.EVERYWHERE,
               SurfaceBuilder.EDITED,
               touched,
               (brick, begun, mesh) -> put(bricks, brick, mesh),
@@ -57,10 +57,10 @@ class SurfaceBuilderTest {
   void aFailingSinkIsReportedToTheOneWhoWaits() {
     SurfaceSource source = SurfaceSource.ofBits(Shapes.sphere(20, 5), Shapes.UNIT);
     try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
-      SurfaceBuild build =
+      SurfaceJob build =
           builder.build(
               source,
-              Openness.EVERYWHERE,
+              AmbientOcclusion.EVERYWHERE,
               SurfaceBuilder.FINE,
               (brick, begun, mesh) -> {
                 throw new IllegalStateException("sink is full");
@@ -142,7 +142,7 @@ class SurfaceBuilderTest {
                   Math.sqrt(Shapes.square(x - 32) + Shapes.square(y - 32) + Shapes.square(z - 32));
               return r > 12 && r < 28;
             });
-    DensityOpenness openness = new DensityOpenness(List.of(shell));
+    DensityAmbientOcclusion openness = new DensityAmbientOcclusion(List.of(shell));
     float outside = openness.at(60, 32, 32, 1, 0, 0);
     float inside = openness.at(44, 32, 32, -1, 0, 0);
     assertTrue(outside > 0.8f, "outside " + outside);
@@ -176,10 +176,10 @@ class SurfaceBuilderTest {
       throws Exception {
     Map<Integer, SurfaceBrick> bricks = new ConcurrentHashMap<>();
     try (SurfaceBuilder builder = new SurfaceBuilder(threads)) {
-      SurfaceBuild build =
+      SurfaceJob build =
           builder.build(
               source,
-              Openness.EVERYWHERE,
+              AmbientOcclusion.EVERYWHERE,
               SurfaceBuilder.FINE,
               (brick, begun, mesh) -> put(bricks, brick, mesh),
               () -> {});

@@ -182,11 +182,11 @@ class SurfaceExtractorTest {
     BitCube empty = new BitCube(90, 90, 90);
     SurfaceExtractor extractor = new SurfaceExtractor();
     SurfaceSource source = SurfaceSource.ofBits(empty, Shapes.UNIT);
-    assertNull(extractor.extract(source, Openness.EVERYWHERE, 0));
+    assertNull(extractor.extract(source, AmbientOcclusion.EVERYWHERE, 0));
     BitCube full = Shapes.cube(130, 130, 130, (x, y, z) -> true);
     SurfaceSource solid = SurfaceSource.ofBits(full, Shapes.UNIT);
     BrickLayout layout = extractor.layout(solid);
-    assertNull(extractor.extract(solid, Openness.EVERYWHERE, layout.brick(1, 1, 1)));
+    assertNull(extractor.extract(solid, AmbientOcclusion.EVERYWHERE, layout.brick(1, 1, 1)));
   }
 
   private String said() {

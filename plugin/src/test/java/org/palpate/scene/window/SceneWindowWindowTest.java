@@ -59,7 +59,7 @@ class SceneWindowWindowTest {
       window.show();
       picture(window);
       String count = String.format(Locale.ROOT, "%,d", sphere.triangleCount(0));
-      assertEquals(count + " of " + count + " triangles drawn", window.drawnOfAll());
+      assertEquals(count + " of " + count + " triangles drawn", window.drawnTriangleText());
     }
   }
 

@@ -1,0 +1,252 @@
+package org.palpate.benchmarks.input;
+
+import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
+import org.palpate.geometry.Vec3;
+import org.palpate.volume.phantom.AnalyticSurface;
+
+/**
+ * Hands that all comparisons share: seeded, and the same to the bit on every JDK. Positions are in
+ * grid coordinates, speeds in voxels a frame, depths in voxels under the true surface.
+ */
+public final class Trajectories {
+  /** How far above the surface a hand that presses begins. */
+  private static final double CLEARANCE_VOXELS = 6;
+
+  /** How fast it comes down. */
+  private static final double APPROACH_SPEED = 0.5;
+
+  /** How much of its way the hand drifts aside. */
+  private static final double DRIFT = 0.05;
+
+  /** A hand that slides turns back this share of the edge before a face of the grid. */
+  private static final double MARGIN_SHARE = 0.06;
+
+  /** Projections to a surface that are exact but for rounding and curvature of the offset. */
+  private static final int PROJECTIONS = 3;
+
+  private Trajectories() {}
+
+  /** Comes down to a depth and slides at that depth over the surface, drifting. */
+  public static Trajectory slide(
+      AnalyticSurface truth, int edge, double depth, double speed, int frames, long seed) {
+    return slide("slide", truth, edge, depth, speed, frames, seed);
+  }
+
+  private static Trajectory slide(
+      String name,
+      AnalyticSurface truth,
+      int edge,
+      double depth,
+      double speed,
+      int frames,
+      long seed) {
+    Hand hand = new Hand(truth, edge, seed);
+    hand.startAbove(CLEARANCE_VOXELS);
+    double above = CLEARANCE_VOXELS;
+    double[] xyz = new double[3 * frames];
+    for (int frame = 0; frame < frames; frame++) {
+      if (above > -depth) {
+        above = Math.max(-depth, above - APPROACH_SPEED);
+        hand.keepAt(above);
+      } else {
+        hand.slide(speed, -depth);
+      }
+      hand.write(xyz, frame);
+    }
+    return new Trajectory(name, xyz);
+  }
+
+  /** Goes straight in to a depth and out again, time after time, each time elsewhere. */
+  public static Trajectory approach(
+      AnalyticSurface truth, int edge, double depth, double speed, int frames, long seed) {
+    Hand hand = new Hand(truth, edge, seed);
+    double travel = CLEARANCE_VOXELS + depth;
+    double along = 2 * travel;
+    double[] xyz = new double[3 * frames];
+    for (int frame = 0; frame < frames; frame++) {
+      along += speed;
+      if (along >= 2 * travel) {
+        along = 0;
+        hand.startAbove(CLEARANCE_VOXELS);
+      }
+      hand.keepAt(Math.abs(along - travel) - depth);
+      hand.write(xyz, frame);
+    }
+    return new Trajectory("approach", xyz);
+  }
+
+  /** Rakes at a depth to and fro over the same twenty voxels, along the steps of the voxels. */
+  public static Trajectory grooves(
+      AnalyticSurface truth, int edge, double depth, double speed, int frames, long seed) {
+    Hand hand = new Hand(truth, edge, seed);
+    hand.startAbove(-depth);
+    double[] xyz = new double[3 * frames];
+    double along = 0;
+    double direction = 1;
+    for (int frame = 0; frame < frames; frame++) {
+      along += speed;
+      if (along > 20) {
+        along = 0;
+        direction = -direction;
+      }
+      hand.rake(direction * speed, -depth);
+      hand.write(xyz, frame);
+    }
+    return new Trajectory("grooves", xyz);
+  }
+
+  /** Slides along above the surface and touches nothing. */
+  public static Trajectory free(
+      AnalyticSurface truth, int edge, double above, double speed, int frames, long seed) {
+    return slide("free", truth, edge, -above, speed, frames, seed);
+  }
+
+  /** Jumps by 5 to 50 voxels a frame, anywhere in and a little outside the grid. */
+  public static Trajectory jumps(int sizeX, int sizeY, int sizeZ, int frames, long seed) {
+    return travel(
+        "jumps", sizeX, sizeY, sizeZ, frames, seed, random -> 5 + 45 * random.nextDouble());
+  }
+
+  /** Goes from place to place at an even speed, through whatever stands there. */
+  public static Trajectory wander(
+      int sizeX, int sizeY, int sizeZ, double speed, int frames, long seed) {
+    return travel("wander", sizeX, sizeY, sizeZ, frames, seed, random -> speed);
+  }
+
+  private static Trajectory travel(
+      String name,
+      int sizeX,
+      int sizeY,
+      int sizeZ,
+      int frames,
+      long seed,
+      ToDoubleFunction<SplittableRandom> speed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    double[] xyz = new double[3 * frames];
+    Vec3 at = anywhere(random, sizeX, sizeY, sizeZ);
+    Vec3 goal = anywhere(random, sizeX, sizeY, sizeZ);
+    Vec3 way = new Vec3();
+    for (int frame = 0; frame < frames; frame++) {
+      if (step(at, goal, way, speed.applyAsDouble(random))) {
+        goal = anywhere(random, sizeX, sizeY, sizeZ);
+      }
+      put(xyz, frame, at);
+    }
+    return new Trajectory(name, xyz);
+  }
+
+  /** The same surface, touched from within: a wall of one voxel is in between. */
+  public static AnalyticSurface fromWithin(AnalyticSurface outside) {
+    return new AnalyticSurface() {
+      @Override
+      public double signedDistance(Vec3 grid) {
+        return -(outside.signedDistance(grid) + 1);
+      }
+
+      @Override
+      public Vec3 normal(Vec3 grid, Vec3 dest) {
+        outside.normal(grid, dest);
+        return dest.mul(-1, dest);
+      }
+    };
+  }
+
+  /** Steps towards the goal; true where it came to it. */
+  private static boolean step(Vec3 at, Vec3 goal, Vec3 way, double speed) {
+    goal.sub(at, way);
+    double left = way.length();
+    if (left <= speed) {
+      at.set(goal);
+      return true;
+    }
+    at.add(way.mul(speed / left, way), at);
+    return false;
+  }
+
+  private static Vec3 anywhere(SplittableRandom random, int sizeX, int sizeY, int sizeZ) {
+    return new Vec3(
+        sizeX * (random.nextDouble() * 1.1 - 0.05),
+        sizeY * (random.nextDouble() * 1.1 - 0.05),
+        sizeZ * (random.nextDouble() * 1.1 - 0.05));
+  }
+
+  private static void put(double[] xyz, int frame, Vec3 at) {
+    xyz[3 * frame] = at.x;
+    xyz[3 * frame + 1] = at.y;
+    xyz[3 * frame + 2] = at.z;
+  }
+
+  /** A hand on a surface. */
+  private static final class Hand {
+    private final AnalyticSurface truth;
+    private final int edge;
+    private final SplittableRandom random;
+    private final Vec3 at = new Vec3();
+    private final Vec3 heading = new Vec3();
+    private final Vec3 normal = new Vec3();
+
+    Hand(AnalyticSurface truth, int edge, long seed) {
+      this.truth = truth;
+      this.edge = edge;
+      random = new SplittableRandom(seed);
+    }
+
+    void startAbove(double above) {
+      do {
+        at.set(place(), place(), place());
+      } while (Math.abs(truth.signedDistance(at)) > 0.1 * edge);
+      heading.set(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5);
+      keepAt(above);
+    }
+
+    private double place() {
+      return edge * (0.15 + 0.7 * random.nextDouble());
+    }
+
+    void keepAt(double above) {
+      for (int n = 0; n < PROJECTIONS; n++) {
+        double offset = above - truth.signedDistance(at);
+        truth.normal(at, normal);
+        at.add(normal.mul(offset, normal), at);
+      }
+    }
+
+    void slide(double speed, double above) {
+      heading.x += DRIFT * speed * (random.nextDouble() - 0.5);
+      heading.y += DRIFT * speed * (random.nextDouble() - 0.5);
+      heading.z += DRIFT * speed * (random.nextDouble() - 0.5);
+      turnBackAtTheRim();
+      alignHeading();
+      at.add(heading.mul(speed, normal), at);
+      keepAt(above);
+    }
+
+    void rake(double step, double above) {
+      alignHeading();
+      at.add(heading.mul(step, normal), at);
+      keepAt(above);
+    }
+
+    private void alignHeading() {
+      truth.normal(at, normal);
+      heading.sub(normal.mul(heading.dot(normal), normal), heading);
+      heading.mul(1 / heading.length(), heading);
+    }
+
+    private void turnBackAtTheRim() {
+      for (int axis = 0; axis < 3; axis++) {
+        double margin = MARGIN_SHARE * edge;
+        if (at.get(axis) < margin) {
+          heading.set(axis, Math.abs(heading.get(axis)));
+        } else if (at.get(axis) > edge - margin) {
+          heading.set(axis, -Math.abs(heading.get(axis)));
+        }
+      }
+    }
+
+    void write(double[] xyz, int frame) {
+      put(xyz, frame, at);
+    }
+  }
+}

@@ -1,0 +1,136 @@
+package org.palpate.benchmarks.jitter;
+
+import java.awt.Color;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.HdrHistogram.Histogram;
+import org.HdrHistogram.HistogramIterationValue;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.Styler;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+import org.palpate.benchmarks.jitter.experiment.Experiment;
+import org.palpate.benchmarks.jitter.experiment.ExperimentTable;
+import org.palpate.benchmarks.jitter.trace.Cause;
+import org.palpate.benchmarks.jitter.trace.Timeline;
+import org.palpate.benchmarks.report.Figures;
+
+/** Percentile curves of a table's cells, and a time line of every cell with its causes marked. */
+final class JitterPlots {
+  private static final int WIDTH = 1100;
+  private static final int CURVES_HEIGHT = 620;
+  private static final int TIMELINE_HEIGHT = 260;
+  private static final double NANOS_A_MICRO = 1e3;
+  private static final double LEAST_MICROS = 0.01; // a logarithm has no zero
+  private static final int STEPS_A_HALF = 5;
+
+  private final Path folder;
+
+  JitterPlots(Path folder) {
+    this.folder = folder;
+  }
+
+  static String curvesName(ExperimentTable table) {
+    return "curves-" + table.name() + ".png";
+  }
+
+  static String timelineName(Experiment cell) {
+    return "time-" + cell.key() + ".png";
+  }
+
+  /** Writes all pictures of a run. */
+  void write(JitterRun run) throws IOException {
+    for (ExperimentTable table : run.tables()) {
+      List<ExperimentResult> results =
+          table.cells().stream()
+              .map(cell -> run.results().get(cell.key()))
+              .filter(result -> result != null)
+              .toList();
+      if (!results.isEmpty()) {
+        save(curves(table, results), curvesName(table));
+      }
+    }
+    for (ExperimentResult result : run.results().values()) {
+      save(timeline(result), timelineName(result.cell()));
+    }
+  }
+
+  private void save(XYChart chart, String name) throws IOException {
+    Figures.save(chart, folder.resolve(name));
+  }
+
+  private static XYChart curves(ExperimentTable table, List<ExperimentResult> results) {
+    XYChart chart =
+        chart(CURVES_HEIGHT, table.name(), "one frame in so many", "late by more than, us");
+    chart.getStyler().setXAxisLogarithmic(true);
+    chart.getStyler().setLegendPosition(Styler.LegendPosition.OutsideE);
+    for (ExperimentResult result : results) {
+      List<Double> oneIn = new ArrayList<>();
+      List<Double> micros = new ArrayList<>();
+      addCurve(result.delays().corrected(), oneIn, micros);
+      XYSeries series = chart.addSeries(result.cell().key(), oneIn, micros);
+      series.setMarker(SeriesMarkers.NONE);
+    }
+    return chart;
+  }
+
+  private static void addCurve(Histogram histogram, List<Double> oneIn, List<Double> micros) {
+    for (HistogramIterationValue value : histogram.percentiles(STEPS_A_HALF)) {
+      double rest = 1 - value.getPercentileLevelIteratedTo() / 100;
+      if (rest > 0) {
+        oneIn.add(1 / rest);
+        micros.add(Math.max(LEAST_MICROS, value.getValueIteratedTo() / NANOS_A_MICRO));
+      }
+    }
+  }
+
+  private static XYChart timeline(ExperimentResult result) {
+    XYChart chart = chart(TIMELINE_HEIGHT, result.cell().key(), "s", "force out late, us");
+    chart.getStyler().setLegendPosition(Styler.LegendPosition.OutsideE);
+    Timeline timeline = result.timeline();
+    List<Double> micros =
+        timeline.worstMicros().stream().map(value -> Math.max(LEAST_MICROS, value)).toList();
+    chart.addSeries("worst", timeline.seconds(), micros).setMarker(SeriesMarkers.NONE);
+    Map<Cause.Kind, List<Cause>> byKind = new LinkedHashMap<>();
+    result
+        .causes()
+        .forEach(cause -> byKind.computeIfAbsent(cause.kind(), k -> new ArrayList<>()).add(cause));
+    byKind.forEach((kind, causes) -> addMarks(chart, kind, causes, result.firstDueNanos()));
+    return chart;
+  }
+
+  private static void addMarks(
+      XYChart chart, Cause.Kind kind, List<Cause> causes, long firstDueNanos) {
+    List<Double> seconds = new ArrayList<>();
+    List<Double> micros = new ArrayList<>();
+    for (Cause cause : causes) {
+      seconds.add((cause.dueNanos() - firstDueNanos) / 1e9);
+      micros.add(Math.max(LEAST_MICROS, cause.responseNanos() / NANOS_A_MICRO));
+    }
+    XYSeries series = chart.addSeries(kind.label(), seconds, micros);
+    series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
+  }
+
+  private static XYChart chart(int height, String title, String x, String y) {
+    XYChart chart =
+        new XYChartBuilder()
+            .width(WIDTH)
+            .height(height)
+            .title(title)
+            .xAxisTitle(x)
+            .yAxisTitle(y)
+            .theme(Styler.ChartTheme.XChart)
+            .build();
+    chart.getStyler().setYAxisLogarithmic(true);
+    chart.getStyler().setChartBackgroundColor(Color.WHITE);
+    chart.getStyler().setMarkerSize(7);
+    chart.getStyler().setLocale(Locale.ROOT);
+    return chart;
+  }
+}

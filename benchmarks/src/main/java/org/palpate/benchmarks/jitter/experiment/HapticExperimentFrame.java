@@ -1,0 +1,57 @@
+package org.palpate.benchmarks.jitter.experiment;
+
+import java.util.List;
+import org.palpate.collision.CollisionScene;
+import org.palpate.device.HandTarget;
+import org.palpate.device.SimulatedDevice;
+import org.palpate.edit.EditQueue;
+import org.palpate.force.ForceSettings;
+import org.palpate.frame.FrameOutcome;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.HapticFrame;
+import org.palpate.geometry.GridMetric;
+import org.palpate.host.ContactSettings;
+import org.palpate.host.GridDevice;
+import org.palpate.host.HandTargetFinder;
+import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+
+/** The haptic frame of a session: the simulated hand touches a volume with the smooth solver. */
+final class HapticExperimentFrame implements ExperimentFrame {
+  private static final long SEED = 1;
+
+  private final HapticFrame frame;
+
+  /** A frame over all segments together. */
+  HapticExperimentFrame(SegmentedVolume volume) {
+    VoxelGrid grid = volume.grid();
+    GridMetric metric = GridMetric.of(grid.spacingMm());
+    HandTarget target = HandTargetFinder.of(volume);
+    GridDevice device =
+        new GridDevice(new SimulatedDevice(SEED, target, ExperimentRunner.PERIOD_NANOS), grid);
+    List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
+    frame =
+        new HapticFrame(
+            device,
+            new SmoothSolver(metric, ContactSettings.defaultMaxStepMm(grid.spacingMm())),
+            new CollisionScene(cubes),
+            metric,
+            FrameSettings.live(
+                device.specification(),
+                ForceSettings.of(
+                    ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM, ForceSettings.DEFAULT_FRICTION)),
+            new EditQueue(grid, cubes.size()),
+            FramePublisher.NONE);
+  }
+
+  @Override
+  public void run() {
+    if (frame.run(System.nanoTime()) != FrameOutcome.RUNNING) {
+      throw new IllegalStateException("the simulated device is gone");
+    }
+  }
+}

@@ -1,0 +1,123 @@
+package org.palpate.benchmarks.stress;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.palpate.benchmarks.input.Trajectories;
+import org.palpate.benchmarks.input.Trajectory;
+import org.palpate.collision.CollisionScene;
+import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+import org.palpate.host.ContactSettings;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.Phantom;
+
+/**
+ * How much work a frame may be at the default w_max, in steps ({@link WorkCounts}): hands that
+ * slide, hands that jump by 5 to 50 voxels, and hostile hands in hostile scenes.
+ */
+public final class WorkStudy {
+  /** The slide that others are held against: a sphere, 5 voxels deep, 2 voxels a frame. */
+  public static final String SLIDING = "slide, 2 voxels a frame";
+
+  /** Hostile hands in hostile scenes. */
+  public static final String HOSTILE = "hostile";
+
+  private static final double DEPTH_VOXELS = 5;
+  private static final int SLIDE_FRAMES = 5000;
+  private static final String SLID_ON = "sphere:192";
+
+  private final StressSession.Attacked who;
+  private final long seed;
+  private final int cases;
+  private final int jumps;
+
+  /**
+   * A study.
+   *
+   * @param who which solver
+   * @param cases hostile scenes, of 1,000 frames each
+   * @param jumps frames that jump in each of a few phantoms
+   */
+  public WorkStudy(StressSession.Attacked who, long seed, int cases, int jumps) {
+    this.who = who;
+    this.seed = seed;
+    this.cases = cases;
+    this.jumps = jumps;
+  }
+
+  /**
+   * What frames of one kind took.
+   *
+   * @param hand what it did
+   * @param frames how many
+   * @param worst the most steps of one frame
+   */
+  public record Row(String hand, int frames, long median, long p99, long worst) {
+    static Row of(String hand, long[] counts) {
+      long[] sorted = counts.clone();
+      Arrays.sort(sorted);
+      int last = sorted.length - 1;
+      return new Row(
+          hand, sorted.length, sorted[last / 2], sorted[(int) (last * 0.99)], sorted[last]);
+    }
+  }
+
+  /** Runs it. */
+  public List<Row> rows() {
+    List<Row> rows = new ArrayList<>();
+    rows.add(slide("slide, 0.05 voxel a frame", 0.05));
+    rows.add(slide("slide, 0.3 voxel a frame", 0.3));
+    rows.add(slide(SLIDING, 2));
+    for (String phantom : List.of("sphere:128", "maze:64", "head:128", "shell:96")) {
+      BitCube bits = Phantom.parse(phantom).segments().segments().get(0).bits();
+      Trajectory trajectory =
+          Trajectories.jumps(bits.sizeX(), bits.sizeY(), bits.sizeZ(), jumps, seed);
+      rows.add(Row.of("jumps, " + phantom, follow(bits, trajectory)));
+    }
+    rows.add(hostile());
+    return rows;
+  }
+
+  private Row slide(String name, double speed) {
+    Phantom phantom = Phantom.parse(SLID_ON);
+    Trajectory slide =
+        Trajectories.slide(
+            phantom.truth().orElseThrow(), phantom.edge(), DEPTH_VOXELS, speed, SLIDE_FRAMES, seed);
+    return Row.of(name, follow(phantom.segments().segments().get(0).bits(), slide));
+  }
+
+  private long[] follow(BitCube bits, Trajectory trajectory) {
+    GridMetric unit = new GridMetric(1, 1, 1);
+    Vec3 device = trajectory.at(0, new Vec3());
+    Vec3 start = new Vec3().set(device);
+    CollisionScene obstacles = new CollisionScene(List.of(bits));
+    if (obstacles.touches(start.x, start.y, start.z)) {
+      new NearestFreeVoxel(unit).find(obstacles, start, start);
+    }
+    WorkCounts counts =
+        new WorkCounts(who, bits, unit, ContactSettings.defaultMaxStepMm(new Vec3(1, 1, 1)), start);
+    for (int frame = 0; frame < trajectory.frames(); frame++) {
+      counts.follow(trajectory.at(frame, device));
+    }
+    return counts.counts();
+  }
+
+  private Row hostile() {
+    long[] all = new long[cases * StressCase.FRAMES];
+    for (int number = 0; number < cases; number++) {
+      StressCase stress = new StressCase(StressRun.caseSeed(seed, number));
+      double maxStepMm = ContactSettings.defaultMaxStepMm(stress.scene.spacingMm());
+      WorkCounts counts =
+          new WorkCounts(who, stress.scene.bits(), stress.scene.metric(), maxStepMm, stress.start);
+      Vec3 device = new Vec3().set(stress.start);
+      for (int frame = 0; frame < StressCase.FRAMES; frame++) {
+        stress.next(frame, counts.position(), device);
+        counts.follow(device);
+      }
+      System.arraycopy(counts.counts(), 0, all, number * StressCase.FRAMES, StressCase.FRAMES);
+    }
+    return Row.of(HOSTILE, all);
+  }
+}

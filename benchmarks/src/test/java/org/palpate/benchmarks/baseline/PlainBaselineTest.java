@@ -1,0 +1,77 @@
+package org.palpate.benchmarks.baseline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.benchmarks.input.Trajectories;
+import org.palpate.benchmarks.input.Trajectory;
+import org.palpate.geometry.Vec3;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.AnalyticSurface;
+import org.palpate.volume.phantom.Phantom;
+
+class PlainBaselineTest {
+  private static final long SEED = 3;
+
+  @Test
+  void goesStraightWhereNothingStands() {
+    PlainBaseline twin = new PlainBaseline(new BitCube(9, 9, 9), 100);
+    twin.place(1.5, 1.5, 1.5);
+    twin.frame(7.25, 6.5, 5.5);
+    assertEquals(7.25, twin.x());
+    assertFalse(twin.contact());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"sphere:64", "plane:64", "torus:96"})
+  void comesToRestOnSlopes(String spec) {
+    Phantom phantom = Phantom.parse(spec);
+    PlainBaseline twin = new PlainBaseline(phantom.segments().segments().get(0).bits(), 8);
+    AnalyticSurface truth = phantom.truth().orElseThrow();
+    Trajectory slide = Trajectories.slide(truth, phantom.edge(), 4, 0.7, 900, SEED);
+    Vec3 device = slide.at(0, new Vec3());
+    twin.place(device.x, device.y, device.z);
+    for (int frame = 0; frame < slide.frames(); frame++) {
+      slide.at(frame, device);
+      twin.frame(device.x, device.y, device.z);
+      if (frame % 90 == 89) {
+        assertComesToRest(twin, device);
+      }
+    }
+  }
+
+  private static void assertComesToRest(PlainBaseline twin, Vec3 device) {
+    for (int n = 0; n < 50; n++) {
+      twin.frame(device.x, device.y, device.z);
+    }
+    Vec3 rest = new Vec3(twin.x(), twin.y(), twin.z());
+    twin.frame(device.x, device.y, device.z);
+    assertTrue(rest.sameBits(new Vec3(twin.x(), twin.y(), twin.z())), "" + device);
+    assertTrue(twin.contact());
+  }
+
+  @Test
+  void slidesHoldTheirDepthAndSpeed() {
+    Phantom torus = Phantom.parse("torus:192");
+    AnalyticSurface truth = torus.truth().orElseThrow();
+    Trajectory slide = Trajectories.slide(truth, 192, 5, 0.3, 3000, SEED);
+    Vec3 last = slide.at(100, new Vec3());
+    for (int frame = 101; frame < slide.frames(); frame++) {
+      Vec3 device = slide.at(frame, new Vec3());
+      assertEquals(-5, truth.signedDistance(device), 1e-6);
+      assertEquals(0.3, device.sub(last, last).length(), 0.01);
+      last = device;
+    }
+  }
+
+  @Test
+  void theSameSeedIsTheSameHand() {
+    Trajectory one = Trajectories.jumps(50, 60, 70, 500, SEED);
+    assertTrue(one.sameBits(Trajectories.jumps(50, 60, 70, 500, SEED)));
+    assertFalse(one.sameBits(Trajectories.jumps(50, 60, 70, 500, SEED + 1)));
+  }
+}

@@ -1,0 +1,72 @@
+package org.palpate.benchmarks.jitter.experiment;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.palpate.realtime.WaitKind;
+
+class JvmCommandTest {
+  private static final Jdk JDK_17 = new Jdk(Path.of("jdk17"), 17, "17.0.15", "");
+  private static final Jdk JDK_25 = new Jdk(Path.of("jdk25"), 25, "25.0.3", "");
+
+  @Test
+  void knowsWhichZgcAReleaseHas() {
+    assertEquals(Optional.of(List.of("-XX:+UseZGC")), Collector.ZGC.flags(17));
+    assertEquals(
+        Optional.of(List.of("-XX:+UseZGC", "-XX:+ZGenerational")),
+        Collector.GENERATIONAL_ZGC.flags(21));
+    assertEquals(Optional.of(List.of("-XX:+UseZGC")), Collector.GENERATIONAL_ZGC.flags(25));
+    assertEquals(Optional.empty(), Collector.ZGC.flags(25));
+    assertEquals(Optional.empty(), Collector.GENERATIONAL_ZGC.flags(17));
+  }
+
+  @Test
+  void givesEpsilonRoomForAllThatItsNeighbourAllocates() {
+    Experiment cell =
+        Experiment.of(JDK_17, 512, 10)
+            .with(Collector.EPSILON)
+            .with(Workload.EMPTY, BackgroundLoad.ALLOCATES);
+    assertTrue(JvmCommand.heapMb(cell) >= 100 * cell.seconds(), cell.key());
+    assertEquals(512, JvmCommand.heapMb(cell.with(Workload.EMPTY, BackgroundLoad.NONE)));
+  }
+
+  @Test
+  void namesEveryCellOfATableDifferentlyUnlessItIsTheSame() {
+    Set<String> keys = new HashSet<>();
+    Set<Experiment> cells = new HashSet<>();
+    for (ExperimentTable table : new ExperimentTables(List.of(JDK_17, JDK_25), 512, 10).all()) {
+      table.cells().forEach(cell -> keys.add(cell.key()));
+      cells.addAll(table.cells());
+    }
+    assertEquals(cells.size(), keys.size());
+  }
+
+  @Test
+  void offersEveryTableUnderItsName() {
+    List<String> names =
+        new ExperimentTables(List.of(JDK_17), 512, 10)
+            .all().stream().map(ExperimentTable::name).toList();
+    assertEquals(ExperimentTables.NAMES, names);
+  }
+
+  @Test
+  void comesBackFromItsPropertiesAsItWas() {
+    ExperimentTask task =
+        new ExperimentTask(
+            WaitKind.HYBRID,
+            Scheduling.FIFO_WITH_VM,
+            Workload.FRAME,
+            BackgroundLoad.BURNS,
+            9_000,
+            1_000_000,
+            "volume /a b/c=d.nrrd\nsegment bone=>=1500",
+            false);
+    assertEquals(task, ExperimentTask.of(task.toProperties()));
+  }
+}

@@ -1,0 +1,42 @@
+package org.palpate.edit;
+
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+/** Makes one voxel solid or empty. */
+public final class VoxelEdit extends Edit {
+  private final int i;
+  private final int j;
+  private final int k;
+  private final boolean solid;
+
+  /** Voxel (i,j,k) of a segment. */
+  public VoxelEdit(int segment, int i, int j, int k, boolean solid) {
+    super(segment);
+    this.i = i;
+    this.j = j;
+    this.k = k;
+    this.solid = solid;
+  }
+
+  @Override
+  void check(VoxelGrid grid, GridMetric gridMetric) {
+    if (!grid.contains(i, j, k)) {
+      throw new IllegalArgumentException("voxel lies outside: voxel=" + i + "," + j + "," + k);
+    }
+  }
+
+  @Override
+  int apply(CollisionScene obstacles, int voxels) {
+    BitCube bits = obstacles.cube(segment());
+    if (solid) {
+      bits.set(i, j, k);
+    } else {
+      bits.clear(i, j, k);
+    }
+    finish();
+    return 1;
+  }
+}

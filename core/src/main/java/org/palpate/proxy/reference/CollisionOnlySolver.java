@@ -1,0 +1,54 @@
+package org.palpate.proxy.reference;
+
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.SkipCounters;
+import org.palpate.proxy.SkipKind;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.RayCaster;
+import org.palpate.raycast.RayHit;
+
+/**
+ * Collision without response: p is the device, through whatever stands there, and the contact flag
+ * says whether its last move hit a solid. w_max does not bound it.
+ */
+public final class CollisionOnlySolver implements ProxySolver {
+  private final RayCaster caster;
+  private final GridMetric metric;
+  private final Ray ray = new Ray();
+  private final RayHit hit = new RayHit();
+  private long frames;
+
+  /** A solver that keeps scratch; contact is as {@code caster} sees it. */
+  public CollisionOnlySolver(RayCaster caster, GridMetric metric) {
+    this.caster = caster;
+    this.metric = metric;
+  }
+
+  @Override
+  public void addSkips(SkipCounters dest) {
+    dest.add(SkipKind.RESPONSE, frames);
+    if (caster instanceof ExactRayCaster exact) {
+      dest.add(SkipKind.EMPTY_BRICKS, exact.skippedBricks());
+      dest.add(SkipKind.BESIDE_BOUNDS, exact.skippedBeside());
+    }
+  }
+
+  @Override
+  public void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point) {
+    frames++;
+    Vec3 p = point.position;
+    ray.from(p.x, p.y, p.z).to(device.x, device.y, device.z);
+    point.contact = obstacles.cast(caster, ray, hit);
+    point.legs.clear();
+    if (!p.sameBits(device)) {
+      double lengthMm = metric.distance(p.x, p.y, p.z, device.x, device.y, device.z);
+      point.legs.add(p.x, p.y, p.z, device.x, device.y, device.z, lengthMm, false);
+      p.set(device);
+    }
+  }
+}

@@ -1,0 +1,235 @@
+package org.palpate.edit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Test;
+import org.palpate.device.HandTarget;
+import org.palpate.device.SimulatedDevice;
+import org.palpate.frame.FrameOutcome;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.HapticFrame;
+import org.palpate.geometry.Vec3;
+import org.palpate.loop.ManualClock;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.testing.Floor;
+import org.palpate.testing.LegJudge;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+
+class EditQueueTest {
+  private static final int EDGE = Floor.EDGE;
+
+  private final Floor floor = Floor.make();
+
+  @Test
+  void whatDoesNotFitIsRefusedInTheThreadThatQueues() {
+    assertRefused(new VoxelEdit(0, 0, 32, 0, true), "voxel lies outside: voxel=0,32,0");
+    assertRefused(new VoxelEdit(1, 0, 0, 0, true), "no such segment: segment=1 segments=1");
+    assertRefused(
+        new SwapEdit(0, new BitCube(32, 32, 31)),
+        "cube must have the grid's sizes: cube=32x32x31 grid=32x32x32");
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> new BrushEdit(0, new Vec3(Double.NaN, 0, 0), 1, true));
+  }
+
+  @Test
+  void aFullQueueSaysSoAndTakesAgainLater() {
+    EditQueue queue = new EditQueue(Floor.GRID, 1, 2);
+    assertTrue(queue.offer(new VoxelEdit(0, 1, 1, 20, true)));
+    assertTrue(queue.offer(new VoxelEdit(0, 1, 1, 21, true)));
+    assertFalse(queue.offer(new VoxelEdit(0, 1, 1, 22, true)));
+    assertTrue(queue.applyTo(floor.obstacles, 1));
+    assertTrue(queue.offer(new VoxelEdit(0, 1, 1, 22, true)));
+    assertTrue(queue.applyTo(floor.obstacles, 10));
+    assertFalse(queue.applyTo(floor.obstacles, 10));
+    assertEquals(3, queue.done());
+    assertTrue(floor.bits.get(1, 1, 22));
+  }
+
+  @Test
+  void aBrushOutsideTheGridChangesNothingAndEnds() {
+    for (double at : new double[] {-50, 90, 1e12, -1e300}) {
+      BrushEdit brush = new BrushEdit(0, new Vec3(at, 16, 16), 5, true);
+      floor.edits.offer(brush);
+      floor.edits.applyTo(floor.obstacles, 1);
+      assertTrue(brush.isDone(), "at=" + at);
+    }
+    assertEquals(Floor.TOP * EDGE * EDGE, floor.bits.solidCount());
+  }
+
+  /** The twin is a bit set that is edited at once, in the order of the edits. */
+  @Test
+  void editsInAnyPortionsAgreeWithEditsAtOnce() {
+    SplittableRandom random = new SplittableRandom(Seeds.seed());
+    BitSet twin = new BitSet();
+    for (int n = 0; n < Floor.TOP * EDGE * EDGE; n++) {
+      twin.set(n);
+    }
+    for (int run = 0; run < 300; run++) {
+      Vec3 centre = new Vec3(place(random), place(random), place(random));
+      double radius = unit(random) * 6;
+      boolean solid = (random.nextLong() & 1) == 0;
+      floor.edits.offer(new BrushEdit(0, centre, radius, solid));
+      brushAtOnce(twin, centre, radius, solid);
+      while (!floor.edits.isIdle()) {
+        floor.edits.applyTo(floor.obstacles, 1 + (int) ((random.nextLong() >>> 1) % 200));
+      }
+      assertEquals(twin.cardinality(), floor.bits.solidCount(), "seed=" + Seeds.seed());
+    }
+    twin.stream()
+        .forEach(n -> assertTrue(floor.bits.get(n % EDGE, n / EDGE % EDGE, n / EDGE / EDGE)));
+  }
+
+  @Test
+  void editsOfSeveralThreadsAllArrive() throws InterruptedException {
+    EditQueue queue = new EditQueue(Floor.GRID, 1, 16);
+    BitCube empty = new BitCube(EDGE, EDGE, EDGE);
+    List<Thread> editors = new ArrayList<>();
+    for (int t = 0; t < 3; t++) {
+      int k = 10 + t;
+      editors.add(new Thread(() -> setLayer(queue, k)));
+    }
+    queue.offer(new SwapEdit(0, empty));
+    editors.forEach(Thread::start);
+    while (queue.done() < 1 + 3 * EDGE * EDGE) {
+      queue.applyTo(floor.obstacles, 100);
+    }
+    for (Thread editor : editors) {
+      editor.join();
+    }
+    assertEquals(3 * EDGE * EDGE, empty.solidCount());
+  }
+
+  /** An editor in another thread, a hand in this one, and the exact judge over every leg. */
+  @Test
+  void theGuaranteeHoldsWhileAnotherThreadEditsAndEachFreeingIsCounted()
+      throws InterruptedException {
+    SimulatedDevice device =
+        new SimulatedDevice(
+            Seeds.seed(),
+            HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1),
+            ManualClock.MS);
+    HapticFrame frame =
+        new HapticFrame(
+            device,
+            new GuardedSolver(Floor.METRIC, 8),
+            floor.obstacles,
+            Floor.METRIC,
+            Floor.settings(),
+            floor.edits,
+            FramePublisher.NONE);
+    AtomicBoolean ended = new AtomicBoolean();
+    AtomicReference<Vec3> near = new AtomicReference<>(new Vec3(16, 16, 8));
+    Thread editor = new Thread(() -> editUntil(ended, near));
+    editor.start();
+    int freed = judgeFrames(frame, near, 30_000);
+    ended.set(true);
+    editor.join();
+    assertEquals(freed, frame.counts().freed());
+    assertTrue(freed > 10, "the point was met by solids: freed=" + freed);
+    assertTrue(floor.edits.done() > 1000, "edits=" + floor.edits.done());
+  }
+
+  private int judgeFrames(HapticFrame frame, AtomicReference<Vec3> near, int frames) {
+    int freed = 0;
+    Vec3 last = new Vec3();
+    for (int n = 0; n < frames; n++) {
+      last.set(frame.point().position);
+      assertEquals(FrameOutcome.RUNNING, frame.run(n * ManualClock.MS));
+      boolean newChain = frame.wasFreed() || n == 0;
+      freed += frame.wasFreed() ? 1 : 0;
+      if (newChain) {
+        last.set(startOf(frame));
+      }
+      LegJudge judge = new LegJudge(floor.obstacles.cube(0), last);
+      String fault = judge.faultOf(frame.point());
+      assertEquals(null, fault, "seed=" + Seeds.seed() + " frame=" + n);
+      Vec3 p = frame.point().position;
+      assertFalse(floor.obstacles.touches(p.x, p.y, p.z));
+      near.set(new Vec3().set(p));
+    }
+    return freed;
+  }
+
+  private static Vec3 startOf(HapticFrame frame) {
+    return frame.point().legs.count() == 0
+        ? frame.point().position
+        : new Vec3(
+            frame.point().legs.start(0, 0),
+            frame.point().legs.start(0, 1),
+            frame.point().legs.start(0, 2));
+  }
+
+  private void editUntil(AtomicBoolean ended, AtomicReference<Vec3> near) {
+    SplittableRandom random = new SplittableRandom(Seeds.seed());
+    while (!ended.get()) {
+      floor.edits.offer(randomEdit(random, near.get()));
+      Thread.onSpinWait();
+    }
+  }
+
+  private static Edit randomEdit(SplittableRandom random, Vec3 near) {
+    int what = (int) ((random.nextLong() >>> 1) % 100);
+    if (what == 0) {
+      return new SwapEdit(0, Floor.bits());
+    }
+    boolean solid = (random.nextLong() & 1) == 0;
+    if (what < 50) {
+      return new VoxelEdit(
+          0, beside(near.x, random), beside(near.y, random), beside(near.z, random), solid);
+    }
+    Vec3 centre = new Vec3(place(random), place(random), place(random));
+    return new BrushEdit(0, what < 75 ? near : centre, unit(random) * 3, solid && what % 4 == 0);
+  }
+
+  private static int beside(double at, SplittableRandom random) {
+    int cell = (int) Math.floor(at) + (int) (random.nextLong() % 2);
+    return Math.max(0, Math.min(EDGE - 1, cell));
+  }
+
+  private void assertRefused(Edit edit, String message) {
+    assertEquals(
+        message,
+        assertThrows(IllegalArgumentException.class, () -> floor.edits.offer(edit)).getMessage());
+  }
+
+  private static void setLayer(EditQueue queue, int k) {
+    for (int n = 0; n < EDGE * EDGE; n++) {
+      Edit edit = new VoxelEdit(0, n % EDGE, n / EDGE, k, true);
+      while (!queue.offer(edit)) {
+        Thread.onSpinWait();
+      }
+    }
+  }
+
+  private static void brushAtOnce(BitSet twin, Vec3 centre, double radius, boolean solid) {
+    for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
+      int i = n % EDGE;
+      int j = n / EDGE % EDGE;
+      int k = n / EDGE / EDGE;
+      double square =
+          Floor.METRIC.squaredDistance(centre.x, centre.y, centre.z, i + 0.5, j + 0.5, k + 0.5);
+      if (square <= radius * radius) {
+        twin.set(n, solid);
+      }
+    }
+  }
+
+  private static double unit(SplittableRandom random) {
+    return (random.nextLong() >>> 11) * 0x1p-53;
+  }
+
+  private static double place(SplittableRandom random) {
+    return unit(random) * (EDGE + 8) - 4;
+  }
+}

@@ -1,0 +1,130 @@
+package org.palpate.frame;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.device.DeviceState;
+import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.ReadStatus;
+import org.palpate.device.SimulatedDevice;
+import org.palpate.edit.BrushEdit;
+import org.palpate.edit.Edit;
+import org.palpate.geometry.Vec3;
+import org.palpate.loop.HapticLoop;
+import org.palpate.loop.LoopEnd;
+import org.palpate.loop.LoopSettings;
+import org.palpate.loop.ManualClock;
+import org.palpate.loop.ThreadSetup;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.recording.RecordingDevice;
+import org.palpate.recording.SampleRecorder;
+import org.palpate.sync.Accumulator;
+import org.palpate.sync.TouchProperties;
+import org.palpate.testing.Floor;
+
+/** The whole way of a frame: device, edits, solver, force, recorder, sync, loop and histograms. */
+class FrameAllocationTest {
+  private static final int FRAMES = 100_000;
+
+  /** The JVM itself allocates a little when it links or recompiles code that frames have met. */
+  private static final int MOST_ROUNDS = 8;
+
+  private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+  private final Floor floor = Floor.make();
+  private final ManualClock clock = new ManualClock();
+  private final SampleRecorder recorder = new SampleRecorder();
+  private final List<Long> allocated = new ArrayList<>(MOST_ROUNDS);
+  private final Edit[] waiting = new Edit[MOST_ROUNDS * FRAMES / 100];
+
+  @Test
+  void aHundredThousandWarmFramesAllocateNothing() {
+    for (int i = 0; i < waiting.length; i++) {
+      Vec3 centre = new Vec3(3 + i % 26, 3 + i / 26 % 26, 8);
+      waiting[i] = new BrushEdit(0, centre, 1.5, i % 2 == 0);
+    }
+    Accumulator accumulator = new Accumulator();
+    TouchProperties touch = new TouchProperties(accumulator);
+    HandTarget target = HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1);
+    SimulatedDevice hand = new SimulatedDevice(7, target, ManualClock.MS);
+    MeasuringDevice measured = new MeasuringDevice(new RecordingDevice(hand, recorder));
+    HapticFrame frame =
+        new HapticFrame(
+            measured,
+            new GuardedSolver(Floor.METRIC, 8),
+            floor.obstacles,
+            Floor.METRIC,
+            FrameSettings.live(hand.specification(), Floor.settings().force()),
+            floor.edits,
+            touch::publish);
+    LoopSettings settings =
+        new LoopSettings(
+            ManualClock.MS, clock, clock, ThreadSetup.NONE, () -> {}, 1000 * ManualClock.MS);
+    HapticLoop loop = new HapticLoop(frame, settings, end -> {});
+    loop.run();
+    assertEquals(LoopEnd.Cause.DEVICE_GONE, loop.end().cause());
+    FrameStatistics counts = frame.counts();
+    assertTrue(counts.contactFrames() > counts.frames() / 10, counts.toString());
+    assertTrue(counts.freed() > 0, "solids came to the point");
+    assertTrue(accumulator.take());
+    long last = allocated.get(allocated.size() - 1);
+    assertEquals(0, last, "bytes by rounds of " + FRAMES + " frames: " + allocated);
+  }
+
+  /**
+   * Looks at the thread's allocations after every round, edits every hundred frames, and is gone
+   * after the first round without any.
+   */
+  private final class MeasuringDevice implements HapticDevice {
+    private final HapticDevice device;
+    private int reads;
+    private long before;
+
+    MeasuringDevice(HapticDevice device) {
+      this.device = device;
+    }
+
+    @Override
+    public ReadStatus read(DeviceState state) {
+      if (reads % FRAMES == 0 && endsRound()) {
+        return ReadStatus.DISCONNECTED;
+      }
+      if (reads % 100 == 0) {
+        floor.edits.offer(waiting[reads / 100]);
+      }
+      if (reads++ % 1000 == 0) {
+        recorder.drainTo((sample, flags) -> {});
+      }
+      return device.read(state);
+    }
+
+    private boolean endsRound() {
+      long bytes = threads.getCurrentThreadAllocatedBytes() - before;
+      if (reads > 0) {
+        allocated.add(bytes);
+      }
+      before = threads.getCurrentThreadAllocatedBytes();
+      return reads > 0 && (bytes == 0 || allocated.size() == MOST_ROUNDS);
+    }
+
+    @Override
+    public boolean write(Vec3 forceNewton) {
+      return device.write(forceNewton);
+    }
+
+    @Override
+    public org.palpate.device.DeviceSpecification specification() {
+      return device.specification();
+    }
+
+    @Override
+    public void close() {
+      device.close();
+    }
+  }
+}

@@ -1,0 +1,360 @@
+package org.palpate.loop;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.palpate.testing.ScriptedDevice.fresh;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.palpate.device.ReadStatus;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.HapticFrame;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.testing.Floor;
+import org.palpate.testing.ScriptedDevice;
+
+class HapticLoopTest {
+  private static final long MS = ManualClock.MS;
+
+  private final Floor floor = Floor.make();
+  private final ManualClock clock = new ManualClock();
+  private final List<LoopEnd> ends = new ArrayList<>();
+  private final ScriptedDevice device = new ScriptedDevice((read, state) -> pressed(state, read));
+
+  @Test
+  void aFrameBeginsAtEachDeadline() {
+    List<Long> began = beginnings(20, frame -> 0);
+    for (int i = 0; i < 20; i++) {
+      assertEquals((5 + i) * MS, began.get(i));
+    }
+    LoopReport report = loopReport;
+    assertEquals(1000, report.rateHz(), 1e-9);
+    assertEquals(0, report.lateFrames());
+    assertEquals(1000, report.periodMicros().p50(), 1);
+    assertEquals(1000, report.periodMicros().max(), 1);
+    assertEquals(0, report.workMicros().max());
+  }
+
+  @Test
+  void aLittleLatenessDoesNotMoveTheGrid() {
+    List<Long> began = beginnings(20, frame -> frame == 4 ? MS * 2 / 5 : 0);
+    assertEquals(9 * MS + MS * 2 / 5, began.get(4));
+    assertEquals(10 * MS, began.get(5));
+    assertEquals(0, loopReport.lateFrames());
+  }
+
+  @Test
+  void aLateFrameIsCountedAndWhatItMissedIsLeftOut() {
+    List<Long> began = beginnings(20, frame -> frame == 4 ? MS * 57 / 10 : 0);
+    assertEquals(9 * MS + MS * 57 / 10, began.get(4));
+    assertEquals(16 * MS, began.get(5), "no burst: at least half a period away, on the grid");
+    assertEquals(17 * MS, began.get(6));
+    assertEquals(1, loopReport.lateFrames());
+  }
+
+  @Test
+  void theGapAfterALateFrameIsNeverBelowHalfAPeriod() {
+    for (long late = 0; late < 5 * MS; late += 10_007) {
+      long lateness = late;
+      clock.nowNanos = 5 * MS;
+      List<Long> began = beginnings(6, frame -> frame == 3 ? lateness : 0);
+      long gap = began.get(4) - began.get(3);
+      assertTrue(gap >= MS / 2 && gap <= MS * 3 / 2, "late=" + late + " gap=" + gap);
+      assertEquals(0, (began.get(4) - began.get(0)) % MS);
+    }
+  }
+
+  @Test
+  void aDeviceThatGoesAwayEndsTheLoopWithZeroForce() {
+    endAfter(50, ReadStatus.DISCONNECTED, null);
+    HapticLoop loop = loop();
+    loop.run();
+    assertEquals(LoopEnd.Cause.DEVICE_GONE, loop.end().cause());
+    assertEquals(0, device.lastForce().length());
+    assertEquals(50, loop.report().counts().frames());
+    assertEquals(1, ends.size());
+  }
+
+  @Test
+  void aDeviceThatThrowsWhenReadEndsTheLoopWithZeroForceAndIsReportedOnce() {
+    IllegalStateException fault = new IllegalStateException("the cable");
+    endAfter(50, ReadStatus.FRESH, fault);
+    HapticLoop loop = loop();
+    loop.run();
+    assertFailed(loop, fault);
+    assertTrue(device.forces.get(device.forces.size() - 2).length() > 1, "force was on");
+  }
+
+  @Test
+  void aDeviceThatThrowsWhenWrittenEndsTheLoopAndTheSecondFailureIsSuppressed() {
+    IllegalStateException fault = new IllegalStateException("write");
+    device.script =
+        (read, state) -> {
+          device.onWrite = read == 50 ? fault : null;
+          return pressed(state, read);
+        };
+    HapticLoop loop = loop();
+    loop.run();
+    assertSame(fault, loop.end().failure());
+    assertEquals(1, ends.size());
+  }
+
+  @Test
+  void aSolverThatThrowsEndsTheLoopWithZeroForcePastTheSlewLimit() {
+    StackOverflowError fault = new StackOverflowError();
+    ProxySolver broken =
+        (obstacles, d, point) -> {
+          throw fault;
+        };
+    HapticFrame frame = slewed();
+    device.script =
+        (read, state) -> {
+          if (read == 50) {
+            frame.requestSolver(broken);
+          }
+          return pressed(state, read);
+        };
+    HapticLoop loop = new HapticLoop(frame, settings(), ends::add);
+    loop.run();
+    assertFailed(loop, fault);
+    assertTrue(device.forces.get(device.forces.size() - 2).length() > 1);
+  }
+
+  @Test
+  void aSetUpOrWarmUpThatThrowsEndsTheLoopBeforeAnyForce() {
+    IllegalStateException fault = new IllegalStateException("no memory to lock");
+    LoopSettings failing =
+        settings()
+            .withWarmUp(
+                () -> {
+                  throw fault;
+                });
+    HapticLoop loop = new HapticLoop(floor.frame(device), failing, ends::add);
+    loop.run();
+    assertFailed(loop, fault);
+    assertEquals(1, device.forces.size());
+  }
+
+  @Test
+  void aReadThatHangsForTenSecondsIsFollowedByZeroForceAndARamp() {
+    device.script =
+        (read, state) -> {
+          clock.nowNanos += read == 50 ? 10_000 * MS : 0;
+          return read == 100 ? ReadStatus.DISCONNECTED : pressed(state, read);
+        };
+    HapticLoop loop = loop();
+    loop.run();
+    assertEquals(0, device.forces.get(51).length());
+    assertTrue(device.forces.get(99).length() > 0.3);
+    assertEquals(1, loop.report().counts().faults().clockJumps());
+    assertEquals(1, loop.report().lateFrames());
+  }
+
+  @Test
+  void aFrameThatDoesNotComeBackIsEndedByForceAndWritesNoMore() {
+    for (int hanging : new int[] {0, 50}) {
+      ends.clear();
+      ScriptedDevice stuck = new ScriptedDevice(null);
+      HapticLoop loop = new HapticLoop(floor.frame(stuck), settings(), ends::add);
+      stuck.script =
+          (read, state) -> {
+            boolean ended = loop.supervise(clock.nowNanos);
+            for (int tick = 1; read == hanging && !ended; tick++) {
+              assertEquals(tick > 10, loop.supervise(clock.nowNanos += 100 * MS));
+              ended = loop.end() != null;
+            }
+            return pressed(state, read);
+          };
+      loop.run();
+      assertEquals(LoopEnd.Cause.HUNG, loop.end().cause());
+      assertEquals(1, stuck.closed);
+      assertEquals(0, stuck.lastForce().length());
+      assertEquals(1, ends.size());
+    }
+  }
+
+  @Test
+  void aProcessThatWasStoppedAsAWholeIsNotTakenForAHang() {
+    HapticLoop[] loops = new HapticLoop[1];
+    device.script =
+        (read, state) -> {
+          assertFalse(loops[0].supervise(clock.nowNanos));
+          if (read == 50) {
+            clock.nowNanos += 10_000 * MS;
+            assertFalse(loops[0].supervise(clock.nowNanos));
+          }
+          return read == 100 ? ReadStatus.DISCONNECTED : pressed(state, read);
+        };
+    loops[0] = loop();
+    loops[0].run();
+    assertEquals(LoopEnd.Cause.DEVICE_GONE, loops[0].end().cause());
+  }
+
+  @Test
+  void stoppingAThreadThatIsStuckInADriverClosesTheDeviceUnderIt() throws InterruptedException {
+    CountDownLatch stuck = new CountDownLatch(1);
+    CountDownLatch never = new CountDownLatch(1);
+    device.script =
+        (read, state) -> {
+          if (read == 50) {
+            stuck.countDown();
+            awaitUninterruptibly(never);
+          }
+          return pressed(state, read);
+        };
+    LoopSettings short_ = new LoopSettings(MS, clock, clock, ThreadSetup.NONE, () -> {}, 10 * MS);
+    HapticLoop loop = new HapticLoop(floor.frame(device), short_, ends::add);
+    loop.start();
+    stuck.await();
+    assertEquals(LoopEnd.Cause.HUNG, loop.stop().cause());
+    assertEquals(1, device.closed);
+    assertEquals(0, device.lastForce().length());
+    never.countDown();
+  }
+
+  @Test
+  void stopWaitsForTheFrameAndLeavesZeroForce() throws InterruptedException {
+    CountDownLatch running = new CountDownLatch(100);
+    device.script =
+        (read, state) -> {
+          running.countDown();
+          return pressed(state, read);
+        };
+    HapticLoop loop = loop();
+    loop.start();
+    running.await();
+    assertEquals(LoopEnd.Cause.STOPPED, loop.stop().cause());
+    assertEquals(LoopEnd.Cause.STOPPED, loop.stop().cause());
+    assertTrue(loop.awaitEnd(1, TimeUnit.MILLISECONDS));
+    int written = device.forces.size();
+    assertEquals(0, device.lastForce().length());
+    assertEquals(written - 1, loop.report().frames());
+    assertEquals(1, ends.size());
+    assertEquals(0, device.closed, "who opened it closes it");
+  }
+
+  @Test
+  void stopWaitsForAWarmUpThatIsLongerThanAHang() throws InterruptedException {
+    long hangNanos = 200 * MS;
+    CountDownLatch warm = new CountDownLatch(1);
+    LoopSettings slow =
+        new LoopSettings(
+            MS, clock, clock, ThreadSetup.NONE, () -> awaitUninterruptibly(warm), hangNanos);
+    HapticLoop loop = new HapticLoop(floor.frame(device), slow, ends::add);
+    loop.start();
+    Thread later =
+        new Thread(
+            () -> {
+              assertFalse(loop.awaitEnd(hangNanos * 3 / 2, TimeUnit.NANOSECONDS));
+              warm.countDown();
+            });
+    later.start();
+    assertEquals(LoopEnd.Cause.STOPPED, loop.stop().cause());
+    later.join();
+    assertEquals(0, device.closed);
+  }
+
+  @Test
+  void aLoopThatNeverStartedStopsAtOnce() {
+    assertEquals(LoopEnd.Cause.STOPPED, loop().stop().cause());
+    assertEquals(1, ends.size());
+    assertEquals(0, device.forces.size());
+  }
+
+  @Test
+  void theStatusTellsFramesContactAndForceWhileItRuns() {
+    List<LoopStatus> seen = new ArrayList<>();
+    HapticLoop[] loops = new HapticLoop[1];
+    device.script =
+        (read, state) -> {
+          seen.add(loops[0].status());
+          return read == 60 ? ReadStatus.DISCONNECTED : pressed(state, read);
+        };
+    loops[0] = loop();
+    loops[0].run();
+    LoopStatus last = seen.get(60);
+    assertEquals(60, last.frames());
+    assertTrue(last.contact());
+    assertEquals(1.5, last.forceNewton(), 1e-5);
+  }
+
+  private LoopReport loopReport;
+
+  /** Runs some frames, the wake-up of each late as told; says when each began. */
+  private List<Long> beginnings(int frames, java.util.function.IntToLongFunction lateNanos) {
+    List<Long> began = new ArrayList<>();
+    int[] waits = new int[1];
+    Pacer pacer =
+        deadline -> {
+          clock.wakeUpLateNanos = lateNanos.applyAsLong(waits[0]++);
+          clock.awaitUntil(deadline);
+        };
+    ScriptedDevice counted = ScriptedDevice.at(16, 16, 20);
+    ScriptedDevice.Script still = counted.script;
+    counted.script =
+        (read, state) -> {
+          if (read == frames) {
+            return ReadStatus.DISCONNECTED;
+          }
+          began.add(clock.nowNanos);
+          return still.read(read, state);
+        };
+    HapticLoop loop =
+        new HapticLoop(floor.frame(counted), settings().with(pacer, ThreadSetup.NONE), end -> {});
+    loop.run();
+    loopReport = loop.report();
+    return began;
+  }
+
+  private void assertFailed(HapticLoop loop, Throwable fault) {
+    assertEquals(LoopEnd.Cause.FAILED, loop.end().cause());
+    assertSame(fault, loop.end().failure());
+    assertEquals(0, device.lastForce().length());
+    assertEquals(1, ends.size());
+  }
+
+  private void endAfter(int frames, ReadStatus status, RuntimeException fault) {
+    device.script =
+        (read, state) -> {
+          if (read == frames && fault != null) {
+            throw fault;
+          }
+          return read == frames ? status : pressed(state, read);
+        };
+  }
+
+  private static ReadStatus pressed(org.palpate.device.DeviceState state, int read) {
+    return fresh(state, read, 16, 16, read < 10 ? 12 : 5);
+  }
+
+  private static void awaitUninterruptibly(CountDownLatch latch) {
+    boolean waiting = true;
+    while (waiting) {
+      try {
+        latch.await();
+        waiting = false;
+      } catch (InterruptedException e) {
+        // A driver that is stuck does not hear of interrupts.
+        waiting = true;
+      }
+    }
+  }
+
+  private HapticFrame slewed() {
+    FrameSettings settings = new FrameSettings(Floor.settings().force(), 10, 0.25, 0, 20 * MS, 64);
+    return floor.frame(device, settings);
+  }
+
+  private LoopSettings settings() {
+    return new LoopSettings(MS, clock, clock, ThreadSetup.NONE, () -> {}, 1000 * MS);
+  }
+
+  private HapticLoop loop() {
+    return new HapticLoop(floor.frame(device), settings(), ends::add);
+  }
+}

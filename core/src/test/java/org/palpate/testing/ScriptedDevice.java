@@ -1,0 +1,78 @@
+package org.palpate.testing;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.palpate.device.DeviceSpecification;
+import org.palpate.device.DeviceState;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.ReadStatus;
+import org.palpate.geometry.Vec3;
+import org.palpate.loop.ManualClock;
+
+/** A device that does in each read what a test says, and remembers the forces. */
+public final class ScriptedDevice implements HapticDevice {
+  /** What a read does. */
+  public interface Script {
+    ReadStatus read(int read, DeviceState state);
+  }
+
+  public final List<Vec3> forces = new ArrayList<>();
+  public Script script;
+  public RuntimeException onWrite;
+  public boolean reachable = true;
+  public int closed;
+  private int reads;
+
+  public ScriptedDevice(Script script) {
+    this.script = script;
+  }
+
+  /** Holds still at a place, with a clock of 1 ms a read. */
+  public static ScriptedDevice at(double x, double y, double z) {
+    return new ScriptedDevice((read, state) -> fresh(state, read, x, y, z));
+  }
+
+  public static ReadStatus fresh(DeviceState state, long timeMs, double x, double y, double z) {
+    state.positionMm.set(x, y, z);
+    state.timeNanos = timeMs * ManualClock.MS;
+    return ReadStatus.FRESH;
+  }
+
+  public Vec3 lastForce() {
+    return forces.get(forces.size() - 1);
+  }
+
+  @Override
+  public DeviceSpecification specification() {
+    return new DeviceSpecification("scripted", "", 10, 1, 100, 0);
+  }
+
+  @Override
+  public ReadStatus read(DeviceState state) {
+    return script.read(reads++, state);
+  }
+
+  @Override
+  public String ending() {
+    return reachable ? "" : "the cable is out";
+  }
+
+  @Override
+  public boolean write(Vec3 forceNewton) {
+    if (onWrite != null) {
+      throw onWrite;
+    }
+    if (!reachable || closed > 0) {
+      return false;
+    }
+    forces.add(new Vec3().set(forceNewton));
+    return true;
+  }
+
+  @Override
+  public void close() {
+    if (closed++ == 0 && reachable) {
+      forces.add(new Vec3());
+    }
+  }
+}

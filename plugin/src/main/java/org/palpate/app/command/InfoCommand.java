@@ -1,0 +1,195 @@
+package org.palpate.app.command;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.palpate.app.options.OutputOptions;
+import org.palpate.app.options.OutputPaths;
+import org.palpate.app.options.VolumeOptions;
+import org.palpate.app.options.VolumeSource;
+import org.palpate.app.output.Report;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.OrientationText;
+import org.palpate.io.VolumeWriter;
+import org.palpate.io.file.NumberText;
+import org.palpate.io.label.SegmentBuilder;
+import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.label.SegmentsAsLabels;
+import org.palpate.io.label.ValueStatistics;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Tells what is in a volume. */
+@Command(
+    name = "info",
+    description = "Tells what is in a volume: size, spacing, type, values, segments, memory.",
+    footer = {
+      "",
+      "Examples:",
+      "  palpate info --volume scan.nrrd",
+      "  palpate info --volume scan.nrrd --segment 'bone=>=1500' --report info.json",
+      "  palpate info --volume scan.nrrd --segment 'bone=>=1500' --export bone.nii.gz",
+      "  palpate info --volume slices.raw --raw 256x256x113:u16be:1,1,2",
+      "  palpate info --phantom torus:192"
+    })
+public final class InfoCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+  @Mixin private VolumeOptions volume;
+  @Mixin private OutputOptions output;
+
+  @Option(
+      names = "--export",
+      paramLabel = "FILE",
+      description = {
+        "Write the volume, or the segments asked for as labels, to a .nrrd, .nii or .nii.gz file."
+      })
+  private Path export;
+
+  private PrintWriter out;
+
+  @Override
+  public Integer call() throws IOException {
+    out = spec.commandLine().getOut();
+    VolumeSource source = VolumeSource.open(volume);
+    Report report = new Report("info", output.report(), source.files());
+    checkExport(source);
+    printHeader(source);
+    out.flush();
+    ValueStatistics survey = new ValueStatistics(source.header());
+    source.reader().read(survey);
+    ValueStatistics.Found found = survey.found();
+    printValues(found);
+    List<Segment> segments = segments(source, found);
+    printSegments(segments);
+    if (export != null) {
+      export(source, segments);
+    }
+    if (source.asked().isEmpty() && source.isIntensities(found)) {
+      line("segments", "none asked for; choose, for example " + source.proposal(found));
+    }
+    double bytes = SegmentBuilder.bytesFor(source.header().grid(), segments.size());
+    line("memory", NumberText.bytes(bytes) + " for the segments");
+    if (report.isWanted()) {
+      writeReport(report, source, found, segments, bytes);
+    }
+    return 0;
+  }
+
+  private void checkExport(VolumeSource source) throws IOException {
+    if (export != null) {
+      OutputPaths.checked("--export", export, source.files());
+      VolumeWriter.checkName(export);
+      OutputPaths.checkDistinct(
+          Stream.concat(Stream.of(export), output.report().stream()).toList());
+    }
+  }
+
+  private static List<Segment> segments(VolumeSource source, ValueStatistics.Found found)
+      throws IOException {
+    List<SegmentSpec> specs =
+        source.asked().isEmpty() && !source.isIntensities(found)
+            ? source.specsOf(found.labels())
+            : source.asked();
+    return specs.isEmpty() ? List.of() : source.read(specs).segments();
+  }
+
+  private void printHeader(VolumeSource source) {
+    VolumeHeader header = source.header();
+    VoxelGrid grid = header.grid();
+    Vec3 spacing = grid.spacingMm();
+    line("volume", source.name() + " (" + header.format() + ")");
+    line(
+        "size",
+        String.format(
+            Locale.ROOT,
+            "%d x %d x %d voxels, %,d in all",
+            grid.sizeX(),
+            grid.sizeY(),
+            grid.sizeZ(),
+            grid.voxelCount()));
+    line("spacing", triple(spacing.x, spacing.y, spacing.z) + " mm");
+    line(
+        "extent",
+        triple(grid.sizeX() * spacing.x, grid.sizeY() * spacing.y, grid.sizeZ() * spacing.z)
+            + " mm");
+    line("type", header.type().description());
+    line("world", header.world().description());
+    OrientationText.place(header).forEach(words -> line("", words));
+    header.notes().forEach(note -> line("note", note));
+  }
+
+  private static String triple(double x, double y, double z) {
+    return OrientationText.number(x)
+        + " x "
+        + OrientationText.number(y)
+        + " x "
+        + OrientationText.number(z);
+  }
+
+  private void printValues(ValueStatistics.Found found) {
+    String range = NumberText.people(found.low()) + " to " + NumberText.people(found.high());
+    String odd =
+        found.notFinite() == 0
+            ? ""
+            : String.format(Locale.ROOT, ", and %,d that are no numbers", found.notFinite());
+    line("values", found.low() <= found.high() ? range + odd : "none that is a number");
+  }
+
+  private void printSegments(List<Segment> segments) {
+    for (Segment segment : segments) {
+      line(
+          "segment",
+          String.format(
+              Locale.ROOT,
+              "%s: %,d voxels, %s",
+              segment.name(),
+              segment.bits().solidCount(),
+              segment.bits().bounds()));
+    }
+  }
+
+  private void export(VolumeSource source, List<Segment> segments) throws IOException {
+    VolumeHeader header = source.header();
+    VolumeReader written =
+        source.asked().isEmpty()
+            ? source.reader()
+            : new SegmentsAsLabels(new SegmentedVolume(header.grid(), segments), header.world());
+    VolumeWriter.write(written, export);
+    line("written", export.toString());
+  }
+
+  private void line(String what, String text) {
+    out.println(String.format(Locale.ROOT, "%-9s %s", what, text));
+  }
+
+  private static void writeReport(
+      Report report,
+      VolumeSource source,
+      ValueStatistics.Found found,
+      List<Segment> segments,
+      double bytes)
+      throws IOException {
+    report.putVolume(source, segments);
+    VolumeHeader header = source.header();
+    report
+        .put("format", header.format())
+        .put("type", header.type().description())
+        .put("value_range", List.of(found.low(), found.high()))
+        .put("not_finite", found.notFinite())
+        .put("notes", header.notes())
+        .put("memory_bytes", (long) bytes)
+        .write();
+  }
+}

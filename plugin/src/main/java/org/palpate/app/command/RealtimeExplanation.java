@@ -1,0 +1,51 @@
+package org.palpate.app.command;
+
+import java.io.PrintWriter;
+import java.lang.management.ManagementFactory;
+import java.util.Map;
+import org.palpate.realtime.RealtimeThread;
+import org.palpate.realtime.RecommendedJvm;
+import org.palpate.realtime.os.OperatingSystem;
+import org.palpate.realtime.os.RequestOutcome;
+
+/** Tells what real time needs, and what this JVM and this system give. */
+final class RealtimeExplanation {
+  private final PrintWriter out;
+
+  RealtimeExplanation(PrintWriter out) {
+    this.out = out;
+  }
+
+  /** Asks the system as a session would, in a thread that ends at once. */
+  void print() {
+    int release = Runtime.version().feature();
+    out.println("Java " + Runtime.version() + ", " + System.getProperty("java.home"));
+    RecommendedJvm.explain(release, ManagementFactory.getRuntimeMXBean().getInputArguments())
+        .forEach(line -> out.println("  " + line));
+    out.println("The haptic thread");
+    try (RealtimeThread realtime = RealtimeThread.recommended()) {
+      Thread thread = new Thread(realtime::setUp, "palpate-explain");
+      thread.start();
+      join(thread);
+      for (RequestOutcome grant : realtime.grants()) {
+        out.println("  " + grant);
+      }
+      out.println("  wait: " + realtime.waiting());
+    }
+    Map<String, String> noticed = OperatingSystem.noticed();
+    if (!noticed.isEmpty()) {
+      out.println("The system by itself");
+      noticed.forEach((name, words) -> out.println("  " + name + ": " + words));
+    }
+    out.println("palpate jitter --quick --out DIR measures what it is worth on this machine.");
+    out.flush();
+  }
+
+  private static void join(Thread thread) {
+    try {
+      thread.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,388 @@
+package org.palpate.app.command;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeoutException;
+import javax.imageio.ImageIO;
+import org.palpate.app.options.ContactOptions;
+import org.palpate.app.options.OutputOptions;
+import org.palpate.app.options.OutputPaths;
+import org.palpate.app.options.SliceOptions;
+import org.palpate.app.options.SurfaceOptions;
+import org.palpate.app.options.VolumeOptions;
+import org.palpate.app.options.VolumeSource;
+import org.palpate.app.output.Report;
+import org.palpate.app.process.PalpateException;
+import org.palpate.app.process.VirtualDisplay;
+import org.palpate.geometry.Vec3;
+import org.palpate.host.ContactScene;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.scene.MovableSlices;
+import org.palpate.scene.SceneLoader;
+import org.palpate.scene.SceneModel;
+import org.palpate.scene.SceneObject;
+import org.palpate.scene.SceneState;
+import org.palpate.scene.StandardView;
+import org.palpate.scene.Stereo;
+import org.palpate.scene.Theme;
+import org.palpate.scene.WorldAxes;
+import org.palpate.scene.surface.GreyRange;
+import org.palpate.scene.surface.SurfaceFile;
+import org.palpate.scene.surface.WeldedSurface;
+import org.palpate.scene.window.GraphicsDriver;
+import org.palpate.scene.window.GraphicsException;
+import org.palpate.scene.window.OffscreenRenderer;
+import org.palpate.scene.window.Picture;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
+
+/** Makes a picture of a volume's segments, or writes their surface. */
+@Command(
+    name = "render",
+    description = {
+      "Makes a picture of the scene, as PNG, or writes its surface, as STL or PLY, world mm.",
+      "Where there is no display it starts one of its own, if Xvfb is installed."
+    },
+    footer = {
+      "",
+      "Examples:",
+      "  palpate render --out head.png",
+      "  palpate render --volume scan.nrrd --segment 'bone=>=1500' --out x.png --size 1280x960",
+      "  palpate render --phantom torus:192 --view head --theme light --out torus.png",
+      "  palpate render --phantom head:256 --trajectory t.csv --out touched.png",
+      "  palpate render --volume labels.nrrd --out labels.ply"
+    })
+public final class RenderCommand implements Callable<Integer> {
+  private static final long PATIENCE_MS = 600_000;
+  private static final int SMOOTHING_SCALE = 2;
+  private static final int LARGEST_EDGE = 8192;
+
+  /** Options that mean nothing to a surface. */
+  private static final List<String> PICTURE_OPTIONS =
+      List.of(
+          "--size",
+          "--view",
+          "--trajectory",
+          "--upside-down",
+          "--zoom",
+          "--theme",
+          "--opacity",
+          "--stereo",
+          "--slices");
+
+  @Spec private CommandSpec spec;
+  @Mixin private VolumeOptions volume;
+  @Mixin private ContactOptions contact;
+  @Mixin private OutputOptions output;
+  @Mixin private SliceOptions slices;
+  @Mixin private SurfaceOptions surface;
+
+  @Option(
+      names = "--out",
+      paramLabel = "FILE",
+      required = true,
+      description = "The picture, .png, or the surface, .stl or .ply.")
+  private Path outFile;
+
+  @Option(
+      names = "--size",
+      paramLabel = "WxH",
+      defaultValue = "1280x960",
+      description = "Pixels of the picture. Default: ${DEFAULT-VALUE}.")
+  private String size;
+
+  @Option(
+      names = "--view",
+      paramLabel = "NAME",
+      description = {
+        "From where: ${COMPLETION-CANDIDATES}.",
+        "Default: oblique, or the one that sees best what the trajectory touches."
+      })
+  private StandardView view;
+
+  @Option(
+      names = "--trajectory",
+      paramLabel = "T.csv",
+      description = {
+        "Device positions, t_ms,x,y,z in world mm: run to the end, the last contact is shown."
+      })
+  private Path trajectory;
+
+  @Option(
+      names = "--upside-down",
+      description = "Turn the picture half round, for a file whose axes point the wrong way.")
+  private boolean upsideDown;
+
+  @Option(
+      names = "--zoom",
+      paramLabel = "FACTOR",
+      defaultValue = "1",
+      description = "Nearer by this factor. Default: ${DEFAULT-VALUE}.")
+  private double zoom;
+
+  @Option(
+      names = "--theme",
+      paramLabel = "NAME",
+      defaultValue = "dark",
+      description = "${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+  private Theme theme;
+
+  @Option(
+      names = "--opacity",
+      paramLabel = "NAME=SHARE",
+      description = {
+        "How opaque a segment is, 0 (hidden) to 1; may be given again. Default: 1, but 0.3 for a",
+        "segment that surrounds all others."
+      })
+  private Map<String, Double> opacities = new LinkedHashMap<>();
+
+  @Option(
+      names = "--stereo",
+      paramLabel = "NAME",
+      defaultValue = "off",
+      description = "off, anaglyph or side-by-side. Default: ${DEFAULT-VALUE}.",
+      converter = StereoConverter.class)
+  private Stereo stereo;
+
+  private int width;
+  private int height;
+
+  @Override
+  public Integer call() throws IOException {
+    parseSize();
+    check();
+    boolean surfaceOnly = SurfaceFile.isSurfaceName(outFile);
+    checkSense(surfaceOnly);
+    VolumeSource source = VolumeSource.open(volume);
+    List<Path> inputs = new ArrayList<>(source.files());
+    Optional.ofNullable(trajectory).ifPresent(inputs::add);
+    OutputPaths.checked("--out", outFile, inputs);
+    surface.checkPossible(source);
+    if (!surfaceOnly && !GraphicsDriver.hasDisplay()) {
+      return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
+    }
+    Report report = new Report("render", output.report(), inputs);
+    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
+    SceneModel model = new SceneModel(axes(source.header().world()), theme);
+    Optional<MovableSlices.Start> planes = slices.start(source);
+    showHand(model, source, segments);
+    showSlices(model, segments.grid(), planes);
+    List<Optional<GreyRange>> greys = surface.greys(source, true);
+    long started = System.nanoTime();
+    int threads = Runtime.getRuntime().availableProcessors();
+    try (SceneLoader loader = new SceneLoader(model, segments, greys, threads)) {
+      awaitSurfaces(loader, source);
+      report.put("surface_ms", millisSince(started));
+      report.put("triangles", triangles(model));
+      if (surfaceOnly) {
+        writeSurface(loader, segments);
+      } else {
+        report.put("draw_ms", drawPicture(model));
+      }
+    }
+    report.putVolume(source, segments.segments());
+    report.write();
+    return 0;
+  }
+
+  /** Refuses what would be left out in silence. */
+  private void checkSense(boolean surfaceOnly) {
+    for (String option : PICTURE_OPTIONS) {
+      if (surfaceOnly && spec.commandLine().getParseResult().hasMatchedOption(option)) {
+        throw PalpateException.wrongUse(
+            "a file of a surface is no picture",
+            "--out " + outFile,
+            "leave " + option + " out, or write a .png");
+      }
+    }
+    surface.check();
+    if (slices.followsProxy() && trajectory == null) {
+      throw PalpateException.wrongUse(
+          "there is no interaction point",
+          "--slices point",
+          "give --trajectory, or choose --slices middle");
+    }
+  }
+
+  private void parseSize() {
+    String[] parts = size.toLowerCase(Locale.ROOT).split("x", -1);
+    try {
+      width = Integer.parseInt(parts[0]);
+      height = Integer.parseInt(parts[parts.length - 1]);
+    } catch (NumberFormatException e) {
+      width = 0;
+    }
+    boolean fits = width >= 16 && height >= 16 && width <= LARGEST_EDGE && height <= LARGEST_EDGE;
+    if (parts.length != 2 || !fits) {
+      throw PalpateException.wrongUse(
+          "not a size from 16 to " + LARGEST_EDGE, "--size " + size, "try --size 1280x960");
+    }
+  }
+
+  private void check() {
+    if (!(zoom > 0) || Double.isInfinite(zoom)) {
+      throw PalpateException.wrongUse(
+          "a positive number is needed", "--zoom " + zoom, "try --zoom 2");
+    }
+    if (stereo == Stereo.QUAD_BUFFER) {
+      throw PalpateException.wrongUse(
+          "a picture has no two buffers", "--stereo quad-buffer", "try --stereo side-by-side");
+    }
+    String name = outFile.toString().toLowerCase(Locale.ROOT);
+    if (!name.endsWith(".png") && !SurfaceFile.isSurfaceName(outFile)) {
+      throw PalpateException.wrongUse(
+          "not a kind of file that can be made", "--out " + outFile, "use .png, .stl or .ply");
+    }
+  }
+
+  /** The scene's name for the way a file's axes point. */
+  static WorldAxes axes(VolumeHeader.World world) {
+    return switch (world) {
+      case LPS -> WorldAxes.LPS;
+      case RAS -> WorldAxes.RAS;
+      case LAS -> WorldAxes.LAS;
+      case UNKNOWN -> WorldAxes.UNKNOWN;
+    };
+  }
+
+  private void showHand(SceneModel model, VolumeSource source, SegmentedVolume segments)
+      throws IOException {
+    if (trajectory != null) {
+      ContactScene scene = contact.scene(source, segments);
+      model.setMarks(Optional.of(LastContactMarks.of(trajectory, scene, model.axes())));
+    }
+  }
+
+  private static void showSlices(
+      SceneModel model, VoxelGrid grid, Optional<MovableSlices.Start> start) {
+    start.ifPresent(
+        planes -> {
+          MovableSlices shown = new MovableSlices(model, planes);
+          model
+              .state()
+              .marks()
+              .map(hand -> model.axes().swap(hand.point(), new Vec3()))
+              .ifPresent(world -> shown.follow(grid.worldToGrid(world, world)));
+        });
+  }
+
+  private StandardView chosenView(SceneState state) {
+    return Optional.ofNullable(view)
+        .or(() -> state.marks().map(hand -> LastContactMarks.viewOf(hand.point(), state.middle())))
+        .orElse(StandardView.OBLIQUE);
+  }
+
+  private static void awaitSurfaces(SceneLoader loader, VolumeSource source) {
+    try {
+      loader.await(PATIENCE_MS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw interrupted(source, e);
+    } catch (TimeoutException e) {
+      throw interrupted(source, e);
+    }
+  }
+
+  private static PalpateException interrupted(VolumeSource source, Exception cause) {
+    return PalpateException.failed(
+        "the surface was not made",
+        source.name(),
+        "try again on a machine with more to give",
+        cause);
+  }
+
+  private static long triangles(SceneModel model) {
+    return model.objects().stream().mapToLong(object -> object.triangleCount(0)).sum();
+  }
+
+  private static double millisSince(long nanos) {
+    return (System.nanoTime() - nanos) / 1e6;
+  }
+
+  private double drawPicture(SceneModel model) throws IOException {
+    double aspect = (double) width / height;
+    model.look(chosenView(model.state()), aspect);
+    model.moveCamera(camera -> (upsideDown ? camera.upsideDown() : camera).zoom(1 / zoom), false);
+    model.changeLook(look -> look.with(stereo));
+    opacities.forEach((name, share) -> setOpacity(model, name, share));
+    try (OffscreenRenderer scene = new OffscreenRenderer(width, height, SMOOTHING_SCALE)) {
+      long started = System.nanoTime();
+      Picture picture = scene.draw(model.state());
+      double millis = millisSince(started);
+      writePicture(picture);
+      return millis;
+    } catch (GraphicsException e) {
+      throw PalpateException.failed(e.what(), "render", e.remedy(), e);
+    }
+  }
+
+  private static void setOpacity(SceneModel model, String name, double share) {
+    SceneObject object =
+        model.objects().stream()
+            .filter(each -> each.name().equals(name))
+            .findFirst()
+            .orElseThrow(
+                () ->
+                    PalpateException.wrongUse(
+                        "there is no such segment", "--opacity " + name, "see palpate info"));
+    if (!(share >= 0 && share <= 1)) {
+      throw PalpateException.wrongUse(
+          "not a share from 0 to 1", "--opacity " + name + "=" + share, "try --opacity name=0.5");
+    }
+    model.setOpacity(object, share);
+  }
+
+  private void writePicture(Picture picture) {
+    try (AtomicFile file = new AtomicFile(outFile)) {
+      ImageIO.write(picture.toImage(), "png", file.stream());
+      file.commit();
+    } catch (IOException e) {
+      throw OutputPaths.failed(outFile, e);
+    }
+  }
+
+  private void writeSurface(SceneLoader loader, SegmentedVolume segments) {
+    try (AtomicFile file = new AtomicFile(outFile)) {
+      WeldedSurface surface = loader.weldedSurface();
+      SurfaceFile.write(
+          surface, segments.grid().gridMmToWorld(), SurfaceFile.isStl(outFile), file.stream());
+      file.commit();
+    } catch (IOException e) {
+      throw OutputPaths.failed(outFile, e);
+    }
+  }
+
+  /** Takes a name with hyphens. */
+  static final class StereoConverter implements ITypeConverter<Stereo> {
+    @Override
+    public Stereo convert(String name) {
+      return Arrays.stream(Stereo.values())
+          .filter(stereo -> name(stereo).equals(name))
+          .findFirst()
+          .orElseThrow(
+              () ->
+                  new TypeConversionException(
+                      "there is no " + name + ": choose off, anaglyph or side-by-side"));
+    }
+
+    private static String name(Stereo stereo) {
+      return stereo.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+  }
+}

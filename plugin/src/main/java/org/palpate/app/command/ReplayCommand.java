@@ -1,0 +1,183 @@
+package org.palpate.app.command;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.palpate.app.options.ContactOptions;
+import org.palpate.app.options.OutputOptions;
+import org.palpate.app.options.VolumeOptions;
+import org.palpate.app.options.VolumeSource;
+import org.palpate.app.output.FaultFields;
+import org.palpate.app.output.ReplayTables;
+import org.palpate.app.output.Report;
+import org.palpate.app.process.PalpateException;
+import org.palpate.device.Trajectory;
+import org.palpate.frame.FrameStatistics;
+import org.palpate.host.ContactScene;
+import org.palpate.host.ReplayRun;
+import org.palpate.host.ReplayTiming;
+import org.palpate.io.table.TrajectoryCsvReader;
+import org.palpate.volume.SegmentedVolume;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Runs the frames of a recorded trajectory, off line. */
+@Command(
+    name = "replay",
+    description = "Runs the frames of a recorded trajectory, off line and bit for bit repeatable.",
+    footer = {
+      "",
+      "Examples:",
+      "  palpate replay --trajectory t.csv --out frames.csv",
+      "  palpate replay --volume scan.nrrd --segment 'bone=>=1500' --trajectory t.csv \\",
+      "    --out frames.csv --legs legs.csv --solver guarded --report r.json",
+      "  palpate replay --phantom sphere:192 --coordinates grid --trajectory t.csv --repeat 12 \\",
+      "    --report time.json"
+    })
+public final class ReplayCommand implements Callable<Integer> {
+  /** What the positions of a trajectory mean. */
+  enum Coordinates {
+    world,
+    grid
+  }
+
+  @Spec private CommandSpec spec;
+  @Mixin private VolumeOptions volume;
+  @Mixin private ContactOptions contact;
+  @Mixin private OutputOptions output;
+
+  @Option(
+      names = "--trajectory",
+      paramLabel = "T.csv",
+      required = true,
+      description = "Device positions: a header t_ms,x,y,z, then a row a frame.")
+  private Path trajectoryFile;
+
+  @Option(
+      names = "--coordinates",
+      paramLabel = "world|grid",
+      defaultValue = "world",
+      description = "World mm or grid coordinates. Default: ${DEFAULT-VALUE}.")
+  private Coordinates coordinates;
+
+  @Option(
+      names = "--out",
+      paramLabel = "FRAMES.csv",
+      description = "Write a row a frame: device, interaction point, force, contact, path.")
+  private Path framesFile;
+
+  @Option(
+      names = "--legs",
+      paramLabel = "LEGS.csv",
+      description = "Write every leg of the interaction point, grid coordinates.")
+  private Path legsFile;
+
+  @Option(
+      names = "--repeat",
+      paramLabel = "N",
+      description = "Replay N times and report the time of solver and force; at least 3.")
+  private Integer repeat;
+
+  @Option(
+      names = "--raw-device",
+      description = "Meet NaN, infinities and backward times as a live session would.")
+  private boolean rawDevice;
+
+  @Override
+  public Integer call() throws IOException {
+    checkRepeat();
+    boolean world = coordinates == Coordinates.world;
+    VolumeSource source = VolumeSource.open(volume);
+    List<Path> inputs = new ArrayList<>(source.files());
+    inputs.add(trajectoryFile);
+    Report report = new Report("replay", output.report(), inputs);
+    ReplayTables tables = ReplayTables.checked(framesFile, legsFile, output.report(), inputs);
+    Trajectory trajectory = new Trajectory();
+    TrajectoryCsvReader.read(trajectoryFile, !rawDevice, trajectory::add);
+    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
+    ContactScene scene = contact.scene(source, segments);
+    FrameStatistics counts =
+        run(new ReplayRun(scene, trajectory, world, rawDevice), trajectory, tables);
+    print(counts);
+    if (report.isWanted()) {
+      report.putVolume(source, segments.segments());
+    }
+    putCounts(report, counts);
+    if (repeat != null) {
+      time(new ReplayTiming(scene, trajectory, world), report);
+    }
+    report.write();
+    return 0;
+  }
+
+  private void checkRepeat() {
+    if (repeat != null && repeat <= ReplayTiming.UNCOUNTED_PASSES) {
+      throw PalpateException.wrongUse(
+          "the first two passes do not count", "--repeat " + repeat, "repeat 3 times or more");
+    }
+  }
+
+  private static FrameStatistics run(ReplayRun replay, Trajectory trajectory, ReplayTables tables)
+      throws IOException {
+    try (tables) {
+      tables.open(trajectory);
+      FrameStatistics counts = replay.run(tables);
+      tables.commit();
+      return counts;
+    }
+  }
+
+  private void print(FrameStatistics counts) {
+    PrintWriter out = spec.commandLine().getOut();
+    out.println(
+        String.format(
+            Locale.ROOT,
+            "%,d frames, %,d in contact, set free %,d times, largest force %.3f N (%s, %s)",
+            counts.frames(),
+            counts.contactFrames(),
+            counts.freed(),
+            counts.maxForceNewton(),
+            contact.solver(),
+            contact.collision()));
+  }
+
+  private void putCounts(Report report, FrameStatistics counts) {
+    report
+        .put("frames", counts.frames())
+        .put("contact_frames", counts.contactFrames())
+        .put("freed", counts.freed())
+        .put("max_force_n", counts.maxForceNewton())
+        .put("solver", contact.solver().toString())
+        .put("collision", contact.collision().toString())
+        .put("skipped", counts.skipped())
+        .put("faults", FaultFields.of(counts.faults()));
+  }
+
+  private void time(ReplayTiming timing, Report report) {
+    ReplayTiming.NanosPerFrame nanos = timing.run(repeat);
+    Map<String, Object> field = new LinkedHashMap<>();
+    field.put("min", nanos.min());
+    field.put("median", nanos.median());
+    field.put("max", nanos.max());
+    report.put("ns_per_frame", field);
+    spec.commandLine()
+        .getOut()
+        .println(
+            String.format(
+                Locale.ROOT,
+                "%.0f ns a frame (median of %d passes; %.0f to %.0f)",
+                nanos.median(),
+                repeat - ReplayTiming.UNCOUNTED_PASSES,
+                nanos.min(),
+                nanos.max()));
+  }
+}

@@ -1,0 +1,268 @@
+package org.palpate.app.command;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.palpate.app.options.ContactOptions;
+import org.palpate.app.options.DeviceChoice;
+import org.palpate.app.options.OutputOptions;
+import org.palpate.app.options.OutputPaths;
+import org.palpate.app.options.SliceOptions;
+import org.palpate.app.options.SurfaceOptions;
+import org.palpate.app.options.VolumeOptions;
+import org.palpate.app.options.VolumeSource;
+import org.palpate.app.output.Report;
+import org.palpate.app.output.TrajectoryRecording;
+import org.palpate.app.process.PalpateException;
+import org.palpate.app.process.VersionProvider;
+import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
+import org.palpate.host.ContactScene;
+import org.palpate.host.ContactSettings;
+import org.palpate.host.SessionView;
+import org.palpate.host.TouchSession;
+import org.palpate.host.ViewOptions;
+import org.palpate.io.file.NumberText;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.loop.LoopEnd;
+import org.palpate.loop.LoopSettings;
+import org.palpate.realtime.RealtimeThread;
+import org.palpate.scene.MovableSlices;
+import org.palpate.scene.WorldAxes;
+import org.palpate.scene.window.GraphicsDriver;
+import org.palpate.volume.SegmentedVolume;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** The main job: a live session. */
+@Command(
+    name = "touch",
+    description = {
+      "Touches a volume, live: a device is read and answered with a force a thousand times a second.",
+      "Ends on Ctrl-C, after --seconds, or when the device goes away; zero force is sent last."
+    },
+    footer = {
+      "",
+      "Examples:",
+      "  palpate touch --seconds 10 --headless --report r.json",
+      "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --record t.csv",
+      "  palpate touch --phantom torus:192 --device simulated:7 --solver paper",
+      "  palpate touch --volume labels.nrrd --device hid",
+      "  palpate touch --device mouse",
+      "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --slices point",
+      "  palpate touch --explain"
+    })
+public final class TouchCommand implements Callable<Integer> {
+  private static final double FASTEST_HZ = 100_000;
+
+  /** Options that mean nothing without a window. */
+  private static final List<String> WINDOW_OPTIONS = List.of("--slices", "--surface");
+
+  @Spec private CommandSpec spec;
+  @Mixin private VolumeOptions volume;
+  @Mixin private ContactOptions contact;
+  @Mixin private OutputOptions output;
+  @Mixin private SliceOptions slices;
+  @Mixin private SurfaceOptions surface;
+
+  @Option(
+      names = "--device",
+      paramLabel = "NAME[:ID]",
+      defaultValue = "simulated",
+      description = {
+        "simulated[:SEED], replay:T.csv, hid[:SERIAL], openhaptics[:NAME],",
+        "forcedimension[:SERIAL], virtuose:HOST, or mouse in the window. Default: ${DEFAULT-VALUE}."
+      })
+  private String device;
+
+  @Option(
+      names = "--fit-each-axis",
+      description = {
+        "Stretch a real device's reach over the volume's box along each axis by itself;",
+        "shapes then lose their proportions."
+      })
+  private boolean fitEachAxis;
+
+  @Option(
+      names = "--rate",
+      paramLabel = "HZ",
+      defaultValue = "1000",
+      description = "Frames a second. Default: ${DEFAULT-VALUE}.")
+  private double rateHz;
+
+  @Option(names = "--seconds", paramLabel = "S", description = "End after so many seconds.")
+  private Double seconds;
+
+  @Option(names = "--headless", description = "Open no window.")
+  private boolean headless;
+
+  @Option(
+      names = "--record",
+      paramLabel = "T.csv",
+      description = "Record what the device sends, for replay.")
+  private Path recordFile;
+
+  @Option(
+      names = "--explain",
+      description = "Tell what real time needs, what this JVM and this system give, and end.")
+  private boolean explain;
+
+  private PrintWriter out;
+
+  @Override
+  public Integer call() throws IOException {
+    out = spec.commandLine().getOut();
+    if (explain) {
+      new RealtimeExplanation(out).print();
+      return 0;
+    }
+    checkNumbers();
+    checkSense();
+    if (hasWindow()) {
+      GraphicsDriver.prepare();
+    }
+    ContactSettings settings = contact.settings();
+    DeviceChoice choice = DeviceChoice.parse(device).withFitEachAxis(fitEachAxis);
+    VolumeSource source = VolumeSource.open(volume);
+    List<Path> inputs = new ArrayList<>(source.files());
+    inputs.addAll(choice.files());
+    Report report = new Report("touch", output.report(), inputs);
+    Optional<Path> record =
+        Optional.ofNullable(recordFile).map(path -> OutputPaths.checked("--record", path, inputs));
+    checkDistinct(record);
+    printStart(source, choice, settings);
+    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
+    ContactScene scene = contact.scene(source, segments);
+    HandTarget target = scene.handTarget();
+    LoopSettings loop = LoopSettings.ofRate(rateHz);
+    try (HapticDevice opened = choice.open(target, source.header().world(), loop.periodNanos())) {
+      Optional<ViewOptions> view = view(source);
+      WorldAxes axes = RenderCommand.axes(source.header().world());
+      TouchReport measured = run(scene, opened, choice, loop, record, view, axes);
+      measured.print(out);
+      if (report.isWanted()) {
+        report.putVolume(source, segments.segments());
+        measured.putInto(report);
+        report.put("solver", settings.solver().toString());
+        report.put("collision", settings.collision().toString());
+      }
+      report.write();
+      return measured.exitCode();
+    }
+  }
+
+  /** Refuses what would be left out in silence. */
+  private void checkSense() {
+    surface.check();
+    for (String option : WINDOW_OPTIONS) {
+      if (headless && spec.commandLine().getParseResult().hasMatchedOption(option)) {
+        throw wantsWindow(option);
+      }
+    }
+    if (device.equals("mouse") && headless) {
+      throw wantsWindow("--device mouse");
+    }
+    if (device.equals("mouse") && !GraphicsDriver.hasDisplay()) {
+      throw PalpateException.wrongUse(
+          "the mouse needs the window, and there is no display",
+          "--device mouse",
+          "set DISPLAY, or choose another device");
+    }
+  }
+
+  private static PalpateException wantsWindow(String option) {
+    return PalpateException.wrongUse(
+        option + " needs the window", "--headless", "leave one of them out");
+  }
+
+  private void checkNumbers() {
+    if (!(rateHz > 0) || rateHz > FASTEST_HZ) {
+      throw PalpateException.wrongUse(
+          "no rate for a loop", "--rate " + NumberText.people(rateHz), "try --rate 1000");
+    }
+    if (seconds != null && (!(seconds > 0) || seconds.isInfinite())) {
+      throw PalpateException.wrongUse(
+          "a positive number is needed", "--seconds " + seconds, "try --seconds 10");
+    }
+  }
+
+  private void checkDistinct(Optional<Path> record) {
+    List<Path> outputs = new ArrayList<>();
+    output.report().ifPresent(outputs::add);
+    record.ifPresent(outputs::add);
+    OutputPaths.checkDistinct(outputs);
+  }
+
+  private void printStart(VolumeSource source, DeviceChoice choice, ContactSettings settings) {
+    out.println(
+        "palpate "
+            + VersionProvider.version()
+            + ": "
+            + source.name()
+            + ", device "
+            + choice
+            + ", solver "
+            + settings.solver());
+    if (!headless && !GraphicsDriver.hasDisplay()) {
+      out.println("there is no display: goes on without a window");
+    }
+    out.flush();
+  }
+
+  private TouchReport run(
+      ContactScene scene,
+      HapticDevice opened,
+      DeviceChoice choice,
+      LoopSettings loop,
+      Optional<Path> record,
+      Optional<ViewOptions> viewed,
+      WorldAxes axes)
+      throws IOException {
+    TrajectoryRecording recording =
+        record.isPresent() ? new TrajectoryRecording(record.get()) : null;
+    try (recording;
+        RealtimeThread realtime = RealtimeThread.recommended();
+        TouchSession session =
+            new TouchSession(
+                scene,
+                opened,
+                choice.defaultStiffness(opened),
+                loop.with(realtime, realtime),
+                Optional.ofNullable(recording).map(TrajectoryRecording::recorder),
+                end -> {})) {
+      SessionSupervisor watch = new SessionSupervisor(session, Optional.ofNullable(seconds), out);
+      ConsoleViewListener listener = new ConsoleViewListener(out, watch::stop);
+      Optional<SessionView> view =
+          viewed.map(
+              options -> new SessionView(session, scene.volume(), axes, opened, listener, options));
+      view.ifPresent(watch::show);
+      LoopEnd end = watch.run();
+      if (recording != null) {
+        recording.finish();
+      }
+      return new TouchReport(
+          session, end, choice, opened, watch.seconds(), view, realtime.throttled());
+    }
+  }
+
+  private boolean hasWindow() {
+    return !headless && GraphicsDriver.hasDisplay();
+  }
+
+  /** What the window shows; empty where there is none. */
+  private Optional<ViewOptions> view(VolumeSource source) throws VolumeFormatException {
+    if (!hasWindow()) {
+      return Optional.empty();
+    }
+    Optional<MovableSlices.Start> planes = slices.start(source);
+    return Optional.of(
+        new ViewOptions(surface.greys(source, source.hasGreyValues()), planes, Optional.empty()));
+  }
+}

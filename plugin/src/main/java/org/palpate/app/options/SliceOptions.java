@@ -1,0 +1,68 @@
+package org.palpate.app.options;
+
+import java.util.Optional;
+import org.palpate.app.process.PalpateException;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.scene.GreySlices;
+import org.palpate.scene.MovableSlices;
+import org.palpate.scene.MovableSlices.Mode;
+import org.palpate.volume.VoxelGrid;
+import picocli.CommandLine.Option;
+
+/** The option that shows slices of the grey values. */
+public final class SliceOptions {
+  private static final String MIDDLE = "middle";
+  private static final String POINT = "point";
+
+  @Option(
+      names = "--slices",
+      paramLabel = "I,J,K",
+      description = {
+        "Show the grey values on three planes: the voxel they go through, -1 for no plane,",
+        "middle, or point: where the interaction point is."
+      })
+  private String slices;
+
+  boolean areWanted() {
+    return slices != null;
+  }
+
+  /** Whether the slices go through the interaction point. */
+  public boolean followsProxy() {
+    return POINT.equals(slices);
+  }
+
+  /** Reads the grey values, where slices are wanted; those at the point begin in the middle. */
+  public Optional<MovableSlices.Start> start(VolumeSource source) throws VolumeFormatException {
+    if (!areWanted()) {
+      return Optional.empty();
+    }
+    int[] voxel = voxel(source.header().grid());
+    GreySlices grey = new GreySlices(source.greyValues());
+    Mode mode = followsProxy() ? Mode.AT_POINT : Mode.FIXED;
+    return Optional.of(new MovableSlices.Start(grey, mode, voxel[0], voxel[1], voxel[2]));
+  }
+
+  private int[] voxel(VoxelGrid grid) {
+    int[] sizes = {grid.sizeX(), grid.sizeY(), grid.sizeZ()};
+    if (slices.equals(MIDDLE) || followsProxy()) {
+      return new int[] {sizes[0] / 2, sizes[1] / 2, sizes[2] / 2};
+    }
+    String[] parts = slices.split(",", -1);
+    int[] voxel = new int[3];
+    for (int axis = 0; axis < 3; axis++) {
+      if (parts.length != 3 || !parts[axis].matches("-1|[0-9]{1,9}")) {
+        throw wrong("write three voxel numbers, such as --slices 64,64,32, or middle, or point");
+      }
+      voxel[axis] = Integer.parseInt(parts[axis]);
+      if (voxel[axis] >= sizes[axis]) {
+        throw wrong("the volume has " + sizes[0] + " x " + sizes[1] + " x " + sizes[2] + " voxels");
+      }
+    }
+    return voxel;
+  }
+
+  private PalpateException wrong(String remedy) {
+    return PalpateException.wrongUse("no such slices", "--slices " + slices, remedy);
+  }
+}

@@ -1,0 +1,119 @@
+package org.palpate.app.output;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.palpate.app.options.OutputPaths;
+import org.palpate.app.process.PalpateException;
+import org.palpate.device.Trajectory;
+import org.palpate.geometry.Vec3;
+import org.palpate.host.ReplayRun;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.table.FramesCsvWriter;
+import org.palpate.io.table.LegsCsvWriter;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.LegPath;
+
+/** The tables that a replay writes, each only where it was asked for. One thread. */
+public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
+  private final Optional<Path> framesFile;
+  private final Optional<Path> legsFile;
+  private final List<AtomicFile> files = new ArrayList<>();
+  private Trajectory trajectory = new Trajectory();
+  private FramesCsvWriter frames;
+  private LegsCsvWriter legs;
+
+  private ReplayTables(Optional<Path> framesFile, Optional<Path> legsFile) {
+    this.framesFile = framesFile;
+    this.legsFile = legsFile;
+  }
+
+  /**
+   * Tables whose files were looked at; null for one that is not wanted.
+   *
+   * @throws PalpateException exit code 2, where one cannot be written, is an input, or is another
+   *     output
+   */
+  public static ReplayTables checked(
+      Path framesFile, Path legsFile, Optional<Path> report, List<Path> inputs) {
+    Optional<Path> frames =
+        Optional.ofNullable(framesFile).map(path -> OutputPaths.checked("--out", path, inputs));
+    Optional<Path> legs =
+        Optional.ofNullable(legsFile).map(path -> OutputPaths.checked("--legs", path, inputs));
+    List<Path> all = new ArrayList<>();
+    frames.ifPresent(all::add);
+    legs.ifPresent(all::add);
+    report.ifPresent(all::add);
+    OutputPaths.checkDistinct(all);
+    return new ReplayTables(frames, legs);
+  }
+
+  /** Opens what is wanted, for the frames of a trajectory. */
+  public void open(Trajectory replayed) throws IOException {
+    trajectory = replayed;
+    if (framesFile.isPresent()) {
+      frames = new FramesCsvWriter(newFile(framesFile.get()).stream());
+    }
+    if (legsFile.isPresent()) {
+      legs = new LegsCsvWriter(newFile(legsFile.get()).stream());
+    }
+  }
+
+  private AtomicFile newFile(Path target) throws IOException {
+    AtomicFile file = new AtomicFile(target);
+    files.add(file);
+    return file;
+  }
+
+  @Override
+  public void accept(
+      int frame, Vec3 device, Vec3 point, Vec3 forceNewton, InteractionPoint state, boolean freed)
+      throws IOException {
+    if (frames != null) {
+      double timeMs = trajectory.timeMs(frame);
+      double pathMm = state.legs.lengthMm();
+      frames.add(frame, timeMs, device, point, forceNewton, state.contact, pathMm);
+    }
+    if (legs != null) {
+      addLegs(frame, state, freed);
+    }
+  }
+
+  private void addLegs(int frame, InteractionPoint state, boolean freed) throws IOException {
+    LegPath path = state.legs;
+    if (freed) {
+      Vec3 place = new Vec3().set(state.position);
+      if (path.count() > 0) {
+        place.set(path.start(0, 0), path.start(0, 1), path.start(0, 2));
+      }
+      legs.addRelease(frame, place);
+    }
+    for (int leg = 0; leg < path.count(); leg++) {
+      legs.add(
+          frame,
+          leg,
+          path.start(leg, 0),
+          path.start(leg, 1),
+          path.start(leg, 2),
+          path.end(leg, 0),
+          path.end(leg, 1),
+          path.end(leg, 2));
+    }
+  }
+
+  /** Moves every table over its target. */
+  public void commit() throws IOException {
+    for (AtomicFile file : files) {
+      file.commit();
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    for (AtomicFile file : files) {
+      file.close();
+    }
+  }
+}

@@ -1,0 +1,32 @@
+package org.palpate.app.process;
+
+import org.palpate.io.volume.ReadProgress;
+
+/** A line that grows on a terminal while something takes longer than a second. One thread. */
+public final class ProgressLine implements ReadProgress {
+  private static final long SECOND_NANOS = 1_000_000_000L;
+  private static final int WIDTH = 40;
+
+  private final String what;
+  private final boolean shown = Terminal.isThere();
+  private final long startNanos = System.nanoTime();
+  private int drawn = -1;
+
+  public ProgressLine(String what) {
+    this.what = what;
+  }
+
+  @Override
+  public void read(int done, int total) {
+    if (!shown || (drawn < 0 && System.nanoTime() - startNanos < SECOND_NANOS)) {
+      return;
+    }
+    int length = (int) ((long) WIDTH * done / total);
+    if (done == total) {
+      System.err.print("\r" + " ".repeat(what.length() + WIDTH + 4) + "\r");
+    } else if (length != drawn) {
+      System.err.print("\r" + what + " [" + "#".repeat(length) + ".".repeat(WIDTH - length) + "]");
+    }
+    drawn = length;
+  }
+}

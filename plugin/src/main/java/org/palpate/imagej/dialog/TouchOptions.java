@@ -1,0 +1,274 @@
+package org.palpate.imagej.dialog;
+
+import ij.Macro;
+import ij.Prefs;
+import ij.gui.GenericDialog;
+import ij.measure.Calibration;
+import ij.process.ImageProcessor;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.palpate.force.ForceSettings;
+import org.palpate.force.FrictionForm;
+import org.palpate.host.ContactSettings;
+import org.palpate.host.SolverKind;
+import org.palpate.imagej.session.StackDevice;
+import org.palpate.imagej.stack.SegmentColour;
+import org.palpate.imagej.stack.SegmentRange;
+import org.palpate.imagej.stack.StackSegments;
+import org.palpate.imagej.stack.StackVolume;
+import org.palpate.imagej.stack.TouchRefusedException;
+import org.palpate.io.volume.LabelTable;
+
+/**
+ * What the user chose in the dialog of "Touch Volume...", which a macro gives by the first words of
+ * its labels; kept in ImageJ's preferences.
+ *
+ * @param name of the segment where there is one; labels have their values' names
+ * @param colour of that one; labels have those of the image or of the table beside its file
+ * @param labels whether the image is taken as labels, a segment a label; else the values from lower
+ *     to upper are one segment
+ * @param lower the least value of the segment, calibrated as ImageJ shows it
+ * @param upper the largest
+ * @param followsThreshold whether these are the thresholds that the image shows
+ * @param solver what moves the interaction point
+ * @param stiffnessNewtonPerMm force over distance; the device's own default where 0
+ * @param friction coefficient
+ * @param materials of segments that feel otherwise
+ * @param device as {@link StackDevice} reads it
+ * @param workspace how the reach of a real device is laid over the stack
+ * @param seconds how long; until Escape or the image closes where 0
+ * @param view whether a 3-D window is wanted
+ */
+public record TouchOptions(
+    String name,
+    SegmentColour colour,
+    boolean labels,
+    double lower,
+    double upper,
+    boolean followsThreshold,
+    SolverKind solver,
+    double stiffnessNewtonPerMm,
+    double friction,
+    StackMaterials materials,
+    String device,
+    StackWorkspace workspace,
+    double seconds,
+    boolean view) {
+  private static final String PREFIX = "palpate.";
+  private static final String SIMULATED = "simulated";
+  private static final int THRESHOLD_COLUMNS = 10;
+  private static final double LARGEST_DEFAULT = 65535;
+
+  /**
+   * Asks the user, or takes what a macro says; null where it was cancelled.
+   *
+   * @param live whether a device is to be held; a replay needs nothing that has to do with it
+   */
+  public static TouchOptions ask(String title, StackVolume volume, boolean live)
+      throws TouchRefusedException {
+    ImageProcessor shown = volume.image().getProcessor();
+    boolean threshold = shown.getMinThreshold() != ImageProcessor.NO_THRESHOLD;
+    Calibration values = volume.image().getCalibration();
+    double lower =
+        threshold ? values.getCValue(shown.getMinThreshold()) : Prefs.get(PREFIX + "lower", 1);
+    double upper =
+        threshold
+            ? values.getCValue(shown.getMaxThreshold())
+            : Prefs.get(PREFIX + "upper", LARGEST_DEFAULT);
+    GenericDialog dialog = new GenericDialog(title);
+    addSegment(dialog, lower, upper);
+    addFeel(dialog);
+    if (live) {
+      addDevice(dialog);
+    }
+    HelpText.addTo(dialog);
+    dialog.showDialog();
+    if (dialog.wasCanceled()) {
+      return null;
+    }
+    TouchOptions chosen = read(dialog, threshold ? lower : Double.NaN, upper, live);
+    chosen.check();
+    chosen.keep(live);
+    return chosen;
+  }
+
+  private static void addSegment(GenericDialog dialog, double lower, double upper) {
+    dialog.addStringField("Segment name", Prefs.get(PREFIX + "name", "segment"), 16);
+    dialog.addChoice(
+        "Colour",
+        SegmentColour.words(),
+        Prefs.get(PREFIX + "colour", SegmentColour.BONE.toString()));
+    dialog.addCheckbox("Labels: a segment a value", Prefs.get(PREFIX + "labels", false));
+    dialog.addNumericField("Lower threshold", lower, 2, THRESHOLD_COLUMNS, "");
+    dialog.addNumericField("Upper threshold", upper, 2, THRESHOLD_COLUMNS, "");
+  }
+
+  private static void addFeel(GenericDialog dialog) {
+    dialog.addChoice(
+        "Solver", solvers(), Prefs.get(PREFIX + "solver", SolverKind.DEFAULT.toString()));
+    dialog.addNumericField(
+        "Stiffness (0: device default)", Prefs.get(PREFIX + "stiffness", 0), 3, 8, "N/mm");
+    dialog.addNumericField(
+        "Friction", Prefs.get(PREFIX + "friction", ForceSettings.DEFAULT_FRICTION), 2);
+    // A macro that says nothing of them means none, whatever was chosen in a dialog before.
+    String materials = Macro.getOptions() == null ? Prefs.get(PREFIX + "materials", "") : "";
+    dialog.addStringField("Materials (bone=stiffness:0.8,friction:0.3; ...)", materials, 24);
+  }
+
+  private static void addDevice(GenericDialog dialog) {
+    dialog.addStringField("Device", Prefs.get(PREFIX + "device", SIMULATED), 24);
+    dialog.addChoice(
+        "Workspace of a real device",
+        StackWorkspace.Kind.words(),
+        Prefs.get(PREFIX + "workspace", StackWorkspace.Kind.FIT.toString()));
+    dialog.addNumericField(
+        "Scale (where by scale)",
+        Prefs.get(PREFIX + "scale", 1),
+        3,
+        8,
+        "mm of scan per mm of hand");
+    dialog.addNumericField("Time (0: until Escape)", Prefs.get(PREFIX + "seconds", 0), 1, 8, "s");
+    dialog.addCheckbox("View in 3-D", Prefs.get(PREFIX + "view", true));
+  }
+
+  /**
+   * Reads every field in its order, so that the recorder writes each.
+   *
+   * @param shownLower the lower threshold that the image shows; NaN where it shows none
+   */
+  private static TouchOptions read(
+      GenericDialog dialog, double shownLower, double shownUpper, boolean live)
+      throws TouchRefusedException {
+    String name = dialog.getNextString().strip();
+    String colour = dialog.getNextChoice();
+    boolean labels = dialog.getNextBoolean();
+    double lower = dialog.getNextNumber();
+    double upper = dialog.getNextNumber();
+    String solver = dialog.getNextChoice();
+    double stiffness = dialog.getNextNumber();
+    double friction = dialog.getNextNumber();
+    String materials = dialog.getNextString();
+    String device = live ? dialog.getNextString().strip() : SIMULATED;
+    String workspace = live ? dialog.getNextChoice() : StackWorkspace.Kind.FIT.toString();
+    double scale = live ? dialog.getNextNumber() : 1;
+    double seconds = live ? dialog.getNextNumber() : 0;
+    boolean view = live && dialog.getNextBoolean();
+    if (dialog.invalidNumber()) {
+      throw new TouchRefusedException(
+          "A field does not hold a number: " + dialog.getErrorMessage());
+    }
+    boolean asShown = isShown(lower, shownLower) && isShown(upper, shownUpper);
+    return new TouchOptions(
+        name.isEmpty() ? "segment" : name,
+        known("colour", colour, SegmentColour.parse(colour), SegmentColour.words()),
+        labels,
+        lower,
+        upper,
+        asShown && !labels,
+        known("solver", solver, SolverKind.parse(solver), solvers()),
+        stiffness,
+        friction,
+        StackMaterials.parse(materials),
+        device,
+        workspace(workspace, scale),
+        seconds,
+        view);
+  }
+
+  private static StackWorkspace workspace(String words, double scale) throws TouchRefusedException {
+    if (!(scale > 0) || Double.isInfinite(scale)) {
+      throw new TouchRefusedException(
+          "The scale must be a positive number of mm of scan per mm of hand.");
+    }
+    StackWorkspace.Kind kind =
+        known("workspace", words, StackWorkspace.Kind.parse(words), StackWorkspace.Kind.words());
+    return new StackWorkspace(kind, scale);
+  }
+
+  /** What a macro may have written as it likes. */
+  private static <T> T known(String what, String word, Optional<T> found, String[] all)
+      throws TouchRefusedException {
+    return found.orElseThrow(
+        () ->
+            new TouchRefusedException(
+                "There is no "
+                    + what
+                    + " \""
+                    + word
+                    + "\": choose one of "
+                    + String.join(", ", all)
+                    + "."));
+  }
+
+  /** Whether a field still says what it was given, which it showed with two digits. */
+  private static boolean isShown(double value, double shown) {
+    return Math.abs(value - shown) <= 0.005;
+  }
+
+  private static String[] solvers() {
+    return List.of(SolverKind.values()).stream().map(SolverKind::toString).toArray(String[]::new);
+  }
+
+  private void check() throws TouchRefusedException {
+    if (!labels && !(lower <= upper)) {
+      throw new TouchRefusedException(
+          "The lower threshold " + lower + " lies above the upper one, " + upper + ".");
+    }
+    if (!(stiffnessNewtonPerMm >= 0) || !(friction >= 0) || !(seconds >= 0)) {
+      throw new TouchRefusedException("Stiffness, friction and time must be 0 or more.");
+    }
+  }
+
+  private void keep(boolean live) {
+    Prefs.set(PREFIX + "name", name);
+    Prefs.set(PREFIX + "colour", colour.toString());
+    Prefs.set(PREFIX + "labels", labels);
+    Prefs.set(PREFIX + "lower", lower);
+    Prefs.set(PREFIX + "upper", upper);
+    Prefs.set(PREFIX + "solver", solver.toString());
+    Prefs.set(PREFIX + "stiffness", stiffnessNewtonPerMm);
+    Prefs.set(PREFIX + "friction", friction);
+    Prefs.set(PREFIX + "materials", materials.text());
+    if (live) {
+      Prefs.set(PREFIX + "device", device);
+      Prefs.set(PREFIX + "workspace", workspace.kind().toString());
+      Prefs.set(PREFIX + "scale", workspace.scale());
+      Prefs.set(PREFIX + "seconds", seconds);
+      Prefs.set(PREFIX + "view", view);
+    }
+  }
+
+  /** As the host wants them. */
+  public ContactSettings contactSettings() {
+    OptionalDouble stiffness =
+        stiffnessNewtonPerMm > 0 ? OptionalDouble.of(stiffnessNewtonPerMm) : OptionalDouble.empty();
+    return new ContactSettings(
+        solver,
+        solver.defaultCollision(),
+        stiffness,
+        friction,
+        OptionalDouble.empty(),
+        OptionalDouble.empty(),
+        FrictionForm.EQUATION_4,
+        materials.choices());
+  }
+
+  /**
+   * What makes the segments of a stack, in its raw values.
+   *
+   * @throws TouchRefusedException where the labels are none
+   */
+  public List<SegmentRange> rules(StackVolume volume) throws TouchRefusedException {
+    if (labels) {
+      LabelTable table = volume.labelTable();
+      return StackSegments.labels(volume).stream()
+          .map(value -> SegmentRange.label(value, volume.image(), table))
+          .toList();
+    }
+    Calibration values = volume.image().getCalibration();
+    double a = values.getRawValue(lower);
+    double b = values.getRawValue(upper);
+    return List.of(SegmentRange.threshold(name, Math.min(a, b), Math.max(a, b), colour));
+  }
+}

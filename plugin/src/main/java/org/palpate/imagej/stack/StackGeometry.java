@@ -1,0 +1,83 @@
+package org.palpate.imagej.stack;
+
+import ij.ImagePlus;
+import ij.measure.Calibration;
+import java.util.Locale;
+import java.util.Map;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Where the voxels of a stack lie, by its calibration: voxel edges in millimetres whatever the
+ * unit, and ImageJ's own calibrated coordinates as the world, in millimetres.
+ *
+ * <p>ImageJ counts from the corner of a pixel and from its origin; slice s (from 1) spans s-1 to s
+ * in z.
+ *
+ * @param grid sizes, spacing in mm, place
+ * @param unit the stack's unit of length, as ImageJ names it
+ * @param mmPerUnit what one of it is in mm; 1 where the unit is no length
+ */
+public record StackGeometry(VoxelGrid grid, String unit, double mmPerUnit) {
+  private static final Map<String, Double> MM_PER_UNIT =
+      Map.ofEntries(
+          Map.entry("mm", 1.0),
+          Map.entry("millimeter", 1.0),
+          Map.entry("millimetre", 1.0),
+          Map.entry("cm", 10.0),
+          Map.entry("centimeter", 10.0),
+          Map.entry("m", 1000.0),
+          Map.entry("meter", 1000.0),
+          Map.entry("um", 1e-3),
+          Map.entry("\u00b5m", 1e-3),
+          Map.entry("\u03bcm", 1e-3),
+          Map.entry("micron", 1e-3),
+          Map.entry("microns", 1e-3),
+          Map.entry("micrometer", 1e-3),
+          Map.entry("nm", 1e-6),
+          Map.entry("nanometer", 1e-6),
+          Map.entry("inch", 25.4),
+          Map.entry("in", 25.4));
+
+  /**
+   * Reads a stack's calibration.
+   *
+   * @throws TouchRefusedException where a voxel's edge is not positive and finite
+   */
+  public static StackGeometry of(ImagePlus image) throws TouchRefusedException {
+    Calibration calibration = image.getCalibration();
+    String unit = calibration.getUnit();
+    double mmPerUnit = MM_PER_UNIT.getOrDefault(unit.toLowerCase(Locale.ROOT), 1.0);
+    Vec3 spacingMm =
+        new Vec3(
+            Math.abs(calibration.pixelWidth) * mmPerUnit,
+            Math.abs(calibration.pixelHeight) * mmPerUnit,
+            Math.abs(calibration.pixelDepth) * mmPerUnit);
+    if (!(spacingMm.x > 0 && spacingMm.y > 0 && spacingMm.z > 0) || !spacingMm.isFinite()) {
+      throw new TouchRefusedException(
+          "The voxel size is not positive: set it by Image > Properties... (Ctrl+Shift+P).");
+    }
+    Vec3 corner =
+        new Vec3(
+            -calibration.xOrigin * spacingMm.x,
+            -calibration.yOrigin * spacingMm.y,
+            -calibration.zOrigin * spacingMm.z);
+    RigidTransform axes =
+        new RigidTransform(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), corner);
+    VoxelGrid grid =
+        new VoxelGrid(
+            image.getWidth(), image.getHeight(), Math.max(1, image.getNSlices()), spacingMm, axes);
+    return new StackGeometry(grid, unit, mmPerUnit);
+  }
+
+  /** Whether the unit is a length, so that millimetres mean what they say. */
+  boolean isMetric() {
+    return MM_PER_UNIT.containsKey(unit.toLowerCase(Locale.ROOT));
+  }
+
+  /** Writes the place in ImageJ's calibrated units into {@code dest}. */
+  public Vec3 gridToCalibrated(Vec3 point, Vec3 dest) {
+    return grid.gridToWorld(point, dest).mul(1 / mmPerUnit, dest);
+  }
+}

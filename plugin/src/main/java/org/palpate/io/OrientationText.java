@@ -1,0 +1,84 @@
+package org.palpate.io;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.List;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeHeader.World;
+
+/** Says in a radiographer's words how a volume lies in the patient. */
+public final class OrientationText {
+  private static final double ROUNDING_MM = 1e-9; // what rounding leaves of 0
+  private static final double ALONG_AN_AXIS = 0.999; // within 2.6 degrees
+
+  private OrientationText() {}
+
+  /**
+   * How the slices lie and which way rows and columns run, and where the first voxel is; only the
+   * last where the file does not name its axes.
+   */
+  public static List<String> place(VolumeHeader header) {
+    Vec3 first = header.grid().gridToWorld(new Vec3(0.5, 0.5, 0.5), new Vec3());
+    String centre =
+        "first voxel's centre at "
+            + number(first.x)
+            + ", "
+            + number(first.y)
+            + ", "
+            + number(first.z)
+            + " mm";
+    if (header.world() == World.UNKNOWN) {
+      return List.of(centre);
+    }
+    RigidTransform axes = header.grid().gridMmToWorld();
+    String slices =
+        plane(axes.axisZ())
+            + " slices, "
+            + number(header.grid().spacingMm().z)
+            + " mm apart, running to the patient's "
+            + towards(axes.axisZ(), header.world());
+    String pixels =
+        "in a slice x runs to the patient's "
+            + towards(axes.axisX(), header.world())
+            + ", y to the "
+            + towards(axes.axisY(), header.world());
+    return List.of(slices, pixels, centre);
+  }
+
+  /** A length for a person: to four decimals, below 1 mm to five digits. */
+  public static String number(double mm) {
+    if (!(Math.abs(mm) < 1) || Math.abs(mm) < ROUNDING_MM) {
+      return NumberParser.text(Math.rint(mm * 1e4) / 1e4 + 0.0);
+    }
+    return new BigDecimal(mm).round(new MathContext(5)).stripTrailingZeros().toPlainString();
+  }
+
+  /** The anatomical plane that slices across this axis lie in, or the nearest. */
+  private static String plane(Vec3 axis) {
+    String name = List.of("sagittal", "coronal", "axial").get(longest(axis));
+    return Math.abs(axis.get(longest(axis))) >= ALONG_AN_AXIS ? name : "oblique, nearly " + name;
+  }
+
+  private static int longest(Vec3 axis) {
+    int along = 0;
+    for (int n = 1; n < 3; n++) {
+      along = Math.abs(axis.get(n)) > Math.abs(axis.get(along)) ? n : along;
+    }
+    return along;
+  }
+
+  private static String towards(Vec3 axis, World world) {
+    int along = longest(axis);
+    boolean positive = axis.get(along) > 0;
+    String name =
+        switch (along) {
+          case 0 -> positive == (world != World.RAS) ? "left" : "right";
+          case 1 -> positive == (world == World.LPS) ? "back" : "front";
+          default -> positive ? "head" : "feet";
+        };
+    return Math.abs(axis.get(along)) >= ALONG_AN_AXIS ? name : name + " (obliquely)";
+  }
+}

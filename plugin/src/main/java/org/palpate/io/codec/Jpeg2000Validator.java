@@ -1,0 +1,199 @@
+package org.palpate.io.codec;
+
+import java.io.IOException;
+
+/**
+ * Looks through a JPEG 2000 codestream before a library is given it. The library trusts what is
+ * there: it would search without end for a tile that is missing, and two bytes of all ones in the
+ * head of a packet, which no encoder writes, are ones without end to it.
+ *
+ * <p>Source: ITU-T T.800, annex A; for the bytes that coded data never holds, B.10.1 and C.2.
+ */
+public final class Jpeg2000Validator {
+  private static final int START = 0xFF4F;
+  private static final int SIZE = 0xFF51;
+  private static final int CODING = 0xFF52;
+  private static final int COMPONENT_CODING = 0xFF53;
+  private static final int PACKED_HEADS = 0xFF60;
+  private static final int PACKED_TILE_HEADS = 0xFF61;
+  private static final int TILE_PART = 0xFF90;
+  private static final int PACKET = 0xFF91;
+  private static final int PACKET_HEAD_END = 0xFF92;
+  private static final int TILE_DATA = 0xFF93;
+  private static final int END = 0xFFD9;
+  private static final int REVERSIBLE = 1;
+  private static final int MOST_LEVELS = 32;
+  private static final int MOST_LAYERS = 1024;
+  private static final int MOST_TILES = 65535;
+  private static final int TILE_PART_BYTES = 12;
+
+  /** Coded data never hold a larger word that begins with all ones. */
+  private static final int LARGEST_CODED = 0xFF8F;
+
+  /** Precincts of fewer pixels an edge cost more to know than to read. */
+  private static final int LEAST_PRECINCT_LOG = 4;
+
+  /** The library keeps a few numbers for each layer of each block. */
+  private static final long MOST_BLOCK_LAYERS = 1 << 22;
+
+  private final byte[] bytes;
+  private final int columns;
+  private final int rows;
+  private int tiles;
+  private boolean reversible;
+
+  private Jpeg2000Validator(byte[] bytes, int columns, int rows) {
+    this.bytes = bytes;
+    this.columns = columns;
+    this.rows = rows;
+  }
+
+  /**
+   * Whether every pixel comes back as it was.
+   *
+   * @throws IOException where the stream is not whole, or no grey picture of this size
+   */
+  public static boolean isReversible(byte[] bytes, int columns, int rows) throws IOException {
+    Jpeg2000Validator stream = new Jpeg2000Validator(bytes, columns, rows);
+    int firstTilePart = stream.readMainHeader();
+    stream.readTileParts(firstTilePart);
+    return stream.reversible;
+  }
+
+  /** Gives where the first tile part begins. */
+  private int readMainHeader() throws IOException {
+    boolean coded = false;
+    require(word(0) == START && word(2) == SIZE, "begins otherwise");
+    int at = 2;
+    for (; word(at) != TILE_PART; at += 2 + segmentLength(at)) {
+      if (word(at) == SIZE) {
+        require(tiles == 0, "has two sizes");
+        readSize(at);
+      } else if (word(at) == CODING) {
+        require(!coded, "has two ways of coding");
+        coded = true;
+        readCoding(at);
+      } else {
+        requireReadable(at);
+      }
+    }
+    require(coded, "does not say how it is coded");
+    return at;
+  }
+
+  private void readSize(int at) throws IOException {
+    require(
+        quad(at + 6) == columns && quad(at + 10) == rows, "has another size than its header says");
+    require((quad(at + 14) | quad(at + 18) | quad(at + 30) | quad(at + 34)) == 0, "is shifted");
+    require(word(at + 38) == 1 && segmentLength(at) == 41, "has several components");
+    require(octet(at + 41) == 1 && octet(at + 42) == 1, "is subsampled");
+    long across = (columns - 1) / Math.max(1, quad(at + 22)) + 1;
+    long down = (rows - 1) / Math.max(1, quad(at + 26)) + 1;
+    require(quad(at + 22) > 0 && quad(at + 26) > 0, "has empty tiles");
+    require(across * down <= MOST_TILES, "has too many tiles");
+    tiles = (int) (across * down);
+  }
+
+  private void readCoding(int at) throws IOException {
+    int layers = word(at + 6);
+    int levels = octet(at + 9);
+    require(layers >= 1 && layers <= MOST_LAYERS && levels <= MOST_LEVELS, "is coded strangely");
+    boolean precincts = (octet(at + 4) & 1) != 0;
+    require(segmentLength(at) == 12 + (precincts ? levels + 1 : 0), "is coded strangely");
+    require(
+        octet(at + 10) <= 8 && octet(at + 11) <= 8 && octet(at + 10) + octet(at + 11) <= 8,
+        "has blocks of a strange size");
+    for (int level = 0; precincts && level <= levels; level++) {
+      int size = octet(at + 14 + level);
+      require(
+          (size & 15) >= LEAST_PRECINCT_LOG && size >> 4 >= LEAST_PRECINCT_LOG,
+          "has precincts of a strange size");
+    }
+    long blocks = (((long) columns * rows) >> (octet(at + 10) + octet(at + 11) + 4)) + tiles + 1;
+    require(blocks * layers <= MOST_BLOCK_LAYERS, "has too many layers");
+    reversible = octet(at + 13) == REVERSIBLE;
+  }
+
+  /** What says anew how the picture is coded, or sets the heads of packets apart. */
+  private void requireReadable(int at) throws IOException {
+    int marker = word(at);
+    require(
+        marker != COMPONENT_CODING && marker != PACKED_HEADS && marker != PACKED_TILE_HEADS,
+        "is coded in a rare way");
+  }
+
+  /** Every tile is there, its parts in order and as many as they say. */
+  private void readTileParts(int first) throws IOException {
+    int[] parts = new int[tiles];
+    int[] promised = new int[tiles];
+    int at = first;
+    while (at + 2 <= bytes.length && word(at) == TILE_PART) {
+      long length = quad(at + 6);
+      int tile = word(at + 4);
+      require(segmentLength(at) == 10 && tile < tiles, "has a tile that is not in it");
+      require(octet(at + 10) == parts[tile]++, "has tile parts out of order");
+      int told = octet(at + 11);
+      require(promised[tile] == 0 || told == 0 || told == promised[tile], "contradicts itself");
+      promised[tile] = Math.max(promised[tile], told);
+      int end = length == 0 ? bytes.length : (int) Math.min(bytes.length, at + length);
+      require(length == 0 || length == (long) end - at, "ends inside a tile");
+      requireTileData(at + TILE_PART_BYTES, end);
+      at = end;
+    }
+    for (int tile = 0; tile < tiles; tile++) {
+      require(
+          parts[tile] > 0 && (promised[tile] == 0 || promised[tile] == parts[tile]),
+          "lacks a tile");
+    }
+    require(at >= bytes.length - 2 || word(at) == END, "goes on after its tiles");
+  }
+
+  /** The tile's own markers are short, do not change the coding, and end in data. */
+  private void requireTileData(int from, int end) throws IOException {
+    int at = from;
+    while (at + 2 <= end && word(at) != TILE_DATA) {
+      require(word(at) != CODING && word(at) != SIZE, "changes inside a tile");
+      requireReadable(at);
+      at += 2 + segmentLength(at);
+    }
+    require(at + 2 <= end, "has a tile without data");
+    requireCoded(from - TILE_PART_BYTES, at + 2, end);
+  }
+
+  /** Bytes as an encoder writes them: also before the data, for the library may run into them. */
+  private void requireCoded(int from, int dataFrom, int end) throws IOException {
+    for (int at = from; at + 1 < end; at++) {
+      if (bytes[at] != -1) {
+        continue;
+      }
+      int pair = 0xFF00 | (bytes[at + 1] & 0xff);
+      boolean marker = pair == PACKET || pair == PACKET_HEAD_END || pair == END;
+      require(pair <= LARGEST_CODED || marker || (at < dataFrom && pair != 0xFFFF), "is damaged");
+    }
+    require(end == bytes.length || bytes[end - 1] != -1, "is damaged");
+  }
+
+  private int segmentLength(int at) throws IOException {
+    require(word(at) >= 0xFF4F && word(at + 2) >= 2, "has a damaged marker");
+    return word(at + 2);
+  }
+
+  private int octet(int at) throws IOException {
+    require(at < bytes.length, "ends early");
+    return bytes[at] & 0xff;
+  }
+
+  private int word(int at) throws IOException {
+    return octet(at) << 8 | octet(at + 1);
+  }
+
+  private long quad(int at) throws IOException {
+    return (long) word(at) << 16 | word(at + 2);
+  }
+
+  private static void require(boolean holds, String otherwise) throws IOException {
+    if (!holds) {
+      throw new IOException("a compressed picture " + otherwise);
+    }
+  }
+}

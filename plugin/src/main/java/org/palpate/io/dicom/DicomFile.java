@@ -1,0 +1,229 @@
+package org.palpate.io.dicom;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import org.palpate.io.dicom.DicomParser.PixelDataItem;
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.volume.VolumeFormatException;
+
+/**
+ * One DICOM file: its attributes, and where its pixels lie.
+ *
+ * @param file where it is
+ * @param attributes those of the data set
+ * @param syntax how it is written
+ * @param deflatedFrom where the deflated data set begins, -1 where it is not deflated
+ * @param order the order of bytes
+ * @param pieces where pixels lie: one piece, or fragments
+ * @param encapsulated whether the pieces are fragments
+ */
+public record DicomFile(
+    Path file,
+    DicomDataSet attributes,
+    TransferSyntax syntax,
+    long deflatedFrom,
+    ByteOrder order,
+    List<PixelDataItem> pieces,
+    boolean encapsulated) {
+  private static final int PREAMBLE = 128;
+  private static final String CONVERT = "convert it with gdcmconv --raw IN OUT (free, from GDCM)";
+
+  /** Whether bytes at the start of a file are a DICOM file's. */
+  public static boolean isDicom(byte[] start) {
+    return start.length >= PREAMBLE + 4
+        && new String(start, PREAMBLE, 4, StandardCharsets.ISO_8859_1).equals("DICM");
+  }
+
+  static DicomFile read(Path file) throws VolumeFormatException {
+    try (DicomBytes bytes = DicomBytes.open(file)) {
+      return read(file, bytes);
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new VolumeFormatException(
+          "it is damaged (" + e.getMessage() + ")", file, "copy or export the file again", e);
+    }
+  }
+
+  private static DicomFile read(Path file, DicomBytes bytes) throws IOException {
+    DicomDataSet meta = new DicomDataSet();
+    long body = readMeta(bytes, meta);
+    String uid = meta.text(DicomTag.TRANSFER_SYNTAX);
+    if (uid.isEmpty()) {
+      throw new VolumeFormatException(
+          "it does not say how it is written (no transfer syntax)", file, CONVERT);
+    }
+    boolean deflated = uid.equals(TransferSyntax.DEFLATED);
+    ByteOrder order =
+        uid.equals(TransferSyntax.BIG_ENDIAN) ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
+    DicomDataSet attributes = new DicomDataSet();
+    try (DicomBytes data = deflated ? DicomBytes.inflated(file, body) : bytes) {
+      DicomParser parser = new DicomParser(data, deflated ? 0 : body, order);
+      parser.parse(data.length(), !uid.equals(TransferSyntax.IMPLICIT), attributes);
+      DicomFile dicom =
+          new DicomFile(
+              file,
+              attributes,
+              TransferSyntax.of(uid),
+              deflated ? body : -1,
+              order,
+              List.copyOf(parser.pieces()),
+              parser.isEncapsulated());
+      if (parser.isFloating()) {
+        throw dicom.wrong("its pixels are floating-point numbers", CONVERT);
+      }
+      return dicom;
+    }
+  }
+
+  /** Reads group 2, which is always explicit and little-endian; gives where the rest begins. */
+  private static long readMeta(DicomBytes bytes, DicomDataSet meta) throws IOException {
+    long at = PREAMBLE + 4;
+    ByteBuffer first = bytes.at(at, 12, ByteOrder.LITTLE_ENDIAN);
+    if (first.getInt(0) != 0x0000_0002) {
+      throw new IOException("it has no group 2");
+    }
+    long end = at + 12 + (first.getInt(8) & 0xffffffffL);
+    if (end > bytes.length()) {
+      throw new IOException("its group 2 is longer than the file");
+    }
+    new DicomParser(bytes, at + 12, ByteOrder.LITTLE_ENDIAN).parse(end, true, meta);
+    return end;
+  }
+
+  boolean hasPixels() {
+    return !pieces.isEmpty();
+  }
+
+  int rows() {
+    return attributes.number(DicomTag.ROWS, 0);
+  }
+
+  int columns() {
+    return attributes.number(DicomTag.COLUMNS, 0);
+  }
+
+  int bitsAllocated() {
+    return attributes.number(DicomTag.BITS_ALLOCATED, 0);
+  }
+
+  int bitsStored() {
+    return attributes.number(DicomTag.BITS_STORED, bitsAllocated());
+  }
+
+  int highBit() {
+    return attributes.number(DicomTag.HIGH_BIT, bitsStored() - 1);
+  }
+
+  boolean isSigned() {
+    return attributes.number(DicomTag.SIGNED, 0) == 1;
+  }
+
+  /** Bytes of one frame, decoded. */
+  long frameBytes() {
+    return (long) rows() * columns() * (bitsAllocated() / 8);
+  }
+
+  /** The number of frames, 1 where it does not say. */
+  int frameCount() throws VolumeFormatException {
+    String text = attributes.text(DicomTag.FRAMES);
+    int count = text.isEmpty() ? 1 : NumberParser.positiveInt(text);
+    if (count < 1) {
+      throw wrong("its number of frames is '" + text + "'", "export the file again");
+    }
+    return count;
+  }
+
+  /** Refuses what is no grey picture, cannot be decoded, or is not all there. */
+  void check() throws VolumeFormatException {
+    if (!hasPixels()) {
+      throw wrong("it holds no picture", "give a file or folder of a picture series");
+    }
+    if (syntax.coding() == TransferSyntax.Coding.UNREADABLE) {
+      throw wrong("it is compressed as " + syntax.name() + ", which cannot be read", CONVERT);
+    }
+    if (attributes.number(DicomTag.SAMPLES, 1) != 1) {
+      throw wrong("its pixels are colours", "give a grey series");
+    }
+    if (attributes.text(DicomTag.MODALITY).equals("RTDOSE")) {
+      throw wrong("it is a dose grid, not a scan", "give the scan that it was planned on");
+    }
+    if (bitsAllocated() == 1) {
+      throw wrong(
+          "it is a DICOM segmentation of one bit a pixel",
+          "save it as a label volume (NRRD or NIfTI), from 3D Slicer for one");
+    }
+    boolean bitsMakeSense =
+        bitsStored() >= 1 && highBit() >= bitsStored() - 1 && highBit() < bitsAllocated();
+    if ((bitsAllocated() != 8 && bitsAllocated() != 16 && bitsAllocated() != 32)
+        || !bitsMakeSense) {
+      throw wrong(
+          "its pixels have "
+              + bitsStored()
+              + " of "
+              + bitsAllocated()
+              + " bits, the highest "
+              + highBit(),
+          CONVERT);
+    }
+    if (rows() < 1 || columns() < 1) {
+      throw wrong("its size is " + columns() + "x" + rows(), "export the file again");
+    }
+    checkPixelDataItems();
+  }
+
+  private void checkPixelDataItems() throws VolumeFormatException {
+    boolean plain = syntax.coding() == TransferSyntax.Coding.PLAIN;
+    if (plain == encapsulated) {
+      throw wrong("its pixels are not written as " + syntax.name() + " would have them", CONVERT);
+    }
+    double needed = (double) frameBytes() * frameCount();
+    if (plain && pieces.get(0).length() < needed) {
+      throw wrong(
+          "its header promises "
+              + NumberParser.text(needed)
+              + " bytes of pixels, it has "
+              + pieces.get(0).length(),
+          "the file was cut short; copy or export it again");
+    }
+    requireInflatable(needed);
+    if (!plain && pieces.size() < frameCount()) {
+      throw wrong("it has " + frameCount() + " frames in " + pieces.size() + " fragments", CONVERT);
+    }
+    if (!plain && frameCount() > 1 && pieces.size() != frameCount()) {
+      throw wrong("its frames are split into fragments", CONVERT);
+    }
+  }
+
+  /** Refuses more pixels than the compressed bytes can become. */
+  private void requireInflatable(double needed) throws VolumeFormatException {
+    double stored = 0;
+    for (PixelDataItem piece : pieces) {
+      stored += piece.length();
+    }
+    double most =
+        switch (syntax.coding()) {
+          case RLE -> 64; // 2 bytes for 128
+          case JPEG_LOSSLESS -> 8.0 * bitsAllocated() / 8; // a bit a pixel
+          case JPEG_2000 -> 20_000; // an even picture of 2000x2000 takes some 400 bytes
+          default -> Double.POSITIVE_INFINITY;
+        };
+    if (needed > stored * most) {
+      throw wrong(
+          "its header promises "
+              + NumberParser.text(needed)
+              + " bytes of pixels, it has "
+              + NumberParser.text(stored)
+              + " compressed",
+          "the file was cut short; copy or export it again");
+    }
+  }
+
+  VolumeFormatException wrong(String what, String remedy) {
+    return new VolumeFormatException(what, file, remedy);
+  }
+}

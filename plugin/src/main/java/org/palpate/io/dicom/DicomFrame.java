@@ -1,0 +1,113 @@
+package org.palpate.io.dicom;
+
+import java.util.List;
+import java.util.Optional;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.format.Scaling;
+import org.palpate.io.volume.VolumeFormatException;
+
+/**
+ * One frame of a DICOM file and where it lies.
+ *
+ * @param dicom the file
+ * @param index the frame in it, from 0
+ * @param place where it lies, where the file says
+ * @param scaling what makes values of stored numbers
+ */
+record DicomFrame(DicomFile dicom, int index, Optional<Place> place, Scaling scaling) {
+
+  /**
+   * Where a frame lies, in the patient's coordinates (LPS).
+   *
+   * @param position centre of the first pixel, mm
+   * @param along direction in which columns are counted, a unit vector up to rounding
+   * @param down direction in which rows are counted
+   * @param columnSpacingMm from a column to the next
+   * @param rowSpacingMm from a row to the next
+   */
+  record Place(Vec3 position, Vec3 along, Vec3 down, double columnSpacingMm, double rowSpacingMm) {
+
+    /** At right angles to the frame. */
+    Vec3 normal() {
+      Vec3 cross =
+          new Vec3(
+              along.y * down.z - along.z * down.y,
+              along.z * down.x - along.x * down.z,
+              along.x * down.y - along.y * down.x);
+      return cross.mul(1 / cross.length(), cross);
+    }
+  }
+
+  /** The frames of a file that was checked. */
+  static List<DicomFrame> of(DicomFile dicom) throws VolumeFormatException {
+    int count = dicom.frameCount();
+    if (dicom.syntax().coding() == TransferSyntax.Coding.PLAIN
+        ? count > dicom.pieces().get(0).length()
+        : count > dicom.pieces().size()) {
+      throw dicom.wrong("it promises " + count + " frames", "export the file again");
+    }
+    DicomFrame[] frames = new DicomFrame[count];
+    List<DicomDataSet> groups = dicom.attributes().items(DicomTag.FRAME_GROUPS);
+    List<DicomDataSet> shared = dicom.attributes().items(DicomTag.SHARED_GROUPS);
+    for (int n = 0; n < count; n++) {
+      DicomDataSet own = n < groups.size() ? groups.get(n) : new DicomDataSet();
+      DicomDataSet common = shared.isEmpty() ? new DicomDataSet() : shared.get(0);
+      Lookup lookup = new Lookup(dicom, own, common);
+      // only one frame may lie where the file as a whole says
+      frames[n] = new DicomFrame(dicom, n, lookup.place(count == 1), lookup.scaling());
+    }
+    return List.of(frames);
+  }
+
+  /** Attributes of a frame: its own, those of all frames, those of the file. */
+  private record Lookup(DicomFile dicom, DicomDataSet own, DicomDataSet shared) {
+
+    Optional<Place> place(boolean single) throws VolumeFormatException {
+      double[] position = decimals(DicomTag.PLANE_POSITION_SEQUENCE, DicomTag.POSITION, 3, single);
+      double[] axes = decimals(DicomTag.PLANE_ORIENTATION_SEQUENCE, DicomTag.ORIENTATION, 6, true);
+      double[] spacing =
+          decimals(DicomTag.PIXEL_MEASURES_SEQUENCE, DicomTag.PIXEL_SPACING, 2, true);
+      if (position == null || axes == null || spacing == null) {
+        return Optional.empty();
+      }
+      Vec3 along = new Vec3(axes[0], axes[1], axes[2]);
+      Vec3 down = new Vec3(axes[3], axes[4], axes[5]);
+      Place place =
+          new Place(
+              new Vec3(position[0], position[1], position[2]), along, down, spacing[1], spacing[0]);
+      if (!place.position().isFinite()
+          || !(spacing[0] > 0 && spacing[1] > 0)
+          || !place.normal().isFinite()) {
+        throw dicom.wrong(
+            "its place is not understood (position, orientation or spacing)",
+            "export the series again");
+      }
+      return Optional.of(place);
+    }
+
+    Scaling scaling() throws VolumeFormatException {
+      double[] slope = decimals(DicomTag.VALUE_SEQUENCE, DicomTag.SLOPE, 1, true);
+      double[] intercept = decimals(DicomTag.VALUE_SEQUENCE, DicomTag.INTERCEPT, 1, true);
+      Scaling scaling =
+          new Scaling(slope == null ? 1 : slope[0], intercept == null ? 0 : intercept[0]);
+      if (!Double.isFinite(scaling.slope())
+          || scaling.slope() == 0
+          || !Double.isFinite(scaling.intercept())) {
+        throw dicom.wrong("its rescale slope or intercept is no number", "export the series again");
+      }
+      return scaling;
+    }
+
+    private double[] decimals(int sequence, int tag, int count, boolean alsoOfFile) {
+      for (DicomDataSet group : List.of(own, shared)) {
+        for (DicomDataSet item : group.items(sequence)) {
+          double[] found = item.decimals(tag, count);
+          if (found != null) {
+            return found;
+          }
+        }
+      }
+      return alsoOfFile ? dicom.attributes().decimals(tag, count) : null;
+    }
+  }
+}

@@ -1,0 +1,219 @@
+package org.palpate.io.dicom;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Finds the attributes of {@link DicomTag} and the pixels in a DICOM data set, and passes over all
+ * others unread.
+ *
+ * <p>Source: DICOM PS3.5, sections 7 and A.
+ */
+final class DicomParser {
+  private static final long UNDEFINED = 0xffffffffL;
+  private static final int DEEPEST = 16;
+  private static final int LONGEST_VALUE = 1024;
+  private static final int MOST_FRAGMENTS = 1 << 20;
+  private static final String LONG_VRS = "OB OW OF OD OL OV SQ SV UC UN UR UT UV";
+
+  private final DicomBytes bytes;
+  private final ByteOrder order;
+  private long at;
+  private final List<PixelDataItem> pieces = new ArrayList<>();
+  private boolean encapsulated;
+  private boolean floating;
+
+  /** Where bytes of pixels lie. */
+  record PixelDataItem(long place, long length) {}
+
+  DicomParser(DicomBytes bytes, long from, ByteOrder order) {
+    this.bytes = bytes;
+    this.order = order;
+    at = from;
+  }
+
+  /** Parses up to an end; stops after the pixels. */
+  void parse(long end, boolean explicit, DicomDataSet into) throws IOException {
+    parse(end, explicit, into, 0);
+  }
+
+  /** Where the parser stands. */
+  long place() {
+    return at;
+  }
+
+  /** Where the pixels lie: one piece, or the fragments after the offset table. */
+  List<PixelDataItem> pieces() {
+    return pieces;
+  }
+
+  boolean isEncapsulated() {
+    return encapsulated;
+  }
+
+  boolean isFloating() {
+    return floating;
+  }
+
+  private void parse(long end, boolean explicit, DicomDataSet into, int depth) throws IOException {
+    if (depth > DEEPEST) {
+      throw new IOException("its sequences are nested too deeply");
+    }
+    while (at < end && pieces.isEmpty()) {
+      int tag = tag();
+      if (tag == DicomTag.ITEM_END || tag == DicomTag.SEQUENCE_END) {
+        at += 4;
+        return;
+      }
+      parseElement(tag, end, explicit, into, depth);
+    }
+  }
+
+  private void parseElement(int tag, long end, boolean explicit, DicomDataSet into, int depth)
+      throws IOException {
+    String vr = explicit && (tag >>> 16) != 0xFFFE ? vr() : "";
+    long length = length(vr);
+    if (length != UNDEFINED && length > end - at) {
+      throw new IOException("an element is longer than what holds it");
+    }
+    boolean sequence =
+        vr.equals("SQ")
+            || (vr.isEmpty() && DicomTag.SEQUENCES.contains(tag))
+            || ((vr.isEmpty() || vr.equals("UN")) && length == UNDEFINED && tag != DicomTag.PIXELS);
+    if (isPixels(tag) && depth == 0) {
+      takePixels(tag, length, end);
+    } else if (sequence) {
+      parseSequence(tag, length, explicit && !vr.equals("UN"), into, depth);
+    } else if (length == UNDEFINED) {
+      skipFragments(end);
+    } else {
+      takeValue(tag, vr, (int) Math.min(length, Integer.MAX_VALUE), into);
+      at += length;
+    }
+  }
+
+  private static boolean isPixels(int tag) {
+    return tag == DicomTag.PIXELS || tag == DicomTag.FLOAT_PIXELS || tag == DicomTag.DOUBLE_PIXELS;
+  }
+
+  private void parseSequence(int tag, long length, boolean explicit, DicomDataSet into, int depth)
+      throws IOException {
+    boolean wanted = DicomTag.SEQUENCES.contains(tag);
+    if (!wanted && length != UNDEFINED) {
+      at += length;
+      return;
+    }
+    long end = length == UNDEFINED ? bytes.length() : at + length;
+    while (at < end) {
+      int item = tag();
+      long itemLength = bytes.at(at, 4, order).getInt() & UNDEFINED;
+      at += 4;
+      if (item == DicomTag.SEQUENCE_END) {
+        return;
+      }
+      if (item != DicomTag.ITEM || (itemLength != UNDEFINED && itemLength > end - at)) {
+        throw new IOException("a sequence holds something that is no item");
+      }
+      DicomDataSet items = wanted ? into.addItem(tag) : new DicomDataSet();
+      parse(itemLength == UNDEFINED ? end : at + itemLength, explicit, items, depth + 1);
+    }
+  }
+
+  private void takeValue(int tag, String vr, int length, DicomDataSet into) throws IOException {
+    if (!DicomTag.VALUES.contains(tag) || length > LONGEST_VALUE) {
+      return;
+    }
+    ByteBuffer value = bytes.at(at, length, order);
+    if (vr.equals("US") || vr.equals("SS") || (vr.isEmpty() && isNumber(tag))) {
+      if (length >= 2) {
+        into.put(tag, value.getShort(0) & 0xffff);
+      }
+      return;
+    }
+    byte[] text = new byte[length];
+    value.get(text);
+    into.put(tag, text);
+  }
+
+  private static boolean isNumber(int tag) {
+    return switch (tag) {
+      case DicomTag.SAMPLES,
+          DicomTag.ROWS,
+          DicomTag.COLUMNS,
+          DicomTag.BITS_ALLOCATED,
+          DicomTag.BITS_STORED,
+          DicomTag.HIGH_BIT,
+          DicomTag.SIGNED ->
+          true;
+      default -> false;
+    };
+  }
+
+  private void takePixels(int tag, long length, long end) throws IOException {
+    floating = tag != DicomTag.PIXELS;
+    encapsulated = length == UNDEFINED;
+    if (!encapsulated) {
+      pieces.add(new PixelDataItem(at, length));
+      at += length;
+      return;
+    }
+    List<PixelDataItem> all = fragments(end);
+    if (all.size() < 2) {
+      throw new IOException("its compressed pixels have no fragment");
+    }
+    pieces.addAll(all.subList(1, all.size())); // the first is the offset table
+  }
+
+  private void skipFragments(long end) throws IOException {
+    fragments(end);
+  }
+
+  private List<PixelDataItem> fragments(long end) throws IOException {
+    List<PixelDataItem> found = new ArrayList<>();
+    while (at < end) {
+      int tag = tag();
+      long length = bytes.at(at, 4, order).getInt() & UNDEFINED;
+      at += 4;
+      if (tag == DicomTag.SEQUENCE_END) {
+        return found;
+      }
+      if (tag != DicomTag.ITEM || length > end - at || found.size() > MOST_FRAGMENTS) {
+        throw new IOException("its compressed pixels are damaged");
+      }
+      found.add(new PixelDataItem(at, length));
+      at += length;
+    }
+    throw new IOException("its compressed pixels have no end");
+  }
+
+  private int tag() throws IOException {
+    ByteBuffer four = bytes.at(at, 4, order);
+    at += 4;
+    return (four.getShort(0) & 0xffff) << 16 | (four.getShort(2) & 0xffff);
+  }
+
+  private String vr() throws IOException {
+    ByteBuffer two = bytes.at(at, 2, order);
+    at += 2;
+    String vr = "" + (char) (two.get(0) & 0xff) + (char) (two.get(1) & 0xff);
+    if (!vr.matches("[A-Z]{2}")) {
+      throw new IOException("an element has no type");
+    }
+    return vr;
+  }
+
+  private long length(String vr) throws IOException {
+    if (!vr.isEmpty() && !LONG_VRS.contains(vr)) {
+      int length = bytes.at(at, 2, order).getShort() & 0xffff;
+      at += 2;
+      return length;
+    }
+    at += vr.isEmpty() ? 0 : 2; // reserved
+    long length = bytes.at(at, 4, order).getInt() & UNDEFINED;
+    at += 4;
+    return length;
+  }
+}

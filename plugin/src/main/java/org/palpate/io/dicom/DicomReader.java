@@ -1,0 +1,160 @@
+package org.palpate.io.dicom;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.palpate.io.dicom.DicomSeriesGeometry.SliceInterpolation;
+import org.palpate.io.dicom.DicomSeriesGeometry.SortedSeries;
+import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.format.ReadOptionChecks;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.ReadProgress;
+import org.palpate.io.volume.SliceSink;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeHeader.ValueRange;
+import org.palpate.io.volume.VolumeHeader.World;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelSlice;
+import org.palpate.io.volume.VoxelType;
+
+/** Reads a DICOM series, a slice a frame; made between frames where it was resampled. */
+public final class DicomReader implements VolumeReader {
+  private final SortedSeries series;
+  private final String place;
+  private final VolumeHeader header;
+  private final ReadProgress progress;
+
+  private DicomReader(
+      SortedSeries series, String place, VolumeHeader header, ReadProgress progress) {
+    this.series = series;
+    this.place = place;
+    this.header = header;
+    this.progress = progress;
+  }
+
+  public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
+    return of(List.of(DicomFile.read(file)), file.toString(), options);
+  }
+
+  /** A reader of the frames of files, all of one series. */
+  static VolumeReader of(List<DicomFile> files, String place, ReadOptions options)
+      throws VolumeFormatException {
+    List<DicomFrame> frames = new ArrayList<>();
+    for (DicomFile file : files) {
+      file.check();
+      requireAlike(files.get(0), file);
+      frames.addAll(DicomFrame.of(file));
+    }
+    List<String> notes = new ArrayList<>();
+    ReadOptionChecks.step(1, options, Path.of(place), notes);
+    SortedSeries series = DicomSeriesGeometry.arrange(frames, place, options.resample(), notes);
+    DicomFile first = files.get(0);
+    VolumeHeader header =
+        new VolumeHeader(
+            "DICOM, " + first.syntax().name(),
+            series.grid(),
+            type(first),
+            values(series.frames()),
+            series.known() ? World.LPS : World.UNKNOWN,
+            Optional.empty(),
+            notes);
+    return new DicomReader(series, place, header, options.progress());
+  }
+
+  private static void requireAlike(DicomFile first, DicomFile file) throws VolumeFormatException {
+    if (file.rows() != first.rows()
+        || file.columns() != first.columns()
+        || type(file) != type(first)) {
+      throw file.wrong("it differs in size or type from the first of its series", "export again");
+    }
+  }
+
+  private static VoxelType type(DicomFile dicom) {
+    return switch (dicom.bitsAllocated()) {
+      case 8 -> dicom.isSigned() ? VoxelType.INT8 : VoxelType.UINT8;
+      case 16 -> dicom.isSigned() ? VoxelType.INT16 : VoxelType.UINT16;
+      default -> dicom.isSigned() ? VoxelType.INT32 : VoxelType.UINT32;
+    };
+  }
+
+  /** The bound on values over all frames, each by its own slope and intercept. */
+  private static ValueRange values(List<DicomFrame> frames) {
+    double low = Double.POSITIVE_INFINITY;
+    double high = Double.NEGATIVE_INFINITY;
+    boolean whole = true;
+    for (DicomFrame frame : frames) {
+      ValueRange range = frame.scaling().range(type(frame.dicom()));
+      double bits = StrictMath.pow(2, frame.dicom().bitsStored());
+      double least = frame.scaling().apply(frame.dicom().isSigned() ? -bits / 2 : 0);
+      double most = frame.scaling().apply(frame.dicom().isSigned() ? bits / 2 - 1 : bits - 1);
+      low = Math.min(low, Math.min(least, most));
+      high = Math.max(high, Math.max(least, most));
+      whole &= range.whole();
+    }
+    return new ValueRange(low, high, whole);
+  }
+
+  @Override
+  public VolumeHeader header() {
+    return header;
+  }
+
+  @Override
+  public void read(SliceSink sink) throws VolumeFormatException {
+    VoxelSlice slice = MemoryCheck.slice(header.grid(), header.values().whole(), place);
+    MemoryCheck.require(8.0 * slice.count(), "one picture", place);
+    VoxelSlice next = null;
+    DicomPixelDecoder pixels = new DicomPixelDecoder();
+    for (int k = 0; k < series.slices().size(); k++) {
+      SliceInterpolation weight = series.slices().get(k);
+      decode(pixels, weight.frame(), slice);
+      if (weight.nextWeight() > 0) {
+        next = next == null ? MemoryCheck.slice(header.grid(), slice.isWhole(), place) : next;
+        decode(pixels, weight.frame() + 1, next);
+        mix(slice, next, weight.nextWeight());
+      }
+      sink.accept(k, slice);
+      progress.read(k + 1, series.slices().size());
+    }
+  }
+
+  private void decode(DicomPixelDecoder pixels, int frame, VoxelSlice dest)
+      throws VolumeFormatException {
+    try {
+      pixels.decode(series.frames().get(frame), dest);
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException | ArithmeticException e) {
+      throw new VolumeFormatException(
+          "its pixels are damaged (" + e.getMessage() + ")",
+          series.frames().get(frame).dicom().file(),
+          "copy or export the file again",
+          e);
+    }
+  }
+
+  /** Linear between two slices; whole numbers are rounded. */
+  private static void mix(VoxelSlice slice, VoxelSlice next, double nextWeight) {
+    for (int n = 0; n < slice.count(); n++) {
+      double value = slice.value(n) * (1 - nextWeight) + next.value(n) * nextWeight;
+      if (slice.isWhole()) {
+        slice.integers()[n] = (int) Math.rint(value);
+      } else {
+        slice.doubles()[n] = value;
+      }
+    }
+  }
+
+  @Override
+  public String place() {
+    return place;
+  }
+
+  @Override
+  public List<Path> files() {
+    return series.frames().stream().map(frame -> frame.dicom().file()).distinct().toList();
+  }
+}

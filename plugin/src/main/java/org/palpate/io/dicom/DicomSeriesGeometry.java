@@ -1,0 +1,252 @@
+package org.palpate.io.dicom;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.dicom.DicomFrame.Place;
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.format.Grids;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Frames in the order in which they lie, and the grid that they make: spacing and direction of
+ * slices from their positions, never from their thickness.
+ */
+final class DicomSeriesGeometry {
+  /** By how much of the usual gap a gap may differ before slices count as uneven. */
+  private static final double UNEVEN = 0.01;
+
+  /** Positions are written with a few decimals. */
+  private static final double POSITION_ROUNDING_MM = 2e-3;
+
+  private static final double SAME_PLACE_MM = 1e-3;
+  private static final double SAME_DIRECTION = 1e-4;
+
+  private final List<DicomFrame> frames;
+  private final String name;
+  private final boolean resample;
+  private final List<String> notes;
+  private double[] alongNormalMm = new double[0];
+  private double stepMm;
+  private boolean uneven;
+
+  private DicomSeriesGeometry(
+      List<DicomFrame> frames, String name, boolean resample, List<String> notes) {
+    this.frames = new ArrayList<>(frames);
+    this.name = name;
+    this.resample = resample;
+    this.notes = notes;
+  }
+
+  /** A series and its grid. */
+  record SortedSeries(
+      List<DicomFrame> frames, VoxelGrid grid, List<SliceInterpolation> slices, boolean known) {}
+
+  /**
+   * What makes a slice of the grid: a frame, and a share of the next.
+   *
+   * @param frame which frame
+   * @param nextWeight from 0 to less than 1
+   */
+  record SliceInterpolation(int frame, double nextWeight) {}
+
+  /**
+   * Puts frames in order.
+   *
+   * @param name what messages call the series: its file or folder
+   * @param resample whether uneven slices may be brought to even spacing
+   * @param notes takes what a person should know
+   */
+  static SortedSeries arrange(
+      List<DicomFrame> frames, String name, boolean resample, List<String> notes)
+      throws VolumeFormatException {
+    return new DicomSeriesGeometry(frames, name, resample, notes).arrange();
+  }
+
+  private SortedSeries arrange() throws VolumeFormatException {
+    if (frames.stream().anyMatch(frame -> frame.place().isEmpty())) {
+      return withoutPositions();
+    }
+    requireParallel();
+    Vec3 normal = place(0).normal();
+    frames.sort(Comparator.comparingDouble(frame -> frame.place().get().position().dot(normal)));
+    alongNormalMm =
+        frames.stream().mapToDouble(frame -> frame.place().get().position().dot(normal)).toArray();
+    Vec3 step = step(normal);
+    requireDistinctPositions();
+    requireNoGantryTilt(step, normal);
+    requireEvenSpacing();
+    int depth = frames.size();
+    if (uneven) {
+      depth = (int) Math.rint((alongNormalMm[depth - 1] - alongNormalMm[0]) / stepMm) + 1;
+      step.mul(stepMm / step.length(), step);
+    }
+    Vec3[] steps = {
+      place(0).along().mul(place(0).columnSpacingMm(), new Vec3()),
+      place(0).down().mul(place(0).rowSpacingMm(), new Vec3()),
+      step
+    };
+    int[] sizes = {frames.get(0).dicom().columns(), frames.get(0).dicom().rows(), depth};
+    VoxelGrid grid = Grids.of(sizes, steps, place(0).position(), java.nio.file.Path.of(name));
+    return new SortedSeries(frames, grid, weights(depth), true);
+  }
+
+  private Place place(int n) {
+    return frames.get(n).place().orElseThrow();
+  }
+
+  /** Pictures that do not say where they are: frames of one file, in its order. */
+  private SortedSeries withoutPositions() throws VolumeFormatException {
+    DicomFile dicom = frames.get(0).dicom();
+    if (frames.stream().anyMatch(frame -> !frame.dicom().file().equals(dicom.file()))) {
+      throw wrong(
+          "some of its pictures do not say where they lie",
+          "name one file, or a folder with one series that has positions");
+    }
+    double[] spacing = dicom.attributes().decimals(DicomTag.PIXEL_SPACING, 2);
+    double[] slices = dicom.attributes().decimals(DicomTag.SLICE_SPACING, 1);
+    notes.add("the file does not say where its pictures lie: in its order, at the origin");
+    if (spacing == null) {
+      notes.add("the file does not say how large its pixels are: 1 mm assumed");
+      spacing = new double[] {1, 1};
+    }
+    if (slices == null) {
+      notes.add("the file does not say how far apart its slices are: as far as its pixels");
+      slices = new double[] {spacing[1]};
+    }
+    int[] sizes = {dicom.columns(), dicom.rows(), frames.size()};
+    Vec3 spacingMm = new Vec3(spacing[1], spacing[0], slices[0]);
+    VoxelGrid grid = Grids.ofSpacing(sizes, spacingMm, dicom.file());
+    return new SortedSeries(frames, grid, weights(frames.size()), false);
+  }
+
+  private void requireParallel() throws VolumeFormatException {
+    Place first = place(0);
+    for (DicomFrame frame : frames) {
+      Place place = frame.place().orElseThrow();
+      boolean alike =
+          Math.abs(place.columnSpacingMm() - first.columnSpacingMm())
+                  <= UNEVEN * first.columnSpacingMm()
+              && Math.abs(place.rowSpacingMm() - first.rowSpacingMm())
+                  <= UNEVEN * first.rowSpacingMm()
+              && place.along().sub(first.along(), new Vec3()).length() <= SAME_DIRECTION
+              && place.down().sub(first.down(), new Vec3()).length() <= SAME_DIRECTION;
+      if (!alike) {
+        throw wrong(
+            "its slices differ in direction or pixel spacing", "export one series of one kind");
+      }
+    }
+  }
+
+  /** From a slice to the next, on average; for a single slice at right angles to it. */
+  private Vec3 step(Vec3 normal) {
+    int count = frames.size();
+    if (count > 1) {
+      Vec3 all = place(count - 1).position().sub(place(0).position(), new Vec3());
+      return all.mul(1.0 / (count - 1), all);
+    }
+    double[] told = frames.get(0).dicom().attributes().decimals(DicomTag.SLICE_SPACING, 1);
+    boolean usable = told != null && told[0] > 0 && Double.isFinite(told[0]);
+    notes.add(
+        usable
+            ? "a single slice: its spacing is what the header says"
+            : "a single slice: taken to be as thick as its pixels are wide");
+    return normal.mul(usable ? told[0] : place(0).columnSpacingMm(), new Vec3());
+  }
+
+  private void requireDistinctPositions() throws VolumeFormatException {
+    for (int k = 1; k < frames.size(); k++) {
+      if (alongNormalMm[k] - alongNormalMm[k - 1] < SAME_PLACE_MM) {
+        throw wrong(
+            "two of its slices lie in one place, at " + mm(alongNormalMm[k]) + " mm",
+            "export each time step or echo as a series of its own");
+      }
+    }
+  }
+
+  private void requireNoGantryTilt(Vec3 step, Vec3 normal) throws VolumeFormatException {
+    double along = step.dot(normal);
+    double aside = step.sub(normal.mul(along, new Vec3()), new Vec3()).length();
+    if (frames.size() > 1 && aside > SAME_DIRECTION * along) {
+      double degrees = StrictMath.toDegrees(StrictMath.atan2(aside, along));
+      throw wrong(
+          String.format(
+              Locale.ROOT,
+              "its slices are tilted by %.2f degrees against the way they are stacked",
+              degrees),
+          "straighten it first, with gdcm2vtk or 3D Slicer for one (gantry tilt)");
+    }
+  }
+
+  private void requireEvenSpacing() throws VolumeFormatException {
+    int gaps = frames.size() - 1;
+    if (gaps < 1) {
+      return;
+    }
+    double[] sorted = new double[gaps];
+    for (int k = 0; k < gaps; k++) {
+      sorted[k] = alongNormalMm[k + 1] - alongNormalMm[k];
+    }
+    java.util.Arrays.sort(sorted);
+    stepMm = sorted[gaps / 2];
+    for (int k = 0; k < gaps && !uneven; k++) {
+      double gap = alongNormalMm[k + 1] - alongNormalMm[k];
+      if (Math.abs(gap - stepMm) > UNEVEN * stepMm + POSITION_ROUNDING_MM) {
+        uneven = true;
+        reportUneven(gap, k);
+      }
+    }
+  }
+
+  private void reportUneven(double gap, int k) throws VolumeFormatException {
+    String where =
+        "between "
+            + mm(alongNormalMm[k])
+            + " and "
+            + mm(alongNormalMm[k + 1])
+            + " mm the gap is "
+            + mm(gap)
+            + " mm, elsewhere "
+            + mm(stepMm)
+            + " mm";
+    long missing = Math.round(gap / stepMm) - 1;
+    boolean whole = missing > 0 && Math.abs(gap - (missing + 1) * stepMm) <= 2 * UNEVEN * stepMm;
+    String what =
+        whole ? missing + " slice(s) missing: " + where : "its slices are uneven: " + where;
+    if (!resample) {
+      throw wrong(what, "export the series whole, or accept slices made in between by --resample");
+    }
+    notes.add("resampled to slices " + mm(stepMm) + " mm apart, for " + what);
+  }
+
+  private List<SliceInterpolation> weights(int depth) {
+    List<SliceInterpolation> weights = new ArrayList<>();
+    int frame = 0;
+    for (int k = 0; k < depth; k++) {
+      if (!uneven) {
+        weights.add(new SliceInterpolation(k, 0));
+        continue;
+      }
+      double at = Math.min(alongNormalMm[0] + k * stepMm, alongNormalMm[frames.size() - 1]);
+      while (frame + 2 < frames.size() && alongNormalMm[frame + 1] <= at) {
+        frame++;
+      }
+      double gap = alongNormalMm[frame + 1] - alongNormalMm[frame];
+      double share = (at - alongNormalMm[frame]) / gap;
+      weights.add(
+          share >= 1 ? new SliceInterpolation(frame + 1, 0) : new SliceInterpolation(frame, share));
+    }
+    return weights;
+  }
+
+  private VolumeFormatException wrong(String what, String remedy) {
+    return new VolumeFormatException(what, name, remedy);
+  }
+
+  private static String mm(double value) {
+    return NumberParser.text(Math.rint(value * 1e3) / 1e3 + 0.0);
+  }
+}

@@ -1,0 +1,110 @@
+package org.palpate.io.format;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PushbackInputStream;
+import java.nio.ByteOrder;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.InflaterInputStream;
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VoxelType;
+
+/**
+ * Samples in one file or evenly in several, at an offset, perhaps compressed.
+ *
+ * @param files in the order of the samples
+ * @param start where the data begin
+ * @param type the type of a sample
+ * @param order the order of a sample's bytes
+ * @param scaling what makes values of samples
+ * @param byteCount bytes over all files, decompressed
+ */
+public record BinaryData(
+    List<Path> files, Start start, VoxelType type, ByteOrder order, Scaling scaling, long byteCount)
+    implements SampleStream.Opener {
+
+  /** Deflate makes at most so many bytes of one. */
+  public static final int MOST_INFLATION = 1032;
+
+  /**
+   * Where the data begin in a file.
+   *
+   * @param offset bytes before them, {@link #AT_END} where they are the file's last
+   * @param deflated whether what follows the offset is a zlib or gzip stream
+   * @param insideGzip whether the whole file is gzip and the offset counts inside it
+   */
+  public record Start(long offset, boolean deflated, boolean insideGzip) {
+    static final long AT_END = -1;
+  }
+
+  /** Refuses files that cannot hold their bytes, however well they are compressed. */
+  public void requireEnough() throws VolumeFormatException {
+    double each = (double) byteCount / files.size();
+    if (byteCount % files.size() != 0) {
+      throw new VolumeFormatException(
+          byteCount + " bytes do not part evenly into " + files.size() + " files",
+          files.get(0),
+          "correct the sizes or the list of files");
+    }
+    for (Path file : files) {
+      long length = InputFiles.length(file);
+      double offset = Math.max(0, start.offset());
+      double most = length - offset;
+      if (start.deflated() || start.insideGzip()) {
+        most = (double) length * MOST_INFLATION - (start.insideGzip() ? offset : 0);
+      }
+      if (each > most) {
+        throw new VolumeFormatException(
+            "its header promises "
+                + NumberParser.text(each)
+                + " bytes of data at "
+                + start.offset()
+                + ", but the file has "
+                + length
+                + (most > length ? " (compressed)" : ""),
+            file,
+            "the file was cut short or its sizes are wrong; copy or export it again");
+      }
+    }
+  }
+
+  @Override
+  public SampleStream open() throws IOException {
+    InputStream all =
+        files.size() == 1
+            ? decoded(files.get(0))
+            : new ConcatenatedInputStream(files, this::decoded, byteCount / files.size());
+    return new BinarySampleStream(all, type, order, scaling);
+  }
+
+  private InputStream decoded(Path file) throws IOException {
+    long offset =
+        start.offset() == Start.AT_END
+            ? InputFiles.length(file) - byteCount / files.size()
+            : start.offset();
+    if (start.insideGzip()) {
+      InputStream in = new GZIPInputStream(InputFiles.open(file, 0), InputFiles.BUFFER_BYTES);
+      in.skipNBytes(offset);
+      return in;
+    }
+    InputStream in = InputFiles.open(file, offset);
+    return start.deflated() ? inflated(in) : in;
+  }
+
+  private static InputStream inflated(InputStream in) throws IOException {
+    PushbackInputStream whole = new PushbackInputStream(in, 2);
+    byte[] two = whole.readNBytes(2);
+    whole.unread(two);
+    return isGzip(two)
+        ? new GZIPInputStream(whole, InputFiles.BUFFER_BYTES)
+        : new InflaterInputStream(whole, new java.util.zip.Inflater(), InputFiles.BUFFER_BYTES);
+  }
+
+  /** Whether bytes begin as gzip does. */
+  public static boolean isGzip(byte[] bytes) {
+    return bytes.length >= 2 && (bytes[0] & 0xff) == 0x1f && (bytes[1] & 0xff) == 0x8b;
+  }
+}

@@ -1,0 +1,52 @@
+package org.palpate.io.format;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.palpate.io.volume.VolumeFormatException;
+
+/** Names of data files by a pattern with a number, as NRRD and MetaImage headers give them. */
+public final class FilePattern {
+  private static final int MOST_FILES = 100_000;
+
+  private FilePattern() {}
+
+  /** A pattern is "name%03d.raw min max step", perhaps with a dimension; anything else a name. */
+  public static List<String> names(Path header, String value) throws VolumeFormatException {
+    String[] words = value.split("\\s+");
+    boolean isPattern =
+        words.length >= 4 && words[0].indexOf('%') >= 0 && words[1].matches("-?[0-9]+");
+    return isPattern ? expand(header, words) : List.of(value);
+  }
+
+  private static List<String> expand(Path header, String[] words) throws VolumeFormatException {
+    if (!words[0].matches("[^%]*%(0?[1-9])?[du][^%]*")) {
+      throw wrong(header, "the pattern '" + words[0] + "' has not one number like %03d");
+    }
+    String format = words[0].replaceFirst("(%(0?[1-9])?)u", "$1d");
+    long first = whole(header, words[1]);
+    long last = whole(header, words[2]);
+    long step = whole(header, words[3]);
+    if (step == 0 || (last - first) / step < 0 || (last - first) / step >= MOST_FILES) {
+      throw wrong(header, "the numbers of its file pattern make no list of files");
+    }
+    List<String> names = new ArrayList<>();
+    for (long n = first; step > 0 ? n <= last : n >= last; n += step) {
+      names.add(String.format(Locale.ROOT, format, n));
+    }
+    return names;
+  }
+
+  private static long whole(Path header, String text) throws VolumeFormatException {
+    try {
+      return Integer.parseInt(text);
+    } catch (NumberFormatException e) {
+      throw wrong(header, "'" + text + "' in its file pattern is no whole number");
+    }
+  }
+
+  private static VolumeFormatException wrong(Path header, String what) {
+    return new VolumeFormatException(what, header, "name the data files one by one (LIST)");
+  }
+}

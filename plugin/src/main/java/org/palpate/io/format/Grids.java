@@ -1,0 +1,96 @@
+package org.palpate.io.format;
+
+import java.nio.file.Path;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.volume.VoxelGrid;
+
+/** Makes a grid of what a header says, or refuses it with the numbers. */
+public final class Grids {
+  /** 2^31 bricks of 64 voxels: more than any bit cube can have. */
+  private static final double MOST_BRICKS = Integer.MAX_VALUE - 8;
+
+  private Grids() {}
+
+  /**
+   * A grid of sizes and of the steps from a voxel to the next along each axis.
+   *
+   * @param sizes three, from 1 on
+   * @param stepsMm three vectors in the world, at right angles
+   * @param firstCentre the world position of the centre of voxel 0, mm
+   */
+  public static VoxelGrid of(int[] sizes, Vec3[] stepsMm, Vec3 firstCentre, Path file)
+      throws VolumeFormatException {
+    requireSizes(sizes, file);
+    Vec3 spacing = new Vec3();
+    Vec3[] axes = new Vec3[3];
+    for (int axis = 0; axis < 3; axis++) {
+      double length = stepsMm[axis].length();
+      if (!GridMetric.isValidSpacing(length)) {
+        throw new VolumeFormatException(
+            "the spacing along axis " + "xyz".charAt(axis) + " is " + length + " mm",
+            file,
+            "give the file spacings from 1e-12 to 1e12 mm in the tool that wrote it");
+      }
+      spacing.set(axis, length);
+      axes[axis] = stepsMm[axis].mul(1 / length, new Vec3());
+    }
+    if (!firstCentre.isFinite()) {
+      throw new VolumeFormatException(
+          "the origin " + firstCentre + " is not finite", file, "write the file's origin anew");
+    }
+    RigidTransform place = new RigidTransform(axes[0], axes[1], axes[2], firstCentre);
+    if (!place.isOrthonormal()) {
+      throw new VolumeFormatException(
+          "its axes are not at right angles (" + angles(axes) + " degrees)",
+          file,
+          "resample it onto a rectangular grid in the tool that wrote it");
+    }
+    return VoxelGrid.ofFirstCentre(sizes[0], sizes[1], sizes[2], spacing, place);
+  }
+
+  /** Axes along the world's, the first centre at the origin. */
+  public static VoxelGrid ofSpacing(int[] sizes, Vec3 spacingMm, Path file)
+      throws VolumeFormatException {
+    return of(sizes, steps(spacingMm), new Vec3(), file);
+  }
+
+  /** Steps along the world's axes. */
+  public static Vec3[] steps(Vec3 spacingMm) {
+    return new Vec3[] {
+      new Vec3(spacingMm.x, 0, 0), new Vec3(0, spacingMm.y, 0), new Vec3(0, 0, spacingMm.z)
+    };
+  }
+
+  private static void requireSizes(int[] sizes, Path file) throws VolumeFormatException {
+    String text = sizes[0] + "x" + sizes[1] + "x" + sizes[2];
+    if (sizes[0] < 1 || sizes[1] < 1 || sizes[2] < 1) {
+      throw new VolumeFormatException(
+          "its size is " + text + " voxels", file, "write a volume with at least one voxel");
+    }
+    double bricks =
+        Math.ceil(sizes[0] / 4.0) * Math.ceil(sizes[1] / 4.0) * Math.ceil(sizes[2] / 4.0);
+    if (bricks > MOST_BRICKS || (double) sizes[0] * sizes[1] > MOST_BRICKS) {
+      throw new VolumeFormatException(
+          "its size is " + text + " voxels, more than this can hold in any memory",
+          file,
+          "crop or halve the volume in the tool that wrote it");
+    }
+  }
+
+  private static String angles(Vec3[] axes) {
+    return angle(axes[0], axes[1])
+        + ", "
+        + angle(axes[1], axes[2])
+        + ", "
+        + angle(axes[2], axes[0]);
+  }
+
+  private static double angle(Vec3 a, Vec3 b) {
+    double cosine = a.dot(b) / (a.length() * b.length());
+    double degrees = StrictMath.toDegrees(StrictMath.acos(Math.max(-1, Math.min(1, cosine))));
+    return Math.rint(degrees * 1000) / 1000;
+  }
+}

@@ -1,0 +1,51 @@
+package org.palpate.io.format;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import org.palpate.io.volume.VolumeFormatException;
+
+/** Lines of text at the start of a file, with an end to how long they may be. */
+public final class HeaderLineReader {
+  private static final int LONGEST_LINE_BYTES = 1 << 20;
+  private static final int LONGEST_HEADER_BYTES = 1 << 24;
+
+  private final InputStream in;
+  private final Path file;
+  private byte[] line = new byte[256];
+  private long taken;
+
+  public HeaderLineReader(InputStream in, Path file) {
+    this.in = in;
+    this.file = file;
+  }
+
+  /** The next line without its end, or null after the last. */
+  public String next() throws IOException {
+    int length = 0;
+    int c = in.read();
+    if (c < 0) {
+      return null;
+    }
+    for (; c >= 0 && c != '\n'; c = in.read()) {
+      if (length == LONGEST_LINE_BYTES || taken + length > LONGEST_HEADER_BYTES) {
+        throw new VolumeFormatException(
+            "a line of its header has no end", file, "write the file anew; its header is damaged");
+      }
+      if (length == line.length) {
+        line = Arrays.copyOf(line, 2 * length);
+      }
+      line[length++] = (byte) c;
+    }
+    taken += length + (c < 0 ? 0 : 1);
+    int end = length > 0 && line[length - 1] == '\r' ? length - 1 : length;
+    return new String(line, 0, end, StandardCharsets.UTF_8);
+  }
+
+  /** Bytes taken so far: where what follows the lines begins. */
+  public long taken() {
+    return taken;
+  }
+}

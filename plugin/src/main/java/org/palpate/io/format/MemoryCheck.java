@@ -1,0 +1,59 @@
+package org.palpate.io.format;
+
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VoxelSlice;
+import org.palpate.volume.VoxelGrid;
+
+/** Looks whether there is memory before any is asked for. */
+public final class MemoryCheck {
+  /** Left for everything else that runs while a volume is read. */
+  private static final double RESERVE_BYTES = 32e6;
+
+  private MemoryCheck() {}
+
+  /** Bytes that can still be had without the reserve. */
+  static double availableBytes() {
+    Runtime runtime = Runtime.getRuntime();
+    double used = (double) runtime.totalMemory() - runtime.freeMemory();
+    return runtime.maxMemory() - used - RESERVE_BYTES;
+  }
+
+  /**
+   * Refuses in words what does not fit.
+   *
+   * @param purpose what the bytes are for
+   */
+  public static void require(double bytes, String purpose, String place)
+      throws VolumeFormatException {
+    if (bytes > availableBytes()) {
+      // garbage counts as used until it is collected
+      System.gc();
+    }
+    if (bytes > availableBytes()) {
+      throw new VolumeFormatException(
+          purpose
+              + " needs "
+              + NumberParser.bytes(bytes)
+              + " of memory, "
+              + NumberParser.bytes(Math.max(0, availableBytes()))
+              + " are free",
+          place,
+          "give Java more (JAVA_TOOL_OPTIONS=-Xmx...) or crop or halve the volume");
+    }
+  }
+
+  /** A slice of the grid, once it is known to fit. */
+  public static VoxelSlice slice(VoxelGrid grid, boolean whole, String place)
+      throws VolumeFormatException {
+    double count = (double) grid.sizeX() * grid.sizeY();
+    if (count > Integer.MAX_VALUE - 8) {
+      throw new VolumeFormatException(
+          "a slice of " + grid.sizeX() + "x" + grid.sizeY() + " voxels is too large",
+          place,
+          "crop the volume in the tool that wrote it");
+    }
+    require(count * (whole ? 4 : 8), "one slice", place);
+    return new VoxelSlice(grid.sizeX(), grid.sizeY(), whole);
+  }
+}

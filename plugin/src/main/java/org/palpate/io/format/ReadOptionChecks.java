@@ -1,0 +1,61 @@
+package org.palpate.io.format;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalInt;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.VolumeFormatException;
+
+/** What a person may choose in a file, and refusals that ask for it. */
+public final class ReadOptionChecks {
+  private ReadOptionChecks() {}
+
+  /**
+   * The time step or component to read, from 0; told in the notes where there are several.
+   *
+   * @param count how many there are, at least 1
+   * @throws VolumeFormatException where there are several and none, or one that is not there, was
+   *     chosen
+   */
+  public static int step(int count, ReadOptions options, Path file, List<String> notes)
+      throws VolumeFormatException {
+    OptionalInt chosen = options.time();
+    if (count == 1 && chosen.orElse(0) == 0) {
+      return 0;
+    }
+    if (chosen.isEmpty() || chosen.getAsInt() < 0 || chosen.getAsInt() >= count) {
+      throw refusal(count, chosen, file);
+    }
+    notes.add("step " + chosen.getAsInt() + " of " + count + ", counted from 0");
+    return chosen.getAsInt();
+  }
+
+  private static VolumeFormatException refusal(int count, OptionalInt chosen, Path file) {
+    if (count == 1) {
+      return new VolumeFormatException(
+          "it has one time step alone, and no step " + chosen.getAsInt(), file, "leave --time out");
+    }
+    String last = Integer.toString(count - 1);
+    return new VolumeFormatException(
+        chosen.isEmpty()
+            ? "it holds " + count + " time steps or components a voxel"
+            : "it has no step " + chosen.getAsInt() + ", only 0 to " + last,
+        file,
+        "choose one with --time 0 to --time " + last);
+  }
+
+  /**
+   * A file has no series to choose from.
+   *
+   * @throws VolumeFormatException where one was chosen
+   */
+  public static void refuseSeriesOption(ReadOptions options, Path file)
+      throws VolumeFormatException {
+    if (options.series().isPresent()) {
+      throw new VolumeFormatException(
+          "it has no series to choose from, as a folder of DICOM files has",
+          file,
+          "leave --series out");
+    }
+  }
+}

@@ -1,0 +1,80 @@
+package org.palpate.io.format;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.volume.VoxelSlice;
+import org.palpate.io.volume.VoxelType;
+
+/** Samples written as words, from a stream that this owns. */
+public final class TextSampleStream implements SampleStream {
+  private static final int LONGEST_WORD = 64;
+
+  private final InputStream text;
+  private final VoxelType type;
+  private final char[] word = new char[LONGEST_WORD];
+
+  public TextSampleStream(InputStream text, VoxelType type) {
+    this.text = text;
+    this.type = type;
+  }
+
+  @Override
+  public void read(VoxelSlice dest, int at, int count) throws IOException {
+    for (int n = at; n < at + count; n++) {
+      double value = next();
+      if (dest.isWhole()) {
+        dest.integers()[n] = (int) value;
+      } else {
+        dest.doubles()[n] = value;
+      }
+    }
+  }
+
+  @Override
+  public void skip(long count) throws IOException {
+    for (long n = 0; n < count; n++) {
+      next();
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    text.close();
+  }
+
+  private double next() throws IOException {
+    String token = token();
+    double value = NumberParser.number(token);
+    boolean isNan = token.equalsIgnoreCase("nan") || token.equalsIgnoreCase("-nan");
+    boolean whole = value == Math.rint(value);
+    boolean fits = value >= type.low() && value <= type.high();
+    if (type.isWhole() ? !(whole && fits) : Double.isNaN(value) && !isNan) {
+      throw new IOException("'" + token + "' is no value of type " + type.description());
+    }
+    return value;
+  }
+
+  private String token() throws IOException {
+    int c = text.read();
+    while (isGap(c)) {
+      c = text.read();
+    }
+    int length = 0;
+    for (; c >= 0 && !isGap(c); c = text.read()) {
+      if (length == LONGEST_WORD) {
+        throw new IOException("a number has more than " + LONGEST_WORD + " characters");
+      }
+      word[length++] = (char) c;
+    }
+    if (length == 0) {
+      throw new EOFException("values end");
+    }
+    return new String(word, 0, length);
+  }
+
+  private static boolean isGap(int c) {
+    return c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == ',';
+  }
+}

@@ -1,0 +1,43 @@
+package org.palpate.io.label;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.palpate.io.volume.SliceSink;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeReader;
+
+/**
+ * A volume with the label table that lies beside it.
+ *
+ * @param volume the volume
+ * @param header its header with the table
+ */
+public record LabelledReader(VolumeReader volume, VolumeHeader header) implements VolumeReader {
+  /** The volume, with the table beside its file where it has no names of its own. */
+  public static VolumeReader of(VolumeReader volume, Path file) throws VolumeFormatException {
+    VolumeHeader header = volume.header();
+    boolean named = header.labels().isPresent() && !header.labels().get().labels().isEmpty();
+    if (named || !header.values().whole()) {
+      return volume;
+    }
+    return LabelTableReader.beside(file)
+        .<VolumeReader>map(table -> new LabelledReader(volume, header.withLabels(table)))
+        .orElse(volume);
+  }
+
+  @Override
+  public void read(SliceSink sink) throws VolumeFormatException {
+    volume.read(sink);
+  }
+
+  @Override
+  public String place() {
+    return volume.place();
+  }
+
+  @Override
+  public List<Path> files() {
+    return volume.files();
+  }
+}

@@ -1,0 +1,73 @@
+package org.palpate.io.label;
+
+import java.util.Arrays;
+import org.palpate.io.label.SegmentSpec.Nonzero;
+import org.palpate.io.label.SegmentSpec.Range;
+import org.palpate.io.label.SegmentSpec.Rule;
+import org.palpate.io.volume.VoxelSlice;
+
+/** Says of each voxel of a row whether it is in a segment. */
+@FunctionalInterface
+interface RowClassifier {
+  /**
+   * Sets {@code inside[n]} to 1 or 0 for the voxels from {@code from} on, {@code count} of them.
+   */
+  void test(VoxelSlice slice, int from, int count, byte[] inside);
+
+  /** The test for a rule over slices that hold whole numbers, or doubles. */
+  static RowClassifier of(Rule rule, boolean whole) {
+    if (rule instanceof Range range) {
+      return whole ? wholeRange(range.low(), range.high()) : range(range.low(), range.high());
+    }
+    if (rule instanceof Nonzero) {
+      return whole ? RowClassifier::wholeNonzero : RowClassifier::nonzero;
+    }
+    return (slice, from, count, inside) -> {
+      for (int n = 0; n < count; n++) {
+        inside[n] = (byte) (rule.selects(slice.value(from + n)) ? 1 : 0);
+      }
+    };
+  }
+
+  private static RowClassifier wholeRange(double low, double high) {
+    double lowest = Math.max(Math.ceil(low), Integer.MIN_VALUE);
+    double highest = Math.min(Math.floor(high), Integer.MAX_VALUE);
+    if (!(lowest <= highest)) {
+      return (slice, from, count, inside) -> Arrays.fill(inside, 0, count, (byte) 0);
+    }
+    int bottom = (int) lowest;
+    int top = (int) highest;
+    return (slice, from, count, inside) -> {
+      int[] values = slice.integers();
+      for (int n = 0; n < count; n++) {
+        int value = values[from + n];
+        inside[n] = (byte) (value >= bottom && value <= top ? 1 : 0);
+      }
+    };
+  }
+
+  private static RowClassifier range(double low, double high) {
+    return (slice, from, count, inside) -> {
+      double[] values = slice.doubles();
+      for (int n = 0; n < count; n++) {
+        double value = values[from + n];
+        inside[n] = (byte) (value >= low && value <= high ? 1 : 0);
+      }
+    };
+  }
+
+  private static void wholeNonzero(VoxelSlice slice, int from, int count, byte[] inside) {
+    int[] values = slice.integers();
+    for (int n = 0; n < count; n++) {
+      inside[n] = (byte) (values[from + n] != 0 ? 1 : 0);
+    }
+  }
+
+  private static void nonzero(VoxelSlice slice, int from, int count, byte[] inside) {
+    double[] values = slice.doubles();
+    for (int n = 0; n < count; n++) {
+      double value = values[from + n];
+      inside[n] = (byte) (value < 0 || value > 0 ? 1 : 0);
+    }
+  }
+}

@@ -1,0 +1,83 @@
+package org.palpate.io.label;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.volume.SliceSink;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelSlice;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Makes segments of a volume while it is read, in one pass and without keeping its values: a layer
+ * of bricks, four slices high, is gathered and then stored brick by brick.
+ */
+public final class SegmentBuilder implements SliceSink {
+  private static final int[] PALETTE = {
+    0xE8DCC4, 0xC97B63, 0x6FA8DC, 0x93C47D, 0xF6B26B, 0x8E7CC3, 0x76A5AF, 0xC27BA0, 0xFFD966,
+    0xA4C2F4
+  };
+
+  private final VoxelGrid grid;
+  private final List<SegmentAccumulator> layers = new ArrayList<>();
+  private final Optional<LabelLookup> dispatch;
+
+  /**
+   * Segments by the given rules.
+   *
+   * @param whole whether slices will hold whole numbers, {@code header.values().whole()}
+   */
+  public SegmentBuilder(VoxelGrid grid, List<SegmentSpec> specs, boolean whole) {
+    this.grid = grid;
+    for (SegmentSpec spec : specs) {
+      int rgb = spec.rgb() == SegmentSpec.ANY_COLOUR ? paletteColour(layers.size()) : spec.rgb();
+      layers.add(new SegmentAccumulator(spec, grid, whole, rgb));
+    }
+    dispatch = whole ? LabelLookup.of(specs, layers) : Optional.empty();
+  }
+
+  private static int paletteColour(int index) {
+    return PALETTE[index % PALETTE.length];
+  }
+
+  /**
+   * Reads a volume's segments.
+   *
+   * @throws VolumeFormatException where the volume cannot be read or its bits do not fit in memory
+   */
+  public static SegmentedVolume read(VolumeReader reader, List<SegmentSpec> specs)
+      throws VolumeFormatException {
+    VoxelGrid grid = reader.header().grid();
+    String purpose = specs.size() == 1 ? "one segment" : specs.size() + " segments";
+    MemoryCheck.require(bytesFor(grid, specs.size()), purpose, reader.place());
+    SegmentBuilder builder = new SegmentBuilder(grid, specs, reader.header().values().whole());
+    reader.read(builder);
+    return builder.build();
+  }
+
+  /** Bytes that so many segments of a grid take. */
+  public static double bytesFor(VoxelGrid grid, int segments) {
+    return segments * BitCube.bytesFor(grid.sizeX(), grid.sizeY(), grid.sizeZ());
+  }
+
+  @Override
+  public void accept(int k, VoxelSlice slice) {
+    if (dispatch.isPresent()) {
+      dispatch.get().gather(k, slice);
+    } else {
+      layers.forEach(layer -> layer.gather(k, slice));
+    }
+    if ((k & 3) == 3 || k == grid.sizeZ() - 1) {
+      layers.forEach(layer -> layer.store(k >> BitCube.BRICK_SHIFT));
+    }
+  }
+
+  /** The segments, once every slice was taken. */
+  public SegmentedVolume build() {
+    return new SegmentedVolume(grid, layers.stream().map(SegmentAccumulator::segment).toList());
+  }
+}

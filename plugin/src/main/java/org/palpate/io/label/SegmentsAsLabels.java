@@ -1,0 +1,93 @@
+package org.palpate.io.label;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.volume.LabelTable;
+import org.palpate.io.volume.LabelTable.Label;
+import org.palpate.io.volume.SliceSink;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeHeader.ValueRange;
+import org.palpate.io.volume.VolumeHeader.World;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelSlice;
+import org.palpate.io.volume.VoxelType;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Segments read as if they were a label file: 0 is empty, 1 the first segment, and so on; where two
+ * overlap the later one. For writing them; no one may edit them meanwhile.
+ */
+public final class SegmentsAsLabels implements VolumeReader {
+  private final SegmentedVolume volume;
+  private final VolumeHeader header;
+
+  /** A reader of segments whose world is as given. */
+  public SegmentsAsLabels(SegmentedVolume volume, World world) {
+    this.volume = volume;
+    Map<Long, Label> labels = new TreeMap<>();
+    for (Segment segment : volume.segments()) {
+      labels.put(labels.size() + 1L, new Label(segment.name(), segment.rgb()));
+    }
+    VoxelType type = labels.size() < 256 ? VoxelType.UINT8 : VoxelType.UINT16;
+    header =
+        new VolumeHeader(
+            "segments",
+            volume.grid(),
+            type,
+            ValueRange.of(type),
+            world,
+            Optional.of(new LabelTable(labels)),
+            List.of());
+  }
+
+  @Override
+  public VolumeHeader header() {
+    return header;
+  }
+
+  @Override
+  public void read(SliceSink sink) throws VolumeFormatException {
+    VoxelGrid grid = volume.grid();
+    VoxelSlice slice = MemoryCheck.slice(grid, true, place());
+    for (int k = 0; k < grid.sizeZ(); k++) {
+      java.util.Arrays.fill(slice.integers(), 0);
+      for (int n = 0; n < volume.segments().size(); n++) {
+        paint(volume.segments().get(n).bits(), k, n + 1, slice);
+      }
+      sink.accept(k, slice);
+    }
+  }
+
+  private static void paint(BitCube bits, int k, int label, VoxelSlice slice) {
+    for (int brickY = 0; brickY < bits.bricksY(); brickY++) {
+      for (int brickX = 0; brickX < bits.bricksX(); brickX++) {
+        long word = bits.brick(brickX, brickY, k >> BitCube.BRICK_SHIFT);
+        long layer = word >>> BitCube.bit(0, 0, k) & 0xffff;
+        for (long rest = layer; rest != 0; rest &= rest - 1) {
+          int bit = Long.numberOfTrailingZeros(rest);
+          int i = (brickX << BitCube.BRICK_SHIFT) + (bit & 3);
+          int j = (brickY << BitCube.BRICK_SHIFT) + (bit >> 2);
+          slice.integers()[j * slice.sizeX() + i] = label;
+        }
+      }
+    }
+  }
+
+  @Override
+  public String place() {
+    return "segments";
+  }
+
+  @Override
+  public List<Path> files() {
+    return List.of();
+  }
+}

@@ -1,0 +1,103 @@
+package org.palpate.io.metaimage;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.palpate.io.format.HeaderLineReader;
+import org.palpate.io.format.InputFiles;
+import org.palpate.io.volume.VolumeFormatException;
+
+/**
+ * The text of a MetaImage header, not yet understood.
+ *
+ * <p>Source: MetaIO documentation, itk.org/Wiki/MetaIO/Documentation.
+ *
+ * @param file where it stands
+ * @param fields values by key, keys as written
+ * @param dataList file names that follow {@code ElementDataFile = LIST}
+ * @param dataOffset where the data begin, were they LOCAL
+ */
+public record MetaImageHeader(
+    Path file, Map<String, String> fields, List<String> dataList, long dataOffset) {
+  private static final String LAST_KEY = "ElementDataFile";
+
+  /** Whether bytes at the start of a file are such a header's. */
+  public static boolean isMeta(byte[] start) {
+    String text = new String(start, StandardCharsets.ISO_8859_1);
+    return text.matches("(?s)\\s*(ObjectType|NDims|Comment)\\s*=.*");
+  }
+
+  static MetaImageHeader read(Path file) throws VolumeFormatException {
+    Map<String, String> fields = new HashMap<>();
+    List<String> list = new ArrayList<>();
+    try (InputStream in = InputFiles.open(file, 0)) {
+      HeaderLineReader lines = new HeaderLineReader(in, file);
+      String line = lines.next();
+      for (; line != null && !fields.containsKey(LAST_KEY); line = lines.next()) {
+        if (!line.isBlank()) {
+          take(line, file, fields);
+        }
+        if (fields.containsKey(LAST_KEY)) {
+          break;
+        }
+      }
+      MetaImageHeader header = new MetaImageHeader(file, fields, list, lines.taken());
+      if (header.required(LAST_KEY).startsWith("LIST")) {
+        for (line = lines.next(); line != null && !line.isBlank(); line = lines.next()) {
+          list.add(line.strip());
+        }
+      }
+      return header;
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException e) {
+      throw InputFiles.unreadable(file, e);
+    }
+  }
+
+  private static void take(String line, Path file, Map<String, String> fields)
+      throws VolumeFormatException {
+    int equals = line.indexOf('=');
+    if (equals < 1) {
+      String shown = line.length() > 60 ? line.substring(0, 60) + "..." : line;
+      throw new VolumeFormatException(
+          "the line '" + shown + "' of its header is no field", file, "write the file anew");
+    }
+    fields.put(line.substring(0, equals).strip(), line.substring(equals + 1).strip());
+  }
+
+  String required(String key) throws VolumeFormatException {
+    String value = fields.get(key);
+    if (value == null) {
+      throw wrong("its header has no '" + key + "'");
+    }
+    return value;
+  }
+
+  /** The value of the first key that is there, or the fallback. */
+  String first(String fallback, String... keys) {
+    for (String key : keys) {
+      if (fields.containsKey(key)) {
+        return fields.get(key);
+      }
+    }
+    return fallback;
+  }
+
+  /** Whether a key says True; False where it is absent. */
+  boolean isTrue(String... keys) {
+    String value = first("False", keys).toLowerCase(Locale.ROOT);
+    return value.startsWith("t") || value.startsWith("y") || value.equals("1");
+  }
+
+  VolumeFormatException wrong(String what) {
+    return new VolumeFormatException(
+        what, file, "correct the header, or write the file anew with the tool it came from");
+  }
+}

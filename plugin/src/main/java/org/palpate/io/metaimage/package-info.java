@@ -1,0 +1,7 @@
+/**
+ * Reads MetaImage files (.mha, .mhd).
+ *
+ * <p>Uses {@code io.format}, {@code io.volume} and {@code io.file}. One thread an instance. World
+ * axes are LPS, in millimetres.
+ */
+package org.palpate.io.metaimage;

@@ -1,0 +1,178 @@
+package org.palpate.io.nifti;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.format.BinaryData;
+import org.palpate.io.format.Grids;
+import org.palpate.io.format.InputFiles;
+import org.palpate.io.format.NonSpatialAxis;
+import org.palpate.io.format.ReadOptionChecks;
+import org.palpate.io.format.Scaling;
+import org.palpate.io.format.StreamVolumeReader;
+import org.palpate.io.volume.LabelTable;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeHeader.World;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelType;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Reads NIfTI-1 and 2, in one file or as a pair, plain or gzip.
+ *
+ * <p>Source: nifti1.h and nifti2.h, nifti.nimh.nih.gov. World coordinates are the file's, RAS.
+ */
+public final class NiftiReader {
+  private NiftiReader() {}
+
+  public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
+    Path headerFile = pairedFile(file, ".img", ".hdr");
+    NiftiHeader header = NiftiHeader.read(headerFile);
+    Path dataFile = header.isPair() ? pairedFile(headerFile, ".hdr", ".img") : headerFile;
+    VoxelType type = type(header);
+    Scaling scaling = scaling(header);
+    List<String> notes = new ArrayList<>();
+    int[] sizes = sizes(header);
+    NonSpatialAxis extra = extra(header, options, notes);
+    NiftiAffine place = NiftiAffine.of(header, notes);
+    VoxelGrid grid =
+        Grids.of(sizes, place.stepsMm().toArray(new Vec3[0]), place.firstCentreMm(), headerFile);
+    boolean gzip = BinaryData.isGzip(InputFiles.start(dataFile, 2));
+    BinaryData data =
+        new BinaryData(
+            List.of(dataFile),
+            new BinaryData.Start(offset(header), false, gzip),
+            type,
+            header.order(),
+            scaling,
+            byteCount(header, grid, extra, type));
+    data.requireEnough();
+    VolumeHeader described =
+        new VolumeHeader(
+            header.formatName() + (gzip ? ", gzip" : ""),
+            grid,
+            type,
+            scaling.range(type),
+            place.isKnown() ? World.RAS : World.UNKNOWN,
+            header.isLabels() ? Optional.of(LabelTable.EMPTY) : Optional.empty(),
+            notes);
+    List<Path> files = header.isPair() ? List.of(headerFile, dataFile) : List.of(headerFile);
+    return new StreamVolumeReader(described, files, data, extra, options.progress());
+  }
+
+  /**
+   * The file beside it with the other ending, plain or gzip, where it has the first; else itself.
+   */
+  private static Path pairedFile(Path file, String from, String to) throws VolumeFormatException {
+    String name = file.getFileName().toString();
+    String lower = name.toLowerCase(Locale.ROOT);
+    String zip = lower.endsWith(".gz") ? ".gz" : "";
+    if (!lower.endsWith(from + zip)) {
+      return file;
+    }
+    String stem = name.substring(0, name.length() - from.length() - zip.length());
+    for (String ending : List.of(to, to + ".gz", to.toUpperCase(Locale.ROOT))) {
+      Path other = file.resolveSibling(stem + ending);
+      if (Files.exists(other)) {
+        return InputFiles.beside(file, stem + ending);
+      }
+    }
+    throw new VolumeFormatException(
+        "its other half " + stem + to + " is not there", file, "put both files in one folder");
+  }
+
+  private static int[] sizes(NiftiHeader header) throws VolumeFormatException {
+    int[] sizes = {1, 1, 1};
+    int dimension = (int) header.dim(0);
+    if (dimension < 2 || dimension > 7) {
+      throw header.wrong("it has " + header.dim(0) + " axes");
+    }
+    for (int axis = 0; axis < Math.min(3, dimension); axis++) {
+      long size = header.dim(axis + 1);
+      if (size < 1 || size > Integer.MAX_VALUE) {
+        throw header.wrong("its size along " + "xyz".charAt(axis) + " is " + size);
+      }
+      sizes[axis] = (int) size;
+    }
+    return sizes;
+  }
+
+  private static NonSpatialAxis extra(NiftiHeader header, ReadOptions options, List<String> notes)
+      throws VolumeFormatException {
+    double steps = 1;
+    for (int axis = 4; axis <= header.dim(0); axis++) {
+      if (header.dim(axis) < 0) {
+        throw header.wrong("its size along axis " + axis + " is " + header.dim(axis));
+      }
+      steps *= Math.max(1, header.dim(axis));
+    }
+    if (steps > Integer.MAX_VALUE) {
+      throw header.wrong("it has " + NumberParser.text(steps) + " time steps");
+    }
+    return new NonSpatialAxis(
+        3, (int) steps, ReadOptionChecks.step((int) steps, options, header.file(), notes));
+  }
+
+  private static long byteCount(
+      NiftiHeader header, VoxelGrid grid, NonSpatialAxis extra, VoxelType type)
+      throws VolumeFormatException {
+    double bytes = (double) grid.voxelCount() * extra.count() * type.bytes();
+    if (bytes > 0x1p60) {
+      throw header.wrong("its sizes make more than 2^60 bytes");
+    }
+    return grid.voxelCount() * extra.count() * type.bytes();
+  }
+
+  private static long offset(NiftiHeader header) throws VolumeFormatException {
+    double offset = header.voxOffset();
+    long least = header.isPair() ? 0 : header.length() + 4;
+    if (!(offset >= least) || offset > 0x1p53 || offset != Math.rint(offset)) {
+      throw header.wrong(
+          "its data begin at " + NumberParser.text(offset) + ", inside the header or nowhere");
+    }
+    return (long) offset;
+  }
+
+  private static Scaling scaling(NiftiHeader header) throws VolumeFormatException {
+    double slope = header.slope();
+    if (slope == 0 || !Double.isFinite(slope)) {
+      return Scaling.NONE;
+    }
+    if (!Double.isFinite(header.intercept())) {
+      throw header.wrong("its intercept is " + header.intercept());
+    }
+    return new Scaling(slope, header.intercept());
+  }
+
+  private static VoxelType type(NiftiHeader header) throws VolumeFormatException {
+    return switch (header.datatype()) {
+      case 2 -> VoxelType.UINT8;
+      case 4 -> VoxelType.INT16;
+      case 8 -> VoxelType.INT32;
+      case 16 -> VoxelType.FLOAT32;
+      case 64 -> VoxelType.FLOAT64;
+      case 256 -> VoxelType.INT8;
+      case 512 -> VoxelType.UINT16;
+      case 768 -> VoxelType.UINT32;
+      case 1024 -> VoxelType.INT64;
+      case 1280 -> VoxelType.UINT64;
+      case 32, 1792, 2048 -> throw unusable(header, "complex numbers");
+      case 128, 2304 -> throw unusable(header, "colours");
+      default -> throw unusable(header, "data of type " + header.datatype());
+    };
+  }
+
+  private static VolumeFormatException unusable(NiftiHeader header, String what) {
+    return new VolumeFormatException(
+        "it holds " + what + ", not one number a voxel",
+        header.file(),
+        "convert it to integers or floats first");
+  }
+}

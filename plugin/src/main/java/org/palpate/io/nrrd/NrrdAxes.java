@@ -1,0 +1,266 @@
+package org.palpate.io.nrrd;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.format.Grids;
+import org.palpate.io.format.NonSpatialAxis;
+import org.palpate.io.format.ReadOptionChecks;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader.World;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * What the axes of a NRRD mean.
+ *
+ * @param grid the three of space
+ * @param extra one that is not of space
+ * @param world the way the world's axes point
+ * @param sampleCount samples over all axes
+ * @param notes what had to be assumed
+ */
+record NrrdAxes(
+    VoxelGrid grid, NonSpatialAxis extra, World world, long sampleCount, List<String> notes) {
+  private static final int MOST_AXES = 16;
+  private static final Set<String> SPACE_KINDS = Set.of("domain", "space", "???", "none");
+  private static final Pattern VECTOR = Pattern.compile("\\(([^()]*)\\)|(none)");
+  private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
+
+  static NrrdAxes of(NrrdHeader header, ReadOptions options) throws VolumeFormatException {
+    return new Reading(header, options).read();
+  }
+
+  /** The state of reading one header. */
+  private static final class Reading {
+    private final NrrdHeader header;
+    private final ReadOptions options;
+    private final List<String> notes = new ArrayList<>();
+    private int[] sizes;
+    private Vec3[] directions; // null where not of space, or where the header has none
+
+    Reading(NrrdHeader header, ReadOptions options) {
+      this.header = header;
+      this.options = options;
+    }
+
+    NrrdAxes read() throws VolumeFormatException {
+      int dimension = NumberParser.positiveInt(header.required("dimension"));
+      if (dimension < 1 || dimension > MOST_AXES) {
+        throw header.wrong("its dimension is '" + header.required("dimension") + "'");
+      }
+      sizes = sizes(dimension);
+      long samples = sampleCount();
+      directions = directions(dimension);
+      List<Integer> space = spaceAxes(dimension);
+      NonSpatialAxis extra = extraAxis(space);
+      VoxelGrid grid = grid(space);
+      return new NrrdAxes(grid, extra, world(), samples, notes);
+    }
+
+    private int[] sizes(int dimension) throws VolumeFormatException {
+      header.required("sizes");
+      String[] words = header.words("sizes");
+      if (words.length != dimension) {
+        throw header.wrong(
+            "its dimension is " + dimension + " but it has " + words.length + " sizes");
+      }
+      int[] result = new int[dimension];
+      for (int axis = 0; axis < dimension; axis++) {
+        result[axis] = NumberParser.positiveInt(words[axis]);
+        if (result[axis] < 1) {
+          throw header.wrong("its size along axis " + axis + " is '" + words[axis] + "'");
+        }
+      }
+      return result;
+    }
+
+    private long sampleCount() throws VolumeFormatException {
+      try {
+        long count = 8; // so that the bytes of the largest type can be counted, too
+        for (int size : sizes) {
+          count = Math.multiplyExact(count, (long) size);
+        }
+        return count / 8;
+      } catch (ArithmeticException e) {
+        throw header.wrong("its sizes make more than 2^60 voxels");
+      }
+    }
+
+    private Vec3[] directions(int dimension) throws VolumeFormatException {
+      if (header.field("space directions").isEmpty()) {
+        return null;
+      }
+      Matcher matcher = VECTOR.matcher(header.required("space directions"));
+      Vec3[] result = new Vec3[dimension];
+      int found = 0;
+      for (; matcher.find(); found++) {
+        if (found < dimension && matcher.group(2) == null) {
+          result[found] = vector(matcher.group(1));
+        }
+      }
+      if (found != dimension) {
+        throw header.wrong(
+            "its dimension is " + dimension + " but it has " + found + " space directions");
+      }
+      return result;
+    }
+
+    private Vec3 vector(String text) throws VolumeFormatException {
+      String[] words = text.split(",", -1);
+      if (words.length != 3) {
+        throw header.wrong("the vector (" + text + ") has " + words.length + " numbers, not 3");
+      }
+      return new Vec3(
+          NumberParser.number(words[0]),
+          NumberParser.number(words[1]),
+          NumberParser.number(words[2]));
+    }
+
+    private List<Integer> spaceAxes(int dimension) throws VolumeFormatException {
+      String[] kinds = header.words("kinds");
+      List<Integer> space = new ArrayList<>();
+      for (int axis = 0; axis < dimension; axis++) {
+        String kind = axis < kinds.length ? kinds[axis].toLowerCase(Locale.ROOT) : "???";
+        if (directions != null ? directions[axis] != null : SPACE_KINDS.contains(kind)) {
+          space.add(axis);
+        }
+      }
+      while (directions == null && space.size() > 3) {
+        space.remove(space.size() - 1);
+      }
+      if (space.size() < 2 || space.size() > 3) {
+        throw new VolumeFormatException(
+            "it has " + space.size() + " axes of space",
+            header.file(),
+            "give a volume with three (kinds: domain domain domain)");
+      }
+      return space;
+    }
+
+    private NonSpatialAxis extraAxis(List<Integer> space) throws VolumeFormatException {
+      NonSpatialAxis extra = NonSpatialAxis.NONE;
+      for (int axis = 0; axis < sizes.length; axis++) {
+        int here = axis;
+        if (!space.contains(axis) && sizes[axis] > 1) {
+          if (extra.count() > 1) {
+            throw header.wrong("it has more than one axis that is not of space");
+          }
+          int position = (int) space.stream().filter(other -> other < here).count();
+          // with two axes of space the third is there in thought, one voxel thick, at the end
+          int place = position == space.size() ? 3 : position;
+          extra = new NonSpatialAxis(place, sizes[axis], 0);
+        }
+      }
+      int step = ReadOptionChecks.step(extra.count(), options, header.file(), notes);
+      return new NonSpatialAxis(extra.position(), extra.count(), step);
+    }
+
+    private VoxelGrid grid(List<Integer> space) throws VolumeFormatException {
+      int[] three = {1, 1, 1};
+      Vec3[] steps = Grids.steps(new Vec3(1, 1, 1));
+      Vec3 centre = new Vec3();
+      for (int n = 0; n < space.size(); n++) {
+        three[n] = sizes[space.get(n)];
+        steps[n] = step(n, space.get(n), centre);
+      }
+      if (space.size() == 2) {
+        notes.add("a single picture: one slice, taken to be as thick as its pixels are wide");
+        steps[2] = thickness(steps[0], steps[1]);
+      }
+      if (header.field("space origin").isPresent()) {
+        Matcher matcher = VECTOR.matcher(header.required("space origin"));
+        centre = vector(matcher.matches() && matcher.group(1) != null ? matcher.group(1) : "");
+      }
+      scale(steps, centre, space.get(0));
+      return Grids.of(three, steps, centre, header.file());
+    }
+
+    /** At right angles to both, as long as the first. */
+    private Vec3 thickness(Vec3 a, Vec3 b) {
+      Vec3 normal = new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+      return normal.mul(a.length() / normal.length(), normal);
+    }
+
+    /** The step along an axis of space, the n-th; may set where along it voxel 0 lies. */
+    private Vec3 step(int n, int axis, Vec3 centre) throws VolumeFormatException {
+      if (directions != null) {
+        return directions[axis];
+      }
+      Vec3 step = new Vec3();
+      double low = perAxis("axis mins", axis);
+      double high = perAxis("axis maxs", axis);
+      boolean node = isNode(axis);
+      int intervals = node ? sizes[axis] - 1 : sizes[axis];
+      double spacing = perAxis("spacings", axis);
+      if (Double.isNaN(spacing) && header.field("spacings").isPresent()) {
+        throw header.wrong("its spacing along axis " + axis + " is no number");
+      }
+      if (Double.isNaN(spacing)) {
+        spacing = (high - low) / intervals;
+      }
+      if (Double.isNaN(spacing)) {
+        spacing = 1;
+        notes.add("no spacing along " + "xyz".charAt(n) + ": 1 mm assumed");
+      }
+      if (!Double.isNaN(low)) {
+        centre.set(n, node ? low : low + spacing / 2);
+      }
+      step.set(n, spacing);
+      return step;
+    }
+
+    private boolean isNode(int axis) {
+      String[] words = header.words("centerings");
+      return axis < words.length && words[axis].equalsIgnoreCase("node");
+    }
+
+    private double perAxis(String field, int axis) {
+      String[] words = header.words(field);
+      return axis < words.length ? NumberParser.number(words[axis]) : Double.NaN;
+    }
+
+    /** From the units of the header to mm. */
+    private void scale(Vec3[] steps, Vec3 centre, int firstAxis) throws VolumeFormatException {
+      boolean ofSpace = header.field("space units").isPresent();
+      Matcher matcher =
+          QUOTED.matcher(header.fields().getOrDefault(ofSpace ? "space units" : "units", ""));
+      String unit = "";
+      for (int axis = 0; matcher.find() && axis <= (ofSpace ? 0 : firstAxis); axis++) {
+        unit = matcher.group(1).strip();
+      }
+      double mm = mmPerUnit(unit);
+      for (Vec3 step : steps) {
+        step.mul(mm, step);
+      }
+      centre.mul(mm, centre);
+    }
+
+    private double mmPerUnit(String unit) throws VolumeFormatException {
+      return switch (unit) {
+        case "", "???", "mm", "millimeter", "millimeters", "millimetre" -> 1;
+        case "cm" -> 10;
+        case "m", "meter", "metre" -> 1000;
+        case "um", "\u00b5m", "\u03bcm", "micron", "microns", "micrometer" -> 1e-3;
+        case "nm" -> 1e-6;
+        default -> throw header.wrong("its unit of length '" + unit + "' is unknown");
+      };
+    }
+
+    private World world() throws VolumeFormatException {
+      String space = header.fields().getOrDefault("space", "").toLowerCase(Locale.ROOT);
+      return switch (space) {
+        case "left-posterior-superior", "lps" -> World.LPS;
+        case "right-anterior-superior", "ras" -> World.RAS;
+        case "left-anterior-superior", "las" -> World.LAS;
+        case "", "scanner-xyz", "3d-right-handed", "3d-left-handed" -> World.UNKNOWN;
+        default -> throw header.wrong("its space '" + space + "' has not three axes of space");
+      };
+    }
+  }
+}

@@ -1,0 +1,127 @@
+package org.palpate.io.nrrd;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.palpate.io.format.HeaderLineReader;
+import org.palpate.io.format.InputFiles;
+import org.palpate.io.volume.VolumeFormatException;
+
+/**
+ * The text of a NRRD header, not yet understood.
+ *
+ * <p>Source: Definition of NRRD File Format, teem.sourceforge.net/nrrd/format.html.
+ *
+ * @param file where it stands
+ * @param fields values by field name, in lower case and with single spaces
+ * @param keyValues pairs that the format gives no meaning
+ * @param dataList file names that follow {@code data file: LIST}
+ * @param dataOffset where the data begin, were they attached
+ */
+public record NrrdHeader(
+    Path file,
+    Map<String, String> fields,
+    Map<String, String> keyValues,
+    List<String> dataList,
+    long dataOffset) {
+  public static final String MAGIC = "NRRD000";
+
+  private static final Map<String, String> OTHER_NAMES =
+      Map.of(
+          "datafile", "data file",
+          "byteskip", "byte skip",
+          "lineskip", "line skip",
+          "centers", "centerings",
+          "axismins", "axis mins",
+          "axismaxs", "axis maxs");
+
+  /** Reads the header at the start of a file. */
+  static NrrdHeader read(Path file) throws VolumeFormatException {
+    NrrdHeader header =
+        new NrrdHeader(file, new HashMap<>(), new HashMap<>(), new ArrayList<>(), 0);
+    try (InputStream in = InputFiles.open(file, 0)) {
+      HeaderLineReader lines = new HeaderLineReader(in, file);
+      String magic = lines.next();
+      if (magic == null || !magic.matches("NRRD000[1-5]\\s*")) {
+        throw header.wrong("its first line is not NRRD0001 to NRRD0005");
+      }
+      boolean listFollows = false;
+      for (String line = lines.next(); line != null && !line.isEmpty(); line = lines.next()) {
+        if (listFollows) {
+          header.dataList.add(line.strip());
+        } else {
+          listFollows = header.take(line);
+        }
+      }
+      return new NrrdHeader(file, header.fields, header.keyValues, header.dataList, lines.taken());
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException e) {
+      throw InputFiles.unreadable(file, e);
+    }
+  }
+
+  /** The value of a field. */
+  Optional<String> field(String name) {
+    return Optional.ofNullable(fields.get(name));
+  }
+
+  /** The value of a field that must be there. */
+  String required(String name) throws VolumeFormatException {
+    return field(name).orElseThrow(() -> wrong("its header has no '" + name + "'"));
+  }
+
+  /** The words of a field, separated by white space; none where it is absent. */
+  String[] words(String name) {
+    String value = fields.getOrDefault(name, "").strip();
+    return value.isEmpty() ? new String[0] : value.split("\\s+");
+  }
+
+  /** Says what is wrong with this header. */
+  VolumeFormatException wrong(String what) {
+    return new VolumeFormatException(
+        what, file, "correct the header, or write the file anew with the tool it came from");
+  }
+
+  /** Takes a line; true where file names follow it. */
+  private boolean take(String line) throws VolumeFormatException {
+    if (line.startsWith("#")) {
+      return false;
+    }
+    int pair = line.indexOf(":=");
+    int field = line.indexOf(": ");
+    if (field < 0 && line.endsWith(":")) {
+      field = line.length() - 1;
+    }
+    if (pair > 0 && (field < 0 || pair < field)) {
+      keyValues.put(line.substring(0, pair), line.substring(pair + 2));
+      return false;
+    }
+    if (field < 1) {
+      throw wrong("the line '" + shortened(line) + "' of its header is no field");
+    }
+    return takeField(fieldName(line.substring(0, field)), line.substring(field + 1).strip());
+  }
+
+  private boolean takeField(String name, String value) throws VolumeFormatException {
+    if (fields.put(name, value) != null) {
+      throw wrong("the field '" + shortened(name) + "' stands twice in its header");
+    }
+    return name.equals("data file") && value.startsWith("LIST");
+  }
+
+  private static String fieldName(String text) {
+    String name = text.strip().toLowerCase(Locale.ROOT).replaceAll("\\s+", " ");
+    return OTHER_NAMES.getOrDefault(name, name);
+  }
+
+  private static String shortened(String text) {
+    return text.length() <= 60 ? text : text.substring(0, 60) + "...";
+  }
+}

@@ -1,0 +1,72 @@
+package org.palpate.io.raw;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.palpate.io.format.BinaryData;
+import org.palpate.io.format.Grids;
+import org.palpate.io.format.InputFiles;
+import org.palpate.io.format.NonSpatialAxis;
+import org.palpate.io.format.ReadOptionChecks;
+import org.palpate.io.format.Scaling;
+import org.palpate.io.format.StreamVolumeReader;
+import org.palpate.io.volume.RawLayout;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeHeader.ValueRange;
+import org.palpate.io.volume.VolumeHeader.World;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelType;
+import org.palpate.volume.VoxelGrid;
+
+/** Reads a raw file, whose layout a person gives. */
+public final class RawReader {
+  private RawReader() {}
+
+  public static VolumeReader open(Path file, RawLayout layout, ReadOptions options)
+      throws VolumeFormatException {
+    ReadOptionChecks.step(1, options, file, new ArrayList<>());
+    VoxelGrid grid =
+        Grids.ofSpacing(
+            new int[] {layout.sizeX(), layout.sizeY(), layout.sizeZ()}, layout.spacingMm(), file);
+    VoxelType type = layout.type();
+    List<Path> files = Files.isDirectory(file) ? RawSliceFiles.files(file) : List.of(file);
+    double needed = (double) grid.voxelCount() * type.bytes();
+    long length = 0;
+    for (Path part : files) {
+      length += InputFiles.length(part);
+    }
+    if (needed != length) {
+      throw new VolumeFormatException(
+          "its length is "
+              + length
+              + " bytes"
+              + (files.size() > 1 ? " in " + files.size() + " files" : "")
+              + ", --raw asks for "
+              + (long) needed,
+          file,
+          "correct the sizes or the type of --raw");
+    }
+    VolumeHeader header =
+        new VolumeHeader(
+            "raw, as --raw says",
+            grid,
+            type,
+            ValueRange.of(type),
+            World.UNKNOWN,
+            java.util.Optional.empty(),
+            List.of());
+    BinaryData data =
+        new BinaryData(
+            files,
+            new BinaryData.Start(0, false, false),
+            type,
+            layout.order(),
+            Scaling.NONE,
+            length);
+    data.requireEnough();
+    return new StreamVolumeReader(header, files, data, NonSpatialAxis.NONE, options.progress());
+  }
+}

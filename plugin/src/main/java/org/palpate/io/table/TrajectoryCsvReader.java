@@ -1,0 +1,161 @@
+package org.palpate.io.table;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.MalformedInputException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.palpate.io.file.NumberText;
+
+/**
+ * Reads a trajectory: a header that names {@code t_ms,x,y,z} in any order, perhaps {@code
+ * qx,qy,qz,qw} and more, then a line a sample. Lines that are empty or start with # are passed
+ * over.
+ */
+public final class TrajectoryCsvReader {
+  private static final List<String> NEEDED = List.of("t_ms", "x", "y", "z");
+  private static final List<String> ROTATION = List.of("qx", "qy", "qz", "qw");
+  private static final double[] NO_ROTATION = {0, 0, 0, 1};
+
+  /** Takes samples in order. */
+  @FunctionalInterface
+  public interface SampleSink {
+    /** A sample: time in ms, position, and a unit quaternion, (0,0,0,1) where there is none. */
+    void add(
+        double timeMs, double x, double y, double z, double qx, double qy, double qz, double qw);
+  }
+
+  private final Path file;
+  private final boolean checked;
+  private final double[] needed = new double[NEEDED.size()];
+  private final double[] rotation = new double[ROTATION.size()];
+  private int[] neededColumns = {};
+  private int[] rotationColumns = {};
+  private double lastMs = Double.NEGATIVE_INFINITY;
+  private long lineNumber;
+  private long samples;
+
+  private TrajectoryCsvReader(Path file, boolean checked) {
+    this.file = file;
+    this.checked = checked;
+  }
+
+  /**
+   * Reads a file to its end.
+   *
+   * @param checked whether NaN, infinity and backward times are refused
+   * @return the number of samples, at least 1
+   * @throws CsvFormatException where the file is not there or not understood, with the line
+   */
+  public static long read(Path file, boolean checked, SampleSink sink) throws IOException {
+    if (Files.isDirectory(file)) {
+      throw new CsvFormatException("it is a folder", file, "give a table with t_ms,x,y,z");
+    }
+    try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
+      return new TrajectoryCsvReader(file, checked).read(reader, sink);
+    } catch (NoSuchFileException e) {
+      throw new CsvFormatException("no such file", file, "check the path");
+    } catch (MalformedInputException e) {
+      throw new CsvFormatException("it is no text", file, "give a table with t_ms,x,y,z");
+    } catch (FileSystemException e) {
+      throw new CsvFormatException("it cannot be read", file, "check that you may read it");
+    }
+  }
+
+  private long read(BufferedReader reader, SampleSink sink) throws IOException {
+    for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+      lineNumber++;
+      if (line.isBlank() || line.startsWith("#")) {
+        continue;
+      }
+      if (neededColumns.length == 0) {
+        readHeader(line);
+      } else {
+        readSample(line.split(",", -1), sink);
+      }
+    }
+    if (samples == 0) {
+      throw new CsvFormatException("it holds no sample", file, "give a header t_ms,x,y,z and rows");
+    }
+    return samples;
+  }
+
+  private void readHeader(String line) throws CsvFormatException {
+    List<String> names =
+        Arrays.stream(line.replace("\ufeff", "").split(",", -1)).map(String::strip).toList();
+    neededColumns = NEEDED.stream().mapToInt(names::indexOf).toArray();
+    for (int n = 0; n < neededColumns.length; n++) {
+      if (neededColumns[n] < 0) {
+        throw new CsvFormatException(
+            "there is no column " + NEEDED.get(n), file, lineNumber, "begin with t_ms,x,y,z");
+      }
+    }
+    int[] columns = ROTATION.stream().mapToInt(names::indexOf).toArray();
+    rotationColumns = Arrays.stream(columns).allMatch(n -> n >= 0) ? columns : new int[0];
+  }
+
+  private void readSample(String[] words, SampleSink sink) throws CsvFormatException {
+    read(words, neededColumns, NEEDED, needed);
+    if (rotationColumns.length > 0) {
+      read(words, rotationColumns, ROTATION, rotation);
+    } else {
+      System.arraycopy(NO_ROTATION, 0, rotation, 0, NO_ROTATION.length);
+    }
+    if (checked && needed[0] < lastMs) {
+      throw new CsvFormatException(
+          "time runs backward, from "
+              + NumberText.text(lastMs)
+              + " to "
+              + NumberText.text(needed[0]),
+          file,
+          lineNumber,
+          "sort the rows, or meet it with --raw-device");
+    }
+    lastMs = needed[0];
+    samples++;
+    sink.add(
+        needed[0],
+        needed[1],
+        needed[2],
+        needed[3],
+        rotation[0],
+        rotation[1],
+        rotation[2],
+        rotation[3]);
+  }
+
+  private void read(String[] words, int[] columns, List<String> names, double[] dest)
+      throws CsvFormatException {
+    for (int n = 0; n < columns.length; n++) {
+      String word = columns[n] < words.length ? words[columns[n]].strip() : "";
+      dest[n] = number(word, names.get(n));
+      if (checked && !Double.isFinite(dest[n])) {
+        throw new CsvFormatException(
+            names.get(n) + " is " + word,
+            file,
+            lineNumber,
+            "mend the row, or meet it with --raw-device");
+      }
+    }
+  }
+
+  private double number(String word, String name) throws CsvFormatException {
+    try {
+      return switch (word.toLowerCase(Locale.ROOT)) {
+        case "nan", "+nan", "-nan" -> Double.NaN;
+        case "inf", "+inf", "+infinity", "infinity" -> Double.POSITIVE_INFINITY;
+        case "-inf", "-infinity" -> Double.NEGATIVE_INFINITY;
+        default -> Double.parseDouble(word);
+      };
+    } catch (NumberFormatException e) {
+      String what = word.isEmpty() ? name + " is missing" : name + " is no number: " + word;
+      throw new CsvFormatException(what, file, lineNumber, "write numbers with a dot");
+    }
+  }
+}

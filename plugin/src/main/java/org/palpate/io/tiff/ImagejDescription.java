@@ -1,0 +1,75 @@
+package org.palpate.io.tiff;
+
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.format.Scaling;
+
+/** What ImageJ writes into the description of a TIFF, as {@code key=value} lines. */
+final class ImagejDescription {
+  private final Map<String, String> values = new HashMap<>();
+  private final boolean isImagej;
+
+  private ImagejDescription(String text) {
+    isImagej = text.startsWith("ImageJ=");
+    if (isImagej) {
+      text.lines()
+          .filter(line -> line.indexOf('=') > 0)
+          .forEach(
+              line ->
+                  values.put(
+                      line.substring(0, line.indexOf('=')),
+                      line.substring(line.indexOf('=') + 1).strip()));
+    }
+  }
+
+  static ImagejDescription of(String text) {
+    return new ImagejDescription(text);
+  }
+
+  boolean isImagej() {
+    return isImagej;
+  }
+
+  int images() {
+    return Math.max(1, NumberParser.positiveInt(values.getOrDefault("images", "1")));
+  }
+
+  int channels() {
+    return Math.max(
+        1, Math.min(1 << 15, NumberParser.positiveInt(values.getOrDefault("channels", "1"))));
+  }
+
+  int frames() {
+    return Math.max(
+        1, Math.min(1 << 15, NumberParser.positiveInt(values.getOrDefault("frames", "1"))));
+  }
+
+  /** From a slice to the next in its unit; NaN where it does not say. */
+  double spacing() {
+    return Math.abs(NumberParser.number(values.getOrDefault("spacing", "")));
+  }
+
+  /** Millimetres in its unit of length; NaN where it has none. */
+  double mmPerUnit() {
+    return switch (values.getOrDefault("unit", "").toLowerCase(Locale.ROOT)) {
+      case "mm", "millimeter", "millimetre" -> 1;
+      case "cm" -> 10;
+      case "m", "meter" -> 1000;
+      case "inch", "inches" -> 25.4;
+      case "micron", "microns", "um", "\u00b5m", "\\u00b5m", "micrometer" -> 1e-3;
+      case "nm" -> 1e-6;
+      default -> Double.NaN;
+    };
+  }
+
+  /** Its linear calibration, as for signed 16 bit that it stores shifted by 32768. */
+  Scaling scaling() {
+    double slope = NumberParser.number(values.getOrDefault("c1", ""));
+    double intercept = NumberParser.number(values.getOrDefault("c0", ""));
+    boolean linear = "0".equals(values.getOrDefault("cf", ""));
+    boolean usable = linear && Double.isFinite(slope) && slope != 0 && Double.isFinite(intercept);
+    return usable ? new Scaling(slope, intercept) : Scaling.NONE;
+  }
+}

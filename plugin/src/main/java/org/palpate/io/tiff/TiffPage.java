@@ -1,0 +1,193 @@
+package org.palpate.io.tiff;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.Set;
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.format.BinaryData;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VoxelType;
+
+/** One page of a TIFF: what its tags mean, checked against the file. */
+final class TiffPage {
+  static final Set<Integer> KNOWN_TAGS =
+      Set.of(
+          254, 256, 257, 258, 259, 262, 270, 273, 277, 278, 279, 282, 283, 284, 296, 317, 322, 323,
+          324, 325, 339);
+
+  private final TiffFile tiff;
+  private final Map<Integer, double[]> tags;
+
+  TiffPage(TiffFile tiff, Map<Integer, double[]> tags) {
+    this.tiff = tiff;
+    this.tags = tags;
+  }
+
+  /** Whether it is a smaller copy of another page. */
+  boolean isReduced() {
+    return ((int) value(254, 0) & 1) != 0;
+  }
+
+  int width() throws VolumeFormatException {
+    return size(256, "width");
+  }
+
+  int height() throws VolumeFormatException {
+    return size(257, "height");
+  }
+
+  int compression() {
+    return (int) value(259, 1);
+  }
+
+  int predictor() {
+    return (int) value(317, 1);
+  }
+
+  boolean isTiled() {
+    return tags.containsKey(324);
+  }
+
+  /** Width of a tile, or of the page where it has strips. */
+  int tileWidth() throws VolumeFormatException {
+    return isTiled() ? size(322, "tile width") : width();
+  }
+
+  /** Height of a tile or a strip. */
+  int tileHeight() throws VolumeFormatException {
+    if (isTiled()) {
+      return size(323, "tile height");
+    }
+    double rows = value(278, height());
+    return rows >= 1 && rows < height() ? (int) rows : height();
+  }
+
+  double[] offsets() throws VolumeFormatException {
+    return required(isTiled() ? 324 : 273, "offsets");
+  }
+
+  double[] byteCounts() throws VolumeFormatException {
+    int tag = isTiled() ? 325 : 279;
+    if (!tags.containsKey(tag) && compression() == 1 && offsets().length == 1) {
+      return new double[] {(double) width() * height() * type().bytes()};
+    }
+    return required(tag, "byte counts");
+  }
+
+  /** The text of its description; empty where there is none. */
+  String description() {
+    double[] characters = tags.getOrDefault(270, new double[0]);
+    byte[] bytes = new byte[characters.length];
+    for (int n = 0; n < bytes.length; n++) {
+      bytes[n] = (byte) characters[n];
+    }
+    return new String(bytes, StandardCharsets.UTF_8);
+  }
+
+  /** Pixels a unit of length along x (282) or y (283); NaN where it does not say. */
+  double resolution(int tag) {
+    return value(tag, Double.NaN);
+  }
+
+  /** 1 none, 2 inch, 3 centimetre. */
+  int resolutionUnit() {
+    return (int) value(296, 2);
+  }
+
+  VoxelType type() throws VolumeFormatException {
+    int bits = (int) value(258, 1);
+    int format = (int) value(339, 1);
+    if (value(277, 1) != 1) {
+      throw wrong("it holds colours, " + NumberParser.text(value(277, 1)) + " samples a pixel");
+    }
+    String name = (format == 2 ? "int" : format == 3 ? "float" : "uint") + bits;
+    return switch (name) {
+      case "uint8" -> VoxelType.UINT8;
+      case "int8" -> VoxelType.INT8;
+      case "uint16" -> VoxelType.UINT16;
+      case "int16" -> VoxelType.INT16;
+      case "uint32" -> VoxelType.UINT32;
+      case "int32" -> VoxelType.INT32;
+      case "float32" -> VoxelType.FLOAT32;
+      case "float64" -> VoxelType.FLOAT64;
+      default -> throw wrong("its pixels are " + name + ", which cannot be read");
+    };
+  }
+
+  /** Refuses what cannot be decoded, and offsets or sizes that the file cannot hold. */
+  void check() throws VolumeFormatException {
+    int compression = compression();
+    if (compression != 1
+        && compression != 5
+        && compression != 8
+        && compression != 32946
+        && compression != 32773) {
+      throw wrong("its compression " + compression + " cannot be read");
+    }
+    if (predictor() < 1 || predictor() > 2) {
+      throw wrong("its predictor " + predictor() + " cannot be read");
+    }
+    double pieces =
+        Math.ceil((double) width() / tileWidth()) * Math.ceil((double) height() / tileHeight());
+    if (offsets().length < pieces || byteCounts().length < pieces) {
+      throw wrong("it has " + offsets().length + " pieces, not " + NumberParser.text(pieces));
+    }
+    for (int n = 0; n < pieces; n++) {
+      double end = offsets()[n] + byteCounts()[n];
+      if (!(offsets()[n] >= 0 && byteCounts()[n] >= 0 && end <= tiff.length())) {
+        throw wrong("its data end at byte " + NumberParser.text(end) + " of " + tiff.length());
+      }
+    }
+    double bytes = (double) width() * height() * type().bytes();
+    double tileBytes = (double) tileWidth() * tileHeight() * type().bytes();
+    double most = (double) tiff.length() * mostInflation(compression);
+    if (bytes > most || tileBytes > most + 4096 || tileBytes > Integer.MAX_VALUE - 8) {
+      throw wrong(
+          "its size, "
+              + width()
+              + "x"
+              + height()
+              + ", is more than "
+              + tiff.length()
+              + " bytes can hold");
+    }
+  }
+
+  /** Bytes that one byte can become. */
+  private static int mostInflation(int compression) {
+    return switch (compression) {
+      case 1 -> 1;
+      case 5 -> 2800; // 4096 of 12 bits
+      case 32773 -> 64; // 128 of 2 bytes
+      default -> BinaryData.MOST_INFLATION;
+    };
+  }
+
+  VolumeFormatException wrong(String what) {
+    return new VolumeFormatException(
+        what,
+        tiff.file(),
+        "save it in ImageJ as a grey TIFF stack of 8, 16 or 32 bit, uncompressed");
+  }
+
+  private int size(int tag, String name) throws VolumeFormatException {
+    double size = value(tag, 0);
+    if (!(size >= 1 && size <= Integer.MAX_VALUE)) {
+      throw wrong("its " + name + " is " + NumberParser.text(size));
+    }
+    return (int) size;
+  }
+
+  private double[] required(int tag, String name) throws VolumeFormatException {
+    double[] values = tags.get(tag);
+    if (values == null) {
+      throw wrong("it has no " + name);
+    }
+    return values;
+  }
+
+  private double value(int tag, double fallback) {
+    double[] values = tags.get(tag);
+    return values == null || values.length == 0 ? fallback : values[0];
+  }
+}

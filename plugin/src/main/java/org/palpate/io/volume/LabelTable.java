@@ -1,0 +1,28 @@
+package org.palpate.io.volume;
+
+import java.util.Collections;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Names and colours of label values.
+ *
+ * @param labels by value, in rising order
+ */
+public record LabelTable(Map<Long, Label> labels) {
+  /** No names: says only that values are labels. */
+  public static final LabelTable EMPTY = new LabelTable(Map.of());
+
+  /** Copies the labels. */
+  public LabelTable {
+    labels = Collections.unmodifiableMap(new TreeMap<>(labels));
+  }
+
+  /**
+   * One label.
+   *
+   * @param name as the table has it
+   * @param rgb 0xRRGGBB
+   */
+  public record Label(String name, int rgb) {}
+}

@@ -1,0 +1,103 @@
+package org.palpate.io.volume;
+
+import java.nio.ByteOrder;
+import java.util.Locale;
+import java.util.Map;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.file.NumberParser;
+
+/**
+ * What a raw file does not say of itself, as in {@code 256x256x113:u16be:1,1,2}.
+ *
+ * @param sizeX voxels along x
+ * @param sizeY voxels along y
+ * @param sizeZ voxels along z
+ * @param type the type of a value
+ * @param order the order of its bytes
+ * @param spacingMm edge lengths of a voxel
+ */
+public record RawLayout(
+    int sizeX, int sizeY, int sizeZ, VoxelType type, ByteOrder order, Vec3 spacingMm) {
+  private static final String OPTION = "--raw";
+  private static final Map<String, VoxelType> TYPES =
+      Map.of(
+          "i8", VoxelType.INT8,
+          "u8", VoxelType.UINT8,
+          "i16", VoxelType.INT16,
+          "u16", VoxelType.UINT16,
+          "i32", VoxelType.INT32,
+          "u32", VoxelType.UINT32,
+          "i64", VoxelType.INT64,
+          "u64", VoxelType.UINT64,
+          "f32", VoxelType.FLOAT32,
+          "f64", VoxelType.FLOAT64);
+
+  /**
+   * Reads {@code XxYxZ:TYPE:SX,SY,SZ}; the type is i, u or f with its bits and, for more than 8,
+   * {@code le} or {@code be}.
+   *
+   * @throws VolumeFormatException where it says something else
+   */
+  public static RawLayout parse(String text) throws VolumeFormatException {
+    String[] parts = text.strip().split(":", -1);
+    if (parts.length != 3) {
+      throw wrong("three parts are needed", text);
+    }
+    int[] sizes = sizes(parts[0], text);
+    return new RawLayout(
+        sizes[0],
+        sizes[1],
+        sizes[2],
+        type(parts[1], text),
+        order(parts[1]),
+        spacing(parts[2], text));
+  }
+
+  private static int[] sizes(String part, String text) throws VolumeFormatException {
+    String[] words = part.split("x", -1);
+    int[] sizes = new int[3];
+    for (int axis = 0; axis < 3; axis++) {
+      sizes[axis] = words.length == 3 ? NumberParser.positiveInt(words[axis]) : 0;
+      if (sizes[axis] < 1) {
+        throw wrong("sizes must be three whole numbers from 1 to 2147483647", text);
+      }
+    }
+    return sizes;
+  }
+
+  private static VoxelType type(String part, String text) throws VolumeFormatException {
+    String name = part.toLowerCase(Locale.ROOT).replaceFirst("[lb]e$", "");
+    VoxelType type = TYPES.get(name);
+    if (type == null || (type.bytes() > 1 && name.length() == part.length())) {
+      throw wrong("the type '" + part + "' is unknown or lacks its byte order", text);
+    }
+    return type;
+  }
+
+  private static ByteOrder order(String part) {
+    return part.toLowerCase(Locale.ROOT).endsWith("be")
+        ? ByteOrder.BIG_ENDIAN
+        : ByteOrder.LITTLE_ENDIAN;
+  }
+
+  private static Vec3 spacing(String part, String text) throws VolumeFormatException {
+    String[] words = part.split(",", -1);
+    Vec3 spacing = new Vec3();
+    for (int axis = 0; axis < 3; axis++) {
+      double value = words.length == 3 ? NumberParser.number(words[axis]) : Double.NaN;
+      if (!(value > 0) || Double.isInfinite(value)) {
+        throw wrong("the spacing must be three positive numbers of mm", text);
+      }
+      spacing.set(axis, value);
+    }
+    return spacing;
+  }
+
+  private static VolumeFormatException wrong(String what, String text) {
+    return new VolumeFormatException(
+        what,
+        OPTION + " " + text,
+        "write it as 256x256x113:u16be:1,1,2 (types i8 u8 i16 u16 i32 u32 i64 u64 f32 f64, le or"
+            + " be)");
+  }
+}

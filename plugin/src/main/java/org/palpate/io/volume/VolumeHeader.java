@@ -1,0 +1,67 @@
+package org.palpate.io.volume;
+
+import java.util.List;
+import java.util.Optional;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * What a file says of its volume; nothing that names a patient.
+ *
+ * @param format in words, as in "NRRD, gzip"
+ * @param grid sizes, spacing and place; the world is the file's own, see {@code world}
+ * @param type the type of number stored
+ * @param values what the numbers can be once slope and intercept are applied
+ * @param world the way the world's axes point
+ * @param labels names and colours, where the file or a table beside it gives some
+ * @param notes what a person should know of how the file was understood, a sentence each
+ */
+public record VolumeHeader(
+    String format,
+    VoxelGrid grid,
+    VoxelType type,
+    ValueRange values,
+    World world,
+    Optional<LabelTable> labels,
+    List<String> notes) {
+
+  /** Copies the notes. */
+  public VolumeHeader {
+    notes = List.copyOf(notes);
+  }
+
+  /** The same with a table of labels. */
+  public VolumeHeader withLabels(LabelTable table) {
+    return new VolumeHeader(format, grid, type, values, world, Optional.of(table), notes);
+  }
+
+  /**
+   * The values that the stored type allows, scaled: a bound, not what is there.
+   *
+   * @param whole whether every value is a whole number that fits an {@code int}
+   */
+  public record ValueRange(double low, double high, boolean whole) {
+    /** The range of a type whose values are taken as they are. */
+    public static ValueRange of(VoxelType type) {
+      return new ValueRange(type.low(), type.high(), type.fitsInt());
+    }
+  }
+
+  /** Which way the axes of the file's world point. */
+  public enum World {
+    LPS("x to the left, y to the back, z to the head (LPS)"),
+    RAS("x to the right, y to the front, z to the head (RAS)"),
+    LAS("x to the left, y to the front, z to the head (LAS)"),
+    UNKNOWN("axes not named by the file");
+
+    private final String description;
+
+    World(String description) {
+      this.description = description;
+    }
+
+    /** In words, of the patient's body. */
+    public String description() {
+      return description;
+    }
+  }
+}

@@ -1,0 +1,55 @@
+package org.palpate.io.volume;
+
+/** The type of number that a file holds for a voxel. */
+public enum VoxelType {
+  INT8(1, "signed 8 bit", -128, 127),
+  UINT8(1, "unsigned 8 bit", 0, 255),
+  INT16(2, "signed 16 bit", -32768, 32767),
+  UINT16(2, "unsigned 16 bit", 0, 65535),
+  INT32(4, "signed 32 bit", Integer.MIN_VALUE, Integer.MAX_VALUE),
+  UINT32(4, "unsigned 32 bit", 0, 4294967295.0),
+  INT64(8, "signed 64 bit", -0x1p63, 0x1p63),
+  UINT64(8, "unsigned 64 bit", 0, 0x1p64),
+  FLOAT32(4, "32 bit floating point", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY),
+  FLOAT64(8, "64 bit floating point", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+
+  private final int bytes;
+  private final String description;
+  private final double low;
+  private final double high;
+
+  VoxelType(int bytes, String description, double low, double high) {
+    this.bytes = bytes;
+    this.description = description;
+    this.low = low;
+    this.high = high;
+  }
+
+  public int bytes() {
+    return bytes;
+  }
+
+  /** In words, as in "unsigned 16 bit". */
+  public String description() {
+    return description;
+  }
+
+  /** The lowest value it can hold. */
+  public double low() {
+    return low;
+  }
+
+  /** The highest value it can hold; for 64-bit whole numbers the nearest double. */
+  public double high() {
+    return high;
+  }
+
+  public boolean isWhole() {
+    return this != FLOAT32 && this != FLOAT64;
+  }
+
+  /** Whether every value of the type is an {@code int}. */
+  public boolean fitsInt() {
+    return low >= Integer.MIN_VALUE && high <= Integer.MAX_VALUE;
+  }
+}

@@ -1,0 +1,95 @@
+package org.palpate.scene.gl;
+
+import com.jogamp.opengl.GL;
+import com.jogamp.opengl.GL2ES2;
+import com.jogamp.opengl.GL3;
+
+/** A colour and a depth texture to draw into. */
+final class GlFramebuffer {
+  private final int[] framebuffer = new int[1];
+  private final int[] textures = new int[2];
+  private int width;
+  private int height;
+
+  int colour() {
+    return textures[0];
+  }
+
+  int framebuffer() {
+    return framebuffer[0];
+  }
+
+  /**
+   * Makes it this large, and says whether it was not.
+   *
+   * @throws IllegalStateException where the driver has no memory for it or refuses the formats
+   */
+  boolean resize(GL3 gl, int newWidth, int newHeight) {
+    if (framebuffer[0] != 0 && newWidth == width && newHeight == height) {
+      return false;
+    }
+    dispose(gl);
+    width = newWidth;
+    height = newHeight;
+    gl.glGenFramebuffers(1, framebuffer, 0);
+    gl.glGenTextures(2, textures, 0);
+    allocate(gl, textures[0], GL.GL_RGBA8, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE);
+    allocate(
+        gl, textures[1], GL.GL_DEPTH_COMPONENT24, GL2ES2.GL_DEPTH_COMPONENT, GL.GL_UNSIGNED_INT);
+    bind(gl);
+    attach(gl, GL.GL_COLOR_ATTACHMENT0, textures[0]);
+    attach(gl, GL.GL_DEPTH_ATTACHMENT, textures[1]);
+    int status = gl.glCheckFramebufferStatus(GL.GL_FRAMEBUFFER);
+    if (status != GL.GL_FRAMEBUFFER_COMPLETE) {
+      throw new IllegalStateException(
+          "no framebuffer of "
+              + width
+              + "x"
+              + height
+              + ": status 0x"
+              + Integer.toHexString(status));
+    }
+    return true;
+  }
+
+  private void allocate(GL3 gl, int texture, int internal, int format, int type) {
+    gl.glBindTexture(GL.GL_TEXTURE_2D, texture);
+    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MIN_FILTER, GL.GL_NEAREST);
+    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MAG_FILTER, GL.GL_NEAREST);
+    gl.glTexImage2D(GL.GL_TEXTURE_2D, 0, internal, width, height, 0, format, type, null);
+  }
+
+  private static void attach(GL3 gl, int attachment, int texture) {
+    gl.glFramebufferTexture2D(GL.GL_FRAMEBUFFER, attachment, GL.GL_TEXTURE_2D, texture, 0);
+  }
+
+  void bind(GL3 gl) {
+    gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, framebuffer[0]);
+    gl.glViewport(0, 0, width, height);
+  }
+
+  /** Copies colour and depth from another of the same size. */
+  void copyFrom(GL3 gl, GlFramebuffer other) {
+    gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, other.framebuffer());
+    gl.glBindFramebuffer(GL2ES2.GL_DRAW_FRAMEBUFFER, framebuffer[0]);
+    gl.glBlitFramebuffer(
+        0,
+        0,
+        width,
+        height,
+        0,
+        0,
+        width,
+        height,
+        GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT,
+        GL.GL_NEAREST);
+  }
+
+  void dispose(GL3 gl) {
+    if (framebuffer[0] != 0) {
+      gl.glDeleteFramebuffers(1, framebuffer, 0);
+      gl.glDeleteTextures(2, textures, 0);
+      framebuffer[0] = 0;
+    }
+  }
+}

@@ -1,0 +1,81 @@
+package org.palpate.host;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import org.palpate.device.DeviceSpecification;
+import org.palpate.device.SimulatedDevice;
+import org.palpate.force.ForceSettings;
+import org.palpate.frame.FrameOutcome;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.HapticFrame;
+import org.palpate.volume.phantom.Phantom;
+
+class ContactTuningTest {
+  private static final long PERIOD_NANOS = 1_000_000;
+  private static final DeviceSpecification DEVICE =
+      new DeviceSpecification("test", "", 3, 0.8, 80, PERIOD_NANOS);
+
+  private final ContactScene scene =
+      new ContactScene(
+          Phantom.parse("sphere:48").segments(),
+          new ContactSettings(
+              SolverKind.GUARDED,
+              CollisionChoice.EXACT,
+              OptionalDouble.empty(),
+              0.2,
+              OptionalDouble.empty(),
+              OptionalDouble.empty()));
+  private final HapticFrame frame =
+      scene.newFrame(
+          new GridDevice(new SimulatedDevice(1, scene.handTarget(), PERIOD_NANOS), scene.grid()),
+          scene.liveFrame(DEVICE, 0.4),
+          FramePublisher.NONE);
+  private final ContactTuning feel =
+      new ContactTuning(frame, scene, ForceSettings.of(0.4, 0.2), DEVICE);
+
+  @Test
+  void neverGetsStifferThanTheDeviceBears() {
+    for (int i = 0; i < 20; i++) {
+      feel.stiffer();
+    }
+    assertEquals(0.8, feel.force().stiffnessNewtonPerMm());
+    for (int i = 0; i < 100; i++) {
+      feel.softer();
+    }
+    assertTrue(feel.force().stiffnessNewtonPerMm() > 0);
+  }
+
+  @Test
+  void frictionStaysFromNoneToOne() {
+    for (int i = 0; i < 40; i++) {
+      feel.rougher();
+    }
+    assertEquals(1, feel.force().friction());
+    for (int i = 0; i < 40; i++) {
+      feel.decreaseFriction();
+    }
+    assertEquals(0, feel.force().friction());
+  }
+
+  @Test
+  void goesThroughTheSolversWhileFramesRunAndLeavesNoPointInASolid() {
+    assertEquals(SolverKind.GUARDED, feel.solver());
+    long now = 0;
+    for (int change = 0; change < 40; change++) {
+      feel.nextSolver();
+      for (int n = 0; n < 250; n++) {
+        now += PERIOD_NANOS;
+        assertEquals(FrameOutcome.RUNNING, frame.run(now));
+        if (feel.solver() == SolverKind.GUARDED || feel.solver() == SolverKind.SMOOTH) {
+          var p = frame.point().position;
+          boolean touches = scene.newObstacles().touches(p.x, p.y, p.z);
+          assertTrue(!touches, feel.solver() + " change " + change + " frame " + n);
+        }
+      }
+    }
+    assertTrue(frame.counts().contactFrames() > 1000);
+  }
+}

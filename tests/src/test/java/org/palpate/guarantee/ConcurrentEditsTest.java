@@ -1,0 +1,273 @@
+package org.palpate.guarantee;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.collision.CollisionScene;
+import org.palpate.device.HandTarget;
+import org.palpate.device.SimulatedDevice;
+import org.palpate.edit.BrushEdit;
+import org.palpate.edit.Edit;
+import org.palpate.edit.EditQueue;
+import org.palpate.edit.SwapEdit;
+import org.palpate.edit.VoxelEdit;
+import org.palpate.force.ForceSettings;
+import org.palpate.frame.FrameOutcome;
+import org.palpate.frame.FramePublisher;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.HapticFrame;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.LegPath;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.raycast.Ray;
+import org.palpate.testing.ExactOracle;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * A thread edits two segments while frames run: voxels, balls, swaps of a whole segment, the same
+ * for a seed; when each of them comes is the scheduler's affair. Every leg is judged by the bits as
+ * they were in its frame, and in the end the bits are those of a twin that was edited at once.
+ */
+class ConcurrentEditsTest {
+  private static final int EDGE = 32;
+  private static final int FLOOR = 8;
+  private static final int EDITS = 6_000;
+
+  /** Before an edit is offered, so that they come while the hand touches. */
+  private static final int FRAMES_AN_EDIT = 4;
+
+  private static final int LEAST_FRAMES = EDITS * FRAMES_AN_EDIT;
+  private static final long MS = 1_000_000;
+  private static final double STIFFNESS = 0.5;
+  private static final double FRICTION = 0.2;
+  private static final double MAX_FORCE = 10;
+  private static final long RAMP_NANOS = 100 * MS;
+  private static final GridMetric METRIC = new GridMetric(1, 1, 1);
+  private static final VoxelGrid GRID = VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE);
+
+  private final EditQueue queue = new EditQueue(GRID, 2);
+  private final CollisionScene obstacles = new CollisionScene(List.of(floor(), ceiling()));
+  private final List<BitCube> twins = new ArrayList<>(List.of(floor(), ceiling()));
+  private final Ray ray = new Ray();
+  private final Vec3 at = new Vec3();
+  private final AtomicLong framesRun = new AtomicLong();
+  private HapticFrame frame;
+  private long freed;
+  private long legs;
+  private long freedNanos = -RAMP_NANOS;
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void everyLegIsFreeOfTheBitsOfItsFrameAndNoEditIsTornOrLost(boolean smooth)
+      throws InterruptedException {
+    frame = frame(smooth ? new SmoothSolver(METRIC, 8) : new GuardedSolver(METRIC, 8));
+    List<Edit> edits = edits(new SplittableRandom(Seeds.seed()));
+    Thread editor = new Thread(() -> offer(edits), "editor");
+    editor.start();
+    for (long n = 0; n < LEAST_FRAMES || queue.done() < EDITS; n++) {
+      runFrame(n, !smooth);
+      framesRun.lazySet(n);
+    }
+    editor.join();
+    assertTrue(frame.release());
+    assertEquals(freed, frame.counts().freed());
+    assertTrue(freed > 10, "solids came to the point: freed=" + freed);
+    assertTrue(legs > 1000, "legs=" + legs);
+    assertEquals(EDITS, queue.done());
+    for (int segment = 0; segment < 2; segment++) {
+      assertNotTorn(twins.get(segment), obstacles.cube(segment));
+    }
+    System.out.println(
+        (smooth ? "smooth" : "guarded")
+            + " while another thread edits: "
+            + EDITS
+            + " edits, "
+            + legs
+            + " legs, set free "
+            + freed
+            + " times, 0 violations, seed "
+            + Seeds.seed());
+  }
+
+  private void offer(List<Edit> edits) {
+    for (int n = 0; n < edits.size(); n++) {
+      while (framesRun.get() < (long) n * FRAMES_AN_EDIT || !queue.offer(edits.get(n))) {
+        Thread.onSpinWait();
+      }
+    }
+  }
+
+  private HapticFrame frame(ProxySolver solver) {
+    return new HapticFrame(
+        new SimulatedDevice(
+            Seeds.seed(), HandTarget.ofBox(new Vec3(12, 12, 4), new Vec3(20, 20, 14), 1), MS),
+        solver,
+        obstacles,
+        METRIC,
+        new FrameSettings(
+            ForceSettings.of(STIFFNESS, FRICTION),
+            MAX_FORCE,
+            Double.POSITIVE_INFINITY,
+            RAMP_NANOS,
+            20 * MS,
+            64),
+        queue,
+        FramePublisher.NONE);
+  }
+
+  private void runFrame(long number, boolean springAlone) {
+    at.set(frame.point().position);
+    assertEquals(FrameOutcome.RUNNING, frame.run(number * MS));
+    String where = "frame " + number + " seed " + Seeds.seed();
+    boolean newChain = number == 0 || frame.wasFreed();
+    Vec3 p = frame.point().position;
+    if (frame.wasFreed()) {
+      freed++;
+      freedNanos = number * MS;
+      assertEquals(0, frame.forceNewton().length(), where);
+    }
+    judgeLegs(newChain, where);
+    assertTrue(at.sameBits(p) || newChain, () -> "the point left its chain, " + where);
+    assertFalse(obstacles.touches(p.x, p.y, p.z), where);
+    if (springAlone) {
+      assertRamped(number, where);
+    }
+  }
+
+  private void judgeLegs(boolean newChain, String where) {
+    LegPath path = frame.point().legs;
+    for (int leg = 0; leg < path.count(); leg++) {
+      legs++;
+      ray.from(path.start(leg, 0), path.start(leg, 1), path.start(leg, 2));
+      ray.to(path.end(leg, 0), path.end(leg, 1), path.end(leg, 2));
+      boolean chained = at.sameBits(new Vec3(ray.fromX, ray.fromY, ray.fromZ));
+      assertTrue(chained || (newChain && leg == 0), () -> "a broken chain, " + where);
+      assertFalse(ExactOracle.touchesAny(obstacles.cube(0), ray), where);
+      assertFalse(ExactOracle.touchesAny(obstacles.cube(1), ray), where);
+      at.set(ray.toX, ray.toY, ray.toZ);
+    }
+  }
+
+  /** The force after the point was set free is no more than its share of spring and friction. */
+  private void assertRamped(long number, String where) {
+    double share = Math.min(1, (number * MS - freedNanos) / (double) RAMP_NANOS);
+    Vec3 behind = frame.point().position.sub(frame.sample().positionMm, new Vec3());
+    double whole = STIFFNESS * behind.length() * (1 + FRICTION);
+    double force = frame.forceNewton().length();
+    assertTrue(
+        force <= Math.min(MAX_FORCE, share * whole) * (1 + 1e-9) + 1e-12,
+        () -> "force " + force + " of " + whole + " share " + share + ", " + where);
+  }
+
+  private List<Edit> edits(SplittableRandom random) {
+    List<Edit> edits = new ArrayList<>();
+    for (int n = 0; n < EDITS; n++) {
+      int segment = random.nextInt(2);
+      int what = random.nextInt(100);
+      if (what == 0) {
+        edits.add(swap(segment, random));
+      } else if (what < 60) {
+        edits.add(brush(segment, random));
+      } else {
+        edits.add(voxel(segment, random));
+      }
+    }
+    return edits;
+  }
+
+  private Edit voxel(int segment, SplittableRandom random) {
+    int i = random.nextInt(EDGE);
+    int j = random.nextInt(EDGE);
+    int k = random.nextInt(EDGE);
+    boolean solid = random.nextBoolean();
+    put(twins.get(segment), i, j, k, solid);
+    return new VoxelEdit(segment, i, j, k, solid);
+  }
+
+  private Edit brush(int segment, SplittableRandom random) {
+    Vec3 centre =
+        new Vec3(
+            10 + 12 * random.nextDouble(),
+            10 + 12 * random.nextDouble(),
+            4 + 12 * random.nextDouble());
+    double radius = 4 * random.nextDouble();
+    boolean solid = random.nextInt(3) == 0;
+    BitCube twin = twins.get(segment);
+    for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
+      int i = n % EDGE;
+      int j = n / EDGE % EDGE;
+      int k = n / EDGE / EDGE;
+      double square =
+          METRIC.squaredDistance(centre.x, centre.y, centre.z, i + 0.5, j + 0.5, k + 0.5);
+      if (square <= radius * radius) {
+        put(twin, i, j, k, solid);
+      }
+    }
+    return new BrushEdit(segment, centre, radius, solid);
+  }
+
+  private Edit swap(int segment, SplittableRandom random) {
+    BitCube fresh = segment == 0 ? floor() : ceiling();
+    for (int n = 0; n < 300; n++) {
+      fresh.set(random.nextInt(EDGE), random.nextInt(EDGE), random.nextInt(EDGE));
+    }
+    twins.set(segment, fresh.copy());
+    return new SwapEdit(segment, fresh);
+  }
+
+  private static void put(BitCube bits, int i, int j, int k, boolean solid) {
+    if (solid) {
+      bits.set(i, j, k);
+    } else {
+      bits.clear(i, j, k);
+    }
+  }
+
+  private static BitCube floor() {
+    return layers(0, FLOOR);
+  }
+
+  private static BitCube ceiling() {
+    return layers(EDGE - FLOOR, EDGE);
+  }
+
+  private static BitCube layers(int low, int high) {
+    BitCube bits = new BitCube(EDGE, EDGE, EDGE);
+    for (int k = low; k < high; k++) {
+      for (int n = 0; n < EDGE * EDGE; n++) {
+        bits.set(n % EDGE, n / EDGE, k);
+      }
+    }
+    return bits;
+  }
+
+  /** Word by word the twin's bits, and a level above that tells which words are not 0. */
+  private static void assertNotTorn(BitCube twin, BitCube bits) {
+    long solids = 0;
+    for (int z = 0; z < bits.bricksZ(); z++) {
+      for (int y = 0; y < bits.bricksY(); y++) {
+        for (int x = 0; x < bits.bricksX(); x++) {
+          String where = "brick " + x + "," + y + "," + z + " seed " + Seeds.seed();
+          long word = bits.brick(x, y, z);
+          solids += Long.bitCount(word);
+          assertEquals(twin.brick(x, y, z), word, where);
+          boolean marked = (bits.block(x >> 2, y >> 2, z >> 2) >>> BitCube.bit(x, y, z) & 1) != 0;
+          assertEquals(word != 0, marked, where);
+        }
+      }
+    }
+    assertEquals(solids, bits.solidCount());
+  }
+}

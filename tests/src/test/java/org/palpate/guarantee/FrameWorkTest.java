@@ -1,0 +1,47 @@
+package org.palpate.guarantee;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.palpate.benchmarks.stress.StressSession.Attacked;
+import org.palpate.benchmarks.stress.WorkStudy;
+import org.palpate.testing.Seeds;
+
+/** The work of a frame at the default w_max, in steps, which no machine changes. */
+class FrameWorkTest {
+  private static final int MOST_TIMES_A_SLIDE = 20;
+  private static final int CASES = 500;
+  private static final int JUMPS = 20_000;
+
+  @ParameterizedTest
+  @EnumSource
+  void noFrameIsMoreThanTwentyTimesTheWorkOfOneThatSlides(Attacked solver) {
+    List<WorkStudy.Row> rows = rows(solver);
+    long sliding = median(rows, WorkStudy.SLIDING);
+    assertTrue(sliding > 10, "what a frame reads is counted: " + rows);
+    for (WorkStudy.Row row : rows) {
+      assertTrue(
+          row.worst() <= MOST_TIMES_A_SLIDE * sliding,
+          () -> row + " sliding " + sliding + " seed " + Seeds.seed());
+    }
+    System.out.println("steps of " + solver + ": " + rows);
+  }
+
+  @Test
+  void theCountIsTheSameInEveryRun() {
+    WorkStudy study = new WorkStudy(Attacked.GUARDED, Seeds.seed(), 5, 1000);
+    assertEquals(study.rows(), study.rows());
+  }
+
+  private static List<WorkStudy.Row> rows(Attacked solver) {
+    return new WorkStudy(solver, Seeds.seed(), CASES, JUMPS).rows();
+  }
+
+  private static long median(List<WorkStudy.Row> rows, String hand) {
+    return rows.stream().filter(row -> row.hand().equals(hand)).findFirst().orElseThrow().median();
+  }
+}
