@@ -166,8 +166,17 @@ class ArchitectureTest {
           Map.entry("volume", List.of("geometry")),
           Map.entry("volume.phantom", List.of("volume")));
 
-  /** Classes that embedding programs use and no other production class does. */
-  private static final Set<String> PUBLIC_API = new TreeSet<>(List.of());
+  /**
+   * Production classes that no other production class seems to use: those for embedding programs,
+   * and those that hold constants alone, which the compiler copies to where they are used.
+   */
+  private static final Set<String> USED_BY_OTHERS =
+      new TreeSet<>(
+          List.of(
+              BASE + "device.jni.FrameLayout",
+              BASE + "edit.BrushEdit",
+              BASE + "scene.Palette",
+              BASE + "scene.gl.Shaders"));
 
   private static final JavaClasses CLASSES =
       new ClassFileImporter()
@@ -231,7 +240,7 @@ class ArchitectureTest {
         unused.add(c.getName());
       }
     }
-    assertEquals(PUBLIC_API, unused);
+    assertEquals(USED_BY_OTHERS, unused);
   }
 
   private static boolean isProduction(JavaClass c) {
