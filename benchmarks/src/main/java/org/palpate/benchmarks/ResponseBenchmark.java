@@ -16,9 +16,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.palpate.benchmarks.baseline.PlainBaseline;
 import org.palpate.benchmarks.input.Trajectories;
-import org.palpate.benchmarks.input.Trajectory;
 import org.palpate.collision.CollisionScene;
 import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.ProxySolver;
@@ -80,7 +80,7 @@ public class ResponseBenchmark {
     trajectory = trajectory(phantom);
     twin = new PlainBaseline(bits, MAX_STEP_VOXELS);
     CollisionScene obstacles = new CollisionScene(List.of(bits));
-    trajectory.at(0, start);
+    trajectory.position(0, start);
     if (obstacles.touches(start.x, start.y, start.z)) { // a hand in a groove begins pressed
       new NearestFreeVoxel(new GridMetric(1, 1, 1)).find(obstacles, start, start);
     }
@@ -127,7 +127,7 @@ public class ResponseBenchmark {
     twin.place(start.x, start.y, start.z);
     double sum = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
-      trajectory.at(frame, device);
+      trajectory.position(frame, device);
       twin.frame(device.x, device.y, device.z);
       sum += twin.x();
     }

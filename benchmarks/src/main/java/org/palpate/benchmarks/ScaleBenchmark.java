@@ -15,8 +15,8 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.palpate.benchmarks.input.Trajectories;
-import org.palpate.benchmarks.input.Trajectory;
 import org.palpate.collision.CollisionScene;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
@@ -79,7 +79,7 @@ public class ScaleBenchmark {
         Trajectories.approach(phantom.truth().orElseThrow(), edge, 1, 14, FRAMES, SEED);
     places = new double[3 * FRAMES];
     for (int frame = 0; frame < FRAMES; frame++) {
-      all.at(frame, device);
+      all.position(frame, device);
       for (int axis = 0; axis < 3; axis++) {
         places[3 * frame + axis] = device.get(axis);
       }

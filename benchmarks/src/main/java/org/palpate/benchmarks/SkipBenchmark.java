@@ -16,8 +16,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.palpate.benchmarks.input.RaySet;
 import org.palpate.benchmarks.input.Trajectories;
-import org.palpate.benchmarks.input.Trajectory;
 import org.palpate.collision.CollisionScene;
+import org.palpate.device.Trajectory;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
@@ -145,7 +145,7 @@ public class SkipBenchmark {
   }
 
   private void begin() {
-    trajectory.at(0, point.position);
+    trajectory.position(0, point.position);
     solver.reset();
   }
 
@@ -154,7 +154,7 @@ public class SkipBenchmark {
     begin();
     double sum = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
-      solver.follow(obstacles, trajectory.at(frame / framesEach, device), point);
+      solver.follow(obstacles, trajectory.position(frame / framesEach, device), point);
       sum += point.position.x;
     }
     return sum;
@@ -164,7 +164,7 @@ public class SkipBenchmark {
     begin();
     double sum = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
-      solver.follow(obstacles, trajectory.at(frame, device), point);
+      solver.follow(obstacles, trajectory.position(frame, device), point);
       contactForce.compute(point, device, force);
       sum += force.x;
     }
@@ -173,7 +173,7 @@ public class SkipBenchmark {
 
   private double publish() {
     for (int frame = 0; frame < FRAMES; frame++) {
-      trajectory.at(helps ? 0 : frame, device);
+      trajectory.position(helps ? 0 : frame, device);
       properties.publish(device, device, device, true, frame);
     }
     return device.x;

@@ -19,9 +19,9 @@ import org.openjdk.jmh.annotations.Warmup;
 import org.palpate.benchmarks.baseline.PlainBaseline;
 import org.palpate.benchmarks.input.Scans;
 import org.palpate.benchmarks.input.Trajectories;
-import org.palpate.benchmarks.input.Trajectory;
 import org.palpate.collision.CollisionScene;
 import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.ProxySolver;
@@ -74,7 +74,7 @@ public class Table1Benchmark {
     metric = data.contains(" to ") ? new GridMetric(1, 1, 1) : GridMetric.of(scan.spacingMm());
     CollisionScene obstacles = new CollisionScene(List.of(bits));
     trajectory = Trajectories.wander(bits.sizeX(), bits.sizeY(), bits.sizeZ(), SPEED, FRAMES, SEED);
-    trajectory.at(0, start);
+    trajectory.position(0, start);
     if (solver.equals("twin")) {
       twin = new PlainBaseline(bits, MAX_STEP_MM);
     } else {
@@ -102,7 +102,7 @@ public class Table1Benchmark {
     if (followed == null) {
       twin.place(start.x, start.y, start.z);
       for (int frame = 0; frame < FRAMES; frame++) {
-        trajectory.at(frame, device);
+        trajectory.position(frame, device);
         twin.frame(device.x, device.y, device.z);
         sum += twin.x();
       }

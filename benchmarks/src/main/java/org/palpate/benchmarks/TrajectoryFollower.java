@@ -1,7 +1,7 @@
 package org.palpate.benchmarks;
 
-import org.palpate.benchmarks.input.Trajectory;
 import org.palpate.collision.CollisionScene;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
@@ -22,7 +22,7 @@ final class TrajectoryFollower {
 
   /** Begins, and follows it to its end; the sum of where the point was. */
   double follow() {
-    return followFromStart(trajectory.at(0, device));
+    return followFromStart(trajectory.position(0, device));
   }
 
   /** The same from another place, which touches no solid. */
@@ -30,8 +30,8 @@ final class TrajectoryFollower {
     point.position.set(start);
     solver.reset();
     double sum = 0;
-    for (int number = 0; number < trajectory.frames(); number++) {
-      solver.follow(obstacles, trajectory.at(number, device), point);
+    for (int number = 0; number < trajectory.size(); number++) {
+      solver.follow(obstacles, trajectory.position(number, device), point);
       sum += point.position.x;
     }
     return sum;

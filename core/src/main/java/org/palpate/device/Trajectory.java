@@ -1,69 +1,148 @@
 package org.palpate.device;
 
 import java.util.Arrays;
+import org.palpate.geometry.Vec3;
 
 /**
- * Samples of a device in memory, in order: what a trajectory file holds. Positions are whatever
- * their reader says, world mm or grid coordinates; nothing is checked, so that a NaN can be met as
- * a live session would meet it.
+ * The samples of a device in memory, in order: the content of a trajectory file, or a generated
+ * motion.
  *
- * <p>Filled by one thread, then read by any.
+ * <p>Positions are in world millimetres or in grid coordinates, as the maker of the trajectory
+ * states. Nothing is checked, so that a NaN reaches the reader as it would in a live session.
+ *
+ * <p>One thread fills a trajectory. Any thread may read it afterwards.
  */
 public final class Trajectory {
-  private static final int X = 0;
-  private static final int Y = 1;
-  private static final int Z = 2;
-  private static final int QX = 3;
-  private static final int QY = 4;
-  private static final int QZ = 5;
-  private static final int QW = 6;
-  private static final int DOUBLES_A_SAMPLE = 7;
+  private static final int INITIAL_CAPACITY = 1024;
+  private static final int DOUBLES_PER_POSITION = 3;
+  private static final int DOUBLES_PER_QUATERNION = 4;
   private static final double NANOS_PER_MS = 1e6;
 
-  private double[] timesMs = new double[1024];
-  private double[] values = new double[1024 * DOUBLES_A_SAMPLE];
+  private double[] timesMs;
+  private double[] positions;
+
+  /**
+   * Null as long as every orientation is (0,0,0,1). An array of its own keeps the positions dense.
+   */
+  private double[] quaternions;
+
   private int size;
+
+  /** Makes an empty trajectory. */
+  public Trajectory() {
+    this(new double[INITIAL_CAPACITY], new double[INITIAL_CAPACITY * DOUBLES_PER_POSITION], 0);
+  }
+
+  private Trajectory(double[] timesMs, double[] positions, int size) {
+    this.timesMs = timesMs;
+    this.positions = positions;
+    this.size = size;
+  }
+
+  /**
+   * Returns a trajectory without orientations that keeps the given array.
+   *
+   * @param xyz three doubles a sample
+   * @param periodMs the time between samples, ms; the first sample has time 0
+   */
+  public static Trajectory ofPositions(double[] xyz, double periodMs) {
+    int size = xyz.length / DOUBLES_PER_POSITION;
+    double[] timesMs = new double[size];
+    Arrays.setAll(timesMs, sample -> sample * periodMs);
+    return new Trajectory(timesMs, xyz, size);
+  }
 
   /** Adds a sample without orientation. */
   public void add(double timeMs, double x, double y, double z) {
     add(timeMs, x, y, z, 0, 0, 0, 1);
   }
 
-  /** Adds a sample; the quaternion is a unit one. */
+  /** Adds a sample with an orientation as a unit quaternion. */
   public void add(
       double timeMs, double x, double y, double z, double qx, double qy, double qz, double qw) {
     if (size == timesMs.length) {
-      timesMs = Arrays.copyOf(timesMs, 2 * size);
-      values = Arrays.copyOf(values, 2 * size * DOUBLES_A_SAMPLE);
+      grow();
     }
-    int at = size * DOUBLES_A_SAMPLE;
-    values[at + X] = x;
-    values[at + Y] = y;
-    values[at + Z] = z;
-    values[at + QX] = qx;
-    values[at + QY] = qy;
-    values[at + QZ] = qz;
-    values[at + QW] = qw;
+    int at = size * DOUBLES_PER_POSITION;
+    positions[at] = x;
+    positions[at + 1] = y;
+    positions[at + 2] = z;
+    if (quaternions == null && !isIdentity(qx, qy, qz, qw)) {
+      quaternions = identities(timesMs.length);
+    }
+    if (quaternions != null) {
+      putQuaternion(size * DOUBLES_PER_QUATERNION, qx, qy, qz, qw);
+    }
     timesMs[size++] = timeMs;
   }
 
+  private void grow() {
+    int capacity = Math.max(INITIAL_CAPACITY, 2 * size);
+    timesMs = Arrays.copyOf(timesMs, capacity);
+    positions = Arrays.copyOf(positions, capacity * DOUBLES_PER_POSITION);
+    if (quaternions != null) {
+      quaternions = Arrays.copyOf(quaternions, capacity * DOUBLES_PER_QUATERNION);
+    }
+  }
+
+  /** Whether the quaternion is bit for bit (0,0,0,1), so that leaving it out loses no sign. */
+  private static boolean isIdentity(double qx, double qy, double qz, double qw) {
+    return Double.doubleToRawLongBits(qx) == 0
+        && Double.doubleToRawLongBits(qy) == 0
+        && Double.doubleToRawLongBits(qz) == 0
+        && qw == 1;
+  }
+
+  private static double[] identities(int capacity) {
+    double[] quaternions = new double[capacity * DOUBLES_PER_QUATERNION];
+    for (int at = 3; at < quaternions.length; at += DOUBLES_PER_QUATERNION) {
+      quaternions[at] = 1;
+    }
+    return quaternions;
+  }
+
+  private void putQuaternion(int at, double qx, double qy, double qz, double qw) {
+    quaternions[at] = qx;
+    quaternions[at + 1] = qy;
+    quaternions[at + 2] = qz;
+    quaternions[at + 3] = qw;
+  }
+
+  /** Returns the number of samples. */
   public int size() {
     return size;
   }
 
-  /** The time of a sample as it was given, ms. */
+  /** Returns the time of a sample as it was given, ms. */
   public double timeMs(int sample) {
     return timesMs[sample];
   }
 
-  /** Writes a sample into {@code dest}; its buttons are left alone. */
+  /** Writes the position of a sample into {@code dest}. */
+  public Vec3 position(int sample, Vec3 dest) {
+    int at = sample * DOUBLES_PER_POSITION;
+    return dest.set(positions[at], positions[at + 1], positions[at + 2]);
+  }
+
+  /** Writes a sample into {@code dest}, except for its buttons. */
   public void read(int sample, DeviceState dest) {
-    int at = sample * DOUBLES_A_SAMPLE;
-    dest.positionMm.set(values[at + X], values[at + Y], values[at + Z]);
-    dest.qx = values[at + QX];
-    dest.qy = values[at + QY];
-    dest.qz = values[at + QZ];
-    dest.qw = values[at + QW];
+    position(sample, dest.positionMm);
+    readOrientation(sample, dest);
     dest.timeNanos = Math.round(timesMs[sample] * NANOS_PER_MS);
+  }
+
+  private void readOrientation(int sample, DeviceState dest) {
+    if (quaternions == null) {
+      dest.qx = 0;
+      dest.qy = 0;
+      dest.qz = 0;
+      dest.qw = 1;
+      return;
+    }
+    int at = sample * DOUBLES_PER_QUATERNION;
+    dest.qx = quaternions[at];
+    dest.qy = quaternions[at + 1];
+    dest.qz = quaternions[at + 2];
+    dest.qw = quaternions[at + 3];
   }
 }

@@ -9,8 +9,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.benchmarks.baseline.PlainBaseline;
 import org.palpate.benchmarks.input.Trajectories;
-import org.palpate.benchmarks.input.Trajectory;
 import org.palpate.collision.CollisionScene;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
@@ -70,27 +70,27 @@ class DistanceBehindDeviceTest {
     GuardedSolver solver = new GuardedSolver(new GridMetric(1, 1, 1), MAX_STEP_VOXELS);
     CollisionScene obstacles = new CollisionScene(List.of(bits));
     InteractionPoint point = new InteractionPoint();
-    slide.at(0, point.position);
+    slide.position(0, point.position);
     Vec3 device = new Vec3();
     double sum = 0;
-    for (int frame = 0; frame < slide.frames(); frame++) {
-      slide.at(frame, device);
+    for (int frame = 0; frame < slide.size(); frame++) {
+      slide.position(frame, device);
       solver.follow(obstacles, device, point);
       sum += point.position.sub(device, device).length();
     }
-    return sum / slide.frames();
+    return sum / slide.size();
   }
 
   private static double meanOfTwin(BitCube bits, Trajectory slide) {
     PlainBaseline twin = new PlainBaseline(bits, MAX_STEP_VOXELS);
-    Vec3 device = slide.at(0, new Vec3());
+    Vec3 device = slide.position(0, new Vec3());
     twin.place(device.x, device.y, device.z);
     double sum = 0;
-    for (int frame = 0; frame < slide.frames(); frame++) {
-      slide.at(frame, device);
+    for (int frame = 0; frame < slide.size(); frame++) {
+      slide.position(frame, device);
       twin.frame(device.x, device.y, device.z);
       sum += new Vec3(twin.x(), twin.y(), twin.z()).sub(device, device).length();
     }
-    return sum / slide.frames();
+    return sum / slide.size();
   }
 }

@@ -75,7 +75,7 @@ class ArchitectureTest {
                   "benchmarks.stress",
                   "benchmarks.surface",
                   "benchmarks.sync")),
-          Map.entry("benchmarks.input", List.of("io", "raycast")),
+          Map.entry("benchmarks.input", List.of("device", "io", "raycast")),
           Map.entry(
               "benchmarks.jitter",
               List.of("app", "benchmarks.jitter.experiment", "benchmarks.report")),

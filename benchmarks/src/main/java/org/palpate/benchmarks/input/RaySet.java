@@ -1,6 +1,7 @@
 package org.palpate.benchmarks.input;
 
 import java.util.SplittableRandom;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.Vec3;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayCaster;
@@ -48,7 +49,7 @@ public final class RaySet {
     Vec3 start = new Vec3();
     Vec3 way = new Vec3();
     for (int n = 0; n < ends.length / DOUBLES_A_RAY; n++) {
-      hand.at(n + 1, way).sub(hand.at(n, start), way);
+      hand.position(n + 1, way).sub(hand.position(n, start), way);
       put(ends, n, start, way.mul(length / way.length(), way));
     }
   }

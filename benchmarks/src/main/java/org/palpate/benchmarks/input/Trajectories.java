@@ -2,6 +2,7 @@ package org.palpate.benchmarks.input;
 
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.phantom.AnalyticSurface;
 
@@ -25,22 +26,14 @@ public final class Trajectories {
   /** Projections to a surface that are exact but for rounding and curvature of the offset. */
   private static final int PROJECTIONS = 3;
 
+  /** The period at which these trajectories are followed. */
+  private static final double FRAME_MS = 1;
+
   private Trajectories() {}
 
   /** Comes down to a depth and slides at that depth over the surface, drifting. */
   public static Trajectory slide(
       AnalyticSurface truth, int edge, double depth, double speed, int frames, long seed) {
-    return slide("slide", truth, edge, depth, speed, frames, seed);
-  }
-
-  private static Trajectory slide(
-      String name,
-      AnalyticSurface truth,
-      int edge,
-      double depth,
-      double speed,
-      int frames,
-      long seed) {
     Hand hand = new Hand(truth, edge, seed);
     hand.startAbove(CLEARANCE_VOXELS);
     double above = CLEARANCE_VOXELS;
@@ -54,7 +47,7 @@ public final class Trajectories {
       }
       hand.write(xyz, frame);
     }
-    return new Trajectory(name, xyz);
+    return Trajectory.ofPositions(xyz, FRAME_MS);
   }
 
   /** Goes straight in to a depth and out again, time after time, each time elsewhere. */
@@ -73,7 +66,7 @@ public final class Trajectories {
       hand.keepAt(Math.abs(along - travel) - depth);
       hand.write(xyz, frame);
     }
-    return new Trajectory("approach", xyz);
+    return Trajectory.ofPositions(xyz, FRAME_MS);
   }
 
   /** Rakes at a depth to and fro over the same twenty voxels, along the steps of the voxels. */
@@ -93,29 +86,27 @@ public final class Trajectories {
       hand.rake(direction * speed, -depth);
       hand.write(xyz, frame);
     }
-    return new Trajectory("grooves", xyz);
+    return Trajectory.ofPositions(xyz, FRAME_MS);
   }
 
   /** Slides along above the surface and touches nothing. */
   public static Trajectory free(
       AnalyticSurface truth, int edge, double above, double speed, int frames, long seed) {
-    return slide("free", truth, edge, -above, speed, frames, seed);
+    return slide(truth, edge, -above, speed, frames, seed);
   }
 
   /** Jumps by 5 to 50 voxels a frame, anywhere in and a little outside the grid. */
   public static Trajectory jumps(int sizeX, int sizeY, int sizeZ, int frames, long seed) {
-    return travel(
-        "jumps", sizeX, sizeY, sizeZ, frames, seed, random -> 5 + 45 * random.nextDouble());
+    return travel(sizeX, sizeY, sizeZ, frames, seed, random -> 5 + 45 * random.nextDouble());
   }
 
   /** Goes from place to place at an even speed, through whatever stands there. */
   public static Trajectory wander(
       int sizeX, int sizeY, int sizeZ, double speed, int frames, long seed) {
-    return travel("wander", sizeX, sizeY, sizeZ, frames, seed, random -> speed);
+    return travel(sizeX, sizeY, sizeZ, frames, seed, random -> speed);
   }
 
   private static Trajectory travel(
-      String name,
       int sizeX,
       int sizeY,
       int sizeZ,
@@ -133,7 +124,7 @@ public final class Trajectories {
       }
       put(xyz, frame, at);
     }
-    return new Trajectory(name, xyz);
+    return Trajectory.ofPositions(xyz, FRAME_MS);
   }
 
   /** The same surface, touched from within: a wall of one voxel is in between. */

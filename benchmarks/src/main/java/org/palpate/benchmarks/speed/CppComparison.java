@@ -13,8 +13,8 @@ import java.util.Locale;
 import java.util.Map;
 import org.palpate.benchmarks.input.RaySet;
 import org.palpate.benchmarks.input.Trajectories;
-import org.palpate.benchmarks.input.Trajectory;
 import org.palpate.collision.CollisionScene;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberText;
@@ -173,10 +173,10 @@ public final class CppComparison {
   /** The hash that the twin computes too: of every frame, in their order. */
   private long pass(GuardedSolver solver, CollisionScene obstacles, Trajectory slide) {
     solver.reset();
-    slide.at(0, point.position);
+    slide.position(0, point.position);
     long hash = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
-      solver.follow(obstacles, slide.at(frame, device), point);
+      solver.follow(obstacles, slide.position(frame, device), point);
       hash =
           hash * 31
               + Double.doubleToRawLongBits(point.position.x)

@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.palpate.benchmarks.input.RaySet;
-import org.palpate.benchmarks.input.Trajectory;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.raycast.Ray;
@@ -85,10 +85,10 @@ final class CppPort {
   /** Follows a trajectory, so many times. */
   Outcome follow(BitCube bits, Trajectory trajectory, double maxStep, int passes)
       throws IOException, InterruptedException {
-    double[] xyz = new double[3 * trajectory.frames()];
+    double[] xyz = new double[3 * trajectory.size()];
     Vec3 device = new Vec3();
     for (int n = 0; n < xyz.length; n++) {
-      xyz[n] = trajectory.at(n / 3, device).get(n % 3);
+      xyz[n] = trajectory.position(n / 3, device).get(n % 3);
     }
     return run(bits, POINTS_PER_FRAME, maxStep, xyz, passes);
   }

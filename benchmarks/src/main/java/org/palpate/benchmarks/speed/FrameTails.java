@@ -6,9 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.palpate.benchmarks.input.Trajectories;
-import org.palpate.benchmarks.input.Trajectory;
 import org.palpate.collision.CollisionScene;
 import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberText;
@@ -82,12 +82,12 @@ final class FrameTails {
 
   private void follow(CollisionScene obstacles, Trajectory trajectory, long[] least) {
     GuardedSolver solver = new GuardedSolver(UNIT, MAX_STEP_VOXELS);
-    trajectory.at(0, point.position);
+    trajectory.position(0, point.position);
     if (obstacles.touches(point.position.x, point.position.y, point.position.z)) {
       new NearestFreeVoxel(UNIT).find(obstacles, point.position, point.position);
     }
     for (int frame = 0; frame < FRAMES; frame++) {
-      trajectory.at(frame, device);
+      trajectory.position(frame, device);
       long began = System.nanoTime();
       solver.follow(obstacles, device, point);
       least[frame] = Math.min(least[frame], System.nanoTime() - began);

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.palpate.benchmarks.input.Trajectories;
-import org.palpate.benchmarks.input.Trajectory;
 import org.palpate.collision.CollisionScene;
 import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.device.Trajectory;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactSettings;
@@ -90,7 +90,7 @@ public final class WorkStudy {
 
   private long[] follow(BitCube bits, Trajectory trajectory) {
     GridMetric unit = new GridMetric(1, 1, 1);
-    Vec3 device = trajectory.at(0, new Vec3());
+    Vec3 device = trajectory.position(0, new Vec3());
     Vec3 start = new Vec3().set(device);
     CollisionScene obstacles = new CollisionScene(List.of(bits));
     if (obstacles.touches(start.x, start.y, start.z)) {
@@ -98,8 +98,8 @@ public final class WorkStudy {
     }
     WorkCounts counts =
         new WorkCounts(who, bits, unit, ContactSettings.defaultMaxStepMm(new Vec3(1, 1, 1)), start);
-    for (int frame = 0; frame < trajectory.frames(); frame++) {
-      counts.follow(trajectory.at(frame, device));
+    for (int frame = 0; frame < trajectory.size(); frame++) {
+      counts.follow(trajectory.position(frame, device));
     }
     return counts.counts();
   }
