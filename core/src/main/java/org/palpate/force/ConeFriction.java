@@ -5,22 +5,24 @@ import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 
 /**
- * Static and sliding friction: the point sticks to an anchor on the surface, pulled back by a
- * spring, while the pull stays inside a cone around the pressing force; beyond it slides and drags
- * the anchor along a narrower cone, until it comes to a stop. The two cones are the hysteresis that
- * keeps it from chattering.
+ * Static and sliding friction with one friction cone each.
  *
- * <p>Never pushes the way the hand already moves: what of the spring would, when the hand turns
- * back, is let go at once, and the anchor with it.
+ * <p>The interaction point sticks to an anchor on the surface. A spring pulls it back to the anchor
+ * while the pull lies inside the static cone around the pressing force. Beyond that cone the point
+ * slides and drags the anchor along the narrower sliding cone, until it stops. The two cones are a
+ * hysteresis that keeps the force from chattering.
+ *
+ * <p>Friction never pushes in the direction in which the hand already moves. If the hand turns
+ * back, that part of the pull is released at once, and the anchor moves with it.
  *
  * <p>References: Salisbury and Tarr 1997; friction cones, Melder and Harwin 2004. Haptic thread;
  * allocates nothing.
  */
 final class ConeFriction {
-  /** The cone of sliding, as a share of that of sticking, where only one is given. */
-  static final double SLIDING_SHARE = 0.75;
+  /** Sliding friction divided by static friction, if a user gives only one of them. */
+  static final double SLIDING_FRACTION = 0.75;
 
-  /** Below this share of an edge a frame, a sliding point stops and sticks. */
+  /** A sliding point that moves less than this in a frame sticks; in shortest voxel edges. */
   private static final double STOP_EDGES = 1e-4;
 
   private final GridMetric metric;
@@ -37,19 +39,23 @@ final class ConeFriction {
     stopMm = STOP_EDGES * metric.shortestEdgeMm();
   }
 
+  /** Whether the point slides instead of sticking to its anchor. */
   boolean isSliding() {
     return sliding;
   }
 
-  /** Adds friction to the coupling force in {@code force}; lets go where nothing presses. */
-  void add(InteractionPoint point, Vec3 device, MaterialTransition felt, Vec3 force) {
+  /**
+   * Adds friction to the coupling force in {@code force}. Without contact or pressing force there
+   * is no friction, and the next contact begins with a new anchor.
+   */
+  void add(InteractionPoint point, Vec3 device, MaterialTransition material, Vec3 force) {
     double pressing = force.length();
-    if (!(pressing > 0) || felt.stickingFriction() == 0 || !point.contact) {
+    if (!(pressing > 0) || material.staticFriction() == 0 || !point.contact) {
       anchored = false;
     } else if (!anchored) {
       stickAt(point.position);
     } else {
-      addPull(point.position, device, felt, pressing, force);
+      addPull(point.position, device, material, pressing, force);
     }
     lastDevice.set(device);
     lastPoint.set(point.position);
@@ -62,55 +68,57 @@ final class ConeFriction {
   }
 
   private void addPull(
-      Vec3 position, Vec3 device, MaterialTransition felt, double pressing, Vec3 force) {
-    toMm(position, anchor, pull);
-    takeOffAlong(force, pressing, pull);
-    pull.mul(felt.stiffnessNewtonPerMm(), pull);
-    stayInCone(position, felt, pressing);
-    letGoOfPush(device);
+      Vec3 position, Vec3 device, MaterialTransition material, double pressing, Vec3 force) {
+    stretchToAnchor(position);
+    removeComponentAlong(force, pressing);
+    pull.mul(material.stiffnessNewtonPerMm(), pull);
+    limitToCone(position, material, pressing);
+    releasePush(device);
     force.add(pull, force);
-    followAnchor(position, felt.stiffnessNewtonPerMm());
+    moveAnchor(position, material.stiffnessNewtonPerMm());
   }
 
-  /** Keeps of {@code vector} what is at right angles to the pressing force. */
-  private static void takeOffAlong(Vec3 force, double length, Vec3 vector) {
-    double share = vector.dot(force) / (length * length);
-    vector.set(vector.x - share * force.x, vector.y - share * force.y, vector.z - share * force.z);
+  /** Writes the vector from the point to its anchor into {@link #pull}, mm. */
+  private void stretchToAnchor(Vec3 position) {
+    anchor.sub(position, pull);
+    pull.set(pull.x * metric.spacingX(), pull.y * metric.spacingY(), pull.z * metric.spacingZ());
   }
 
-  private void stayInCone(Vec3 position, MaterialTransition felt, double pressing) {
+  /** Reduces {@link #pull} to its component at right angles to the pressing force. */
+  private void removeComponentAlong(Vec3 force, double length) {
+    double fraction = pull.dot(force) / (length * length);
+    pull.set(pull.x - fraction * force.x, pull.y - fraction * force.y, pull.z - fraction * force.z);
+  }
+
+  private void limitToCone(Vec3 position, MaterialTransition material, double pressing) {
     double newton = pull.length();
-    double stickingNewton = felt.stickingFriction() * pressing;
+    double staticNewton = material.staticFriction() * pressing;
     double movedMm =
         metric.distance(lastPoint.x, lastPoint.y, lastPoint.z, position.x, position.y, position.z);
-    sliding = newton > stickingNewton || (sliding && movedMm > stopMm);
-    double most = sliding ? felt.slidingFriction() * pressing : stickingNewton;
-    if (newton > most) {
-      pull.mul(most / newton, pull);
+    sliding = newton > staticNewton || (sliding && movedMm > stopMm);
+    double maxNewton = sliding ? material.slidingFriction() * pressing : staticNewton;
+    if (newton > maxNewton) {
+      pull.mul(maxNewton / newton, pull);
     }
   }
 
-  private void letGoOfPush(Vec3 device) {
+  /** Removes from {@link #pull} the component along the motion of the hand, if it is positive. */
+  private void releasePush(Vec3 device) {
     double x = (device.x - lastDevice.x) * metric.spacingX();
     double y = (device.y - lastDevice.y) * metric.spacingY();
     double z = (device.z - lastDevice.z) * metric.spacingZ();
     double along = pull.x * x + pull.y * y + pull.z * z;
     if (along > 0) {
-      double share = along / (x * x + y * y + z * z);
-      pull.set(pull.x - share * x, pull.y - share * y, pull.z - share * z);
+      double fraction = along / (x * x + y * y + z * z);
+      pull.set(pull.x - fraction * x, pull.y - fraction * y, pull.z - fraction * z);
     }
   }
 
-  /** Puts the anchor where the spring pulls as hard as it now does. */
-  private void followAnchor(Vec3 position, double stiffness) {
+  /** Moves the anchor to the position at which the spring pulls with the present force. */
+  private void moveAnchor(Vec3 position, double stiffness) {
     anchor.set(
         position.x + pull.x / (stiffness * metric.spacingX()),
         position.y + pull.y / (stiffness * metric.spacingY()),
         position.z + pull.z / (stiffness * metric.spacingZ()));
-  }
-
-  private void toMm(Vec3 from, Vec3 to, Vec3 dest) {
-    to.sub(from, dest);
-    dest.set(dest.x * metric.spacingX(), dest.y * metric.spacingY(), dest.z * metric.spacingZ());
   }
 }

@@ -4,12 +4,13 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 
 /**
- * Damping in contact: a force against the speed at which the hand goes in or out along the coupling
- * force, never longer than that force. So it begins and ends with contact without a jump and never
- * holds the hand back in the solid.
+ * Damping in contact: a force against the speed of the hand along the coupling force.
  *
- * <p>Speed is that of the device between two frames, smoothed over {@link #SMOOTHING_MS}, for
- * encoders have steps. Haptic thread; allocates nothing.
+ * <p>Damping is never longer than the coupling force. It therefore begins and ends without a jump
+ * where contact does, and never holds the hand back in the solid.
+ *
+ * <p>The speed is that of the device between two frames. It is smoothed over {@link #SMOOTHING_MS},
+ * because encoders have steps. Haptic thread; allocates nothing.
  */
 final class ContactDamping {
   static final double SMOOTHING_MS = 4;
@@ -19,41 +20,45 @@ final class ContactDamping {
 
   private final GridMetric metric;
   private final Vec3 lastDevice = new Vec3();
-  private final Vec3 mmPerMs = new Vec3();
+  private final Vec3 velocityMmPerMs = new Vec3();
   private boolean begun;
 
   ContactDamping(GridMetric metric) {
     this.metric = metric;
   }
 
-  /** Forgets how fast the hand was. */
-  void forget() {
-    begun = false;
-  }
-
-  /** Sees where the hand is; {@code elapsedNanos} of 0 or less tell nothing of its speed. */
-  void observe(Vec3 device, long elapsedNanos) {
+  /**
+   * Updates the speed of the hand.
+   *
+   * @param device d, grid coordinates
+   * @param elapsedNanos time since the last update; 0 or less leaves the speed as it was
+   */
+  void update(Vec3 device, long elapsedNanos) {
     if (!begun) {
-      mmPerMs.set(0, 0, 0);
+      velocityMmPerMs.set(0, 0, 0);
     } else if (elapsedNanos > 0) {
-      double ms = elapsedNanos / NANOS_PER_MS;
-      double share = 1 / (SMOOTHING_MS + ms);
-      // share * ms of the new speed, which is the way over ms
-      mmPerMs.x += share * ((device.x - lastDevice.x) * metric.spacingX() - ms * mmPerMs.x);
-      mmPerMs.y += share * ((device.y - lastDevice.y) * metric.spacingY() - ms * mmPerMs.y);
-      mmPerMs.z += share * ((device.z - lastDevice.z) * metric.spacingZ() - ms * mmPerMs.z);
+      smooth(device, elapsedNanos / NANOS_PER_MS);
     }
     begun = true;
     lastDevice.set(device);
   }
 
-  /** The damping force along the coupling force, N; negative where the hand comes out. */
+  /** Moves the velocity by ms / (SMOOTHING_MS + ms) towards that of the last step. */
+  private void smooth(Vec3 device, double ms) {
+    double weight = 1 / (SMOOTHING_MS + ms);
+    Vec3 v = velocityMmPerMs;
+    v.x += weight * ((device.x - lastDevice.x) * metric.spacingX() - ms * v.x);
+    v.y += weight * ((device.y - lastDevice.y) * metric.spacingY() - ms * v.y);
+    v.z += weight * ((device.z - lastDevice.z) * metric.spacingZ() - ms * v.z);
+  }
+
+  /** Returns the damping force along the coupling force, N; negative if the hand moves out. */
   double newton(Vec3 coupling, double newtonSecondPerMm) {
     double length = coupling.length();
     if (!(length > 0)) {
       return 0;
     }
-    double inwardMmPerS = -MS_PER_S * mmPerMs.dot(coupling) / length;
+    double inwardMmPerS = -MS_PER_S * velocityMmPerMs.dot(coupling) / length;
     return Math.max(-length, Math.min(length, newtonSecondPerMm * inwardMmPerS));
   }
 }

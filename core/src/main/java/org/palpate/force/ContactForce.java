@@ -6,48 +6,53 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
 
 /**
- * Force on the hand: the virtual coupling k(p-d) that pulls it back to the interaction point, less
- * the height at which the solver's surface runs, and dry friction against the way that the point
- * slid. Where the solver asks for it the coupling hands over without a jump, see {@link
- * ForceRateLimit}. Stiffness, friction and damping are those of the object that is touched, see
- * {@link MaterialTransition}.
+ * Computes the force on the hand: virtual coupling, damping and friction.
  *
- * <p>Source: Vlasov et al. 2013, section 5.1, equations (3) and (4). Zero where undefined. Haptic
- * thread; allocates nothing.
+ * <p>The coupling k(p-d) pulls the hand back to the interaction point. The height of the solver's
+ * surface is subtracted from |p-d|. Friction acts against the slide of the point. Stiffness,
+ * friction and damping are those of the touched object, see {@link MaterialTransition}. If the
+ * solver asks for it, {@link ForceRateLimit} keeps the coupling force from jumping.
+ *
+ * <p>Source: Vlasov et al. 2013, section 5.1, equations (3) and (4). Zero where the equations are
+ * undefined. Haptic thread; allocates nothing.
  */
 public final class ContactForce {
   private final GridMetric metric;
   private ForceSettings settings;
-  private final Vec3 slide = new Vec3();
-  private final ForceRateLimit handOver;
-  private final ConeFriction cone;
-  private final MaterialTransition felt;
+  private final MaterialTransition material;
+  private final ForceRateLimit rateLimit;
   private final ContactDamping damping;
+  private final ConeFriction coneFriction;
   private final Vec3 lastDevice = new Vec3();
-  private final Vec3 outward = new Vec3();
+  private final Vec3 dampingForce = new Vec3();
+  private final Vec3 slide = new Vec3();
+  private double slideLengthMm;
   private boolean damps;
   private boolean pressed;
-  private double slideLengthMm;
   private long frictionSkipped;
 
-  /** Lengths are those of {@code metric}. */
+  /**
+   * Makes the force of a session.
+   *
+   * @param metric measures all lengths
+   */
   public ContactForce(GridMetric metric, ForceSettings settings) {
     this.metric = metric;
     this.settings = settings;
     damps = settings.damps();
-    handOver = new ForceRateLimit(metric);
-    cone = new ConeFriction(metric);
+    material = new MaterialTransition(metric.shortestEdgeMm(), settings.general());
+    rateLimit = new ForceRateLimit(metric.shortestEdgeMm());
     damping = new ContactDamping(metric);
-    double shortestMm = metric.shortestEdgeMm();
-    felt = new MaterialTransition(shortestMm, settings.general());
+    coneFriction = new ConeFriction(metric);
   }
 
+  /** Returns the present settings. */
   public ForceSettings settings() {
     return settings;
   }
 
-  /** Changes what the surface feels like from the next frame on. */
-  @SuppressWarnings("ReferenceEquality") // asked every frame, and nearly always the same object
+  /** Changes the settings from the next frame on. */
+  @SuppressWarnings("ReferenceEquality") // each frame asks, nearly always with the same object
   public void change(ForceSettings newSettings) {
     if (settings != newSettings) {
       settings = newSettings;
@@ -56,13 +61,13 @@ public final class ContactForce {
     }
   }
 
-  /** Frames in which friction was left out because it is nothing. */
+  /** Returns the number of frames that skipped friction because it is zero. */
   public long frictionSkipped() {
     return frictionSkipped;
   }
 
   /**
-   * Computes the force of a frame in which no time passed: one without damping.
+   * Computes the force of a frame in which no time passed. Damping then keeps its last speed.
    *
    * @param point where the solver left it, with the legs of this frame
    * @param device d, grid coordinates
@@ -73,88 +78,88 @@ public final class ContactForce {
   }
 
   /**
-   * Computes the force of a frame, not limited.
+   * Computes the force of a frame, without the limits of the device.
    *
-   * @param point where the solver left it, with the legs of this frame and what it touches
+   * @param point where the solver left it, with the legs of this frame and the touched object
    * @param device d, grid coordinates
-   * @param elapsedNanos since the last frame that was computed
+   * @param elapsedNanos time since the last computed frame
    * @param forceNewton the result, newtons along the grid's axes
    */
   public void compute(InteractionPoint point, Vec3 device, long elapsedNanos, Vec3 forceNewton) {
-    stretch(point, device, forceNewton);
-    feel(point, device, forceNewton.length());
-    forceNewton.mul(felt.stiffnessNewtonPerMm(), forceNewton);
-    handOver(point, device, forceNewton);
-    double dampingNewton = damps ? damp(device, elapsedNanos, forceNewton) : 0;
-    if (settings.form() == FrictionForm.CONE) {
-      cone.add(point, device, felt, forceNewton);
-    } else if (settings.skipsFriction() && felt.slidingFriction() == 0) {
-      frictionSkipped++;
-    } else {
-      addFriction(point.legs, forceNewton);
-    }
+    computeStretch(point, device, forceNewton);
+    updateMaterial(point, device, forceNewton.length());
+    forceNewton.mul(material.stiffnessNewtonPerMm(), forceNewton);
+    limitRate(point, device, forceNewton);
     if (damps) {
-      outward.mul(dampingNewton, outward);
-      forceNewton.add(outward, forceNewton);
+      computeDamping(device, elapsedNanos, forceNewton);
     }
-  }
-
-  /** Chooses the material: at once where contact begins or all feel alike, else bit by bit. */
-  private void feel(InteractionPoint point, Vec3 device, double stretchMm) {
-    if (!settings.tellsObjectsApart()) {
-      felt.set(settings.general());
-    } else if (point.touched != InteractionPoint.NOTHING) {
-      Material material = settings.material(point.touched);
-      if (pressed) {
-        felt.approach(material, stretchMm, motionMm(device));
-      } else {
-        felt.set(material);
-      }
+    addFriction(point, device, forceNewton);
+    if (damps) {
+      forceNewton.add(dampingForce, forceNewton);
     }
-    pressed = stretchMm > 0 && point.contact;
     lastDevice.set(device);
   }
 
-  private double motionMm(Vec3 device) {
-    return metric.distance(lastDevice.x, lastDevice.y, lastDevice.z, device.x, device.y, device.z);
-  }
-
-  /** Writes {@link #outward}, the direction of the coupling force; returns damping along it, N. */
-  private double damp(Vec3 device, long elapsedNanos, Vec3 coupling) {
-    damping.observe(device, elapsedNanos);
-    double length = coupling.length();
-    coupling.mul(length > 0 ? 1 / length : 0, outward);
-    return damping.newton(coupling, felt.dampingNewtonSecondPerMm());
-  }
-
-  /** How often the coupling force was held back because the point jumped. */
-  public long handOvers() {
-    return handOver.events();
-  }
-
-  private void handOver(InteractionPoint point, Vec3 device, Vec3 force) {
-    if (point.handsOver) {
-      handOver.limit(force, device, felt.stiffnessNewtonPerMm());
-    } else {
-      handOver.forget();
-    }
-  }
-
-  /** Writes the stretch of the coupling, mm. */
-  private void stretch(InteractionPoint point, Vec3 device, Vec3 force) {
-    force.set(
+  /** Writes the stretch of the virtual coupling into {@code dest}, mm. */
+  private void computeStretch(InteractionPoint point, Vec3 device, Vec3 dest) {
+    dest.set(
         (point.position.x - device.x) * metric.spacingX(),
         (point.position.y - device.y) * metric.spacingY(),
         (point.position.z - device.z) * metric.spacingZ());
     double heightMm = point.surfaceHeightMm;
     if (heightMm > 0) {
-      double length = force.length();
-      force.mul(length > heightMm ? (length - heightMm) / length : 0, force);
+      double length = dest.length();
+      dest.mul(length > heightMm ? (length - heightMm) / length : 0, dest);
     }
   }
 
-  private void addFriction(LegPath legs, Vec3 force) {
-    boolean slid = sumSlide(legs); // one look at the legs for both: a second costs what it saves
+  /** Takes the touched object's material: at once if contact begins, else by a transition. */
+  private void updateMaterial(InteractionPoint point, Vec3 device, double stretchMm) {
+    if (!settings.distinguishesObjects()) {
+      material.set(settings.general());
+    } else if (point.touched != InteractionPoint.NOTHING) {
+      Material touched = settings.material(point.touched);
+      if (pressed) {
+        material.approach(touched, stretchMm, motionMm(device));
+      } else {
+        material.set(touched);
+      }
+    }
+    pressed = stretchMm > 0 && point.contact;
+  }
+
+  private void limitRate(InteractionPoint point, Vec3 device, Vec3 coupling) {
+    if (point.limitsForceRate) {
+      rateLimit.limit(coupling, material.stiffnessNewtonPerMm(), motionMm(device));
+    } else {
+      rateLimit.reset();
+    }
+  }
+
+  /** Returns the motion of the device since the last frame. */
+  private double motionMm(Vec3 device) {
+    return metric.distance(lastDevice.x, lastDevice.y, lastDevice.z, device.x, device.y, device.z);
+  }
+
+  private void computeDamping(Vec3 device, long elapsedNanos, Vec3 coupling) {
+    damping.update(device, elapsedNanos);
+    double length = coupling.length();
+    coupling.mul(length > 0 ? 1 / length : 0, dampingForce);
+    dampingForce.mul(damping.newton(coupling, material.dampingNewtonSecondPerMm()), dampingForce);
+  }
+
+  private void addFriction(InteractionPoint point, Vec3 device, Vec3 force) {
+    if (settings.form() == FrictionForm.CONE) {
+      coneFriction.add(point, device, material, force);
+    } else if (settings.skipsFriction() && material.slidingFriction() == 0) {
+      frictionSkipped++;
+    } else {
+      addSlidingFriction(point.legs, force);
+    }
+  }
+
+  private void addSlidingFriction(LegPath legs, Vec3 force) {
+    boolean slid = sumSlide(legs);
     if (!slid && settings.skipsFriction()) {
       frictionSkipped++;
       return;
@@ -165,11 +170,18 @@ public final class ContactForce {
     }
     slide.set(slide.x / length, slide.y / length, slide.z / length);
     double newton =
-        felt.slidingFriction() * pressing(force, slide) * (slideLengthMm / legs.lengthMm());
+        material.slidingFriction()
+            * pressingNewton(force, slide)
+            * (slideLengthMm / legs.lengthMm());
     force.set(force.x - newton * slide.x, force.y - newton * slide.y, force.z - newton * slide.z);
   }
 
-  /** v_bv, the sum of the legs along surfaces, mm, and w_bv, their length; whether any slid. */
+  /**
+   * Writes the sum of the legs along surfaces, v_bv of the paper, and their length, w_bv, mm.
+   *
+   * <p>It also returns whether any leg slid: a loop of its own for that would cost as much as
+   * skipping friction saves.
+   */
   private boolean sumSlide(LegPath legs) {
     slide.set(0, 0, 0);
     slideLengthMm = 0;
@@ -186,8 +198,8 @@ public final class ContactForce {
     return slid;
   }
 
-  /** |Fc.n|, n the normal to the slide in the plane of the slide and the coupling force. */
-  private double pressing(Vec3 coupling, Vec3 slideDirection) {
+  /** Returns |Fc.n|, with n the normal to the slide in the plane of slide and coupling force. */
+  private double pressingNewton(Vec3 coupling, Vec3 slideDirection) {
     double along = Math.abs(coupling.dot(slideDirection));
     double whole = coupling.length();
     if (settings.form() == FrictionForm.SHORTER) {

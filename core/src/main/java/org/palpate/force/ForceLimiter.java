@@ -3,27 +3,30 @@ package org.palpate.force;
 import org.palpate.geometry.Vec3;
 
 /**
- * Keeps a force within what the device may be asked: finite or zero, no longer than the maximum
- * (its direction kept), no faster change than the slew. Haptic thread; allocates nothing.
+ * Limits a force to the capabilities of the device.
+ *
+ * <p>The result is finite or zero, no longer than the maximum, and changes no faster than the slew
+ * rate. The maximum keeps the direction of the force. Haptic thread; allocates nothing.
  */
 public final class ForceLimiter {
-  /** The longest time for which slew is granted at once: a late frame must not buy a jump. */
-  public static final double LONGEST_STEP_MS = 5;
+  /**
+   * The longest step of time that the slew rate counts, ms. A late frame may not change the force
+   * by a jump.
+   */
+  public static final double MAX_STEP_MS = 5;
 
   private static final double NANOS_PER_MS = 1e6;
 
-  /** A vector that rounding left a hair too long becomes shorter than the maximum. */
-  private static final double ROUNDING_SHARE = 1 - 0x1p-50;
+  /** Makes a vector that rounding left slightly too long shorter than the maximum. */
+  private static final double ROUNDING_FACTOR = 1 - 0x1p-50;
 
   private final double maxForceNewton;
   private final double slewNewtonPerMs;
-  private final Vec3 last = new Vec3();
-  private long clamped;
-  private long slewed;
+  private final Vec3 lastForceNewton = new Vec3();
   private long notFinite;
 
   /**
-   * A limiter at rest.
+   * Makes a limiter whose last force is zero.
    *
    * @param maxForceNewton the longest force, at least 0; infinity for no limit
    * @param slewNewtonPerMs the fastest change, positive; infinity for no limit
@@ -43,66 +46,48 @@ public final class ForceLimiter {
   /**
    * Limits {@code forceNewton} in place.
    *
-   * @param elapsedNanos since the last call; granted as slew up to {@link #LONGEST_STEP_MS}
+   * @param elapsedNanos time since the last call; counts up to {@link #MAX_STEP_MS}
    */
   public void clamp(Vec3 forceNewton, long elapsedNanos) {
     if (!forceNewton.isFinite()) {
       forceNewton.set(0, 0, 0);
       notFinite++;
     }
-    shortenToMaximum(forceNewton);
+    limitLength(forceNewton);
     if (slewNewtonPerMs < Double.POSITIVE_INFINITY) {
-      slew(forceNewton, elapsedNanos);
+      limitSlew(forceNewton, elapsedNanos);
     }
-    last.set(forceNewton);
+    lastForceNewton.set(forceNewton);
   }
 
-  /** Forgets the last force: the next is slewed from zero. For forces cut off at once. */
+  /** Restarts the slew from zero. Call it after a force was dropped at once. */
   public void reset() {
-    last.set(0, 0, 0);
+    lastForceNewton.set(0, 0, 0);
   }
 
-  /** Frames in which the maximum shortened the force. */
-  public long clamped() {
-    return clamped;
-  }
-
-  /** Frames in which the slew held the force back. */
-  public long slewed() {
-    return slewed;
-  }
-
-  /** Frames whose force was not finite and became zero. */
+  /** Returns the number of forces that were not finite and became zero. */
   public long notFinite() {
     return notFinite;
   }
 
-  private void shortenToMaximum(Vec3 force) {
+  private void limitLength(Vec3 force) {
     if (maxForceNewton == Double.POSITIVE_INFINITY || force.length() <= maxForceNewton) {
       return;
     }
-    clamped++;
-    // Scaled by the largest component first, so that the length of a huge force does not overflow.
+    // Divides by the largest component first, so that the length of a huge force is finite.
     double largest = Math.max(Math.abs(force.x), Math.max(Math.abs(force.y), Math.abs(force.z)));
     force.set(force.x / largest, force.y / largest, force.z / largest);
     force.mul(maxForceNewton / force.length(), force);
     if (force.length() > maxForceNewton) {
-      force.mul(ROUNDING_SHARE, force);
+      force.mul(ROUNDING_FACTOR, force);
     }
   }
 
-  private void slew(Vec3 force, long elapsedNanos) {
-    double ms = Math.min(Math.max(0, elapsedNanos / NANOS_PER_MS), LONGEST_STEP_MS);
-    double most = slewNewtonPerMs * ms;
-    double x = force.x - last.x;
-    double y = force.y - last.y;
-    double z = force.z - last.z;
-    double change = Math.sqrt(x * x + y * y + z * z);
-    if (change > most) {
-      slewed++;
-      double share = most / change;
-      force.set(last.x + x * share, last.y + y * share, last.z + z * share);
-      shortenToMaximum(force);
+  private void limitSlew(Vec3 force, long elapsedNanos) {
+    double ms = Math.min(Math.max(0, elapsedNanos / NANOS_PER_MS), MAX_STEP_MS);
+    boolean slewed = ChangeBound.apply(lastForceNewton, slewNewtonPerMs * ms, force);
+    if (slewed) {
+      limitLength(force);
     }
   }
 }

@@ -1,44 +1,48 @@
 package org.palpate.force;
 
 /**
- * A factor that climbs from 0 to 1, for a force that must not come at once: after the point was set
- * free, after a silence of the device, at the start of a session. Haptic thread.
+ * A factor that rises from 0 to 1, so that a force returns gradually. A frame starts it after the
+ * interaction point was set free and after a silence of the device. Haptic thread.
  */
 public final class ForceRamp {
-  /** How long a force takes to come back. */
+  /** The usual time in which a force returns. */
   public static final long DEFAULT_NANOS = 200_000_000;
 
   private final long durationNanos;
-  private long passedNanos;
+  private long elapsedNanos;
 
-  /** A ramp at its top. {@code durationNanos} of 0 switches it off. */
+  /**
+   * Makes a completed ramp, whose factor is 1.
+   *
+   * @param durationNanos time from 0 to 1; 0 for no ramp
+   */
   public ForceRamp(long durationNanos) {
     if (durationNanos < 0) {
       throw new IllegalArgumentException(
           "durationNanos must not be negative: durationNanos=" + durationNanos);
     }
     this.durationNanos = durationNanos;
-    passedNanos = durationNanos;
+    elapsedNanos = durationNanos;
   }
 
-  /** Goes back to the foot: the factor is 0 until time passes. */
+  /** Restarts the ramp: the factor is 0 until time passes. */
   public void start() {
-    passedNanos = 0;
+    elapsedNanos = 0;
   }
 
-  public boolean isAtTop() {
-    return passedNanos >= durationNanos;
-  }
-
-  /** Lets time pass; negative time does nothing. */
-  public void advance(long elapsedNanos) {
-    if (elapsedNanos > 0 && !isAtTop()) {
-      passedNanos = Math.min(durationNanos, passedNanos + Math.min(elapsedNanos, durationNanos));
+  /** Advances the ramp by the time that has passed; negative time changes nothing. */
+  public void advance(long nanos) {
+    if (nanos > 0 && !isComplete()) {
+      elapsedNanos = Math.min(durationNanos, elapsedNanos + Math.min(nanos, durationNanos));
     }
   }
 
-  /** From 0 at the foot to 1 at the top. */
+  /** Returns the present factor, from 0 to 1. */
   public double factor() {
-    return isAtTop() ? 1 : (double) passedNanos / durationNanos;
+    return isComplete() ? 1 : (double) elapsedNanos / durationNanos;
+  }
+
+  private boolean isComplete() {
+    return elapsedNanos >= durationNanos;
   }
 }

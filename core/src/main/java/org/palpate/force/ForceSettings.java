@@ -3,49 +3,50 @@ package org.palpate.force;
 import java.util.List;
 
 /**
- * What surfaces feel like.
+ * The settings of the contact force: materials and the form of friction.
  *
  * @param general the material of objects that have none of their own
- * @param form how friction is computed
- * @param skipsFriction whether friction is left out where mu is 0 or nothing slid; the force is the
+ * @param form the formula of friction
+ * @param skipsFriction whether friction is left out if mu is 0 or nothing slid; the force is the
  *     same either way
- * @param materials of the objects, in the order of the obstacles; empty where all feel alike
+ * @param materials of the objects, in the order of the scene; empty if all feel alike
  */
 public record ForceSettings(
     Material general, FrictionForm form, boolean skipsFriction, List<Material> materials) {
 
-  /** Stiffness for a device that has no maximum of its own, N/mm. */
+  /** The stiffness for a device without a maximum of its own, N/mm. */
   public static final double DEFAULT_STIFFNESS_NEWTON_PER_MM = 0.5;
 
+  /** The usual mu. */
   public static final double DEFAULT_FRICTION = 0.2;
 
-  /** Keeps a copy of the list. */
+  /** Copies the list. */
   public ForceSettings {
     materials = List.copyOf(materials);
   }
 
-  /** One material for all, without damping. */
+  /** Makes settings with one material for all objects, without damping. */
   public ForceSettings(
       double stiffnessNewtonPerMm, double friction, FrictionForm form, boolean skipsFriction) {
     this(Material.of(stiffnessNewtonPerMm, friction, form), form, skipsFriction, List.of());
   }
 
-  /** By equation (4), with friction skipped where it is nothing. */
+  /** Returns settings with friction by equation (4), skipped if it is zero. */
   public static ForceSettings of(double stiffnessNewtonPerMm, double friction) {
     return new ForceSettings(stiffnessNewtonPerMm, friction, FrictionForm.EQUATION_4, true);
   }
 
-  /** k of objects without a material of their own, N/mm. */
+  /** Returns k of objects without a material of their own, N/mm. */
   public double stiffnessNewtonPerMm() {
     return general.stiffnessNewtonPerMm();
   }
 
-  /** mu of objects without a material of their own. */
+  /** Returns the static mu of objects without a material of their own. */
   public double friction() {
-    return general.stickingFriction();
+    return general.staticFriction();
   }
 
-  /** The largest stiffness of any object, N/mm. */
+  /** Returns the largest stiffness of any object, N/mm. */
   public double stiffestNewtonPerMm() {
     double stiffest = stiffnessNewtonPerMm();
     for (Material material : materials) {
@@ -54,17 +55,17 @@ public record ForceSettings(
     return stiffest;
   }
 
-  /** Whether objects differ, so that one has to know which is touched. */
-  public boolean tellsObjectsApart() {
+  /** Whether objects have materials of their own, so that the frame must find the touched one. */
+  public boolean distinguishesObjects() {
     return !materials.isEmpty();
   }
 
-  /** The material of an object; the general one where it is not known or has none. */
+  /** Returns the material of an object, or the general one if the object has none or is unknown. */
   public Material material(int object) {
     return object >= 0 && object < materials.size() ? materials.get(object) : general;
   }
 
-  /** Whether anything is damped. */
+  /** Whether any material has damping. */
   public boolean damps() {
     boolean damps = general.dampingNewtonSecondPerMm() > 0;
     for (int object = 0; object < materials.size(); object++) {
@@ -73,13 +74,13 @@ public record ForceSettings(
     return damps;
   }
 
-  /** The same objects, all stiffer by a factor and rougher by a summand. */
-  public ForceSettings retuned(double stiffnessFactor, double moreFriction) {
+  /** Returns these settings with all stiffnesses multiplied and all frictions increased. */
+  public ForceSettings retuned(double stiffnessFactor, double addedFriction) {
     Material[] retuned = new Material[materials.size()];
     for (int object = 0; object < retuned.length; object++) {
-      retuned[object] = materials.get(object).retuned(stiffnessFactor, moreFriction);
+      retuned[object] = materials.get(object).retuned(stiffnessFactor, addedFriction);
     }
     return new ForceSettings(
-        general.retuned(stiffnessFactor, moreFriction), form, skipsFriction, List.of(retuned));
+        general.retuned(stiffnessFactor, addedFriction), form, skipsFriction, List.of(retuned));
   }
 }

@@ -1,19 +1,19 @@
 package org.palpate.force;
 
-/** How friction is computed. */
+/** The formula of friction. */
 public enum FrictionForm {
-  /** sqrt(|Fc|^2 - (Fc.v/|v|)^2), what equation (4) says. */
+  /** Equation (4) of the paper: the pressing force is sqrt(|Fc|^2 - (Fc.v/|v|)^2). */
   EQUATION_4,
   /**
-   * |Fc| - |Fc.v/|v||, which the paper gives as easier; not equal to it: at 45 degrees 0.29 against
-   * 0.71 of |Fc|. For comparison.
+   * The shorter form that the paper also gives: the pressing force is |Fc| - |Fc.v/|v||. It is not
+   * equal to equation (4): at 45 degrees it is 0.29 |Fc| instead of 0.71 |Fc|. For comparison.
    */
   SHORTER,
-  /** Static and sliding friction with a cone each; see {@link ConeFriction}. */
+  /** Static and sliding friction with one cone each; see {@link ConeFriction}. */
   CONE;
 
-  /** Sliding friction over that at rest, where only one is given. */
-  public double slidingShare() {
-    return this == CONE ? ConeFriction.SLIDING_SHARE : 1;
+  /** Returns sliding friction divided by static friction, if a user gives only one of them. */
+  public double slidingFraction() {
+    return this == CONE ? ConeFriction.SLIDING_FRACTION : 1;
   }
 }

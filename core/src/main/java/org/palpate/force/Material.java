@@ -1,48 +1,48 @@
 package org.palpate.force;
 
 /**
- * What one object feels like.
+ * The material of one object.
  *
  * @param stiffnessNewtonPerMm k, N per mm of scan
- * @param stickingFriction mu at rest; for {@link FrictionForm#CONE} alone
- * @param slidingFriction mu of a slide, at most that at rest
- * @param dampingNewtonSecondPerMm force against the speed at which the hand goes in or out; see
- *     {@link ContactDamping}
+ * @param staticFriction mu at rest; only {@link FrictionForm#CONE} uses it
+ * @param slidingFriction mu of a slide, at most the static one
+ * @param dampingNewtonSecondPerMm force per speed of the hand along the coupling; see {@link
+ *     ContactDamping}
  */
 public record Material(
     double stiffnessNewtonPerMm,
-    double stickingFriction,
+    double staticFriction,
     double slidingFriction,
     double dampingNewtonSecondPerMm) {
 
-  /** Checks the ranges: all at least 0 and finite. */
+  /** Checks that each figure is finite and at least 0. */
   public Material {
     checkRange("stiffnessNewtonPerMm", stiffnessNewtonPerMm);
-    checkRange("friction", stickingFriction);
+    checkRange("staticFriction", staticFriction);
     checkRange("slidingFriction", slidingFriction);
     checkRange("dampingNewtonSecondPerMm", dampingNewtonSecondPerMm);
-    if (slidingFriction > stickingFriction) {
+    if (slidingFriction > staticFriction) {
       throw new IllegalArgumentException(
-          "sliding friction must not be above that at rest: slidingFriction="
+          "sliding friction must not be larger than static friction: slidingFriction="
               + slidingFriction
-              + " stickingFriction="
-              + stickingFriction);
+              + " staticFriction="
+              + staticFriction);
     }
   }
 
-  /** Without damping, and with the sliding friction that goes with a form of friction. */
+  /** Returns a material without damping, with the sliding friction that suits the form. */
   public static Material of(double stiffnessNewtonPerMm, double friction, FrictionForm form) {
-    return new Material(stiffnessNewtonPerMm, friction, form.slidingShare() * friction, 0);
+    return new Material(stiffnessNewtonPerMm, friction, form.slidingFraction() * friction, 0);
   }
 
-  /** Stiffer by a factor, rougher by a summand; no friction goes below 0. */
-  Material retuned(double stiffnessFactor, double moreFriction) {
-    double sticking = Math.max(0, stickingFriction + moreFriction);
-    double share = stickingFriction > 0 ? slidingFriction / stickingFriction : 1;
+  /** Returns this material with its stiffness multiplied and friction added, at least 0. */
+  Material retuned(double stiffnessFactor, double addedFriction) {
+    double newStatic = Math.max(0, staticFriction + addedFriction);
+    double slidingFraction = staticFriction > 0 ? slidingFriction / staticFriction : 1;
     return new Material(
         stiffnessFactor * stiffnessNewtonPerMm,
-        sticking,
-        Math.min(sticking, share * sticking),
+        newStatic,
+        Math.min(newStatic, slidingFraction * newStatic),
         dampingNewtonSecondPerMm);
   }
 

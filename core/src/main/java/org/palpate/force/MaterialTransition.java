@@ -1,23 +1,24 @@
 package org.palpate.force;
 
 /**
- * The material that is felt: where contact passes from one object to another it goes over from the
- * one's to the other's, all four figures in step, so that on its account the force changes in one
- * frame by at most k times the larger of the hand's motion and {@link #LEAST_MOTION_EDGES}, k the
- * larger stiffness of the two. Haptic thread; allocates nothing.
+ * The material that the hand feels, with a bounded transition from one object to the next.
+ *
+ * <p>If contact passes to another object, all four figures move to that object's in step. On their
+ * account the force changes in one frame by at most k times the motion of the hand, where k is the
+ * larger stiffness of the two. A hand that moves less than {@link ChangeBound#MIN_MOTION_EDGES}
+ * counts as moving by that.
+ *
+ * <p>Haptic thread; allocates nothing.
  */
 final class MaterialTransition {
-  /** In shortest voxel edges: a hand at rest feels the change arrive too. */
-  static final double LEAST_MOTION_EDGES = 0.05;
-
-  private final double leastMotionMm;
+  private final double minMotionMm;
   private double stiffness;
-  private double sticking;
-  private double sliding;
+  private double staticFriction;
+  private double slidingFriction;
   private double damping;
 
   MaterialTransition(double shortestEdgeMm, Material first) {
-    leastMotionMm = LEAST_MOTION_EDGES * shortestEdgeMm;
+    minMotionMm = ChangeBound.MIN_MOTION_EDGES * shortestEdgeMm;
     set(first);
   }
 
@@ -25,69 +26,70 @@ final class MaterialTransition {
     return stiffness;
   }
 
-  double stickingFriction() {
-    return sticking;
+  double staticFriction() {
+    return staticFriction;
   }
 
   double slidingFriction() {
-    return sliding;
+    return slidingFriction;
   }
 
   double dampingNewtonSecondPerMm() {
     return damping;
   }
 
-  /** Takes a material as it is. */
+  /** Takes a material without transition. */
   void set(Material material) {
     stiffness = material.stiffnessNewtonPerMm();
-    sticking = material.stickingFriction();
-    sliding = material.slidingFriction();
+    staticFriction = material.staticFriction();
+    slidingFriction = material.slidingFriction();
     damping = material.dampingNewtonSecondPerMm();
   }
 
   /**
-   * Goes towards a material as far as a frame may.
+   * Moves towards a material as far as one frame permits.
    *
    * @param stretchMm length of the virtual coupling
-   * @param motionMm how far the hand went since the last frame
+   * @param motionMm motion of the hand since the last frame
    */
   void approach(Material material, double stretchMm, double motionMm) {
-    if (isThere(material)) {
+    if (equalsFelt(material)) {
       return;
     }
     double stiffer = Math.max(stiffness, material.stiffnessNewtonPerMm());
-    double most = stiffer * Math.max(motionMm, leastMotionMm);
+    double maxChange = ChangeBound.ofMotion(stiffer, motionMm, minMotionMm);
     double change = changeNewton(material, stretchMm, stiffer);
-    if (change <= most) {
+    if (change <= maxChange) {
       set(material);
       return;
     }
-    double share = most / change;
-    stiffness += share * (material.stiffnessNewtonPerMm() - stiffness);
-    sticking += share * (material.stickingFriction() - sticking);
-    sliding += share * (material.slidingFriction() - sliding);
-    damping += share * (material.dampingNewtonSecondPerMm() - damping);
+    double fraction = maxChange / change;
+    stiffness += fraction * (material.stiffnessNewtonPerMm() - stiffness);
+    staticFriction += fraction * (material.staticFriction() - staticFriction);
+    slidingFriction += fraction * (material.slidingFriction() - slidingFriction);
+    damping += fraction * (material.dampingNewtonSecondPerMm() - damping);
   }
 
-  private boolean isThere(Material material) {
+  private boolean equalsFelt(Material material) {
     return stiffness == material.stiffnessNewtonPerMm()
-        && sticking == material.stickingFriction()
-        && sliding == material.slidingFriction()
+        && staticFriction == material.staticFriction()
+        && slidingFriction == material.slidingFriction()
         && damping == material.dampingNewtonSecondPerMm();
   }
 
   /**
-   * A bound of how much the force would change: of coupling, of damping, which is less, friction.
+   * Returns an upper bound of the change of the force if the material were taken at once, N. It
+   * adds up coupling, friction and damping; damping is never longer than the coupling.
    */
   private double changeNewton(Material material, double stretchMm, double stiffer) {
-    double rougher = Math.max(sticking, material.stickingFriction());
+    double rougher = Math.max(staticFriction, material.staticFriction());
     double ofStiffness = Math.abs(material.stiffnessNewtonPerMm() - stiffness) * (2 + rougher);
-    double unlike =
-        Math.abs(material.stickingFriction() - sticking)
-            + Math.abs(material.slidingFriction() - sliding);
-    double dampingMost = Math.max(damping, material.dampingNewtonSecondPerMm());
+    double ofFriction =
+        Math.abs(material.staticFriction() - staticFriction)
+            + Math.abs(material.slidingFriction() - slidingFriction);
+    double maxDamping = Math.max(damping, material.dampingNewtonSecondPerMm());
     double ofDamping =
-        dampingMost > 0 ? Math.abs(material.dampingNewtonSecondPerMm() - damping) / dampingMost : 0;
-    return stretchMm * (ofStiffness + stiffer * (unlike + ofDamping));
+        maxDamping > 0 ? Math.abs(material.dampingNewtonSecondPerMm() - damping) / maxDamping : 0;
+    return stretchMm * (ofStiffness + stiffer * (ofFriction + ofDamping));
   }
 }

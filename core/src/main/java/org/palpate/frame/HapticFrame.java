@@ -129,7 +129,7 @@ public final class HapticFrame {
       solver = wanted;
       solver.reset();
       point.surfaceHeightMm = 0;
-      point.handsOver = false;
+      point.limitsForceRate = false;
       if (placed && isBuried()) {
         setFree(point.position); // a baseline may have left it in a solid, where no other starts
       }
@@ -167,7 +167,7 @@ public final class HapticFrame {
       place();
     }
     solver.follow(obstacles, deviceGrid, point);
-    if (contactForce.settings().tellsObjectsApart()) {
+    if (contactForce.settings().distinguishesObjects()) {
       touched.find(obstacles, deviceGrid, point);
     }
     contactForce.compute(point, deviceGrid, sinceForceNanos, forceNewton);

@@ -31,7 +31,7 @@ public final class InteractionPoint {
    * Whether the coupling force is to change no faster than the device moves, so that a jump of the
    * point is no knock. False for solvers whose force is their jump.
    */
-  public boolean handsOver;
+  public boolean limitsForceRate;
 
   /**
    * The object that stops the point on its straight way to the device, by its place among the

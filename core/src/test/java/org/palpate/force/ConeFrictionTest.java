@@ -33,7 +33,7 @@ class ConeFrictionTest {
     }
     assertTrue(cone.isSliding());
     assertEquals(MU * PRESSING, most, 0.011);
-    assertEquals(-ConeFriction.SLIDING_SHARE * MU * PRESSING, force.x, 1e-12);
+    assertEquals(-ConeFriction.SLIDING_FRACTION * MU * PRESSING, force.x, 1e-12);
   }
 
   @Test

@@ -84,10 +84,10 @@ class ForceLimiterTest {
     ForceLimiter limiter = new ForceLimiter(NONE, 0.5);
     Vec3 force = new Vec3(100, 0, 0);
     limiter.clamp(force, 10_000 * MS);
-    assertEquals(0.5 * ForceLimiter.LONGEST_STEP_MS, force.x);
+    assertEquals(0.5 * ForceLimiter.MAX_STEP_MS, force.x);
     force.set(100, 0, 0);
     limiter.clamp(force, -MS);
-    assertEquals(0.5 * ForceLimiter.LONGEST_STEP_MS, force.x);
+    assertEquals(0.5 * ForceLimiter.MAX_STEP_MS, force.x);
   }
 
   @Test

@@ -92,8 +92,7 @@ class MaterialTest {
         for (double x = SEAM - 6.2; x < SEAM + 9; x += speed) {
           frame(solver, contact, x, TOP - 5, FRAME_NANOS);
           double change = force.sub(last, new Vec3()).length();
-          largest =
-              Math.max(largest, change / Math.max(speed, MaterialTransition.LEAST_MOTION_EDGES));
+          largest = Math.max(largest, change / Math.max(speed, ChangeBound.MIN_MOTION_EDGES));
           last.set(force);
         }
         assertEquals(0.9 * 5, force.z, 0.1, form + " speed=" + speed);
@@ -148,7 +147,7 @@ class MaterialTest {
     String message =
         assertThrows(IllegalArgumentException.class, () -> new Material(1, 0.2, 0.3, 0))
             .getMessage();
-    assertTrue(message.endsWith("slidingFriction=0.3 stickingFriction=0.2"), message);
+    assertTrue(message.endsWith("slidingFriction=0.3 staticFriction=0.2"), message);
   }
 
   @Test
@@ -156,14 +155,14 @@ class MaterialTest {
     ForceSettings settings =
         new ForceSettings(BONE, FrictionForm.CONE, true, List.of(SOFT, BONE)).retuned(2, -0.2);
     assertEquals(new Material(0.4, 0.3, 0.24, 0), rounded(settings.material(0)));
-    assertEquals(0, settings.material(1).stickingFriction());
+    assertEquals(0, settings.material(1).staticFriction());
     assertEquals(1.8, settings.stiffestNewtonPerMm());
   }
 
   private static Material rounded(Material material) {
     return new Material(
         material.stiffnessNewtonPerMm(),
-        Math.rint(material.stickingFriction() * 1e9) / 1e9,
+        Math.rint(material.staticFriction() * 1e9) / 1e9,
         Math.rint(material.slidingFriction() * 1e9) / 1e9,
         material.dampingNewtonSecondPerMm());
   }

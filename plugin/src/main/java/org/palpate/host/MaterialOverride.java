@@ -78,9 +78,8 @@ public record MaterialOverride(
 
   /** The material of a segment among others of a general one. */
   Material over(Material general, FrictionForm form) {
-    double atRest =
-        friction.orElse(Math.max(general.stickingFriction(), slidingFriction.orElse(0)));
-    double sliding = slidingFriction.orElse(form.slidingShare() * atRest);
+    double atRest = friction.orElse(Math.max(general.staticFriction(), slidingFriction.orElse(0)));
+    double sliding = slidingFriction.orElse(form.slidingFraction() * atRest);
     return new Material(
         stiffnessNewtonPerMm.orElse(general.stiffnessNewtonPerMm()),
         atRest,

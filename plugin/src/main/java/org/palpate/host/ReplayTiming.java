@@ -96,7 +96,7 @@ public final class ReplayTiming {
   private void pass() {
     for (Vec3 device : devices) {
       solver.follow(obstacles, device, point);
-      if (contactForce.settings().tellsObjectsApart()) {
+      if (contactForce.settings().distinguishesObjects()) {
         touched.find(obstacles, device, point);
       }
       contactForce.compute(point, device, TrajectoryDevice.FRAME_NANOS, forceNewton);

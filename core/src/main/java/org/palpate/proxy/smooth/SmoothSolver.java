@@ -206,7 +206,7 @@ public final class SmoothSolver implements ProxySolver {
     device = devicePosition;
     point = moved;
     p = moved.position;
-    moved.handsOver = true;
+    moved.limitsForceRate = true;
     guard.begin(solids, moved);
     evaluationsBefore = field.evaluation;
     enoughWindows = field.windows + ENOUGH_WINDOWS;
