@@ -11,74 +11,76 @@ import org.palpate.proxy.ProxySolver;
 import org.palpate.proxy.SkipCounters;
 import org.palpate.proxy.SkipKind;
 
-/** Counts of frames. The haptic thread alone writes; what is atomic here any thread may read. */
-public final class FrameCounters {
+/**
+ * Counts the frames of a session and what happened in them; {@link FrameStatistics} is a copy.
+ *
+ * <p>The haptic thread alone writes. Any thread may read the atomic fields while frames run.
+ */
+final class FrameCounters {
   private final AtomicLong frames = new AtomicLong();
   private final AtomicLong forceBits = new AtomicLong();
-  private final AtomicLong contactNow = new AtomicLong();
+  private final AtomicLong contact = new AtomicLong();
   private long contactFrames;
   private long freed;
   private long unreached;
   private double maxForceNewton;
 
-  /** Of the solvers at the end of each turn, the present one's left out. */
-  private final SkipCounters ofTurns = new SkipCounters();
+  /** Sums what each former solver had skipped when the next one replaced it. */
+  private final SkipCounters skippedByFormer = new SkipCounters();
 
-  /** Of the solvers at the beginning of each turn, the first one's left out. */
-  private final SkipCounters beforeTurns = new SkipCounters();
+  /** Sums what each later solver had already skipped when it came into use. */
+  private final SkipCounters skippedBeforeUse = new SkipCounters();
 
-  void count(InteractionPoint point, Vec3 forceNewton, boolean wasFreed) {
+  /** Counts a frame. Haptic thread. */
+  void countFrame(InteractionPoint point, Vec3 forceNewton, boolean wasFreed) {
     double newton = forceNewton.length();
     contactFrames += point.contact ? 1 : 0;
     freed += wasFreed ? 1 : 0;
     maxForceNewton = Math.max(maxForceNewton, newton);
-    contactNow.lazySet(point.contact ? 1 : 0);
+    contact.lazySet(point.contact ? 1 : 0);
     forceBits.lazySet(Double.doubleToRawLongBits(newton));
     frames.lazySet(frames.getPlain() + 1);
   }
 
+  /** Counts a force that did not reach the device. Haptic thread. */
   void countUnreached() {
     unreached++;
   }
 
-  /** The number of the frame that was counted last, from 0. */
+  /** Keeps the counts of a solver that is replaced. Haptic thread. */
+  void changeSolver(ProxySolver former, ProxySolver next) {
+    former.addSkips(skippedByFormer);
+    next.addSkips(skippedBeforeUse);
+  }
+
+  /** Returns the number of the last counted frame, from 0. Haptic thread. */
   long lastFrame() {
     return frames.getPlain() - 1;
   }
 
-  public long frames() {
+  /** Returns the number of frames so far. Any thread. */
+  long frames() {
     return frames.get();
   }
 
-  public boolean contactNow() {
-    return contactNow.get() != 0;
+  /** Whether the last frame ended in contact. Any thread. */
+  boolean contact() {
+    return contact.get() != 0;
   }
 
-  public double forceNowNewton() {
+  /** Returns the length of the last force, N. Any thread. */
+  double forceNewton() {
     return Double.longBitsToDouble(forceBits.get());
   }
 
-  /** Keeps what a solver skipped so far, and leaves out what the next one did before its turn. */
-  void changeSolver(ProxySolver last, ProxySolver next) {
-    last.addSkips(ofTurns);
-    next.addSkips(beforeTurns);
-  }
-
-  private Map<String, Long> skipped(
-      ProxySolver solver, CollisionScene obstacles, ContactForce force) {
-    SkipCounters all = new SkipCounters();
-    all.add(ofTurns);
-    solver.addSkips(all);
-    all.subtract(beforeTurns);
-    all.add(SkipKind.FAR_OBJECTS, obstacles.skippedCubes());
-    all.add(SkipKind.FRICTION, force.frictionSkipped());
-    return all.byKey();
-  }
-
-  FrameStatistics counts(
+  /**
+   * Returns a copy of all counts, with those that the parts of a frame keep for themselves.
+   * Allocates. Haptic thread, or any thread after the last frame.
+   */
+  FrameStatistics statistics(
       Watchdog watchdog,
       ProxySolver solver,
-      CollisionScene obstacles,
+      CollisionScene scene,
       ContactForce force,
       ForceLimiter limiter) {
     return new FrameStatistics(
@@ -86,7 +88,7 @@ public final class FrameCounters {
         contactFrames,
         freed,
         maxForceNewton,
-        skipped(solver, obstacles, force),
+        skipped(solver, scene, force),
         new FrameStatistics.Faults(
             watchdog.held(),
             watchdog.notFinite(),
@@ -95,5 +97,15 @@ public final class FrameCounters {
             watchdog.gaps() + watchdog.clockSetBacks(),
             limiter.notFinite(),
             unreached));
+  }
+
+  private Map<String, Long> skipped(ProxySolver solver, CollisionScene scene, ContactForce force) {
+    SkipCounters all = new SkipCounters();
+    all.add(skippedByFormer);
+    solver.addSkips(all);
+    all.subtract(skippedBeforeUse);
+    all.add(SkipKind.FAR_OBJECTS, scene.skippedCubes());
+    all.add(SkipKind.FRICTION, force.frictionSkipped());
+    return all.byKey();
   }
 }

@@ -1,9 +1,9 @@
 package org.palpate.frame;
 
-/** How a frame ended. */
+/** The outcome of a frame. */
 public enum FrameOutcome {
   /** The session goes on. */
   RUNNING,
-  /** The device is gone, or could not be written to for as long as a silence lasts. */
+  /** The device is gone, or has not accepted a force for the time of a silence. */
   DEVICE_GONE
 }

@@ -5,16 +5,16 @@ import org.palpate.force.ForceRamp;
 import org.palpate.force.ForceSettings;
 
 /**
- * What a frame is set up with.
+ * The settings of a frame.
  *
- * @param force what the surface feels like
+ * @param force materials and friction
  * @param maxForceNewton the longest force; infinity for no limit
- * @param slewNewtonPerMs the fastest change of force; infinity for no limit
- * @param rampNanos how long a force takes to come back after a silence or after the point was set
- *     free; 0 for at once
- * @param silenceNanos how long without a new sample the last force is held; {@link #NO_SILENCE}
- *     where time says nothing, as off line
- * @param editVoxelsAFrame how many voxels edits may look at in one frame, at least 1
+ * @param slewNewtonPerMs the fastest change of the force; infinity for no limit
+ * @param rampNanos time in which a force returns after a silence or after the point was set free; 0
+ *     for at once
+ * @param silenceNanos time without a new sample for which the last force is held; {@link
+ *     #NO_SILENCE} for a replay, in which time means nothing
+ * @param editVoxelsAFrame number of voxels that edits may visit in one frame, at least 1
  */
 public record FrameSettings(
     ForceSettings force,
@@ -24,16 +24,16 @@ public record FrameSettings(
     long silenceNanos,
     int editVoxelsAFrame) {
 
-  /** A device may be silent for ever. */
+  /** Lets a device be silent for ever. */
   public static final long NO_SILENCE = Long.MAX_VALUE;
 
-  /** A force may go from nothing to the device's maximum in this time. */
+  /** The least time in which a force may rise from zero to the device's maximum, ms. */
   public static final double FULL_FORCE_MS = 4;
 
-  /** Some ten microseconds of a frame. */
+  /** The usual number of voxels, which take some ten microseconds of a frame. */
   public static final int DEFAULT_EDIT_VOXELS_A_FRAME = 2048;
 
-  /** Checks the ranges that no part checks itself. */
+  /** Checks the ranges that the parts of a frame do not check. */
   public FrameSettings {
     if (silenceNanos <= 0 || editVoxelsAFrame < 1) {
       throw new IllegalArgumentException(
@@ -44,7 +44,7 @@ public record FrameSettings(
     }
   }
 
-  /** A live session with a device: its maximum, the slew that goes with it, its silence. */
+  /** Returns the settings of a live session: the device's maximum force, slew rate and silence. */
   public static FrameSettings live(DeviceSpecification device, ForceSettings force) {
     double max = device.maxForceNewton();
     return new FrameSettings(
@@ -56,7 +56,7 @@ public record FrameSettings(
         DEFAULT_EDIT_VOXELS_A_FRAME);
   }
 
-  /** The same with a lower maximum force where {@code newton} is lower. */
+  /** Returns these settings with {@code newton} as maximum force, if it is lower. */
   public FrameSettings withMaxForce(double newton) {
     return new FrameSettings(
         force,

@@ -3,14 +3,14 @@ package org.palpate.frame;
 import java.util.Map;
 
 /**
- * What happened in the frames of a session so far.
+ * The statistics of the frames of a session so far.
  *
- * @param frames all of them
- * @param contactFrames those that ended in contact
- * @param freed times that the point was set free, at the start or from a solid that came to it
- * @param maxForceNewton the longest force that was written
- * @param skipped how often what was left out, by kind, see {@link org.palpate.proxy.SkipKind}
- * @param faults what went wrong and was met
+ * @param frames all frames
+ * @param contactFrames frames that ended in contact
+ * @param freed frames that set the point free, at the start or because a solid came to it
+ * @param maxForceNewton length of the longest force that was written
+ * @param skipped how often work was skipped, by {@link org.palpate.proxy.SkipKind#key}
+ * @param faults faults of device and clocks
  */
 public record FrameStatistics(
     long frames,
@@ -21,15 +21,16 @@ public record FrameStatistics(
     Faults faults) {
 
   /**
-   * What went wrong and was met.
+   * Faults that the frames met and handled.
    *
    * @param held frames without a new sample
    * @param notFinite samples that were NaN or infinite
    * @param badTimes samples whose time went back or stood still
-   * @param silences times that the device said nothing for too long
-   * @param clockJumps gaps between frames longer than a silence, and times that the clock went back
+   * @param silences silences of the device
+   * @param clockJumps gaps between frames that were longer than a silence, and backward steps of
+   *     the clock
    * @param forceNotFinite forces that were not finite and became zero
-   * @param unreached writes that did not reach the device
+   * @param unreached forces that did not reach the device
    */
   public record Faults(
       long held,

@@ -17,37 +17,38 @@ import org.palpate.proxy.ProxySolver;
 import org.palpate.proxy.TouchedObjectFinder;
 
 /**
- * One haptic frame, a plain method without a thread or a clock of its own: read the device, let
- * edits happen, follow with the interaction point, compute and limit the force, write it, publish.
+ * Runs one haptic frame, from the device's sample to the force on the hand.
  *
  * <pre>
  *   HapticFrame frame =
- *       new HapticFrame(deviceInGrid, solver, obstacles, metric,
+ *       new HapticFrame(deviceInGrid, solver, scene, metric,
  *           FrameSettings.live(device.specification(), ForceSettings.of(0.5, 0.2)),
  *           new EditQueue(grid, 1), touchProperties::publish);
  *   while (frame.run(System.nanoTime()) == FrameOutcome.RUNNING) { ... }
  *   frame.release();
  * </pre>
  *
- * <p>The device delivers grid coordinates and takes newtons along the grid's axes: {@code host}
- * wraps the real one. Belongs to the haptic thread; {@link #requestForce} and {@link
- * #requestSolver} are for any thread. Allocates nothing.
+ * <p>A frame is a plain method without a thread or a clock of its own. The device delivers grid
+ * coordinates and takes newtons along the grid's axes; {@code host} wraps a real one accordingly.
+ *
+ * <p>Belongs to the haptic thread, except for the methods that state any thread. A frame allocates
+ * nothing and takes no lock.
  */
 public final class HapticFrame {
   private static final Vec3 NO_FORCE = new Vec3();
 
   private final HapticDevice device;
-  private final CollisionScene obstacles;
+  private final CollisionScene scene;
   private final FrameSettings settings;
   private final EditQueue edits;
   private final FramePublisher publisher;
-  private final NearestFreeVoxel freePlace;
+  private final NearestFreeVoxel nearestFreeVoxel;
+  private final TouchedObjectFinder touchedObject = new TouchedObjectFinder();
   private final ContactForce contactForce;
   private final ForceLimiter limiter;
   private final ForceRamp ramp;
   private final Watchdog watchdog;
-  private final FrameCounters tally = new FrameCounters();
-  private final TouchedObjectFinder touched = new TouchedObjectFinder();
+  private final FrameCounters counters = new FrameCounters();
 
   private final DeviceState sample = new DeviceState();
   private final Vec3 deviceGrid = new Vec3();
@@ -57,8 +58,10 @@ public final class HapticFrame {
   private boolean placed;
   private boolean freed;
   private boolean followed;
+
   private boolean begun;
   private long lastNanos;
+  private long elapsedNanos;
   private long sinceForceNanos;
   private long unreachableNanos;
 
@@ -66,27 +69,30 @@ public final class HapticFrame {
   private volatile ProxySolver requestedSolver;
 
   /**
-   * A frame that has not run yet.
+   * Makes a frame that has not run yet.
    *
    * @param device read and written once a frame, never closed
-   * @param metric the spacing of the obstacles' grid
-   * @param edits changes of the obstacles, carried out before the point moves
+   * @param solver moves the interaction point; belongs to the frame from now on
+   * @param scene the solids
+   * @param metric the spacing of the scene's grid
+   * @param edits changes of the scene, applied before the point moves
+   * @param publisher receives each frame's result
    */
   public HapticFrame(
       HapticDevice device,
       ProxySolver solver,
-      CollisionScene obstacles,
+      CollisionScene scene,
       GridMetric metric,
       FrameSettings settings,
       EditQueue edits,
       FramePublisher publisher) {
     this.device = device;
     this.solver = solver;
-    this.obstacles = obstacles;
+    this.scene = scene;
     this.settings = settings;
     this.edits = edits;
     this.publisher = publisher;
-    freePlace = new NearestFreeVoxel(metric);
+    nearestFreeVoxel = new NearestFreeVoxel(metric);
     contactForce = new ContactForce(metric, settings.force());
     limiter = new ForceLimiter(settings.maxForceNewton(), settings.slewNewtonPerMs());
     ramp = new ForceRamp(settings.rampNanos());
@@ -96,106 +102,139 @@ public final class HapticFrame {
   }
 
   /**
-   * Runs one frame.
+   * Runs one frame: reads the device, applies requests and edits, follows the device with the
+   * interaction point, computes and limits the force, writes it and publishes the result.
    *
-   * @param nowNanos when it begins, on the caller's clock; it may jump
+   * <p>The watchdog decides whether the point follows, or the last force is held or dropped. There
+   * is no step of its own for the collision candidates: the {@link CollisionScene} updates them
+   * within {@link #follow}, when a query leaves the region that its last search covered. A search
+   * at the beginning of each frame would cost more, because most frames need none.
+   *
+   * @param nowNanos the beginning of the frame on the caller's clock, which may jump
+   * @return whether the session goes on
    */
   public FrameOutcome run(long nowNanos) {
-    long elapsedNanos = begun ? nowNanos - lastNanos : 0;
-    begun = true;
-    lastNanos = nowNanos;
+    advanceClock(nowNanos);
     ReadStatus status = device.read(sample);
     if (status == ReadStatus.DISCONNECTED) {
       release();
       return FrameOutcome.DEVICE_GONE;
     }
+    beginFrame();
+    applyRequests();
+    applyEdits();
+    applyVerdict(watchdog.judge(status, sample, nowNanos));
+    if (followed) {
+      follow();
+      computeForce();
+      limitForce();
+    }
+    writeForce();
+    publish();
+    return outcome();
+  }
+
+  private void advanceClock(long nowNanos) {
+    elapsedNanos = begun ? nowNanos - lastNanos : 0;
+    begun = true;
+    lastNanos = nowNanos;
+  }
+
+  private void beginFrame() {
     ramp.advance(elapsedNanos);
     sinceForceNanos += Math.max(0, elapsedNanos);
     freed = false;
-    takeRequests();
-    editSolids();
-    respond(watchdog.judge(status, sample, nowNanos), elapsedNanos);
-    boolean reached = device.write(forceNewton);
-    tally.count(point, forceNewton, freed);
-    publisher.publish(deviceGrid, point.position, forceNewton, point.contact, tally.lastFrame());
-    return reached(reached, elapsedNanos);
   }
 
-  private void takeRequests() {
+  private void applyRequests() {
     contactForce.change(requestedForce);
-    ProxySolver wanted = requestedSolver;
-    if (wanted != solver) {
-      tally.changeSolver(solver, wanted);
-      solver = wanted;
-      solver.reset();
-      point.surfaceHeightMm = 0;
-      point.limitsForceRate = false;
-      if (placed && isBuried()) {
-        setFree(point.position); // a baseline may have left it in a solid, where no other starts
-      }
+    ProxySolver requested = requestedSolver;
+    if (requested != solver) {
+      changeSolver(requested);
     }
   }
 
-  private void editSolids() {
-    if (edits.applyTo(obstacles, settings.editVoxelsAFrame()) && placed) {
+  private void changeSolver(ProxySolver next) {
+    counters.changeSolver(solver, next);
+    solver = next;
+    solver.reset();
+    point.surfaceHeightMm = 0;
+    point.limitsForceRate = false;
+    freePointFromSolid(); // A baseline may have left it in a solid, where no other solver starts.
+  }
+
+  private void applyEdits() {
+    boolean changed = edits.applyTo(scene, settings.editVoxelsAFrame());
+    if (changed && placed) {
       solver.reset();
-      if (isBuried()) {
-        setFree(point.position);
-      }
+      freePointFromSolid();
     }
   }
 
-  private void respond(Watchdog.Verdict verdict, long elapsedNanos) {
+  private void freePointFromSolid() {
+    if (placed && touchesSolid()) {
+      setFree(point.position);
+    }
+  }
+
+  /**
+   * Decides between following a new sample, holding the last force and dropping it. After a silence
+   * the force starts from zero.
+   */
+  private void applyVerdict(Watchdog.Verdict verdict) {
     followed = verdict == Watchdog.Verdict.FRESH || verdict == Watchdog.Verdict.RESUMED;
-    if (verdict == Watchdog.Verdict.RESUMED) {
+    if (!followed) {
+      point.legs.clear();
+    }
+    if (verdict == Watchdog.Verdict.SILENT) {
+      dropForce();
+    } else if (verdict == Watchdog.Verdict.RESUMED) {
       ramp.start();
       limiter.reset();
     }
-    if (followed) {
-      touch(elapsedNanos);
-    } else {
-      point.legs.clear();
-      if (verdict == Watchdog.Verdict.SILENT) {
-        dropForce();
-      }
-    }
   }
 
-  private void touch(long elapsedNanos) {
+  private void follow() {
     deviceGrid.set(sample.positionMm);
     if (!placed) {
-      place();
+      placePoint();
     }
-    solver.follow(obstacles, deviceGrid, point);
+    solver.follow(scene, deviceGrid, point);
     if (contactForce.settings().distinguishesObjects()) {
-      touched.find(obstacles, deviceGrid, point);
+      touchedObject.find(scene, deviceGrid, point);
     }
-    contactForce.compute(point, deviceGrid, sinceForceNanos, forceNewton);
-    sinceForceNanos = 0;
-    forceNewton.mul(ramp.factor(), forceNewton);
-    limiter.clamp(forceNewton, elapsedNanos);
   }
 
-  /** Starts the point at the device, or as near as a solid allows. */
-  private void place() {
+  /** Starts the point at the device, or as near to it as the solids permit. */
+  private void placePoint() {
     placed = true;
     point.position.set(deviceGrid);
     solver.reset();
-    if (isBuried()) {
+    if (touchesSolid()) {
       setFree(deviceGrid);
     }
   }
 
-  private boolean isBuried() {
-    return obstacles.touches(point.position.x, point.position.y, point.position.z);
+  private boolean touchesSolid() {
+    return scene.touches(point.position.x, point.position.y, point.position.z);
   }
 
   private void setFree(Vec3 from) {
-    freePlace.find(obstacles, from, point.position);
+    nearestFreeVoxel.find(scene, from, point.position);
     solver.reset();
     freed = true;
     ramp.start();
     dropForce();
+  }
+
+  private void computeForce() {
+    contactForce.compute(point, deviceGrid, sinceForceNanos, forceNewton);
+    sinceForceNanos = 0;
+    forceNewton.mul(ramp.factor(), forceNewton);
+  }
+
+  private void limitForce() {
+    limiter.clamp(forceNewton, elapsedNanos);
   }
 
   private void dropForce() {
@@ -203,49 +242,60 @@ public final class HapticFrame {
     limiter.reset();
   }
 
-  private FrameOutcome reached(boolean reached, long elapsedNanos) {
+  private void writeForce() {
+    boolean reached = device.write(forceNewton);
     if (reached) {
       unreachableNanos = 0;
-      return FrameOutcome.RUNNING;
+    } else {
+      unreachableNanos += Math.max(0, elapsedNanos);
+      counters.countUnreached();
     }
-    tally.countUnreached();
-    unreachableNanos += Math.max(0, elapsedNanos);
+  }
+
+  private void publish() {
+    counters.countFrame(point, forceNewton, freed);
+    publisher.publish(deviceGrid, point.position, forceNewton, point.contact, counters.lastFrame());
+  }
+
+  private FrameOutcome outcome() {
     return unreachableNanos > settings.silenceNanos()
         ? FrameOutcome.DEVICE_GONE
         : FrameOutcome.RUNNING;
   }
 
   /**
-   * Sends zero force at once, past the slew limit. Haptic thread, after the last frame.
+   * Sends zero force at once, without the slew limit. Haptic thread, after the last frame.
    *
-   * @return false where the device could not be reached
+   * @return false if the device could not be reached
    */
   public boolean release() {
     dropForce();
     return device.write(NO_FORCE);
   }
 
-  /** Changes what the surface feels like from the next frame on. Any thread. */
-  public void requestForce(ForceSettings wanted) {
-    requestedForce = wanted;
+  /** Changes materials and friction from the next frame on. Any thread. */
+  public void requestForce(ForceSettings requested) {
+    requestedForce = requested;
   }
 
-  /** Changes the solver from the next frame on; it is given away. Any thread. */
-  public void requestSolver(ProxySolver wanted) {
-    requestedSolver = wanted;
+  /**
+   * Changes the solver from the next frame on. The solver then belongs to the frame. Any thread.
+   */
+  public void requestSolver(ProxySolver requested) {
+    requestedSolver = requested;
   }
 
-  /** The interaction point with the legs of the last frame. The frame's own. */
+  /** Returns the interaction point with the legs of the last frame. It belongs to the frame. */
   public InteractionPoint point() {
     return point;
   }
 
-  /** What the device gave last, unchecked. The frame's own. */
+  /** Returns the device's last sample, unchecked. It belongs to the frame. */
   public DeviceState sample() {
     return sample;
   }
 
-  /** The force that was written last, N. The frame's own. */
+  /** Returns the last written force, N. It belongs to the frame. */
   public Vec3 forceNewton() {
     return forceNewton;
   }
@@ -260,18 +310,30 @@ public final class HapticFrame {
     return followed;
   }
 
-  /** The device that it reads and writes. */
+  /** Returns the device that the frame reads and writes. Any thread. */
   public HapticDevice device() {
     return device;
   }
 
-  /** The counts so far; allocates. Haptic thread, or anyone after the last frame. */
-  public FrameStatistics counts() {
-    return tally.counts(watchdog, solver, obstacles, contactForce, limiter);
+  /** Returns the number of frames so far. Any thread. */
+  public long frameCount() {
+    return counters.frames();
   }
 
-  /** What any thread may look at while frames run. */
-  public FrameCounters tally() {
-    return tally;
+  /** Whether the last frame ended in contact. Any thread. */
+  public boolean inContact() {
+    return counters.contact();
+  }
+
+  /** Returns the length of the last force, N. Any thread. */
+  public double forceLengthNewton() {
+    return counters.forceNewton();
+  }
+
+  /**
+   * Returns the statistics so far. Allocates. Haptic thread, or any thread after the last frame.
+   */
+  public FrameStatistics statistics() {
+    return counters.statistics(watchdog, solver, scene, contactForce, limiter);
   }
 }

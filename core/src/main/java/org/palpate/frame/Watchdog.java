@@ -6,33 +6,43 @@ import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Vec3;
 
 /**
- * Judges what a device gave, frame by frame: whether it is a new sample, and if not, whether the
- * last force may still be held.
+ * Judges the sample of each frame: whether it is new, and if not, whether the last force may still
+ * be held.
  *
- * <p>Not a new sample is: a repeated one, a position that is not finite, a time before the last
- * sample's, the same time and position again from a device whose clock has been seen to run. After
- * a silence any time is taken, so that a device whose clock was set back is not shut out for ever.
+ * <p>These are no new samples: a repeated one; a position that is not finite; a time before that of
+ * the last sample; the last time and position again, from a device whose clock is known to run.
+ * After a silence any time counts as new, so that a device whose clock was set back works again.
  *
- * <p>A gap between frames longer than the silence (a suspended machine, a hung read) is a silence
- * too. A frame clock that goes back starts the silence anew. Haptic thread; allocates nothing.
+ * <p>A gap between frames that is longer than the silence counts as a silence, for example a
+ * suspended machine or a read that hangs. A frame clock that goes back restarts the silence.
+ *
+ * <p>Haptic thread; allocates nothing.
  */
 public final class Watchdog {
-  /** The least time without a sample that is a silence. */
-  public static final long LEAST_SILENCE_NANOS = 20_000_000;
+  /** The shortest silence. */
+  public static final long MIN_SILENCE_NANOS = 20_000_000;
 
-  /** How many report intervals of a slow device are a silence. */
+  /** The silence of a slow device, in report intervals. */
   public static final int SILENT_REPORTS = 3;
 
-  /** What a frame is to do. */
+  /** The decision about a frame. */
   public enum Verdict {
-    /** A new sample: follow it. */
+    /** A new sample: the point follows it. */
     FRESH,
-    /** A new sample after a silence: follow it, with the force ramped from zero. */
+    /** A new sample after a silence: the point follows it, and the force rises from zero. */
     RESUMED,
-    /** No new sample: hold the force. */
+    /** No new sample: the force is held. */
     HELD,
-    /** No new sample for too long: no force. */
+    /** No new sample for the time of a silence: the force is dropped. */
     SILENT
+  }
+
+  private enum SampleKind {
+    NEW,
+    REPEATED,
+    NOT_FINITE,
+    BACKWARD_TIME,
+    STOPPED_TIME
   }
 
   private final long silenceNanos;
@@ -53,37 +63,38 @@ public final class Watchdog {
   private long gaps;
   private long clockSetBacks;
 
-  /** Calls {@code silenceNanos} without a new sample a silence. */
+  /**
+   * Makes a watchdog before its first frame.
+   *
+   * @param silenceNanos the time without a new sample that counts as a silence
+   */
   public Watchdog(long silenceNanos) {
     this.silenceNanos = silenceNanos;
   }
 
-  /** 20 ms, or three report intervals where that is longer. */
+  /** Returns 20 ms, or three report intervals if that is longer. */
   public static long silenceNanosFor(DeviceSpecification device) {
-    return Math.max(LEAST_SILENCE_NANOS, SILENT_REPORTS * device.reportIntervalNanos());
+    return Math.max(MIN_SILENCE_NANOS, SILENT_REPORTS * device.reportIntervalNanos());
   }
 
   /**
-   * Judges one frame.
+   * Judges one frame and counts its fault.
    *
-   * @param status what the read said, not {@link ReadStatus#DISCONNECTED}
-   * @param sample what it gave
-   * @param nowNanos when the frame began
+   * @param status result of the read, not {@link ReadStatus#DISCONNECTED}
+   * @param sample the device's last sample
+   * @param nowNanos the beginning of the frame
    */
   public Verdict judge(ReadStatus status, DeviceState sample, long nowNanos) {
-    watchClock(nowNanos);
-    if (status == ReadStatus.FRESH && isNew(sample)) {
+    updateFrameClock(nowNanos);
+    SampleKind kind = status == ReadStatus.FRESH ? kindOf(sample) : SampleKind.REPEATED;
+    if (kind == SampleKind.NEW) {
       return accept(sample, nowNanos);
     }
-    held++;
-    if (!silent && sampled && nowNanos - lastFreshNanos > silenceNanos) {
-      silent = true;
-      silences++;
-    }
-    return silent ? Verdict.SILENT : Verdict.HELD;
+    count(kind);
+    return holdUntilSilence(nowNanos);
   }
 
-  private void watchClock(long nowNanos) {
+  private void updateFrameClock(long nowNanos) {
     long sinceLast = begun ? nowNanos - lastFrameNanos : 0;
     begun = true;
     lastFrameNanos = nowNanos;
@@ -96,24 +107,21 @@ public final class Watchdog {
     }
   }
 
-  private boolean isNew(DeviceState sample) {
+  private SampleKind kindOf(DeviceState sample) {
     if (!sample.positionMm.isFinite()) {
-      notFinite++;
-      return false;
+      return SampleKind.NOT_FINITE;
     }
     if (!sampled || silent) {
-      return true;
+      return SampleKind.NEW;
     }
     if (sample.timeNanos < lastSampleNanos) {
-      backwardTimes++;
-      return false;
+      return SampleKind.BACKWARD_TIME;
     }
-    boolean again =
+    boolean clockStopped =
         deviceClockRuns
             && sample.timeNanos == lastSampleNanos
             && sample.positionMm.sameBits(lastPosition);
-    stoppedTimes += again ? 1 : 0;
-    return !again;
+    return clockStopped ? SampleKind.STOPPED_TIME : SampleKind.NEW;
   }
 
   private Verdict accept(DeviceState sample, long nowNanos) {
@@ -127,37 +135,52 @@ public final class Watchdog {
     return resumed ? Verdict.RESUMED : Verdict.FRESH;
   }
 
-  /** Frames without a new sample. */
+  private void count(SampleKind kind) {
+    held++;
+    notFinite += kind == SampleKind.NOT_FINITE ? 1 : 0;
+    backwardTimes += kind == SampleKind.BACKWARD_TIME ? 1 : 0;
+    stoppedTimes += kind == SampleKind.STOPPED_TIME ? 1 : 0;
+  }
+
+  private Verdict holdUntilSilence(long nowNanos) {
+    if (!silent && sampled && nowNanos - lastFreshNanos > silenceNanos) {
+      silent = true;
+      silences++;
+    }
+    return silent ? Verdict.SILENT : Verdict.HELD;
+  }
+
+  /** Returns the number of frames without a new sample. */
   public long held() {
     return held;
   }
 
-  /** Samples whose position was NaN or infinite. */
+  /** Returns the number of samples whose position was NaN or infinite. */
   public long notFinite() {
     return notFinite;
   }
 
-  /** Samples with a time before the last one's. */
+  /** Returns the number of samples with a time before that of the last sample. */
   public long backwardTimes() {
     return backwardTimes;
   }
 
-  /** Samples that a device with a clock gave again. */
+  /** Returns the number of samples that a device with a clock delivered again. */
   public long stoppedTimes() {
     return stoppedTimes;
   }
 
-  /** Times that the device fell silent. */
+  /** Returns the number of silences of the device. */
   public long silences() {
     return silences;
   }
 
-  /** Gaps between frames that were longer than a silence. */
+  /** Returns the number of gaps between frames that were longer than a silence. */
   public long gaps() {
     return gaps;
   }
 
-  /** Times that the frame's own clock went back. */
+  /** Returns the number of times that the frame's own clock went back. */
   public long clockSetBacks() {
     return clockSetBacks;
   }

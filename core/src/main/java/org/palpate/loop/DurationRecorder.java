@@ -1,34 +1,31 @@
 package org.palpate.loop;
 
-import org.HdrHistogram.AbstractHistogram;
 import org.HdrHistogram.Histogram;
 import org.HdrHistogram.SingleWriterRecorder;
 
 /**
- * A histogram of times that the haptic thread writes and any other may look at. Recording neither
- * waits nor allocates; times beyond {@link #LONGEST_NANOS} count as that.
+ * Records durations in a histogram. Durations beyond {@link #MAX_NANOS} count as that.
+ *
+ * <p>The haptic thread writes; recording neither waits nor allocates. Any other thread may read.
  */
 final class DurationRecorder {
-  static final long LONGEST_NANOS = 100_000_000_000L;
-  private static final int DIGITS = 3;
+  static final long MAX_NANOS = 100_000_000_000L;
+  private static final int SIGNIFICANT_DIGITS = 3;
 
-  private final SingleWriterRecorder recorder = new SingleWriterRecorder(LONGEST_NANOS, DIGITS);
-  private final Histogram total = new Histogram(LONGEST_NANOS, DIGITS);
+  private final SingleWriterRecorder recorder =
+      new SingleWriterRecorder(MAX_NANOS, SIGNIFICANT_DIGITS);
+  private final Histogram total = new Histogram(MAX_NANOS, SIGNIFICANT_DIGITS);
   private Histogram interval;
 
-  /** Haptic thread. */
+  /** Records a duration. Haptic thread. */
   void record(long nanos) {
-    recorder.recordValue(Math.min(Math.max(0, nanos), LONGEST_NANOS));
+    recorder.recordValue(Math.min(Math.max(0, nanos), MAX_NANOS));
   }
 
-  /** Everything recorded so far. Any thread but the haptic one. */
+  /** Returns the quantiles of all durations so far. Any thread but the haptic one. */
   synchronized Quantiles quantiles() {
-    return Quantiles.of(total());
-  }
-
-  private AbstractHistogram total() {
     interval = recorder.getIntervalHistogram(interval);
     total.add(interval);
-    return total;
+    return Quantiles.of(total);
   }
 }

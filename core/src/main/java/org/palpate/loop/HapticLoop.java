@@ -12,87 +12,87 @@ import org.palpate.frame.HapticFrame;
  * <pre>
  *   HapticLoop loop = new HapticLoop(frame, LoopSettings.ofRate(1000), end -> report(end));
  *   loop.start();
- *   loop.awaitEnd(10, TimeUnit.SECONDS);      // or go on with something else
+ *   loop.awaitEnd(10, TimeUnit.SECONDS);      // or do something else meanwhile
  *   LoopEnd end = loop.stop();
  *   LoopReport report = loop.report();
  * </pre>
  *
- * <p>However it ends, zero force is the last that the device is sent where it can still be reached,
- * past the slew limit, and the listener hears of the end once, in the thread that brought it about.
- * A throwable of any kind ends it. A frame that does not come back is found by {@link #supervise}:
- * the device is then closed under it, which by contract sends zero force, and the session has ended
- * even if the thread never returns. Otherwise the device is left open: who opened it closes it.
+ * <p>However the loop ends, it last sends zero force, without the slew limit, if it can still reach
+ * the device. It then calls the listener once, in the thread that caused the end. A throwable of
+ * any kind ends the loop.
  *
- * <p>Methods are for any thread but the haptic one, which runs {@link #run} alone.
+ * <p>{@link #supervise} finds a frame that does not return. It closes the device, which by contract
+ * sends zero force. The session has then ended even if the haptic thread never returns. Otherwise
+ * the device stays open, and whoever opened it closes it.
+ *
+ * <p>The haptic thread runs {@link #run}. All other methods are for any other thread.
  */
 public final class HapticLoop implements AutoCloseable {
-  /** The haptic thread's name. */
+  /** The name of the haptic thread. */
   public static final String THREAD_NAME = "palpate-haptic";
 
-  private static final int MOST_WARM_UP_WAITS = 10;
+  private static final int MAX_WARM_UP_WAITS = 10;
 
   private final HapticFrame frame;
   private final LoopSettings settings;
-  private final PacedLoop cycle;
+  private final PacedLoop pacedLoop;
   private final Consumer<LoopEnd> listener;
   private final AtomicReference<LoopEnd> end = new AtomicReference<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private final Thread thread = new Thread(this::run, THREAD_NAME);
   private volatile ThreadSetup.Granted granted = ThreadSetup.Granted.NOTHING;
 
-  // Of the thread that supervises.
+  // The supervising thread alone uses these.
   private boolean supervised;
   private long supervisedNanos;
   private long watchedSinceNanos;
 
   /**
-   * A loop that has not started.
+   * Makes a loop that has not started.
    *
-   * @param listener hears of the end, once
+   * @param listener receives the end, once
    */
   public HapticLoop(HapticFrame frame, LoopSettings settings, Consumer<LoopEnd> listener) {
     this.frame = frame;
     this.settings = settings;
     this.listener = listener;
-    cycle = new PacedLoop(frame, settings);
+    pacedLoop = new PacedLoop(frame, settings);
     thread.setDaemon(true);
   }
 
-  /** Starts the haptic thread. Once. */
+  /** Starts the haptic thread. Call it once. */
   public void start() {
     thread.start();
   }
 
-  /**
-   * Runs the whole session in the thread that calls, instead of {@link #start}; returns at the end.
-   */
+  /** Runs the whole session in the calling thread, instead of {@link #start}. */
   public void run() {
     LoopEnd.Cause cause = LoopEnd.Cause.FAILED;
     Throwable failure = null;
     try {
       granted = settings.threadSetup().setUp();
       settings.warmUp().run();
-      cause = cycle.run();
+      cause = pacedLoop.run();
     } catch (Throwable thrown) {
       failure = thrown;
     }
     finish(cause, release(failure));
   }
 
-  /** Sends zero force; a failure to do so joins the first. */
+  /** Sends zero force and returns the failure so far, with that of sending added to it. */
   private Throwable release(Throwable failure) {
     if (end.get() != null) {
-      return failure; // Ended by force: the device is closed already.
+      return failure; // The loop ended by force, and the device is closed already.
     }
     try {
       frame.release();
     } catch (Throwable thrown) {
-      return joined(failure, thrown);
+      return join(failure, thrown);
     }
     return failure;
   }
 
-  private static Throwable joined(Throwable first, Throwable second) {
+  private static Throwable join(Throwable first, Throwable second) {
     if (first == null) {
       return second;
     }
@@ -103,9 +103,9 @@ public final class HapticLoop implements AutoCloseable {
   }
 
   private void finish(LoopEnd.Cause cause, Throwable failure) {
-    LoopEnd.Cause found = failure != null ? LoopEnd.Cause.FAILED : cause;
-    LoopEnd mine = new LoopEnd(found, failure);
-    if (end.compareAndSet(null, mine)) {
+    LoopEnd mine = new LoopEnd(failure != null ? LoopEnd.Cause.FAILED : cause, failure);
+    boolean first = end.compareAndSet(null, mine);
+    if (first) {
       try {
         listener.accept(mine);
       } finally {
@@ -115,12 +115,13 @@ public final class HapticLoop implements AutoCloseable {
   }
 
   /**
-   * Ends the session by force where no frame has begun for longer than {@code hangNanos}. To be
-   * called now and then, say at 30 Hz, by any one thread that is not the haptic one. Where that
-   * thread too stood still, as in a process that was stopped, the loop is given its time again.
+   * Ends the session by force if no frame has started for longer than {@code hangNanos}.
+   *
+   * <p>One thread other than the haptic one calls it regularly, for example at 30 Hz. If that
+   * thread stood still too, as in a process that was stopped, the loop gets its time again.
    *
    * @param nowNanos on the loop's clock
-   * @return whether the session has ended, now or before
+   * @return whether the session has ended
    */
   public boolean supervise(long nowNanos) {
     boolean stoodStill = nowNanos - supervisedNanos > settings.hangNanos() / 2;
@@ -129,15 +130,15 @@ public final class HapticLoop implements AutoCloseable {
       watchedSinceNanos = nowNanos;
     }
     supervisedNanos = nowNanos;
-    long quietNanos = Math.min(nowNanos - watchedSinceNanos, nowNanos - cycle.lastBeganNanos());
-    if (end.get() == null && cycle.hasBegun() && quietNanos > settings.hangNanos()) {
+    long quietNanos = Math.min(nowNanos - watchedSinceNanos, nowNanos - pacedLoop.lastStartNanos());
+    if (end.get() == null && pacedLoop.hasStarted() && quietNanos > settings.hangNanos()) {
       endByForce();
     }
     return end.get() != null;
   }
 
   private void endByForce() {
-    cycle.askToStop();
+    pacedLoop.requestStop();
     try {
       frame.device().close();
     } finally {
@@ -147,19 +148,21 @@ public final class HapticLoop implements AutoCloseable {
   }
 
   /**
-   * Asks the loop to end after its frame, waits for that, and ends it by force where it does not
-   * come within {@code hangNanos}; a warm-up is given ten times that. Calling it again is harmless.
+   * Stops the loop after its present frame and waits for the end. A second call does no harm.
+   *
+   * <p>If the end does not come within {@code hangNanos}, the loop ends by force. A warm-up may
+   * take ten times as long.
    *
    * @return how the loop ended, now or before
    */
   public LoopEnd stop() {
-    cycle.askToStop();
+    pacedLoop.requestStop();
     if (thread.getState() == Thread.State.NEW) {
       finish(LoopEnd.Cause.STOPPED, null);
     }
     long patienceNanos = settings.hangNanos() + settings.periodNanos();
     for (int waits = 1; !awaitEnd(patienceNanos, TimeUnit.NANOSECONDS); waits++) {
-      if (cycle.hasBegun() || waits == MOST_WARM_UP_WAITS) {
+      if (pacedLoop.hasStarted() || waits == MAX_WARM_UP_WAITS) {
         endByForce();
       }
     }
@@ -169,7 +172,7 @@ public final class HapticLoop implements AutoCloseable {
   /**
    * Waits for the end.
    *
-   * @return whether it has come
+   * @return whether the loop has ended
    */
   public boolean awaitEnd(long timeout, TimeUnit unit) {
     long until = System.nanoTime() + unit.toNanos(timeout);
@@ -189,22 +192,22 @@ public final class HapticLoop implements AutoCloseable {
     }
   }
 
-  /** How the loop ended, or null while it runs. */
+  /** Returns how the loop ended, or null while it runs. */
   public LoopEnd end() {
     return end.get();
   }
 
-  /** A glance at the loop. */
+  /** Returns the present status. */
   public LoopStatus status() {
-    return cycle.status();
+    return pacedLoop.status();
   }
 
-  /** What was measured; whole once the loop has ended, else good to a frame or so. */
+  /** Returns the measurements: complete after the end, before that accurate to about a frame. */
   public LoopReport report() {
-    return cycle.report(granted);
+    return pacedLoop.report(granted);
   }
 
-  /** Stops. */
+  /** Stops the loop. */
   @Override
   public void close() {
     stop();

@@ -1,21 +1,21 @@
 package org.palpate.loop;
 
 /**
- * How a session's loop ended.
+ * The end of a session's loop.
  *
- * @param cause why
- * @param failure what was thrown, where {@code cause} is {@link Cause#FAILED}; else null
+ * @param cause why the loop ended
+ * @param failure the throwable of {@link Cause#FAILED}; else null
  */
 public record LoopEnd(Cause cause, Throwable failure) {
-  /** Why a loop ended. */
+  /** The cause of an end. */
   public enum Cause {
-    /** It was asked to. */
+    /** The caller stopped the loop. */
     STOPPED,
     /** The device went away, or its recording ended. */
     DEVICE_GONE,
-    /** A frame, or what went before the first, threw. */
+    /** A frame, the thread's set-up or the warm-up threw. */
     FAILED,
-    /** A frame did not come back; the device was closed under it. */
+    /** A frame did not return, and the loop closed the device. */
     HUNG
   }
 }

@@ -3,16 +3,16 @@ package org.palpate.loop;
 import org.palpate.frame.FrameStatistics;
 
 /**
- * What a session measured of its loop.
+ * The measurements of a session's loop.
  *
- * @param seconds from the first frame's beginning to the last one's
+ * @param seconds time from the beginning of the first frame to that of the last
  * @param rateHz frames a second over that time; 0 for fewer than two frames
- * @param frames all frames that were begun and came back
- * @param lateFrames those that began more than half a period after their deadline
- * @param periodMicros from one frame's beginning to the next one's
- * @param workMicros from a frame's beginning to its end
- * @param granted what the system granted the thread
- * @param counts what happened in the frames
+ * @param frames number of frames that returned
+ * @param lateFrames frames that began more than half a period after their deadline
+ * @param periodMicros time from the beginning of a frame to that of the next
+ * @param workMicros time from the beginning of a frame to its end
+ * @param granted the requests that the system granted the thread
+ * @param statistics statistics of the frames
  */
 public record LoopReport(
     double seconds,
@@ -22,4 +22,4 @@ public record LoopReport(
     Quantiles periodMicros,
     Quantiles workMicros,
     ThreadSetup.Granted granted,
-    FrameStatistics counts) {}
+    FrameStatistics statistics) {}

@@ -1,15 +1,15 @@
 package org.palpate.loop;
 
 /**
- * What a loop is set up with.
+ * The settings of a loop.
  *
- * @param periodNanos from one frame's deadline to the next one's, positive
- * @param clock where time comes from
- * @param pacer how the thread waits
- * @param threadSetup what makes the thread fit
- * @param warmUp run by the haptic thread before its first frame, so that the first frames find
+ * @param periodNanos time from one deadline to the next, positive
+ * @param clock the source of time
+ * @param pacer waits for the deadlines
+ * @param threadSetup prepares the haptic thread
+ * @param warmUp runs in the haptic thread before its first frame, so that the first frames find
  *     compiled code; see {@link WarmUp}
- * @param hangNanos how long a frame may take before the session is ended by force
+ * @param hangNanos time that a frame may take before the loop ends the session by force, positive
  */
 public record LoopSettings(
     long periodNanos,
@@ -19,10 +19,10 @@ public record LoopSettings(
     Runnable warmUp,
     long hangNanos) {
 
-  /** A thousand frames a second. */
+  /** The usual period: a thousand frames a second. */
   public static final long DEFAULT_PERIOD_NANOS = 1_000_000;
 
-  /** Longer than any pause of a collector that a session should survive. */
+  /** The usual limit, longer than any pause of a garbage collector that a session survives. */
   public static final long DEFAULT_HANG_NANOS = 1_000_000_000;
 
   /** Checks the ranges. */
@@ -33,7 +33,7 @@ public record LoopSettings(
     }
   }
 
-  /** The machine's clock, sleep then spin, nothing asked of the system, no warm-up. */
+  /** Returns settings with the JDK's clock and waits, without thread set-up and warm-up. */
   public static LoopSettings ofRate(double hertz) {
     return new LoopSettings(
         Math.round(1e9 / hertz),
@@ -44,12 +44,12 @@ public record LoopSettings(
         DEFAULT_HANG_NANOS);
   }
 
-  /** The same with another way to wait and to set up the thread. */
+  /** Returns these settings with another pacer and thread set-up. */
   public LoopSettings with(Pacer newPacer, ThreadSetup newThreadSetup) {
     return new LoopSettings(periodNanos, clock, newPacer, newThreadSetup, warmUp, hangNanos);
   }
 
-  /** The same with a warm-up. */
+  /** Returns these settings with a warm-up. */
   public LoopSettings withWarmUp(Runnable newWarmUp) {
     return new LoopSettings(periodNanos, clock, pacer, threadSetup, newWarmUp, hangNanos);
   }

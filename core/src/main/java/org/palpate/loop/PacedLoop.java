@@ -1,16 +1,17 @@
 package org.palpate.loop;
 
 import java.util.concurrent.atomic.AtomicLong;
-import org.palpate.frame.FrameCounters;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.HapticFrame;
 
 /**
- * Paces frames by absolute deadlines and measures them; the loop without its thread. A late frame
- * is counted and what it missed is left out: the next deadline is the first of the even grid that
- * is at least half a period away, so that no burst of frames catches up.
+ * Paces frames by absolute deadlines and measures them, without a thread of its own.
  *
- * <p>One thread runs it; what is atomic any thread may read.
+ * <p>The deadlines form an even grid of one period. A late frame is counted, and the deadlines that
+ * it missed are skipped: the next one is the first of the grid that is at least half a period away.
+ * No burst of frames follows.
+ *
+ * <p>One thread runs it. Any thread may read what is atomic or volatile.
  */
 final class PacedLoop {
   private final HapticFrame frame;
@@ -19,48 +20,49 @@ final class PacedLoop {
   private final DurationRecorder work = new DurationRecorder();
   private final AtomicLong lateFrames = new AtomicLong();
   private final AtomicLong latenessNanos = new AtomicLong();
-  private final AtomicLong firstBeganNanos = new AtomicLong();
-  private final AtomicLong lastBeganNanos = new AtomicLong();
+  private final AtomicLong firstStartNanos = new AtomicLong();
+  private final AtomicLong lastStartNanos = new AtomicLong();
   private final AtomicLong frames = new AtomicLong();
-  private volatile boolean begun;
-  private volatile boolean stopAsked;
+  private volatile boolean started;
+  private volatile boolean stopRequested;
 
   PacedLoop(HapticFrame frame, LoopSettings settings) {
     this.frame = frame;
     this.settings = settings;
   }
 
-  void askToStop() {
-    stopAsked = true;
+  /** Requests that the loop stops after its frame. Any thread. */
+  void requestStop() {
+    stopRequested = true;
   }
 
-  /** Runs frames until asked to stop or the device is gone. Throws what a frame throws. */
+  /** Runs frames until a stop is requested or the device is gone. Throws what a frame throws. */
   LoopEnd.Cause run() {
     NanoClock clock = settings.clock();
     long deadline = clock.nanoTime();
-    while (!stopAsked) {
+    while (!stopRequested) {
       settings.pacer().awaitUntil(deadline);
-      long began = clock.nanoTime();
-      noteBeginning(began, began - deadline);
-      FrameOutcome outcome = frame.run(began);
-      work.record(clock.nanoTime() - began);
+      long start = clock.nanoTime();
+      recordStart(start, start - deadline);
+      FrameOutcome outcome = frame.run(start);
+      work.record(clock.nanoTime() - start);
       frames.lazySet(frames.getPlain() + 1);
       if (outcome == FrameOutcome.DEVICE_GONE) {
         return LoopEnd.Cause.DEVICE_GONE;
       }
-      deadline = next(deadline, began);
+      deadline = nextDeadline(deadline, start);
     }
     return LoopEnd.Cause.STOPPED;
   }
 
-  private void noteBeginning(long began, long lateness) {
-    if (begun) {
-      period.record(began - lastBeganNanos.getPlain());
-      lastBeganNanos.lazySet(began);
+  private void recordStart(long start, long lateness) {
+    if (started) {
+      period.record(start - lastStartNanos.getPlain());
+      lastStartNanos.lazySet(start);
     } else {
-      firstBeganNanos.set(began);
-      lastBeganNanos.set(began);
-      begun = true;
+      firstStartNanos.set(start);
+      lastStartNanos.set(start);
+      started = true;
     }
     latenessNanos.lazySet(Math.max(0, lateness));
     if (lateness > settings.periodNanos() / 2) {
@@ -68,38 +70,39 @@ final class PacedLoop {
     }
   }
 
-  private long next(long deadline, long began) {
+  private long nextDeadline(long deadline, long start) {
     long periodNanos = settings.periodNanos();
-    long late = began - deadline;
+    long late = start - deadline;
     if (late < -periodNanos) {
-      return began + periodNanos; // The clock was set back: the old grid is of no use.
+      return start + periodNanos; // The clock was set back, so the old grid is void.
     }
     long missed = late > periodNanos / 2 ? (late + periodNanos / 2) / periodNanos : 0;
     return deadline + (missed + 1) * periodNanos;
   }
 
-  /** Whether the first frame has begun; any thread. */
-  boolean hasBegun() {
-    return begun;
+  /** Whether the first frame has started. Any thread. */
+  boolean hasStarted() {
+    return started;
   }
 
-  /** When the last frame began; any thread. */
-  long lastBeganNanos() {
-    return lastBeganNanos.get();
+  /** Returns the time at which the last frame started. Any thread. */
+  long lastStartNanos() {
+    return lastStartNanos.get();
   }
 
+  /** Returns the present status. Any thread. */
   LoopStatus status() {
-    FrameCounters tally = frame.tally();
     return new LoopStatus(
-        tally.frames(),
+        frame.frameCount(),
         lateFrames.get(),
         latenessNanos.get(),
-        tally.contactNow(),
-        tally.forceNowNewton());
+        frame.inContact(),
+        frame.forceLengthNewton());
   }
 
+  /** Returns the measurements so far. Any thread but the haptic one. */
   LoopReport report(ThreadSetup.Granted granted) {
-    double seconds = (lastBeganNanos.get() - firstBeganNanos.get()) * 1e-9;
+    double seconds = (lastStartNanos.get() - firstStartNanos.get()) * 1e-9;
     long count = frames.get();
     return new LoopReport(
         seconds,
@@ -109,6 +112,6 @@ final class PacedLoop {
         period.quantiles(),
         work.quantiles(),
         granted,
-        frame.counts());
+        frame.statistics());
   }
 }

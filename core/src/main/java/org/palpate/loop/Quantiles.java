@@ -3,17 +3,17 @@ package org.palpate.loop;
 import org.HdrHistogram.AbstractHistogram;
 
 /**
- * What a report tells of a histogram of times, microseconds; zeros where nothing was recorded.
+ * Quantiles of a set of durations, microseconds; zeros without any duration.
  *
  * @param p50 median
- * @param p99 99 of 100 are no longer
- * @param p999 999 of 1000 are no longer
+ * @param p99 99th percentile
+ * @param p999 99.9th percentile
  * @param max the longest
  */
 public record Quantiles(double p50, double p99, double p999, double max) {
   private static final double NANOS_PER_MICRO = 1e3;
 
-  /** From a histogram of nanoseconds. */
+  /** Returns the quantiles of a histogram of nanoseconds. */
   static Quantiles of(AbstractHistogram nanos) {
     return new Quantiles(
         nanos.getValueAtPercentile(50) / NANOS_PER_MICRO,

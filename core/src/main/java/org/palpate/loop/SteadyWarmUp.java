@@ -6,17 +6,20 @@ import java.util.Arrays;
 import java.util.function.LongSupplier;
 
 /**
- * Runs a frame over and over until its time is steady, so that the first touch does not run
- * interpreted code. One thread, once.
+ * Repeats a frame until its time is steady, so that a session's first frames run compiled code. One
+ * thread uses an instance, once.
  *
- * <p>Steady: over four batches of 500 frames the median time of a frame stayed within a quarter of
- * the least of them, and the JVM compiled nothing new.
+ * <p>The time is steady if two things hold over four batches of 500 frames: the medians of the
+ * batches differ by at most a quarter of the least, and the JVM compiled nothing.
  */
 public final class SteadyWarmUp {
   private static final int FRAMES_A_BATCH = 500;
   private static final int STEADY_BATCHES = 4;
-  private static final int STEADY_SHARE = 4; // a quarter
-  // Medians below this differ by the clock's own steps.
+
+  /** The medians may differ by the least of them divided by this. */
+  private static final int STEADY_DIVISOR = 4;
+
+  /** Medians may always differ by this, because the clock has steps. */
   private static final long CLOCK_STEP_NANOS = 60;
 
   private final NanoClock clock;
@@ -24,15 +27,15 @@ public final class SteadyWarmUp {
   private final long[] times = new long[FRAMES_A_BATCH];
   private final long[] medians = new long[STEADY_BATCHES];
   private int batches;
-  private long compiledBefore;
-  private int quietBatches;
+  private long lastCompileMillis;
+  private int batchesWithoutCompilation;
 
-  /** With the machine's clock and the JVM's compiler. */
+  /** Makes a warm-up that uses the machine's clock and the JVM's compiler. */
   public SteadyWarmUp() {
     this(NanoClock.SYSTEM);
   }
 
-  /** With the JVM's compiler. */
+  /** Makes a warm-up that uses the JVM's compiler. */
   public SteadyWarmUp(NanoClock clock) {
     this(clock, SteadyWarmUp::compilationMillis);
   }
@@ -50,27 +53,30 @@ public final class SteadyWarmUp {
   }
 
   /**
-   * Runs the frame in the calling thread until it is steady or the time is up.
+   * Runs the frame in the calling thread until its time is steady or the limit is reached.
    *
    * @param frame one frame
-   * @param leastFrames not before so many, since what a frame does varies from one to the next
-   * @param limitNanos the most time to take; a batch that was begun is ended
-   * @return what was found
+   * @param minFrames the least number of frames, because frames differ in what they do
+   * @param limitNanos the longest time; a batch that has begun is completed
    */
-  public Result run(Runnable frame, int leastFrames, long limitNanos) {
-    long began = clock.nanoTime();
-    compiledBefore = compileMillis.getAsLong();
+  public Result run(Runnable frame, int minFrames, long limitNanos) {
+    long start = clock.nanoTime();
+    lastCompileMillis = compileMillis.getAsLong();
     boolean steady = false;
-    while (!steady && clock.nanoTime() - began < limitNanos) {
+    while (!steady && clock.nanoTime() - start < limitNanos) {
       medians[batches % STEADY_BATCHES] = medianOfBatch(frame);
       batches++;
-      noteCompiler();
-      steady = (long) batches * FRAMES_A_BATCH >= leastFrames && isSteady();
+      updateCompilation();
+      steady = (long) batches * FRAMES_A_BATCH >= minFrames && isSteady();
     }
     long frames = (long) batches * FRAMES_A_BATCH;
-    return new Result(steady, frames, clock.nanoTime() - began, lastMedian());
+    return new Result(steady, frames, clock.nanoTime() - start, lastMedian());
   }
 
+  /**
+   * Runs a batch and returns the median time of a frame. It sorts its own array of longs, because
+   * the haptic thread runs it and shall not allocate.
+   */
   private long medianOfBatch(Runnable frame) {
     for (int i = 0; i < FRAMES_A_BATCH; i++) {
       long start = clock.nanoTime();
@@ -81,19 +87,19 @@ public final class SteadyWarmUp {
     return times[FRAMES_A_BATCH / 2];
   }
 
-  private void noteCompiler() {
-    long compiled = compileMillis.getAsLong();
-    quietBatches = compiled == compiledBefore ? quietBatches + 1 : 0;
-    compiledBefore = compiled;
+  private void updateCompilation() {
+    long millis = compileMillis.getAsLong();
+    batchesWithoutCompilation = millis == lastCompileMillis ? batchesWithoutCompilation + 1 : 0;
+    lastCompileMillis = millis;
   }
 
   private boolean isSteady() {
-    if (batches < STEADY_BATCHES || quietBatches < STEADY_BATCHES) {
+    if (batches < STEADY_BATCHES || batchesWithoutCompilation < STEADY_BATCHES) {
       return false;
     }
     long least = Arrays.stream(medians).min().orElseThrow();
     long most = Arrays.stream(medians).max().orElseThrow();
-    return most - least <= Math.max(least / STEADY_SHARE, CLOCK_STEP_NANOS);
+    return most - least <= Math.max(least / STEADY_DIVISOR, CLOCK_STEP_NANOS);
   }
 
   private long lastMedian() {
@@ -101,12 +107,12 @@ public final class SteadyWarmUp {
   }
 
   /**
-   * How a warm-up ended.
+   * The result of a warm-up.
    *
-   * @param steady whether the frame's time became steady before the time was up
-   * @param frames how many frames were run
-   * @param nanos how long it took
-   * @param medianNanos median time of a frame at the end
+   * @param steady whether the time of a frame became steady before the limit
+   * @param frames number of frames that ran
+   * @param nanos duration of the warm-up
+   * @param medianNanos median time of a frame in the last batch
    */
   public record Result(boolean steady, long frames, long nanos, long medianNanos) {}
 }

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Makes the thread that calls it fit for the haptic loop: scheduling class, processor, memory lock.
- * The port that {@code realtime} implements.
+ * Prepares the calling thread for the haptic loop: scheduling class, processor, memory lock. {@code
+ * realtime} implements this port.
  */
 @FunctionalInterface
 public interface ThreadSetup {
@@ -15,20 +15,20 @@ public interface ThreadSetup {
   ThreadSetup NONE = () -> Granted.NOTHING;
 
   /**
-   * Called once by the haptic thread, before its first frame. What is refused is no failure: it is
-   * told in the answer.
+   * Prepares the thread. The haptic thread calls it once, before its first frame. A denied request
+   * is no failure: the result reports it.
    */
   Granted setUp();
 
   /**
-   * What the system granted, as the report tells it.
+   * The outcome of the requests, as the report prints it.
    *
-   * @param schedulingClass such as {@code SCHED_FIFO 80}, or {@code default}
-   * @param affinity such as {@code cpu 1}, or {@code any}
+   * @param schedulingClass for example {@code SCHED_FIFO 80}, or {@code default}
+   * @param affinity for example {@code cpu 1}, or {@code any}
    * @param memoryLocked whether pages stay in memory
-   * @param others what else was asked for or noticed, by name, in words: {@code timer_slack} with
-   *     {@code 1 ns} or {@code refused}, {@code throttling} with {@code 950 of 1000 ms}
-   * @param refusals what was asked for and not granted, and why; a line each
+   * @param others other requests and facts of the system, by name: {@code timer_slack} with {@code
+   *     1 ns} or {@code refused}, {@code throttling} with {@code 950 of 1000 ms}
+   * @param refusals the denied requests with their reasons, a line each
    */
   record Granted(
       String schedulingClass,
@@ -37,9 +37,10 @@ public interface ThreadSetup {
       Map<String, String> others,
       List<String> refusals) {
 
-    /** Nothing was asked for. */
+    /** The outcome without any request. */
     public static final Granted NOTHING = new Granted("default", "any", false, Map.of(), List.of());
 
+    /** Copies the map, in its order, and the list. */
     public Granted {
       others = Collections.unmodifiableMap(new LinkedHashMap<>(others));
       refusals = List.copyOf(refusals);

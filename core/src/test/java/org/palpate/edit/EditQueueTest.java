@@ -135,7 +135,7 @@ class EditQueueTest {
     int freed = judgeFrames(frame, near, 30_000);
     ended.set(true);
     editor.join();
-    assertEquals(freed, frame.counts().freed());
+    assertEquals(freed, frame.statistics().freed());
     assertTrue(freed > 10, "the point was met by solids: freed=" + freed);
     assertTrue(floor.edits.done() > 1000, "edits=" + floor.edits.done());
   }

@@ -68,7 +68,7 @@ class FrameAllocationTest {
     HapticLoop loop = new HapticLoop(frame, settings, end -> {});
     loop.run();
     assertEquals(LoopEnd.Cause.DEVICE_GONE, loop.end().cause());
-    FrameStatistics counts = frame.counts();
+    FrameStatistics counts = frame.statistics();
     assertTrue(counts.contactFrames() > counts.frames() / 10, counts.toString());
     assertTrue(counts.freed() > 0, "solids came to the point");
     assertTrue(accumulator.take());

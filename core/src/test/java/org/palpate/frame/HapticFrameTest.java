@@ -37,7 +37,7 @@ class HapticFrameTest {
     assertEquals(1.5, device.lastForce().z, 1e-5);
     assertEquals(0, device.lastForce().x);
     assertTrue(frame.point().contact);
-    FrameStatistics counts = frame.counts();
+    FrameStatistics counts = frame.statistics();
     assertEquals(20, counts.frames());
     assertEquals(10, counts.contactFrames());
     assertEquals(0, counts.freed());
@@ -53,7 +53,7 @@ class HapticFrameTest {
     Vec3 held = device.lastForce();
     run(frame, 20);
     assertTrue(device.lastForce().sameBits(held));
-    assertEquals(20, frame.counts().faults().held());
+    assertEquals(20, frame.statistics().faults().held());
     assertFalse(frame.followed());
     assertEquals(0, frame.point().legs.count());
   }
@@ -74,7 +74,7 @@ class HapticFrameTest {
     assertEquals(0.25 * 1.5, device.lastForce().z, 1e-5);
     run(frame, 75);
     assertEquals(1.5, device.lastForce().z, 1e-5);
-    assertEquals(1, frame.counts().faults().silences());
+    assertEquals(1, frame.statistics().faults().silences());
   }
 
   @Test
@@ -95,7 +95,7 @@ class HapticFrameTest {
     run(frame, 15);
     assertTrue(device.lastForce().sameBits(held));
     assertTrue(frame.point().position.sameBits(place));
-    assertEquals(15, frame.counts().faults().notFinite());
+    assertEquals(15, frame.statistics().faults().notFinite());
     run(frame, 10);
     assertEquals(0, device.lastForce().length());
   }
@@ -107,7 +107,7 @@ class HapticFrameTest {
     run(frame, 20);
     device.script = (read, state) -> fresh(state, read - 1000, 16, 16, 20);
     run(frame, 20);
-    assertEquals(20, frame.counts().faults().badTimes());
+    assertEquals(20, frame.statistics().faults().badTimes());
     assertEquals(Floor.TOP, frame.point().position.z, 1e-5);
     run(frame, 4);
     assertEquals(
@@ -125,7 +125,7 @@ class HapticFrameTest {
     ScriptedDevice clockless = new ScriptedDevice((read, state) -> fresh(state, 0, 16, 16, 5));
     HapticFrame other = floor.frame(clockless);
     run(other, 200);
-    assertEquals(0, other.counts().faults().held());
+    assertEquals(0, other.statistics().faults().held());
   }
 
   @Test
@@ -138,7 +138,7 @@ class HapticFrameTest {
     assertEquals(0, device.lastForce().length());
     run(frame, 50);
     assertEquals(0.75, device.lastForce().z, 1e-5);
-    assertEquals(1, frame.counts().faults().clockJumps());
+    assertEquals(1, frame.statistics().faults().clockJumps());
   }
 
   @Test
@@ -149,7 +149,7 @@ class HapticFrameTest {
     nowNanos -= 3_600_000 * MS;
     run(frame, 30);
     assertEquals(1.5, device.lastForce().z, 1e-5);
-    assertEquals(1, frame.counts().faults().clockJumps());
+    assertEquals(1, frame.statistics().faults().clockJumps());
   }
 
   @Test
@@ -161,7 +161,7 @@ class HapticFrameTest {
       assertEquals(FrameOutcome.RUNNING, frame.run(nowNanos));
       assertEquals(1.5, device.lastForce().z, 1e-5);
     }
-    assertEquals(0, frame.counts().faults().clockJumps());
+    assertEquals(0, frame.statistics().faults().clockJumps());
     device.script = (read, state) -> ReadStatus.REPEATED;
     run(frame, 22);
     assertEquals(0, device.lastForce().length(), "time that goes on again is a silence's again");
@@ -198,7 +198,7 @@ class HapticFrameTest {
     assertEquals(0.1 * 0.75, device.lastForce().z, 1e-5);
     run(frame, 100);
     assertEquals(0.75, device.lastForce().z, 1e-5);
-    assertEquals(1, frame.counts().freed());
+    assertEquals(1, frame.statistics().freed());
   }
 
   @Test
@@ -215,7 +215,7 @@ class HapticFrameTest {
     assertEquals(0, device.lastForce().length());
     run(frame, 50);
     assertTrue(device.lastForce().length() > 0.1);
-    assertEquals(1, frame.counts().freed());
+    assertEquals(1, frame.statistics().freed());
   }
 
   @Test
@@ -270,7 +270,7 @@ class HapticFrameTest {
     device.script = (read, state) -> ReadStatus.DISCONNECTED;
     assertEquals(FrameOutcome.DEVICE_GONE, frame.run(nowNanos));
     assertEquals(0, device.lastForce().length());
-    assertEquals(20, frame.counts().frames());
+    assertEquals(20, frame.statistics().frames());
   }
 
   @Test
@@ -281,7 +281,7 @@ class HapticFrameTest {
     device.reachable = false;
     run(frame, 20);
     assertEquals(FrameOutcome.DEVICE_GONE, frame.run(nowNanos));
-    assertEquals(21, frame.counts().faults().unreached());
+    assertEquals(21, frame.statistics().faults().unreached());
   }
 
   @Test
@@ -321,7 +321,7 @@ class HapticFrameTest {
       frame.requestSolver(new GuardedSolver(Floor.METRIC, 8));
       run(frame, 10);
     }
-    assertEquals(30, frame.counts().skipped().get(SkipKind.RESPONSE.key()));
+    assertEquals(30, frame.statistics().skipped().get(SkipKind.RESPONSE.key()));
   }
 
   @Test

@@ -76,7 +76,7 @@ class HapticLoopTest {
     loop.run();
     assertEquals(LoopEnd.Cause.DEVICE_GONE, loop.end().cause());
     assertEquals(0, device.lastForce().length());
-    assertEquals(50, loop.report().counts().frames());
+    assertEquals(50, loop.report().statistics().frames());
     assertEquals(1, ends.size());
   }
 
@@ -151,7 +151,7 @@ class HapticLoopTest {
     loop.run();
     assertEquals(0, device.forces.get(51).length());
     assertTrue(device.forces.get(99).length() > 0.3);
-    assertEquals(1, loop.report().counts().faults().clockJumps());
+    assertEquals(1, loop.report().statistics().faults().clockJumps());
     assertEquals(1, loop.report().lateFrames());
   }
 

@@ -72,7 +72,7 @@ public final class ReplayRun {
       toTrajectory(frame, point, force);
       sink.accept(n, device.lastPosition(), point, force, frame.point(), frame.wasFreed());
     }
-    return frame.counts();
+    return frame.statistics();
   }
 
   private long timeNanos(int sample) {
@@ -85,7 +85,7 @@ public final class ReplayRun {
         scene.settings().maxForceNewton().orElse(Double.POSITIVE_INFINITY),
         Double.POSITIVE_INFINITY,
         ForceRamp.DEFAULT_NANOS,
-        raw ? Watchdog.LEAST_SILENCE_NANOS : FrameSettings.NO_SILENCE,
+        raw ? Watchdog.MIN_SILENCE_NANOS : FrameSettings.NO_SILENCE,
         FrameSettings.DEFAULT_EDIT_VOXELS_A_FRAME);
   }
 

@@ -76,6 +76,6 @@ class ContactTuningTest {
         }
       }
     }
-    assertTrue(frame.counts().contactFrames() > 1000);
+    assertTrue(frame.statistics().contactFrames() > 1000);
   }
 }

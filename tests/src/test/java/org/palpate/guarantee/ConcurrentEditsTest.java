@@ -82,7 +82,7 @@ class ConcurrentEditsTest {
     }
     editor.join();
     assertTrue(frame.release());
-    assertEquals(freed, frame.counts().freed());
+    assertEquals(freed, frame.statistics().freed());
     assertTrue(freed > 10, "solids came to the point: freed=" + freed);
     assertTrue(legs > 1000, "legs=" + legs);
     assertEquals(EDITS, queue.done());

@@ -80,8 +80,9 @@ class MinimalHostTest {
       assertTrue(host.pointWorldMm().z > 8 - reach, "and on it: " + host.pointWorldMm());
       report = host.end();
     }
-    assertTrue(report.counts().contactFrames() > 0);
-    assertTrue(report.counts().maxForceNewton() > 1, "N: " + report.counts().maxForceNewton());
+    assertTrue(report.statistics().contactFrames() > 0);
+    assertTrue(
+        report.statistics().maxForceNewton() > 1, "N: " + report.statistics().maxForceNewton());
     assertEquals("(0.0, 0.0, 0.0)", hand.lastForce.toString());
     assertTrue(hand.closed);
   }
@@ -99,7 +100,7 @@ class MinimalHostTest {
       while (host.tick() && !host.isPainted()) {
         Thread.onSpinWait();
       }
-      assertEquals(1, host.end().counts().freed());
+      assertEquals(1, host.end().statistics().freed());
     }
   }
 

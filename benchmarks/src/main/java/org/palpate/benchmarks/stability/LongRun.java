@@ -128,8 +128,8 @@ public final class LongRun {
       }
     }
     return new Found(
-        frame.counts().frames(),
-        frame.counts().contactFrames(),
+        frame.statistics().frames(),
+        frame.statistics().contactFrames(),
         differing,
         allocating,
         median(nanos, TIMED_ROUNDS),

@@ -98,7 +98,7 @@ final class TouchReport {
 
   /** Tells it in two lines. */
   void print(PrintWriter out) {
-    FrameStatistics counts = loop.counts();
+    FrameStatistics counts = loop.statistics();
     out.println(
         String.format(
             Locale.ROOT,
@@ -125,7 +125,7 @@ final class TouchReport {
 
   /** Adds its fields. */
   void putInto(Report report) {
-    FrameStatistics counts = loop.counts();
+    FrameStatistics counts = loop.statistics();
     report
         .put("seconds", loop.seconds())
         .put("rate_hz", loop.rateHz())

@@ -129,7 +129,7 @@ class StackTouchTest {
       for (int n = 2; !edits.isIdle(); n++) {
         frame.run(n * 1_000_000L);
       }
-      assertTrue(frame.counts().freed() > 0, "the point was inside what came");
+      assertTrue(frame.statistics().freed() > 0, "the point was inside what came");
     }
     assertEquals(List.of("0: x 3-3, y 4-4, z 5-5", "0: x 0-9, y 0-7, z 0-5"), seen);
   }
