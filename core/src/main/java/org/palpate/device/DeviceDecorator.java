@@ -2,12 +2,15 @@ package org.palpate.device;
 
 import org.palpate.geometry.Vec3;
 
-/** Is the device behind it, but for what a subclass does otherwise. Threads as that device's. */
+/**
+ * Delegates every call to the device behind it; a subclass changes what it needs to. Threads are
+ * those of that device.
+ */
 public abstract class DeviceDecorator implements HapticDevice {
   /** The device behind this one. */
   protected final HapticDevice device;
 
-  /** Stands before {@code device}, and closes it when it is closed. */
+  /** Makes a decorator of {@code device}, which it closes when it is closed itself. */
   protected DeviceDecorator(HapticDevice device) {
     this.device = device;
   }

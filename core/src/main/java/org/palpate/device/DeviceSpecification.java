@@ -1,15 +1,16 @@
 package org.palpate.device;
 
 /**
- * What a device can do, as its maker says.
+ * The capabilities of a device, as its maker states them.
  *
- * @param name as a person knows it
- * @param serial what tells two of a kind apart; empty where it has none
+ * @param name name for the user
+ * @param serial distinguishes two devices of a kind; empty if the device has none
  * @param maxForceNewton nominal maximum; 0 for a device without force, infinity for one without a
  *     limit
- * @param maxStiffnessNewtonPerMm largest stiffness it renders stably, of its own workspace
+ * @param maxStiffnessNewtonPerMm largest stiffness that the device renders stably, N per mm of its
+ *     own motion
  * @param workspaceRadiusMm radius of the ball that the probe reaches
- * @param reportIntervalNanos usual time between samples; 0 where every read is a sample
+ * @param reportIntervalNanos usual time between samples; 0 if every read is a sample
  */
 public record DeviceSpecification(
     String name,

@@ -2,25 +2,34 @@ package org.palpate.device;
 
 import org.palpate.geometry.Vec3;
 
-/** One sample of a device. What it sent, unchecked: a position may be NaN. Mutable carrier. */
+/**
+ * One sample of a device. A mutable carrier. Nothing is checked: a position may be NaN.
+ *
+ * <p>The device states its frame; {@link HapticDevice} uses world millimetres.
+ */
 public final class DeviceState {
-  /** Position of the probe, world mm. */
+  /** Position of the probe, mm. */
   public final Vec3 positionMm = new Vec3();
 
-  /** Orientation as a unit quaternion; (0,0,0,1) where the device has none. */
+  /** The x component of the orientation, a unit quaternion; (0,0,0,1) if the device has none. */
   public double qx;
 
+  /** The y component of the orientation. */
   public double qy;
+
+  /** The z component of the orientation. */
   public double qz;
+
+  /** The real component of the orientation. */
   public double qw = 1;
 
-  /** When the device says that it took the sample, nanoseconds on a clock of its own. */
+  /** Time of the sample on the device's own clock. */
   public long timeNanos;
 
-  /** Pressed buttons, bit 0 the first. */
+  /** Pressed buttons; bit 0 is the first button. */
   public int buttons;
 
-  /** Copies the other state. */
+  /** Copies another state into this one. */
   public DeviceState set(DeviceState other) {
     positionMm.set(other.positionMm);
     qx = other.qx;

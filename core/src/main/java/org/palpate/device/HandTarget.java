@@ -4,13 +4,13 @@ import java.util.List;
 import org.palpate.geometry.Vec3;
 
 /**
- * What a simulated hand goes for, world mm.
+ * The target of a simulated hand, world mm.
  *
- * @param lowMm lowest corner of the box that holds what is to be touched
+ * @param lowMm lowest corner of the box around the object to touch
  * @param highMm highest corner
- * @param voxelMm the shortest edge of a voxel, the measure of depths and speeds
- * @param surfaceMm points on the surface, pressed towards the box's centre; where there are none,
- *     points inside the box are used
+ * @param voxelMm shortest edge of a voxel, the unit of the hand's depths and speeds
+ * @param surfaceMm points on the surface, which the hand presses towards the centre of the box; if
+ *     empty, the hand uses points inside the box
  */
 public record HandTarget(Vec3 lowMm, Vec3 highMm, double voxelMm, List<Vec3> surfaceMm) {
 
@@ -26,17 +26,17 @@ public record HandTarget(Vec3 lowMm, Vec3 highMm, double voxelMm, List<Vec3> sur
     }
   }
 
-  /** A target without known points on its surface. */
+  /** Returns a target without known points on its surface. */
   public static HandTarget ofBox(Vec3 lowMm, Vec3 highMm, double voxelMm) {
     return new HandTarget(lowMm, highMm, voxelMm, List.of());
   }
 
-  /** The middle of the box. */
+  /** Returns the centre of the box. */
   Vec3 centreMm() {
     return new Vec3((lowMm.x + highMm.x) / 2, (lowMm.y + highMm.y) / 2, (lowMm.z + highMm.z) / 2);
   }
 
-  /** Half the box's diagonal, at least four voxels. */
+  /** Returns half the diagonal of the box, but at least four voxels. */
   double radiusMm() {
     return Math.max(highMm.sub(lowMm, new Vec3()).length() / 2, 4 * voxelMm);
   }

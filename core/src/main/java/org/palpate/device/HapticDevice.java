@@ -3,38 +3,39 @@ package org.palpate.device;
 import org.palpate.geometry.Vec3;
 
 /**
- * A haptic device: read once and written once a frame, by the haptic thread.
+ * A haptic device. The haptic thread reads and writes it once a frame.
  *
- * <p>Positions are world millimetres and forces newtons along the world's axes, after the device's
- * own frame was mapped to the world's.
+ * <p>Positions are in world millimetres, and forces in newtons along the world's axes. {@link
+ * WorkspaceDevice} maps a device's own frame to the world.
  */
 public interface HapticDevice extends AutoCloseable {
 
+  /** Returns the capabilities of the device. Any thread. */
   DeviceSpecification specification();
 
   /**
-   * Reads the newest sample without waiting longer than a fraction of a frame.
+   * Reads the newest sample. It waits for a fraction of a frame at most.
    *
-   * @param state filled where the answer is {@link ReadStatus#FRESH}, else left as it was
+   * @param state filled if the result is {@link ReadStatus#FRESH}; else unchanged
    */
   ReadStatus read(DeviceState state);
 
   /**
-   * Sends a force, in force until the next one.
+   * Sends a force, which the device exerts until the next one.
    *
-   * @param forceNewton on the hand; finite, already limited
-   * @return false where the device could not be reached
+   * @param forceNewton on the hand; finite and already limited
+   * @return false if the device could not be reached
    */
   boolean write(Vec3 forceNewton);
 
-  /** One line: why nothing more comes from the device; empty while it does. Any thread. */
+  /** Returns one line on why the device delivers nothing more; empty while it works. Any thread. */
   default String ending() {
     return "";
   }
 
   /**
-   * Sends zero force where the device can still be reached, then lets it go. May be called twice
-   * and by any thread.
+   * Sends zero force if the device can still be reached, then releases the device. Any thread; a
+   * second call does no harm.
    */
   @Override
   void close();

@@ -1,11 +1,11 @@
 package org.palpate.device;
 
-/** What a read of a device gave. */
+/** The result of reading a device. */
 public enum ReadStatus {
   /** A new sample. */
   FRESH,
   /** No sample newer than the last one. */
   REPEATED,
-  /** The device is gone, or its recording has ended: nothing more will come. */
+  /** The device is gone, or its recording has ended. It delivers nothing more. */
   DISCONNECTED
 }

@@ -3,8 +3,8 @@ package org.palpate.device;
 import org.palpate.geometry.Vec3;
 
 /**
- * A device that gives the samples of a trajectory, one a read, and is gone after the last. It feels
- * nothing: forces are taken and forgotten.
+ * A device that delivers the samples of a trajectory, one a read, and disconnects after the last.
+ * It ignores forces. Haptic thread; {@link #close} is for any thread.
  */
 public final class ReplayDevice implements HapticDevice {
   private final DeviceSpecification specification;
@@ -13,9 +13,9 @@ public final class ReplayDevice implements HapticDevice {
   private volatile boolean closed;
 
   /**
-   * Replays {@code trajectory}, which must not change any more.
+   * Makes a device that replays {@code trajectory}, which must not change any more.
    *
-   * @param name what reports call it
+   * @param name name in reports
    */
   public ReplayDevice(String name, Trajectory trajectory) {
     specification =
@@ -37,12 +37,7 @@ public final class ReplayDevice implements HapticDevice {
     return ReadStatus.FRESH;
   }
 
-  /** The number of samples read since the start or the last {@link #rewind}. */
-  public int samplesRead() {
-    return next;
-  }
-
-  /** Starts again at the first sample. */
+  /** Restarts the replay at the first sample. */
   public void rewind() {
     next = 0;
   }

@@ -3,11 +3,12 @@ package org.palpate.device;
 import org.palpate.geometry.Vec3;
 
 /**
- * A device moved by a seeded hand that approaches, presses, slides, taps, jerks away and tunnels.
+ * A device in a simulated hand that approaches, presses, slides, taps, tears away and tunnels.
  *
- * <p>Each read is the next sample. Where the hand is depends on the seed, the target and the number
- * of reads alone, never on a clock or on the forces, so that a session can be run again; a force is
- * kept for {@link #lastForceNewton} and otherwise forgotten.
+ * <p>Each read is the next sample. The motion depends on the seed, the target and the number of
+ * reads alone, never on a clock or on the forces. A session can therefore be repeated.
+ *
+ * <p>Haptic thread; {@link #close} is for any thread.
  */
 public final class SimulatedDevice implements HapticDevice {
   /** Nominal maximum force, that of a desktop device. */
@@ -19,15 +20,14 @@ public final class SimulatedDevice implements HapticDevice {
   private final DeviceSpecification specification;
   private final SimulatedHand hand;
   private final long intervalNanos;
-  private final Vec3 lastForceNewton = new Vec3();
   private long reads;
   private volatile boolean closed;
 
   /**
-   * A hand over {@code target}.
+   * Makes a device in a hand over {@code target}.
    *
-   * @param intervalNanos time between samples, positive; speeds of the hand are per second but for
-   *     tearing away and tunnelling, which are per sample
+   * @param intervalNanos time between samples, positive; most speeds of the hand are per second,
+   *     but those of tearing away and tunnelling are per sample
    */
   public SimulatedDevice(long seed, HandTarget target, long intervalNanos) {
     if (intervalNanos <= 0) {
@@ -63,18 +63,7 @@ public final class SimulatedDevice implements HapticDevice {
 
   @Override
   public boolean write(Vec3 forceNewton) {
-    lastForceNewton.set(forceNewton);
     return !closed;
-  }
-
-  /** The force that was written last. The device's own. */
-  public Vec3 lastForceNewton() {
-    return lastForceNewton;
-  }
-
-  /** The number of reads so far. */
-  public long reads() {
-    return reads;
   }
 
   @Override

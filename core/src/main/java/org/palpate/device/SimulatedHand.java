@@ -4,24 +4,30 @@ import java.util.SplittableRandom;
 import org.palpate.geometry.Vec3;
 
 /**
- * The motion of the simulated hand: gestures made of strokes, a stroke being a way from the last
- * place to another in a number of samples. Same bits on every JDK: {@code SplittableRandom} by its
- * specified {@code nextLong} and plain arithmetic.
+ * Generates the motion of a simulated hand from gestures. A gesture consists of strokes, and a
+ * stroke is a straight motion to a point in a number of samples.
+ *
+ * <p>The motion has the same bits on every JDK, because it uses only {@code
+ * SplittableRandom.nextLong}, whose algorithm is specified, and plain arithmetic. One thread.
  */
 final class SimulatedHand {
-  private static final int MOST_STROKES = 16;
+  private static final int MAX_STROKES = 16;
   private static final double NANOS_PER_MS = 1e6;
 
-  /** Speeds of tearing away and tunnelling, voxels a sample. */
-  private static final double SLOWEST_TEAR = 5;
+  /** Least mean speed of tearing away and tunnelling, voxels a sample. */
+  private static final double MIN_TEAR_SPEED = 5;
 
-  private static final double FASTEST_TEAR = 50;
+  /** Largest mean speed of tearing away and tunnelling, voxels a sample. */
+  private static final double MAX_TEAR_SPEED = 50;
 
-  /** How far above the surface the hand hovers, voxels. */
+  /** Height at which the hand hovers above the surface. */
   private static final double HOVER_VOXELS = 6;
 
-  private static final double LEAST_DEPTH_VOXELS = 0.5;
-  private static final double MOST_DEPTH_VOXELS = 6;
+  private static final double MIN_DEPTH_VOXELS = 0.5;
+  private static final double MAX_DEPTH_VOXELS = 6;
+
+  /** Number of points from which a sliding hand chooses the nearest. */
+  private static final int NEIGHBOUR_CHOICES = 8;
 
   private final SplittableRandom random;
   private final HandTarget target;
@@ -29,8 +35,8 @@ final class SimulatedHand {
   private final double radiusMm;
   private final double samplesPerMs;
 
-  private final Vec3[] ends = new Vec3[MOST_STROKES];
-  private final int[] samples = new int[MOST_STROKES];
+  private final Vec3[] ends = new Vec3[MAX_STROKES];
+  private final int[] samples = new int[MAX_STROKES];
   private int strokes;
   private int stroke;
   private int sample;
@@ -38,7 +44,7 @@ final class SimulatedHand {
   private final Vec3 start = new Vec3();
   private final Vec3 anchor = new Vec3();
   private final Vec3 outward = new Vec3();
-  private final Vec3 place = new Vec3();
+  private final Vec3 goal = new Vec3();
 
   SimulatedHand(long seed, HandTarget target, long intervalNanos) {
     random = new SplittableRandom(seed);
@@ -46,7 +52,7 @@ final class SimulatedHand {
     centreMm = target.centreMm();
     radiusMm = target.radiusMm();
     samplesPerMs = NANOS_PER_MS / intervalNanos;
-    for (int i = 0; i < MOST_STROKES; i++) {
+    for (int i = 0; i < MAX_STROKES; i++) {
       ends[i] = new Vec3();
     }
     chooseDirection();
@@ -54,7 +60,7 @@ final class SimulatedHand {
     press();
   }
 
-  /** Writes the next position, world mm, into {@code dest}. */
+  /** Writes the next position into {@code dest}, world mm. */
   void next(Vec3 dest) {
     if (stroke == strokes) {
       strokes = 0;
@@ -62,17 +68,21 @@ final class SimulatedHand {
       chooseGesture();
     }
     sample++;
-    double t = (double) sample / samples[stroke];
-    double eased = t * t * t * (10 + t * (6 * t - 15));
-    ends[stroke].sub(start, dest).mul(eased, dest).add(start, dest);
+    double progress = smoothStep((double) sample / samples[stroke]);
+    ends[stroke].sub(start, dest).mul(progress, dest).add(start, dest);
     if (sample == samples[stroke]) {
       start.set(ends[stroke++]);
       sample = 0;
     }
   }
 
+  /** Returns 6t^5 - 15t^4 + 10t^3, which starts and ends without speed and acceleration. */
+  private static double smoothStep(double t) {
+    return t * t * t * (10 + t * (6 * t - 15));
+  }
+
   private void chooseGesture() {
-    int choice = (int) ((random.nextLong() >>> 1) % 100);
+    int choice = below(100);
     if (choice < 30) {
       press();
     } else if (choice < 65) {
@@ -80,7 +90,7 @@ final class SimulatedHand {
     } else if (choice < 80) {
       tap();
     } else if (choice < 90) {
-      jerkAway();
+      tearAway();
     } else {
       tunnel();
     }
@@ -89,18 +99,18 @@ final class SimulatedHand {
   private void press() {
     chooseAnchor();
     strokeTo(HOVER_VOXELS, between(250, 500));
-    strokeTo(-between(LEAST_DEPTH_VOXELS, MOST_DEPTH_VOXELS), between(80, 300));
+    strokeTo(-between(MIN_DEPTH_VOXELS, MAX_DEPTH_VOXELS), between(80, 300));
     hold(between(100, 400));
     strokeTo(HOVER_VOXELS, between(80, 300));
   }
 
   private void slide() {
     chooseAnchor();
-    double depth = -between(LEAST_DEPTH_VOXELS, MOST_DEPTH_VOXELS);
+    double depth = -between(MIN_DEPTH_VOXELS, MAX_DEPTH_VOXELS);
     strokeTo(HOVER_VOXELS, between(200, 400));
     strokeTo(depth, between(80, 200));
-    int ways = 1 + (int) ((random.nextLong() >>> 1) % 4);
-    for (int i = 0; i < ways; i++) {
+    int slides = 1 + below(4);
+    for (int i = 0; i < slides; i++) {
       chooseNeighbour();
       strokeTo(depth, between(150, 600));
     }
@@ -110,36 +120,37 @@ final class SimulatedHand {
   private void tap() {
     chooseAnchor();
     strokeTo(HOVER_VOXELS, between(200, 400));
-    int taps = 2 + (int) ((random.nextLong() >>> 1) % 4);
+    int taps = 2 + below(4);
     for (int i = 0; i < taps; i++) {
-      strokeTo(-between(LEAST_DEPTH_VOXELS, MOST_DEPTH_VOXELS), between(15, 60));
+      strokeTo(-between(MIN_DEPTH_VOXELS, MAX_DEPTH_VOXELS), between(15, 60));
       strokeTo(HOVER_VOXELS / 2, between(15, 60));
     }
   }
 
-  private void jerkAway() {
+  private void tearAway() {
     chooseAnchor();
     strokeTo(HOVER_VOXELS, between(200, 400));
-    strokeTo(-MOST_DEPTH_VOXELS, between(80, 200));
+    strokeTo(-MAX_DEPTH_VOXELS, between(80, 200));
     hold(between(20, 60));
-    place.set(outward).mul(radiusMm, place).add(anchor, place);
-    tearTo(place);
+    goal.set(outward).mul(radiusMm, goal).add(anchor, goal);
+    tearTo(goal);
     hold(between(20, 60));
   }
 
   private void tunnel() {
     chooseAnchor();
-    place.set(outward).mul(radiusMm, place).add(anchor, place);
-    addStroke(place, samplesFor(between(100, 200)));
-    place.set(outward).mul(-2 * radiusMm, place).add(anchor, place);
-    tearTo(place);
+    goal.set(outward).mul(radiusMm, goal).add(anchor, goal);
+    addStroke(goal, samplesFor(between(100, 200)));
+    goal.set(outward).mul(-2 * radiusMm, goal).add(anchor, goal);
+    tearTo(goal);
     hold(between(20, 60));
   }
 
+  /** Chooses the point of the next gesture and the direction out of the object there. */
   private void chooseAnchor() {
     int points = target.surfaceMm().size();
     if (points > 0) {
-      anchor.set(target.surfaceMm().get((int) ((random.nextLong() >>> 1) % points)));
+      anchor.set(target.surfaceMm().get(below(points)));
       anchor.sub(centreMm, outward);
       normalizeOutward();
     } else {
@@ -148,13 +159,13 @@ final class SimulatedHand {
     }
   }
 
-  /** Moves the anchor to the nearest of a few others, as a sliding hand does. */
+  /** Moves the anchor to the nearest of a few other points, as a sliding hand does. */
   private void chooseNeighbour() {
     double fromX = anchor.x;
     double fromY = anchor.y;
     double fromZ = anchor.z;
     double least = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < NEIGHBOUR_CHOICES; i++) {
       chooseAnchor();
       double x = anchor.x - fromX;
       double y = anchor.y - fromY;
@@ -162,10 +173,10 @@ final class SimulatedHand {
       double square = x * x + y * y + z * z;
       if (square < least && square > 0) {
         least = square;
-        place.set(anchor);
+        goal.set(anchor);
       }
     }
-    anchor.set(least < Double.POSITIVE_INFINITY ? place : anchor);
+    anchor.set(least < Double.POSITIVE_INFINITY ? goal : anchor);
     anchor.sub(centreMm, outward);
     normalizeOutward();
   }
@@ -184,32 +195,38 @@ final class SimulatedHand {
     }
   }
 
+  /** Adds a stroke to a point above the anchor, or below it if negative. */
   private void strokeTo(double aboveVoxels, double ms) {
-    place.set(outward).mul(aboveVoxels * target.voxelMm(), place).add(anchor, place);
-    addStroke(place, samplesFor(ms));
+    goal.set(outward).mul(aboveVoxels * target.voxelMm(), goal).add(anchor, goal);
+    addStroke(goal, samplesFor(ms));
   }
 
+  /** Adds a stroke that stays where the last one ends. */
   private void hold(double ms) {
     addStroke(strokes == 0 ? start : ends[strokes - 1], samplesFor(ms));
   }
 
-  /** A stroke whose mean speed lies between the slowest and the fastest tear. */
+  /** Adds a stroke at a mean speed between those of the slowest and the fastest tear. */
   private void tearTo(Vec3 end) {
     Vec3 from = strokes == 0 ? start : ends[strokes - 1];
     double x = end.x - from.x;
     double y = end.y - from.y;
     double z = end.z - from.z;
     double voxels = Math.sqrt(x * x + y * y + z * z) / target.voxelMm();
-    addStroke(end, (int) (voxels / between(SLOWEST_TEAR, FASTEST_TEAR)));
+    addStroke(end, (int) (voxels / between(MIN_TEAR_SPEED, MAX_TEAR_SPEED)));
   }
 
-  private void addStroke(Vec3 end, int inSamples) {
+  private void addStroke(Vec3 end, int sampleCount) {
     ends[strokes].set(end);
-    samples[strokes++] = Math.max(1, inSamples);
+    samples[strokes++] = Math.max(1, sampleCount);
   }
 
   private int samplesFor(double ms) {
     return (int) (ms * samplesPerMs);
+  }
+
+  private int below(int bound) {
+    return (int) ((random.nextLong() >>> 1) % bound);
   }
 
   private double between(double low, double high) {

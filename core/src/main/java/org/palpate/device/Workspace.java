@@ -4,15 +4,16 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * How a device's own frame (millimetres, x right, y up, z towards the person) lies in the world: it
- * is turned, then scaled along the world's axes, then moved.
+ * Maps a device's own frame to the world: a rotation, then a scale along each world axis, then a
+ * translation. The device's frame is in millimetres, x right, y up, z towards the person.
  *
- * <p>A force goes the way back by the transpose, divided by the largest scale. So it does no more
- * work on the hand than the spring in the world did, whatever the scales are, and a world stiffness
- * of {@link #stiffnessNewtonPerMm} is felt along no direction as more than its share of the
- * device's maximum.
+ * <p>A force is mapped back by the transpose, divided by the largest scale. Whatever the scales
+ * are, it therefore does no more work on the hand than the spring does in the world. A world
+ * stiffness of {@link #stiffnessNewtonPerMm} is felt in no direction as more than the given
+ * fraction of the device's maximum.
  *
- * @param deviceToWorld rotation, and where the device's origin goes, world mm; no mirroring
+ * @param deviceToWorld rotation without mirroring, and the position of the device's origin, world
+ *     mm
  * @param scale world mm per device mm along each world axis, positive
  */
 public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
@@ -28,13 +29,14 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
   }
 
   /**
-   * The workspace whose ball reaches every corner plane of a box: one scale for all axes, so that
-   * shapes keep their proportions.
+   * Returns the workspace in which the device reaches every face of a box. All axes have the same
+   * scale, so that shapes keep their proportions.
    *
-   * @param device whose ball it is
+   * @param device the device, for its radius
    * @param axes device to world; its origin is not used
-   * @param lowMm least corner of the box, world mm
-   * @param highMm greatest corner
+   * @param lowMm lowest corner of the box, world mm
+   * @param highMm highest corner
+   * @throws IllegalArgumentException if the device has no radius
    */
   public static Workspace fit(
       DeviceSpecification device, RigidTransform axes, Vec3 lowMm, Vec3 highMm) {
@@ -43,12 +45,13 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
     return new Workspace(each.deviceToWorld, new Vec3(largest, largest, largest));
   }
 
-  /** As {@link #fit}, with a scale for each axis, so that the whole reach is used along all. */
+  /** Returns a workspace as {@link #fit}, but with a scale for each axis that uses its reach. */
   public static Workspace fitEachAxis(
       DeviceSpecification device, RigidTransform axes, Vec3 lowMm, Vec3 highMm) {
     double reachMm = device.workspaceRadiusMm();
     if (!(reachMm > 0)) {
-      throw new IllegalArgumentException("workspaceRadiusMm must be positive: " + reachMm);
+      throw new IllegalArgumentException(
+          "workspaceRadiusMm must be positive: workspaceRadiusMm=" + reachMm);
     }
     Vec3 centre = lowMm.add(highMm, new Vec3()).mul(0.5, new Vec3());
     Vec3 scale = highMm.sub(lowMm, new Vec3()).mul(0.5 / reachMm, new Vec3());
@@ -56,31 +59,34 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
         new RigidTransform(axes.axisX(), axes.axisY(), axes.axisZ(), centre), scale);
   }
 
-  /** The largest of the three scales. */
+  /** Returns the largest of the three scales. */
   public double largestScale() {
     return Math.max(scale.x, Math.max(scale.y, scale.z));
   }
 
   /**
-   * The world stiffness, N per mm of scan, that the hand feels as {@code share} of what the device
-   * renders stably.
+   * Returns the world stiffness that the hand feels as a fraction of the stiffness that the device
+   * renders stably, N per mm of scan.
    */
-  public double stiffnessNewtonPerMm(DeviceSpecification device, double share) {
-    return share * device.maxStiffnessNewtonPerMm() / largestScale();
+  public double stiffnessNewtonPerMm(DeviceSpecification device, double fraction) {
+    return fraction * device.maxStiffnessNewtonPerMm() / largestScale();
   }
 
-  /** Writes where a device position lies into {@code dest}, world mm; {@code dest} may be it. */
+  /**
+   * Writes the world position of a device position into {@code dest}, mm. {@code dest} may be
+   * {@code deviceMm}.
+   */
   public Vec3 toWorld(Vec3 deviceMm, Vec3 dest) {
     return toWorldStep(deviceMm, dest).add(deviceToWorld.origin(), dest);
   }
 
-  /** Writes where a movement of the device goes into {@code dest}, world mm. */
+  /** Writes the world displacement of a displacement of the device into {@code dest}, mm. */
   Vec3 toWorldStep(Vec3 deviceMm, Vec3 dest) {
     deviceToWorld.rotate(deviceMm, dest);
     return dest.set(dest.x * scale.x, dest.y * scale.y, dest.z * scale.z);
   }
 
-  /** Writes the force to send to the device for one in the world into {@code dest}, newtons. */
+  /** Writes the device's force for a force in the world into {@code dest}, newtons. */
   public Vec3 toDeviceForce(Vec3 worldNewton, Vec3 dest) {
     double unit = 1 / largestScale();
     dest.set(

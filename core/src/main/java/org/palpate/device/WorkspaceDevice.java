@@ -4,43 +4,51 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * A device whose own frame is mapped to the world: by a {@link Workspace}, a clutch and two speeds.
+ * Maps a device's own frame to the world by a {@link Workspace}, a clutch and two speeds.
  *
- * <p>While the clutch is held the point stays where it is, without force, and the hand goes back to
- * where it has room; when it is let go the force comes back over {@link #RETURN_NANOS}. The speed
- * button changes between full and fine movement about the point where it is. Buttons and
- * orientation come through; so does what is not finite, without a change of the mapping.
+ * <p>While the clutch is held, the interaction point stays where it is and there is no force, so
+ * that the hand can return to where it has room. After the release the force returns over {@link
+ * #RETURN_NANOS}. The speed button switches between full and fine motion about the present
+ * position.
  *
- * <p>Read and written by the haptic thread, which owns all of the state; allocates nothing.
+ * <p>Buttons and orientation pass through. A position that is not finite passes too and changes
+ * nothing of the mapping.
+ *
+ * <p>The haptic thread reads and writes the device and owns its state. Allocates nothing.
  */
 public final class WorkspaceDevice extends DeviceDecorator {
-  /** How long the force takes to come back after the clutch. */
+  /** Time in which the force returns after the clutch was released. */
   public static final long RETURN_NANOS = 150_000_000L;
 
   private final Workspace workspace;
   private final Controls controls;
   private final DeviceSpecification specification;
-  private final Vec3 offsetMm;
-  private final Vec3 stepMm = new Vec3();
-  private final Vec3 heldMm = new Vec3();
-  private final Vec3 deviceNewton = new Vec3();
   private final double[] rotation;
   private final DeviceState raw = new DeviceState();
+
+  /** Displacement of the device from its origin, world mm, at the present speed. */
+  private final Vec3 displacementMm = new Vec3();
+
+  /** World position of the device's origin, mm. */
+  private final Vec3 originMm;
+
+  private final Vec3 lastPositionMm = new Vec3();
+  private final Vec3 deviceNewton = new Vec3();
   private double speed = 1;
   private int lastButtons;
+  private boolean hasPosition;
+  private volatile boolean clutchRequested;
   private boolean clutched;
-  private volatile boolean clutchWanted;
   private boolean returning;
-  private boolean placed;
   private long releasedNanos;
-  private double forceShare = 1;
+  private double forceFactor = 1;
 
   /**
-   * Which buttons do what.
+   * The assignment of the buttons.
    *
-   * @param clutchButton bit of the button that holds the point; 0 for none
+   * @param clutchButton bit of the button that holds the clutch; 0 for none
    * @param speedButton bit of the button that changes the speed; 0 for none
-   * @param fineSpeed share of the full movement, in (0, 1]
+   * @param fineSpeed fine motion as a fraction of full motion, in (0, 1]
    */
   public record Controls(int clutchButton, int speedButton, double fineSpeed) {
 
@@ -51,21 +59,21 @@ public final class WorkspaceDevice extends DeviceDecorator {
       }
     }
 
-    /** The second button is the clutch, the third changes to a quarter of the speed. */
+    /** Returns the usual assignment: second button clutch, third button a quarter of the speed. */
     public static Controls standard() {
       return new Controls(2, 4, 0.25);
     }
   }
 
-  /** Maps {@code device}, which is in its own frame, and closes it when it is closed. */
+  /** Maps {@code device}, which is in its own frame, and closes it when it is closed itself. */
   public WorkspaceDevice(HapticDevice device, Workspace workspace, Controls controls) {
     super(device);
     this.workspace = workspace;
     this.controls = controls;
-    this.offsetMm = new Vec3().set(workspace.deviceToWorld().origin());
-    this.rotation = quaternion(workspace.deviceToWorld());
+    originMm = new Vec3().set(workspace.deviceToWorld().origin());
+    rotation = quaternion(workspace.deviceToWorld());
     DeviceSpecification own = device.specification();
-    this.specification =
+    specification =
         new DeviceSpecification(
             own.name(),
             own.serial(),
@@ -75,7 +83,7 @@ public final class WorkspaceDevice extends DeviceDecorator {
             own.reportIntervalNanos());
   }
 
-  /** Of the device as the world sees it: stiffness per world mm, reach in world mm. */
+  /** Returns the device as the world sees it: stiffness per world mm, radius in world mm. */
   @Override
   public DeviceSpecification specification() {
     return specification;
@@ -86,69 +94,70 @@ public final class WorkspaceDevice extends DeviceDecorator {
     ReadStatus status = device.read(raw);
     if (status == ReadStatus.FRESH) {
       state.set(raw);
-      place(state);
-      turn(state);
+      mapPosition(state);
+      updateForceFactor(state.timeNanos);
+      mapOrientation(state);
     }
     return status;
   }
 
-  private void place(DeviceState state) {
-    workspace.toWorldStep(raw.positionMm, stepMm).mul(speed, stepMm);
-    if (stepMm.isFinite()) {
-      changeSpeed(state.buttons);
-      changeClutch(state.buttons, state.timeNanos);
+  private void mapPosition(DeviceState state) {
+    workspace.toWorldStep(raw.positionMm, displacementMm).mul(speed, displacementMm);
+    if (displacementMm.isFinite()) {
+      updateSpeed(state.buttons);
+      updateClutch(state.buttons, state.timeNanos);
       lastButtons = state.buttons;
     }
-    stepMm.add(offsetMm, state.positionMm);
-    if (clutched && state.positionMm.isFinite()) {
-      state.positionMm.set(heldMm);
-    } else if (state.positionMm.isFinite()) {
-      heldMm.set(state.positionMm);
-      placed = true;
+    displacementMm.add(originMm, state.positionMm);
+    if (!state.positionMm.isFinite()) {
+      return;
     }
-    comeBack(state.timeNanos);
+    if (clutched) {
+      state.positionMm.set(lastPositionMm);
+    } else {
+      lastPositionMm.set(state.positionMm);
+      hasPosition = true;
+    }
   }
 
-  /** Keeps the point where it is and lets later movement count for more or less. */
-  private void changeSpeed(int buttons) {
-    if (pressedNow(controls.speedButton(), buttons)) {
+  /** Changes the speed if its button goes down, and keeps the position where it is. */
+  private void updateSpeed(int buttons) {
+    boolean goesDown = (buttons & ~lastButtons & controls.speedButton()) != 0;
+    if (goesDown) {
       double next = speed == 1 ? controls.fineSpeed() : 1;
       double ratio = next / speed;
-      offsetMm.set(
-          offsetMm.x + stepMm.x * (1 - ratio),
-          offsetMm.y + stepMm.y * (1 - ratio),
-          offsetMm.z + stepMm.z * (1 - ratio));
-      stepMm.mul(ratio, stepMm);
+      originMm.set(
+          originMm.x + displacementMm.x * (1 - ratio),
+          originMm.y + displacementMm.y * (1 - ratio),
+          originMm.z + displacementMm.z * (1 - ratio));
+      displacementMm.mul(ratio, displacementMm);
       speed = next;
     }
   }
 
-  private void changeClutch(int buttons, long nanos) {
-    boolean wanted = clutchWanted || (buttons & controls.clutchButton()) != 0;
-    boolean held = wanted && placed;
+  /** Holds or releases the clutch. The release moves the origin so that the position stays. */
+  private void updateClutch(int buttons, long nanos) {
+    boolean requested = clutchRequested || (buttons & controls.clutchButton()) != 0;
+    boolean held = requested && hasPosition;
     if (clutched && !held) {
-      heldMm.sub(stepMm, offsetMm);
+      lastPositionMm.sub(displacementMm, originMm);
       releasedNanos = nanos;
       returning = true;
     }
     clutched = held;
   }
 
-  private boolean pressedNow(int button, int buttons) {
-    return (buttons & ~lastButtons & button) != 0;
-  }
-
-  private void comeBack(long nanos) {
+  private void updateForceFactor(long nanos) {
     if (clutched) {
-      forceShare = 0;
+      forceFactor = 0;
     } else if (returning) {
-      forceShare = Math.min(1, Math.max(0, (nanos - releasedNanos) / (double) RETURN_NANOS));
-      returning = forceShare < 1;
+      forceFactor = Math.min(1, Math.max(0, (nanos - releasedNanos) / (double) RETURN_NANOS));
+      returning = forceFactor < 1;
     }
   }
 
-  /** The device's turn, then the workspace's: the product of their quaternions. */
-  private void turn(DeviceState state) {
+  /** Multiplies the quaternion of the workspace by that of the device. */
+  private void mapOrientation(DeviceState state) {
     double x = rotation[0];
     double y = rotation[1];
     double z = rotation[2];
@@ -162,25 +171,25 @@ public final class WorkspaceDevice extends DeviceDecorator {
   @Override
   public boolean write(Vec3 forceNewton) {
     workspace.toDeviceForce(forceNewton, deviceNewton);
-    return device.write(deviceNewton.mul(forceShare, deviceNewton));
+    return device.write(deviceNewton.mul(forceFactor, deviceNewton));
   }
 
-  /** Holds the clutch as its button does, or lets it go, from the next sample on. Any thread. */
-  public void holdClutch(boolean wanted) {
-    clutchWanted = wanted;
+  /** Holds the clutch as its button does, or releases it, from the next sample on. Any thread. */
+  public void holdClutch(boolean requested) {
+    clutchRequested = requested;
   }
 
   /** Whether {@link #holdClutch} holds the clutch. Any thread. */
-  public boolean isClutchWanted() {
-    return clutchWanted;
+  public boolean isClutchRequested() {
+    return clutchRequested;
   }
 
   /** Whether the clutch is held. Haptic thread. */
-  public boolean isClutched() {
+  boolean isClutched() {
     return clutched;
   }
 
-  /** The unit quaternion (x, y, z, w) of a rotation; the largest component is never divided by. */
+  /** Returns the unit quaternion (x, y, z, w) of a rotation. */
   private static double[] quaternion(RigidTransform t) {
     double xx = t.axisX().x;
     double yy = t.axisY().y;
@@ -189,11 +198,11 @@ public final class WorkspaceDevice extends DeviceDecorator {
     double y = Math.sqrt(Math.max(0, 1 - xx + yy - zz)) / 2;
     double z = Math.sqrt(Math.max(0, 1 - xx - yy + zz)) / 2;
     double w = Math.sqrt(Math.max(0, 1 + xx + yy + zz)) / 2;
-    return signed(t, x, y, z, w);
+    return withSigns(t, x, y, z, w);
   }
 
-  /** Gives the parts the signs that belong to the largest one being positive. */
-  private static double[] signed(RigidTransform t, double x, double y, double z, double w) {
+  /** Returns the components with their signs, of which the largest component is positive. */
+  private static double[] withSigns(RigidTransform t, double x, double y, double z, double w) {
     double yz = t.axisZ().y + t.axisY().z;
     double zx = t.axisX().z + t.axisZ().x;
     double xy = t.axisY().x + t.axisX().y;
@@ -202,18 +211,14 @@ public final class WorkspaceDevice extends DeviceDecorator {
     double ofZ = t.axisX().y - t.axisY().x;
     double largest = Math.max(Math.max(x, y), Math.max(z, w));
     if (w == largest) {
-      return new double[] {copy(x, ofX), copy(y, ofY), copy(z, ofZ), w};
+      return new double[] {Math.copySign(x, ofX), Math.copySign(y, ofY), Math.copySign(z, ofZ), w};
     }
     if (x == largest) {
-      return new double[] {x, copy(y, xy), copy(z, zx), copy(w, ofX)};
+      return new double[] {x, Math.copySign(y, xy), Math.copySign(z, zx), Math.copySign(w, ofX)};
     }
     if (y == largest) {
-      return new double[] {copy(x, xy), y, copy(z, yz), copy(w, ofY)};
+      return new double[] {Math.copySign(x, xy), y, Math.copySign(z, yz), Math.copySign(w, ofY)};
     }
-    return new double[] {copy(x, zx), copy(y, yz), z, copy(w, ofZ)};
-  }
-
-  private static double copy(double size, double sign) {
-    return Math.copySign(size, sign);
+    return new double[] {Math.copySign(x, zx), Math.copySign(y, yz), z, Math.copySign(w, ofZ)};
   }
 }

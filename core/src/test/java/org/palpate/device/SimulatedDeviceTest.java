@@ -40,7 +40,6 @@ class SimulatedDeviceTest {
       assertTrue(pushed.write(new Vec3(frame, -1, 2)));
       assertTrue(state.positionMm.sameBits(other.positionMm));
     }
-    assertEquals(999, pushed.lastForceNewton().x);
   }
 
   @Test

@@ -178,7 +178,7 @@ class WorkspaceDeviceTest {
     device.holdClutch(true);
     hand.next.positionMm.set(9, 8, 7);
     device.read(state);
-    assertTrue(device.isClutched() && device.isClutchWanted());
+    assertTrue(device.isClutched() && device.isClutchRequested());
     assertTrue(before.sameBits(state.positionMm));
     device.holdClutch(false);
     device.read(state);

@@ -172,7 +172,7 @@ public final class SessionView implements AutoCloseable {
   }
 
   private static void toggleClutch(WorkspaceDevice mapped) {
-    mapped.holdClutch(!mapped.isClutchWanted());
+    mapped.holdClutch(!mapped.isClutchRequested());
   }
 
   private void retune(Runnable change) {
@@ -300,7 +300,7 @@ public final class SessionView implements AutoCloseable {
 
   private String tuningLine() {
     ContactTuning feel = session.feel();
-    boolean clutched = device instanceof WorkspaceDevice mapped && mapped.isClutchWanted();
+    boolean clutched = device instanceof WorkspaceDevice mapped && mapped.isClutchRequested();
     return String.format(
         Locale.ROOT,
         "%s   %.2f N/mm   friction %.2f%s",
