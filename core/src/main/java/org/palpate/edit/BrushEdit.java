@@ -8,8 +8,8 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Makes every voxel solid or empty whose centre lies within a ball; a large one takes more frames
- * than one.
+ * Makes every voxel solid or empty whose centre lies within a ball. A large ball takes several
+ * frames.
  */
 public final class BrushEdit extends Edit {
   private final Vec3 centre;
@@ -22,10 +22,12 @@ public final class BrushEdit extends Edit {
   private int k;
 
   /**
-   * A ball.
+   * Makes an edit of a ball.
    *
+   * @param segment index of the segment in the scene
    * @param centreGrid grid coordinates, finite
    * @param radiusMm metric radius, at least 0
+   * @param solid whether the voxels become solid; empty else
    */
   public BrushEdit(int segment, Vec3 centreGrid, double radiusMm, boolean solid) {
     super(segment);
@@ -41,9 +43,9 @@ public final class BrushEdit extends Edit {
     }
   }
 
-  /** Any ball fits: what lies outside the grid is left out. */
+  /** Finds the box of the ball. Any ball fits: the part outside the grid is left out. */
   @Override
-  void check(VoxelGrid grid, GridMetric gridMetric) {
+  void prepare(VoxelGrid grid, GridMetric gridMetric) {
     metric = gridMetric;
     box.lowX = lowest(centre.x, metric.spacingX());
     box.lowY = lowest(centre.y, metric.spacingY());
@@ -56,35 +58,35 @@ public final class BrushEdit extends Edit {
     k = box.lowZ;
   }
 
-  private int lowest(double at, double spacing) {
-    return (int) Math.max(0, Math.floor(at - radiusMm / spacing));
+  private int lowest(double centreGrid, double spacing) {
+    return (int) Math.max(0, Math.floor(centreGrid - radiusMm / spacing));
   }
 
-  private int highest(double at, double spacing, int size) {
-    return (int) Math.min(size - 1, Math.ceil(at + radiusMm / spacing));
+  private int highest(double centreGrid, double spacing, int size) {
+    return (int) Math.min(size - 1, Math.ceil(centreGrid + radiusMm / spacing));
   }
 
   @Override
-  int apply(CollisionScene obstacles, int voxels) {
+  int apply(CollisionScene scene, int maxVoxels) {
     boolean empty = box.lowX > box.highX || box.lowY > box.highY || box.lowZ > box.highZ;
     if (empty) {
       finish();
       return 1;
     }
-    BitCube bits = obstacles.cube(segment());
-    int looked = 0;
-    while (looked < voxels && k <= box.highZ) {
-      brush(bits);
-      step();
-      looked++;
+    BitCube bits = scene.cube(segment());
+    int visited = 0;
+    while (visited < maxVoxels && k <= box.highZ) {
+      brushVoxel(bits);
+      moveToNextVoxel();
+      visited++;
     }
     if (k > box.highZ) {
       finish();
     }
-    return looked;
+    return visited;
   }
 
-  private void brush(BitCube bits) {
+  private void brushVoxel(BitCube bits) {
     double square = metric.squaredDistance(centre.x, centre.y, centre.z, i + 0.5, j + 0.5, k + 0.5);
     if (square > radiusMm * radiusMm) {
       return;
@@ -96,7 +98,7 @@ public final class BrushEdit extends Edit {
     }
   }
 
-  private void step() {
+  private void moveToNextVoxel() {
     if (++i > box.highX) {
       i = box.lowX;
       if (++j > box.highY) {

@@ -5,8 +5,8 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * A change of a segment's voxels, made by any thread, put into an {@link EditQueue}, carried out by
- * the haptic thread between frames. An instance is queued once.
+ * A change of a segment's voxels. Any thread makes it and puts it into an {@link EditQueue}, once;
+ * the haptic thread applies it between frames.
  */
 public abstract sealed class Edit permits VoxelEdit, BrushEdit, SwapEdit, GreyEdit {
   private final int segment;
@@ -16,31 +16,35 @@ public abstract sealed class Edit permits VoxelEdit, BrushEdit, SwapEdit, GreyEd
     this.segment = segment;
   }
 
-  /** Which of the obstacles it changes, in the order in which they were given. */
+  /** Returns the index of the changed segment in the scene. */
   public final int segment() {
     return segment;
   }
 
-  /** Whether all of it has been carried out; what was written before is then seen. Any thread. */
+  /**
+   * Whether the edit is complete. Then all its writes are visible to the calling thread. Any
+   * thread.
+   */
   public final boolean isDone() {
     return done;
   }
 
   /**
-   * Carries out some of it. Haptic thread.
+   * Checks that the edit fits the grid, and prepares it. Runs in the thread that queues the edit.
    *
-   * @param voxels how many voxels it may look at, at least 1
-   * @return how many it looked at, at least 1
+   * @throws IllegalArgumentException with the values, if it does not fit
    */
-  abstract int apply(CollisionScene obstacles, int voxels);
+  abstract void prepare(VoxelGrid grid, GridMetric gridMetric);
 
   /**
-   * Refuses what does not fit the grid, in the thread that queues.
+   * Applies the edit or a part of it. Haptic thread.
    *
-   * @throws IllegalArgumentException with the values
+   * @param maxVoxels number of voxels that it may visit, at least 1
+   * @return number of visited voxels, at least 1
    */
-  abstract void check(VoxelGrid grid, GridMetric gridMetric);
+  abstract int apply(CollisionScene scene, int maxVoxels);
 
+  /** Marks the edit as complete. Haptic thread, after its last write. */
   final void finish() {
     done = true;
   }

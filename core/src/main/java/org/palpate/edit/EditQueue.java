@@ -7,12 +7,11 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Edits on their way from any thread to the haptic thread, which alone changes bits, between
- * frames. Bounded; offering never waits, and neither does the haptic thread, which allocates
- * nothing here.
+ * A bounded queue of edits from any thread to the haptic thread, which alone changes voxels and
+ * does so between frames. No thread waits. The haptic thread allocates nothing here.
  */
 public final class EditQueue {
-  /** Edits that wait at most. */
+  /** The usual number of edits that may wait. */
   public static final int DEFAULT_CAPACITY = 1024;
 
   private final VoxelGrid grid;
@@ -22,15 +21,16 @@ public final class EditQueue {
   private final AtomicLong offered = new AtomicLong();
   private final AtomicLong taken = new AtomicLong();
 
+  /** Makes a queue of the usual capacity. */
   public EditQueue(VoxelGrid grid, int segments) {
     this(grid, segments, DEFAULT_CAPACITY);
   }
 
   /**
-   * A queue for edits of obstacles over one grid.
+   * Makes a queue for edits of a scene over one grid.
    *
-   * @param segments how many obstacles there are
-   * @param capacity how many edits may wait, at least 1
+   * @param segments number of segments in the scene
+   * @param capacity number of edits that may wait, at least 1
    */
   public EditQueue(VoxelGrid grid, int segments, int capacity) {
     this.grid = grid;
@@ -40,17 +40,17 @@ public final class EditQueue {
   }
 
   /**
-   * Queues an edit. Any thread; edits of one thread are carried out in their order.
+   * Queues an edit. Any thread. The edits of one thread keep their order.
    *
-   * @return false where the queue is full; try again later
-   * @throws IllegalArgumentException where the edit does not fit the grid or the segments
+   * @return false if the queue is full; the caller may try again later
+   * @throws IllegalArgumentException if the edit does not fit the grid or the segments
    */
   public boolean offer(Edit edit) {
     if (edit.segment() < 0 || edit.segment() >= segments) {
       throw new IllegalArgumentException(
           "no such segment: segment=" + edit.segment() + " segments=" + segments);
     }
-    edit.check(grid, metric);
+    edit.prepare(grid, metric);
     while (true) {
       long at = offered.get();
       if (at - taken.get() >= slots.length()) {
@@ -63,36 +63,36 @@ public final class EditQueue {
     }
   }
 
-  /** Edits that were carried out wholly. Any thread. */
-  public long done() {
+  /** Returns the number of complete edits. Any thread. */
+  public long completed() {
     return taken.get();
   }
 
-  /** Whether edits wait or are under way. Any thread. */
+  /** Whether no edit waits and none is in progress. Any thread. */
   public boolean isIdle() {
     return offered.get() == taken.get();
   }
 
   /**
-   * Carries out waiting edits. Haptic thread.
+   * Applies waiting edits. Haptic thread.
    *
-   * @param voxels how many voxels may be looked at
-   * @return whether any bit may have changed
+   * @param maxVoxels number of voxels that the edits may visit
+   * @return whether any voxel may have changed
    */
-  public boolean applyTo(CollisionScene obstacles, int voxels) {
-    int left = voxels;
+  public boolean applyTo(CollisionScene scene, int maxVoxels) {
+    int left = maxVoxels;
     while (left > 0) {
       int slot = (int) (taken.getPlain() % slots.length());
       Edit edit = slots.get(slot);
       if (edit == null) {
         break;
       }
-      left -= edit.apply(obstacles, left);
+      left -= edit.apply(scene, left);
       if (edit.isDone()) {
         slots.set(slot, null);
         taken.setRelease(taken.getPlain() + 1);
       }
     }
-    return left < voxels;
+    return left < maxVoxels;
   }
 }

@@ -7,23 +7,29 @@ import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Puts other grey values in the place of those that a smooth surface goes by. One frame, whatever
- * the size; which voxels are solid is the business of other edits.
+ * Replaces the grey values that define a smooth surface. It takes one frame, whatever their number.
+ * Solid voxels do not change; other edits change them.
  */
 public final class GreyEdit extends Edit {
-  private final GreyIsosurfaceSource grey;
-  private final GreyIsosurface fresh;
+  private final GreyIsosurfaceSource source;
+  private final GreyIsosurface replacement;
 
-  /** {@code fresh} is given away: its maker changes it no more. */
-  public GreyEdit(int segment, GreyIsosurfaceSource grey, GreyIsosurface fresh) {
+  /**
+   * Makes an edit.
+   *
+   * @param segment index of the segment in the scene
+   * @param source gives the solver its grey values
+   * @param replacement the new grey values, which the caller must not change any more
+   */
+  public GreyEdit(int segment, GreyIsosurfaceSource source, GreyIsosurface replacement) {
     super(segment);
-    this.grey = grey;
-    this.fresh = fresh;
+    this.source = source;
+    this.replacement = replacement;
   }
 
   @Override
-  void check(VoxelGrid grid, GridMetric gridMetric) {
-    VoxelGrid values = fresh.volume().grid();
+  void prepare(VoxelGrid grid, GridMetric gridMetric) {
+    VoxelGrid values = replacement.volume().grid();
     if (!sizes(values).equals(sizes(grid))) {
       throw new IllegalArgumentException(
           "grey values must have the grid's sizes: values="
@@ -38,8 +44,8 @@ public final class GreyEdit extends Edit {
   }
 
   @Override
-  int apply(CollisionScene obstacles, int voxels) {
-    grey.replace(fresh);
+  int apply(CollisionScene scene, int maxVoxels) {
+    source.replace(replacement);
     finish();
     return 1;
   }

@@ -6,58 +6,56 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Puts another bit cube in the place of a segment's, for a bulk change that was built aside. One
- * frame, whatever the size. After {@link #isDone} the old cube is the caller's and the new one the
- * haptic thread's.
+ * Replaces the bit cube of a segment, for a change of many voxels that was built aside. It takes
+ * one frame, whatever the size.
+ *
+ * <p>After {@link #isDone} the replaced cube belongs to the caller, and the new one to the haptic
+ * thread.
  */
 public final class SwapEdit extends Edit {
-  private final BitCube fresh;
-  private BitCube retired;
+  private final BitCube replacement;
+  private BitCube replaced;
 
-  /** {@code fresh} is given away: its maker changes it no more. */
-  public SwapEdit(int segment, BitCube fresh) {
+  /**
+   * Makes an edit.
+   *
+   * @param segment index of the segment in the scene
+   * @param replacement the new cube, which the caller must not change any more
+   */
+  public SwapEdit(int segment, BitCube replacement) {
     super(segment);
-    this.fresh = fresh;
+    this.replacement = replacement;
   }
 
   /**
-   * The cube that was replaced.
+   * Returns the cube that was replaced.
    *
    * @throws IllegalStateException before {@link #isDone}
    */
-  public BitCube retired() {
+  public BitCube replaced() {
     if (!isDone()) {
-      throw new IllegalStateException("not swapped yet: segment=" + segment());
+      throw new IllegalStateException("not swapped yet; wait until isDone(): segment=" + segment());
     }
-    return retired;
+    return replaced;
   }
 
   @Override
-  void check(VoxelGrid grid, GridMetric gridMetric) {
-    boolean fits =
-        fresh.sizeX() == grid.sizeX()
-            && fresh.sizeY() == grid.sizeY()
-            && fresh.sizeZ() == grid.sizeZ();
-    if (!fits) {
+  void prepare(VoxelGrid grid, GridMetric gridMetric) {
+    String sizes = sizes(replacement.sizeX(), replacement.sizeY(), replacement.sizeZ());
+    String gridSizes = sizes(grid.sizeX(), grid.sizeY(), grid.sizeZ());
+    if (!sizes.equals(gridSizes)) {
       throw new IllegalArgumentException(
-          "cube must have the grid's sizes: cube="
-              + fresh.sizeX()
-              + "x"
-              + fresh.sizeY()
-              + "x"
-              + fresh.sizeZ()
-              + " grid="
-              + grid.sizeX()
-              + "x"
-              + grid.sizeY()
-              + "x"
-              + grid.sizeZ());
+          "cube must have the grid's sizes: cube=" + sizes + " grid=" + gridSizes);
     }
   }
 
+  private static String sizes(int x, int y, int z) {
+    return x + "x" + y + "x" + z;
+  }
+
   @Override
-  int apply(CollisionScene obstacles, int voxels) {
-    retired = obstacles.replace(segment(), fresh);
+  int apply(CollisionScene scene, int maxVoxels) {
+    replaced = scene.replace(segment(), replacement);
     finish();
     return 1;
   }

@@ -12,7 +12,12 @@ public final class VoxelEdit extends Edit {
   private final int k;
   private final boolean solid;
 
-  /** Voxel (i,j,k) of a segment. */
+  /**
+   * Makes an edit of voxel (i,j,k).
+   *
+   * @param segment index of the segment in the scene
+   * @param solid whether the voxel becomes solid; empty else
+   */
   public VoxelEdit(int segment, int i, int j, int k, boolean solid) {
     super(segment);
     this.i = i;
@@ -22,15 +27,16 @@ public final class VoxelEdit extends Edit {
   }
 
   @Override
-  void check(VoxelGrid grid, GridMetric gridMetric) {
+  void prepare(VoxelGrid grid, GridMetric gridMetric) {
     if (!grid.contains(i, j, k)) {
-      throw new IllegalArgumentException("voxel lies outside: voxel=" + i + "," + j + "," + k);
+      throw new IllegalArgumentException(
+          "voxel lies outside the grid: voxel=" + i + "," + j + "," + k);
     }
   }
 
   @Override
-  int apply(CollisionScene obstacles, int voxels) {
-    BitCube bits = obstacles.cube(segment());
+  int apply(CollisionScene scene, int maxVoxels) {
+    BitCube bits = scene.cube(segment());
     if (solid) {
       bits.set(i, j, k);
     } else {

@@ -1,6 +1,6 @@
 /**
- * Edits of voxels and grey values that any thread queues and the haptic thread applies between
- * frames.
+ * Changes voxels and grey values: any thread queues an edit, and the haptic thread applies it
+ * between frames.
  *
  * <p>Uses {@code collision} and {@code proxy.smooth.field}. Each class states its thread. Grid
  * coordinates; radii in millimetres.

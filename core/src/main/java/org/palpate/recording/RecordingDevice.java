@@ -6,13 +6,15 @@ import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
 
 /**
- * Records every new sample of a device and is otherwise that device. Wraps the device that delivers
- * world millimetres, before {@code host} turns them into grid coordinates, so that the recording
- * can be replayed in the world.
+ * Records every new sample of a device, and is otherwise that device.
+ *
+ * <p>It wraps the device that delivers world millimetres, before {@code host} turns them into grid
+ * coordinates. The recording can therefore be replayed in the world.
  */
 public final class RecordingDevice extends DeviceDecorator {
   private final SampleRecorder recorder;
 
+  /** Makes a device that puts the samples of {@code device} into {@code recorder}. */
   public RecordingDevice(HapticDevice device, SampleRecorder recorder) {
     super(device);
     this.recorder = recorder;

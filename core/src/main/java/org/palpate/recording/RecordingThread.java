@@ -3,14 +3,14 @@ package org.palpate.recording;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Drains a {@link SampleRecorder} into a sink in a thread of its own, some twenty times a second,
- * until it is closed.
+ * Moves samples from a {@link SampleRecorder} into a sink, some twenty times a second, in a thread
+ * of its own.
  *
  * <pre>
  *   SampleRecorder recorder = new SampleRecorder();
  *   try (RecordingThread thread = RecordingThread.start(recorder, new TrajectoryWriter(file, text))) {
  *     ... a session over new RecordingDevice(device, recorder) ...
- *   }   // everything that was recorded is in the file; a failure to write is thrown here
+ *   }   // close() writes all samples, and throws if the file could not be written
  * </pre>
  */
 public final class RecordingThread implements AutoCloseable {
@@ -18,7 +18,7 @@ public final class RecordingThread implements AutoCloseable {
 
   private final SampleRecorder recorder;
   private final SampleRecorder.Sink sink;
-  private final Thread thread = new Thread(this::drainUntilEnded, "palpate-recorder");
+  private final Thread thread = new Thread(this::writeUntilEnded, "palpate-recorder");
   private volatile boolean ended;
   private volatile RuntimeException failure;
 
@@ -27,7 +27,7 @@ public final class RecordingThread implements AutoCloseable {
     this.sink = sink;
   }
 
-  /** Starts draining. */
+  /** Starts a thread that writes the samples of {@code recorder} into {@code sink}. */
   public static RecordingThread start(SampleRecorder recorder, SampleRecorder.Sink sink) {
     RecordingThread recording = new RecordingThread(recorder, sink);
     recording.thread.setDaemon(true);
@@ -35,7 +35,7 @@ public final class RecordingThread implements AutoCloseable {
     return recording;
   }
 
-  private void drainUntilEnded() {
+  private void writeUntilEnded() {
     try {
       while (!ended) {
         recorder.drainTo(sink);
@@ -47,15 +47,15 @@ public final class RecordingThread implements AutoCloseable {
     }
   }
 
-  /** What the sink threw, after which nothing more is written; null where all is well. */
+  /** Returns the exception that the sink threw and that ended the thread, or null. Any thread. */
   public RuntimeException failure() {
     return failure;
   }
 
   /**
-   * Drains the rest and ends the thread. Call it after the session's last frame.
+   * Writes the remaining samples and ends the thread. Call it after the session's last frame.
    *
-   * @throws RuntimeException what the sink threw, now or before
+   * @throws RuntimeException the exception of the sink, now or before
    */
   @Override
   public void close() {

@@ -4,22 +4,15 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.palpate.device.DeviceState;
 
 /**
- * Samples on their way from the haptic thread to a file: a ring of primitives, one writer (the
- * haptic thread, through a {@link RecordingDevice}), one reader (a {@link RecordingThread}). Keeps
- * what the device sent, NaN too. A full ring loses the newest sample and counts it.
+ * A ring buffer of samples from the haptic thread to a file.
+ *
+ * <p>One writer, the haptic thread, through a {@link RecordingDevice}. One reader, a {@link
+ * RecordingThread}. Samples arrive bit for bit, NaN included. A full buffer drops the newest sample
+ * and counts it.
  */
 public final class SampleRecorder {
-  /** Some eight seconds at 1 kHz. */
+  /** The usual capacity: some eight seconds at 1 kHz. */
   public static final int DEFAULT_CAPACITY = 8192;
-
-  /** A sample as it should be. */
-  public static final int FLAG_NONE = 0;
-
-  /** Flag of a position that is NaN or infinite. */
-  public static final int FLAG_NOT_FINITE = 1;
-
-  /** Flag of a time before the one of the last sample. */
-  public static final int FLAG_BACKWARD_TIME = 2;
 
   private static final int TIME = 0;
   private static final int X = 1;
@@ -30,36 +23,37 @@ public final class SampleRecorder {
   private final long[] ring;
   private final int capacity;
   private final AtomicLong written = new AtomicLong();
-  private final AtomicLong read = new AtomicLong();
+  private final AtomicLong taken = new AtomicLong();
   private final AtomicLong overflows = new AtomicLong();
   private final DeviceState out = new DeviceState();
   private long lastTimeNanos = Long.MIN_VALUE;
 
-  /** Takes what the reader is given. */
+  /** Receives the recorded samples. */
   public interface Sink {
     /**
-     * Takes one sample.
+     * Receives one sample.
      *
-     * @param sample as the device sent it; the recorder's own, changed by the next
-     * @param flags {@link #FLAG_NOT_FINITE} and {@link #FLAG_BACKWARD_TIME}, added
+     * @param sample as the device sent it; belongs to the recorder and changes with the next sample
+     * @param flags faults of the sample
      */
-    void accept(DeviceState sample, int flags);
+    void accept(DeviceState sample, SampleFlags flags);
   }
 
+  /** Makes an empty buffer of the usual capacity. */
   public SampleRecorder() {
     this(DEFAULT_CAPACITY);
   }
 
-  /** A ring for {@code capacity} samples, at least 1. */
+  /** Makes an empty buffer for {@code capacity} samples, at least 1. */
   public SampleRecorder(int capacity) {
     this.capacity = capacity;
     ring = new long[Math.multiplyExact(capacity, WORDS_A_SAMPLE)];
   }
 
-  /** Puts a sample in. Haptic thread: never waits, allocates nothing. */
+  /** Adds a sample. Haptic thread: never waits, allocates nothing. */
   public void offer(DeviceState sample) {
     long at = written.getPlain();
-    if (at - read.get() >= capacity) {
+    if (at - taken.get() >= capacity) {
       overflows.lazySet(overflows.getPlain() + 1);
       return;
     }
@@ -77,23 +71,25 @@ public final class SampleRecorder {
   }
 
   /**
-   * Hands over everything that is in the ring. Reader.
+   * Moves all samples from the buffer into a sink. Reader.
    *
-   * @return how many samples
+   * @return number of samples
    */
   public int drainTo(Sink sink) {
     long end = written.getAcquire();
-    long at = read.getPlain();
+    long at = taken.getPlain();
     int count = (int) (end - at);
     for (; at < end; at++) {
-      take((int) (at % capacity) * WORDS_A_SAMPLE);
-      sink.accept(out, flags());
-      read.setRelease(at + 1);
+      read((int) (at % capacity) * WORDS_A_SAMPLE);
+      SampleFlags flags = flags();
+      lastTimeNanos = out.timeNanos;
+      sink.accept(out, flags);
+      taken.setRelease(at + 1);
     }
     return count;
   }
 
-  private void take(int from) {
+  private void read(int from) {
     out.timeNanos = ring[from + TIME];
     for (int axis = 0; axis < 3; axis++) {
       out.positionMm.set(axis, Double.longBitsToDouble(ring[from + X + axis]));
@@ -105,20 +101,13 @@ public final class SampleRecorder {
     out.buttons = (int) ring[from + BUTTONS];
   }
 
-  private int flags() {
-    int flags = out.positionMm.isFinite() ? FLAG_NONE : FLAG_NOT_FINITE;
-    flags |= out.timeNanos < lastTimeNanos ? FLAG_BACKWARD_TIME : FLAG_NONE;
-    lastTimeNanos = out.timeNanos;
-    return flags;
+  private SampleFlags flags() {
+    boolean backwardTime = out.timeNanos < lastTimeNanos;
+    return SampleFlags.of(!out.positionMm.isFinite(), backwardTime);
   }
 
-  /** Samples that were lost because the ring was full. Any thread. */
+  /** Returns the number of samples that were dropped because the buffer was full. Any thread. */
   public long overflows() {
     return overflows.get();
-  }
-
-  /** Samples that were put in. Any thread. */
-  public long recorded() {
-    return written.get();
   }
 }

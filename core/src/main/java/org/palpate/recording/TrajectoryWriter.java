@@ -6,11 +6,13 @@ import java.util.function.DoubleFunction;
 import org.palpate.device.DeviceState;
 
 /**
- * Writes samples as the rows of a trajectory file: {@code t_ms,x,y,z,qx,qy,qz,qw,flags}, times from
- * the first sample's on, positions as the device gave them, NaN and infinities spelt as Java does.
+ * Writes samples as the rows of a trajectory file, {@code t_ms,x,y,z,qx,qy,qz,qw,flags}.
+ *
+ * <p>Times are milliseconds from the first sample. Positions are those of the device; NaN and
+ * infinities are spelt as in Java. One thread.
  */
 public final class TrajectoryWriter implements SampleRecorder.Sink {
-  /** The first line. */
+  /** The first line of a trajectory file. */
   public static final String HEADER = "t_ms,x,y,z,qx,qy,qz,qw,flags";
 
   private static final double NANOS_PER_MS = 1e6;
@@ -21,9 +23,10 @@ public final class TrajectoryWriter implements SampleRecorder.Sink {
   private long firstTimeNanos;
 
   /**
-   * Rows to {@code out}.
+   * Makes a writer.
    *
-   * @param number writes a double so that it reads back the same
+   * @param out receives the header and the rows
+   * @param number spells a double so that it reads back bit for bit
    */
   public TrajectoryWriter(Appendable out, DoubleFunction<String> number) {
     this.out = out;
@@ -31,23 +34,23 @@ public final class TrajectoryWriter implements SampleRecorder.Sink {
   }
 
   /**
-   * Writes a row, and before the first one the header.
+   * Writes a row, after the header if it is the first.
    *
-   * @throws UncheckedIOException where {@code out} fails
+   * @throws UncheckedIOException if {@code out} fails
    */
   @Override
-  public void accept(DeviceState sample, int flags) {
+  public void accept(DeviceState sample, SampleFlags flags) {
     try {
       begin(sample);
-      value((sample.timeNanos - firstTimeNanos) / NANOS_PER_MS);
-      value(sample.positionMm.x);
-      value(sample.positionMm.y);
-      value(sample.positionMm.z);
-      value(sample.qx);
-      value(sample.qy);
-      value(sample.qz);
-      value(sample.qw);
-      out.append(Integer.toString(flags)).append('\n');
+      append((sample.timeNanos - firstTimeNanos) / NANOS_PER_MS);
+      append(sample.positionMm.x);
+      append(sample.positionMm.y);
+      append(sample.positionMm.z);
+      append(sample.qx);
+      append(sample.qy);
+      append(sample.qz);
+      append(sample.qw);
+      out.append(Integer.toString(flags.code())).append('\n');
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -61,7 +64,7 @@ public final class TrajectoryWriter implements SampleRecorder.Sink {
     }
   }
 
-  private void value(double value) throws IOException {
+  private void append(double value) throws IOException {
     out.append(number.apply(value)).append(',');
   }
 }

@@ -32,7 +32,7 @@ class EditQueueTest {
 
   @Test
   void whatDoesNotFitIsRefusedInTheThreadThatQueues() {
-    assertRefused(new VoxelEdit(0, 0, 32, 0, true), "voxel lies outside: voxel=0,32,0");
+    assertRefused(new VoxelEdit(0, 0, 32, 0, true), "voxel lies outside the grid: voxel=0,32,0");
     assertRefused(new VoxelEdit(1, 0, 0, 0, true), "no such segment: segment=1 segments=1");
     assertRefused(
         new SwapEdit(0, new BitCube(32, 32, 31)),
@@ -52,7 +52,7 @@ class EditQueueTest {
     assertTrue(queue.offer(new VoxelEdit(0, 1, 1, 22, true)));
     assertTrue(queue.applyTo(floor.obstacles, 10));
     assertFalse(queue.applyTo(floor.obstacles, 10));
-    assertEquals(3, queue.done());
+    assertEquals(3, queue.completed());
     assertTrue(floor.bits.get(1, 1, 22));
   }
 
@@ -101,7 +101,7 @@ class EditQueueTest {
     }
     queue.offer(new SwapEdit(0, empty));
     editors.forEach(Thread::start);
-    while (queue.done() < 1 + 3 * EDGE * EDGE) {
+    while (queue.completed() < 1 + 3 * EDGE * EDGE) {
       queue.applyTo(floor.obstacles, 100);
     }
     for (Thread editor : editors) {
@@ -137,7 +137,7 @@ class EditQueueTest {
     editor.join();
     assertEquals(freed, frame.statistics().freed());
     assertTrue(freed > 10, "the point was met by solids: freed=" + freed);
-    assertTrue(floor.edits.done() > 1000, "edits=" + floor.edits.done());
+    assertTrue(floor.edits.completed() > 1000, "edits=" + floor.edits.completed());
   }
 
   private int judgeFrames(HapticFrame frame, AtomicReference<Vec3> near, int frames) {

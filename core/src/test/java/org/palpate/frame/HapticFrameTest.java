@@ -255,10 +255,10 @@ class HapticFrameTest {
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
     SwapEdit swap = new SwapEdit(0, new org.palpate.volume.BitCube(32, 32, 32));
-    assertThrows(IllegalStateException.class, swap::retired);
+    assertThrows(IllegalStateException.class, swap::replaced);
     floor.edits.offer(swap);
     run(frame, 1);
-    assertEquals(floor.bits, swap.retired());
+    assertEquals(floor.bits, swap.replaced());
     assertEquals(5, frame.point().position.z);
   }
 

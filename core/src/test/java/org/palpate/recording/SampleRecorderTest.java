@@ -53,7 +53,7 @@ class SampleRecorderTest {
       recorder.offer(sample);
     }
     List<Integer> flags = new ArrayList<>();
-    recorder.drainTo((state, flag) -> flags.add(flag));
+    recorder.drainTo((state, ofSample) -> flags.add(ofSample.code()));
     assertEquals(List.of(0, 1, 2, 3, 0), flags);
   }
 
@@ -68,7 +68,6 @@ class SampleRecorderTest {
     recorder.drainTo((state, flags) -> times.add(state.timeNanos));
     assertEquals(List.of(0L, 1L, 2L, 3L), times);
     assertEquals(6, recorder.overflows());
-    assertEquals(4, recorder.recorded());
   }
 
   @Test

@@ -76,7 +76,7 @@ class ConcurrentEditsTest {
     List<Edit> edits = edits(new SplittableRandom(Seeds.seed()));
     Thread editor = new Thread(() -> offer(edits), "editor");
     editor.start();
-    for (long n = 0; n < LEAST_FRAMES || queue.done() < EDITS; n++) {
+    for (long n = 0; n < LEAST_FRAMES || queue.completed() < EDITS; n++) {
       runFrame(n, !smooth);
       framesRun.lazySet(n);
     }
@@ -85,7 +85,7 @@ class ConcurrentEditsTest {
     assertEquals(freed, frame.statistics().freed());
     assertTrue(freed > 10, "solids came to the point: freed=" + freed);
     assertTrue(legs > 1000, "legs=" + legs);
-    assertEquals(EDITS, queue.done());
+    assertEquals(EDITS, queue.completed());
     for (int segment = 0; segment < 2; segment++) {
       assertNotTorn(twins.get(segment), obstacles.cube(segment));
     }

@@ -132,7 +132,7 @@ public final class FrameAttack {
           return fault + ", frame " + n + " on " + scene.kind();
         }
       }
-      edits += queue.done();
+      edits += queue.completed();
       frame.release();
       return device.lastForce().length() == 0 ? null : "the last force is not zero";
     }
