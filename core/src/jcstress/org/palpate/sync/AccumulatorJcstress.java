@@ -96,7 +96,7 @@ public final class AccumulatorJcstress {
     public void reader() {
       if (accumulator.take()) {
         wasDirty = number.read() == 2;
-        number.applied();
+        number.markApplied();
       }
     }
 

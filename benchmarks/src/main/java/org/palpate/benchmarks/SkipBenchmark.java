@@ -108,7 +108,7 @@ public class SkipBenchmark {
     double friction = helps ? 0 : 0.2;
     contactForce =
         new ContactForce(METRIC, new ForceSettings(0.5, friction, FrictionForm.EQUATION_4, with));
-    properties = new TouchProperties(new Accumulator(with));
+    properties = new TouchProperties(with ? new Accumulator() : Accumulator.withoutSkipping());
     solver = solver();
   }
 

@@ -7,7 +7,7 @@ import java.util.List;
 import org.palpate.geometry.Vec3;
 
 /**
- * Collects changes of scene properties in the haptic thread and hands them, a whole frame at a
+ * Collects changes of scene properties in the haptic thread and passes them, a whole frame at a
  * time, to the synchronization thread.
  *
  * <pre>
@@ -15,30 +15,35 @@ import org.palpate.geometry.Vec3;
  *               PositionProperty tip = scene.position("tip");
  *   writer      tip.set(x, y, z); ...; scene.publish();          once a frame
  *   reader      if (scene.take()) {                              at 30 Hz
- *                 if (tip.isDirty()) { tip.read(vec); node.move(vec); tip.applied(); }
+ *                 if (tip.isDirty()) { tip.read(vec); node.move(vec); tip.markApplied(); }
  *               }
  * </pre>
  *
- * <p>Wait-free for the writer: plain stores between two stores of a sequence number, whatever the
- * reader does. The last value of a property wins; a value that did not change is not written; all
- * that one {@link #publish} carries arrives together, so position and force are of the same frame.
- * The reader takes a copy and throws it away where the sequence moved meanwhile; after {@value
- * #MOST_TRIES} tries it leaves it for its next turn. A property stays dirty until the reader called
- * {@link Property#applied}, so that a renderer which threw is asked again.
+ * <p>One writer: the haptic thread sets and publishes. One reader: the synchronization thread
+ * takes, reads and applies. All properties are made before either starts; nothing is allocated
+ * afterwards.
  *
- * <p>One writer: the haptic thread sets and publishes, soon after each other. One reader: the
- * synchronization thread takes, reads and applies. Properties are made before either starts.
- * Nothing is allocated after.
+ * <p>The writer is wait-free: it makes plain stores between two stores of a sequence number. The
+ * reader copies all values and discards the copy if the sequence number changed meanwhile. After
+ * {@value #MAX_TRIES} tries it waits for its next turn. The writer therefore publishes soon after
+ * it has set the first value.
  *
- * <p>Cost of a write: measured by {@code palpate bench --sync}. A triple buffer, which would be
- * wait-free for the reader too, took more than twice the time: its atomic exchange and its copies
- * are the haptic thread's. Source of the task: Vlasov et al. 2013, section 5.2, which used
- * synchronized statements; of the sequence: Boehm, "Can seqlocks get along with programming
- * language memory models?", MSPC 2012.
+ * <p>The last value of a property wins, and an unchanged value is not written. All values of one
+ * {@link #publish} arrive together, so position and force are of the same frame. A property stays
+ * dirty until the reader calls {@link Property#markApplied}, so that a renderer that threw gets the
+ * value again.
+ *
+ * <p>Cost of a write: see {@code palpate bench --sync}. A triple buffer, which is wait-free for the
+ * reader too, takes more than twice the time, because its atomic exchange and its copies burden the
+ * haptic thread.
+ *
+ * <p>Sources: Vlasov et al. 2013, section 5.2, for the task, which they solve by synchronized
+ * statements; Boehm, "Can seqlocks get along with programming language memory models?", MSPC 2012,
+ * for the sequence number.
  */
 public final class Accumulator {
-  /** How often the reader begins anew where the writer was faster. */
-  static final int MOST_TRIES = 64;
+  /** The number of copies that the reader tries to make in one turn. */
+  static final int MAX_TRIES = 64;
 
   private static final VarHandle SEQUENCE;
 
@@ -54,23 +59,24 @@ public final class Accumulator {
   private final List<Property> properties = new ArrayList<>();
   private boolean started;
 
-  // Written between an odd and an even sequence number, read between two that are the same.
+  // The writer stores these between an odd and an even sequence number; the reader copies them
+  // between two equal ones.
   private long[] words = new long[0];
   private long stamp;
 
-  /** Changes of each property: a count of its own each, since one for all would be waited for. */
+  /** Counts the changes of each property. One counter for all would make each change wait. */
   private long[] writes = new long[0];
 
-  /** Odd while values are being set. */
-  @SuppressWarnings("unused") // by its handle
+  /** Odd while the writer sets values. */
+  @SuppressWarnings("unused") // accessed through its handle
   private long sequence;
 
-  // The writer's.
+  // The writer alone uses these.
   private boolean open;
   private long writerSequence;
   private long unchanged;
 
-  // The reader's.
+  // The reader alone uses these.
   private long[] copy = new long[0];
   private long[] copiedWrites = new long[0];
   private long[] seenWrites = new long[0];
@@ -80,62 +86,43 @@ public final class Accumulator {
   private long seenStamp;
   private long applied;
 
-  /** Writes what changed, and nothing else. */
+  /** Makes an accumulator that skips unchanged values. */
   public Accumulator() {
     this(true);
   }
 
-  /**
-   * An accumulator with a choice, to see what it is worth.
-   *
-   * @param skipsUnchanged whether a value that did not change is left out, or written all the same,
-   *     handed over and applied
-   */
-  public Accumulator(boolean skipsUnchanged) {
+  private Accumulator(boolean skipsUnchanged) {
     this.skipsUnchanged = skipsUnchanged;
   }
 
-  /** Makes a position, three doubles. Before the first publication only, as all that follow. */
+  /** Returns an accumulator that publishes unchanged values too, to measure what skipping saves. */
+  public static Accumulator withoutSkipping() {
+    return new Accumulator(false);
+  }
+
+  /** Makes a property of three doubles. Call it before the first publication. */
   public PositionProperty position(String name) {
     return add(new PositionProperty(this, name, properties.size(), words.length));
   }
 
-  /** Makes a rigid transform. */
+  /** Makes a property that is a rigid transform. Call it before the first publication. */
   public TransformProperty transform(String name) {
     return add(new TransformProperty(this, name, properties.size(), words.length));
   }
 
-  /** Makes a single number. */
+  /** Makes a property that is a single number. Call it before the first publication. */
   public NumberProperty number(String name) {
     return add(new NumberProperty(this, name, properties.size(), words.length));
   }
 
-  /** Makes a colour. */
-  public ColourProperty colour(String name) {
-    return add(new ColourProperty(this, name, properties.size(), words.length));
-  }
-
-  /** Makes a switch that shows or hides; it starts hidden. */
-  public VisibilityProperty visibility(String name) {
-    return add(new VisibilityProperty(this, name, properties.size(), words.length));
-  }
-
-  /** Makes a polyline of at most {@code capacity} points. */
-  public LinesProperty lines(String name, int capacity) {
-    return add(new LinesProperty(this, name, properties.size(), words.length, capacity));
-  }
-
-  /** Makes a place for what a haptic frame has to show. */
+  /**
+   * Makes a property that is the result of a haptic frame. Call it before the first publication.
+   */
   public TouchProperty touch(String name) {
     return add(new TouchProperty(this, name, properties.size(), words.length));
   }
 
-  /** Makes a text of at most {@code capacity} chars. */
-  public TextProperty text(String name, int capacity) {
-    return add(new TextProperty(this, name, properties.size(), words.length, capacity));
-  }
-
-  /** The properties in the order in which they were made. */
+  /** Returns the properties in the order in which they were made. */
   public List<Property> properties() {
     return List.copyOf(properties);
   }
@@ -143,7 +130,7 @@ public final class Accumulator {
   private <P extends Property> P add(P property) {
     if (started) {
       throw new IllegalStateException(
-          "properties are made before the first publication: property=" + property.name());
+          "a property must be made before the first publication: property=" + property.name());
     }
     properties.add(property);
     int length = words.length + property.words();
@@ -157,14 +144,14 @@ public final class Accumulator {
     return property;
   }
 
-  /** Whether anything was changed since the last publication. Writer. */
+  /** Whether any value changed after the last publication. Writer. */
   public boolean isDirty() {
     return open;
   }
 
   /**
-   * Hands everything that was set since the last call to the reader, as one. Writer. Costs nothing
-   * where nothing changed, else one store.
+   * Publishes all values that were set after the last call, together. Writer. It costs one store,
+   * or nothing if no value changed.
    */
   public void publish() {
     if (open) {
@@ -177,13 +164,14 @@ public final class Accumulator {
     }
   }
 
-  /** Writer: from here to the publication the reader keeps away. */
+  /** Makes the reader discard its copies until the next publication. Writer. */
   private void open() {
     open = true;
     SEQUENCE.setOpaque(this, ++writerSequence);
     VarHandle.storeStoreFence();
   }
 
+  /** Writes a word and returns whether it was written. Writer. */
   boolean put(int offset, long word) {
     if (words[offset] == word && skipsUnchanged) {
       return false;
@@ -195,7 +183,7 @@ public final class Accumulator {
     return true;
   }
 
-  /** Three words in a row, the most frequent case; whether any differed. */
+  /** Writes three words in a row, the most frequent case, and returns whether it did. Writer. */
   boolean put(int offset, long a, long b, long c) {
     long[] into = words;
     if (into[offset] == a && into[offset + 1] == b && into[offset + 2] == c && skipsUnchanged) {
@@ -211,8 +199,9 @@ public final class Accumulator {
   }
 
   /**
-   * The eleven words of a {@link TouchProperty}, all in one go: whether any but the last differed.
-   * Written out, since a loop over them takes longer than all the rest.
+   * Writes the eleven words of a {@link TouchProperty}, if any but the last differs, and returns
+   * whether it did. Writer. There is no loop, because a loop takes longer than all the rest; see
+   * {@code palpate bench --sync}.
    */
   boolean putTouch(int offset, Vec3 device, Vec3 point, Vec3 force, long contact, long frame) {
     long[] into = words;
@@ -256,18 +245,20 @@ public final class Accumulator {
     return true;
   }
 
-  void changed(Property property) {
+  /** Counts a change of a property. Writer, before the publication. */
+  void countChange(Property property) {
     writes[property.index()]++;
   }
 
   /**
-   * Takes the newest publication, where there is one. Reader.
+   * Takes the newest publication, if there is one. Reader.
    *
-   * @return whether any property is dirty, by this call or because it was not applied before
+   * @return whether any property is dirty, now or because it was not applied before
    */
   public boolean take() {
-    for (int tries = 0; tries < MOST_TRIES; tries++) {
-      if (copyAll()) {
+    for (int tries = 0; tries < MAX_TRIES; tries++) {
+      boolean copied = copyAll();
+      if (copied) {
         keepCopy();
         break;
       }
@@ -276,7 +267,7 @@ public final class Accumulator {
     return anyPending();
   }
 
-  /** Whether the copy is of one publication. */
+  /** Copies all values and returns whether they are of one publication. */
   private boolean copyAll() {
     long before = (long) SEQUENCE.getAcquire(this);
     if ((before & 1) != 0) {
@@ -309,8 +300,11 @@ public final class Accumulator {
     return false;
   }
 
-  /** The numbers of what the reader has taken so far. Reader, or anyone after both have ended. */
-  public SyncCounters counts() {
+  /**
+   * Returns the counters as of the last publication that was taken. Reader, or any thread after
+   * both have ended.
+   */
+  public SyncCounters counters() {
     long writesSeen = 0;
     for (long ofProperty : seenWrites) {
       writesSeen += ofProperty;

@@ -1,6 +1,6 @@
 package org.palpate.sync;
 
-/** A single double: a rate, a length, a count. Starts at zero. */
+/** A property that is a single double, for example a rate or a length. Starts at zero. */
 public final class NumberProperty extends Property {
   NumberProperty(Accumulator accumulator, String name, int index, int offset) {
     super(accumulator, name, index, offset, 1);
@@ -12,7 +12,7 @@ public final class NumberProperty extends Property {
     settle();
   }
 
-  /** The value as last taken. Reader. */
+  /** Returns the value that was last taken. Reader. */
   public double read() {
     return takenDouble(0);
   }

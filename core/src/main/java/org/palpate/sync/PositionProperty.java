@@ -2,22 +2,23 @@ package org.palpate.sync;
 
 import org.palpate.geometry.Vec3;
 
-/** Three doubles that belong together: a position, a force. Starts at zero. */
+/** A property of three doubles that belong together, for example a position. Starts at zero. */
 public final class PositionProperty extends Property {
   PositionProperty(Accumulator accumulator, String name, int index, int offset) {
     super(accumulator, name, index, offset, 3);
   }
 
-  /** Sets all three. Writer. */
+  /** Sets the three components. Writer. */
   public void set(double x, double y, double z) {
     putAll(x, y, z);
   }
 
+  /** Sets the three components. Writer. */
   public void set(Vec3 value) {
     set(value.x, value.y, value.z);
   }
 
-  /** Writes the value as last taken into {@code dest}. Reader. */
+  /** Writes the value that was last taken into {@code dest}. Reader. */
   public Vec3 read(Vec3 dest) {
     return dest.set(takenDouble(0), takenDouble(1), takenDouble(2));
   }

@@ -3,25 +3,20 @@ package org.palpate.sync;
 import org.palpate.geometry.Vec3;
 
 /**
- * A property of the scene that crosses from the haptic thread to the synchronization thread, held
- * as words in an {@link Accumulator}. What sets belongs to the writer, what reads to the reader.
+ * A property of the scene that crosses from the haptic thread to the synchronization thread. Its
+ * value is a row of words in an {@link Accumulator}.
+ *
+ * <p>Methods that set are for the writer, methods that read for the reader.
  */
 public abstract sealed class Property
-    permits PositionProperty,
-        TransformProperty,
-        NumberProperty,
-        ColourProperty,
-        VisibilityProperty,
-        LinesProperty,
-        TouchProperty,
-        TextProperty {
+    permits PositionProperty, TransformProperty, NumberProperty, TouchProperty {
   private final Accumulator accumulator;
   private final String name;
   private final int index;
   private final int offset;
   private final int words;
 
-  /** Whether a word changed since {@link #settle}. The writer's. */
+  /** Whether a word changed after the last {@link #settle}. Writer. */
   private boolean changed;
 
   Property(Accumulator accumulator, String name, int index, int offset, int words) {
@@ -32,17 +27,18 @@ public abstract sealed class Property
     this.words = words;
   }
 
+  /** Returns the name of the property, for messages. */
   public final String name() {
     return name;
   }
 
-  /** Whether what was taken differs from what was last applied. Reader. */
+  /** Whether the value that was last taken differs from the one last applied. Reader. */
   public final boolean isDirty() {
     return accumulator.isPending(this);
   }
 
-  /** Says that the value as last taken is in the scene. Reader. */
-  public final void applied() {
+  /** Marks the value that was last taken as applied to the scene. Reader. */
+  public final void markApplied() {
     accumulator.markApplied(this);
   }
 
@@ -58,36 +54,39 @@ public abstract sealed class Property
     return words;
   }
 
-  final void put(int word, long value) {
+  private void put(int word, long value) {
     changed |= accumulator.put(offset + word, value);
   }
 
+  /** Writes one word of the value. {@link #settle} must follow before the publication. */
   final void put(int word, double value) {
     put(word, Double.doubleToRawLongBits(value));
   }
 
-  /** Three doubles that are the whole value. */
+  /** Writes three doubles that are the whole value. */
   final void putAll(double x, double y, double z) {
     long a = Double.doubleToRawLongBits(x);
     long b = Double.doubleToRawLongBits(y);
     long c = Double.doubleToRawLongBits(z);
-    if (accumulator.put(offset, a, b, c)) {
-      accumulator.changed(this);
+    boolean written = accumulator.put(offset, a, b, c);
+    if (written) {
+      accumulator.countChange(this);
     }
   }
 
-  /** The words of a {@link TouchProperty}. */
+  /** Writes the whole value of a {@link TouchProperty}. */
   final void putTouch(Vec3 device, Vec3 point, Vec3 force, long contact, long frame) {
-    if (accumulator.putTouch(offset, device, point, force, contact, frame)) {
-      accumulator.changed(this);
+    boolean written = accumulator.putTouch(offset, device, point, force, contact, frame);
+    if (written) {
+      accumulator.countChange(this);
     }
   }
 
-  /** Ends a value's puts: it is one change, where any word differed. */
+  /** Ends a series of {@link #put}: it counts as one change if any word differs. */
   final void settle() {
     if (changed) {
       changed = false;
-      accumulator.changed(this);
+      accumulator.countChange(this);
     }
   }
 

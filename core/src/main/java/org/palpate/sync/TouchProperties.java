@@ -3,40 +3,41 @@ package org.palpate.sync;
 import org.palpate.geometry.Vec3;
 
 /**
- * What a haptic frame publishes, in an accumulator in which more properties may be made before the
- * session starts.
+ * The properties that a haptic frame publishes. More properties may be made in the same accumulator
+ * before the session starts.
  *
- * <p>Positions are grid coordinates and the force is along the grid's axes, as the frame has them;
- * the reader (through {@code host}) takes them to the world.
+ * <p>Positions are grid coordinates and the force is along the grid's axes, as in the frame. The
+ * reader maps them to the world through {@code host}.
  */
 public final class TouchProperties {
   private final Accumulator accumulator;
   private final TouchProperty touch;
 
-  /** Makes its property in {@code accumulator}. */
+  /** Makes the properties in {@code accumulator}. */
   public TouchProperties(Accumulator accumulator) {
     this.accumulator = accumulator;
     touch = accumulator.touch("touch");
   }
 
   /**
-   * Sets all and publishes. Writer.
+   * Sets the result of a frame and publishes it. Writer.
    *
-   * @param frameNumber kept as it was where nothing else changed, so that a resting hand causes no
-   *     redraw
+   * @param frameNumber ignored if nothing else changed, so that a hand at rest causes no redraw
    */
   public void publish(
-      Vec3 deviceGrid, Vec3 pointGrid, Vec3 forceNewton, boolean touching, long frameNumber) {
-    touch.set(deviceGrid, pointGrid, forceNewton, touching, frameNumber);
+      Vec3 deviceGrid, Vec3 pointGrid, Vec3 forceNewton, boolean contact, long frameNumber) {
+    touch.set(deviceGrid, pointGrid, forceNewton, contact, frameNumber);
     accumulator.publish();
   }
 
+  /** Returns the accumulator that holds the properties. */
   public Accumulator accumulator() {
     return accumulator;
   }
 
   /**
-   * d and p in grid coordinates; what was written to the device in newtons along the grid's axes.
+   * Returns the result of a frame: d and p in grid coordinates, and the written force in newtons
+   * along the grid's axes.
    */
   public TouchProperty touch() {
     return touch;

@@ -3,13 +3,14 @@ package org.palpate.sync;
 import org.palpate.geometry.Vec3;
 
 /**
- * What a haptic frame has to show, as one value: device, interaction point, force, contact and the
- * frame's number, so that they are always of the same frame. Starts as zeros.
+ * The result of a haptic frame as one value: device, interaction point, force, contact and number.
+ * They are therefore always of the same frame. Starts as zeros.
  *
- * <p>One value instead of five, since what changes in a frame mostly changes together: compared,
- * written and counted once, that takes the haptic thread two thirds of the time.
+ * <p>It is one value instead of five, because these mostly change together. Comparing, writing and
+ * counting them once takes the haptic thread two thirds of the time.
  */
 public final class TouchProperty extends Property {
+  private static final int DEVICE = 0;
   private static final int POINT = 3;
   private static final int FORCE = 6;
   private static final int CONTACT = 9;
@@ -21,36 +22,35 @@ public final class TouchProperty extends Property {
   }
 
   /**
-   * Sets all. Writer.
+   * Sets the result of a frame. Writer.
    *
-   * @param frameNumber kept as it was where nothing else changed, so that a resting hand causes no
-   *     redraw
+   * @param frameNumber ignored if nothing else changed, so that a hand at rest causes no redraw
    */
   public void set(Vec3 device, Vec3 point, Vec3 force, boolean contact, long frameNumber) {
     putTouch(device, point, force, contact ? 1 : 0, frameNumber);
   }
 
-  /** Where the device was, as last taken. Reader, as all that follow. */
+  /** Writes the device position that was last taken into {@code dest}. Reader. */
   public Vec3 device(Vec3 dest) {
-    return read(0, dest);
+    return read(DEVICE, dest);
   }
 
-  /** Where the interaction point was. */
+  /** Writes the interaction point that was last taken into {@code dest}. Reader. */
   public Vec3 interactionPoint(Vec3 dest) {
     return read(POINT, dest);
   }
 
-  /** The force on the hand. */
+  /** Writes the force that was last taken into {@code dest}. Reader. */
   public Vec3 force(Vec3 dest) {
     return read(FORCE, dest);
   }
 
-  /** Whether there was contact. */
+  /** Whether there was contact, as last taken. Reader. */
   public boolean contact() {
     return taken(CONTACT) != 0;
   }
 
-  /** The number of the last frame in which any of the others changed. */
+  /** Returns the number of the last frame in which any of the others changed. Reader. */
   public long frame() {
     return taken(FRAME);
   }

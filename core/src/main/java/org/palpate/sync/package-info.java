@@ -1,7 +1,7 @@
 /**
- * Hands scene properties from the haptic thread, at kilohertz, to the scene, at 30 Hz.
+ * Passes scene properties from the haptic thread, at kilohertz, to the scene, at 30 Hz.
  *
  * <p>Uses {@code geometry}. One writer, the haptic thread, and one reader, the synchronization
- * thread; neither waits for the other. The writer of a property states its frame and unit.
+ * thread; the writer never waits. The writer of a property states its frame and unit.
  */
 package org.palpate.sync;

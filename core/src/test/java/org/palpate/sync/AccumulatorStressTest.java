@@ -7,15 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
-/** A writer and a reader at full speed on two threads. */
+/** Runs a writer and a reader at full speed on two threads. */
 class AccumulatorStressTest {
   private static final int FRAMES = 1_000_000;
 
   private final Accumulator accumulator = new Accumulator();
   private final TouchProperties touch = new TouchProperties(accumulator);
-  private final LinesProperty trail = accumulator.lines("trail", 8);
+  private final TransformProperty pose = accumulator.transform("pose");
   private final NumberProperty rare = accumulator.number("rare");
   private final AtomicBoolean ended = new AtomicBoolean();
   private final AtomicReference<String> torn = new AtomicReference<>();
@@ -43,12 +44,8 @@ class AccumulatorStressTest {
     if (frame % 1000 == 0) {
       rare.set(Math.floor(frame / 1000.0));
     }
-    trail.begin();
-    for (int point = 0; point <= frame % 8; point++) {
-      trail.add(frame, point, -frame);
-    }
-    trail.end();
     Vec3 at = new Vec3(frame, frame + 0.25, frame + 0.5);
+    pose.set(at, at, at, at);
     touch.publish(at, at, new Vec3(-frame, -2.0 * frame, -3.0 * frame), frame % 2 == 0, frame);
   }
 
@@ -73,25 +70,24 @@ class AccumulatorStressTest {
             && touch.touch().force(scratch).dot(new Vec3(1, 1, 1)) == -6 * frame
             && touch.touch().contact() == (frame % 2 == 0)
             && rareNow == Math.floor(frame / 1000)
-            && trailIsOf(frame);
+            && poseIsOf(frame);
     if (!whole) {
       torn.compareAndSet(null, "frame=" + frame + " after " + lastFrame + " rare=" + rareNow);
     }
     lastFrame = frame;
     lastRare = rareNow;
-    accumulator.properties().forEach(Property::applied);
+    accumulator.properties().forEach(Property::markApplied);
   }
 
-  private static boolean isAt(Vec3 place, double frame) {
-    return place.x == frame && place.y == frame + 0.25 && place.z == frame + 0.5;
+  private static boolean isAt(Vec3 position, double frame) {
+    return position.x == frame && position.y == frame + 0.25 && position.z == frame + 0.5;
   }
 
-  private boolean trailIsOf(double frame) {
-    boolean whole = trail.count() == frame % 8 + 1;
-    for (int point = 0; point < trail.count(); point++) {
-      trail.read(point, scratch);
-      whole &= scratch.x == frame && scratch.y == point && scratch.z == -frame;
-    }
-    return whole;
+  private boolean poseIsOf(double frame) {
+    RigidTransform seen = pose.read();
+    return isAt(seen.axisX(), frame)
+        && isAt(seen.axisY(), frame)
+        && isAt(seen.axisZ(), frame)
+        && isAt(seen.origin(), frame);
   }
 }

@@ -104,7 +104,7 @@ public final class TouchSession implements AutoCloseable {
     properties.accumulator().take();
     for (Property property : taken) {
       if (property.isDirty()) {
-        property.applied();
+        property.markApplied();
       }
     }
   }
@@ -131,7 +131,7 @@ public final class TouchSession implements AutoCloseable {
 
   /** What was published and taken; whole after {@link #stop}. */
   public SyncCounters syncCounts() {
-    return properties.accumulator().counts();
+    return properties.accumulator().counters();
   }
 
   /**

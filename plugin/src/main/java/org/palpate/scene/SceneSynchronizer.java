@@ -78,7 +78,7 @@ public final class SceneSynchronizer implements Runnable {
         .forEach(
             property -> {
               if (property.isDirty()) {
-                property.applied();
+                property.markApplied();
               }
             });
     applications++;

@@ -88,7 +88,7 @@ final class WriteCost {
   private static void takeAll(Accumulator accumulator) {
     if (accumulator.take()) {
       for (Property property : accumulator.properties()) {
-        property.applied();
+        property.markApplied();
       }
     }
   }
