@@ -43,7 +43,7 @@ class SimulatedDeviceTest {
   }
 
   @Test
-  void everyOtherSeedMovesOtherwise() {
+  void anotherSeedGivesAnotherMotion() {
     new SimulatedDevice(1, ball(), MS).read(state);
     Vec3 first = new Vec3().set(state.positionMm);
     new SimulatedDevice(2, ball(), MS).read(state);
@@ -51,7 +51,7 @@ class SimulatedDeviceTest {
   }
 
   @Test
-  void pressesSlidesAndLeavesAndTearsAtFiveToFiftyVoxelsASample() {
+  void pressesAndLeavesAndTearsAtFiveToFiftyVoxelsASample() {
     HandTarget target = ball();
     SimulatedDevice device = new SimulatedDevice(3, target, MS);
     Vec3 last = new Vec3();
@@ -73,7 +73,7 @@ class SimulatedDeviceTest {
   }
 
   @Test
-  void aTargetWithoutPointsIsEnteredToo() {
+  void entersATargetWithoutSurfacePoints() {
     HandTarget box = HandTarget.ofBox(new Vec3(-50, -50, -50), new Vec3(50, 50, 50), 1);
     SimulatedDevice device = new SimulatedDevice(3, box, MS);
     int inside = 0;
@@ -85,7 +85,7 @@ class SimulatedDeviceTest {
   }
 
   @Test
-  void aTargetOfOneVoxelIsNoTrouble() {
+  void touchesATargetOfOneVoxel() {
     HandTarget one = HandTarget.ofBox(new Vec3(3, 3, 3), new Vec3(3, 3, 3), 0.25);
     SimulatedDevice device = new SimulatedDevice(3, one, MS / 8);
     for (int frame = 0; frame < FRAMES; frame++) {
@@ -95,7 +95,7 @@ class SimulatedDeviceTest {
   }
 
   @Test
-  void aClosedDeviceIsGone() {
+  void aClosedDeviceIsDisconnected() {
     SimulatedDevice device = new SimulatedDevice(3, ball(), MS);
     device.close();
     device.close();
@@ -104,7 +104,7 @@ class SimulatedDeviceTest {
   }
 
   @Test
-  void aReplayGivesEachSampleOnceAndIsThenGone() {
+  void aReplayDeliversEachSampleOnceAndThenDisconnects() {
     Trajectory trajectory = new Trajectory();
     for (int i = 0; i < 3000; i++) {
       trajectory.add(i * 0.5, i, Double.NaN, -i);
@@ -131,7 +131,7 @@ class SimulatedDeviceTest {
     assertThrows(IllegalArgumentException.class, () -> new SimulatedDevice(1, ball(), 0));
   }
 
-  /** A ball of radius 50 mm with points all over it. */
+  /** Returns a ball of radius 50 mm with points all over its surface. */
   private static HandTarget ball() {
     List<Vec3> points = new ArrayList<>();
     for (int i = 0; i < 500; i++) {

@@ -12,7 +12,7 @@ class TrajectoryTest {
   private final DeviceState state = new DeviceState();
 
   @Test
-  void keepsEverySampleBitForBitWhateverSampleBringsTheFirstOrientation() {
+  void keepsEverySampleBitForBitFromAnyFirstOrientationOn() {
     for (int first : new int[] {0, 1, 1023, 1024, SAMPLES}) {
       Trajectory trajectory = new Trajectory();
       for (int n = 0; n < SAMPLES; n++) {

@@ -23,8 +23,8 @@ class WorkspaceDeviceTest {
     return isNumber ? Long.parseLong(given) : 20130207L;
   }
 
-  /** A device that a test moves by hand. */
-  private static final class HandHeld implements HapticDevice {
+  /** A device whose state a test sets. */
+  private static final class SettableDevice implements HapticDevice {
     final DeviceState next = new DeviceState();
     final Vec3 feltNewton = new Vec3();
 
@@ -55,7 +55,7 @@ class WorkspaceDeviceTest {
         size * random.nextGaussian(), size * random.nextGaussian(), size * random.nextGaussian());
   }
 
-  /** Gram-Schmidt on random vectors; right-handed. */
+  /** Returns a right-handed rotation by Gram-Schmidt on random vectors. */
   private RigidTransform randomRotation(Vec3 origin) {
     Vec3 x = randomVec(1);
     x.mul(1 / x.length(), x);
@@ -73,7 +73,7 @@ class WorkspaceDeviceTest {
   }
 
   @Test
-  void noScaleAndNoTurnMakesASpringStifferThanItsShareOrGivesItEnergy() {
+  void noScaleOrRotationMakesASpringStifferOrGivesItEnergy() {
     for (int i = 0; i < 300; i++) {
       Workspace workspace = randomWorkspace();
       double stiffness = workspace.stiffnessNewtonPerMm(OMNI, 0.5);
@@ -84,11 +84,11 @@ class WorkspaceDeviceTest {
       String where = "seed=" + SEED + " i=" + i;
       double limit = 0.5 * 0.7 * a.dot(a);
       assertTrue(-forceA.dot(a) <= limit * (1 + 1e-12) && -forceA.dot(a) >= 0, where);
-      assertEquals(forceA.dot(b), forceB.dot(a), 1e-9, where + ": no field of forces with a swirl");
+      assertEquals(forceA.dot(b), forceB.dot(a), 1e-9, where + ": the force field has no curl");
     }
   }
 
-  /** What the hand feels of a spring to the world's origin when it is moved by {@code handMm}. */
+  /** Returns the force on a hand, moved by {@code handMm}, of a spring to the world's origin. */
   private static Vec3 springForce(Workspace workspace, double stiffness, Vec3 handMm) {
     Vec3 movedMm = workspace.toWorld(handMm, new Vec3());
     movedMm.sub(workspace.deviceToWorld().origin(), movedMm);
@@ -96,7 +96,7 @@ class WorkspaceDeviceTest {
   }
 
   @Test
-  void fitsTheBoxOfASegmentWithinReachAlongEveryAxis() {
+  void fitsABoxIntoTheWorkspaceAlongEveryAxis() {
     Vec3 low = new Vec3(-10, 20, 300);
     Vec3 high = new Vec3(190, 60, 340);
     Workspace whole = Workspace.fit(OMNI, RigidTransform.identity(), low, high);
@@ -109,10 +109,10 @@ class WorkspaceDeviceTest {
   }
 
   @Test
-  void turnsTheOrientationWithTheFrame() {
+  void rotatesTheOrientationWithTheFrame() {
     for (int i = 0; i < 300; i++) {
       RigidTransform frame = randomRotation(new Vec3());
-      HandHeld hand = new HandHeld();
+      SettableDevice hand = new SettableDevice();
       Vec3 axis = randomVec(1);
       axis.mul(1 / axis.length(), axis);
       double half = random.nextDouble() * 3;
@@ -134,7 +134,7 @@ class WorkspaceDeviceTest {
     return state;
   }
 
-  /** The rotation of a state's quaternion, written out as v + 2 u x (u x v + w v). */
+  /** Rotates a vector by the quaternion of a state, by v + 2 u x (u x v + w v). */
   private static Vec3 rotated(DeviceState q, Vec3 v) {
     double ax = q.qy * v.z - q.qz * v.y + q.qw * v.x;
     double ay = q.qz * v.x - q.qx * v.z + q.qw * v.y;
@@ -147,7 +147,7 @@ class WorkspaceDeviceTest {
 
   @Test
   void neitherClutchNorSpeedMakesThePointJump() {
-    HandHeld hand = new HandHeld();
+    SettableDevice hand = new SettableDevice();
     Workspace workspace = randomWorkspace();
     WorkspaceDevice device =
         new WorkspaceDevice(hand, workspace, WorkspaceDevice.Controls.standard());
@@ -168,8 +168,8 @@ class WorkspaceDeviceTest {
   }
 
   @Test
-  void theClutchCanBeHeldFromOutside() {
-    HandHeld hand = new HandHeld();
+  void aProgramCanHoldTheClutch() {
+    SettableDevice hand = new SettableDevice();
     WorkspaceDevice device =
         new WorkspaceDevice(hand, randomWorkspace(), WorkspaceDevice.Controls.standard());
     DeviceState state = new DeviceState();
@@ -186,8 +186,8 @@ class WorkspaceDeviceTest {
   }
 
   @Test
-  void theClutchTakesTheForceAwayAtOnceAndBringsItBackSlowly() {
-    HandHeld hand = new HandHeld();
+  void theClutchDropsTheForceAtOnceAndReturnsItGradually() {
+    SettableDevice hand = new SettableDevice();
     Workspace same = new Workspace(RigidTransform.identity(), new Vec3(1, 1, 1));
     WorkspaceDevice device = new WorkspaceDevice(hand, same, new WorkspaceDevice.Controls(1, 0, 1));
     DeviceState state = new DeviceState();
@@ -206,15 +206,15 @@ class WorkspaceDeviceTest {
     assertEquals(2, last);
   }
 
-  private static double felt(WorkspaceDevice device, HandHeld hand, DeviceState state) {
+  private static double felt(WorkspaceDevice device, SettableDevice hand, DeviceState state) {
     device.read(state);
     device.write(new Vec3(2, 0, 0));
     return hand.feltNewton.x;
   }
 
   @Test
-  void whatIsNotFiniteComesThroughAndChangesNothing() {
-    HandHeld hand = new HandHeld();
+  void aPositionThatIsNotFinitePassesAndChangesNothing() {
+    SettableDevice hand = new SettableDevice();
     WorkspaceDevice device =
         new WorkspaceDevice(hand, randomWorkspace(), WorkspaceDevice.Controls.standard());
     DeviceState state = new DeviceState();

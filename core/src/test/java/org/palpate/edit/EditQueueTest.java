@@ -31,7 +31,7 @@ class EditQueueTest {
   private final Floor floor = Floor.make();
 
   @Test
-  void whatDoesNotFitIsRefusedInTheThreadThatQueues() {
+  void anEditThatDoesNotFitIsRefusedInTheThreadThatQueuesIt() {
     assertRefused(new VoxelEdit(0, 0, 32, 0, true), "voxel lies outside the grid: voxel=0,32,0");
     assertRefused(new VoxelEdit(1, 0, 0, 0, true), "no such segment: segment=1 segments=1");
     assertRefused(
@@ -43,50 +43,50 @@ class EditQueueTest {
   }
 
   @Test
-  void aFullQueueSaysSoAndTakesAgainLater() {
+  void aFullQueueRefusesAnEditAndAcceptsItLater() {
     EditQueue queue = new EditQueue(Floor.GRID, 1, 2);
     assertTrue(queue.offer(new VoxelEdit(0, 1, 1, 20, true)));
     assertTrue(queue.offer(new VoxelEdit(0, 1, 1, 21, true)));
     assertFalse(queue.offer(new VoxelEdit(0, 1, 1, 22, true)));
-    assertTrue(queue.applyTo(floor.obstacles, 1));
+    assertTrue(queue.applyTo(floor.scene, 1));
     assertTrue(queue.offer(new VoxelEdit(0, 1, 1, 22, true)));
-    assertTrue(queue.applyTo(floor.obstacles, 10));
-    assertFalse(queue.applyTo(floor.obstacles, 10));
+    assertTrue(queue.applyTo(floor.scene, 10));
+    assertFalse(queue.applyTo(floor.scene, 10));
     assertEquals(3, queue.completed());
     assertTrue(floor.bits.get(1, 1, 22));
   }
 
   @Test
-  void aBrushOutsideTheGridChangesNothingAndEnds() {
+  void aBrushOutsideTheGridChangesNothingAndCompletes() {
     for (double at : new double[] {-50, 90, 1e12, -1e300}) {
       BrushEdit brush = new BrushEdit(0, new Vec3(at, 16, 16), 5, true);
       floor.edits.offer(brush);
-      floor.edits.applyTo(floor.obstacles, 1);
+      floor.edits.applyTo(floor.scene, 1);
       assertTrue(brush.isDone(), "at=" + at);
     }
     assertEquals(Floor.TOP * EDGE * EDGE, floor.bits.solidCount());
   }
 
-  /** The twin is a bit set that is edited at once, in the order of the edits. */
+  /** The naive reference is a bit set that takes each edit at once, in the same order. */
   @Test
-  void editsInAnyPortionsAgreeWithEditsAtOnce() {
+  void editsInPartsAgreeWithEditsAtOnce() {
     SplittableRandom random = new SplittableRandom(Seeds.seed());
-    BitSet twin = new BitSet();
+    BitSet reference = new BitSet();
     for (int n = 0; n < Floor.TOP * EDGE * EDGE; n++) {
-      twin.set(n);
+      reference.set(n);
     }
     for (int run = 0; run < 300; run++) {
-      Vec3 centre = new Vec3(place(random), place(random), place(random));
+      Vec3 centre = new Vec3(coordinate(random), coordinate(random), coordinate(random));
       double radius = unit(random) * 6;
       boolean solid = (random.nextLong() & 1) == 0;
       floor.edits.offer(new BrushEdit(0, centre, radius, solid));
-      brushAtOnce(twin, centre, radius, solid);
+      brushAtOnce(reference, centre, radius, solid);
       while (!floor.edits.isIdle()) {
-        floor.edits.applyTo(floor.obstacles, 1 + (int) ((random.nextLong() >>> 1) % 200));
+        floor.edits.applyTo(floor.scene, 1 + (int) ((random.nextLong() >>> 1) % 200));
       }
-      assertEquals(twin.cardinality(), floor.bits.solidCount(), "seed=" + Seeds.seed());
+      assertEquals(reference.cardinality(), floor.bits.solidCount(), "seed=" + Seeds.seed());
     }
-    twin.stream()
+    reference.stream()
         .forEach(n -> assertTrue(floor.bits.get(n % EDGE, n / EDGE % EDGE, n / EDGE / EDGE)));
   }
 
@@ -102,7 +102,7 @@ class EditQueueTest {
     queue.offer(new SwapEdit(0, empty));
     editors.forEach(Thread::start);
     while (queue.completed() < 1 + 3 * EDGE * EDGE) {
-      queue.applyTo(floor.obstacles, 100);
+      queue.applyTo(floor.scene, 100);
     }
     for (Thread editor : editors) {
       editor.join();
@@ -110,10 +110,9 @@ class EditQueueTest {
     assertEquals(3 * EDGE * EDGE, empty.solidCount());
   }
 
-  /** An editor in another thread, a hand in this one, and the exact judge over every leg. */
+  /** One thread edits, another moves the hand, and the exact judge checks every leg. */
   @Test
-  void theGuaranteeHoldsWhileAnotherThreadEditsAndEachFreeingIsCounted()
-      throws InterruptedException {
+  void theGuaranteeHoldsWhileAnotherThreadEdits() throws InterruptedException {
     SimulatedDevice device =
         new SimulatedDevice(
             Seeds.seed(),
@@ -123,7 +122,7 @@ class EditQueueTest {
         new HapticFrame(
             device,
             new GuardedSolver(Floor.METRIC, 8),
-            floor.obstacles,
+            floor.scene,
             Floor.METRIC,
             Floor.settings(),
             floor.edits,
@@ -136,7 +135,7 @@ class EditQueueTest {
     ended.set(true);
     editor.join();
     assertEquals(freed, frame.statistics().freed());
-    assertTrue(freed > 10, "the point was met by solids: freed=" + freed);
+    assertTrue(freed > 10, "solids reached the point: freed=" + freed);
     assertTrue(floor.edits.completed() > 1000, "edits=" + floor.edits.completed());
   }
 
@@ -151,11 +150,11 @@ class EditQueueTest {
       if (newChain) {
         last.set(startOf(frame));
       }
-      LegJudge judge = new LegJudge(floor.obstacles.cube(0), last);
+      LegJudge judge = new LegJudge(floor.scene.cube(0), last);
       String fault = judge.faultOf(frame.point());
       assertEquals(null, fault, "seed=" + Seeds.seed() + " frame=" + n);
       Vec3 p = frame.point().position;
-      assertFalse(floor.obstacles.touches(p.x, p.y, p.z));
+      assertFalse(floor.scene.touches(p.x, p.y, p.z));
       near.set(new Vec3().set(p));
     }
     return freed;
@@ -188,7 +187,7 @@ class EditQueueTest {
       return new VoxelEdit(
           0, beside(near.x, random), beside(near.y, random), beside(near.z, random), solid);
     }
-    Vec3 centre = new Vec3(place(random), place(random), place(random));
+    Vec3 centre = new Vec3(coordinate(random), coordinate(random), coordinate(random));
     return new BrushEdit(0, what < 75 ? near : centre, unit(random) * 3, solid && what % 4 == 0);
   }
 
@@ -212,7 +211,7 @@ class EditQueueTest {
     }
   }
 
-  private static void brushAtOnce(BitSet twin, Vec3 centre, double radius, boolean solid) {
+  private static void brushAtOnce(BitSet reference, Vec3 centre, double radius, boolean solid) {
     for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
       int i = n % EDGE;
       int j = n / EDGE % EDGE;
@@ -220,7 +219,7 @@ class EditQueueTest {
       double square =
           Floor.METRIC.squaredDistance(centre.x, centre.y, centre.z, i + 0.5, j + 0.5, k + 0.5);
       if (square <= radius * radius) {
-        twin.set(n, solid);
+        reference.set(n, solid);
       }
     }
   }
@@ -229,7 +228,7 @@ class EditQueueTest {
     return (random.nextLong() >>> 11) * 0x1p-53;
   }
 
-  private static double place(SplittableRandom random) {
+  private static double coordinate(SplittableRandom random) {
     return unit(random) * (EDGE + 8) - 4;
   }
 }

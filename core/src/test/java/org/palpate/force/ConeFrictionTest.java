@@ -24,7 +24,7 @@ class ConeFrictionTest {
   private final Vec3 force = new Vec3();
 
   @Test
-  void sticksUntilTheConeIsLeftThenSlidesWithLess() {
+  void sticksInsideTheStaticConeAndSlidesWithLessBeyond() {
     press(0);
     double most = 0;
     for (int frame = 1; frame <= 300; frame++) {
@@ -56,7 +56,7 @@ class ConeFrictionTest {
   }
 
   @Test
-  void letsGoInTheAir() {
+  void releasesTheAnchorWithoutContact() {
     press(0);
     press(0.5);
     point.contact = false;
@@ -68,7 +68,7 @@ class ConeFrictionTest {
   }
 
   @Test
-  void neverPushesTheWayTheHandMoves() {
+  void neverPushesInTheDirectionOfTheHand() {
     SplittableRandom random = new SplittableRandom(SEED);
     double x = 0;
     double y = 0;

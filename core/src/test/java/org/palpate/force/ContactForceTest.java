@@ -19,7 +19,7 @@ class ContactForceTest {
   private final Vec3 force = new Vec3();
 
   @Test
-  void pullsTheHandBackToThePointByMillimetresNotVoxels() {
+  void theCouplingIsMetric() {
     ContactForce contact = new ContactForce(CT, ForceSettings.of(0.5, 0.2));
     point.position.set(10, 10, 10);
     contact.compute(point, new Vec3(9, 10, 8), force);
@@ -27,7 +27,7 @@ class ContactForceTest {
   }
 
   @Test
-  void isZeroWhereThePointIsTheDevice() {
+  void isZeroIfThePointIsAtTheDevice() {
     ContactForce contact = new ContactForce(CT, ForceSettings.of(0.5, 0.2));
     point.position.set(10, 10, 10);
     slide(point, CT, 9, 10, 10, true);
@@ -36,7 +36,7 @@ class ContactForceTest {
   }
 
   @Test
-  void leavesOutTheHeightOfTheSurface() {
+  void subtractsTheHeightOfTheSurface() {
     ContactForce contact = new ContactForce(UNIT, ForceSettings.of(2, 0));
     point.surfaceHeightMm = 1;
     contact.compute(point, new Vec3(0, -3, 0), force);
@@ -46,7 +46,7 @@ class ContactForceTest {
   }
 
   @Test
-  void frictionIsOfWhatPressesAndAgainstTheSlide() {
+  void frictionFollowsThePressingForceAndOpposesTheSlide() {
     ContactForce contact = new ContactForce(UNIT, ForceSettings.of(1, 0.25));
     slide(point, UNIT, 3, 0, 0, true);
     contact.compute(point, new Vec3(3, 0, -4), force);
@@ -55,7 +55,7 @@ class ContactForceTest {
   }
 
   @Test
-  void theShorterFormDiffersAtFortyFiveDegreesAsThePaperDoesNotSay() {
+  void theShorterFormDiffersFromEquation4AtFortyFiveDegrees() {
     ForceSettings shorter = new ForceSettings(1, 1, FrictionForm.SHORTER, true);
     slide(point, UNIT, 1, 0, 0, true);
     Vec3 device = new Vec3(0, 0, -1);
@@ -67,7 +67,7 @@ class ContactForceTest {
   }
 
   @Test
-  void frictionIsWeighedByTheShareOfThePathThatSlid() {
+  void frictionIsWeightedByTheFractionOfThePathThatSlid() {
     ContactForce contact = new ContactForce(UNIT, ForceSettings.of(1, 0.5));
     slide(point, UNIT, 3, 0, 0, false);
     slide(point, UNIT, 4, 0, 0, true);
@@ -76,7 +76,7 @@ class ContactForceTest {
   }
 
   @Test
-  void aSlideThatReturnsToWhereItBeganHasNoDirectionAndNoFriction() {
+  void aSlideThatReturnsToItsStartHasNoFriction() {
     ContactForce contact = new ContactForce(UNIT, ForceSettings.of(1, 0.5));
     slide(point, UNIT, 1, 0, 0, true);
     slide(point, UNIT, 0, 0, 0, true);
@@ -103,7 +103,7 @@ class ContactForceTest {
     }
   }
 
-  /** The twin: n itself, by Gram-Schmidt, instead of the root of a difference. */
+  /** The reference computes n by Gram-Schmidt, not the root of a difference. */
   @Test
   void agreesWithFrictionByAnExplicitNormal() {
     SplittableRandom random = new SplittableRandom(SEED);

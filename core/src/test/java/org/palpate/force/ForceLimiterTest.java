@@ -14,7 +14,7 @@ class ForceLimiterTest {
   private static final double NONE = Double.POSITIVE_INFINITY;
 
   @Test
-  void scalesTheVectorAndKeepsItsDirection() {
+  void shortensTheForceAndKeepsItsDirection() {
     Vec3 force = new Vec3(30, 0, 40);
     new ForceLimiter(5, NONE).clamp(force, MS);
     assertEquals(3, force.x, 1e-14);
@@ -22,14 +22,14 @@ class ForceLimiterTest {
   }
 
   @Test
-  void leavesAForceBelowTheMaximumItsBits() {
+  void keepsTheBitsOfAForceBelowTheMaximum() {
     Vec3 force = new Vec3(0.1, 0.2, 0.3);
     new ForceLimiter(5, NONE).clamp(force, MS);
     assertTrue(force.sameBits(new Vec3(0.1, 0.2, 0.3)));
   }
 
   @Test
-  void whatIsNotFiniteBecomesZeroAndIsCounted() {
+  void aForceThatIsNotFiniteBecomesZeroAndIsCounted() {
     ForceLimiter limiter = new ForceLimiter(5, NONE);
     for (double bad : new double[] {Double.NaN, NONE, -NONE}) {
       Vec3 force = new Vec3(1, bad, 2);
@@ -40,7 +40,7 @@ class ForceLimiterTest {
   }
 
   @Test
-  void neverExceedsTheMaximumByABitHoweverLargeTheForce() {
+  void neverExceedsTheMaximumByABit() {
     SplittableRandom random = new SplittableRandom(SEED);
     ForceLimiter limiter = new ForceLimiter(3.3, 0.7);
     for (int run = 0; run < 200_000; run++) {
@@ -80,7 +80,7 @@ class ForceLimiterTest {
   }
 
   @Test
-  void aPauseOrAClockThatGoesBackBuysNoJump() {
+  void aPauseOrABackwardClockPermitsNoJump() {
     ForceLimiter limiter = new ForceLimiter(NONE, 0.5);
     Vec3 force = new Vec3(100, 0, 0);
     limiter.clamp(force, 10_000 * MS);
@@ -102,7 +102,7 @@ class ForceLimiterTest {
   }
 
   @Test
-  void aRampClimbsFromZeroToOne() {
+  void aRampRisesFromZeroToOne() {
     ForceRamp ramp = new ForceRamp(100);
     assertEquals(1, ramp.factor());
     ramp.start();

@@ -37,7 +37,7 @@ class ForceRateLimitTest {
   }
 
   @Test
-  void aForceThatFollowsTheDeviceIsNotHeldBack() {
+  void aForceThatFollowsTheDeviceIsNotLimited() {
     point.limitsForceRate = true;
     for (int frame = 0; frame < 100; frame++) {
       device.set(0.3 * frame, 0, -0.01 * frame * frame);
@@ -48,7 +48,7 @@ class ForceRateLimitTest {
   }
 
   @Test
-  void solversThatDoNotAskForItJumpAsTheyDo() {
+  void aSolverThatDoesNotAskForTheLimitMayJump() {
     point.position.set(0, 0, 1);
     contact.compute(point, device, force);
     point.position.set(0, 4, 1);

@@ -17,7 +17,7 @@ import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.volume.BitCube;
 
-/** A floor of two objects side by side, the right half of bone and the left of something soft. */
+/** Touches a floor of two objects side by side: a soft left half and a right half of bone. */
 class MaterialTest {
   private static final long SEED = Long.getLong("palpate.seed", 20130613);
   private static final int EDGE = 48;
@@ -37,7 +37,7 @@ class MaterialTest {
   private final CollisionScene floor = new CollisionScene(List.of(slab(0, SEAM), slab(SEAM, EDGE)));
 
   @Test
-  void theObjectThatStopsThePointIsTheOneThatIsFelt() {
+  void theHandFeelsTheObjectThatStopsThePoint() {
     for (ProxySolver solver : List.of(new GuardedSolver(UNIT, 8), new SmoothSolver(UNIT, 8))) {
       ContactForce contact = contactOf(FrictionForm.EQUATION_4, SOFT, BONE);
       press(solver, contact, 12.3, 3);
@@ -49,7 +49,7 @@ class MaterialTest {
   }
 
   @Test
-  void objectsWithoutAMaterialOfTheirOwnFeelLikeTheRest() {
+  void objectsWithoutAMaterialOfTheirOwnHaveTheGeneralOne() {
     Material general = new Material(0.5, 0, 0, 0);
     ContactForce contact =
         new ContactForce(UNIT, new ForceSettings(general, FrictionForm.CONE, true, List.of(SOFT)));
@@ -58,7 +58,7 @@ class MaterialTest {
   }
 
   @Test
-  void ofObjectsThatShareAVoxelTheFirstIsFelt() {
+  void theHandFeelsTheFirstOfSeveralObjectsThatShareAVoxel() {
     CollisionScene twice = new CollisionScene(List.of(slab(0, EDGE), slab(0, EDGE)));
     point.position.set(10, 10, TOP + 2);
     point.contact = true;
@@ -69,7 +69,7 @@ class MaterialTest {
   }
 
   @Test
-  void theObjectIsTheSameWhereManyAreSearchedByATree() {
+  void theTreeOfManyObjectsFindsTheSameObject() {
     CollisionScene byTree = new CollisionScene(List.of(slab(0, SEAM), slab(SEAM, EDGE)), true);
     SplittableRandom random = new SplittableRandom(SEED);
     for (int n = 0; n < 2000; n++) {
@@ -79,9 +79,9 @@ class MaterialTest {
     }
   }
 
-  /** With the two materials' forces 3.5 N apart where the seam is crossed. */
+  /** The forces of the two materials differ by 3.5 N where the hand crosses the seam. */
   @Test
-  void theForceDoesNotJumpWhereContactPassesFromOneMaterialToAnother() {
+  void theForceDoesNotJumpBetweenMaterials() {
     for (FrictionForm form : List.of(FrictionForm.EQUATION_4, FrictionForm.CONE)) {
       for (double speed : new double[] {0.01, 0.1, 0.6}) {
         ContactForce contact = contactOf(form, SOFT_SLIPPERY, BONE_SLIPPERY);
@@ -102,7 +102,7 @@ class MaterialTest {
   }
 
   @Test
-  void onVoxelsTooTheForceGoesOverNoFasterThanTheHandMoves() {
+  void theForceOnVoxelsChangesNoFasterThanTheHandMoves() {
     ContactForce contact = contactOf(FrictionForm.EQUATION_4, SOFT_SLIPPERY, BONE_SLIPPERY);
     GuardedSolver solver = new GuardedSolver(UNIT, 8);
     press(solver, contact, SEAM - 0.3, 5);
@@ -116,13 +116,13 @@ class MaterialTest {
   }
 
   @Test
-  void dampingPushesAgainstTheWayInAndNeverHoldsTheHandBack() {
+  void dampingOpposesPressingInAndNeverHoldsTheHandBack() {
     ContactForce damped = contactOf(FrictionForm.CONE, new Material(0.5, 0, 0, 0.01), BONE);
     ContactForce bare = contactOf(FrictionForm.CONE, new Material(0.5, 0, 0, 0), BONE);
-    double in = forceAtEndOfWay(damped, 0.05);
-    double restless = forceAtEndOfWay(bare, 0.05);
-    assertEquals(0.01 * 50, in - restless, 0.02); // 50 mm/s
-    double out = forceOutOfDepth(damped, 5);
+    double in = forceAtEndOfDescent(damped, 0.05);
+    double undamped = forceAtEndOfDescent(bare, 0.05);
+    assertEquals(0.01 * 50, in - undamped, 0.02); // 50 mm/s
+    double out = inwardForceDuringAscent(damped, 5);
     assertTrue(out >= 0 && out < 1e-9, "pulled back by " + out);
   }
 
@@ -167,7 +167,7 @@ class MaterialTest {
         material.dampingNewtonSecondPerMm());
   }
 
-  private double forceAtEndOfWay(ContactForce contact, double mmAFrame) {
+  private double forceAtEndOfDescent(ContactForce contact, double mmAFrame) {
     GuardedSolver solver = new GuardedSolver(UNIT, 8);
     point.position.set(12.3, 20.4, TOP + 2);
     for (double z = TOP + 2; z > TOP - 5; z -= mmAFrame) {
@@ -176,8 +176,8 @@ class MaterialTest {
     return force.z;
   }
 
-  /** The largest force inwards while the hand tears itself out. */
-  private double forceOutOfDepth(ContactForce contact, double mmAFrame) {
+  /** Returns the largest inward force while the hand moves out. */
+  private double inwardForceDuringAscent(ContactForce contact, double mmAFrame) {
     GuardedSolver solver = new GuardedSolver(UNIT, 8);
     press(solver, contact, 12.3, 5);
     double worst = 0;

@@ -28,19 +28,19 @@ import org.palpate.sync.Accumulator;
 import org.palpate.sync.TouchProperties;
 import org.palpate.testing.Floor;
 
-/** The whole way of a frame: device, edits, solver, force, recorder, sync, loop and histograms. */
+/** Measures a whole frame: device, edits, solver, force, recorder, sync, loop and histograms. */
 class FrameAllocationTest {
   private static final int FRAMES = 100_000;
 
-  /** The JVM itself allocates a little when it links or recompiles code that frames have met. */
-  private static final int MOST_ROUNDS = 8;
+  /** The JVM itself allocates a little when it links or recompiles the code of frames. */
+  private static final int MAX_ROUNDS = 8;
 
   private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
   private final Floor floor = Floor.make();
   private final ManualClock clock = new ManualClock();
   private final SampleRecorder recorder = new SampleRecorder();
-  private final List<Long> allocated = new ArrayList<>(MOST_ROUNDS);
-  private final Edit[] waiting = new Edit[MOST_ROUNDS * FRAMES / 100];
+  private final List<Long> allocated = new ArrayList<>(MAX_ROUNDS);
+  private final Edit[] waiting = new Edit[MAX_ROUNDS * FRAMES / 100];
 
   @Test
   void aHundredThousandWarmFramesAllocateNothing() {
@@ -57,7 +57,7 @@ class FrameAllocationTest {
         new HapticFrame(
             measured,
             new GuardedSolver(Floor.METRIC, 8),
-            floor.obstacles,
+            floor.scene,
             Floor.METRIC,
             FrameSettings.live(hand.specification(), Floor.settings().force()),
             floor.edits,
@@ -77,8 +77,8 @@ class FrameAllocationTest {
   }
 
   /**
-   * Looks at the thread's allocations after every round, edits every hundred frames, and is gone
-   * after the first round without any.
+   * Measures the thread's allocations after every round and queues an edit every hundred frames. It
+   * disconnects after the first round without an allocation.
    */
   private final class MeasuringDevice implements HapticDevice {
     private final HapticDevice device;
@@ -109,7 +109,7 @@ class FrameAllocationTest {
         allocated.add(bytes);
       }
       before = threads.getCurrentThreadAllocatedBytes();
-      return reads > 0 && (bytes == 0 || allocated.size() == MOST_ROUNDS);
+      return reads > 0 && (bytes == 0 || allocated.size() == MAX_ROUNDS);
     }
 
     @Override

@@ -30,7 +30,7 @@ class HapticFrameTest {
   private long nowNanos = 1;
 
   @Test
-  void pressesTheHandOutOfTheFloorByStiffnessTimesDepth() {
+  void theForceIsStiffnessTimesDepth() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
@@ -69,7 +69,7 @@ class HapticFrameTest {
     assertEquals(0, device.lastForce().length());
     device.script = speaking;
     run(frame, 1);
-    assertEquals(0, device.lastForce().length(), "the ramp begins at nothing");
+    assertEquals(0, device.lastForce().length(), "the ramp begins at zero");
     run(frame, 25);
     assertEquals(0.25 * 1.5, device.lastForce().z, 1e-5);
     run(frame, 75);
@@ -84,24 +84,24 @@ class HapticFrameTest {
   }
 
   @Test
-  void samplesThatAreNotFiniteAreNoSamples() {
+  void samplesThatAreNotFiniteAreIgnored() {
     double[] bad = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
     Vec3 held = device.lastForce();
-    Vec3 place = new Vec3().set(frame.point().position);
+    Vec3 position = new Vec3().set(frame.point().position);
     device.script = (read, state) -> fresh(state, read, 16, bad[read % 3], 16);
     run(frame, 15);
     assertTrue(device.lastForce().sameBits(held));
-    assertTrue(frame.point().position.sameBits(place));
+    assertTrue(frame.point().position.sameBits(position));
     assertEquals(15, frame.statistics().faults().notFinite());
     run(frame, 10);
     assertEquals(0, device.lastForce().length());
   }
 
   @Test
-  void samplesOfABackwardTimeAreNoSamplesUntilASilenceHasPassed() {
+  void samplesOfABackwardTimeAreIgnoredUntilASilenceHasPassed() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
@@ -110,12 +110,11 @@ class HapticFrameTest {
     assertEquals(20, frame.statistics().faults().badTimes());
     assertEquals(Floor.TOP, frame.point().position.z, 1e-5);
     run(frame, 4);
-    assertEquals(
-        20, frame.point().position.z, "a clock that was set back is believed after a silence");
+    assertEquals(20, frame.point().position.z, "a clock that was set back counts after a silence");
   }
 
   @Test
-  void aDeviceWhoseClockStandsStillIsSilentButOneWithoutAClockIsNot() {
+  void aDeviceWithAStoppedClockIsSilentButADeviceWithoutAClockIsNot() {
     ScriptedDevice stuck = descendsTo(5);
     HapticFrame frame = floor.frame(stuck);
     run(frame, 20);
@@ -129,7 +128,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void aMachineThatWasSuspendedGivesZeroForceFirstAndThenRampsBack() {
+  void afterAMachineWasSuspendedTheForceStartsFromZero() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
@@ -142,7 +141,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void aClockThatGoesBackIsCountedAndHarmsNothing() {
+  void aFrameClockThatGoesBackIsCountedAndChangesNoForce() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
@@ -153,7 +152,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void aClockThatStandsStillHoldsTheForceWithinItsLimitsAndGoesOnLater() {
+  void aFrameClockThatStandsStillKeepsTheForceUntilTimePasses() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
@@ -164,11 +163,11 @@ class HapticFrameTest {
     assertEquals(0, frame.statistics().faults().clockJumps());
     device.script = (read, state) -> ReadStatus.REPEATED;
     run(frame, 22);
-    assertEquals(0, device.lastForce().length(), "time that goes on again is a silence's again");
+    assertEquals(0, device.lastForce().length(), "a silence ends when time passes again");
   }
 
   @Test
-  void aDeviceThatDisappearsBetweenReadAndWriteIsGoneAndWasLastSentZeroForce() {
+  void aDeviceThatDisappearsBetweenReadAndWriteGetsZeroForceLast() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
@@ -179,7 +178,8 @@ class HapticFrameTest {
           return read == 20 ? speaking.read(read, state) : ReadStatus.DISCONNECTED;
         };
     run(frame, 1);
-    device.reachable = true; // plugged in again: the frame that finds it gone still says zero
+    device.reachable =
+        true; // It is plugged in again, and the frame that finds it gone still sends zero.
     ScriptedDevice.Script gone = (read, state) -> ReadStatus.DISCONNECTED;
     device.script = gone;
     assertEquals(FrameOutcome.DEVICE_GONE, frame.run(nowNanos));
@@ -187,7 +187,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void aHandThatStartsInsideASolidIsSetFreeWithTheForceRamped() {
+  void aPointThatStartsInASolidIsSetFreeAndTheForceIsRamped() {
     ScriptedDevice device = ScriptedDevice.at(16.25, 16.25, 6.5);
     HapticFrame frame = floor.frame(device);
     run(frame, 1);
@@ -202,7 +202,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void aSolidThatComesToThePointSetsItFreeWithTheForceRamped() {
+  void aPointToWhichASolidComesIsSetFreeAndTheForceIsRamped() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
@@ -211,7 +211,7 @@ class HapticFrameTest {
         new VoxelEdit(0, (int) Math.floor(p.x), (int) Math.floor(p.y), Floor.TOP, true));
     run(frame, 1);
     assertTrue(frame.wasFreed());
-    assertFalse(floor.obstacles.touches(p.x, p.y, p.z));
+    assertFalse(floor.scene.touches(p.x, p.y, p.z));
     assertEquals(0, device.lastForce().length());
     run(frame, 50);
     assertTrue(device.lastForce().length() > 0.1);
@@ -219,7 +219,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void aSolidThatGoesAwayLetsThePointFollow() {
+  void aRemovedSolidLetsThePointFollow() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
@@ -231,7 +231,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void aLargeBrushIsCarriedOutABoundedNumberOfVoxelsAFrame() {
+  void aLargeBrushTakesABoundedNumberOfVoxelsAFrame() {
     ScriptedDevice device = ScriptedDevice.at(2, 2, 30);
     HapticFrame frame = floor.frame(device);
     BrushEdit brush = new BrushEdit(0, new Vec3(16, 16, 20), 5, true);
@@ -250,7 +250,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void aSwapTakesOneFrameAndGivesTheOldCubeBack() {
+  void aSwapTakesOneFrameAndReturnsTheReplacedCube() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
@@ -263,7 +263,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void aDeviceThatGoesAwayIsSentZeroForceLast() {
+  void aDeviceThatDisconnectsGetsZeroForceLast() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     run(frame, 20);
@@ -311,7 +311,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void whatIsSkippedCountsOnceThoughSolversTakeTurns() {
+  void skipsCountOnceIfSolversTakeTurns() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
     CollisionOnlySolver none = new CollisionOnlySolver(new ExactRayCaster(), Floor.METRIC);
@@ -325,10 +325,10 @@ class HapticFrameTest {
   }
 
   @Test
-  void aSolverThatIsGivenAPointInASolidStartsFromAFreeOne() {
+  void aSolverThatReceivesAPointInASolidStartsFromAFreePoint() {
     ScriptedDevice device = descendsTo(5);
     HapticFrame frame = floor.frame(device);
-    frame.requestSolver((obstacles, d, point) -> point.position.set(d)); // goes into the floor
+    frame.requestSolver((scene, d, point) -> point.position.set(d)); // enters the floor
     run(frame, 20);
     assertTrue(isBuried(frame));
     frame.requestSolver(new GuardedSolver(Floor.METRIC, 8));
@@ -339,7 +339,7 @@ class HapticFrameTest {
 
   private boolean isBuried(HapticFrame frame) {
     Vec3 p = frame.point().position;
-    return floor.obstacles.touches(p.x, p.y, p.z);
+    return floor.scene.touches(p.x, p.y, p.z);
   }
 
   @Test
@@ -351,7 +351,7 @@ class HapticFrameTest {
         new HapticFrame(
             device,
             new GuardedSolver(Floor.METRIC, 8),
-            floor.obstacles,
+            floor.scene,
             Floor.METRIC,
             Floor.settings(),
             floor.edits,
@@ -365,7 +365,7 @@ class HapticFrameTest {
   }
 
   @Test
-  void aMotionThatReturnsToAFreePlaceLeavesNoTrace() {
+  void afterAMotionToAFreePositionThePointIsThereBitForBit() {
     ScriptedDevice device =
         new ScriptedDevice(
             (read, state) ->
@@ -390,7 +390,7 @@ class HapticFrameTest {
     }
   }
 
-  /** Ten samples above the floor, then still at a depth. */
+  /** Returns a device that rests above the floor for ten samples, and then at height z. */
   private static ScriptedDevice descendsTo(double z) {
     return new ScriptedDevice((read, state) -> fresh(state, read, 16, 16, read < 10 ? 12 : z));
   }

@@ -28,9 +28,9 @@ class HapticLoopTest {
 
   @Test
   void aFrameBeginsAtEachDeadline() {
-    List<Long> began = beginnings(20, frame -> 0);
+    List<Long> starts = starts(20, frame -> 0);
     for (int i = 0; i < 20; i++) {
-      assertEquals((5 + i) * MS, began.get(i));
+      assertEquals((5 + i) * MS, starts.get(i));
     }
     LoopReport report = loopReport;
     assertEquals(1000, report.rateHz(), 1e-9);
@@ -41,19 +41,20 @@ class HapticLoopTest {
   }
 
   @Test
-  void aLittleLatenessDoesNotMoveTheGrid() {
-    List<Long> began = beginnings(20, frame -> frame == 4 ? MS * 2 / 5 : 0);
-    assertEquals(9 * MS + MS * 2 / 5, began.get(4));
-    assertEquals(10 * MS, began.get(5));
+  void aSmallLatenessDoesNotMoveTheDeadlines() {
+    List<Long> starts = starts(20, frame -> frame == 4 ? MS * 2 / 5 : 0);
+    assertEquals(9 * MS + MS * 2 / 5, starts.get(4));
+    assertEquals(10 * MS, starts.get(5));
     assertEquals(0, loopReport.lateFrames());
   }
 
   @Test
-  void aLateFrameIsCountedAndWhatItMissedIsLeftOut() {
-    List<Long> began = beginnings(20, frame -> frame == 4 ? MS * 57 / 10 : 0);
-    assertEquals(9 * MS + MS * 57 / 10, began.get(4));
-    assertEquals(16 * MS, began.get(5), "no burst: at least half a period away, on the grid");
-    assertEquals(17 * MS, began.get(6));
+  void aLateFrameIsCountedAndItsMissedDeadlinesAreSkipped() {
+    List<Long> starts = starts(20, frame -> frame == 4 ? MS * 57 / 10 : 0);
+    assertEquals(9 * MS + MS * 57 / 10, starts.get(4));
+    assertEquals(
+        16 * MS, starts.get(5), "the next deadline of the grid that is half a period away");
+    assertEquals(17 * MS, starts.get(6));
     assertEquals(1, loopReport.lateFrames());
   }
 
@@ -62,15 +63,15 @@ class HapticLoopTest {
     for (long late = 0; late < 5 * MS; late += 10_007) {
       long lateness = late;
       clock.nowNanos = 5 * MS;
-      List<Long> began = beginnings(6, frame -> frame == 3 ? lateness : 0);
-      long gap = began.get(4) - began.get(3);
+      List<Long> starts = starts(6, frame -> frame == 3 ? lateness : 0);
+      long gap = starts.get(4) - starts.get(3);
       assertTrue(gap >= MS / 2 && gap <= MS * 3 / 2, "late=" + late + " gap=" + gap);
-      assertEquals(0, (began.get(4) - began.get(0)) % MS);
+      assertEquals(0, (starts.get(4) - starts.get(0)) % MS);
     }
   }
 
   @Test
-  void aDeviceThatGoesAwayEndsTheLoopWithZeroForce() {
+  void aDeviceThatDisconnectsEndsTheLoopWithZeroForce() {
     endAfter(50, ReadStatus.DISCONNECTED, null);
     HapticLoop loop = loop();
     loop.run();
@@ -81,7 +82,7 @@ class HapticLoopTest {
   }
 
   @Test
-  void aDeviceThatThrowsWhenReadEndsTheLoopWithZeroForceAndIsReportedOnce() {
+  void aReadThatThrowsEndsTheLoopWithZeroForceAndIsReportedOnce() {
     IllegalStateException fault = new IllegalStateException("the cable");
     endAfter(50, ReadStatus.FRESH, fault);
     HapticLoop loop = loop();
@@ -91,7 +92,7 @@ class HapticLoopTest {
   }
 
   @Test
-  void aDeviceThatThrowsWhenWrittenEndsTheLoopAndTheSecondFailureIsSuppressed() {
+  void aWriteThatThrowsEndsTheLoopAndTheSecondFailureIsSuppressed() {
     IllegalStateException fault = new IllegalStateException("write");
     device.script =
         (read, state) -> {
@@ -105,10 +106,10 @@ class HapticLoopTest {
   }
 
   @Test
-  void aSolverThatThrowsEndsTheLoopWithZeroForcePastTheSlewLimit() {
+  void aSolverThatThrowsEndsTheLoopWithZeroForceWithoutSlewLimit() {
     StackOverflowError fault = new StackOverflowError();
     ProxySolver broken =
-        (obstacles, d, point) -> {
+        (scene, d, point) -> {
           throw fault;
         };
     HapticFrame frame = slewed();
@@ -156,7 +157,7 @@ class HapticLoopTest {
   }
 
   @Test
-  void aFrameThatDoesNotComeBackIsEndedByForceAndWritesNoMore() {
+  void aFrameThatDoesNotReturnIsEndedByForceAndWritesNothingMore() {
     for (int hanging : new int[] {0, 50}) {
       ends.clear();
       ScriptedDevice stuck = new ScriptedDevice(null);
@@ -179,7 +180,7 @@ class HapticLoopTest {
   }
 
   @Test
-  void aProcessThatWasStoppedAsAWholeIsNotTakenForAHang() {
+  void aStoppedProcessIsNoHang() {
     HapticLoop[] loops = new HapticLoop[1];
     device.script =
         (read, state) -> {
@@ -235,7 +236,7 @@ class HapticLoopTest {
     assertEquals(0, device.lastForce().length());
     assertEquals(written - 1, loop.report().frames());
     assertEquals(1, ends.size());
-    assertEquals(0, device.closed, "who opened it closes it");
+    assertEquals(0, device.closed, "the loop leaves the device open");
   }
 
   @Test
@@ -267,7 +268,7 @@ class HapticLoopTest {
   }
 
   @Test
-  void theStatusTellsFramesContactAndForceWhileItRuns() {
+  void theStatusReportsFramesContactAndForceWhileTheLoopRuns() {
     List<LoopStatus> seen = new ArrayList<>();
     HapticLoop[] loops = new HapticLoop[1];
     device.script =
@@ -285,9 +286,9 @@ class HapticLoopTest {
 
   private LoopReport loopReport;
 
-  /** Runs some frames, the wake-up of each late as told; says when each began. */
-  private List<Long> beginnings(int frames, java.util.function.IntToLongFunction lateNanos) {
-    List<Long> began = new ArrayList<>();
+  /** Runs frames whose wake-ups are late by the given times, and returns their starts. */
+  private List<Long> starts(int frames, java.util.function.IntToLongFunction lateNanos) {
+    List<Long> starts = new ArrayList<>();
     int[] waits = new int[1];
     Pacer pacer =
         deadline -> {
@@ -301,14 +302,14 @@ class HapticLoopTest {
           if (read == frames) {
             return ReadStatus.DISCONNECTED;
           }
-          began.add(clock.nowNanos);
+          starts.add(clock.nowNanos);
           return still.read(read, state);
         };
     HapticLoop loop =
         new HapticLoop(floor.frame(counted), settings().with(pacer, ThreadSetup.NONE), end -> {});
     loop.run();
     loopReport = loop.report();
-    return began;
+    return starts;
   }
 
   private void assertFailed(HapticLoop loop, Throwable fault) {
@@ -339,7 +340,7 @@ class HapticLoopTest {
         latch.await();
         waiting = false;
       } catch (InterruptedException e) {
-        // A driver that is stuck does not hear of interrupts.
+        // A driver that is stuck ignores interrupts.
         waiting = true;
       }
     }

@@ -1,7 +1,8 @@
 package org.palpate.loop;
 
-/** Time that stands still until it is moved; a wait moves it to the deadline. */
+/** A clock that a test sets. A wait moves it to the deadline. */
 public final class ManualClock implements NanoClock, Pacer {
+  /** A millisecond in nanoseconds. */
   public static final long MS = 1_000_000;
 
   long nowNanos = 5 * MS;

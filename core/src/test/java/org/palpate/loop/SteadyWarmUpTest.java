@@ -15,7 +15,7 @@ class SteadyWarmUpTest {
   private int leastFrames;
 
   @Test
-  void endsWhenTheFrameIsCompiledAndItsTimeSteady() {
+  void endsWhenTheFrameIsCompiledAndItsTimeIsSteady() {
     SteadyWarmUp.Result result =
         run(
             () -> {
@@ -29,7 +29,7 @@ class SteadyWarmUpTest {
   }
 
   @Test
-  void goesOnWhileTheCompilerWorksThoughTheTimeIsSteady() {
+  void continuesWhileTheCompilerWorksAtASteadyTime() {
     SteadyWarmUp.Result result =
         run(
             () -> {
@@ -41,7 +41,7 @@ class SteadyWarmUpTest {
   }
 
   @Test
-  void saysThatTheFrameNeverBecameSteady() {
+  void reportsThatTheFrameNeverBecameSteady() {
     SteadyWarmUp.Result result = run(() -> now += frames / 500 % 2 == 0 ? 1_000 : 3_000);
     assertFalse(result.steady());
     assertTrue(result.nanos() >= LIMIT_NANOS, "nanos=" + result.nanos());
@@ -55,7 +55,7 @@ class SteadyWarmUpTest {
   }
 
   @Test
-  void runsTheLeastFramesThoughItIsSteadyBefore() {
+  void runsTheLeastNumberOfFramesAtASteadyTime() {
     leastFrames = 10_000;
     assertEquals(10_000, run(() -> now += 1_000).frames());
   }

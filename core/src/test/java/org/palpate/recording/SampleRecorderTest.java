@@ -22,7 +22,7 @@ class SampleRecorderTest {
   private final DeviceState sample = new DeviceState();
 
   @Test
-  void everySampleComesOutAsTheDeviceSentItBitForBit() {
+  void everySampleArrivesBitForBit() {
     SplittableRandom random = new SplittableRandom(Seeds.seed());
     SampleRecorder recorder = new SampleRecorder(100);
     List<DeviceState> sent = new ArrayList<>();
@@ -43,7 +43,7 @@ class SampleRecorderTest {
   }
 
   @Test
-  void whatIsNotFiniteOrGoesBackInTimeIsFlagged() {
+  void samplesThatAreNotFiniteOrGoBackInTimeAreFlagged() {
     SampleRecorder recorder = new SampleRecorder();
     double[] x = {0, Double.NaN, 1, Double.POSITIVE_INFINITY, 2};
     long[] time = {5, 6, 4, 3, 3};
@@ -58,7 +58,7 @@ class SampleRecorderTest {
   }
 
   @Test
-  void aFullRingLosesTheNewestAndCountsThem() {
+  void aFullBufferDropsTheNewestSamplesAndCountsThem() {
     SampleRecorder recorder = new SampleRecorder(4);
     for (int i = 0; i < 10; i++) {
       sample.timeNanos = i;
@@ -71,7 +71,7 @@ class SampleRecorderTest {
   }
 
   @Test
-  void nothingIsTornOrLostBetweenTwoThreads() throws InterruptedException {
+  void noSampleIsTornOrLostBetweenTwoThreads() throws InterruptedException {
     int samples = 500_000;
     SampleRecorder recorder = new SampleRecorder(1000);
     AtomicBoolean ended = new AtomicBoolean();
@@ -110,7 +110,7 @@ class SampleRecorderTest {
   }
 
   @Test
-  void aRecordedSessionIsWrittenAsATrajectoryThatCanBeReplayed() {
+  void aRecordedSessionIsWrittenAsATrajectory() {
     SampleRecorder recorder = new SampleRecorder();
     ScriptedDevice device =
         new ScriptedDevice(
@@ -138,7 +138,7 @@ class SampleRecorderTest {
   }
 
   @Test
-  void aRecordedDeviceIsTheDeviceInAllElse() {
+  void aRecordingDeviceDelegatesEverythingElse() {
     ScriptedDevice device = ScriptedDevice.at(1, 2, 3);
     RecordingDevice recording = new RecordingDevice(device, new SampleRecorder());
     assertEquals(device.specification(), recording.specification());
@@ -150,7 +150,7 @@ class SampleRecorderTest {
   }
 
   @Test
-  void aFileThatCannotBeWrittenIsToldAtTheEnd() {
+  void aSinkThatThrowsIsReportedAtTheEnd() {
     SampleRecorder recorder = new SampleRecorder();
     IllegalStateException full = new IllegalStateException("disk full");
     recorder.offer(sample);

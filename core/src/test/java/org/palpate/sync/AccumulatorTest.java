@@ -121,7 +121,7 @@ class AccumulatorTest {
   }
 
   @Test
-  void propertiesAreMadeBeforeTheFirstPublication() {
+  void noPropertyCanBeMadeAfterTheFirstPublication() {
     accumulator.number("rate").set(1);
     accumulator.publish();
     String message =

@@ -5,9 +5,10 @@ import org.palpate.raycast.Ray;
 import org.palpate.volume.BitCube;
 
 /**
- * Decides by rational arithmetic on the doubles as they are whether a segment touches a closed
- * voxel. Obviously right, slow, and written without a look at the code that it judges: it clips the
- * parameter interval of the segment by the three slabs.
+ * Decides in rational arithmetic whether a segment between two doubles touches a closed voxel. It
+ * clips the parameter interval of the segment by the three slabs of the voxel.
+ *
+ * <p>It is slow and simple, and shares no code and no method with the ray casters that it checks.
  */
 public final class ExactOracle {
   private ExactOracle() {}
@@ -33,7 +34,7 @@ public final class ExactOracle {
     }
   }
 
-  /** Where the segment enters the closed voxel, or null where it does not touch it. */
+  /** Returns the parameter at which the segment enters the closed voxel, or null if it misses. */
   private static Rational entry(Ray ray, int i, int j, int k) {
     Rational[] interval = {Rational.ZERO, Rational.ONE};
     boolean touches =
@@ -66,8 +67,8 @@ public final class ExactOracle {
   }
 
   /**
-   * The parameter at which the segment enters the voxel, correctly rounded; NaN where it does not
-   * touch it.
+   * Returns the parameter at which the segment enters the voxel, correctly rounded; NaN if it does
+   * not touch it.
    */
   public static double entryParameter(Ray ray, int i, int j, int k) {
     Rational entry = entry(ray, i, j, k);
@@ -75,8 +76,8 @@ public final class ExactOracle {
   }
 
   /**
-   * The parameter of the first touch of any solid voxel, correctly rounded; NaN where the segment
-   * touches none. Looks at every voxel in the segment's box.
+   * Returns the parameter at which the segment first touches a solid voxel, correctly rounded; NaN
+   * if it touches none. It visits every voxel in the segment's box.
    */
   public static double firstTouch(BitCube bits, Ray ray) {
     Rational first = null;
@@ -107,7 +108,7 @@ public final class ExactOracle {
     return false;
   }
 
-  /** Exact comparisons: whether the boxes of segment and voxel touch. */
+  /** Whether the bounding boxes of segment and voxel touch. Exact. */
   private static boolean overlaps(Ray ray, int i, int j, int k) {
     return overlaps(ray.fromX, ray.toX, i)
         && overlaps(ray.fromY, ray.toY, j)

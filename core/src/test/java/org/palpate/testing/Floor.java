@@ -13,24 +13,30 @@ import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
-/** A grid of 32^3 unit voxels of which those below z = 8 are solid, and frames over it. */
+/** A grid of 32^3 unit voxels that are solid below z = 8, with frames over it. */
 public final class Floor {
+  /** Voxels along each axis. */
   public static final int EDGE = 32;
+
+  /** Height of the surface. */
   public static final int TOP = 8;
+
   static final double STIFFNESS = 0.5;
   public static final GridMetric METRIC = new GridMetric(1, 1, 1);
   public static final VoxelGrid GRID = VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE);
 
   public final BitCube bits = bits();
-  public final CollisionScene obstacles = new CollisionScene(List.of(bits));
+  public final CollisionScene scene = new CollisionScene(List.of(bits));
   public final EditQueue edits = new EditQueue(GRID, 1);
 
   private Floor() {}
 
+  /** Makes a floor of its own. */
   public static Floor make() {
     return new Floor();
   }
 
+  /** Returns a new bit cube of the floor. */
   public static BitCube bits() {
     BitCube bits = new BitCube(EDGE, EDGE, EDGE);
     for (int k = 0; k < TOP; k++) {
@@ -43,7 +49,7 @@ public final class Floor {
     return bits;
   }
 
-  /** No limits but the silence of 20 ms and a ramp of 100 ms. */
+  /** Returns settings without limits, with a silence of 20 ms and a ramp of 100 ms. */
   public static FrameSettings settings() {
     return new FrameSettings(
         ForceSettings.of(STIFFNESS, 0.2),
@@ -54,18 +60,14 @@ public final class Floor {
         64);
   }
 
+  /** Returns a frame with the usual settings and the solver {@code guarded}. */
   public HapticFrame frame(ScriptedDevice device) {
     return frame(device, settings());
   }
 
+  /** Returns a frame with the solver {@code guarded}. */
   public HapticFrame frame(ScriptedDevice device, FrameSettings settings) {
     return new HapticFrame(
-        device,
-        new GuardedSolver(METRIC, 8),
-        obstacles,
-        METRIC,
-        settings,
-        edits,
-        FramePublisher.NONE);
+        device, new GuardedSolver(METRIC, 8), scene, METRIC, settings, edits, FramePublisher.NONE);
   }
 }

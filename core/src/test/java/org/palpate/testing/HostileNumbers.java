@@ -3,13 +3,13 @@ package org.palpate.testing;
 import java.util.SplittableRandom;
 
 /**
- * Coordinates that break naive geometry: integers, halves, neighbours by one ulp, subnormals, far
- * away, -0.0.
+ * Makes coordinates that break naive geometry: integers, halves, their neighbours by one ulp,
+ * subnormal and huge numbers, -0.0.
  */
 public final class HostileNumbers {
   private HostileNumbers() {}
 
-  /** A coordinate in or about a grid of {@code size} voxels. */
+  /** Returns a coordinate in or about a grid of {@code size} voxels. */
   public static double coordinate(SplittableRandom random, int size) {
     double integer = random.nextInt(-2, size + 3);
     return switch (random.nextInt(10)) {

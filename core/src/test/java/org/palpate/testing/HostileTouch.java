@@ -15,116 +15,118 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.volume.BitCube;
 
-/** A solver in a {@link HostileWorld}: what every one with the guarantee has to stand. */
+/** Tests a solver with the guarantee in scenes of {@link HostileWorld}. */
 public final class HostileTouch {
   private static final GridMetric UNIT = new GridMetric(1, 1, 1);
 
-  /** Makes a fresh solver. */
+  /** Makes new solvers. */
   @FunctionalInterface
   public interface SolverFactory {
+    /** Makes a solver with its longest path per frame, w_max. */
     ProxySolver make(GridMetric metric, double maxStepMm);
   }
 
-  /** What a solver promises of a frame beside the guarantee. */
+  /** A property that a solver promises of every frame beside the guarantee. */
   @FunctionalInterface
   public interface FramePromise {
-    /** Whether the frame that led from {@code before} to {@code after} kept it. */
-    boolean isKept(GridMetric metric, Vec3 device, Vec3 before, Vec3 after);
+    /** Whether the frame that moved the point from {@code before} to {@code after} has it. */
+    boolean holds(GridMetric metric, Vec3 device, Vec3 before, Vec3 after);
   }
 
-  private final SolverFactory maker;
+  private final SolverFactory factory;
   private final long seed = Seeds.seed();
   private final SplittableRandom random = new SplittableRandom(seed);
   private final InteractionPoint point = new InteractionPoint();
 
-  public HostileTouch(SolverFactory maker) {
-    this.maker = maker;
+  /** Makes tests of the solvers that {@code factory} makes. */
+  public HostileTouch(SolverFactory factory) {
+    this.factory = factory;
   }
 
   /**
-   * Touches scene after scene; every leg is judged exactly, every path held against w_max.
+   * Moves a device through many scenes, and checks every leg exactly and every path against w_max.
    *
-   * @return the number of legs
+   * @return number of legs
    */
   public long keepsTheGuarantee(int scenes, FramePromise promise) {
     long legs = 0;
-    for (int scene = 0; scene < scenes; scene++) {
-      legs += touchScene("seed=" + seed + " scene=" + scene, promise);
+    for (int number = 0; number < scenes; number++) {
+      legs += touchScene("seed=" + seed + " scene=" + number, promise);
     }
     return legs;
   }
 
-  private long touchScene(String what, FramePromise promise) {
+  private long touchScene(String name, FramePromise promise) {
     BitCube bits = HostileWorld.scene(random);
     GridMetric metric =
         new GridMetric(1, 1, random.nextBoolean() ? 1 : random.nextDouble(0.05, 20));
     double maxStepMm = random.nextInt(4) == 0 ? 1e-3 : random.nextDouble(0.5, 60);
-    ProxySolver solver = maker.make(metric, maxStepMm);
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
-    place(obstacles, metric, HostileWorld.point(random, bits), point);
+    ProxySolver solver = factory.make(metric, maxStepMm);
+    CollisionScene scene = new CollisionScene(List.of(bits));
+    place(scene, metric, HostileWorld.point(random, bits), point);
     LegJudge judge = new LegJudge(bits, point.position);
     Vec3 device = new Vec3().set(point.position);
     Vec3 before = new Vec3();
     for (int frame = 0; frame < 200; frame++) {
       HostileWorld.moveDevice(random, bits, device);
       before.set(point.position);
-      solver.follow(obstacles, device, point);
-      String frameName = what + " frame=" + frame + " device=" + device;
+      solver.follow(scene, device, point);
+      String frameName = name + " frame=" + frame + " device=" + device;
       assertNull(judge.faultOf(point), frameName);
       assertTrue(point.legs.lengthMm() <= maxStepMm, frameName);
-      assertTrue(promise.isKept(metric, device, before, point.position), frameName);
+      assertTrue(promise.holds(metric, device, before, point.position), frameName);
     }
     return judge.legCount();
   }
 
   /**
-   * Holds a device still in scene after scene: the point has to rest, and to stay with the same
-   * contact in the frame after that.
+   * Holds a device still in many scenes. The point must come to rest, and must keep its contact in
+   * the next frame.
    *
-   * @param atRest what is done to the solver that rests, before that last frame
+   * @param atRest called with the resting solver before that next frame
    */
-  public void comesToRest(int scenes, int mostFrames, Consumer<ProxySolver> atRest) {
-    for (int scene = 0; scene < scenes; scene++) {
-      ProxySolver solver = maker.make(UNIT, 8);
-      CollisionScene obstacles = startInScene();
+  public void comesToRest(int scenes, int maxFrames, Consumer<ProxySolver> atRest) {
+    for (int number = 0; number < scenes; number++) {
+      ProxySolver solver = factory.make(UNIT, 8);
+      CollisionScene scene = startInScene();
       Vec3 device =
           new Vec3(random.nextDouble(-4, 20), random.nextDouble(-4, 20), random.nextDouble(-4, 20));
       int frames = 0;
       do {
-        solver.follow(obstacles, device, point);
+        solver.follow(scene, device, point);
         frames++;
-      } while (point.legs.count() > 0 && frames < mostFrames);
-      assertTrue(frames < mostFrames, "still moves: seed=" + seed + " scene=" + scene);
+      } while (point.legs.count() > 0 && frames < maxFrames);
+      assertTrue(frames < maxFrames, "still moves: seed=" + seed + " scene=" + number);
       boolean contact = point.contact;
       atRest.accept(solver);
-      solver.follow(obstacles, device, point);
-      assertEquals(0, point.legs.count(), "seed=" + seed + " scene=" + scene);
-      assertEquals(contact, point.contact, "seed=" + seed + " scene=" + scene);
+      solver.follow(scene, device, point);
+      assertEquals(0, point.legs.count(), "seed=" + seed + " scene=" + number);
+      assertEquals(contact, point.contact, "seed=" + seed + " scene=" + number);
     }
   }
 
-  /** Lets a device drift in scene after scene, then rest: a fresh solver must rest there too. */
+  /** Lets a device drift and then rest in many scenes. A new solver must rest there too. */
   public void restsWhereAFreshSolverWouldRest(int scenes) {
-    for (int scene = 0; scene < scenes; scene++) {
-      ProxySolver solver = maker.make(UNIT, 8);
-      CollisionScene obstacles = startInScene();
+    for (int number = 0; number < scenes; number++) {
+      ProxySolver solver = factory.make(UNIT, 8);
+      CollisionScene scene = startInScene();
       Vec3 device = new Vec3().set(point.position);
       for (int frame = 0; frame < 80; frame++) {
         if (frame < 40) {
           drift(device);
         }
-        solver.follow(obstacles, device, point);
+        solver.follow(scene, device, point);
       }
-      maker.make(UNIT, 8).follow(obstacles, device, point);
-      assertEquals(0, point.legs.count(), "seed=" + seed + " scene=" + scene);
+      factory.make(UNIT, 8).follow(scene, device, point);
+      assertEquals(0, point.legs.count(), "seed=" + seed + " scene=" + number);
     }
   }
 
   private CollisionScene startInScene() {
-    CollisionScene obstacles = new CollisionScene(List.of(HostileWorld.scene(random)));
+    CollisionScene scene = new CollisionScene(List.of(HostileWorld.scene(random)));
     Vec3 start = new Vec3(random.nextInt(-4, 20), random.nextInt(-4, 20) + 0.5, 1);
-    place(obstacles, UNIT, start, point);
-    return obstacles;
+    place(scene, UNIT, start, point);
+    return scene;
   }
 
   private void drift(Vec3 device) {
@@ -134,10 +136,10 @@ public final class HostileTouch {
   }
 
   private static void place(
-      CollisionScene obstacles, GridMetric metric, Vec3 start, InteractionPoint dest) {
+      CollisionScene scene, GridMetric metric, Vec3 start, InteractionPoint dest) {
     dest.position.set(start);
-    if (obstacles.touches(start.x, start.y, start.z)) {
-      new NearestFreeVoxel(metric).find(obstacles, start, dest.position);
+    if (scene.touches(start.x, start.y, start.z)) {
+      new NearestFreeVoxel(metric).find(scene, start, dest.position);
     }
   }
 }

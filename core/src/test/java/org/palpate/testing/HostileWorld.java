@@ -4,13 +4,11 @@ import java.util.SplittableRandom;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
-/**
- * Small scenes and ways of a hand that geometry breaks on: the same for the same random numbers.
- */
+/** Makes small scenes and motions of a hand that break naive geometry, from random numbers. */
 public final class HostileWorld {
   private HostileWorld() {}
 
-  /** Moves the device by a hostile step, or not at all. */
+  /** Moves the device by a hostile step, or leaves it at rest. */
   public static void moveDevice(SplittableRandom random, BitCube bits, Vec3 device) {
     switch (random.nextInt(6)) {
       case 0 -> device.set(point(random, bits));
@@ -29,7 +27,7 @@ public final class HostileWorld {
     }
   }
 
-  /** A point whose coordinates are hostile. */
+  /** Returns a point with hostile coordinates in or about the grid. */
   public static Vec3 point(SplittableRandom random, BitCube bits) {
     return new Vec3(
         HostileNumbers.coordinate(random, bits.sizeX()),
@@ -38,7 +36,8 @@ public final class HostileWorld {
   }
 
   /**
-   * Checkerboards, walls that hang together by edges or corners, noise; at most 15 voxels an edge.
+   * Returns a checkerboard, walls whose voxels share only edges or corners, or noise. A grid has at
+   * most 15 voxels an edge.
    */
   public static BitCube scene(SplittableRandom random) {
     BitCube bits = new BitCube(random.nextInt(1, 16), random.nextInt(1, 16), random.nextInt(1, 16));
@@ -50,8 +49,8 @@ public final class HostileWorld {
           boolean solid =
               switch (pattern) {
                 case 0 -> (i + j + k) % 2 == 0; // checkerboard
-                case 1 -> (i + j) % 4 == 0; // walls joined only by edges
-                case 2 -> (i + j + k) % 5 == 0; // walls joined by edges and corners
+                case 1 -> (i + j) % 4 == 0; // walls whose voxels share only edges
+                case 2 -> (i + j + k) % 5 == 0; // walls whose voxels share edges and corners
                 default -> random.nextDouble() < density;
               };
           if (solid) {

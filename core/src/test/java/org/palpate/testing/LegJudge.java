@@ -7,8 +7,8 @@ import org.palpate.raycast.Ray;
 import org.palpate.volume.BitCube;
 
 /**
- * Judges frame after frame whether the guarantee was kept: every leg is disjoint from every closed
- * solid voxel, in exact arithmetic, and starts bit for bit where the last one ended.
+ * Checks the guarantee frame by frame. Every leg must be disjoint from every closed solid voxel, in
+ * exact arithmetic, and must start bit for bit where the last one ended.
  */
 public final class LegJudge {
   private final BitCube bits;
@@ -16,18 +16,18 @@ public final class LegJudge {
   private final Vec3 end = new Vec3();
   private long legCount;
 
-  /** A new chain of legs begins at {@code start}. */
+  /** Makes a judge of a chain of legs that begins at {@code start}. */
   public LegJudge(BitCube bits, Vec3 start) {
     this.bits = bits;
     end.set(start);
   }
 
-  /** The legs judged so far. */
+  /** Returns the number of legs so far. */
   public long legCount() {
     return legCount;
   }
 
-  /** What is wrong with the last frame, or null. */
+  /** Returns the violation of the last frame, or null if there is none. */
   public String faultOf(InteractionPoint point) {
     LegPath legs = point.legs;
     for (int leg = 0; leg < legs.count(); leg++) {

@@ -9,10 +9,11 @@ import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.ManualClock;
 
-/** A device that does in each read what a test says, and remembers the forces. */
+/** A device that a test scripts read by read, and that records the written forces. */
 public final class ScriptedDevice implements HapticDevice {
-  /** What a read does. */
+  /** The behaviour of a read. */
   public interface Script {
+    /** Fills {@code state} and returns the status of read number {@code read}, from 0. */
     ReadStatus read(int read, DeviceState state);
   }
 
@@ -27,17 +28,19 @@ public final class ScriptedDevice implements HapticDevice {
     this.script = script;
   }
 
-  /** Holds still at a place, with a clock of 1 ms a read. */
+  /** Returns a device that rests at a position, with a clock of 1 ms a read. */
   public static ScriptedDevice at(double x, double y, double z) {
     return new ScriptedDevice((read, state) -> fresh(state, read, x, y, z));
   }
 
+  /** Fills {@code state} with a new sample. */
   public static ReadStatus fresh(DeviceState state, long timeMs, double x, double y, double z) {
     state.positionMm.set(x, y, z);
     state.timeNanos = timeMs * ManualClock.MS;
     return ReadStatus.FRESH;
   }
 
+  /** Returns the last written force. */
   public Vec3 lastForce() {
     return forces.get(forces.size() - 1);
   }

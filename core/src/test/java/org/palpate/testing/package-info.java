@@ -1,2 +1,4 @@
-/** What tests of several modules share: seeds, the exact oracle of geometry. */
+/**
+ * Helpers that the tests of several modules share: seeds, hostile input, exact oracles, a floor.
+ */
 package org.palpate.testing;
