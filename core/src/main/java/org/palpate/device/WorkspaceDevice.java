@@ -6,8 +6,8 @@ import org.palpate.geometry.Vec3;
 /**
  * Maps a device's own frame to the world by a {@link Workspace}, a clutch and two speeds.
  *
- * <p>While the clutch is held, the interaction point stays where it is and there is no force, so
- * that the hand can return to where it has room. After the release the force returns over {@link
+ * <p>While the clutch is held, the interaction point rests and there is no force. The hand can then
+ * return to a position with more room. After the release the force returns over {@link
  * #RETURN_NANOS}. The speed button switches between full and fine motion about the present
  * position.
  *

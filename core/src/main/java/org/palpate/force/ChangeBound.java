@@ -3,8 +3,8 @@ package org.palpate.force;
 import org.palpate.geometry.Vec3;
 
 /**
- * Bounds the change of a force from one frame to the next, so that the hand feels a push that
- * builds up and not a knock. Stateless; allocates nothing.
+ * Bounds the change of a force from one frame to the next. The hand then feels a push that builds
+ * up, and not a knock. Stateless; allocates nothing.
  */
 final class ChangeBound {
   /**

@@ -4,7 +4,7 @@ package org.palpate.force;
  * The material that the hand feels, with a bounded transition from one object to the next.
  *
  * <p>If contact passes to another object, all four figures move to that object's in step. On their
- * account the force changes in one frame by at most k times the motion of the hand, where k is the
+ * account the force changes in one frame by at most k times the motion of the hand. Here k is the
  * larger stiffness of the two. A hand that moves less than {@link ChangeBound#MIN_MOTION_EDGES}
  * counts as moving by that.
  *

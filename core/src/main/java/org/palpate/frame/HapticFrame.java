@@ -107,8 +107,8 @@ public final class HapticFrame {
    *
    * <p>The watchdog decides whether the point follows, or the last force is held or dropped. There
    * is no step of its own for the collision candidates: the {@link CollisionScene} updates them
-   * within {@link #follow}, when a query leaves the region that its last search covered. A search
-   * at the beginning of each frame would cost more, because most frames need none.
+   * within {@code follow}, when a query leaves the region that its last search covered. A search at
+   * the beginning of each frame would cost more, because most frames need none.
    *
    * @param nowNanos the beginning of the frame on the caller's clock, which may jump
    * @return whether the session goes on

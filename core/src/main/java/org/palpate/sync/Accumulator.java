@@ -33,9 +33,9 @@ import org.palpate.geometry.Vec3;
  * dirty until the reader calls {@link Property#markApplied}, so that a renderer that threw gets the
  * value again.
  *
- * <p>Cost of a write: see {@code palpate bench --sync}. A triple buffer, which is wait-free for the
- * reader too, takes more than twice the time, because its atomic exchange and its copies burden the
- * haptic thread.
+ * <p>Cost of a write: see {@code palpate bench --sync}. A triple buffer is wait-free for the reader
+ * too, but takes more than twice the time: its atomic exchange and its copies burden the haptic
+ * thread.
  *
  * <p>Sources: Vlasov et al. 2013, section 5.2, for the task, which they solve by synchronized
  * statements; Boehm, "Can seqlocks get along with programming language memory models?", MSPC 2012,
