@@ -8,6 +8,7 @@ import org.palpate.device.Trajectory;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
 import org.palpate.geometry.Vec3;
+import org.palpate.loop.Median;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.proxy.TouchedObjectFinder;
@@ -79,10 +80,7 @@ public final class ReplayTiming {
     }
     double[] counted = Arrays.copyOfRange(nanos, UNCOUNTED_PASSES, passes);
     Arrays.sort(counted);
-    int middle = counted.length / 2;
-    double median =
-        counted.length % 2 == 1 ? counted[middle] : (counted[middle - 1] + counted[middle]) / 2;
-    return new NanosPerFrame(counted[0], median, counted[counted.length - 1]);
+    return new NanosPerFrame(counted[0], Median.of(counted), counted[counted.length - 1]);
   }
 
   private void start() {
