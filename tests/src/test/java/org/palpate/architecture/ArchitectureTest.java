@@ -178,6 +178,10 @@ class ArchitectureTest {
               BASE + "scene.Palette",
               BASE + "scene.gl.Shaders"));
 
+  /** Packages with native methods: JNI in {@code device.jni}, bindings of JNA in the others. */
+  private static final Set<String> HAVE_NATIVE_METHODS =
+      Set.of("device.jni", "realtime.os", "display", "benchmarks.jitter.experiment");
+
   private static final JavaClasses CLASSES =
       new ClassFileImporter()
           .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
@@ -307,8 +311,9 @@ class ArchitectureTest {
   }
 
   @Test
-  void jnaStandsOnlyInRealtimeAndDisplay() {
-    onlyIn("..realtime..", "..display..").accept("com.sun.jna..");
+  void jnaStandsOnlyInRealtimeDisplayAndTheJitterLaboratory() {
+    onlyIn("..realtime..", "..display..", "..benchmarks.jitter.experiment..")
+        .accept("com.sun.jna..");
   }
 
   @Test
@@ -336,14 +341,13 @@ class ArchitectureTest {
   }
 
   @Test
-  void nativeMethodsStandOnlyInDeviceJni() {
+  void nativeMethodsStandOnlyWhereTheyAreBound() {
     methods()
         .that()
         .areDeclaredInClassesThat(
             describe(
-                "are ours and bind nothing by JNA",
-                (JavaClass c) ->
-                    !Set.of("realtime.os", "display", "device.jni").contains(house(c))))
+                "are outside " + HAVE_NATIVE_METHODS,
+                (JavaClass c) -> !HAVE_NATIVE_METHODS.contains(house(c))))
         .should()
         .notHaveModifier(JavaModifier.NATIVE)
         .check(CLASSES);

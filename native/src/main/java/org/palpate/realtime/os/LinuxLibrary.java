@@ -3,16 +3,16 @@ package org.palpate.realtime.os;
 import com.sun.jna.Native;
 
 /**
- * The C library's calls, mapped directly. Addresses are {@code long}, so that a call in a frame
- * makes no object; 64-bit systems only.
+ * Binds the calls of the C library directly. Addresses are {@code long} values, so that a call in a
+ * frame creates no object. 64-bit systems only.
  *
- * <p>Source: sched.h, sys/mman.h, sys/prctl.h, time.h, fcntl.h, sys/resource.h of Linux.
+ * <p>Source: sched.h, sys/mman.h, sys/prctl.h, time.h of Linux.
  */
 final class LinuxLibrary {
   static final int SCHED_FIFO = 1;
   static final int SCHED_RR = 2;
 
-  /** A thread or process that ours starts is an ordinary one. */
+  /** Gives the threads and processes that the thread starts an ordinary scheduling class. */
   static final int SCHED_RESET_ON_FORK = 0x40000000;
 
   static final int MCL_CURRENT = 1;
@@ -20,9 +20,6 @@ final class LinuxLibrary {
   static final int PR_SET_TIMERSLACK = 29;
   static final int CLOCK_MONOTONIC = 1;
   static final int TIMER_ABSTIME = 1;
-  static final int RUSAGE_THREAD = 1;
-  static final int O_RDONLY = 0;
-  static final int O_CLOEXEC = 0x80000;
 
   static {
     Native.register(LinuxLibrary.class, "c");
@@ -30,7 +27,7 @@ final class LinuxLibrary {
 
   private LinuxLibrary() {}
 
-  /** Sets scheduling of thread {@code tid}, 0 for the caller; {@code param} is one int. */
+  /** Sets the scheduling of thread {@code tid} (0: the caller); {@code param} points to an int. */
   static native int sched_setscheduler(int tid, int policy, long param);
 
   static native int sched_setaffinity(int tid, long bytes, long mask);
@@ -39,15 +36,6 @@ final class LinuxLibrary {
 
   static native int prctl(int option, long a, long b, long c, long d);
 
-  /** Returns 0 or the error itself; a signal ends it early. */
+  /** Returns 0 or the error number itself; a signal ends the sleep early. */
   static native int clock_nanosleep(int clock, int flags, long request, long remain);
-
-  static native int open(String path, int flags);
-
-  static native long pread(int descriptor, long buffer, long bytes, long offset);
-
-  static native int close(int descriptor);
-
-  /** Fills a {@code struct rusage}. */
-  static native int getrusage(int who, long usage);
 }

@@ -1,4 +1,4 @@
-package org.palpate.realtime.os;
+package org.palpate.benchmarks.jitter.experiment;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class ThreadCountersTest {
   @Test
-  void neverCountBackwards() {
+  void neverDecrease() {
     try (ThreadCounters counters = new ThreadCounters()) {
       long delayed = 0;
       long preempted = 0;

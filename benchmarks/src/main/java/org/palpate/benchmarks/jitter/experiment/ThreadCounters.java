@@ -1,22 +1,46 @@
-package org.palpate.realtime.os;
+package org.palpate.benchmarks.jitter.experiment;
 
 import com.sun.jna.Memory;
+import com.sun.jna.Native;
 import com.sun.jna.Pointer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import org.palpate.realtime.os.OperatingSystem;
 
 /**
- * What the kernel counts about the calling thread: one thread an instance, made and read by it.
- * Reading takes two system calls, about a microsecond, and allocates nothing. All zero on a system
- * without such counters.
+ * Reads the kernel's counters of the calling thread. One thread creates, reads and closes it. A
+ * reading takes two system calls, about a microsecond, and allocates nothing. All counters are zero
+ * on a system that is not Linux.
  */
-public final class ThreadCounters implements AutoCloseable {
+final class ThreadCounters implements AutoCloseable {
   private static final int TEXT_BYTES = 96;
   // struct rusage of 64-bit Linux, as 8-byte fields:
   //   0-3 user and system time   4 maxrss   8 minflt   9 majflt   16 nvcsw   17 nivcsw
   private static final int USAGE_BYTES = 18 * Long.BYTES;
   private static final int MAJOR_FAULTS = 9 * Long.BYTES;
   private static final int INVOLUNTARY_SWITCHES = 17 * Long.BYTES;
+
+  /** Binds the C library directly. Source: fcntl.h, unistd.h, sys/resource.h of Linux. */
+  private static final class CLibrary {
+    static final int RUSAGE_THREAD = 1;
+    static final int O_RDONLY = 0;
+    static final int O_CLOEXEC = 0x80000;
+
+    static {
+      Native.register(CLibrary.class, "c");
+    }
+
+    private CLibrary() {}
+
+    static native int open(String path, int flags);
+
+    static native long pread(int descriptor, long buffer, long bytes, long offset);
+
+    static native int close(int descriptor);
+
+    /** Fills the {@code struct rusage} at the given address. */
+    static native int getrusage(int who, long usage);
+  }
 
   private final Memory memory = new Memory(TEXT_BYTES + USAGE_BYTES);
   private final long address = Pointer.nativeValue(memory);
@@ -29,33 +53,32 @@ public final class ThreadCounters implements AutoCloseable {
   private long majorFaults;
 
   /** Opens the counters of the calling thread. */
-  public ThreadCounters() {
+  ThreadCounters() {
     memory.clear();
     try {
       schedstat =
-          LinuxLibrary.open(
-              "/proc/thread-self/schedstat", LinuxLibrary.O_RDONLY | LinuxLibrary.O_CLOEXEC);
+          CLibrary.open("/proc/thread-self/schedstat", CLibrary.O_RDONLY | CLibrary.O_CLOEXEC);
       usable = OperatingSystem.isLinux();
     } catch (LinkageError e) {
       usable = false; // no C library that JNA can call
     }
   }
 
-  /** Takes new values. */
-  public void read() {
+  /** Reads the present values. */
+  void read() {
     if (!usable) {
       return;
     }
     if (schedstat >= 0) {
-      long length = LinuxLibrary.pread(schedstat, address, TEXT_BYTES, 0);
+      long length = CLibrary.pread(schedstat, address, TEXT_BYTES, 0);
       delayedNanos = secondNumber((int) length);
     }
-    LinuxLibrary.getrusage(LinuxLibrary.RUSAGE_THREAD, address + TEXT_BYTES);
+    CLibrary.getrusage(CLibrary.RUSAGE_THREAD, address + TEXT_BYTES);
     preempted = bytes.getLong(TEXT_BYTES + INVOLUNTARY_SWITCHES);
     majorFaults = bytes.getLong(TEXT_BYTES + MAJOR_FAULTS);
   }
 
-  /** The file reads {@code time-on-processor time-ready-to-run slices}. */
+  /** Returns the second number of {@code time-on-processor time-ready-to-run slices}. */
   private long secondNumber(int length) {
     int at = 0;
     while (at < length && bytes.get(at) != ' ') {
@@ -68,25 +91,25 @@ public final class ThreadCounters implements AutoCloseable {
     return number;
   }
 
-  /** How long the thread was ready to run and did not, in all, ns. */
-  public long delayedNanos() {
+  /** Returns the total time in which the thread was ready but did not run, ns. */
+  long delayedNanos() {
     return delayedNanos;
   }
 
-  /** How often the thread was put off its processor, in all. */
-  public long preempted() {
+  /** Returns how often another thread took the processor, in total. */
+  long preempted() {
     return preempted;
   }
 
-  /** Pages that had to come from a disk, in all. */
-  public long majorFaults() {
+  /** Returns the number of pages that were read from a disk, in total. */
+  long majorFaults() {
     return majorFaults;
   }
 
   @Override
   public void close() {
     if (schedstat >= 0) {
-      LinuxLibrary.close(schedstat);
+      CLibrary.close(schedstat);
       schedstat = -1;
       usable = false;
     }
