@@ -5,7 +5,7 @@
 #include "device/clock.h"
 #include "device/session.h"
 
-// Only conversions between Java and C++ stand here; what is done is done in device/session.cpp.
+// This file only converts between Java and C++; device/session.cpp does the work.
 
 namespace {
 
@@ -28,7 +28,7 @@ jstring text(JNIEnv* env, const std::string& from) { return env->NewStringUTF(fr
 void line(std::string& to, const char* key, const std::string& value) {
   to.append(key).append("\t");
   for (const char c : value) {
-    const bool plain = c >= ' ' && c <= '~';  // what a vendor gives is not always UTF-8
+    const bool plain = c >= ' ' && c <= '~';  // a vendor's text is not always UTF-8
     to.push_back(plain ? c : '?');
   }
   to.append("\n");
@@ -55,7 +55,7 @@ int64_t nanos(jint millis) { return static_cast<int64_t>(millis) * palpate::kNan
 
 extern "C" {
 
-/** The handle, or 0 with why[0] set. */
+/** Returns the handle, or 0 with the reason in why[0]. */
 JNIEXPORT jlong JNICALL Java_org_palpate_device_jni_NativeCalls_open(JNIEnv* env, jclass,
                                                                      jstring backend, jstring id,
                                                                      jint waitMillis,
@@ -81,14 +81,6 @@ JNIEXPORT jstring JNICALL Java_org_palpate_device_jni_NativeCalls_probe(JNIEnv* 
     return nullptr;
   }
   return text(env, lines(Session::probe(*named, nanos(waitMillis))));
-}
-
-JNIEXPORT jstring JNICALL Java_org_palpate_device_jni_NativeCalls_backends(JNIEnv* env, jclass) {
-  std::string names;
-  for (const Backend* backend : palpate::backends()) {
-    names.append(backend->name()).append("\n");
-  }
-  return text(env, names);
 }
 
 JNIEXPORT jobject JNICALL Java_org_palpate_device_jni_NativeCalls_frame(JNIEnv* env, jclass,

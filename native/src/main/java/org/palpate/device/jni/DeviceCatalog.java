@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The devices that can be used here, by back end, and the way to open one. Blocks for as long as
- * vendors' libraries take, up to a few seconds: not for the haptic thread.
+ * Lists the devices that can be used here, by back end, and opens them. A call takes as long as the
+ * vendor's library needs, up to several seconds: not for the haptic thread.
  */
 public final class DeviceCatalog {
   private static final int PROBE_WAIT_MILLIS = 5000;
@@ -15,7 +15,7 @@ public final class DeviceCatalog {
 
   private DeviceCatalog() {}
 
-  /** What each back end found, in the order in which they are listed; none is left out. */
+  /** Probes every back end and returns all results, in the order of the list. */
   public static List<BackendProbe> probeAll() {
     List<BackendProbe> all = new ArrayList<>();
     all.add(builtIn("simulated", "a hand that approaches, presses, slides, taps and tears"));
@@ -31,10 +31,10 @@ public final class DeviceCatalog {
         backend, true, "", "", "", List.of(new BackendProbe.Found("", name, true, "")));
   }
 
-  /** What one native back end found. */
+  /** Probes one native back end. */
   public static BackendProbe probe(String backend) {
     if (!NativeLibrary.isLoaded()) {
-      return new BackendProbe(backend, false, "", "", NativeLibrary.whyNot(), List.of());
+      return new BackendProbe(backend, false, "", "", NativeLibrary.loadFailure(), List.of());
     }
     String lines = NativeCalls.probe(backend, PROBE_WAIT_MILLIS);
     if (lines == null) {
@@ -43,7 +43,7 @@ public final class DeviceCatalog {
     return BackendProbe.parse(backend, lines);
   }
 
-  /** Whether {@link #open} knows a back end of that name. */
+  /** Whether {@link #open} accepts a back end of this name. */
   public static boolean isNative(String backend) {
     return NATIVE_BACKENDS.contains(backend);
   }
@@ -52,13 +52,14 @@ public final class DeviceCatalog {
    * Opens a device.
    *
    * @param backend one of {@code hid}, {@code openhaptics}, {@code forcedimension}, {@code
-   *     virtuose}; {@code empty} for one without anything behind it
-   * @param id serial, name or host as {@link BackendProbe.Found#id} has it; empty for the first
-   * @throws DeviceException where it cannot be opened; its message says why and what to do
+   *     virtuose}; {@code empty} for one without hardware
+   * @param id the serial number, name or host, as in {@link BackendProbe.Found#id}; empty for the
+   *     first device
+   * @throws DeviceException if it cannot be opened; the message gives the reason and the remedy
    */
   public static NativeDevice open(String backend, String id) throws DeviceException {
     if (!NativeLibrary.isLoaded()) {
-      throw new DeviceException(NativeLibrary.whyNot());
+      throw new DeviceException(NativeLibrary.loadFailure());
     }
     String[] why = {""};
     long handle = NativeCalls.open(backend, id, OPEN_WAIT_MILLIS, why);

@@ -1,16 +1,16 @@
 package org.palpate.device.jni;
 
 /**
- * What befell the samples of a device since it was opened.
+ * Counters of a device's samples since it was opened.
  *
- * @param samples taken
- * @param merged superseded by a newer one before they were read
- * @param late came after more than two report intervals
- * @param lost gaps in the device's sequence
- * @param duplicated the same sequence number again
- * @param outOfOrder older than the one before, dropped
- * @param wrongLength dropped for their length
- * @param errors calls that failed and that the session survived
+ * @param samples samples received
+ * @param merged samples replaced by a newer one before they were read
+ * @param late samples that came after more than two report intervals
+ * @param lost gaps in the device's sequence numbers
+ * @param duplicated samples with the previous sequence number
+ * @param outOfOrder samples older than the previous one; dropped
+ * @param wrongLength samples of a wrong length; dropped
+ * @param errors failed calls that the session survived
  */
 public record DeviceCounters(
     long samples,

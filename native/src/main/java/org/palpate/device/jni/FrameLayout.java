@@ -1,8 +1,8 @@
 package org.palpate.device.jni;
 
 /**
- * Where what stands in the 256 bytes that Java and C++ share, one block a device, native byte
- * order. The same ruler as in {@code device/frame.h}.
+ * Offsets in the 256 bytes that Java and C++ share, one block for each device, in native byte
+ * order. {@code device/frame.h} has the same layout.
  *
  * <pre>
  *   0        8              32              64      68    72      80      88 .. 127
@@ -25,7 +25,7 @@ final class FrameLayout {
   static final int COUNTERS = 192;
   static final int BYTES = 256;
 
-  /** Bits of {@link #FLAGS}. */
+  /** Bit of {@link #FLAGS}, as are the following. */
   static final int FORCE_READY = 1;
 
   static final int WAITING_FOR_HAND = 1 << 1;

@@ -3,9 +3,10 @@ package org.palpate.device.jni;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Lines of key, tab, value, as the C++ side writes what it found. */
+/** Lines of key, tab and value, in which the C++ side writes its results. */
 record KeyedLines(List<String> keys, List<String> values) {
 
+  /** Parses the lines; a line without a tab is ignored. */
   static KeyedLines parse(String text) {
     List<String> keys = new ArrayList<>();
     List<String> values = new ArrayList<>();
@@ -19,7 +20,7 @@ record KeyedLines(List<String> keys, List<String> values) {
     return new KeyedLines(keys, values);
   }
 
-  /** The value of the first line with that key; empty where there is none. */
+  /** Returns the value of the first line with that key; empty if there is none. */
   String first(String key) {
     int index = keys.indexOf(key);
     return index < 0 ? "" : values.get(index);

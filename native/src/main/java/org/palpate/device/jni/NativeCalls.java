@@ -3,11 +3,11 @@ package org.palpate.device.jni;
 import java.nio.ByteBuffer;
 
 /**
- * Every native method there is; the C++ side is {@code jni/shims.cpp}. A handle may be used for
- * ever: once its device is closed the calls answer as for one that is gone.
+ * All native methods of Palpate; {@code jni/shims.cpp} is the C++ side. A handle never becomes
+ * invalid: after its device is closed, the calls report that the device is gone.
  */
 final class NativeCalls {
-  /** Answers of {@link #close}. */
+  /** A result of {@link #close}, as are the following. */
   static final int ZERO_SENT = 0;
 
   static final int UNREACHABLE = 1;
@@ -16,32 +16,37 @@ final class NativeCalls {
 
   private NativeCalls() {}
 
-  /** The handle, or 0 with {@code why[0]} set. */
+  /** Returns the handle, or 0 with the reason in {@code why[0]}. */
   static native long open(String backend, String id, int waitMillis, String[] why);
 
-  /** Lines of key, tab, value; null for a back end that does not exist. */
+  /** Returns lines of key, tab and value; null if the back end does not exist. */
   static native String probe(String backend, int waitMillis);
 
-  /** A line a back end. */
-  static native String backends();
-
-  /** The bytes described by {@link FrameLayout}; they outlive the device. */
+  /** Returns the bytes described by {@link FrameLayout}, which outlive the device. */
   static native ByteBuffer frame(long handle);
 
-  /** Lines of key, tab, value; numbers in the order of {@link NativeDevice}. */
+  /**
+   * Returns lines of key, tab and value; fills the numbers in the order of {@link NativeDevice}.
+   */
   static native String specification(long handle, double[] numbers);
 
+  /** Returns the ordinal of a {@code ReadStatus}. */
   static native int read(long handle);
 
+  /** Whether the device accepted the force. */
   static native boolean write(long handle);
 
+  /** Returns one of the results above. */
   static native int close(long handle, int waitMillis);
 
+  /** Returns the reason why the device is gone; empty while it works. */
   static native String ending(long handle);
 
-  /** How many threads are inside a vendor's opening, looking or closing, hanging ones too. */
+  /**
+   * Returns the number of threads in a vendor's open, probe or close call, hanging ones included.
+   */
   static native int underWay();
 
-  /** Nothing at all: the yardstick of what the others cost. */
+  /** Does nothing; {@code CrossingBenchmark} measures with it the cost of a native call. */
   static native void nothing();
 }

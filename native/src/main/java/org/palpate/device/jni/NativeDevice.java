@@ -9,16 +9,17 @@ import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Vec3;
 
 /**
- * A device behind the C++ layer: one native call to read and one to write, through one direct
- * buffer, without allocation.
+ * A device behind the C++ layer. A frame reads it with one native call and writes it with another,
+ * through one direct buffer and without allocation.
  *
  * <p>Positions and forces are in the device's frame: millimetres and newtons, x to the right, y up,
- * z towards the person; {@link org.palpate.device.WorkspaceDevice} maps them to the world. The C++
- * layer limits what is written to what the device bears, lets force in only when the hand has held
- * the device still, and zeroes it when samples stay away; each device has a watchdog of its own for
- * when this process stops.
+ * z towards the person; {@link org.palpate.device.WorkspaceDevice} maps them to the world.
  *
- * <p>Read and written by one thread; closed by any.
+ * <p>The C++ layer limits every force to the device's limits. It sends no force until the hand has
+ * held the device still, and sends zero force if samples stay away. Each device has a watchdog of
+ * its own in case this process stops.
+ *
+ * <p>One thread reads and writes; any thread may close.
  */
 public final class NativeDevice implements HapticDevice {
   private static final int CLOSE_WAIT_MILLIS = 500;
@@ -80,10 +81,10 @@ public final class NativeDevice implements HapticDevice {
   }
 
   /**
-   * Sets the torque that goes with every force from the next write on; 0 until this is called.
-   * Devices without torque ignore it. Haptic thread.
+   * Sets the torque that every later write sends with its force; initially zero. Devices without
+   * torque ignore it. Haptic thread.
    *
-   * @param torqueNewtonMetre on the hand, device frame
+   * @param torqueNewtonMetre the torque on the hand, device frame
    */
   public void torque(Vec3 torqueNewtonMetre) {
     frame.putDouble(FrameLayout.TORQUE_NEWTON_METRE, torqueNewtonMetre.x);
@@ -91,22 +92,22 @@ public final class NativeDevice implements HapticDevice {
     frame.putDouble(FrameLayout.TORQUE_NEWTON_METRE + 16, torqueNewtonMetre.z);
   }
 
-  /** Whether no force comes yet because the hand has not held the device still. Any thread. */
+  /** Whether the force is zero because the hand has not yet held the device still. Any thread. */
   public boolean isWaitingForHand() {
     return (frame.getInt(FrameLayout.FLAGS) & FrameLayout.WAITING_FOR_HAND) != 0;
   }
 
-  /** Whether the device wants to be calibrated before it pushes. Any thread. */
+  /** Whether the device must be calibrated before it exerts a force. Any thread. */
   public boolean needsCalibration() {
     return (frame.getInt(FrameLayout.FLAGS) & FrameLayout.NEEDS_CALIBRATION) != 0;
   }
 
-  /** Heat of the motors: 0 cold, 1 as hot as the maker allows; 0 where unknown. Any thread. */
+  /** Returns the heat of the motors: 0 cold, 1 the vendor's limit; 0 if unknown. Any thread. */
   public double motorHeat() {
     return frame.getDouble(FrameLayout.MOTOR_HEAT);
   }
 
-  /** What befell the samples so far; a moment's view. Any thread. */
+  /** Returns the counters of the samples so far. Any thread. */
   public DeviceCounters counters() {
     return new DeviceCounters(
         counter(0),
@@ -124,23 +125,23 @@ public final class NativeDevice implements HapticDevice {
   }
 
   /**
-   * One line: why the device is gone, or how its last force was left; empty while all is well and
-   * after an orderly close. Any thread.
+   * Returns one line with the reason why the device is gone, or with the state of its last force;
+   * empty while it works and after an orderly close. Any thread.
    */
   @Override
   public String ending() {
     return NativeCalls.ending(handle);
   }
 
-  /** Who zeroes the force when this program no longer can. */
+  /** Returns the name of what zeroes the force if this program no longer can. */
   public String watchdog() {
     return watchdog;
   }
 
   /**
-   * Sends zero force, then lets the device go. Waits up to half a second for the haptic thread's
-   * call to return; where it hangs, {@link #ending} says so and the device's own watchdog stands
-   * in.
+   * Sends zero force, then releases the device. Waits up to half a second for the haptic thread's
+   * call to return. If that call hangs, {@link #ending} reports it and the device's own watchdog
+   * zeroes the force.
    */
   @Override
   public void close() {

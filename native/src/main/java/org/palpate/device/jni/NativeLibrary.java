@@ -8,9 +8,9 @@ import java.nio.file.StandardCopyOption;
 import java.util.Locale;
 
 /**
- * Finds and loads the C++ device layer, once: the file that the system property {@value #PROPERTY}
- * names, else {@code palpate} on {@code java.library.path}, else the one inside the jar. A property
- * that names a file which does not load is an error; nothing else is tried then.
+ * Finds and loads the C++ device layer once. It takes the file that the system property {@value
+ * #PROPERTY} names, else {@code palpate} on {@code java.library.path}, else the one in the jar. If
+ * the property names a file that does not load, nothing else is tried.
  */
 public final class NativeLibrary {
   /** The system property that names the library's file. */
@@ -20,32 +20,32 @@ public final class NativeLibrary {
 
   private final String origin;
 
-  /** One line: why it could not be loaded; empty where it was. */
-  final String whyNot;
+  /** The reason why the library was not loaded, in one line; empty if it was loaded. */
+  final String loadFailure;
 
-  private NativeLibrary(String origin, String whyNot) {
+  private NativeLibrary(String origin, String loadFailure) {
     this.origin = origin;
-    this.whyNot = whyNot;
+    this.loadFailure = loadFailure;
   }
 
   /** Whether native methods can be called. */
   public static boolean isLoaded() {
-    return LOADED.whyNot.isEmpty();
+    return LOADED.loadFailure.isEmpty();
   }
 
-  /** Where the library came from; empty where it was not loaded. */
+  /** Returns where the library came from; empty if it was not loaded. */
   public static String origin() {
     return LOADED.origin;
   }
 
-  /** Calls native code that does nothing: the yardstick of what a crossing costs. */
+  /** Makes one native call that does nothing: the least cost of a call, for benchmarks. */
   public static void callNothing() {
     NativeCalls.nothing();
   }
 
-  /** One line: why it could not be loaded and what to do; empty where it was. */
-  public static String whyNot() {
-    return LOADED.whyNot;
+  /** Returns the reason why the library was not loaded and the remedy; empty if it was loaded. */
+  public static String loadFailure() {
+    return LOADED.loadFailure;
   }
 
   private static NativeLibrary load() {
@@ -61,7 +61,7 @@ public final class NativeLibrary {
     }
   }
 
-  /** Loads a file; where it does not load, {@code remedy} ends the line that says so. */
+  /** Loads a file; if that fails, {@code remedy} ends the message. */
   static NativeLibrary loadFile(Path file, String origin, String remedy) {
     try {
       System.load(file.toString());
@@ -99,12 +99,12 @@ public final class NativeLibrary {
     Path folder = Files.createTempDirectory("palpate");
     Path file = folder.resolve(resource.substring(resource.lastIndexOf('/') + 1));
     folder.toFile().deleteOnExit();
-    file.toFile().deleteOnExit(); // deleted first: the order is the reverse of registration
+    file.toFile().deleteOnExit(); // files are deleted in the reverse order of registration
     Files.copy(bytes, file, StandardCopyOption.REPLACE_EXISTING);
     return file;
   }
 
-  /** The resource that holds the library for a platform, by the names that the JVM gives it. */
+  /** Returns the resource of the library for a platform, given by the JVM's names for it. */
   static String resourceName(String osName, String osArch) {
     String os = osName.toLowerCase(Locale.ROOT);
     String arch = osArch.toLowerCase(Locale.ROOT);

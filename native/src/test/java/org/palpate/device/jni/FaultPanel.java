@@ -10,7 +10,9 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What a test and a substitute library share; the layout is {@code substitutes/panel.h}. */
+/**
+ * The memory that a test and a substitute library share; {@code substitutes/panel.h} is its layout.
+ */
 final class FaultPanel {
   private static final int NAME_BYTES = 40;
   private static final int FAULT = 40;
@@ -59,14 +61,14 @@ final class FaultPanel {
     return bytes.getInt(OVERLAPS);
   }
 
-  /** Sum of the sizes of the components that last reached the device. */
+  /** Returns the sum of the absolute components of the last force that reached the device. */
   double force() {
     return Math.abs(bytes.getDouble(FORCE))
         + Math.abs(bytes.getDouble(FORCE + 8))
         + Math.abs(bytes.getDouble(FORCE + 16));
   }
 
-  /** Names of the functions that were called since the panel was clear. */
+  /** Returns the names of the functions called since the panel was cleared. */
   List<String> called() {
     List<String> names = new ArrayList<>();
     for (int i = 0; i < bytes.getInt(CALLED_COUNT); i++) {

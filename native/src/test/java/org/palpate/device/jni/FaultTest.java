@@ -16,8 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Every call of every back end fails in every way under a JVM, which lives on. What each fault must
- * end in is held in finer grain by the C++ tests, in the same substitute libraries.
+ * Lets every call of every back end fail in every way inside a JVM, which must survive. The C++
+ * tests check the outcome of each fault in more detail, with the same substitute libraries.
  */
 class FaultTest {
   private static final int HANG = 6;
@@ -27,7 +27,7 @@ class FaultTest {
   private static final int LONG_MILLIS = 5000;
   private static final int FRAMES = 30;
 
-  /** While another thread or process has its turn. */
+  /** Pause that gives another thread or process its turn. */
   private static final int WAIT_NANOS = 20_000;
 
   private static FaultPanel panel;
@@ -72,7 +72,7 @@ class FaultTest {
     System.out.println("native: " + backend + " in the JVM: " + injected + " faults survived");
   }
 
-  /** A session without a fault: the functions that it calls. */
+  /** Runs a session without a fault and returns the functions that it calls. */
   private static List<String> cleanSession(String backend) {
     panel.clear();
     String[] why = {""};
@@ -84,7 +84,7 @@ class FaultTest {
     return panel.called();
   }
 
-  /** The fake of {@code hid} takes a moment to be there. */
+  /** Opens repeatedly, because the substitute of {@code hid} needs a moment to appear. */
   private static long openPatiently(String backend, String[] why) {
     long handle = 0;
     for (int i = 0; handle == 0 && i < 1000; i++) {
@@ -133,7 +133,7 @@ class FaultTest {
     assertEquals(2, NativeCalls.read(handle), where);
   }
 
-  /** Frames until the device is gone or enough were fresh. */
+  /** Runs frames until the device is gone or enough of them were fresh. */
   private static void run(long handle) {
     int fresh = 0;
     for (int i = 0; fresh < FRAMES && i < 10_000; i++) {
@@ -162,7 +162,7 @@ class FaultTest {
     }
   }
 
-  /** Until no thread is inside a vendor's library any more. */
+  /** Waits until no thread is inside a vendor's library. */
   private static void settle() {
     while (NativeCalls.underWay() > 0) {
       LockSupport.parkNanos(WAIT_NANOS);

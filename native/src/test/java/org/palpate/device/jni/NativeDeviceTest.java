@@ -17,11 +17,11 @@ class NativeDeviceTest {
 
   @BeforeEach
   void needsTheNativeLibrary() {
-    Assumptions.assumeTrue(NativeLibrary.isLoaded(), "skipped: " + NativeLibrary.whyNot());
+    Assumptions.assumeTrue(NativeLibrary.isLoaded(), "skipped: " + NativeLibrary.loadFailure());
   }
 
   @Test
-  void loadsTheLibraryThatTheJarHolds() {
+  void loadsTheLibraryFromTheJar() {
     assertTrue(NativeLibrary.origin().startsWith("jar:/natives/"), NativeLibrary.origin());
   }
 
@@ -40,7 +40,7 @@ class NativeDeviceTest {
   }
 
   @Test
-  void isGoneOnceClosedAndMayBeClosedTwice() throws DeviceException {
+  void isGoneAfterCloseAndMayBeClosedTwice() throws DeviceException {
     NativeDevice device = DeviceCatalog.open("empty", "");
     device.close();
     device.close();
@@ -61,16 +61,16 @@ class NativeDeviceTest {
   }
 
   @Test
-  void saysInOneLineWhichBackEndItDoesNotKnow() {
+  void namesAnUnknownBackEndInOneLine() {
     DeviceException e =
         assertThrows(DeviceException.class, () -> DeviceCatalog.open("abacus", "7"));
     assertEquals("cannot open the device: abacus:7: no such back end", e.getMessage());
   }
 
   @Test
-  void saysInOneLineWhichFileDoesNotLoadAndWhatToDo() {
+  void namesTheFileThatDoesNotLoadAndTheRemedyInOneLine() {
     String why =
-        NativeLibrary.loadFile(Path.of("/no/such.so"), "given", "name the right one").whyNot;
+        NativeLibrary.loadFile(Path.of("/no/such.so"), "given", "name the right one").loadFailure;
     assertTrue(why.startsWith("cannot load the native library: given: "), why);
     assertTrue(why.contains("/no/such.so") && why.endsWith(": name the right one"), why);
     assertEquals(1, why.lines().count(), why);
