@@ -7,15 +7,17 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Lets a process live on whose X server went away. Xlib ends a process in which any thread meets a
- * broken connection, and with it the haptic thread, whose last force would stay on the device until
- * its own watchdog ends it. With this the threads that meet it are held for ever instead, and
- * whoever does not draw goes on.
+ * Keeps the process alive when its X server goes away.
  *
- * <p>For a process of our own alone, not inside another program.
+ * <p>Xlib ends a process in which any thread meets a broken connection. That would end the haptic
+ * thread too, and its last force would stay on the device until the device's watchdog acts. The
+ * handler installed here parks the thread that meets the broken connection for ever, so that all
+ * other threads go on.
+ *
+ * <p>For a process that Palpate owns; another program's process must not be changed in this way.
  */
 public final class DisplayLoss {
-  /** Xlib's call, mapped directly; loaded where it is first asked for. */
+  /** Binds Xlib directly; JNA loads it on first use. */
   static final class X11Library {
     static {
       Native.register(X11Library.class, "X11");
@@ -23,11 +25,11 @@ public final class DisplayLoss {
 
     private X11Library() {}
 
-    /** Takes a handler that must not return, and answers with the last one. */
+    /** Installs a handler that must not return, and returns the previous one. */
     static native Pointer XSetIOErrorHandler(LossHandler handler);
   }
 
-  /** The C library's call that ends a process without cleaning up; loaded when it is first used. */
+  /** Binds the C library's call that ends a process without cleaning up; loaded on first use. */
   static final class CLibrary {
     static {
       Native.register(CLibrary.class, "c");
@@ -39,39 +41,39 @@ public final class DisplayLoss {
     static native void _exit(int code);
   }
 
-  /** What Xlib calls in the thread that met a broken connection. */
+  /** The callback that Xlib runs in the thread that met a broken connection. */
   interface LossHandler extends Callback {
     int callback(Pointer display);
   }
 
   private static final AtomicBoolean HAPPENED = new AtomicBoolean();
 
-  /** Kept, because Xlib has its address and nobody else holds it. */
+  /** Referenced here because Xlib keeps only the address of the handler. */
   private static LossHandler installed;
 
   private DisplayLoss() {}
 
   /**
-   * From now on a lost display holds the threads that use it, instead of ending the process. To be
-   * called when the window's libraries are loaded, for they have such a handler of their own.
+   * Installs the handler: from then on a lost display parks the threads that use it. Call it after
+   * the window's libraries are loaded, because they install a handler of their own.
    *
-   * @param told called once when it happens, in the thread that noticed, which is then held
-   * @return whether there is an Xlib
+   * @param onLoss called once, in the first thread that meets the broken connection
+   * @return whether this process has an Xlib
    */
-  public static synchronized boolean survive(Runnable told) {
+  public static synchronized boolean install(Runnable onLoss) {
     try {
-      LossHandler handler = display -> hold(told);
+      LossHandler handler = display -> park(onLoss);
       X11Library.XSetIOErrorHandler(handler);
       installed = handler;
       return true;
     } catch (LinkageError e) {
-      return false; // no X here, so none to lose
+      return false; // without an Xlib there is no display to lose
     }
   }
 
   /**
-   * Ends the process where the display was lost, and does nothing where it was not. The usual ways
-   * out wait for the graphics driver, whose threads are held. All output must have been flushed.
+   * Ends the process if the display was lost, and returns otherwise. An ordinary exit would wait
+   * for the graphics driver, whose threads are parked. Flush all output before.
    */
   public static void exitIfLost(int exitCode) {
     if (HAPPENED.get()) {
@@ -79,9 +81,9 @@ public final class DisplayLoss {
     }
   }
 
-  private static int hold(Runnable told) {
+  private static int park(Runnable onLoss) {
     if (!HAPPENED.getAndSet(true)) {
-      told.run();
+      onLoss.run();
     }
     while (installed != null) {
       LockSupport.park(DisplayLoss.class);

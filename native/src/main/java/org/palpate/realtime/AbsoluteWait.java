@@ -2,7 +2,7 @@ package org.palpate.realtime;
 
 import org.palpate.realtime.os.PreciseSleep;
 
-/** The system's sleep to an absolute moment, again where a signal ended it early. */
+/** Sleeps to an absolute time by the system's own call, and again if a signal ends it early. */
 final class AbsoluteWait implements DeadlineWait {
   private final PreciseSleep sleep;
 

@@ -3,11 +3,11 @@ package org.palpate.realtime;
 import org.palpate.loop.Pacer;
 
 /**
- * A way to wait that may hold something of the system's. Belongs to one thread. On the clock of
- * {@link System#nanoTime}.
+ * A pacer that may own a resource of the operating system. Belongs to one thread. Deadlines are on
+ * the clock of {@link System#nanoTime}.
  */
 public interface DeadlineWait extends Pacer, AutoCloseable {
-  /** Lets go what the system lent. Not while the thread waits. */
+  /** Releases the system's resources. Not to be called while the thread waits. */
   @Override
   default void close() {}
 }

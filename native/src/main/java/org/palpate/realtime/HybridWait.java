@@ -5,11 +5,11 @@ import org.palpate.realtime.os.PreciseSleep;
 import org.palpate.realtime.os.Throttling;
 
 /**
- * Sleeps to a little before the moment, then spins: the processor is free most of the time and the
- * wake-up is as punctual as a spin.
+ * Sleeps until shortly before the deadline, then spins. The processor is free most of the time, and
+ * the wake-up is as punctual as that of a spin.
  *
- * <p>A spin that jumps tells that the thread was put off its processor; a jump as long as the
- * kernel's forced rest of real-time threads is counted as throttling.
+ * <p>A gap between two clock readings of the spin shows that the thread lost its processor. A gap
+ * about as long as the kernel's forced rest of real-time threads counts as throttling.
  */
 public final class HybridWait implements DeadlineWait {
   private final PreciseSleep sleep;
@@ -54,17 +54,17 @@ public final class HybridWait implements DeadlineWait {
     }
   }
 
-  /** How long before the moment the sleep ends. */
+  /** Returns the time before a deadline at which the sleep ends, ns. */
   public long windowNanos() {
     return windowNanos;
   }
 
-  /** The longest that two looks at the clock lay apart in a spin. */
+  /** Returns the longest gap between two clock readings of a spin so far, ns. */
   public long longestGapNanos() {
     return longestGapNanos;
   }
 
-  /** How often a gap was as long as the rest that the kernel forces on real-time threads. */
+  /** Returns the number of gaps that were as long as the kernel's forced rest. */
   public long throttled() {
     return throttled;
   }

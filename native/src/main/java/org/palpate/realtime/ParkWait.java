@@ -2,7 +2,7 @@ package org.palpate.realtime;
 
 import java.util.concurrent.locks.LockSupport;
 
-/** Parks until the moment has come. */
+/** Parks the thread until the deadline has passed. */
 final class ParkWait implements DeadlineWait {
   @Override
   public void awaitUntil(long deadlineNanos) {

@@ -14,48 +14,49 @@ import org.palpate.realtime.os.RequestOutcome;
 import org.palpate.realtime.os.Throttling;
 
 /**
- * Makes the haptic thread fit and lets it wait: both ports of the loop, since how long before a
- * deadline the wait must wake is measured by the thread once it is set up.
+ * Prepares the haptic thread for real time and waits for its deadlines. It implements both ports of
+ * the loop, because the wait measures its spin window in the thread after the set-up.
  *
  * <pre>
  *   RealtimeThread thread = RealtimeThread.recommended();
  *   LoopSettings settings = LoopSettings.ofRate(1000).with(thread, thread);
  * </pre>
  *
- * <p>{@link #setUp} and {@link #awaitUntil} are for the haptic thread, the rest for any.
+ * <p>{@link #setUp} and {@link #awaitUntil} are for the haptic thread; any thread may call the
+ * rest.
  */
 public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
   private static final int WARM_UP_WAITS = 30_000;
   private static final long WARM_UP_WAIT_NANOS = 1_000;
 
-  /** Wishes that {@link ThreadSetup.Granted} tells by fields of their own. */
+  /** Requests that {@link ThreadSetup.Granted} reports in components of their own. */
   private static final Set<String> REPORTED_SEPARATELY = Set.of("class", "affinity", "memory_lock");
 
-  private final RealtimeRequest wish;
+  private final RealtimeRequest request;
   private final WaitKind waiting;
   private final Throttling throttling;
-  private volatile List<RequestOutcome> grants = List.of();
+  private volatile List<RequestOutcome> outcomes = List.of();
   private volatile DeadlineWait wait = new ParkWait();
 
-  /** A thread that asks for {@code wish} and waits in one of the known ways. */
-  public RealtimeThread(RealtimeRequest wish, WaitKind waiting) {
-    this.wish = wish;
+  /** Creates a thread set-up with the given requests and the given kind of wait. */
+  public RealtimeThread(RealtimeRequest request, WaitKind waiting) {
+    this.request = request;
     this.waiting = waiting;
     throttling = Throttling.read(Path.of("/"));
   }
 
   /**
-   * What the laboratory found best: sleep then spin, before ordinary threads, on a processor of its
-   * own.
+   * Returns the set-up that the jitter laboratory recommends: a FIFO thread on a processor of its
+   * own that sleeps and then spins.
    */
   public static RealtimeThread recommended() {
-    return new RealtimeThread(RealtimeRequest.usual(), WaitKind.HYBRID);
+    return new RealtimeThread(RealtimeRequest.recommended(), WaitKind.HYBRID);
   }
 
-  /** Asks the system, measures the wait, and runs it until it is compiled. Takes half a second. */
+  /** Sends the requests, measures the wait and runs it until it is compiled: half a second. */
   @Override
   public Granted setUp() {
-    grants = OperatingSystem.apply(wish);
+    outcomes = OperatingSystem.apply(request);
     DeadlineWait made = waiting.create();
     for (int i = 0; i < WARM_UP_WAITS; i++) {
       made.awaitUntil(System.nanoTime() + WARM_UP_WAIT_NANOS);
@@ -69,17 +70,17 @@ public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
     wait.awaitUntil(deadlineNanos);
   }
 
-  /** Every wish with its answer, in the order in which they were asked; empty before the set-up. */
-  public List<RequestOutcome> grants() {
-    return grants;
+  /** Returns the outcome of every request, in the order of the requests; empty before set-up. */
+  public List<RequestOutcome> outcomes() {
+    return outcomes;
   }
 
-  /** How it waits, in words, as {@code hybrid, spins 60 us}; park before the set-up. */
+  /** Returns a description of the wait, such as {@code hybrid, spins 60 us}; park before set-up. */
   public String waiting() {
     return wait.toString();
   }
 
-  /** How often the kernel was seen to force its rest on the thread, where the wait can tell. */
+  /** Returns how often the wait saw the kernel throttle the thread; 0 if it cannot see that. */
   public long throttled() {
     return wait instanceof HybridWait hybrid ? hybrid.throttled() : 0;
   }
@@ -88,47 +89,49 @@ public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
     String schedulingClass = "default";
     String affinity = "any";
     boolean locked = false;
-    for (RequestOutcome grant : grants) {
-      boolean isClass = grant.wish().equals("class") && grant.granted();
-      boolean isAffinity = grant.wish().equals("affinity") && grant.granted();
-      schedulingClass = isClass ? grant.detail() : schedulingClass;
-      affinity = isAffinity ? grant.detail() : affinity;
-      locked |= grant.wish().equals("memory_lock") && grant.granted();
+    for (RequestOutcome outcome : outcomes) {
+      boolean isClass = outcome.request().equals("class") && outcome.granted();
+      boolean isAffinity = outcome.request().equals("affinity") && outcome.granted();
+      schedulingClass = isClass ? outcome.detail() : schedulingClass;
+      affinity = isAffinity ? outcome.detail() : affinity;
+      locked |= outcome.request().equals("memory_lock") && outcome.granted();
     }
-    return new Granted(schedulingClass, affinity, locked, others(), refusals());
+    return new Granted(schedulingClass, affinity, locked, others(), denials());
   }
 
   private Map<String, String> others() {
     Map<String, String> words = new LinkedHashMap<>();
-    for (RequestOutcome grant : grants) {
-      if (!REPORTED_SEPARATELY.contains(grant.wish())) {
-        words.put(grant.wish(), grant.granted() ? grant.detail() : grant.word());
+    for (RequestOutcome outcome : outcomes) {
+      if (!REPORTED_SEPARATELY.contains(outcome.request())) {
+        words.put(outcome.request(), outcome.granted() ? outcome.detail() : outcome.word());
       }
     }
     words.put("wait", waiting());
-    words.putAll(OperatingSystem.noticed());
+    words.putAll(OperatingSystem.kernelSettings());
     return words;
   }
 
-  private List<String> refusals() {
+  private List<String> denials() {
     List<String> lines = new ArrayList<>();
-    grants.stream()
-        .filter(grant -> !grant.granted())
+    outcomes.stream()
+        .filter(outcome -> !outcome.granted())
         .map(RequestOutcome::toString)
         .forEach(lines::add);
     boolean realtime =
-        grants.stream().anyMatch(grant -> grant.wish().equals("class") && grant.granted());
-    if (realtime && !wish.sleepsEachFrame() && throttling.limits()) {
+        outcomes.stream()
+            .anyMatch(outcome -> outcome.request().equals("class") && outcome.granted());
+    if (realtime && !request.sleepsEachFrame() && throttling.limits()) {
       lines.add(
-          "throttling: the kernel rests a thread that never sleeps "
+          "throttling: the kernel stops a thread that never sleeps for "
               + throttling.restMicros() / 1000
-              + " ms in every "
-              + throttling.periodMicros() / 1000);
+              + " of every "
+              + throttling.periodMicros() / 1000
+              + " ms");
     }
     return lines;
   }
 
-  /** Lets go what the system lent, after the thread has ended. */
+  /** Releases the system's resources; call it after the thread has ended. */
   @Override
   public void close() {
     wait.close();

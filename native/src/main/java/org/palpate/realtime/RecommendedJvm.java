@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The JVM flags that a session should have, and why. The launcher sets them, since a JVM cannot
- * change them itself; this tells whether it did.
+ * The JVM flags that a session should have, with the reason for each. The launcher sets them,
+ * because a JVM cannot change them itself; this class checks whether they are set.
  */
 public final class RecommendedJvm {
   private static final int ALL = Integer.MAX_VALUE;
@@ -15,13 +15,13 @@ public final class RecommendedJvm {
               "-XX:+UseZGC",
               17,
               ALL,
-              "its pauses are below a millisecond whatever the heap holds; others stop the haptic"
-                  + " thread for as long as they copy"),
+              "its pauses stay below a millisecond for any heap size; other collectors stop the"
+                  + " haptic thread while they copy"),
           new Setting(
               "-XX:+ZGenerational",
               21,
               22,
-              "the collector with generations works less beside the session; later releases have"
+              "the generational collector does less work during a session; later releases have"
                   + " no other"),
           new Setting(
               "-XX:-UsePerfData",
@@ -33,16 +33,16 @@ public final class RecommendedJvm {
   private RecommendedJvm() {}
 
   /**
-   * A flag.
+   * A recommended flag.
    *
-   * @param flag as it is written
+   * @param flag the flag as it is written on the command line
    * @param firstRelease the first Java release that needs it
-   * @param lastRelease the last one
-   * @param why what it does for a session
+   * @param lastRelease the last Java release that needs it
+   * @param why the reason, as a clause
    */
   public record Setting(String flag, int firstRelease, int lastRelease, String why) {}
 
-  /** The flags for a Java release, as 17 or 25. */
+  /** Returns the flags for a Java release such as 17 or 25. */
   public static List<Setting> of(int release) {
     return SETTINGS.stream()
         .filter(s -> release >= s.firstRelease() && release <= s.lastRelease())
@@ -50,10 +50,10 @@ public final class RecommendedJvm {
   }
 
   /**
-   * Lines for a person: each flag, whether this JVM has it, and why it should.
+   * Returns one line for each flag: the flag, whether this JVM has it, and the reason for it.
    *
    * @param release the running Java release
-   * @param arguments what the JVM was started with
+   * @param arguments the arguments that the JVM was started with
    */
   public static List<String> explain(int release, List<String> arguments) {
     List<String> lines = new ArrayList<>();

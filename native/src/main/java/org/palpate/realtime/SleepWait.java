@@ -1,6 +1,6 @@
 package org.palpate.realtime;
 
-/** {@code Thread.sleep} until the moment has come. */
+/** Calls {@code Thread.sleep} until the deadline has passed. */
 final class SleepWait implements DeadlineWait {
   private static final int NANOS_PER_MILLI = 1_000_000;
 

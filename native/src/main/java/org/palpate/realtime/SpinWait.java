@@ -1,6 +1,6 @@
 package org.palpate.realtime;
 
-/** Spins until the moment has come. */
+/** Reads the clock in a loop until the deadline has passed. */
 final class SpinWait implements DeadlineWait {
   @Override
   public void awaitUntil(long deadlineNanos) {

@@ -5,22 +5,23 @@ import org.HdrHistogram.Histogram;
 import org.palpate.realtime.os.PreciseSleep;
 
 /**
- * How long before a deadline a thread must leave its sleep to be on time: found by sleeping and
- * looking how late it wakes, on the machine, in the thread and under the scheduling that it is for.
+ * Measures the time before a deadline at which a thread must end its sleep to be punctual. It
+ * sleeps repeatedly and records the lateness of each wake-up, in the thread and under the
+ * scheduling that the result is for.
  */
 final class SpinWindow {
   static final long MIN_NANOS = 20_000;
   static final long MAX_NANOS = 400_000;
 
   private static final int SLEEPS = 200;
-  private static final long SLEEP_NANOS =
-      900_000; // about a frame's, since an idle processor sleeps deeper the longer it may
+  // About the length of a frame: an idle processor enters deeper sleep states the longer it rests.
+  private static final long SLEEP_NANOS = 900_000;
   private static final double COVERED_PERCENTILE = 99;
   private static final long LARGEST_NANOS = 10_000_000_000L;
 
   private SpinWindow() {}
 
-  /** Sleeps for about a fifth of a second; {@link #MAX_NANOS} at most. */
+  /** Measures for about a fifth of a second; returns at most {@link #MAX_NANOS}. */
   static long measureNanos(PreciseSleep sleep) {
     return measureNanos(sleep, System::nanoTime);
   }
@@ -33,7 +34,7 @@ final class SpinWindow {
       lateness.recordValue(Math.min(LARGEST_NANOS, Math.max(0, clock.getAsLong() - due)));
     }
     long covered = lateness.getValueAtPercentile(COVERED_PERCENTILE);
-    // A quarter more, since the machine was seen for a moment only.
+    // A quarter is added because the measurement sees the machine only briefly.
     return Math.min(MAX_NANOS, Math.max(MIN_NANOS, covered + covered / 4));
   }
 }

@@ -5,22 +5,22 @@ import org.palpate.realtime.os.OperatingSystem;
 import org.palpate.realtime.os.PreciseSleep;
 import org.palpate.realtime.os.Throttling;
 
-/** The ways in which a thread can wait for its next frame. */
+/** Kinds of waits for the next frame. */
 public enum WaitKind {
-  /** {@code LockSupport.parkNanos} of what is left, as most Java programs do. */
+  /** {@code LockSupport.parkNanos} for the remaining time, as most Java programs do. */
   PARK,
-  /** {@code Thread.sleep} of what is left; whole milliseconds on a JDK before 21. */
+  /** {@code Thread.sleep} for the remaining time; whole milliseconds on a JDK before 21. */
   SLEEP,
-  /** The system's sleep to an absolute moment. */
+  /** The system's sleep to an absolute time. */
   ABSOLUTE,
-  /** The same to a little before the moment, then a spin; how little is measured. */
+  /** An absolute sleep until shortly before the deadline, then a spin; the window is measured. */
   HYBRID,
-  /** Looks at the clock all the time, and keeps a processor busy. */
+  /** A loop that reads the clock all the time and keeps a processor busy. */
   SPIN;
 
   /**
-   * Makes the wait. Called by the thread that will wait, under the scheduling it will have, since
-   * {@link #HYBRID} measures for a fifth of a second how late this thread wakes.
+   * Creates the wait. Call it in the thread that will wait, under its final scheduling, because
+   * {@link #HYBRID} measures the lateness of that thread's wake-ups for a fifth of a second.
    */
   public DeadlineWait create() {
     return switch (this) {
@@ -37,7 +37,7 @@ public enum WaitKind {
     return new HybridWait(sleep, SpinWindow.measureNanos(sleep), Throttling.read(Path.of("/")));
   }
 
-  /** Whether a thread that waits so sleeps in every frame that is done in time. */
+  /** Whether the thread sleeps in every frame that ends in time. */
   public boolean sleeps() {
     return this != SPIN;
   }

@@ -17,7 +17,7 @@ class HybridWaitTest {
   private long lateNanos;
 
   @Test
-  void sleepsToTheWindowThenSpinsToTheMoment() {
+  void sleepsToTheWindowThenSpinsToTheDeadline() {
     HybridWait wait = hybrid();
     wait.awaitUntil(2_000_000);
     assertEquals(List.of(1_900_000L), sleptUntil);
@@ -33,14 +33,14 @@ class HybridWaitTest {
   }
 
   @Test
-  void returnsAtOnceWhereTheMomentHasPassed() {
+  void returnsAtOnceIfTheDeadlineHasPassed() {
     long before = now;
     hybrid().awaitUntil(before - 1);
-    assertEquals(before + step, now, "one look at the clock");
+    assertEquals(before + step, now, "one clock reading");
   }
 
   @Test
-  void doesNotSpinWhereTheSleepWasTooLong() {
+  void doesNotSpinIfTheSleepWasTooLong() {
     lateNanos = 5_000_000;
     HybridWait wait = hybrid();
     wait.awaitUntil(2_000_000);

@@ -12,7 +12,7 @@ import org.palpate.realtime.os.SchedulingClass;
 
 class RealtimeThreadTest {
   @Test
-  void tellsNothingOfWhatWasNotAsked() throws InterruptedException {
+  void reportsDefaultsIfNothingWasRequested() throws InterruptedException {
     Granted granted = setUp(new RealtimeThread(RealtimeRequest.none(), WaitKind.PARK));
     assertEquals("default", granted.schedulingClass());
     assertEquals("any", granted.affinity());
@@ -20,15 +20,15 @@ class RealtimeThreadTest {
   }
 
   @Test
-  void grantsOrRefusesTheClassAndNeverBothOrNeither() throws InterruptedException {
-    RealtimeRequest wish = new RealtimeRequest(SchedulingClass.FIFO, false, false, false, true);
-    Granted granted = setUp(new RealtimeThread(wish, WaitKind.HYBRID));
+  void reportsTheClassEitherAsGrantedOrAsDenied() throws InterruptedException {
+    RealtimeRequest request = new RealtimeRequest(SchedulingClass.FIFO, false, false, false, true);
+    Granted granted = setUp(new RealtimeThread(request, WaitKind.HYBRID));
     boolean refused = granted.refusals().stream().anyMatch(line -> line.startsWith("class:"));
     assertEquals(refused, granted.schedulingClass().equals("default"), granted.toString());
   }
 
   @Test
-  void waitsInEveryKnownWayUntilTheDeadlineHasPassed() throws InterruptedException {
+  void everyKindOfWaitEndsAfterTheDeadline() throws InterruptedException {
     for (WaitKind kind : WaitKind.values()) {
       try (DeadlineWait wait = kind.create()) {
         long deadline = System.nanoTime() + 2_000_000;

@@ -12,21 +12,21 @@ import org.junit.jupiter.api.Test;
 
 class RecommendedJvmTest {
   @Test
-  void asksForGenerationsWhereTheyAreNotTheOnlyChoice() {
+  void asksForGenerationsIfTheyAreNotTheOnlyChoice() {
     assertEquals(List.of("-XX:+UseZGC", "-XX:-UsePerfData"), flags(17));
     assertEquals(List.of("-XX:+UseZGC", "-XX:+ZGenerational", "-XX:-UsePerfData"), flags(21));
     assertEquals(List.of("-XX:+UseZGC", "-XX:-UsePerfData"), flags(25));
   }
 
   @Test
-  void tellsWhatIsSetAndWhatIsMissing() {
+  void reportsWhichFlagsAreSetAndWhichAreMissing() {
     List<String> lines = RecommendedJvm.explain(25, List.of("-XX:+UseZGC", "-Xmx1g"));
     assertTrue(lines.get(0).startsWith("-XX:+UseZGC: set: "), lines.get(0));
     assertTrue(lines.get(1).startsWith("-XX:-UsePerfData: missing: "), lines.get(1));
   }
 
   @Test
-  void isWhatTheLauncherSets() throws IOException {
+  void theLauncherSetsTheRecommendedFlags() throws IOException {
     Path launcher = Path.of("../palpate");
     Assumptions.assumeTrue(Files.exists(launcher), "skipped: no launcher beside this module");
     String text = Files.readString(launcher);

@@ -23,7 +23,7 @@ class SpinWindowTest {
   }
 
   @Test
-  void staysBetweenItsEnds() {
+  void staysWithinItsLimits() {
     assertEquals(SpinWindow.MIN_NANOS, measure(nth -> 0));
     assertEquals(SpinWindow.MAX_NANOS, measure(nth -> 5_000_000));
   }

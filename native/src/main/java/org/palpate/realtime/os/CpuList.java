@@ -3,14 +3,14 @@ package org.palpate.realtime.os;
 import java.util.BitSet;
 import java.util.stream.Collectors;
 
-/** Sets of processors in the kernel's notation, as in {@code 0-3,8}. */
+/** Reads and writes sets of processors in the kernel's notation, such as {@code 0-3,8}. */
 final class CpuList {
   private CpuList() {}
 
   /**
-   * Reads the kernel's notation; empty text is an empty set.
+   * Parses the kernel's notation; empty text gives an empty set.
    *
-   * @throws IllegalArgumentException where it is not a list of numbers and ranges
+   * @throws IllegalArgumentException if the text is not a list of numbers and ranges
    */
   static BitSet parse(String text) {
     BitSet cpus = new BitSet();
@@ -37,12 +37,12 @@ final class CpuList {
     }
   }
 
-  /** The same for a person's eyes: {@code none} where there is none. */
-  static String inWords(BitSet cpus) {
+  /** Returns the set as text for a report; {@code none} if it is empty. */
+  static String text(BitSet cpus) {
     return cpus.isEmpty() ? "none" : format(cpus);
   }
 
-  /** Writes every processor by its number, as in {@code 0,1,2}. */
+  /** Returns the number of every processor, such as {@code 0,1,2}. */
   static String format(BitSet cpus) {
     return cpus.stream().mapToObj(Integer::toString).collect(Collectors.joining(","));
   }

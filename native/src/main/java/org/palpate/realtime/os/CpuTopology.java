@@ -5,18 +5,18 @@ import java.util.BitSet;
 import java.util.OptionalInt;
 
 /**
- * Which processors this process may run on and which of them the kernel keeps free of other work.
+ * The processors that this process may use, and those that the kernel keeps free of other work.
  *
- * @param allowed where this process may run
- * @param isolated kept out of the scheduler's balancing ({@code isolcpus})
- * @param tickless run without a periodic tick while one thread runs ({@code nohz_full})
+ * @param allowed processors that this process may run on
+ * @param isolated processors excluded from the scheduler's balancing ({@code isolcpus})
+ * @param tickless processors without a periodic tick while one thread runs ({@code nohz_full})
  */
 record CpuTopology(BitSet allowed, BitSet isolated, BitSet tickless) {
 
   /**
-   * Reads the kernel's files under {@code root}; what is not there counts as an empty set.
+   * Reads the kernel's files; a missing file counts as an empty set.
    *
-   * @param root {@code /}, or a tree of the same shape
+   * @param root {@code /}, or a folder with the same structure
    */
   static CpuTopology read(Path root) {
     BitSet allowed = new BitSet();
@@ -34,11 +34,11 @@ record CpuTopology(BitSet allowed, BitSet isolated, BitSet tickless) {
   }
 
   /**
-   * The processor for one more thread that keeps a processor to itself: an isolated one first, then
-   * a tickless one, else the highest, since interrupts gather on the lowest.
+   * Chooses the processor for one more thread that needs a processor of its own: an isolated one
+   * first, then a tickless one, then the highest, because interrupts gather on the lowest.
    *
-   * @param taken already given to such threads
-   * @return empty where nothing would be left for the rest of the machine
+   * @param taken processors that such threads already have
+   * @return empty if no processor would remain for everything else
    */
   OptionalInt choose(BitSet taken) {
     BitSet free = minus(allowed, taken);
@@ -55,7 +55,7 @@ record CpuTopology(BitSet allowed, BitSet isolated, BitSet tickless) {
     return OptionalInt.of(free.length() - 1);
   }
 
-  /** A processor's number, and what the kernel spares it. */
+  /** Returns the number of a processor and its special roles, such as {@code 3 isolated}. */
   String name(int cpu) {
     return cpu + (isolated.get(cpu) ? " isolated" : "") + (tickless.get(cpu) ? " nohz_full" : "");
   }

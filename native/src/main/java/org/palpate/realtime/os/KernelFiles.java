@@ -9,18 +9,18 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.stream.Stream;
 
-/** Reads the small text files in which a kernel tells about itself. Not for the path of a frame. */
+/** Reads the small text files through which a kernel reports its state. Not for a frame's path. */
 final class KernelFiles {
   private static final int MAX_BYTES = 1 << 20;
 
   private KernelFiles() {}
 
-  /** The file's first line; empty where there is no such file or it cannot be read. */
+  /** Returns the first line; empty if the file does not exist or cannot be read. */
   static Optional<String> line(Path file) {
     return lines(file).findFirst();
   }
 
-  /** The file's first line as a number; empty where it is none. */
+  /** Returns the first line as a number; empty if it is not a number. */
   static OptionalLong number(Path file) {
     return line(file)
         .map(String::trim)
@@ -29,7 +29,7 @@ final class KernelFiles {
         .orElseGet(OptionalLong::empty);
   }
 
-  /** What follows {@code name:} in a file of such lines. */
+  /** Returns the text after {@code name:} on its line. */
   static Optional<String> field(Path file, String name) {
     return lines(file)
         .filter(line -> line.startsWith(name + ":"))
@@ -37,10 +37,10 @@ final class KernelFiles {
         .findFirst();
   }
 
-  /** All lines; none where the file cannot be read, as on a system without it. */
+  /** Returns all lines; none if the file cannot be read. */
   static Stream<String> lines(Path file) {
-    // The kernel says its files are empty, and gives some of them whole in the first read or never:
-    // Files.readString asks for one byte first, and gets no more.
+    // These files report a size of 0, and some give their content only to one large first read.
+    // Files.readString first asks for a single byte and then gets no more.
     try (InputStream stream = new FileInputStream(file.toFile())) {
       return new String(stream.readNBytes(MAX_BYTES), StandardCharsets.UTF_8).lines();
     } catch (IOException e) {

@@ -5,7 +5,7 @@ import com.sun.jna.Native;
 import com.sun.jna.Pointer;
 import java.util.BitSet;
 
-/** Linux, by its C library. */
+/** Sends the requests to Linux through its C library. */
 final class LinuxScheduler implements Scheduler {
   private static final int MASK_BYTES = 128; // 1024 processors, the C library's cpu_set_t
 

@@ -7,10 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 
-/**
- * Asks Linux for what a haptic thread wishes and writes down every answer. Called by the thread it
- * is for.
- */
+/** Sends the requests of a haptic thread to Linux and records each outcome. For that thread. */
 final class LinuxSetup {
   private static final long TIMER_SLACK_NANOS = 1;
   private static final int CAPABILITY_IPC_LOCK = 14;
@@ -24,8 +21,10 @@ final class LinuxSetup {
   private final BitSet takenCpus;
 
   /**
-   * @param root {@code /}, or a tree that looks like it
-   * @param takenCpus processors given away by this process, added to when one more is
+   * Creates a set-up for one thread.
+   *
+   * @param root {@code /}, or a folder with the same structure
+   * @param takenCpus processors that this process has given to threads; updated
    */
   LinuxSetup(Scheduler scheduler, Path root, BitSet takenCpus) {
     this.scheduler = scheduler;
@@ -33,31 +32,31 @@ final class LinuxSetup {
     this.takenCpus = takenCpus;
   }
 
-  /** Memory first, since locking it takes long; the real-time class last, when all is in place. */
-  List<RequestOutcome> apply(RealtimeRequest wish) {
-    List<RequestOutcome> grants = new ArrayList<>();
-    if (wish.lockMemory()) {
-      grants.add(lockMemory());
+  /** Locks memory first, because that takes long; sets the real-time class last. */
+  List<RequestOutcome> apply(RealtimeRequest request) {
+    List<RequestOutcome> outcomes = new ArrayList<>();
+    if (request.lockMemory()) {
+      outcomes.add(lockMemory());
     }
-    grants.add(setTimerSlack());
+    outcomes.add(setTimerSlack());
     CpuTopology topology = CpuTopology.read(root);
     int priority = RealtimePriority.belowLowestThread(root.resolve("proc/self/task"));
-    if (wish.pin()) {
-      grants.add(pin(topology));
+    if (request.pin()) {
+      outcomes.add(pin(topology));
     }
-    if (wish.schedulingClass() != SchedulingClass.NORMAL) {
-      grants.add(setRealtime(wish, topology, priority));
+    if (request.schedulingClass() != SchedulingClass.NORMAL) {
+      outcomes.add(setRealtime(request, topology, priority));
     }
-    if (wish.raiseVm() && wish.schedulingClass() != SchedulingClass.NORMAL) {
-      grants.add(raiseVm(Math.max(1, priority - 1)));
+    if (request.raiseVmThreads() && request.schedulingClass() != SchedulingClass.NORMAL) {
+      outcomes.add(raiseVmThreads(Math.max(1, priority - 1)));
     }
-    return grants;
+    return outcomes;
   }
 
   private RequestOutcome lockMemory() {
-    // Locked now and limited later, the JVM could not get memory any more and would end.
+    // If memory is locked now but limited later, the JVM can get no more memory and ends.
     if (memoryIsLimited()) {
-      return RequestOutcome.refused("memory_lock", ASK_FOR_MEMORY);
+      return RequestOutcome.denied("memory_lock", ASK_FOR_MEMORY);
     }
     return answer("memory_lock", scheduler.lockMemory(), "now and later pages", ASK_FOR_MEMORY);
   }
@@ -82,32 +81,32 @@ final class LinuxSetup {
   private RequestOutcome pin(CpuTopology topology) {
     OptionalInt cpu = topology.choose(takenCpus);
     if (cpu.isEmpty()) {
-      return RequestOutcome.refused("affinity", "no processor would be left for everything else");
+      return RequestOutcome.denied("affinity", "no processor would be left for everything else");
     }
     BitSet only = new BitSet();
     only.set(cpu.getAsInt());
-    RequestOutcome grant =
+    RequestOutcome outcome =
         answer("affinity", scheduler.setAffinity(only), "cpu " + topology.name(cpu.getAsInt()), "");
-    if (grant.granted()) {
+    if (outcome.granted()) {
       takenCpus.or(only);
     }
-    return grant;
+    return outcome;
   }
 
-  private RequestOutcome setRealtime(RealtimeRequest wish, CpuTopology topology, int priority) {
-    if (!wish.sleepsEachFrame() && topology.allowed().cardinality() < 2) {
-      return RequestOutcome.refused(
+  private RequestOutcome setRealtime(RealtimeRequest request, CpuTopology topology, int priority) {
+    if (!request.sleepsEachFrame() && topology.allowed().cardinality() < 2) {
+      return RequestOutcome.denied(
           "class", "a thread that never sleeps would keep the only processor");
     }
-    String name = wish.schedulingClass().name().toLowerCase(Locale.ROOT);
+    String name = request.schedulingClass().name().toLowerCase(Locale.ROOT);
     return answer(
         "class",
-        scheduler.setRealtime(0, wish.schedulingClass(), priority),
+        scheduler.setRealtime(0, request.schedulingClass(), priority),
         name + " " + priority,
         ASK_FOR_PRIORITY);
   }
 
-  private RequestOutcome raiseVm(int priority) {
+  private RequestOutcome raiseVmThreads(int priority) {
     List<Integer> threads = VmThreads.in(root.resolve("proc/self/task"));
     String error = threads.isEmpty() ? "no thread of a known name" : "";
     for (int tid : threads) {
@@ -117,10 +116,10 @@ final class LinuxSetup {
     return answer("vm_threads", error, "fifo " + priority, ASK_FOR_PRIORITY);
   }
 
-  private static RequestOutcome answer(String wish, String error, String what, String advice) {
+  private static RequestOutcome answer(String request, String error, String what, String advice) {
     if (error.isEmpty()) {
-      return RequestOutcome.granted(wish, what);
+      return RequestOutcome.granted(request, what);
     }
-    return RequestOutcome.refused(wish, advice.isEmpty() ? error : error + "; " + advice);
+    return RequestOutcome.denied(request, advice.isEmpty() ? error : error + "; " + advice);
   }
 }

@@ -4,8 +4,9 @@ import com.sun.jna.Memory;
 import com.sun.jna.Pointer;
 
 /**
- * {@code clock_nanosleep} to an absolute moment: what delays the call does not delay the wake-up.
- * Relies on {@link System#nanoTime} being CLOCK_MONOTONIC, as it is in HotSpot on Linux.
+ * Sleeps with {@code clock_nanosleep} to an absolute time, so that a delay before the call does not
+ * delay the wake-up. Relies on {@link System#nanoTime} being CLOCK_MONOTONIC, as in HotSpot on
+ * Linux.
  */
 final class LinuxSleep implements PreciseSleep {
   private static final long NANOS_PER_SECOND = 1_000_000_000L;

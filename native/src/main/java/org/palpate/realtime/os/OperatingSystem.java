@@ -8,85 +8,80 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalInt;
 
-/** The system that this process runs on, as far as it can be asked for real time. */
+/** The facade of the operating system: real-time requests, precise sleep, kernel settings. */
 public final class OperatingSystem {
   private static final String OS = System.getProperty("os.name").toLowerCase(Locale.ROOT);
   private static final boolean LINUX = OS.startsWith("linux");
   private static final boolean WINDOWS = OS.startsWith("windows");
   private static final boolean WIDE = System.getProperty("sun.arch.data.model", "64").equals("64");
 
-  /** Processors that threads of this process keep to themselves; guarded by the class. */
+  /** Processors that threads of this process have to themselves; guarded by itself. */
   private static final BitSet TAKEN_CPUS = new BitSet();
 
-  /** The real-time priority that is asked for where no vendor's thread wants a lower one. */
-  public static final int USUAL_PRIORITY = RealtimePriority.USUAL;
+  /** The real-time priority that is requested unless a vendor's thread needs a lower one. */
+  public static final int DEFAULT_PRIORITY = RealtimePriority.DEFAULT;
 
   private OperatingSystem() {}
 
   /**
-   * Asks the system for all that is wished for the calling thread. Once in a thread, before its
-   * first frame; never throws for want of a right or a library.
+   * Sends every request for the calling thread to the system. Call it once in a thread, before its
+   * first frame. A missing right or library gives a denied outcome, not an exception.
    *
-   * @return every answer, in the order in which it was asked
+   * @return the outcomes, in the order of the requests
    */
-  public static List<RequestOutcome> apply(RealtimeRequest wish) {
+  public static List<RequestOutcome> apply(RealtimeRequest request) {
     synchronized (TAKEN_CPUS) {
       try {
-        return ask(wish);
+        return ask(request);
       } catch (LinkageError e) {
         return List.of(
-            RequestOutcome.refused("class", "no library for real time: " + e.getMessage()));
+            RequestOutcome.denied("class", "no library for real time: " + e.getMessage()));
       }
     }
   }
 
-  /** Whether this is a Linux whose C library can be called. */
-  static boolean isLinux() {
+  /** Whether this is a 64-bit Linux, whose C library can be called. */
+  public static boolean isLinux() {
     return LINUX && WIDE;
   }
 
-  private static List<RequestOutcome> ask(RealtimeRequest wish) {
+  private static List<RequestOutcome> ask(RealtimeRequest request) {
     if (isLinux()) {
-      return new LinuxSetup(new LinuxScheduler(), Path.of("/"), TAKEN_CPUS).apply(wish);
+      return new LinuxSetup(new LinuxScheduler(), Path.of("/"), TAKEN_CPUS).apply(request);
     }
     if (WINDOWS && WIDE) {
-      return new WindowsSetup(TAKEN_CPUS).apply(wish);
+      return new WindowsSetup(TAKEN_CPUS).apply(request);
     }
-    return List.of(RequestOutcome.refused("class", "not known how to ask " + OS));
+    return List.of(RequestOutcome.denied("class", "not known how to ask " + OS));
   }
 
   /**
-   * The processor that a thread of another process should be given, as {@link #apply} would choose
-   * for the first of ours; empty where nothing would be left for the rest, or nothing is known.
+   * Returns the processor that {@link #apply} would choose for the first thread, for use in another
+   * process; empty if no processor would remain for everything else or if nothing is known.
    */
   public static OptionalInt preferredProcessor() {
     return CpuTopology.read(Path.of("/")).choose(new BitSet());
   }
 
-  /** How much of a processor real-time threads may have, as {@code 950 of 1000 ms}. */
-  public static String throttlingText() {
-    return Throttling.read(Path.of("/")).inWords();
-  }
-
   /**
-   * What the system does by itself that bears on real time, in words by name: {@code throttling},
-   * {@code isolated_cpus}, {@code nohz_full_cpus}; empty where it is no Linux.
+   * Returns the kernel settings that affect real time, as text by name: {@code throttling}, {@code
+   * isolated_cpus}, {@code nohz_full_cpus}; empty if the system is not Linux.
    */
-  public static Map<String, String> noticed() {
-    return isLinux() ? noticed(Path.of("/")) : Map.of();
+  public static Map<String, String> kernelSettings() {
+    return isLinux() ? kernelSettings(Path.of("/")) : Map.of();
   }
 
-  /** As above, under a tree that looks like {@code /}. */
-  static Map<String, String> noticed(Path root) {
+  /** Returns the settings read under {@code root} instead of {@code /}. */
+  static Map<String, String> kernelSettings(Path root) {
     CpuTopology topology = CpuTopology.read(root);
-    Map<String, String> words = new LinkedHashMap<>();
-    words.put("throttling", Throttling.read(root).inWords());
-    words.put("isolated_cpus", CpuList.inWords(topology.isolated()));
-    words.put("nohz_full_cpus", CpuList.inWords(topology.tickless()));
-    return words;
+    Map<String, String> settings = new LinkedHashMap<>();
+    settings.put("throttling", Throttling.read(root).text());
+    settings.put("isolated_cpus", CpuList.text(topology.isolated()));
+    settings.put("nohz_full_cpus", CpuList.text(topology.tickless()));
+    return settings;
   }
 
-  /** The most punctual sleep that the system offers; the JDK's own where there is no better. */
+  /** Returns the most punctual sleep that the system offers; at worst the JDK's own. */
   public static PreciseSleep sleep() {
     try {
       if (isLinux()) {

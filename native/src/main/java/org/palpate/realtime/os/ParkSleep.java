@@ -2,7 +2,7 @@ package org.palpate.realtime.os;
 
 import java.util.concurrent.locks.LockSupport;
 
-/** The JDK's own relative wait, for systems that offer nothing better. */
+/** Sleeps by the JDK's own relative wait, for systems that offer nothing better. */
 final class ParkSleep implements PreciseSleep {
   @Override
   public void until(long nanoTime) {

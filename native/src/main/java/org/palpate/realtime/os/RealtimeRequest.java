@@ -1,29 +1,29 @@
 package org.palpate.realtime.os;
 
 /**
- * What a haptic thread asks of its system.
+ * The requests of a haptic thread to its operating system.
  *
- * @param schedulingClass {@link SchedulingClass#NORMAL} asks for nothing
- * @param pin one processor of its own, where another is left for everything else
- * @param lockMemory the process stays in memory
- * @param raiseVm the JVM's own threads that stop and release all others compete the same way, one
- *     priority below, so that a pause does not wait for ordinary threads
- * @param sleepsEachFrame whether the thread sleeps in every frame; one that never does is refused a
- *     real-time class on a machine whose only processor it would keep
+ * @param schedulingClass the class; {@link SchedulingClass#NORMAL} requests nothing
+ * @param pin whether to give the thread a processor of its own, if another one remains
+ * @param lockMemory whether to keep the process in memory
+ * @param raiseVmThreads whether to raise the JVM's own threads that stop and release all others to
+ *     one priority below, so that a pause does not wait for ordinary threads
+ * @param sleepsEachFrame whether the thread sleeps in every frame; a thread that never sleeps is
+ *     denied a real-time class on a machine whose only processor it would occupy
  */
 public record RealtimeRequest(
     SchedulingClass schedulingClass,
     boolean pin,
     boolean lockMemory,
-    boolean raiseVm,
+    boolean raiseVmThreads,
     boolean sleepsEachFrame) {
 
-  /** All that helps a loop that sleeps and then spins. */
-  public static RealtimeRequest usual() {
+  /** Returns all requests that help a loop which sleeps and then spins. */
+  public static RealtimeRequest recommended() {
     return new RealtimeRequest(SchedulingClass.FIFO, true, true, true, true);
   }
 
-  /** Nothing: a thread as any other. */
+  /** Returns a request for an ordinary thread. */
   public static RealtimeRequest none() {
     return new RealtimeRequest(SchedulingClass.NORMAL, false, false, false, true);
   }

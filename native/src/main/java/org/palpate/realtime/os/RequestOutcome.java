@@ -1,31 +1,31 @@
 package org.palpate.realtime.os;
 
 /**
- * What the system answered to one wish.
+ * The system's answer to one request.
  *
- * @param wish what was asked for, as a report names it: {@code class}, {@code affinity}, {@code
- *     memory_lock}, {@code timer_slack}
- * @param granted whether the system did it
- * @param detail what was granted, as {@code fifo 40} or {@code cpu 1}; else why it was not, and
- *     what a person can do
+ * @param request the name of the request in reports: {@code class}, {@code affinity}, {@code
+ *     memory_lock}, {@code timer_slack}, {@code vm_threads}
+ * @param granted whether the system fulfilled it
+ * @param detail the result, such as {@code fifo 40} or {@code cpu 1}; if denied, the reason and the
+ *     remedy
  */
-public record RequestOutcome(String wish, boolean granted, String detail) {
+public record RequestOutcome(String request, boolean granted, String detail) {
 
-  static RequestOutcome granted(String wish, String what) {
-    return new RequestOutcome(wish, true, what);
+  static RequestOutcome granted(String request, String what) {
+    return new RequestOutcome(request, true, what);
   }
 
-  static RequestOutcome refused(String wish, String why) {
-    return new RequestOutcome(wish, false, why);
+  static RequestOutcome denied(String request, String why) {
+    return new RequestOutcome(request, false, why);
   }
 
-  /** One word. */
+  /** Returns the word that reports use: {@code granted} or {@code refused}. */
   public String word() {
     return granted ? "granted" : "refused";
   }
 
   @Override
   public String toString() {
-    return wish + ": " + word() + (detail.isEmpty() ? "" : " (" + detail + ")");
+    return request + ": " + word() + (detail.isEmpty() ? "" : " (" + detail + ")");
   }
 }

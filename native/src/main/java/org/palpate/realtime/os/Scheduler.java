@@ -3,24 +3,24 @@ package org.palpate.realtime.os;
 import java.util.BitSet;
 
 /**
- * What an operating system can do for the calling thread, where no other is named. Every answer is
- * empty where it was done, else the system's name of the error.
+ * The calls of an operating system that affect scheduling, for the calling thread unless another
+ * one is named. Each returns an empty text on success and otherwise the system's name of the error.
  */
 interface Scheduler {
   /**
-   * Sets how a thread of this process competes.
+   * Sets the scheduling class and the priority of a thread of this process.
    *
-   * @param tid its number, 0 for the calling thread
-   * @param priority from 1, the lowest real-time one, to 99
+   * @param tid the thread's number; 0 for the calling thread
+   * @param priority from 1, the lowest real-time priority, to 99
    */
   String setRealtime(int tid, SchedulingClass schedulingClass, int priority);
 
-  /** Keeps the thread on these processors. */
+  /** Restricts the thread to these processors. */
   String setAffinity(BitSet cpus);
 
-  /** Keeps the whole process in memory, now and later. */
+  /** Locks all present and future pages of the process in memory. */
   String lockMemory();
 
-  /** Lets the kernel delay a wake-up by no more than this. */
+  /** Limits the delay that the kernel may add to a wake-up. */
   String setTimerSlack(long nanos);
 }

@@ -1,11 +1,11 @@
 package org.palpate.realtime.os;
 
-/** How a thread competes with others. */
+/** Scheduling classes of a thread. */
 public enum SchedulingClass {
-  /** As every thread does. */
+  /** The class of ordinary threads. */
   NORMAL,
-  /** Before every ordinary thread, until it sleeps. */
+  /** Runs before every ordinary thread until it sleeps. */
   FIFO,
-  /** As {@link #FIFO}, in turns with others of the same priority. */
+  /** As {@link #FIFO}, but threads of the same priority take turns. */
   ROUND_ROBIN
 }

@@ -4,18 +4,18 @@ import java.nio.file.Path;
 import java.util.OptionalLong;
 
 /**
- * How much of a processor the kernel lets real-time threads have.
+ * The kernel's limit on the processor time of real-time threads.
  *
- * @param runtimeMicros of every period; as long as the period where there is no limit
- * @param periodMicros length of a period
+ * @param runtimeMicros the time that they may run in each period; the whole period if unlimited
+ * @param periodMicros the length of a period
  */
 public record Throttling(long runtimeMicros, long periodMicros) {
-  /** A gap counts as the kernel's own where it is at least this share of the forced rest. */
-  private static final double GAP_SHARE = 0.8;
+  /** A gap counts as throttling if it is at least this fraction of the forced rest. */
+  private static final double GAP_FRACTION = 0.8;
 
   static final Throttling NONE = new Throttling(1, 1);
 
-  /** Reads the limit under {@code root}; {@link #NONE} where there is no such limit. */
+  /** Reads the limit under {@code root}; {@link #NONE} if there is no limit. */
   public static Throttling read(Path root) {
     OptionalLong runtime = KernelFiles.number(root.resolve("proc/sys/kernel/sched_rt_runtime_us"));
     OptionalLong period = KernelFiles.number(root.resolve("proc/sys/kernel/sched_rt_period_us"));
@@ -25,22 +25,23 @@ public record Throttling(long runtimeMicros, long periodMicros) {
     return new Throttling(runtime.getAsLong(), period.getAsLong());
   }
 
+  /** Whether the kernel limits real-time threads. */
   public boolean limits() {
     return runtimeMicros < periodMicros;
   }
 
-  /** As {@code 950 of 1000 ms}, or {@code none}. */
-  String inWords() {
+  /** Returns the limit as text, such as {@code 950 of 1000 ms} or {@code none}. */
+  String text() {
     return limits() ? runtimeMicros / 1000 + " of " + periodMicros / 1000 + " ms" : "none";
   }
 
-  /** How long a thread that never sleeps is held back in every period. */
+  /** Returns the time in each period in which a thread that never sleeps may not run. */
   public long restMicros() {
     return periodMicros - runtimeMicros;
   }
 
-  /** The shortest gap in a spin that tells of throttling, ns; never reached where none limits. */
+  /** Returns the shortest gap in a spin that counts as throttling, ns; unreachable if unlimited. */
   public long gapNanos() {
-    return limits() ? (long) (restMicros() * 1000 * GAP_SHARE) : Long.MAX_VALUE;
+    return limits() ? (long) (restMicros() * 1000 * GAP_FRACTION) : Long.MAX_VALUE;
   }
 }

@@ -8,17 +8,17 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The JVM's own threads that a safepoint waits for: the one that runs its operation and the workers
- * of a stopping collector. A haptic thread that is stopped waits for them, so on a busy machine
- * they must not wait for everyone else (priority inversion).
+ * Finds the JVM's own threads that a safepoint waits for: the VM thread and the workers of a
+ * stopping collector. A stopped haptic thread waits for them too, so ordinary threads must not
+ * delay them on a busy machine (priority inversion).
  */
 final class VmThreads {
   private VmThreads() {}
 
   /**
-   * Their thread numbers.
+   * Returns the numbers of these threads.
    *
-   * @param tasks a folder of threads, as {@code /proc/self/task}
+   * @param tasks a folder of threads such as {@code /proc/self/task}
    */
   static List<Integer> in(Path tasks) {
     List<Integer> found = new ArrayList<>();
@@ -30,7 +30,7 @@ final class VmThreads {
         }
       }
     } catch (IOException e) {
-      return List.of(); // no such folder: nothing is known of other threads
+      return List.of(); // without this folder nothing is known of other threads
     }
     return found;
   }

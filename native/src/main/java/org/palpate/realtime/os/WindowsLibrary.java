@@ -4,7 +4,8 @@ import com.sun.jna.Native;
 import com.sun.jna.WString;
 
 /**
- * Windows calls, mapped directly; one class to a DLL, so that a missing one fails alone.
+ * Binds Windows calls directly, one class for each DLL, so that a missing DLL disables only its own
+ * calls.
  *
  * <p>Source: avrt.h, timeapi.h, synchapi.h, winbase.h of the Windows SDK.
  */
@@ -23,10 +24,10 @@ final class WindowsLibrary {
 
     private Avrt() {}
 
-    /** Returns a handle, 0 where it failed; {@code taskIndex} is the address of an int. */
+    /** Returns a handle, 0 on failure; {@code taskIndex} is the address of an int. */
     static native long AvSetMmThreadCharacteristicsW(WString task, long taskIndex);
 
-    /** {@code priority} from -2 to 2. */
+    /** Sets a priority from -2 to 2. */
     static native boolean AvSetMmThreadPriority(long handle, int priority);
   }
 
@@ -38,7 +39,7 @@ final class WindowsLibrary {
 
     private Winmm() {}
 
-    /** Returns 0 where it was done. */
+    /** Returns 0 on success. */
     static native int timeBeginPeriod(int milliseconds);
   }
 
@@ -52,7 +53,7 @@ final class WindowsLibrary {
 
     static native long CreateWaitableTimerExW(long attributes, WString name, int flags, int access);
 
-    /** {@code dueTime} is the address of a long: negative, relative, in units of 100 ns. */
+    /** Starts a timer; {@code dueTime} points to a long, negative if relative, in 100 ns units. */
     static native boolean SetWaitableTimer(
         long timer, long dueTime, int period, long routine, long argument, boolean resume);
 
@@ -64,10 +65,10 @@ final class WindowsLibrary {
 
     static native long GetCurrentProcess();
 
-    /** Returns the mask before, 0 where it failed. */
+    /** Returns the previous mask, 0 on failure. */
     static native long SetThreadAffinityMask(long thread, long mask);
 
-    /** Fills two longs at the addresses. */
+    /** Writes two longs to the given addresses. */
     static native boolean GetProcessAffinityMask(long process, long mask, long systemMask);
   }
 }

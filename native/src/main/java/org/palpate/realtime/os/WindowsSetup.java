@@ -8,8 +8,8 @@ import java.util.BitSet;
 import java.util.List;
 
 /**
- * Asks Windows: the multimedia class scheduler, the timer's resolution, one processor. Its working
- * set is not locked, as Windows has no call that locks all of a process.
+ * Sends the requests to Windows: the multimedia class scheduler, the timer's resolution and the
+ * affinity. Memory is not locked, because Windows has no call that locks a whole process.
  */
 final class WindowsSetup {
   private static final int HIGH = 1; // AVRT_PRIORITY_HIGH; vendors' threads may take CRITICAL, 2
@@ -21,29 +21,29 @@ final class WindowsSetup {
     this.takenCpus = takenCpus;
   }
 
-  List<RequestOutcome> apply(RealtimeRequest wish) {
-    List<RequestOutcome> grants = new ArrayList<>();
-    if (wish.lockMemory()) {
-      grants.add(RequestOutcome.refused("memory_lock", "Windows cannot lock a whole process"));
+  List<RequestOutcome> apply(RealtimeRequest request) {
+    List<RequestOutcome> outcomes = new ArrayList<>();
+    if (request.lockMemory()) {
+      outcomes.add(RequestOutcome.denied("memory_lock", "Windows cannot lock a whole process"));
     }
-    grants.add(setTimerResolution());
-    if (wish.pin()) {
-      grants.add(pin());
+    outcomes.add(setTimerResolution());
+    if (request.pin()) {
+      outcomes.add(pin());
     }
-    if (wish.schedulingClass() != SchedulingClass.NORMAL) {
-      grants.add(joinMultimediaClass());
+    if (request.schedulingClass() != SchedulingClass.NORMAL) {
+      outcomes.add(joinMultimediaClass());
     }
-    if (wish.raiseVm()) {
-      grants.add(RequestOutcome.refused("vm_threads", "Windows: not known how"));
+    if (request.raiseVmThreads()) {
+      outcomes.add(RequestOutcome.denied("vm_threads", "not supported on Windows"));
     }
-    return grants;
+    return outcomes;
   }
 
   private static RequestOutcome setTimerResolution() {
     int error = WindowsLibrary.Winmm.timeBeginPeriod(1);
     return error == 0
         ? RequestOutcome.granted("timer_slack", "1 ms")
-        : RequestOutcome.refused("timer_slack", "error " + error);
+        : RequestOutcome.denied("timer_slack", "error " + error);
   }
 
   private RequestOutcome pin() {
@@ -51,11 +51,11 @@ final class WindowsSetup {
     BitSet none = new BitSet();
     var cpu = new CpuTopology(allowed, none, none).choose(takenCpus);
     if (cpu.isEmpty()) {
-      return RequestOutcome.refused("affinity", "no processor would be left for everything else");
+      return RequestOutcome.denied("affinity", "no processor would be left for everything else");
     }
     long thread = WindowsLibrary.Kernel32.GetCurrentThread();
     if (WindowsLibrary.Kernel32.SetThreadAffinityMask(thread, 1L << cpu.getAsInt()) == 0) {
-      return RequestOutcome.refused("affinity", "SetThreadAffinityMask failed");
+      return RequestOutcome.denied("affinity", "SetThreadAffinityMask failed");
     }
     takenCpus.set(cpu.getAsInt());
     return RequestOutcome.granted("affinity", "cpu " + cpu.getAsInt());
@@ -78,7 +78,7 @@ final class WindowsSetup {
           WindowsLibrary.Avrt.AvSetMmThreadCharacteristicsW(
               new WString(TASK), Pointer.nativeValue(taskIndex));
       if (handle == 0) {
-        return RequestOutcome.refused(
+        return RequestOutcome.denied(
             "class", "multimedia class scheduler: is its service running?");
       }
       boolean high = WindowsLibrary.Avrt.AvSetMmThreadPriority(handle, HIGH);

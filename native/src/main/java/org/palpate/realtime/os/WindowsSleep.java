@@ -3,7 +3,7 @@ package org.palpate.realtime.os;
 import com.sun.jna.Memory;
 import com.sun.jna.Pointer;
 
-/** A waitable timer of high resolution, of Windows 10 1803 and later. */
+/** Sleeps on a waitable timer of high resolution, which Windows 10 1803 and later have. */
 final class WindowsSleep implements PreciseSleep {
   private static final int NANOS_PER_TICK = 100;
 
@@ -12,7 +12,9 @@ final class WindowsSleep implements PreciseSleep {
   private long timer;
 
   /**
-   * @throws UnsupportedOperationException where Windows has no such timer
+   * Creates the timer.
+   *
+   * @throws UnsupportedOperationException if Windows has no such timer
    */
   WindowsSleep() {
     timer =

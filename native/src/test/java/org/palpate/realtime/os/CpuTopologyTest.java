@@ -22,7 +22,7 @@ class CpuTopologyTest {
   }
 
   @Test
-  void namesTheTextThatIsNoList() {
+  void theErrorNamesATextThatIsNoList() {
     IllegalArgumentException error =
         assertThrows(IllegalArgumentException.class, () -> CpuList.parse("0-x"));
     assertEquals("not a list of processors: text=0-x", error.getMessage());
@@ -37,14 +37,14 @@ class CpuTopologyTest {
   }
 
   @Test
-  void refusesTheLastProcessorUnlessTheKernelKeepsItFreeAnyway() {
+  void keepsTheLastProcessorUnlessItIsIsolated() {
     assertEquals(OptionalInt.empty(), choose("0", "", "", ""));
     assertEquals(OptionalInt.empty(), choose("0-1", "", "", "1"));
     assertEquals(OptionalInt.of(3), choose("3", "3", "", ""));
   }
 
   @Test
-  void readsWhatTheKernelTells(@TempDir Path root) throws IOException {
+  void readsTheKernelsFiles(@TempDir Path root) throws IOException {
     Files.createDirectories(root.resolve("proc/self"));
     Files.createDirectories(root.resolve("sys/devices/system/cpu"));
     Files.writeString(root.resolve("proc/self/status"), "Name:\tx\nCpus_allowed_list:\t0-3\n");
@@ -57,10 +57,10 @@ class CpuTopologyTest {
   }
 
   @Test
-  void whatTheKernelDoesByItselfIsToldInWords(@TempDir Path root) throws IOException {
+  void reportsKernelSettingsAsText(@TempDir Path root) throws IOException {
     assertEquals(
         Map.of("throttling", "none", "isolated_cpus", "none", "nohz_full_cpus", "none"),
-        OperatingSystem.noticed(root));
+        OperatingSystem.kernelSettings(root));
     Files.createDirectories(root.resolve("proc/sys/kernel"));
     Files.createDirectories(root.resolve("sys/devices/system/cpu"));
     Files.writeString(root.resolve("proc/sys/kernel/sched_rt_runtime_us"), "950000\n");
@@ -69,7 +69,7 @@ class CpuTopologyTest {
     Files.writeString(root.resolve("sys/devices/system/cpu/nohz_full"), "3\n");
     assertEquals(
         Map.of("throttling", "950 of 1000 ms", "isolated_cpus", "2,3", "nohz_full_cpus", "3"),
-        OperatingSystem.noticed(root));
+        OperatingSystem.kernelSettings(root));
   }
 
   private static OptionalInt choose(

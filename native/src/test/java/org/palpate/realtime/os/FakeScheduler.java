@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 
-/** Writes down what it is asked, and answers with one error to all of it. */
+/** Records every call and answers each with the same error. */
 final class FakeScheduler implements Scheduler {
-  final List<String> asked = new ArrayList<>();
+  final List<String> calls = new ArrayList<>();
   private final String error;
 
   FakeScheduler(String error) {
@@ -15,25 +15,25 @@ final class FakeScheduler implements Scheduler {
 
   @Override
   public String setRealtime(int tid, SchedulingClass schedulingClass, int priority) {
-    asked.add((tid == 0 ? "" : tid + " ") + schedulingClass + " " + priority);
+    calls.add((tid == 0 ? "" : tid + " ") + schedulingClass + " " + priority);
     return error;
   }
 
   @Override
   public String setAffinity(BitSet cpus) {
-    asked.add("cpus " + CpuList.format(cpus));
+    calls.add("cpus " + CpuList.format(cpus));
     return error;
   }
 
   @Override
   public String lockMemory() {
-    asked.add("lock");
+    calls.add("lock");
     return error;
   }
 
   @Override
   public String setTimerSlack(long nanos) {
-    asked.add("slack " + nanos);
+    calls.add("slack " + nanos);
     return error;
   }
 }

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class KernelFilesTest {
-  /** The kernel gives these whole in the first read, and nothing in a second. */
+  /** The kernel gives each of these files whole to the first read and nothing to a second one. */
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -27,7 +27,7 @@ class KernelFilesTest {
   }
 
   @Test
-  void aFileThatIsNotThereHasNoLines() {
+  void aMissingFileHasNoLines() {
     assertEquals(0, KernelFiles.lines(Path.of("/no/such/file")).count());
   }
 }

@@ -27,56 +27,57 @@ class LinuxSetupTest {
     write("proc/self/task/12/comm", "VM Thread\n");
     write("proc/self/task/13/comm", "VM Periodic Tas\n");
     FakeScheduler scheduler = new FakeScheduler("");
-    List<RequestOutcome> grants = setup(scheduler).apply(RealtimeRequest.usual());
-    assertEquals(List.of("lock", "slack 1", "cpus 3", "FIFO 40", "12 FIFO 39"), scheduler.asked);
+    List<RequestOutcome> outcomes = setup(scheduler).apply(RealtimeRequest.recommended());
+    assertEquals(List.of("lock", "slack 1", "cpus 3", "FIFO 40", "12 FIFO 39"), scheduler.calls);
     assertEquals(
         "memory_lock granted, timer_slack granted, affinity granted, class granted,"
             + " vm_threads granted",
-        words(grants));
+        words(outcomes));
     assertEquals("{3}", taken.toString());
   }
 
   @Test
-  void givesTwoThreadsTwoProcessorsAndLeavesOne() throws IOException {
+  void givesTwoThreadsTwoProcessorsAndKeepsOne() throws IOException {
     machine("0-2", ROOT_CAPABILITIES, "unlimited");
     FakeScheduler scheduler = new FakeScheduler("");
-    setup(scheduler).apply(RealtimeRequest.usual());
-    setup(scheduler).apply(RealtimeRequest.usual());
-    RequestOutcome third = find(setup(scheduler).apply(RealtimeRequest.usual()), "affinity");
+    setup(scheduler).apply(RealtimeRequest.recommended());
+    setup(scheduler).apply(RealtimeRequest.recommended());
+    RequestOutcome third = find(setup(scheduler).apply(RealtimeRequest.recommended()), "affinity");
     assertEquals("{1, 2}", taken.toString());
     assertFalse(third.granted());
     assertEquals("no processor would be left for everything else", third.detail());
   }
 
   @Test
-  void refusesTheOnlyProcessorToAThreadThatNeverSleeps() throws IOException {
+  void deniesTheOnlyProcessorToAThreadThatNeverSleeps() throws IOException {
     machine("0", ROOT_CAPABILITIES, "unlimited");
     FakeScheduler scheduler = new FakeScheduler("");
-    List<RequestOutcome> grants =
+    List<RequestOutcome> outcomes =
         setup(scheduler)
             .apply(new RealtimeRequest(SchedulingClass.FIFO, true, false, false, false));
-    assertEquals("timer_slack granted, affinity refused, class refused", words(grants));
-    assertEquals(List.of("slack 1"), scheduler.asked);
+    assertEquals("timer_slack granted, affinity refused, class refused", words(outcomes));
+    assertEquals(List.of("slack 1"), scheduler.calls);
   }
 
   @Test
-  void doesNotLockMemoryThatItMayNotHaveMoreOf() throws IOException {
+  void doesNotLockMemoryIfItsAmountIsLimited() throws IOException {
     machine("0-3", NO_CAPABILITIES, "8388608");
     FakeScheduler scheduler = new FakeScheduler("");
-    RequestOutcome lock = find(setup(scheduler).apply(RealtimeRequest.usual()), "memory_lock");
+    RequestOutcome lock =
+        find(setup(scheduler).apply(RealtimeRequest.recommended()), "memory_lock");
     assertFalse(lock.granted());
     assertTrue(lock.detail().contains("ulimit -l unlimited"), lock.detail());
-    assertFalse(scheduler.asked.contains("lock"));
+    assertFalse(scheduler.calls.contains("lock"));
   }
 
   @Test
-  void tellsTheErrorAndWhatToDoWhereTheClassIsRefused() throws IOException {
+  void aDeniedClassNamesTheErrorAndTheRemedy() throws IOException {
     machine("0-3", NO_CAPABILITIES, "unlimited");
-    RequestOutcome grant =
-        find(setup(new FakeScheduler("EPERM")).apply(RealtimeRequest.usual()), "class");
-    assertEquals("refused", grant.word());
-    assertTrue(grant.detail().startsWith("EPERM; allow it with 'ulimit -r"), grant.detail());
-    assertTrue(taken.isEmpty(), "a refused processor is not taken");
+    RequestOutcome outcome =
+        find(setup(new FakeScheduler("EPERM")).apply(RealtimeRequest.recommended()), "class");
+    assertEquals("refused", outcome.word());
+    assertTrue(outcome.detail().startsWith("EPERM; allow it with 'ulimit -r"), outcome.detail());
+    assertTrue(taken.isEmpty(), "a denied processor is not taken");
   }
 
   @Test
@@ -85,39 +86,39 @@ class LinuxSetupTest {
     thread(17, "HD (servo) loop", 20);
     thread(18, "main", 0);
     FakeScheduler scheduler = new FakeScheduler("");
-    setup(scheduler).apply(RealtimeRequest.usual());
-    assertTrue(scheduler.asked.contains("FIFO 19"), scheduler.asked.toString());
+    setup(scheduler).apply(RealtimeRequest.recommended());
+    assertTrue(scheduler.calls.contains("FIFO 19"), scheduler.calls.toString());
   }
 
   @Test
-  void staysAtTheUsualPriorityBelowAHighVendorsThread() throws IOException {
+  void staysAtTheDefaultPriorityBelowAHighVendorsThread() throws IOException {
     machine("0-3", ROOT_CAPABILITIES, "unlimited");
     thread(17, "servo", 99);
     FakeScheduler scheduler = new FakeScheduler("");
     setup(scheduler)
         .apply(new RealtimeRequest(SchedulingClass.ROUND_ROBIN, false, false, false, true));
-    assertEquals(List.of("slack 1", "ROUND_ROBIN 40"), scheduler.asked);
+    assertEquals(List.of("slack 1", "ROUND_ROBIN 40"), scheduler.calls);
   }
 
   @Test
-  void raisesTheThreadsThatASafepointWaitsForOneBelow() throws IOException {
+  void raisesTheThreadsOfASafepointToOnePriorityBelow() throws IOException {
     machine("0-3", ROOT_CAPABILITIES, "unlimited");
     write("proc/self/task/12/comm", "VM Thread\n");
     write("proc/self/task/14/comm", "GC Thread#1\n");
     write("proc/self/task/15/comm", "G1 Conc#0\n");
     thread(17, "servo", 20);
     FakeScheduler scheduler = new FakeScheduler("");
-    setup(scheduler).apply(RealtimeRequest.usual());
-    List<String> raised = scheduler.asked.stream().filter(a -> a.contains("FIFO 18")).toList();
+    setup(scheduler).apply(RealtimeRequest.recommended());
+    List<String> raised = scheduler.calls.stream().filter(a -> a.contains("FIFO 18")).toList();
     assertEquals(List.of("12 FIFO 18", "14 FIFO 18"), raised.stream().sorted().toList());
   }
 
   @Test
-  void asksForNothingButSlackWhereNothingIsWished() throws IOException {
+  void requestsOnlyTimerSlackForAnOrdinaryThread() throws IOException {
     machine("0-3", ROOT_CAPABILITIES, "unlimited");
     FakeScheduler scheduler = new FakeScheduler("");
     setup(scheduler).apply(RealtimeRequest.none());
-    assertEquals(List.of("slack 1"), scheduler.asked);
+    assertEquals(List.of("slack 1"), scheduler.calls);
   }
 
   private LinuxSetup setup(Scheduler scheduler) {
@@ -132,7 +133,7 @@ class LinuxSetupTest {
     Files.createDirectories(root.resolve("proc/self/task"));
   }
 
-  /** A thread's stat: the priority is field 40 of {@code man 5 proc}. */
+  /** Writes the stat file of a thread; the priority is field 40 in {@code man 5 proc}. */
   private void thread(int tid, String name, int priority) throws IOException {
     String between = "0 ".repeat(36);
     write(
@@ -145,13 +146,16 @@ class LinuxSetupTest {
     Files.writeString(file, text);
   }
 
-  private static RequestOutcome find(List<RequestOutcome> grants, String wish) {
-    return grants.stream().filter(grant -> grant.wish().equals(wish)).findFirst().orElseThrow();
+  private static RequestOutcome find(List<RequestOutcome> outcomes, String request) {
+    return outcomes.stream()
+        .filter(outcome -> outcome.request().equals(request))
+        .findFirst()
+        .orElseThrow();
   }
 
-  private static String words(List<RequestOutcome> grants) {
-    return grants.stream()
-        .map(grant -> grant.wish() + " " + grant.word())
+  private static String words(List<RequestOutcome> outcomes) {
+    return outcomes.stream()
+        .map(outcome -> outcome.request() + " " + outcome.word())
         .collect(Collectors.joining(", "));
   }
 }

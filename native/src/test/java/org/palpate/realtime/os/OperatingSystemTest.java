@@ -12,19 +12,20 @@ import org.junit.jupiter.api.Test;
 
 class OperatingSystemTest {
   @Test
-  void answersEveryWishInAThreadOfItsOwn() throws InterruptedException {
-    List<RequestOutcome> grants = new ArrayList<>();
+  void everyDeniedRequestHasAReason() throws InterruptedException {
+    List<RequestOutcome> outcomes = new ArrayList<>();
     Thread thread =
         new Thread(
             () ->
-                grants.addAll(
+                outcomes.addAll(
                     OperatingSystem.apply(
                         new RealtimeRequest(SchedulingClass.FIFO, true, false, true, true))));
     thread.start();
     thread.join();
-    assertFalse(grants.isEmpty());
-    for (RequestOutcome grant : grants) {
-      assertTrue(grant.granted() || !grant.detail().isEmpty(), "refused without a why: " + grant);
+    assertFalse(outcomes.isEmpty());
+    for (RequestOutcome outcome : outcomes) {
+      assertTrue(
+          outcome.granted() || !outcome.detail().isEmpty(), "denied without a reason: " + outcome);
     }
   }
 
@@ -37,16 +38,16 @@ class OperatingSystemTest {
       long before = threads.getCurrentThreadAllocatedBytes();
       sleepOften(sleep, past, 20_000);
       long allocated = threads.getCurrentThreadAllocatedBytes() - before;
-      // The counter itself takes a few hundred bytes; a sleep that allocates takes 320,000.
+      // The counter itself allocates a few hundred bytes; an allocating sleep takes 320,000.
       assertTrue(allocated < 20_000, "bytes=" + allocated);
     }
   }
 
   @Test
-  void saysGrantedOrRefusedAndNothingElse() {
+  void printsGrantedOrRefused() {
     assertEquals("granted", RequestOutcome.granted("class", "fifo 40").word());
-    assertEquals("refused", RequestOutcome.refused("class", "EPERM").word());
-    assertEquals("class: refused (EPERM)", RequestOutcome.refused("class", "EPERM").toString());
+    assertEquals("refused", RequestOutcome.denied("class", "EPERM").word());
+    assertEquals("class: refused (EPERM)", RequestOutcome.denied("class", "EPERM").toString());
   }
 
   private static void sleepOften(PreciseSleep sleep, long past, int times) {

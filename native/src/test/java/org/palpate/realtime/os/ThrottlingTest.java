@@ -23,14 +23,14 @@ class ThrottlingTest {
   }
 
   @Test
-  void doesNotLimitWhereTheKernelSaysMinusOne() throws IOException {
+  void doesNotLimitIfTheKernelSaysMinusOne() throws IOException {
     limit("-1");
     assertFalse(Throttling.read(root).limits());
     assertEquals(Long.MAX_VALUE, Throttling.read(root).gapNanos());
   }
 
   @Test
-  void doesNotLimitWhereThereIsNoSuchFile() {
+  void doesNotLimitWithoutTheKernelsFile() {
     assertFalse(Throttling.read(root).limits());
   }
 

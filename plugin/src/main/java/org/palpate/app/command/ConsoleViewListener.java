@@ -29,7 +29,7 @@ final class ConsoleViewListener implements SessionView.Listener {
 
   @Override
   public void opening(SceneWindow window) {
-    DisplayLoss.survive(window::displayLost);
+    DisplayLoss.install(window::displayLost);
     window.input().onKey('s', "snapshot to a file", () -> window.takeSnapshot(this::save));
   }
 

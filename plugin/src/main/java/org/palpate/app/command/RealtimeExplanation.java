@@ -27,15 +27,15 @@ final class RealtimeExplanation {
       Thread thread = new Thread(realtime::setUp, "palpate-explain");
       thread.start();
       join(thread);
-      for (RequestOutcome grant : realtime.grants()) {
-        out.println("  " + grant);
+      for (RequestOutcome outcome : realtime.outcomes()) {
+        out.println("  " + outcome);
       }
       out.println("  wait: " + realtime.waiting());
     }
-    Map<String, String> noticed = OperatingSystem.noticed();
-    if (!noticed.isEmpty()) {
+    Map<String, String> settings = OperatingSystem.kernelSettings();
+    if (!settings.isEmpty()) {
       out.println("The system by itself");
-      noticed.forEach((name, words) -> out.println("  " + name + ": " + words));
+      settings.forEach((name, words) -> out.println("  " + name + ": " + words));
     }
     out.println("palpate jitter --quick --out DIR measures what it is worth on this machine.");
     out.flush();
