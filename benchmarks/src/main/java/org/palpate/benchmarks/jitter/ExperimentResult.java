@@ -8,7 +8,6 @@ import java.util.Properties;
 import java.util.TreeMap;
 import org.palpate.benchmarks.jitter.experiment.Experiment;
 import org.palpate.benchmarks.jitter.experiment.ExperimentLoop;
-import org.palpate.benchmarks.jitter.experiment.ExperimentRunner;
 import org.palpate.benchmarks.jitter.trace.Cause;
 import org.palpate.benchmarks.jitter.trace.CauseFinder;
 import org.palpate.benchmarks.jitter.trace.DelayHistograms;
@@ -22,25 +21,25 @@ import org.palpate.benchmarks.jitter.trace.Samples;
 import org.palpate.benchmarks.jitter.trace.Timeline;
 
 /**
- * What one cell found.
+ * The result of one experiment.
  *
- * @param cell what was run
- * @param delays its histograms
- * @param causes of its ten worst frames, the worst first
- * @param timeline the latest force in stretches of time
- * @param firstDueNanos when the first frame was due, the zero of the timeline
- * @param answers what the process told; see {@link ExperimentLoop#answers}
- * @param machine what the kernel counted meanwhile
- * @param events how many events of each kind lay in the measured time
- * @param longestPauseNanos the longest that all Java threads stood still in that time
+ * @param experiment the experiment that ran
+ * @param delays the histograms of its frames
+ * @param causes the causes of its ten worst frames, the worst first
+ * @param timeline the latest force in each stretch of time
+ * @param firstDueNanos the deadline of the first frame, which is the zero of the timeline
+ * @param outcome the properties that the process reported; see {@link ExperimentLoop#outcome}
+ * @param machine the kernel's counters during the experiment
+ * @param events the number of events of each kind in the measured time
+ * @param longestPauseNanos the longest time in which all Java threads were stopped
  */
 record ExperimentResult(
-    Experiment cell,
+    Experiment experiment,
     DelayHistograms delays,
     List<Cause> causes,
     Timeline timeline,
     long firstDueNanos,
-    Properties answers,
+    Properties outcome,
     MachineActivity machine,
     Map<Kind, Long> events,
     long longestPauseNanos) {
@@ -48,22 +47,22 @@ record ExperimentResult(
   private static final int WORST = 10;
   private static final int STRETCHES = 800;
 
-  /** Works a cell's files out. */
-  static ExperimentResult of(Experiment cell, ExperimentFolder folder) throws IOException {
+  /** Evaluates the files of an experiment. */
+  static ExperimentResult of(Experiment experiment, ExperimentFolder folder) throws IOException {
     Samples samples = Samples.read(folder.samples());
     MachineActivity machine = MachineSampler.read(folder.machine());
     List<JvmEvent> events = eventsOf(folder);
-    boolean realtime = cell.scheduling().isRealtime();
+    boolean realtime = experiment.scheduling().isRealtime();
     long from = samples.due(0);
     long to = samples.end(samples.count() - 1);
     List<JvmEvent> measured =
         events.stream().filter(e -> e.startNanos() <= to && e.endNanos() >= from).toList();
-    DelayHistograms delays = DelayHistograms.of(samples, ExperimentRunner.PERIOD_NANOS);
-    long usualWork = delays.work().getValueAtPercentile(50);
+    DelayHistograms delays = DelayHistograms.of(samples, Experiment.PERIOD_NANOS);
+    long typicalWork = delays.work().getValueAtPercentile(50);
     return new ExperimentResult(
-        cell,
+        experiment,
         delays,
-        new CauseFinder(measured, machine, usualWork, realtime).worst(samples, WORST),
+        new CauseFinder(measured, machine, typicalWork, realtime).worst(samples, WORST),
         Timeline.of(samples, STRETCHES),
         from,
         folder.readOutcome(),
@@ -74,7 +73,7 @@ record ExperimentResult(
 
   private static List<JvmEvent> eventsOf(ExperimentFolder folder) throws IOException {
     return Files.exists(folder.recording())
-        ? FlightRecording.read(folder.recording(), ExperimentLoop.THREAD_NAME)
+        ? FlightRecording.read(folder.recording(), Experiment.THREAD_NAME)
         : List.of();
   }
 
@@ -92,13 +91,13 @@ record ExperimentResult(
         .orElse(0);
   }
 
-  /** How many events of a kind lay in the measured time. */
+  /** Returns the number of events of a kind in the measured time. */
   long count(Kind kind) {
     return events.getOrDefault(kind, 0L);
   }
 
-  /** What the process told, or nothing. */
-  String answer(String name) {
-    return answers.getProperty(name, "");
+  /** Returns a property that the process reported; empty if it did not. */
+  String outcome(String name) {
+    return outcome.getProperty(name, "");
   }
 }

@@ -15,9 +15,9 @@ import org.palpate.benchmarks.jitter.trace.Cause;
 import org.palpate.benchmarks.jitter.trace.CauseCounts;
 import org.palpate.benchmarks.jitter.trace.DelayHistograms;
 
-/** One page that holds everything, its pictures too, and needs no network. */
+/** The report as one HTML page that contains its pictures and needs no network. */
 final class HtmlReport {
-  private static final double NANOS_A_MICRO = 1e3;
+  private static final double NANOS_PER_MICRO = 1e3;
   private static final List<Double> PERCENTILES = List.of(50.0, 99.0, 99.9, 99.99, 99.999);
   private static final String STYLE =
       "body{font:15px/1.45 system-ui,sans-serif;max-width:1160px;margin:2em auto;padding:0 1em;"
@@ -32,7 +32,10 @@ final class HtmlReport {
   private final StringBuilder html = new StringBuilder();
 
   /**
-   * @param plots where the pictures are
+   * Creates the report of a run.
+   *
+   * @param machine facts about the machine, by name
+   * @param plots the folder of the pictures
    */
   HtmlReport(JitterRun run, Map<String, String> machine, Path plots) {
     this.run = run;
@@ -40,21 +43,22 @@ final class HtmlReport {
     this.plots = plots;
   }
 
-  /** The page. */
+  /** Returns the page. */
   String page() throws IOException {
     html.append("<!doctype html><html lang=\"en\"><meta charset=\"utf-8\">")
         .append("<title>How late is this JVM?</title><style>" + STYLE + "</style>")
         .append("<h1>How late is this JVM?</h1>")
-        .append("<p>A loop at 1 kHz, a fresh process a row. Late: how long after its deadline a")
-        .append(" frame began. Curves are corrected for frames that were left out while the loop")
-        .append(" was held up (coordinated omission); the tables show both. A percentile that")
-        .append(" needs more frames than a cell has equals its maximum.</p>");
+        .append("<p>Each row is a loop at 1 kHz in a fresh process. Late is the time from a")
+        .append(" deadline to the start of its frame. The curves are corrected for frames that")
+        .append(" the loop omitted while it was delayed (coordinated omission); the tables show")
+        .append(" both. A percentile that needs more frames than an experiment has equals its")
+        .append(" maximum.</p>");
     addMachine();
     for (ExperimentTable table : run.tables()) {
       addTable(table);
     }
-    addCells();
-    addLeft();
+    addExperiments();
+    addSkipped();
     return html.append("</html>\n").toString();
   }
 
@@ -74,13 +78,13 @@ final class HtmlReport {
     html.append("<h2>").append(escaped(table.name())).append("</h2><p>");
     html.append(escaped(table.question())).append("</p>");
     addPicture(JitterPlots.curvesName(table));
-    html.append("<table><tr><th>cell</th>");
+    html.append("<table><tr><th>experiment</th>");
     PERCENTILES.forEach(p -> html.append("<th>p").append(number(p)).append("</th>"));
     html.append("<th>max</th><th>corrected p99.9</th><th>work p99.9</th><th>omitted</th>");
     html.append("<th>&gt; 1.5 ms</th><th>&gt; 10 ms</th><th class=l>causes of the worst ten</th>");
     html.append("<th>machine busy</th></tr>");
-    for (Experiment cell : table.cells()) {
-      ExperimentResult result = run.results().get(cell.key());
+    for (Experiment experiment : table.experiments()) {
+      ExperimentResult result = run.results().get(experiment.key());
       if (result != null) {
         addRow(result);
       }
@@ -90,32 +94,30 @@ final class HtmlReport {
 
   private void addRow(ExperimentResult result) {
     DelayHistograms delays = result.delays();
-    html.append("<tr><td><a href=\"#" + result.cell().key() + "\">")
-        .append(escaped(result.cell().key()))
+    html.append("<tr><td><a href=\"#" + result.experiment().key() + "\">")
+        .append(escaped(result.experiment().key()))
         .append("</a></td>");
     PERCENTILES.forEach(p -> addCell(micros(delays.lateness(), p)));
-    addCell(number(delays.lateness().getMaxValue() / NANOS_A_MICRO));
+    addCell(number(delays.lateness().getMaxValue() / NANOS_PER_MICRO));
     addCell(micros(delays.corrected(), 99.9));
     addCell(micros(delays.work(), 99.9));
     addCell(Long.toString(delays.omitted()));
     addCell(Long.toString(delays.overOneAndAHalfMillis()));
     addCell(Long.toString(delays.overTenMillis()));
-    html.append("<td class=l>")
-        .append(escaped(CauseCounts.inWords(result.causes())))
-        .append("</td>");
-    addCell(Math.round(100 * result.machine().busyShare()) + " %");
+    html.append("<td class=l>").append(escaped(CauseCounts.text(result.causes()))).append("</td>");
+    addCell(Math.round(100 * result.machine().busyFraction()) + " %");
     html.append("</tr>");
   }
 
-  private void addCells() throws IOException {
-    html.append("<h2>Cells</h2>");
+  private void addExperiments() throws IOException {
+    html.append("<h2>Experiments</h2>");
     for (ExperimentResult result : run.results().values()) {
-      html.append("<details id=\"" + result.cell().key() + "\"><summary>")
-          .append(escaped(result.cell().key()))
+      html.append("<details id=\"" + result.experiment().key() + "\"><summary>")
+          .append(escaped(result.experiment().key()))
           .append("</summary>");
-      addPicture(JitterPlots.timelineName(result.cell()));
+      addPicture(JitterPlots.timelineName(result.experiment()));
       addCauses(result);
-      addAnswers(result);
+      addOutcome(result);
       html.append("</details>");
     }
   }
@@ -126,31 +128,31 @@ final class HtmlReport {
     for (Cause cause : result.causes()) {
       html.append("<tr>");
       addCell(number((cause.dueNanos() - result.firstDueNanos()) / 1e9));
-      addCell(number(cause.latenessNanos() / NANOS_A_MICRO));
-      addCell(number(cause.workNanos() / NANOS_A_MICRO));
+      addCell(number(cause.latenessNanos() / NANOS_PER_MICRO));
+      addCell(number(cause.workNanos() / NANOS_PER_MICRO));
       html.append("<td class=l>").append(escaped(cause.kind().label())).append("</td>");
       html.append("<td class=l>").append(escaped(cause.evidence())).append("</td></tr>");
     }
     html.append("</table>");
   }
 
-  private void addAnswers(ExperimentResult result) {
+  private void addOutcome(ExperimentResult result) {
     html.append("<p>");
-    result.answers().stringPropertyNames().stream()
+    result.outcome().stringPropertyNames().stream()
         .sorted()
-        .forEach(name -> html.append(escaped(name + ": " + result.answer(name))).append("<br>"));
-    if (!result.cell().isControl()) {
+        .forEach(name -> html.append(escaped(name + ": " + result.outcome(name))).append("<br>"));
+    if (!result.experiment().isControl()) {
       html.append("<code>")
-          .append(escaped(String.join(" ", JvmCommand.flags(result.cell()))))
+          .append(escaped(String.join(" ", JvmCommand.flags(result.experiment()))))
           .append("</code>");
     }
     html.append("</p>");
   }
 
-  private void addLeft() {
-    if (!run.left().isEmpty()) {
-      html.append("<h2>Left out</h2><ul>");
-      run.left()
+  private void addSkipped() {
+    if (!run.skipped().isEmpty()) {
+      html.append("<h2>Skipped</h2><ul>");
+      run.skipped()
           .forEach(
               (key, why) ->
                   html.append("<li class=bad>").append(escaped(key + ": " + why)).append("</li>"));
@@ -173,7 +175,7 @@ final class HtmlReport {
   }
 
   private static String micros(Histogram histogram, double percentile) {
-    return number(histogram.getValueAtPercentile(percentile) / NANOS_A_MICRO);
+    return number(histogram.getValueAtPercentile(percentile) / NANOS_PER_MICRO);
   }
 
   private static String number(double value) {

@@ -25,13 +25,14 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code palpate jitter}: how late this JVM, these JVMs, these collectors run a frame, and why. */
+/** {@code palpate jitter}: measures how late JVMs run a frame, and finds the causes. */
 @Command(
     name = "jitter",
     description = {
-      "How late this JVM wakes up and runs a frame, and why: a fresh process for every cell of a"
-          + " table of JDKs, collectors, waits, scheduling and work, beside the same loop in C++.",
-      "Run again with the same folder, it goes on where it ended."
+      "Measures how late this JVM wakes up and runs a frame, and finds the causes. Each experiment"
+          + " runs in a fresh process: JDKs, collectors, waits, scheduling and workloads, beside"
+          + " the same loop in C++.",
+      "A second run with the same folder continues where the first one ended."
     },
     footer = {
       "",
@@ -45,9 +46,10 @@ import picocli.CommandLine.Spec;
 public final class JitterCommand implements Callable<Integer> {
   private static final int LEAST_HEAP_MB = 128;
   private static final int QUICK_SECONDS = 3;
-  // On a busy machine processes start slowly; what was begun and the report fit into two minutes.
+  // Processes start slowly on a busy machine; the last experiment and the report fit into two
+  // minutes.
   private static final double QUICK_BUDGET_SECONDS = 90;
-  private static final int USUAL_SECONDS = 10;
+  private static final int DEFAULT_SECONDS = 10;
 
   @Spec private CommandSpec spec;
 
@@ -55,10 +57,14 @@ public final class JitterCommand implements Callable<Integer> {
 
   @Mixin private OutputOptions output;
 
-  @Option(names = "--out", paramLabel = "DIR", required = true, description = "Where files go.")
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      required = true,
+      description = "Folder of the files.")
   private Path folder;
 
-  @Option(names = "--quick", description = "A dozen cells, under two minutes.")
+  @Option(names = "--quick", description = "Run a dozen experiments in under two minutes.")
   private boolean quick;
 
   @Option(
@@ -72,35 +78,35 @@ public final class JitterCommand implements Callable<Integer> {
   @Option(
       names = "--cells",
       paramLabel = "REGEX",
-      description = "Only cells whose name matches; --list shows the names.")
-  private String cells = ".*";
+      description = "Only experiments whose name matches; --list shows the names.")
+  private String namePattern = ".*";
 
   @Option(
       names = "--jdk",
       paramLabel = "DIR",
       description =
-          "A Java installation; may be given again. Default: all found here, the newest"
-              + " of every release.")
+          "A Java installation; may be given again. Default: the newest one found of every"
+              + " release.")
   private List<Path> homes = new ArrayList<>();
 
   @Option(
       names = "--seconds",
       paramLabel = "S",
-      description = "How long a cell is measured (10; 3 with --quick).")
+      description = "Measured time of an experiment (10; 3 with --quick).")
   private Integer seconds;
 
   @Option(
       names = "--minutes",
       paramLabel = "M",
       description =
-          "Begin no cell later than this, and report what there is (1.5 with --quick);"
+          "Start no experiment after this time, then report the results (1.5 with --quick);"
               + " 0 reports without running any.")
   private Double minutes;
 
-  @Option(names = "--heap", paramLabel = "MB", description = "Heap of a cell (512).")
+  @Option(names = "--heap", paramLabel = "MB", description = "Heap of an experiment (512).")
   private int heapMb = 512;
 
-  @Option(names = "--list", description = "Show the cells and about how long they take, and end.")
+  @Option(names = "--list", description = "List the experiments and their duration, and end.")
   private boolean list;
 
   @Override
@@ -108,13 +114,14 @@ public final class JitterCommand implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     check();
     List<ExperimentTable> chosen = chosenTables();
-    List<Experiment> all = JitterRun.cells(chosen);
+    List<Experiment> all = JitterRun.experiments(chosen);
     if (all.isEmpty()) {
-      throw PalpateException.wrongUse("no cell matches", cells, "--list shows their names");
+      throw PalpateException.wrongUse(
+          "no experiment matches", namePattern, "--list shows their names");
     }
-    out.println(all.size() + " cells, about " + JitterRun.minutes(JitterRun.secondsFor(all)));
+    out.println(all.size() + " experiments, about " + JitterRun.minutes(JitterRun.secondsFor(all)));
     if (list) {
-      all.forEach(cell -> out.println("  " + cell.key()));
+      all.forEach(experiment -> out.println("  " + experiment.key()));
       return 0;
     }
     return measure(chosen, out);
@@ -142,8 +149,8 @@ public final class JitterCommand implements Callable<Integer> {
     JitterRun run = new JitterRun(chosen, new ExperimentRunner(root, scene), budgetSeconds(), out);
     run.run();
     if (run.results().isEmpty()) {
-      String first = run.left().values().iterator().next();
-      throw PalpateException.failed("no cell ran", first, "look into " + root, null);
+      String first = run.skipped().values().iterator().next();
+      throw PalpateException.failed("no experiment ran", first, "look into " + root, null);
     }
     ReportFiles files = new ReportFiles(root, run, machine);
     files.write();
@@ -163,32 +170,34 @@ public final class JitterCommand implements Callable<Integer> {
 
   private List<ExperimentTable> chosenTables() {
     List<Jdk> jdks = jdks();
-    int chosenSeconds = seconds != null ? seconds : quick ? QUICK_SECONDS : USUAL_SECONDS;
+    int chosenSeconds = seconds != null ? seconds : quick ? QUICK_SECONDS : DEFAULT_SECONDS;
     ExperimentTables known = new ExperimentTables(jdks, heapMb, chosenSeconds);
     for (String name : tables) {
       if (!ExperimentTables.NAMES.contains(name)) {
         throw PalpateException.wrongUse(
-            "no such table", name, "choose of " + String.join(", ", ExperimentTables.NAMES));
+            "no such table", name, "choose one of " + String.join(", ", ExperimentTables.NAMES));
       }
     }
     List<ExperimentTable> all = quick ? known.quick() : known.all();
     return all.stream()
         .filter(table -> tables.isEmpty() || tables.contains(table.name()))
         .map(this::matching)
-        .filter(table -> !table.cells().isEmpty())
+        .filter(table -> !table.experiments().isEmpty())
         .toList();
   }
 
   private ExperimentTable matching(ExperimentTable table) {
     Pattern pattern;
     try {
-      pattern = Pattern.compile(cells);
+      pattern = Pattern.compile(namePattern);
     } catch (PatternSyntaxException e) {
       throw PalpateException.wrongUse(
-          e.getDescription(), "--cells " + cells, "give a regular expression", e);
+          e.getDescription(), "--cells " + namePattern, "give a regular expression", e);
     }
     List<Experiment> found =
-        table.cells().stream().filter(cell -> pattern.matcher(cell.key()).matches()).toList();
+        table.experiments().stream()
+            .filter(experiment -> pattern.matcher(experiment.key()).matches())
+            .toList();
     return new ExperimentTable(table.name(), table.question(), found);
   }
 

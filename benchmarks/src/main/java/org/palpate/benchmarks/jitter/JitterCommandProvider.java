@@ -3,7 +3,7 @@ package org.palpate.benchmarks.jitter;
 import java.util.concurrent.Callable;
 import org.palpate.app.CommandProvider;
 
-/** Adds {@code jitter} to the command line. */
+/** Adds {@link JitterCommand} to the command line. */
 public final class JitterCommandProvider implements CommandProvider {
   @Override
   public Callable<Integer> command() {

@@ -21,14 +21,14 @@ import org.palpate.benchmarks.jitter.trace.Cause;
 import org.palpate.benchmarks.jitter.trace.Timeline;
 import org.palpate.benchmarks.report.Figures;
 
-/** Percentile curves of a table's cells, and a time line of every cell with its causes marked. */
+/** Draws percentile curves of each table and a time line of each experiment with its causes. */
 final class JitterPlots {
   private static final int WIDTH = 1100;
   private static final int CURVES_HEIGHT = 620;
   private static final int TIMELINE_HEIGHT = 260;
-  private static final double NANOS_A_MICRO = 1e3;
-  private static final double LEAST_MICROS = 0.01; // a logarithm has no zero
-  private static final int STEPS_A_HALF = 5;
+  private static final double NANOS_PER_MICRO = 1e3;
+  private static final double MIN_MICROS = 0.01; // a logarithmic axis has no zero
+  private static final int STEPS_PER_HALVING = 5;
 
   private final Path folder;
 
@@ -40,16 +40,16 @@ final class JitterPlots {
     return "curves-" + table.name() + ".png";
   }
 
-  static String timelineName(Experiment cell) {
-    return "time-" + cell.key() + ".png";
+  static String timelineName(Experiment experiment) {
+    return "time-" + experiment.key() + ".png";
   }
 
   /** Writes all pictures of a run. */
   void write(JitterRun run) throws IOException {
     for (ExperimentTable table : run.tables()) {
       List<ExperimentResult> results =
-          table.cells().stream()
-              .map(cell -> run.results().get(cell.key()))
+          table.experiments().stream()
+              .map(experiment -> run.results().get(experiment.key()))
               .filter(result -> result != null)
               .toList();
       if (!results.isEmpty()) {
@@ -57,7 +57,7 @@ final class JitterPlots {
       }
     }
     for (ExperimentResult result : run.results().values()) {
-      save(timeline(result), timelineName(result.cell()));
+      save(timeline(result), timelineName(result.experiment()));
     }
   }
 
@@ -66,36 +66,35 @@ final class JitterPlots {
   }
 
   private static XYChart curves(ExperimentTable table, List<ExperimentResult> results) {
-    XYChart chart =
-        chart(CURVES_HEIGHT, table.name(), "one frame in so many", "late by more than, us");
+    XYChart chart = chart(CURVES_HEIGHT, table.name(), "one frame in this many", "later than, us");
     chart.getStyler().setXAxisLogarithmic(true);
     chart.getStyler().setLegendPosition(Styler.LegendPosition.OutsideE);
     for (ExperimentResult result : results) {
       List<Double> oneIn = new ArrayList<>();
       List<Double> micros = new ArrayList<>();
       addCurve(result.delays().corrected(), oneIn, micros);
-      XYSeries series = chart.addSeries(result.cell().key(), oneIn, micros);
+      XYSeries series = chart.addSeries(result.experiment().key(), oneIn, micros);
       series.setMarker(SeriesMarkers.NONE);
     }
     return chart;
   }
 
   private static void addCurve(Histogram histogram, List<Double> oneIn, List<Double> micros) {
-    for (HistogramIterationValue value : histogram.percentiles(STEPS_A_HALF)) {
+    for (HistogramIterationValue value : histogram.percentiles(STEPS_PER_HALVING)) {
       double rest = 1 - value.getPercentileLevelIteratedTo() / 100;
       if (rest > 0) {
         oneIn.add(1 / rest);
-        micros.add(Math.max(LEAST_MICROS, value.getValueIteratedTo() / NANOS_A_MICRO));
+        micros.add(Math.max(MIN_MICROS, value.getValueIteratedTo() / NANOS_PER_MICRO));
       }
     }
   }
 
   private static XYChart timeline(ExperimentResult result) {
-    XYChart chart = chart(TIMELINE_HEIGHT, result.cell().key(), "s", "force out late, us");
+    XYChart chart = chart(TIMELINE_HEIGHT, result.experiment().key(), "s", "force late by, us");
     chart.getStyler().setLegendPosition(Styler.LegendPosition.OutsideE);
     Timeline timeline = result.timeline();
     List<Double> micros =
-        timeline.worstMicros().stream().map(value -> Math.max(LEAST_MICROS, value)).toList();
+        timeline.worstMicros().stream().map(value -> Math.max(MIN_MICROS, value)).toList();
     chart.addSeries("worst", timeline.seconds(), micros).setMarker(SeriesMarkers.NONE);
     Map<Cause.Kind, List<Cause>> byKind = new LinkedHashMap<>();
     result
@@ -111,7 +110,7 @@ final class JitterPlots {
     List<Double> micros = new ArrayList<>();
     for (Cause cause : causes) {
       seconds.add((cause.dueNanos() - firstDueNanos) / 1e9);
-      micros.add(Math.max(LEAST_MICROS, cause.responseNanos() / NANOS_A_MICRO));
+      micros.add(Math.max(MIN_MICROS, cause.responseNanos() / NANOS_PER_MICRO));
     }
     XYSeries series = chart.addSeries(kind.label(), seconds, micros);
     series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);

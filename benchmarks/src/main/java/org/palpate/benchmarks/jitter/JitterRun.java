@@ -12,24 +12,26 @@ import org.palpate.benchmarks.jitter.experiment.Experiment;
 import org.palpate.benchmarks.jitter.experiment.ExperimentRunner;
 import org.palpate.benchmarks.jitter.experiment.ExperimentTable;
 
-/** Runs all cells of some tables, tells how far it is, and gathers what they found. */
+/** Runs the experiments of some tables one after the other and collects the results. */
 final class JitterRun {
-  /** What a process costs beside its measured time, s: start, warm-up, analysis. */
+  /** Time of a process besides its measured time: start, warm-up and evaluation, s. */
   static final int OVERHEAD_SECONDS = 4;
 
-  private static final String TIME_IS_UP = "the time is up; the same command again goes on";
-  private static final double NANOS_A_MICRO = 1e3;
+  private static final String TIME_IS_UP = "the time is up; run the same command to continue";
+  private static final double NANOS_PER_MICRO = 1e3;
 
   private final List<ExperimentTable> tables;
   private final ExperimentRunner runner;
   private final double budgetSeconds;
-  private final long beganNanos = System.nanoTime();
+  private final long startNanos = System.nanoTime();
   private final PrintWriter out;
   private final Map<String, ExperimentResult> results = new LinkedHashMap<>();
-  private final Map<String, String> left = new LinkedHashMap<>();
+  private final Map<String, String> skipped = new LinkedHashMap<>();
 
   /**
-   * @param budgetSeconds no cell is begun later than this
+   * Creates a run.
+   *
+   * @param budgetSeconds no experiment starts after this time
    */
   JitterRun(
       List<ExperimentTable> tables,
@@ -42,96 +44,104 @@ final class JitterRun {
     this.out = out;
   }
 
-  /** The cells of the tables, each once, in their order. */
-  static List<Experiment> cells(List<ExperimentTable> tables) {
+  /** Returns the experiments of the tables, each once, in their order. */
+  static List<Experiment> experiments(List<ExperimentTable> tables) {
     Map<String, Experiment> byKey = new LinkedHashMap<>();
-    tables.forEach(table -> table.cells().forEach(cell -> byKey.putIfAbsent(cell.key(), cell)));
+    tables.forEach(
+        table ->
+            table
+                .experiments()
+                .forEach(experiment -> byKey.putIfAbsent(experiment.key(), experiment)));
     return List.copyOf(byKey.values());
   }
 
-  /** About how long these cells take, s. */
-  static int secondsFor(List<Experiment> cells) {
-    return cells.stream()
-        .mapToInt(cell -> cell.seconds() + (cell.isControl() ? 2 : OVERHEAD_SECONDS))
+  /** Returns the approximate time of these experiments, s. */
+  static int secondsFor(List<Experiment> experiments) {
+    return experiments.stream()
+        .mapToInt(
+            experiment -> experiment.seconds() + (experiment.isControl() ? 2 : OVERHEAD_SECONDS))
         .sum();
   }
 
-  /** Runs what is not whole yet; a cell that fails is told and left out. */
+  /** Runs the incomplete experiments; one that fails is reported and skipped. */
   void run() throws IOException, InterruptedException {
-    List<Experiment> cells = cells(tables);
-    for (int i = 0; i < cells.size(); i++) {
-      Experiment cell = cells.get(i);
-      String outcome = runOne(cell);
-      String rest = minutes(secondsFor(notWhole(cells.subList(i + 1, cells.size()))));
+    List<Experiment> experiments = experiments(tables);
+    for (int i = 0; i < experiments.size(); i++) {
+      Experiment experiment = experiments.get(i);
+      String outcome = runOne(experiment);
+      String rest = minutes(secondsFor(incomplete(experiments.subList(i + 1, experiments.size()))));
       out.printf(
           Locale.ROOT,
           "[%d/%d] %s  %s  (%s left)%n",
           i + 1,
-          cells.size(),
-          cell.key(),
+          experiments.size(),
+          experiment.key(),
           outcome,
           rest);
       out.flush();
     }
   }
 
-  private List<Experiment> notWhole(List<Experiment> cells) throws IOException {
+  private List<Experiment> incomplete(List<Experiment> experiments) throws IOException {
     List<Experiment> rest = new ArrayList<>();
-    for (Experiment cell : cells) {
-      if (!runner.isWhole(cell)) {
-        rest.add(cell);
+    for (Experiment experiment : experiments) {
+      if (!runner.isComplete(experiment)) {
+        rest.add(experiment);
       }
     }
     return rest;
   }
 
-  private String runOne(Experiment cell) throws InterruptedException {
+  private String runOne(Experiment experiment) throws InterruptedException {
     try {
-      Optional<String> why = isTimeUp(cell) ? Optional.of(TIME_IS_UP) : runner.run(cell);
+      Optional<String> why =
+          isTimeUp(experiment) ? Optional.of(TIME_IS_UP) : runner.run(experiment);
       if (why.isPresent()) {
-        left.put(cell.key(), why.get());
-        return "left out: " + why.get();
+        skipped.put(experiment.key(), why.get());
+        return "skipped: " + why.get();
       }
-      ExperimentResult result = ExperimentResult.of(cell, runner.folder(cell));
-      results.put(cell.key(), result);
-      return inShort(result);
+      ExperimentResult result = ExperimentResult.of(experiment, runner.folder(experiment));
+      results.put(experiment.key(), result);
+      return summary(result);
     } catch (IOException e) {
-      left.put(cell.key(), e.getMessage());
+      skipped.put(experiment.key(), e.getMessage());
       return "failed: " + e.getMessage();
     }
   }
 
-  private boolean isTimeUp(Experiment cell) throws IOException {
-    double seconds = (System.nanoTime() - beganNanos) / 1e9;
-    return seconds > budgetSeconds && !runner.isWhole(cell);
+  private boolean isTimeUp(Experiment experiment) throws IOException {
+    double seconds = (System.nanoTime() - startNanos) / 1e9;
+    return seconds > budgetSeconds && !runner.isComplete(experiment);
   }
 
-  private static String inShort(ExperimentResult result) {
+  private static String summary(ExperimentResult result) {
     var lateness = result.delays().lateness();
     return String.format(
         Locale.ROOT,
         "late p50 %.1f p99 %.1f p99.9 %.1f max %.1f us, worst: %s",
-        lateness.getValueAtPercentile(50) / NANOS_A_MICRO,
-        lateness.getValueAtPercentile(99) / NANOS_A_MICRO,
-        lateness.getValueAtPercentile(99.9) / NANOS_A_MICRO,
-        lateness.getMaxValue() / NANOS_A_MICRO,
+        lateness.getValueAtPercentile(50) / NANOS_PER_MICRO,
+        lateness.getValueAtPercentile(99) / NANOS_PER_MICRO,
+        lateness.getValueAtPercentile(99.9) / NANOS_PER_MICRO,
+        lateness.getMaxValue() / NANOS_PER_MICRO,
         result.causes().get(0).kind().label());
   }
 
+  /** Returns a duration as text, such as {@code 3 min 20 s}. */
   static String minutes(int seconds) {
     return seconds / 60 + " min " + seconds % 60 + " s";
   }
 
-  /** What the cells found, by their keys, in the order of the run. */
+  /** Returns the results by the key of their experiment, in the order of the run. */
   Map<String, ExperimentResult> results() {
     return results;
   }
 
-  /** Why cells have no result, by their keys. */
-  Map<String, String> left() {
-    return left;
+  /** Returns the reasons why experiments have no result, by key. */
+  Map<String, String> skipped() {
+    return skipped;
   }
 
+  /** Returns the tables of the run. */
   List<ExperimentTable> tables() {
     return tables;
   }

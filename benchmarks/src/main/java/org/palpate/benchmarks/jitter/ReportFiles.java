@@ -17,16 +17,18 @@ import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.table.ReportJson;
 
-/** Writes what a run found: tables, histograms, pictures, one page. */
+/** Writes the results of a run: tables, histograms, pictures and one page. */
 final class ReportFiles {
-  private static final double NANOS_A_MICRO = 1e3;
+  private static final double NANOS_PER_MICRO = 1e3;
 
   private final Path folder;
   private final JitterRun run;
   private final Map<String, String> machine;
 
   /**
-   * @param machine facts to tell with the figures
+   * Creates a writer.
+   *
+   * @param machine facts about the machine, by name
    */
   ReportFiles(Path folder, JitterRun run, Map<String, String> machine) {
     this.folder = folder;
@@ -34,7 +36,7 @@ final class ReportFiles {
     this.machine = machine;
   }
 
-  /** Writes everything; what was there of an earlier report is replaced. */
+  /** Writes all files and replaces those of an earlier report. */
   void write() throws IOException {
     writeTable();
     writeHistograms();
@@ -64,7 +66,7 @@ final class ReportFiles {
   private void writeHistograms() throws IOException {
     Path histograms = Files.createDirectories(folder.resolve("hgrm"));
     for (ExperimentResult result : run.results().values()) {
-      String key = result.cell().key();
+      String key = result.experiment().key();
       write(histograms.resolve(key + ".late.hgrm"), result.delays().lateness());
       write(histograms.resolve(key + ".late-corrected.hgrm"), result.delays().corrected());
       write(histograms.resolve(key + ".period.hgrm"), result.delays().period());
@@ -75,13 +77,13 @@ final class ReportFiles {
   private static void write(Path path, Histogram histogram) throws IOException {
     try (AtomicFile file = new AtomicFile(path)) {
       PrintStream stream = new PrintStream(file.stream(), false, StandardCharsets.UTF_8);
-      histogram.outputPercentileDistribution(stream, NANOS_A_MICRO);
+      histogram.outputPercentileDistribution(stream, NANOS_PER_MICRO);
       stream.flush();
       file.commit();
     }
   }
 
-  /** Writes all figures as one JSON object. */
+  /** Writes all numbers as one JSON object. */
   void writeJson(Path path) throws IOException {
     try (AtomicFile file = new AtomicFile(path)) {
       ReportJson.write(json(), file.stream());
@@ -102,11 +104,11 @@ final class ReportFiles {
           Map.of(
               "name", table.name(),
               "question", table.question(),
-              "cells", table.cells().stream().map(Experiment::key).toList()));
+              "cells", table.experiments().stream().map(Experiment::key).toList()));
     }
     report.put("tables", tables);
     report.put("cells", run.results().values().stream().map(ResultRows::nested).toList());
-    report.put("left_out", run.left());
+    report.put("left_out", run.skipped());
     return report;
   }
 }

@@ -2,18 +2,18 @@ package org.palpate.benchmarks.jitter.experiment;
 
 import java.util.concurrent.locks.LockSupport;
 
-/** What else the JVM does while it is measured. */
+/** Background loads in the measured JVM. */
 public enum BackgroundLoad {
   NONE("none"),
-  /** Allocates 100 MB a second and keeps the last 50 MB. */
+  /** Allocates 100 MB per second and keeps the last 50 MB. */
   ALLOCATES("alloc"),
-  /** Keeps one core busy. */
+  /** Keeps one processor busy. */
   BURNS("burn");
 
   private static final int ARRAYS_KEPT = 1000;
   private static final int ARRAY_BYTES = 50_000;
-  private static final int ARRAYS_A_MILLI = 2;
-  private static final long NANOS_A_MILLI = 1_000_000;
+  private static final int ARRAYS_PER_MILLI = 2;
+  private static final long NANOS_PER_MILLI = 1_000_000;
 
   private final String label;
 
@@ -21,11 +21,12 @@ public enum BackgroundLoad {
     this.label = label;
   }
 
+  /** Returns the word for a table. */
   public String label() {
     return label;
   }
 
-  /** Starts it in a daemon thread of its own. */
+  /** Starts the load in a daemon thread of its own. */
   void start() {
     if (this != NONE) {
       Thread thread =
@@ -40,18 +41,18 @@ public enum BackgroundLoad {
     int next = 0;
     long due = System.nanoTime();
     while (true) {
-      for (int i = 0; i < ARRAYS_A_MILLI; i++) {
+      for (int i = 0; i < ARRAYS_PER_MILLI; i++) {
         kept[next] = new byte[ARRAY_BYTES];
         next = (next + 1) % ARRAYS_KEPT;
       }
-      due += NANOS_A_MILLI;
+      due += NANOS_PER_MILLI;
       LockSupport.parkNanos(due - System.nanoTime());
     }
   }
 
   private static void burn() {
     long value = 1;
-    while (value != 0) { // a generator of full period: zero comes in some centuries
+    while (value != 0) { // the generator has its full period, so that zero takes centuries
       value = value * 6364136223846793005L + 1442695040888963407L;
     }
   }

@@ -3,7 +3,7 @@ package org.palpate.benchmarks.jitter.experiment;
 import java.util.List;
 import java.util.Optional;
 
-/** Garbage collectors, and how each JDK is told to use them. */
+/** Garbage collectors, and the flags that choose them in each JDK. */
 public enum Collector {
   SERIAL("serial", "-XX:+UseSerialGC"),
   PARALLEL("parallel", "-XX:+UseParallelGC"),
@@ -25,12 +25,12 @@ public enum Collector {
     this.flag = flag;
   }
 
-  /** As a person types and reads it. */
+  /** Returns the word for the command line and for tables. */
   public String label() {
     return label;
   }
 
-  /** The flags for a JDK of this release; empty where such a release never has this collector. */
+  /** Returns the flags for a release; empty if no JDK of that release has this collector. */
   Optional<List<String>> flags(int release) {
     return switch (this) {
       case EPSILON -> Optional.of(List.of("-XX:+UnlockExperimentalVMOptions", flag));
@@ -56,7 +56,7 @@ public enum Collector {
         release < GENERATIONS_BY_DEFAULT ? List.of(flag, "-XX:+ZGenerational") : List.of(flag));
   }
 
-  /** The ZGC that a release has: with generations where it can. */
+  /** Returns the ZGC of a release: the generational one if there is one. */
   static Collector zgcOf(int release) {
     return release < FIRST_WITH_GENERATIONS ? ZGC : GENERATIONAL_ZGC;
   }

@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import org.palpate.benchmarks.jitter.trace.ExperimentFolder;
 import org.palpate.realtime.os.OperatingSystem;
 
-/** The control loop in C++, compiled from the source that the jar carries. */
+/** The same loop in C++ as a control: compiled from the source in the jar. */
 final class ControlProgram {
   private static final String SOURCE = "/org/palpate/realtime/control_loop.cpp";
   private static final int WARM_UP_FRAMES = 1000;
@@ -26,9 +26,9 @@ final class ControlProgram {
   }
 
   /**
-   * Compiles the program into the folder, unless it is there.
+   * Compiles the program into the folder unless it is there.
    *
-   * @throws IOException where this is no Linux, has no C++ compiler, or the compiler fails
+   * @throws IOException if this is not Linux, if there is no C++ compiler, or if it fails
    */
   static ControlProgram in(Path folder) throws IOException {
     Path program = folder.resolve("palpate-control");
@@ -78,17 +78,18 @@ final class ControlProgram {
     throw new IOException("no C++ compiler on the path");
   }
 
-  /** The command line of a control cell. */
-  List<String> command(Experiment cell, ExperimentFolder folder, int frames, long periodNanos) {
-    boolean fifo = cell.scheduling().isRealtime();
+  /** Returns the command line of a control experiment. */
+  List<String> command(
+      Experiment experiment, ExperimentFolder folder, int frames, long periodNanos) {
+    boolean fifo = experiment.scheduling().isRealtime();
     OptionalInt cpu = fifo ? OperatingSystem.preferredProcessor() : OptionalInt.empty();
     List<String> command = new ArrayList<>(List.of(program.toString()));
-    command.addAll(List.of("--wait", Experiment.lower(cell.waiting())));
+    command.addAll(List.of("--wait", Experiment.lower(experiment.waiting())));
     command.addAll(List.of("--frames", Integer.toString(frames)));
     command.addAll(List.of("--warm-up", Integer.toString(WARM_UP_FRAMES)));
     command.addAll(List.of("--period", Long.toString(periodNanos)));
     command.addAll(
-        List.of("--priority", Integer.toString(fifo ? OperatingSystem.USUAL_PRIORITY : 0)));
+        List.of("--priority", Integer.toString(fifo ? OperatingSystem.DEFAULT_PRIORITY : 0)));
     command.addAll(List.of("--cpu", Integer.toString(cpu.orElse(-1))));
     command.addAll(List.of("--lock", fifo ? "1" : "0"));
     command.addAll(List.of("--out", folder.samples().toString()));

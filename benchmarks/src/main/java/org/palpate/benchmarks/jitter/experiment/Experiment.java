@@ -5,19 +5,19 @@ import java.util.Objects;
 import org.palpate.realtime.WaitKind;
 
 /**
- * One measurement: what runs, how it waits and competes, in which JVM. A cell without a JDK is a
- * control cell: the same loop in C++.
+ * One measurement: the JVM, the wait and the scheduling of its loop, and the work. An experiment
+ * without a JDK is a control experiment, which runs the same loop in C++.
  *
- * @param jdk null for a control cell
- * @param collector of a JVM
- * @param waiting how the loop waits for its next frame
- * @param scheduling how its thread competes
- * @param workload what a frame does
- * @param neighbour what else the JVM does
- * @param jit how the JVM comes by machine code
- * @param heapMb least and most heap
- * @param seconds how long is measured, after the warm-up
- * @param repeat tells cells apart that are the same on purpose, from 0
+ * @param jdk the Java installation; null for a control experiment
+ * @param collector the garbage collector of the JVM
+ * @param waiting the loop's wait for its next frame
+ * @param scheduling the scheduling of its thread
+ * @param workload the work of a frame
+ * @param load the background load in the JVM
+ * @param jit the source of the JVM's machine code
+ * @param heapMb the initial and maximal heap
+ * @param seconds the measured time, after the warm-up
+ * @param repeat a number from 0 that distinguishes intended repetitions
  */
 public record Experiment(
     Jdk jdk,
@@ -25,12 +25,19 @@ public record Experiment(
     WaitKind waiting,
     Scheduling scheduling,
     Workload workload,
-    BackgroundLoad neighbour,
+    BackgroundLoad load,
     JitMode jit,
     int heapMb,
     int seconds,
     int repeat) {
 
+  /** The time between two deadlines. */
+  public static final long PERIOD_NANOS = 1_000_000;
+
+  /** The name of the measured thread. */
+  public static final String THREAD_NAME = "palpate-haptic";
+
+  /** Checks the duration. */
   public Experiment {
     Objects.requireNonNull(waiting);
     if (seconds < 1) {
@@ -38,7 +45,7 @@ public record Experiment(
     }
   }
 
-  /** The usual cell of a JDK, from which tables differ. */
+  /** Returns the default experiment of a JDK, from which the tables deviate. */
   static Experiment of(Jdk jdk, int heapMb, int seconds) {
     return new Experiment(
         jdk,
@@ -53,7 +60,7 @@ public record Experiment(
         0);
   }
 
-  /** A loop in C++. */
+  /** Returns a control experiment in C++. */
   static Experiment control(WaitKind waiting, Scheduling scheduling, int seconds, int repeat) {
     return new Experiment(
         null,
@@ -68,59 +75,42 @@ public record Experiment(
         repeat);
   }
 
+  /** Whether the loop runs in C++. */
   public boolean isControl() {
     return jdk == null;
   }
 
   Experiment with(Collector other) {
     return new Experiment(
-        jdk, other, waiting, scheduling, workload, neighbour, jit, heapMb, seconds, repeat);
+        jdk, other, waiting, scheduling, workload, load, jit, heapMb, seconds, repeat);
   }
 
   Experiment with(WaitKind other, Scheduling otherScheduling) {
     return new Experiment(
-        jdk, collector, other, otherScheduling, workload, neighbour, jit, heapMb, seconds, repeat);
+        jdk, collector, other, otherScheduling, workload, load, jit, heapMb, seconds, repeat);
   }
 
-  Experiment with(Workload other, BackgroundLoad otherNeighbour) {
+  Experiment with(Workload other, BackgroundLoad otherLoad) {
     return new Experiment(
-        jdk, collector, waiting, scheduling, other, otherNeighbour, jit, heapMb, seconds, repeat);
+        jdk, collector, waiting, scheduling, other, otherLoad, jit, heapMb, seconds, repeat);
   }
 
   Experiment with(JitMode other) {
     return new Experiment(
-        jdk, collector, waiting, scheduling, workload, neighbour, other, heapMb, seconds, repeat);
+        jdk, collector, waiting, scheduling, workload, load, other, heapMb, seconds, repeat);
   }
 
   Experiment withHeap(int otherHeapMb) {
     return new Experiment(
-        jdk,
-        collector,
-        waiting,
-        scheduling,
-        workload,
-        neighbour,
-        jit,
-        otherHeapMb,
-        seconds,
-        repeat);
+        jdk, collector, waiting, scheduling, workload, load, jit, otherHeapMb, seconds, repeat);
   }
 
-  Experiment lasting(int otherSeconds) {
+  Experiment withSeconds(int otherSeconds) {
     return new Experiment(
-        jdk,
-        collector,
-        waiting,
-        scheduling,
-        workload,
-        neighbour,
-        jit,
-        heapMb,
-        otherSeconds,
-        repeat);
+        jdk, collector, waiting, scheduling, workload, load, jit, heapMb, otherSeconds, repeat);
   }
 
-  /** A name that says all, fit for a folder. */
+  /** Returns a name that contains every setting and is valid as a folder name. */
   public String key() {
     String how = lower(waiting) + "-" + scheduling.label();
     String again = repeat == 0 ? "" : "-" + repeat;
@@ -133,18 +123,19 @@ public record Experiment(
             collector.label(),
             how,
             workload.label(),
-            neighbour.label(),
+            load.label(),
             jit.label(),
             heapMb + "m",
             seconds + "s")
         + again;
   }
 
-  /** Who runs it, as a table names it. */
+  /** Returns the name of the runtime for a table. */
   String runtime() {
     return isControl() ? "C++" : jdk.label() + " " + collector.label();
   }
 
+  /** Returns the name of a constant in lower case. */
   public static String lower(Enum<?> value) {
     return value.name().toLowerCase(Locale.ROOT);
   }

@@ -2,9 +2,9 @@ package org.palpate.benchmarks.jitter.experiment;
 
 import org.palpate.io.volume.VolumeFormatException;
 
-/** What a cell runs once a period. Belongs to the measured thread, but for {@link #close}. */
+/** The work of one period. Belongs to the measured thread, except for {@link #close}. */
 interface ExperimentFrame extends Runnable, AutoCloseable {
-  /** Makes the frame of a workload; the thread that calls does all that takes long. */
+  /** Creates the frame of a workload; takes long, because it reads or makes the scene. */
   static ExperimentFrame of(ExperimentTask task) throws VolumeFormatException {
     return switch (task.workload()) {
       case EMPTY -> () -> {};

@@ -12,27 +12,25 @@ import org.palpate.realtime.os.OperatingSystem;
 import org.palpate.realtime.os.RealtimeRequest;
 import org.palpate.realtime.os.RequestOutcome;
 import org.palpate.realtime.os.SchedulingClass;
-import org.palpate.realtime.os.ThreadCounters;
 
 /**
- * The loop that is measured: sets its thread up, warms its frame up, then runs it on a fixed grid
- * of deadlines. The waits are those of a session; the rule for deadlines that were missed is that
- * of the haptic loop: the next is the first at least half a period away.
+ * The measured loop. It sets its thread up, warms its frame up, and then runs one frame for each
+ * absolute deadline of a fixed grid. It uses the waits of a session and the deadline rule of the
+ * haptic loop: the next deadline is the first one that is at least half a period away.
  *
- * <p>Runs in the thread that is measured; allocates nothing between its first and its last frame.
+ * <p>Runs in the measured thread; allocates nothing between its first and its last frame.
  */
 public final class ExperimentLoop implements Runnable {
-  public static final String THREAD_NAME = "palpate-haptic";
 
   private static final long WARM_UP_NANOS = 2_500_000_000L;
-  private static final int WARM_UP_LEAST_FRAMES = 10_000;
+  private static final int WARM_UP_MIN_FRAMES = 10_000;
   private static final long WARM_UP_WAIT_NANOS = 1_000;
   private static final int PACED_WARM_UP_FRAMES = 300;
 
   private final ExperimentTask task;
   private final Runnable frame;
   private final Samples samples;
-  private final Properties answers = new Properties();
+  private final Properties outcome = new Properties();
   private Throwable failure;
 
   ExperimentLoop(ExperimentTask task, Runnable frame) {
@@ -50,22 +48,23 @@ public final class ExperimentLoop implements Runnable {
     }
   }
 
-  /** What ended the loop before its time; null where nothing did. */
+  /** Returns the throwable that ended the loop early; null if there was none. */
   Throwable failure() {
     return failure;
   }
 
+  /** Returns the samples of all frames. */
   Samples samples() {
     return samples;
   }
 
-  /** What the system granted, how the warm-up went, what the thread allocated. */
-  Properties answers() {
-    return answers;
+  /** Returns the system's answers, the course of the warm-up and the bytes allocated. */
+  Properties outcome() {
+    return outcome;
   }
 
   private void measure() {
-    recordOutcomes(OperatingSystem.apply(wish()));
+    recordRequests(OperatingSystem.apply(request()));
     try (DeadlineWait wait = task.waiting().create();
         ThreadCounters counters = new ThreadCounters()) {
       recordWarmUp(warmUp(wait, counters));
@@ -73,73 +72,74 @@ public final class ExperimentLoop implements Runnable {
       long before = allocatedBytes();
       pace(wait, counters, samples);
       long after = allocatedBytes();
-      answers.setProperty("allocated_bytes", Long.toString(Math.max(0, after - before)));
+      outcome.setProperty("allocated_bytes", Long.toString(Math.max(0, after - before)));
       recordWait(wait);
     }
   }
 
   private SteadyWarmUp.Result warmUp(DeadlineWait wait, ThreadCounters counters) {
-    Runnable rehearsed = () -> rehearse(wait, counters);
-    return new SteadyWarmUp().run(rehearsed, WARM_UP_LEAST_FRAMES, WARM_UP_NANOS);
+    Runnable rehearsal = () -> rehearse(wait, counters);
+    return new SteadyWarmUp().run(rehearsal, WARM_UP_MIN_FRAMES, WARM_UP_NANOS);
   }
 
-  /** All of a paced frame but the sleep. */
+  /** Runs a paced frame without its sleep. */
   private void rehearse(DeadlineWait wait, ThreadCounters counters) {
     wait.awaitUntil(System.nanoTime() + WARM_UP_WAIT_NANOS);
     frame.run();
     counters.read();
   }
 
-  private RealtimeRequest wish() {
+  private RealtimeRequest request() {
     if (!task.scheduling().isRealtime()) {
       return RealtimeRequest.none();
     }
-    boolean raiseVm = task.scheduling() == Scheduling.FIFO_WITH_VM;
-    return new RealtimeRequest(SchedulingClass.FIFO, true, true, raiseVm, task.waiting().sleeps());
+    boolean raiseVmThreads = task.scheduling() == Scheduling.FIFO_WITH_VM;
+    return new RealtimeRequest(
+        SchedulingClass.FIFO, true, true, raiseVmThreads, task.waiting().sleeps());
   }
 
-  private void pace(DeadlineWait wait, ThreadCounters counters, Samples noted) {
+  private void pace(DeadlineWait wait, ThreadCounters counters, Samples dest) {
     long due = System.nanoTime() + task.periodNanos();
-    while (!noted.isFull()) {
+    while (!dest.isFull()) {
       wait.awaitUntil(due);
       long start = System.nanoTime();
       frame.run();
       long end = System.nanoTime();
       counters.read();
-      noted.note(
+      dest.add(
           due, start, end, counters.delayedNanos(), counters.preempted(), counters.majorFaults());
       due = nextDue(due, start, task.periodNanos());
     }
   }
 
-  /** The first deadline of the grid that is at least half a period after {@code began}. */
+  /** Returns the first deadline of the grid that is at least half a period after {@code began}. */
   static long nextDue(long due, long began, long periodNanos) {
     long late = began - due;
     long missed = late > periodNanos / 2 ? (late + periodNanos / 2) / periodNanos : 0;
     return due + (missed + 1) * periodNanos;
   }
 
-  private void recordOutcomes(List<RequestOutcome> grants) {
-    for (RequestOutcome grant : grants) {
-      answers.setProperty("grant." + grant.wish(), grant.word() + " " + grant.detail());
+  private void recordRequests(List<RequestOutcome> outcomes) {
+    for (RequestOutcome answer : outcomes) {
+      outcome.setProperty("grant." + answer.request(), answer.word() + " " + answer.detail());
     }
   }
 
   private void recordWarmUp(SteadyWarmUp.Result result) {
     long started = ManagementFactory.getRuntimeMXBean().getStartTime();
-    answers.setProperty("warm_up.steady", Boolean.toString(result.steady()));
-    answers.setProperty("warm_up.frames", Long.toString(result.frames()));
-    answers.setProperty("warm_up.nanos", Long.toString(result.nanos()));
-    answers.setProperty("warm_up.median_nanos", Long.toString(result.medianNanos()));
-    answers.setProperty(
+    outcome.setProperty("warm_up.steady", Boolean.toString(result.steady()));
+    outcome.setProperty("warm_up.frames", Long.toString(result.frames()));
+    outcome.setProperty("warm_up.nanos", Long.toString(result.nanos()));
+    outcome.setProperty("warm_up.median_nanos", Long.toString(result.medianNanos()));
+    outcome.setProperty(
         "start_to_steady_millis", Long.toString(System.currentTimeMillis() - started));
   }
 
   private void recordWait(DeadlineWait wait) {
     if (wait instanceof HybridWait hybrid) {
-      answers.setProperty("spin_window_nanos", Long.toString(hybrid.windowNanos()));
-      answers.setProperty("longest_spin_gap_nanos", Long.toString(hybrid.longestGapNanos()));
-      answers.setProperty("throttled", Long.toString(hybrid.throttled()));
+      outcome.setProperty("spin_window_nanos", Long.toString(hybrid.windowNanos()));
+      outcome.setProperty("longest_spin_gap_nanos", Long.toString(hybrid.longestGapNanos()));
+      outcome.setProperty("throttled", Long.toString(hybrid.throttled()));
     }
   }
 

@@ -9,24 +9,22 @@ import org.palpate.benchmarks.jitter.trace.ClockPair;
 import org.palpate.benchmarks.jitter.trace.ExperimentFolder;
 import org.palpate.benchmarks.jitter.trace.FlightRecording;
 
-/** Where the JVM of a cell starts. The one argument is the cell's folder. */
+/** The main class of an experiment's JVM. Its one argument is the folder of the experiment. */
 public final class ExperimentMain {
-  private static final int TRAINING_FRAMES = 1000;
-
   private ExperimentMain() {}
 
-  /** Runs the cell and leaves its files; a throwable ends the process with exit code 1. */
+  /** Runs the experiment and writes its files; a throwable ends the process with exit code 1. */
   public static void main(String[] arguments) throws Exception {
     ExperimentFolder folder = new ExperimentFolder(Path.of(arguments[0]));
-    ExperimentTask task = ExperimentTask.of(ExperimentFolder.read(folder.cell()));
+    ExperimentTask task = ExperimentTask.of(ExperimentFolder.read(folder.task()));
     try (ExperimentFrame frame = ExperimentFrame.of(task)) {
       if (task.training()) {
-        run(task, frame, TRAINING_FRAMES);
+        run(task, frame);
       } else {
         measure(folder, task, frame);
       }
     }
-    System.exit(0); // a window's threads would keep the JVM
+    System.exit(0); // the threads of a window would keep the JVM alive
   }
 
   private static void measure(ExperimentFolder folder, ExperimentTask task, ExperimentFrame frame)
@@ -35,37 +33,37 @@ public final class ExperimentMain {
     try (Recording recording = new Recording()) {
       FlightRecording.enable(recording);
       recording.start();
-      ClockPair.note();
-      loop = run(task, frame, task.frames());
-      ClockPair.note();
+      ClockPair.emit();
+      loop = run(task, frame);
+      ClockPair.emit();
       recording.stop();
       recording.dump(folder.recording());
     }
     loop.samples().write(folder.samples());
-    Properties answers = loop.answers();
-    recordCollections(answers);
-    folder.writeOutcome(answers);
+    Properties outcome = loop.outcome();
+    recordCollections(outcome);
+    folder.writeOutcome(outcome);
   }
 
-  private static ExperimentLoop run(ExperimentTask task, ExperimentFrame frame, int frames)
-      throws Exception {
-    task.neighbour().start();
-    ExperimentLoop loop = new ExperimentLoop(task.withFrames(frames), frame);
-    Thread thread = new Thread(loop, ExperimentLoop.THREAD_NAME);
+  private static ExperimentLoop run(ExperimentTask task, ExperimentFrame frame)
+      throws InterruptedException {
+    task.load().start();
+    ExperimentLoop loop = new ExperimentLoop(task, frame);
+    Thread thread = new Thread(loop, Experiment.THREAD_NAME);
     thread.start();
     thread.join();
     if (loop.failure() != null) {
-      throw new IllegalStateException("the loop ended before its time", loop.failure());
+      throw new IllegalStateException("the loop ended early", loop.failure());
     }
     return loop;
   }
 
-  /** All that the collectors of this JVM did, from its start. */
-  private static void recordCollections(Properties answers) {
+  /** Records the number of collections since the start of this JVM. */
+  private static void recordCollections(Properties outcome) {
     long collections = 0;
     for (GarbageCollectorMXBean collector : ManagementFactory.getGarbageCollectorMXBeans()) {
       collections += Math.max(0, collector.getCollectionCount());
     }
-    answers.setProperty("collections", Long.toString(collections));
+    outcome.setProperty("collections", Long.toString(collections));
   }
 }

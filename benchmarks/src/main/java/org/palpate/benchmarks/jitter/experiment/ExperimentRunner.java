@@ -14,11 +14,10 @@ import org.palpate.benchmarks.jitter.trace.ExperimentFolder;
 import org.palpate.benchmarks.jitter.trace.MachineSampler;
 import org.palpate.scene.window.GraphicsDriver;
 
-/** Runs cells, each in a fresh process, one after the other. Belongs to one thread. */
+/** Runs experiments one after the other, each in a fresh process. Belongs to one thread. */
 public final class ExperimentRunner {
-  public static final long PERIOD_NANOS = 1_000_000;
 
-  private static final long NANOS_A_SECOND = 1_000_000_000L;
+  private static final long NANOS_PER_SECOND = 1_000_000_000L;
   private static final int SECONDS_TO_SPARE = 60;
   private static final int PROBE_SECONDS = 30;
   private static final int TRAINING_FRAMES = 1000;
@@ -29,44 +28,47 @@ public final class ExperimentRunner {
   private final Map<List<String>, Boolean> probed = new HashMap<>();
 
   /**
-   * @param root where every cell has its folder
-   * @param scene what is touched; see {@link ExperimentScene}
+   * Creates a runner.
+   *
+   * @param root the folder that contains the folders of all experiments
+   * @param scene the touched scene; see {@link ExperimentScene}
    */
   public ExperimentRunner(Path root, String scene) {
     this.root = root;
     this.scene = scene;
   }
 
-  public ExperimentFolder folder(Experiment cell) {
-    return new ExperimentFolder(root.resolve("cells").resolve(cell.key()));
+  /** Returns the folder of an experiment. */
+  public ExperimentFolder folder(Experiment experiment) {
+    return new ExperimentFolder(root.resolve("cells").resolve(experiment.key()));
   }
 
-  /** Whether the cell ran to its end, with the same task. */
-  public boolean isWhole(Experiment cell) throws IOException {
-    ExperimentFolder folder = folder(cell);
-    return folder.isWhole()
-        && (cell.isControl()
-            || ExperimentFolder.read(folder.cell())
-                .equals(task(cell, frames(cell), false).toProperties()));
+  /** Whether the experiment ran to its end with the same task. */
+  public boolean isComplete(Experiment experiment) throws IOException {
+    ExperimentFolder folder = folder(experiment);
+    return folder.isComplete()
+        && (experiment.isControl()
+            || ExperimentFolder.read(folder.task())
+                .equals(task(experiment, frames(experiment), false).toProperties()));
   }
 
   /**
-   * Runs the cell, unless it is whole already.
+   * Runs the experiment unless it is complete.
    *
-   * @return empty where it is whole now, else why it cannot be run here
-   * @throws IOException where it was run and failed
+   * @return empty if it is complete now, otherwise the reason why it cannot run here
+   * @throws IOException if it ran and failed
    */
-  public Optional<String> run(Experiment cell) throws IOException, InterruptedException {
-    if (isWhole(cell)) {
+  public Optional<String> run(Experiment experiment) throws IOException, InterruptedException {
+    if (isComplete(experiment)) {
       return Optional.empty();
     }
-    ExperimentFolder folder = folder(cell);
-    folder.forget();
+    ExperimentFolder folder = folder(experiment);
+    folder.invalidate();
     Files.createDirectories(folder.path());
-    return cell.isControl() ? runControl(cell, folder) : runJvm(cell, folder);
+    return experiment.isControl() ? runControl(experiment, folder) : runJvm(experiment, folder);
   }
 
-  private Optional<String> runControl(Experiment cell, ExperimentFolder folder)
+  private Optional<String> runControl(Experiment experiment, ExperimentFolder folder)
       throws IOException, InterruptedException {
     ControlProgram control;
     try {
@@ -74,65 +76,67 @@ public final class ExperimentRunner {
     } catch (IOException e) {
       return Optional.of(e.getMessage());
     }
-    int frames = frames(cell);
-    watched(control.command(cell, folder, frames, PERIOD_NANOS), cell, folder);
-    folder.writeOutcome(answersOf(Files.readAllLines(folder.output())));
+    int frames = frames(experiment);
+    watched(
+        control.command(experiment, folder, frames, Experiment.PERIOD_NANOS), experiment, folder);
+    folder.writeOutcome(outcomeOf(Files.readAllLines(folder.output())));
     return Optional.empty();
   }
 
-  /** Lines as {@code class granted fifo 40} and {@code spin_window_nanos 20000}. */
-  static Properties answersOf(List<String> lines) {
-    Properties answers = new Properties();
+  /** Parses lines such as {@code class granted fifo 40} and {@code spin_window_nanos 20000}. */
+  static Properties outcomeOf(List<String> lines) {
+    Properties outcome = new Properties();
     for (String line : lines) {
       String[] words = line.split(" ", 2);
-      boolean isGrant = words.length == 2 && words[1].matches("(granted|refused).*");
+      boolean isRequest = words.length == 2 && words[1].matches("(granted|refused).*");
       if (words.length == 2) {
-        answers.setProperty(isGrant ? "grant." + words[0] : words[0], words[1]);
+        outcome.setProperty(isRequest ? "grant." + words[0] : words[0], words[1]);
       }
     }
-    return answers;
+    return outcome;
   }
 
-  private Optional<String> runJvm(Experiment cell, ExperimentFolder folder)
+  private Optional<String> runJvm(Experiment experiment, ExperimentFolder folder)
       throws IOException, InterruptedException {
-    if (!takesFlags(cell)) {
-      return Optional.of(cell.jdk().label() + " does not take the flags of this cell");
+    if (!takesFlags(experiment)) {
+      return Optional.of(experiment.jdk().label() + " does not take this experiment's flags");
     }
-    if (cell.jit().needsTraining()) {
-      ExperimentFolder.write(folder.cell(), task(cell, TRAINING_FRAMES, true).toProperties());
-      finish(jvm.training(cell, folder), folder, cell.seconds() + SECONDS_TO_SPARE);
+    if (experiment.jit().needsTraining()) {
+      ExperimentFolder.write(folder.task(), task(experiment, TRAINING_FRAMES, true).toProperties());
+      finish(jvm.training(experiment, folder), folder, experiment.seconds() + SECONDS_TO_SPARE);
     }
-    ExperimentFolder.write(folder.cell(), task(cell, frames(cell), false).toProperties());
+    ExperimentFolder.write(
+        folder.task(), task(experiment, frames(experiment), false).toProperties());
     List<String> command = new ArrayList<>();
-    if (cell.workload() == Workload.FRAME_AND_VIEW && !GraphicsDriver.hasDisplay()) {
+    if (experiment.workload() == Workload.FRAME_AND_VIEW && !GraphicsDriver.hasDisplay()) {
       if (!Programs.has("xvfb-run")) {
-        return Optional.of("no display, and no xvfb-run to make one");
+        return Optional.of("no display and no xvfb-run");
       }
       command.addAll(List.of("xvfb-run", "-a"));
     }
-    command.addAll(jvm.measuring(cell, folder));
-    watched(command, cell, folder);
+    command.addAll(jvm.measuring(experiment, folder));
+    watched(command, experiment, folder);
     return Optional.empty();
   }
 
-  private ExperimentTask task(Experiment cell, int frames, boolean training) {
+  private ExperimentTask task(Experiment experiment, int frames, boolean training) {
     return new ExperimentTask(
-        cell.waiting(),
-        cell.scheduling(),
-        cell.workload(),
-        cell.neighbour(),
+        experiment.waiting(),
+        experiment.scheduling(),
+        experiment.workload(),
+        experiment.load(),
         frames,
-        PERIOD_NANOS,
+        Experiment.PERIOD_NANOS,
         scene,
         training);
   }
 
-  private static int frames(Experiment cell) {
-    return Math.toIntExact(cell.seconds() * NANOS_A_SECOND / PERIOD_NANOS);
+  private static int frames(Experiment experiment) {
+    return Math.toIntExact(experiment.seconds() * NANOS_PER_SECOND / Experiment.PERIOD_NANOS);
   }
 
-  private boolean takesFlags(Experiment cell) throws IOException, InterruptedException {
-    List<String> probe = jvm.probe(cell);
+  private boolean takesFlags(Experiment experiment) throws IOException, InterruptedException {
+    List<String> probe = jvm.probe(experiment);
     Boolean known = probed.get(probe);
     if (known == null) {
       Process process =
@@ -147,10 +151,10 @@ public final class ExperimentRunner {
     return known;
   }
 
-  private void watched(List<String> command, Experiment cell, ExperimentFolder folder)
+  private void watched(List<String> command, Experiment experiment, ExperimentFolder folder)
       throws IOException, InterruptedException {
     try (MachineSampler watch = new MachineSampler()) {
-      finish(command, folder, cell.seconds() + SECONDS_TO_SPARE);
+      finish(command, folder, experiment.seconds() + SECONDS_TO_SPARE);
       watch.write(folder.machine());
     }
   }

@@ -16,14 +16,14 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * What is touched, as text that goes from the command to the process of a cell: a line a word,
- * {@code phantom head:256}, or {@code volume FILE}, {@code raw LAYOUT} and a {@code segment
- * NAME=SPEC} each.
+ * The touched scene as text, which the command passes to the process of an experiment. Each line is
+ * a word and a value: {@code phantom head:256}, or {@code volume FILE}, {@code raw LAYOUT} and any
+ * number of {@code segment NAME=SPEC}.
  */
 public final class ExperimentScene {
   private ExperimentScene() {}
 
-  /** The command line's options as text. */
+  /** Converts the options of the command line to text. */
   public static String textOf(VolumeOptions options) {
     if (options.volume().isEmpty()) {
       return "phantom " + options.phantom();
@@ -42,9 +42,10 @@ public final class ExperimentScene {
   }
 
   /**
-   * Looks at the header and the segments, so that a mistake is told before any cell runs.
+   * Checks the header of the file and the segments, so that a mistake shows before any experiment
+   * runs.
    *
-   * @throws VolumeFormatException where the file or a segment is not understood
+   * @throws VolumeFormatException if the file or a segment is not understood
    */
   public static void check(String text) throws VolumeFormatException {
     Parsed parsed = parse(text);
@@ -56,7 +57,7 @@ public final class ExperimentScene {
   /**
    * Makes or reads the volume.
    *
-   * @throws VolumeFormatException where the file is not understood
+   * @throws VolumeFormatException if the file is not understood
    */
   static SegmentedVolume read(String text) throws VolumeFormatException {
     Parsed parsed = parse(text);

@@ -3,14 +3,16 @@ package org.palpate.benchmarks.jitter.experiment;
 import java.util.List;
 
 /**
- * Cells that answer one question together. A cell may stand in several tables and runs once.
+ * Experiments that answer one question together. An experiment may be in several tables; it runs
+ * once.
  *
- * @param name one word, as the command line has it
- * @param question what the table tells
- * @param cells in the order of the table
+ * @param name one word, as on the command line
+ * @param question the question that the table answers
+ * @param experiments the experiments, in the order of the table
  */
-public record ExperimentTable(String name, String question, List<Experiment> cells) {
+public record ExperimentTable(String name, String question, List<Experiment> experiments) {
+  /** Copies the list. */
   public ExperimentTable {
-    cells = List.copyOf(cells);
+    experiments = List.copyOf(experiments);
   }
 }

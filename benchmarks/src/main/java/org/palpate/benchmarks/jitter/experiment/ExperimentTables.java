@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.function.Function;
 import org.palpate.realtime.WaitKind;
 
-/** The tables that the command knows, for the JDKs that there are. */
+/** Makes the tables of the command for the JDKs of this machine. */
 public final class ExperimentTables {
-  /** Names of all tables, in their order. */
+  /** The names of all tables, in their order. */
   public static final List<String> NAMES =
       List.of(
           "machine",
@@ -19,16 +19,18 @@ public final class ExperimentTables {
           "compilers",
           "heaps");
 
-  private static final int TIMES_LONGER = 6;
+  private static final int LONG_FACTOR = 6;
 
   private final List<Jdk> jdks;
   private final int heapMb;
   private final int seconds;
 
   /**
-   * @param jdks by release
-   * @param heapMb of every cell that does not ask for another
-   * @param seconds how long a cell is measured
+   * Creates the tables.
+   *
+   * @param jdks the Java installations, by release
+   * @param heapMb the heap of every experiment that does not need another
+   * @param seconds the measured time of an experiment
    */
   public ExperimentTables(List<Jdk> jdks, int heapMb, int seconds) {
     this.jdks = jdks;
@@ -36,7 +38,7 @@ public final class ExperimentTables {
     this.seconds = seconds;
   }
 
-  /** All tables: some eighty cells for two JDKs. */
+  /** Returns all tables: about eighty experiments for two JDKs. */
   public List<ExperimentTable> all() {
     return List.of(
         machine(),
@@ -49,18 +51,18 @@ public final class ExperimentTables {
         heaps());
   }
 
-  /** A dozen cells that show what matters. */
+  /** Returns a dozen experiments that show the main effects. */
   public List<ExperimentTable> quick() {
     List<Experiment> control =
         List.of(
             Experiment.control(WaitKind.ABSOLUTE, Scheduling.NORMAL, seconds, 0),
             Experiment.control(WaitKind.HYBRID, Scheduling.FIFO, seconds, 0));
     ExperimentTable first =
-        new ExperimentTable("machine", "What is this machine's own share?", control);
+        new ExperimentTable("machine", "How much of the delay is this machine's own?", control);
     ExperimentTable second =
         forEachJdk(
             "cures",
-            "From the simplest application to the recommended session: what cures what?",
+            "From the simplest application to the recommended session: what removes which delay?",
             jdk -> {
               Experiment simplest =
                   Experiment.of(jdk, heapMb, seconds).with(WaitKind.SLEEP, Scheduling.NORMAL);
@@ -69,13 +71,17 @@ public final class ExperimentTables {
                       .with(Workload.EMPTY, BackgroundLoad.ALLOCATES);
               Experiment fifo = busy.with(WaitKind.HYBRID, Scheduling.FIFO);
               return List.of(
-                  simplest, busy, fifo, fifo.with(Collector.zgcOf(jdk.release())), best(jdk));
+                  simplest,
+                  busy,
+                  fifo,
+                  fifo.with(Collector.zgcOf(jdk.release())),
+                  recommendedExperiment(jdk));
             });
     return List.of(first, second);
   }
 
-  /** The recommended cell: hybrid, FIFO, ZGC, the haptic frame, an allocating neighbour. */
-  private Experiment best(Jdk jdk) {
+  /** Returns the recommended session: hybrid, FIFO, ZGC, the haptic frame, an allocating load. */
+  private Experiment recommendedExperiment(Jdk jdk) {
     return Experiment.of(jdk, heapMb, seconds)
         .with(Collector.zgcOf(jdk.release()))
         .with(WaitKind.HYBRID, Scheduling.FIFO_WITH_VM)
@@ -83,82 +89,86 @@ public final class ExperimentTables {
   }
 
   private ExperimentTable machine() {
-    List<Experiment> cells = new ArrayList<>();
+    List<Experiment> experiments = new ArrayList<>();
     for (WaitKind wait :
         List.of(WaitKind.SLEEP, WaitKind.ABSOLUTE, WaitKind.HYBRID, WaitKind.SPIN)) {
       for (Scheduling scheduling : List.of(Scheduling.NORMAL, Scheduling.FIFO)) {
-        cells.add(Experiment.control(wait, scheduling, seconds, 0));
+        experiments.add(Experiment.control(wait, scheduling, seconds, 0));
       }
     }
-    cells.add(Experiment.control(WaitKind.HYBRID, Scheduling.FIFO, seconds, 1));
-    return new ExperimentTable("machine", "How late is this machine without a JVM (C++)?", cells);
+    experiments.add(Experiment.control(WaitKind.HYBRID, Scheduling.FIFO, seconds, 1));
+    return new ExperimentTable(
+        "machine", "How late is this machine without a JVM (C++)?", experiments);
   }
 
   private ExperimentTable simplest() {
     return forEachJdk(
         "simplest",
-        "The paper: delays of a few to tens of milliseconds even with the simplest Java"
-            + " application. Is that so?",
+        "The paper reports delays of a few to tens of milliseconds even with the simplest Java"
+            + " application. Does it reproduce?",
         jdk -> {
-          List<Experiment> cells = new ArrayList<>();
+          List<Experiment> experiments = new ArrayList<>();
           for (Collector collector :
               List.of(Collector.SERIAL, Collector.G1, Collector.zgcOf(jdk.release()))) {
-            for (BackgroundLoad neighbour : BackgroundLoad.values()) {
-              cells.add(
+            for (BackgroundLoad load : BackgroundLoad.values()) {
+              experiments.add(
                   Experiment.of(jdk, heapMb, seconds)
                       .with(collector)
                       .with(WaitKind.SLEEP, Scheduling.NORMAL)
-                      .with(Workload.EMPTY, neighbour));
+                      .with(Workload.EMPTY, load));
             }
           }
-          return cells;
+          return experiments;
         });
   }
 
   private ExperimentTable waits() {
     return forEachJdk(
         "waits",
-        "Which wait and which scheduling, beside a neighbour that allocates?",
+        "Which wait and which scheduling, beside a load that allocates?",
         jdk -> {
-          List<Experiment> cells = new ArrayList<>();
+          List<Experiment> experiments = new ArrayList<>();
           for (WaitKind wait : WaitKind.values()) {
             for (Scheduling scheduling : List.of(Scheduling.NORMAL, Scheduling.FIFO)) {
-              cells.add(
-                  best(jdk).with(wait, scheduling).with(Workload.EMPTY, BackgroundLoad.ALLOCATES));
+              experiments.add(
+                  recommendedExperiment(jdk)
+                      .with(wait, scheduling)
+                      .with(Workload.EMPTY, BackgroundLoad.ALLOCATES));
             }
           }
-          cells.add(best(jdk).with(Workload.EMPTY, BackgroundLoad.ALLOCATES));
-          return cells;
+          experiments.add(
+              recommendedExperiment(jdk).with(Workload.EMPTY, BackgroundLoad.ALLOCATES));
+          return experiments;
         });
   }
 
   private ExperimentTable collectors() {
     return forEachJdk(
         "collectors",
-        "Which collector, beside a neighbour that allocates?",
+        "Which collector, beside a load that allocates?",
         jdk -> {
-          List<Experiment> cells = new ArrayList<>();
+          List<Experiment> experiments = new ArrayList<>();
           for (Collector collector : Collector.values()) {
             if (collector.flags(jdk.release()).isPresent()) {
-              cells.add(best(jdk).with(collector));
+              experiments.add(recommendedExperiment(jdk).with(collector));
             }
           }
-          return cells;
+          return experiments;
         });
   }
 
   private ExperimentTable workloads() {
     return forEachJdk(
         "workloads",
-        "What do the haptic frame, the view and a neighbour cost?",
+        "What do the haptic frame, the view and a background load cost?",
         jdk -> {
-          List<Experiment> cells = new ArrayList<>();
+          List<Experiment> experiments = new ArrayList<>();
           for (Workload workload : Workload.values()) {
-            for (BackgroundLoad neighbour : BackgroundLoad.values()) {
-              cells.add(best(jdk).with(workload, neighbour));
+            for (BackgroundLoad load : BackgroundLoad.values()) {
+              experiments.add(recommendedExperiment(jdk).with(workload, load));
             }
           }
-          return cells;
+          return experiments;
         });
   }
 
@@ -167,13 +177,13 @@ public final class ExperimentTables {
         "compilers",
         "Does another compiler, or an archive of an earlier run, help?",
         jdk -> {
-          List<Experiment> cells = new ArrayList<>();
+          List<Experiment> experiments = new ArrayList<>();
           for (JitMode jit : JitMode.values()) {
             if (jit != JitMode.AOT || jdk.release() >= JitMode.FIRST_WITH_AOT) {
-              cells.add(best(jdk).with(jit));
+              experiments.add(recommendedExperiment(jdk).with(jit));
             }
           }
-          return cells;
+          return experiments;
         });
   }
 
@@ -181,20 +191,27 @@ public final class ExperimentTables {
     return forEachJdk(
         "heaps",
         "Does the size of the heap matter?",
-        jdk -> List.of(best(jdk).withHeap(256), best(jdk), best(jdk).withHeap(4 * heapMb)));
+        jdk ->
+            List.of(
+                recommendedExperiment(jdk).withHeap(256),
+                recommendedExperiment(jdk),
+                recommendedExperiment(jdk).withHeap(4 * heapMb)));
   }
 
   private ExperimentTable recommended() {
-    List<Experiment> cells = new ArrayList<>();
-    cells.add(Experiment.control(WaitKind.HYBRID, Scheduling.FIFO, TIMES_LONGER * seconds, 0));
-    jdks.forEach(jdk -> cells.add(best(jdk).lasting(TIMES_LONGER * seconds)));
+    List<Experiment> experiments = new ArrayList<>();
+    experiments.add(Experiment.control(WaitKind.HYBRID, Scheduling.FIFO, LONG_FACTOR * seconds, 0));
+    jdks.forEach(
+        jdk -> experiments.add(recommendedExperiment(jdk).withSeconds(LONG_FACTOR * seconds)));
     return new ExperimentTable(
-        "recommended", "The recommended session against the same loop in C++, for longer.", cells);
+        "recommended",
+        "The recommended session against the same loop in C++, for longer.",
+        experiments);
   }
 
   private ExperimentTable forEachJdk(
-      String name, String question, Function<Jdk, List<Experiment>> cells) {
+      String name, String question, Function<Jdk, List<Experiment>> experiments) {
     return new ExperimentTable(
-        name, question, jdks.stream().flatMap(jdk -> cells.apply(jdk).stream()).toList());
+        name, question, jdks.stream().flatMap(jdk -> experiments.apply(jdk).stream()).toList());
   }
 }

@@ -4,33 +4,34 @@ import java.util.Properties;
 import org.palpate.realtime.WaitKind;
 
 /**
- * What the process of a cell needs to know of it.
+ * The part of an experiment that its process needs, saved as properties.
  *
- * @param waiting how the loop waits
- * @param scheduling how its thread competes
- * @param workload what a frame does
- * @param neighbour what else the JVM does
- * @param frames how many are measured
- * @param periodNanos how far frames lie apart
- * @param scene what is touched; see {@link ExperimentScene}
- * @param training whether the run is for an archive of classes alone
+ * @param waiting the loop's wait for its next frame
+ * @param scheduling the scheduling of its thread
+ * @param workload the work of a frame
+ * @param load the background load in the JVM
+ * @param frames the number of measured frames
+ * @param periodNanos the time between two deadlines
+ * @param scene the touched scene; see {@link ExperimentScene}
+ * @param training whether the run only makes an archive of classes
  */
 record ExperimentTask(
     WaitKind waiting,
     Scheduling scheduling,
     Workload workload,
-    BackgroundLoad neighbour,
+    BackgroundLoad load,
     int frames,
     long periodNanos,
     String scene,
     boolean training) {
 
+  /** Returns the task as properties. */
   Properties toProperties() {
     Properties values = new Properties();
     values.setProperty("wait", waiting.name());
     values.setProperty("scheduling", scheduling.name());
     values.setProperty("workload", workload.name());
-    values.setProperty("neighbour", neighbour.name());
+    values.setProperty("neighbour", load.name());
     values.setProperty("frames", Integer.toString(frames));
     values.setProperty("period_nanos", Long.toString(periodNanos));
     values.setProperty("scene", scene);
@@ -38,6 +39,7 @@ record ExperimentTask(
     return values;
   }
 
+  /** Parses the properties of a task. */
   static ExperimentTask of(Properties values) {
     return new ExperimentTask(
         WaitKind.valueOf(values.getProperty("wait")),
@@ -48,10 +50,5 @@ record ExperimentTask(
         Long.parseLong(values.getProperty("period_nanos")),
         values.getProperty("scene"),
         Boolean.parseBoolean(values.getProperty("training")));
-  }
-
-  ExperimentTask withFrames(int otherFrames) {
-    return new ExperimentTask(
-        waiting, scheduling, workload, neighbour, otherFrames, periodNanos, scene, training);
   }
 }

@@ -20,19 +20,19 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
-/** The haptic frame of a session: the simulated hand touches a volume with the smooth solver. */
+/** The haptic frame of a session: a simulated hand touches a volume with the smooth solver. */
 final class HapticExperimentFrame implements ExperimentFrame {
   private static final long SEED = 1;
 
   private final HapticFrame frame;
 
-  /** A frame over all segments together. */
+  /** Creates a frame over all segments of a volume. */
   HapticExperimentFrame(SegmentedVolume volume) {
     VoxelGrid grid = volume.grid();
     GridMetric metric = GridMetric.of(grid.spacingMm());
     HandTarget target = HandTargetFinder.of(volume);
     GridDevice device =
-        new GridDevice(new SimulatedDevice(SEED, target, ExperimentRunner.PERIOD_NANOS), grid);
+        new GridDevice(new SimulatedDevice(SEED, target, Experiment.PERIOD_NANOS), grid);
     List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
     frame =
         new HapticFrame(
@@ -51,7 +51,7 @@ final class HapticExperimentFrame implements ExperimentFrame {
   @Override
   public void run() {
     if (frame.run(System.nanoTime()) != FrameOutcome.RUNNING) {
-      throw new IllegalStateException("the simulated device is gone");
+      throw new IllegalStateException("the simulated device is disconnected");
     }
   }
 }

@@ -9,16 +9,16 @@ import java.util.Properties;
  * A Java installation.
  *
  * @param home its folder, without links
- * @param release its feature release, as 17 or 25
- * @param version as it calls itself, as 17.0.15
- * @param vendor who built it; empty where it does not say
+ * @param release its feature release, such as 17 or 25
+ * @param version its full version, such as 17.0.15
+ * @param vendor its vendor; empty if unknown
  */
 public record Jdk(Path home, int release, String version, String vendor) {
 
   /**
-   * Reads an installation's own {@code release} file, which costs no start of a JVM.
+   * Reads the {@code release} file of an installation, which needs no start of a JVM.
    *
-   * @throws IOException where the folder is none
+   * @throws IOException if the folder is not a Java installation
    */
   public static Jdk at(Path home) throws IOException {
     Path real = home.toRealPath();
@@ -46,11 +46,12 @@ public record Jdk(Path home, int release, String version, String vendor) {
     }
   }
 
+  /** Returns the {@code java} program. */
   Path java() {
     return home.resolve("bin/java");
   }
 
-  /** As a table names it. */
+  /** Returns the name for a table. */
   public String label() {
     return "jdk" + release;
   }

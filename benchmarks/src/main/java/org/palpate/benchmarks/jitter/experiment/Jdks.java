@@ -11,15 +11,15 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/** Finds Java installations of this machine. */
+/** Finds the Java installations of this machine. */
 public final class Jdks {
   private static final int OLDEST = 17;
 
   private Jdks() {}
 
   /**
-   * The newest update of every release from 17 on, in the usual places and where we run; by
-   * release.
+   * Returns the newest update of every release from 17 on, by release. It searches the usual
+   * folders, {@code JAVA_HOME} and the running JDK.
    */
   public static List<Jdk> found() {
     Map<Integer, Jdk> byRelease = new TreeMap<>();
@@ -34,7 +34,7 @@ public final class Jdks {
     try {
       return Optional.of(Jdk.at(home));
     } catch (IOException e) {
-      return Optional.empty(); // a folder of that place that is no installation
+      return Optional.empty(); // a folder that is not an installation
     }
   }
 
@@ -67,7 +67,7 @@ public final class Jdks {
     try (Stream<Path> children = Files.list(folder)) {
       children.sorted().map(child -> child.resolve(below)).forEach(homes::add);
     } catch (IOException e) {
-      // a folder that may not be read has no installation for us
+      // an unreadable folder has no usable installation
     }
   }
 }

@@ -3,20 +3,20 @@ package org.palpate.benchmarks.jitter.experiment;
 import java.nio.file.Path;
 import java.util.List;
 
-/** How a JVM comes by machine code and by its classes. */
+/** Sources of a JVM's machine code and classes. */
 public enum JitMode {
-  /** As it is shipped. */
+  /** The defaults of the JDK. */
   DEFAULT("default"),
-  /** The quick compiler alone: less speed, fewer and shorter compilations. */
+  /** The C1 compiler alone: slower code, fewer and shorter compilations. */
   C1("c1"),
-  /** Graal as the JIT compiler, in the JDKs that have it. */
+  /** Graal as the JIT compiler, if the JDK has it. */
   GRAAL("graal"),
-  /** As shipped, with an archive of the classes that the run loads. */
+  /** The defaults, with an archive of the classes that the run loads. */
   CDS("cds"),
-  /** JDK 25's ahead-of-time cache: classes, linkage and profiles of an earlier run. */
+  /** The ahead-of-time cache of JDK 25: classes, linkage and profiles of an earlier run. */
   AOT("aot");
 
-  /** The first release whose ahead-of-time cache keeps profiles of methods. */
+  /** The first release whose ahead-of-time cache contains method profiles. */
   static final int FIRST_WITH_AOT = 25;
 
   private final String label;
@@ -25,19 +25,20 @@ public enum JitMode {
     this.label = label;
   }
 
+  /** Returns the word for a table. */
   public String label() {
     return label;
   }
 
-  /** Whether an earlier run must leave an archive first. */
+  /** Whether an earlier run must make an archive. */
   boolean needsTraining() {
     return this == CDS || this == AOT;
   }
 
   /**
-   * Flags of a run that is measured.
+   * Returns the flags of the measured run.
    *
-   * @param archive what {@link #trainingFlags} left
+   * @param archive the archive made with {@link #trainingFlags}
    */
   List<String> flags(Path archive) {
     return switch (this) {
@@ -49,7 +50,7 @@ public enum JitMode {
     };
   }
 
-  /** Flags of the run that leaves the archive when it ends. */
+  /** Returns the flags of the run that makes the archive at its end. */
   List<String> trainingFlags(Path archive) {
     return switch (this) {
       case CDS -> List.of("-XX:ArchiveClassesAtExit=" + archive);

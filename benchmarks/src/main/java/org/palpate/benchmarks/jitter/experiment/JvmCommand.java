@@ -4,74 +4,79 @@ import java.util.ArrayList;
 import java.util.List;
 import org.palpate.benchmarks.jitter.trace.ExperimentFolder;
 
-/** The command line of the JVM of a cell. */
+/** Makes the command line of an experiment's JVM. */
 public final class JvmCommand {
-  /** From this release on a program must be given leave to call native code. */
-  private static final int ASKS_FOR_NATIVE_ACCESS = 22;
+  /** The first release that warns unless native access is enabled. */
+  private static final int NEEDS_NATIVE_ACCESS = 22;
 
-  private static final int ALLOCATED_MB_A_SECOND = 105;
+  private static final int ALLOCATED_MB_PER_SECOND = 105;
   private static final int SECONDS_AROUND = 12;
 
   private final String classPath;
 
   /**
-   * @param classPath where {@link ExperimentMain} and all it needs is found
+   * Creates a command.
+   *
+   * @param classPath the class path of {@link ExperimentMain}
    */
   JvmCommand(String classPath) {
     this.classPath = classPath;
   }
 
-  /** The run that is measured. */
-  List<String> measuring(Experiment cell, ExperimentFolder folder) {
-    List<String> command = base(cell, folder);
-    command.addAll(cell.jit().flags(folder.archive()));
+  /** Returns the command of the measured run. */
+  List<String> measuring(Experiment experiment, ExperimentFolder folder) {
+    List<String> command = base(experiment, folder);
+    command.addAll(experiment.jit().flags(folder.archive()));
     return withMain(command, folder);
   }
 
-  /** The run that leaves an archive. */
-  List<String> training(Experiment cell, ExperimentFolder folder) {
-    List<String> command = base(cell, folder);
-    command.addAll(cell.jit().trainingFlags(folder.archive()));
+  /** Returns the command of the run that makes an archive. */
+  List<String> training(Experiment experiment, ExperimentFolder folder) {
+    List<String> command = base(experiment, folder);
+    command.addAll(experiment.jit().trainingFlags(folder.archive()));
     return withMain(command, folder);
   }
 
-  /** A JVM with the cell's flags that ends at once, to see whether it takes them. */
-  List<String> probe(Experiment cell) {
-    List<String> command = new ArrayList<>(List.of(cell.jdk().java().toString()));
-    command.addAll(flags(cell));
-    if (!cell.jit().needsTraining()) {
-      command.addAll(cell.jit().flags(null));
+  /** Returns the command of a JVM that only checks whether it accepts the flags. */
+  List<String> probe(Experiment experiment) {
+    List<String> command = new ArrayList<>(List.of(experiment.jdk().java().toString()));
+    command.addAll(flags(experiment));
+    if (!experiment.jit().needsTraining()) {
+      command.addAll(experiment.jit().flags(null));
     }
     command.add("-version");
     return command;
   }
 
-  /** The flags that make a cell what it is, as a report tells them. */
-  public static List<String> flags(Experiment cell) {
+  /** Returns the flags that define the experiment, for reports. */
+  public static List<String> flags(Experiment experiment) {
     List<String> flags = new ArrayList<>();
     flags.addAll(
-        cell.collector()
-            .flags(cell.jdk().release())
-            .orElseThrow(() -> new IllegalArgumentException("no such collector: " + cell.key())));
-    int heapMb = heapMb(cell);
+        experiment
+            .collector()
+            .flags(experiment.jdk().release())
+            .orElseThrow(
+                () -> new IllegalArgumentException("no such collector: " + experiment.key())));
+    int heapMb = heapMb(experiment);
     flags.addAll(List.of("-Xms" + heapMb + "m", "-Xmx" + heapMb + "m", "-XX:+AlwaysPreTouch"));
     return flags;
   }
 
-  /** Epsilon never frees, so its heap must hold all that is allocated. */
-  public static int heapMb(Experiment cell) {
+  /** Returns the heap; Epsilon frees nothing, so its heap must hold all allocations. */
+  public static int heapMb(Experiment experiment) {
     boolean fills =
-        cell.collector() == Collector.EPSILON && cell.neighbour() == BackgroundLoad.ALLOCATES;
-    int needed = ALLOCATED_MB_A_SECOND * (cell.seconds() + SECONDS_AROUND);
-    return fills ? Math.max(cell.heapMb(), needed) : cell.heapMb();
+        experiment.collector() == Collector.EPSILON
+            && experiment.load() == BackgroundLoad.ALLOCATES;
+    int needed = ALLOCATED_MB_PER_SECOND * (experiment.seconds() + SECONDS_AROUND);
+    return fills ? Math.max(experiment.heapMb(), needed) : experiment.heapMb();
   }
 
-  private List<String> base(Experiment cell, ExperimentFolder folder) {
-    List<String> command = new ArrayList<>(List.of(cell.jdk().java().toString()));
-    command.addAll(flags(cell));
+  private List<String> base(Experiment experiment, ExperimentFolder folder) {
+    List<String> command = new ArrayList<>(List.of(experiment.jdk().java().toString()));
+    command.addAll(flags(experiment));
     command.add("-Xlog:gc*:file=" + folder.collectorLog() + "::filecount=0");
     command.add("-XX:FlightRecorderOptions=maxchunksize=256m");
-    if (cell.jdk().release() >= ASKS_FOR_NATIVE_ACCESS) {
+    if (experiment.jdk().release() >= NEEDS_NATIVE_ACCESS) {
       command.add("--enable-native-access=ALL-UNNAMED");
     }
     return command;

@@ -4,11 +4,11 @@ import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Programs of this machine. */
+/** Finds programs of this machine. */
 final class Programs {
   private Programs() {}
 
-  /** Whether a program of this name is on the path. */
+  /** Whether {@code PATH} contains a program of this name. */
   static boolean has(String name) {
     String path = System.getenv("PATH");
     for (String folder : path == null ? new String[0] : path.split(File.pathSeparator, -1)) {

@@ -1,12 +1,12 @@
 package org.palpate.benchmarks.jitter.experiment;
 
-/** How the measured thread competes. */
+/** Kinds of scheduling of the measured thread. */
 public enum Scheduling {
-  /** As any thread. */
+  /** An ordinary thread. */
   NORMAL("normal"),
-  /** SCHED_FIFO, one processor of its own, memory locked. */
+  /** SCHED_FIFO, a processor of its own, locked memory. */
   FIFO("fifo"),
-  /** The same, and the JVM's own threads that a pause waits for one priority below. */
+  /** As {@link #FIFO}, with the JVM's threads that a pause waits for one priority below. */
   FIFO_WITH_VM("fifovm");
 
   private final String label;
@@ -15,11 +15,12 @@ public enum Scheduling {
     this.label = label;
   }
 
-  /** Whether the thread runs before all ordinary ones. */
+  /** Whether the thread runs before all ordinary threads. */
   public boolean isRealtime() {
     return this != NORMAL;
   }
 
+  /** Returns the word for a table. */
   public String label() {
     return label;
   }

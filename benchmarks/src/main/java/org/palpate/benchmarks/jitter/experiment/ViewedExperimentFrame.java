@@ -14,8 +14,8 @@ import org.palpate.scene.window.OffscreenRenderer;
 import org.palpate.volume.SegmentedVolume;
 
 /**
- * The haptic frame, with the view drawn beside it 30 times a second by a thread of its own: off
- * screen, every time anew, which is more than a window does when nothing moves.
+ * The haptic frame with a view that another thread draws 30 times a second. The view is drawn off
+ * screen and completely each time, which is more work than an idle window does.
  */
 final class ViewedExperimentFrame implements ExperimentFrame {
   private static final int WIDTH = 640;
@@ -31,9 +31,9 @@ final class ViewedExperimentFrame implements ExperimentFrame {
   private volatile Exception failure;
 
   /**
-   * Makes the surfaces and starts drawing.
+   * Makes the surfaces and starts to draw.
    *
-   * @throws IllegalStateException where nothing can be drawn here
+   * @throws IllegalStateException if this machine cannot draw
    */
   ViewedExperimentFrame(SegmentedVolume volume) {
     frame = new HapticExperimentFrame(volume);
@@ -47,7 +47,7 @@ final class ViewedExperimentFrame implements ExperimentFrame {
       throw new IllegalStateException("the surfaces were not made", e);
     }
     if (failure != null) {
-      throw new IllegalStateException("nothing can be drawn here", failure);
+      throw new IllegalStateException("this machine cannot draw the view", failure);
     }
   }
 
@@ -71,7 +71,7 @@ final class ViewedExperimentFrame implements ExperimentFrame {
     frame.run();
   }
 
-  /** Ends the drawing before the JVM takes the display away. */
+  /** Stops drawing before the JVM closes the display. */
   @Override
   public void close() {
     closed = true;

@@ -1,12 +1,12 @@
 package org.palpate.benchmarks.jitter.experiment;
 
-/** What runs once a millisecond. */
+/** Workloads of one period. */
 public enum Workload {
-  /** Nothing: the paper's simplest Java application. */
+  /** No work: the paper's simplest Java application. */
   EMPTY("empty"),
-  /** One haptic frame on the scene, with the simulated device. */
+  /** One haptic frame with the simulated device. */
   FRAME("frame"),
-  /** The same, with the view drawn beside it, off screen. */
+  /** As {@link #FRAME}, with a view that another thread draws off screen. */
   FRAME_AND_VIEW("view");
 
   private final String label;
@@ -15,6 +15,7 @@ public enum Workload {
     this.label = label;
   }
 
+  /** Returns the word for a table. */
   public String label() {
     return label;
   }

@@ -1,40 +1,40 @@
 package org.palpate.benchmarks.jitter.trace;
 
 /**
- * Why a frame was late.
+ * The cause of a late frame.
  *
- * @param kind the largest part of what is known
- * @param frame which frame, from 0
- * @param dueNanos when the frame should have begun, on the clock of {@link System#nanoTime}
- * @param latenessNanos how late it began
- * @param workNanos how long its work took
- * @param evidence what is known, in words and figures
+ * @param kind the largest known part of the delay
+ * @param frame the number of the frame, from 0
+ * @param dueNanos the deadline of the frame, on the clock of {@link System#nanoTime}
+ * @param latenessNanos the time from the deadline to the start of the frame
+ * @param workNanos the duration of the frame's work
+ * @param evidence all known parts of the delay, as text
  */
 public record Cause(
     Kind kind, int frame, long dueNanos, long latenessNanos, long workNanos, String evidence) {
 
-  /** How late the frame's force was out. */
+  /** Returns the time from the deadline to the frame's force. */
   public long responseNanos() {
     return latenessNanos + workNanos;
   }
 
   /** Kinds of causes. */
   public enum Kind {
-    /** The collector stopped the thread, or had its processor. */
+    /** The collector stopped the thread or used its processor. */
     GC("GC"),
-    /** The JVM stopped all threads for something else. */
+    /** The JVM stopped all threads for another reason. */
     SAFEPOINT("safepoint"),
-    /** The frame ran while its code was compiled, or the compiler had its processor. */
+    /** The frame ran interpreted during its compilation, or the compiler used its processor. */
     JIT("JIT"),
-    /** The frame's machine code was given up. */
+    /** The frame's machine code was discarded. */
     DEOPTIMIZATION("deoptimization"),
-    /** The thread was ready and another one ran. */
+    /** The thread was ready, but another one ran. */
     SCHEDULER("scheduler delay"),
-    /** A page had to come from a disk. */
+    /** A page was read from a disk. */
     PAGING("page fault"),
     /** The hypervisor gave the processor to another guest. */
     STEAL("steal"),
-    /** Nothing of this is seen. */
+    /** None of these was observed. */
     OUTSIDE("outside the JVM");
 
     private final String label;
@@ -43,7 +43,7 @@ public record Cause(
       this.label = label;
     }
 
-    /** As a person reads it. */
+    /** Returns the words for a report. */
     public String label() {
       return label;
     }

@@ -9,8 +9,8 @@ import java.util.stream.Collectors;
 public final class CauseCounts {
   private CauseCounts() {}
 
-  /** As {@code 7 GC, 3 outside the JVM}, the most frequent first. */
-  public static String inWords(List<Cause> causes) {
+  /** Returns text such as {@code 7 GC, 3 outside the JVM}, the most frequent first. */
+  public static String text(List<Cause> causes) {
     Map<Cause.Kind, Long> counts =
         causes.stream()
             .collect(Collectors.groupingBy(Cause::kind, TreeMap::new, Collectors.counting()));

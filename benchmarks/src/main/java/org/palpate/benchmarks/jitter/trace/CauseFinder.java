@@ -7,13 +7,13 @@ import java.util.PriorityQueue;
 import org.palpate.benchmarks.jitter.trace.JvmEvent.Kind;
 
 /**
- * Says why frames were late: by what the JVM recorded and the kernel counted in the stretch from
- * the moment at which a frame was due to the moment at which its work was done.
+ * Finds the causes of late frames from the JVM's events and the kernel's counters between a frame's
+ * deadline and its end.
  *
- * <p>What stopped the thread for sure (pauses, stalls, being ready and not running) counts first;
- * where it makes up half of the delay, its largest part is the cause. Else the frame's own work is
- * looked at, then pages and steal. What is left lies outside the JVM and outside of what this
- * kernel counts.
+ * <p>Times in which the thread certainly could not run (pauses, stalls, ready but not running) come
+ * first. If they make up half of the delay, the largest of them is the cause. Otherwise the frame's
+ * own work, page faults and stolen time are considered. A delay without any of these lies outside
+ * the JVM and outside of what this kernel counts.
  */
 public final class CauseFinder {
   private static final int INTERPRETER_FACTOR = 50;
@@ -21,23 +21,25 @@ public final class CauseFinder {
   private final List<JvmEvent> events;
   private final MachineActivity machine;
   private final boolean realtime;
-  private final long usualWorkNanos;
+  private final long typicalWorkNanos;
 
   /**
-   * @param events on the samples' clock
-   * @param usualWorkNanos how long a frame's work usually takes
-   * @param realtime whether the loop ran before all ordinary threads, so that a compiler or
-   *     collector beside it cannot have had its processor
+   * Creates a finder.
+   *
+   * @param events the JVM's events on the clock of the samples, by start
+   * @param typicalWorkNanos the typical duration of a frame's work
+   * @param realtime whether the loop ran before all ordinary threads, so that a compiler or a
+   *     concurrent collector cannot have used its processor
    */
   public CauseFinder(
-      List<JvmEvent> events, MachineActivity machine, long usualWorkNanos, boolean realtime) {
+      List<JvmEvent> events, MachineActivity machine, long typicalWorkNanos, boolean realtime) {
     this.events = List.copyOf(events);
     this.machine = machine;
-    this.usualWorkNanos = usualWorkNanos;
+    this.typicalWorkNanos = typicalWorkNanos;
     this.realtime = realtime;
   }
 
-  /** The causes of the {@code count} frames whose force was out latest, the worst first. */
+  /** Returns the causes of the {@code count} frames with the latest force, the worst first. */
   public List<Cause> worst(Samples samples, int count) {
     Comparator<Integer> byResponse =
         Comparator.comparingLong((Integer frame) -> samples.response(frame))
@@ -54,58 +56,58 @@ public final class CauseFinder {
     return frames.stream().map(frame -> causeOf(samples, frame)).toList();
   }
 
-  /** The cause of one frame's delay. */
+  /** Returns the cause of one frame's delay. */
   Cause causeOf(Samples samples, int frame) {
-    Shares shares = new Shares(events, samples, frame, machine);
+    DelayParts parts = new DelayParts(events, samples, frame, machine);
     return new Cause(
-        kindOf(shares),
+        kindOf(parts),
         frame,
         samples.due(frame),
         samples.lateness(frame),
         samples.work(frame),
-        shares.inWords());
+        parts.text());
   }
 
-  private Cause.Kind kindOf(Shares shares) {
-    if (shares.isHalf(shares.stopped())) {
-      return stopCause(shares);
+  private Cause.Kind kindOf(DelayParts parts) {
+    if (parts.isHalf(parts.stopped())) {
+      return stopCause(parts);
     }
-    if (shares.isHalf(shares.work) && shares.deoptimizations > 0) {
+    if (parts.isHalf(parts.work) && parts.deoptimizations > 0) {
       return Cause.Kind.DEOPTIMIZATION;
     }
-    if (shares.isHalf(shares.work) && possiblyInterpreted(shares)) {
+    if (parts.isHalf(parts.work) && possiblyInterpreted(parts)) {
       return Cause.Kind.JIT;
     }
-    if (shares.faults > 0) {
+    if (parts.faults > 0) {
       return Cause.Kind.PAGING;
     }
-    return shares.isHalf(shares.stolen) ? Cause.Kind.STEAL : Cause.Kind.OUTSIDE;
+    return parts.isHalf(parts.stolen) ? Cause.Kind.STEAL : Cause.Kind.OUTSIDE;
   }
 
-  /** Interpreted code is some tens of times slower than compiled code, not hundreds of times. */
-  private boolean possiblyInterpreted(Shares shares) {
-    return 2 * shares.compilation >= shares.work
-        && shares.work <= INTERPRETER_FACTOR * usualWorkNanos;
+  /** Whether interpretation explains the work; it is tens of times slower, not hundreds. */
+  private boolean possiblyInterpreted(DelayParts parts) {
+    return 2 * parts.compilation >= parts.work
+        && parts.work <= INTERPRETER_FACTOR * typicalWorkNanos;
   }
 
-  private Cause.Kind stopCause(Shares shares) {
-    long collector = shares.pause + shares.stall;
-    if (collector >= shares.safepoint && collector >= shares.delayed) {
+  private Cause.Kind stopCause(DelayParts parts) {
+    long collector = parts.pause + parts.stall;
+    if (collector >= parts.safepoint && collector >= parts.delayed) {
       return Cause.Kind.GC;
     }
-    if (shares.safepoint >= shares.delayed) {
+    if (parts.safepoint >= parts.delayed) {
       return Cause.Kind.SAFEPOINT;
     }
-    if (!realtime && 2 * shares.compilation >= shares.delayed) {
+    if (!realtime && 2 * parts.compilation >= parts.delayed) {
       return Cause.Kind.JIT;
     }
-    return !realtime && 2 * shares.concurrentCollection >= shares.delayed
+    return !realtime && 2 * parts.concurrentCollection >= parts.delayed
         ? Cause.Kind.GC
         : Cause.Kind.SCHEDULER;
   }
 
-  /** What is known about one delay, ns of it. */
-  private static final class Shares {
+  /** The known parts of one delay, ns. */
+  private static final class DelayParts {
     private final long from;
     private final long to;
     private final List<JvmEvent> events;
@@ -121,7 +123,7 @@ public final class CauseFinder {
     private final long preempted;
     private final long stolen;
 
-    Shares(List<JvmEvent> all, Samples samples, int frame, MachineActivity machine) {
+    DelayParts(List<JvmEvent> all, Samples samples, int frame, MachineActivity machine) {
       from = samples.due(frame);
       to = samples.end(frame);
       events = all.stream().filter(this::touches).toList();
@@ -147,12 +149,13 @@ public final class CauseFinder {
     }
 
     /**
-     * How much of the delay events of a kind cover together. A stall counts in our thread alone.
+     * Returns how much of the delay the events of a kind cover together. A stall counts only in the
+     * measured thread.
      */
     private long covered(Kind kind) {
       long sum = 0;
       long reached = from;
-      for (JvmEvent event : events) { // by their begin
+      for (JvmEvent event : events) { // by start
         boolean counts = kind != Kind.ALLOCATION_STALL || event.inMeasuredThread();
         if (event.kind() == kind && counts) {
           sum += event.overlapNanos(reached, to);
@@ -170,20 +173,19 @@ public final class CauseFinder {
       return 2 * nanos >= to - from;
     }
 
-    String inWords() {
-      List<String> parts = new ArrayList<>();
-      addNamed(parts, pause, "paused for the collector", Kind.GC_PAUSE);
-      addNamed(parts, safepoint, "in a safepoint", Kind.SAFEPOINT);
-      addMicros(parts, stall, "waiting for memory");
-      addMicros(parts, delayed, "ready but not running");
-      addNamed(parts, compilation, "while compiled beside", Kind.COMPILATION);
-      addNamed(
-          parts, concurrentCollection, "while the collector worked beside", Kind.GC_CONCURRENT);
-      addCount(parts, deoptimizations, "deoptimizations of the frame");
-      addCount(parts, preempted, "times put off the processor");
-      addCount(parts, faults, "pages from a disk");
-      addMicros(parts, stolen, "stolen by the hypervisor about then, all processors");
-      return parts.isEmpty() ? "nothing recorded" : String.join(", ", parts);
+    String text() {
+      List<String> texts = new ArrayList<>();
+      addNamed(texts, pause, "paused for the collector", Kind.GC_PAUSE);
+      addNamed(texts, safepoint, "in a safepoint", Kind.SAFEPOINT);
+      addMicros(texts, stall, "waiting for memory");
+      addMicros(texts, delayed, "ready but not running");
+      addNamed(texts, compilation, "during a compilation", Kind.COMPILATION);
+      addNamed(texts, concurrentCollection, "during a concurrent collection", Kind.GC_CONCURRENT);
+      addCount(texts, deoptimizations, "deoptimizations of the frame");
+      addCount(texts, preempted, "preemptions");
+      addCount(texts, faults, "pages from a disk");
+      addMicros(texts, stolen, "stolen by the hypervisor about then, all processors");
+      return texts.isEmpty() ? "nothing recorded" : String.join(", ", texts);
     }
 
     private void addNamed(List<String> parts, long nanos, String what, Kind kind) {

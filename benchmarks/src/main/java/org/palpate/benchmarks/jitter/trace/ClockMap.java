@@ -5,9 +5,9 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * From a flight recording's time to {@link System#nanoTime}: a line through the two tightest of the
- * pairs that the measured JVM noted, one early and one late, since both clocks drift apart by parts
- * in a million.
+ * Maps a flight recording's time to {@link System#nanoTime}. The map is a line through two pairs of
+ * readings, the narrowest early one and the narrowest late one, because the clocks drift apart by
+ * parts in a million.
  */
 final class ClockMap {
   private final long originRecording;
@@ -21,11 +21,11 @@ final class ClockMap {
   }
 
   /**
-   * One moment on both clocks.
+   * A moment on both clocks.
    *
-   * @param recordingNanos of the recording, since the epoch
-   * @param before of {@code System.nanoTime}, just before
-   * @param after of {@code System.nanoTime}, just after
+   * @param recordingNanos the recording's time since the epoch
+   * @param before {@code System.nanoTime} just before
+   * @param after {@code System.nanoTime} just after
    */
   record Pair(long recordingNanos, long before, long after) {
     long width() {
@@ -38,27 +38,29 @@ final class ClockMap {
   }
 
   /**
+   * Returns the map through some pairs.
+   *
    * @param pairs at least one; the first half counts as early
-   * @throws IllegalArgumentException where there is none
+   * @throws IllegalArgumentException if there is none
    */
   static ClockMap through(List<Pair> pairs) {
     if (pairs.isEmpty()) {
-      throw new IllegalArgumentException("no pair of clocks to go by");
+      throw new IllegalArgumentException("no pair of clock readings");
     }
     List<Pair> sorted = new ArrayList<>(pairs);
     sorted.sort(Comparator.comparingLong(Pair::recordingNanos));
-    Pair early = tightest(sorted.subList(0, (sorted.size() + 1) / 2));
-    Pair late = tightest(sorted.subList(sorted.size() / 2, sorted.size()));
+    Pair early = narrowest(sorted.subList(0, (sorted.size() + 1) / 2));
+    Pair late = narrowest(sorted.subList(sorted.size() / 2, sorted.size()));
     long apart = late.recordingNanos() - early.recordingNanos();
     double rate = apart > 0 ? (double) (late.middle() - early.middle()) / apart : 1;
     return new ClockMap(early.recordingNanos(), early.middle(), rate);
   }
 
-  private static Pair tightest(List<Pair> pairs) {
+  private static Pair narrowest(List<Pair> pairs) {
     return pairs.stream().min(Comparator.comparingLong(Pair::width)).orElseThrow();
   }
 
-  /** The moment on the clock of {@code System.nanoTime}. */
+  /** Converts a time of the recording to the clock of {@code System.nanoTime}. */
   long toNanoTime(long recordingNanos) {
     return originNanos + Math.round((recordingNanos - originRecording) * rate);
   }

@@ -6,7 +6,7 @@ import jdk.jfr.Label;
 import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
 
-/** One moment on the clock of the flight recording and on that of {@link System#nanoTime}. */
+/** An event with one moment on the recording's clock and on that of {@link System#nanoTime}. */
 @Name(FlightRecording.CLOCK_PAIR)
 @Label("Clock pair")
 @Category("Palpate")
@@ -20,8 +20,8 @@ public final class ClockPair extends Event {
   @Label("nanoTime after")
   long after;
 
-  /** Notes some pairs, of which the reader takes the tightest. */
-  public static void note() {
+  /** Emits several pairs, of which the reader uses the narrowest. */
+  public static void emit() {
     for (int i = 0; i < PAIRS; i++) {
       ClockPair pair = new ClockPair();
       pair.before = System.nanoTime();

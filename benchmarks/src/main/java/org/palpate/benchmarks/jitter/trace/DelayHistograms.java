@@ -3,16 +3,16 @@ package org.palpate.benchmarks.jitter.trace;
 import org.HdrHistogram.Histogram;
 
 /**
- * The histograms of a cell.
+ * The histograms of an experiment, ns.
  *
- * @param lateness how late frames began, as they ran, ns
- * @param corrected the same with the frames that were left out while the loop was held up, ns
- *     (coordinated omission; HdrHistogram's own correction)
- * @param period from the begin of a frame to the begin of the next, ns
- * @param work how long frames took, ns
- * @param omitted deadlines that passed while the loop was held up and got no frame of their own
- * @param overOneAndAHalfMillis periods longer than 1.5 ms
- * @param overTenMillis periods longer than 10 ms
+ * @param lateness time from a deadline to the start of its frame, as measured
+ * @param corrected the lateness with the frames that a delayed loop omitted (coordinated omission),
+ *     by the correction of HdrHistogram
+ * @param period time from the start of a frame to the start of the next
+ * @param work duration of the frames' work
+ * @param omitted number of deadlines without a frame of their own, because the loop was delayed
+ * @param overOneAndAHalfMillis number of periods longer than 1.5 ms
+ * @param overTenMillis number of periods longer than 10 ms
  */
 public record DelayHistograms(
     Histogram lateness,
@@ -28,9 +28,9 @@ public record DelayHistograms(
   private static final long TEN_MILLIS = 10_000_000;
 
   /**
-   * Returns the histograms of lateness, period and work of an experiment.
+   * Returns the histograms of the samples.
    *
-   * @param periodNanos time between two deadlines
+   * @param periodNanos the time between two deadlines
    */
   public static DelayHistograms of(Samples samples, long periodNanos) {
     Histogram lateness = new Histogram(DIGITS);

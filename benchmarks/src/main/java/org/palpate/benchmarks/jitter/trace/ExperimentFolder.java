@@ -7,78 +7,90 @@ import java.util.Properties;
 import org.palpate.io.file.AtomicFile;
 
 /**
- * The files of one cell.
+ * The files of one experiment.
  *
  * <pre>
- *   cell.properties      what to run, written by the command
- *   samples.bin          a record a frame, see {@link Samples}
+ *   cell.properties      the task, written by the command
+ *   samples.bin          one record for each frame, see {@link Samples}
  *   recording.jfr        the JVM's own events
  *   gc.log               the collector's log
- *   machine.csv          what the kernel counted, by the command
- *   answers.properties   what the system granted, how the warm-up went; last, so it says "whole"
+ *   machine.csv          the kernel's counters, written by the command
+ *   answers.properties   the outcome of requests and warm-up; written last, so it marks completion
  * </pre>
  */
 public final class ExperimentFolder {
   private final Path folder;
 
+  /** Creates the paths; the folder need not exist. */
   public ExperimentFolder(Path folder) {
     this.folder = folder;
   }
 
+  /** Returns the folder. */
   public Path path() {
     return folder;
   }
 
-  public Path cell() {
+  /** Returns the file of the task. */
+  public Path task() {
     return folder.resolve("cell.properties");
   }
 
+  /** Returns the file of {@link Samples}. */
   public Path samples() {
     return folder.resolve("samples.bin");
   }
 
+  /** Returns the flight recording. */
   public Path recording() {
     return folder.resolve("recording.jfr");
   }
 
+  /** Returns the collector's log. */
   public Path collectorLog() {
     return folder.resolve("gc.log");
   }
 
+  /** Returns the file of {@link MachineSampler}. */
   public Path machine() {
     return folder.resolve("machine.csv");
   }
 
+  /** Returns the file with the output of the process. */
   public Path output() {
     return folder.resolve("output.txt");
   }
 
+  /** Returns the archive of classes from a training run. */
   public Path archive() {
     return folder.resolve("classes.archive");
   }
 
-  private Path answers() {
+  private Path outcome() {
     return folder.resolve("answers.properties");
   }
 
-  /** Whether the cell ran to its end. */
-  public boolean isWhole() {
-    return Files.exists(answers());
+  /** Whether the experiment ran to its end. */
+  public boolean isComplete() {
+    return Files.exists(outcome());
   }
 
-  /** Makes the cell one that did not run. */
-  public void forget() throws IOException {
-    Files.deleteIfExists(answers());
+  /** Marks the experiment as incomplete. */
+  public void invalidate() throws IOException {
+    Files.deleteIfExists(outcome());
   }
 
+  /** Writes the outcome and thereby marks the experiment as complete. */
   public void writeOutcome(Properties values) throws IOException {
-    write(answers(), values);
+    write(outcome(), values);
   }
 
+  /** Reads the outcome. */
   public Properties readOutcome() throws IOException {
-    return read(answers());
+    return read(outcome());
   }
 
+  /** Writes properties atomically. */
   public static void write(Path file, Properties values) throws IOException {
     try (AtomicFile written = new AtomicFile(file)) {
       values.store(written.stream(), null);
@@ -86,6 +98,7 @@ public final class ExperimentFolder {
     }
   }
 
+  /** Reads properties. */
   public static Properties read(Path file) throws IOException {
     Properties values = new Properties();
     try (var stream = Files.newInputStream(file)) {

@@ -13,7 +13,7 @@ import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordingFile;
 
-/** Reads a flight recording with the JDK's parser and puts its events on the loop's clock. */
+/** Reads a flight recording with the JDK's parser and converts its events to the loop's clock. */
 public final class FlightRecording {
   static final String CLOCK_PAIR = "palpate.ClockPair";
 
@@ -39,7 +39,7 @@ public final class FlightRecording {
     this.measuredThread = measuredThread;
   }
 
-  /** Switches on what {@link #read} looks for, without thresholds and stack traces. */
+  /** Enables the events that {@link #read} needs, without thresholds and stack traces. */
   public static void enable(Recording recording) {
     WANTED.forEach(name -> recording.enable(name).withoutThreshold().withoutStackTrace());
     recording.enable(CLOCK_PAIR).withoutStackTrace();
@@ -49,8 +49,8 @@ public final class FlightRecording {
    * Reads a recording.
    *
    * @param measuredThread the Java name of the thread that ran the loop
-   * @return its events, by their begin
-   * @throws IOException where it cannot be read or has no pair of clocks
+   * @return its events, by start
+   * @throws IOException if it cannot be read or has no pair of clock readings
    */
   public static List<JvmEvent> read(Path recording, String measuredThread) throws IOException {
     return new FlightRecording(measuredThread).readAll(recording);
@@ -63,7 +63,7 @@ public final class FlightRecording {
       }
     }
     if (pairs.isEmpty()) {
-      throw new IOException("no pair of clocks in the recording: " + recording);
+      throw new IOException("no pair of clock readings in the recording: " + recording);
     }
     ClockMap clock = ClockMap.through(pairs);
     new SafepointEvents(recorded, operations).addTo(events, clock);
@@ -96,7 +96,7 @@ public final class FlightRecording {
       case "jdk.GCPhaseConcurrent" ->
           add(JvmEvent.Kind.GC_CONCURRENT, event, event.getString("name"), clock);
       default -> {
-        // begins and ends of safepoints were paired before; a whole collection has its phases
+        // SafepointEvents has handled safepoints; a whole collection has events for its phases
       }
     }
   }

@@ -2,11 +2,13 @@ package org.palpate.benchmarks.jitter.trace;
 
 import java.util.List;
 
-/** What the kernel counted about the whole machine while a cell ran. */
+/** The kernel's counters of the whole machine during an experiment. */
 public final class MachineActivity {
   private final List<MachineSample> samples;
 
   /**
+   * Creates an activity from samples.
+   *
    * @param samples by time; may be empty
    */
   MachineActivity(List<MachineSample> samples) {
@@ -14,8 +16,8 @@ public final class MachineActivity {
   }
 
   /**
-   * Time stolen by the hypervisor between the sample before {@code from} and the one after {@code
-   * to}.
+   * Returns the time that the hypervisor stole between the sample before {@code from} and the one
+   * after {@code to}.
    */
   long stolenBetween(long from, long to) {
     long before = 0;
@@ -32,17 +34,17 @@ public final class MachineActivity {
     return after - before;
   }
 
-  /** Stolen time as a share of all of it, 0 to 1. */
-  public double stolenShare() {
-    return share(true);
+  /** Returns the stolen fraction of all processor time, 0 to 1. */
+  public double stolenFraction() {
+    return fraction(true);
   }
 
-  /** The time that processors were busy as a share of all of it, 0 to 1. */
-  public double busyShare() {
-    return share(false);
+  /** Returns the busy fraction of all processor time, 0 to 1. */
+  public double busyFraction() {
+    return fraction(false);
   }
 
-  private double share(boolean stolen) {
+  private double fraction(boolean stolen) {
     if (samples.size() < 2) {
       return 0;
     }

@@ -1,11 +1,11 @@
 package org.palpate.benchmarks.jitter.trace;
 
 /**
- * What the kernel had counted at a moment, over all processors.
+ * The kernel's counters at one moment, summed over all processors.
  *
- * @param nanos on the clock of {@link System#nanoTime}
- * @param stolenNanos time that the hypervisor gave to others
- * @param busyNanos time that any thread ran
- * @param idleNanos time that none ran
+ * @param nanos the moment, on the clock of {@link System#nanoTime}
+ * @param stolenNanos time that the hypervisor gave to other guests
+ * @param busyNanos time in which some thread ran
+ * @param idleNanos time in which no thread ran
  */
 record MachineSample(long nanos, long stolenNanos, long busyNanos, long idleNanos) {}

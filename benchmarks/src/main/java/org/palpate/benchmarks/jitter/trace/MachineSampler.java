@@ -9,28 +9,28 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Looks at the kernel's counters of the whole machine now and then, in a thread of the command's
- * process, so that the measured JVM is left alone. Relies on {@link System#nanoTime} being one
- * clock for all processes, as on Linux.
+ * Samples the kernel's counters of the whole machine in a thread of the command's process, so that
+ * the measured JVM is not disturbed. Relies on {@link System#nanoTime} being one clock for all
+ * processes, as on Linux.
  */
 public final class MachineSampler implements AutoCloseable {
   private static final long INTERVAL_MILLIS = 20;
-  private static final long NANOS_A_TICK = 10_000_000; // USER_HZ is 100 on every Linux
+  private static final long NANOS_PER_TICK = 10_000_000; // USER_HZ is 100 on every Linux
   private static final Path KERNEL_COUNTERS = Path.of("/proc/stat");
 
   private final List<MachineSample> samples = new ArrayList<>();
-  private final Thread thread = new Thread(this::watch, "machine-watch");
+  private final Thread thread = new Thread(this::run, "machine-sampler");
   private volatile boolean closed;
 
-  /** Starts looking. */
+  /** Starts the thread. */
   public MachineSampler() {
     thread.setDaemon(true);
     thread.start();
   }
 
-  private void watch() {
+  private void run() {
     while (!closed) {
-      look();
+      sample();
       try {
         Thread.sleep(INTERVAL_MILLIS);
       } catch (InterruptedException e) {
@@ -39,16 +39,16 @@ public final class MachineSampler implements AutoCloseable {
     }
   }
 
-  private void look() {
+  private void sample() {
     try (var lines = Files.lines(KERNEL_COUNTERS)) {
       lines.findFirst().flatMap(line -> parse(System.nanoTime(), line)).ifPresent(samples::add);
     } catch (IOException e) {
-      closed = true; // no such counters here
+      closed = true; // a system without these counters
     }
   }
 
   /**
-   * Reads the first line of {@code /proc/stat}: ticks of user, nice, system, idle, iowait, irq,
+   * Parses the first line of {@code /proc/stat}: ticks of user, nice, system, idle, iowait, irq,
    * softirq, steal.
    */
   static Optional<MachineSample> parse(long nanos, String line) {
@@ -64,10 +64,10 @@ public final class MachineSampler implements AutoCloseable {
     long idle = ticks[3] + ticks[4];
     return Optional.of(
         new MachineSample(
-            nanos, ticks[7] * NANOS_A_TICK, busy * NANOS_A_TICK, idle * NANOS_A_TICK));
+            nanos, ticks[7] * NANOS_PER_TICK, busy * NANOS_PER_TICK, idle * NANOS_PER_TICK));
   }
 
-  /** Stops looking and writes what was seen. */
+  /** Stops the thread and writes the samples. */
   public void write(Path file) throws IOException {
     close();
     StringBuilder text = new StringBuilder("nanos,stolen_nanos,busy_nanos,idle_nanos\n");
@@ -84,7 +84,7 @@ public final class MachineSampler implements AutoCloseable {
     Files.writeString(file, text, StandardCharsets.UTF_8);
   }
 
-  /** Reads what was written; no samples where there is no such file. */
+  /** Reads a file of samples; none if the file does not exist. */
   public static MachineActivity read(Path file) throws IOException {
     if (!Files.exists(file)) {
       return new MachineActivity(List.of());

@@ -6,22 +6,24 @@ import java.util.Map;
 import jdk.jfr.consumer.RecordedEvent;
 
 /**
- * Makes one event of the begin and the end of a safepoint, from the moment at which threads were
- * asked to stop to the moment at which they may go on; names it by the operation it was for.
+ * Joins the begin and the end of each safepoint to one event. It lasts from the request to stop
+ * until the threads may continue, and has the name of its operation.
  */
 final class SafepointEvents {
   private final List<RecordedEvent> recorded;
   private final Map<Long, String> operations;
 
   /**
-   * @param operations what was done in a safepoint, by its number
+   * Creates a converter.
+   *
+   * @param operations the operations that needed a safepoint, by the safepoint's number
    */
   SafepointEvents(List<RecordedEvent> recorded, Map<Long, String> operations) {
     this.recorded = recorded;
     this.operations = operations;
   }
 
-  /** Adds a pause of the collector where one lay in it, else a safepoint of its own. */
+  /** Adds each safepoint, as a pause of the collector if it contains one. */
   void addTo(List<JvmEvent> events, ClockMap clock) {
     Map<Long, Long> ends = new HashMap<>();
     for (RecordedEvent event : recorded) {
@@ -42,7 +44,7 @@ final class SafepointEvents {
 
   private JvmEvent safepoint(long id, long start, long stopped, long end, ClockMap clock) {
     boolean slowToStop = 2 * (stopped - start) > end - start;
-    String slow = slowToStop ? ", most of it until all threads stood still" : "";
+    String slow = slowToStop ? ", most of it until all threads had stopped" : "";
     boolean forCollector = recorded.stream().anyMatch(event -> isPauseWithin(event, start, end));
     return new JvmEvent(
         forCollector ? JvmEvent.Kind.GC_PAUSE : JvmEvent.Kind.SAFEPOINT,

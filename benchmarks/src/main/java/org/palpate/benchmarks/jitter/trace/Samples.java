@@ -10,19 +10,19 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * What a loop noted of every frame, in memory and as a file.
+ * The samples of a loop's frames, in memory and as a file.
  *
  * <pre>
  *   a frame, six 64-bit integers in the machine's byte order:
- *   0  due        when it should have begun, ns
- *   1  start      when it began
- *   2  end        when its work was done
- *   3  delayed    how long the thread was ready to run and did not, in all, ns
- *   4  preempted  how often it was put off its processor, in all
- *   5  faults     pages that had to come from a disk, in all
+ *   0  due        its deadline, ns
+ *   1  start      the start of its work
+ *   2  end        the end of its work
+ *   3  delayed    total time in which the thread was ready but did not run, ns
+ *   4  preempted  total number of preemptions
+ *   5  faults     total number of pages read from a disk
  * </pre>
  *
- * <p>One thread writes; {@link #note} allocates nothing.
+ * <p>One thread writes; {@link #add} allocates nothing.
  */
 public final class Samples {
   private static final int FIELDS = 6;
@@ -30,13 +30,13 @@ public final class Samples {
   private final long[] values;
   private int count;
 
-  /** Room for so many frames, already touched. */
+  /** Creates room for a number of frames; the memory is already touched. */
   public Samples(int capacity) {
     values = new long[Math.multiplyExact(capacity, FIELDS)];
   }
 
-  /** Notes one more frame. */
-  public void note(long due, long start, long end, long delayed, long preempted, long faults) {
+  /** Adds a frame. */
+  public void add(long due, long start, long end, long delayed, long preempted, long faults) {
     int at = count * FIELDS;
     values[at] = due;
     values[at + 1] = start;
@@ -47,53 +47,59 @@ public final class Samples {
     count++;
   }
 
-  /** How many frames there are. */
+  /** Returns the number of frames. */
   public int count() {
     return count;
   }
 
+  /** Whether the capacity is reached. */
   public boolean isFull() {
     return count * FIELDS == values.length;
   }
 
+  /** Returns the deadline of a frame, ns. */
   public long due(int frame) {
     return values[frame * FIELDS];
   }
 
+  /** Returns the start of a frame's work, ns. */
   long start(int frame) {
     return values[frame * FIELDS + 1];
   }
 
+  /** Returns the end of a frame's work, ns. */
   public long end(int frame) {
     return values[frame * FIELDS + 2];
   }
 
-  /** How late the frame began, ns. */
+  /** Returns the time from the deadline to the start, ns. */
   long lateness(int frame) {
     return start(frame) - due(frame);
   }
 
-  /** How long its work took, ns. */
+  /** Returns the duration of the work, ns. */
   long work(int frame) {
     return end(frame) - start(frame);
   }
 
-  /** How late its force was out, ns: the lateness and the work. */
+  /** Returns the time from the deadline to the force, ns: lateness and work. */
   long response(int frame) {
     return end(frame) - due(frame);
   }
 
-  /** How long the thread was ready and did not run since the frame before was done, ns. */
+  /**
+   * Returns the time in which the thread was ready but did not run, from the last frame's end, ns.
+   */
   long delayed(int frame) {
     return growth(frame, 3);
   }
 
-  /** How often it was put off its processor since the frame before was done. */
+  /** Returns the number of preemptions from the end of the last frame. */
   long preempted(int frame) {
     return growth(frame, 4);
   }
 
-  /** Pages that had to come from a disk since the frame before was done. */
+  /** Returns the number of pages read from a disk from the end of the last frame. */
   long faults(int frame) {
     return growth(frame, 5);
   }
@@ -102,7 +108,7 @@ public final class Samples {
     return frame == 0 ? 0 : values[frame * FIELDS + field] - values[(frame - 1) * FIELDS + field];
   }
 
-  /** Writes all frames. */
+  /** Writes all frames to a file. */
   public void write(Path file) throws IOException {
     ByteBuffer bytes =
         ByteBuffer.allocate(count * FIELDS * Long.BYTES).order(ByteOrder.nativeOrder());
@@ -113,7 +119,7 @@ public final class Samples {
   /**
    * Reads a file.
    *
-   * @throws IOException where it is no whole number of frames, or holds none
+   * @throws IOException if it does not contain a whole number of frames, or none
    */
   public static Samples read(Path file) throws IOException {
     try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {

@@ -4,17 +4,17 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The latest force out in each of some equal stretches of a cell, for a plot.
+ * The latest force in each of several equal stretches of an experiment, for a plot.
  *
- * @param seconds the middle of every stretch, from the first frame's deadline
- * @param worstMicros how late the latest force of the stretch was out
+ * @param seconds the middle of each stretch, from the first frame's deadline
+ * @param worstMicros the time from the deadline to the latest force of each stretch
  */
 public record Timeline(List<Double> seconds, List<Double> worstMicros) {
-  private static final double NANOS_A_SECOND = 1e9;
-  private static final double NANOS_A_MICRO = 1e3;
+  private static final double NANOS_PER_SECOND = 1e9;
+  private static final double NANOS_PER_MICRO = 1e3;
 
   /**
-   * Divides the session into stretches of equal length and summarizes each.
+   * Divides the samples into stretches of equal length.
    *
    * @param stretches the largest number of stretches
    */
@@ -25,8 +25,8 @@ public record Timeline(List<Double> seconds, List<Double> worstMicros) {
     for (int i = 0; i < count; i++) {
       int first = Math.toIntExact((long) samples.count() * i / count);
       int next = Math.toIntExact((long) samples.count() * (i + 1) / count);
-      seconds.add((samples.due((first + next) / 2) - samples.due(0)) / NANOS_A_SECOND);
-      worst.add(worstNanos(samples, first, next) / NANOS_A_MICRO);
+      seconds.add((samples.due((first + next) / 2) - samples.due(0)) / NANOS_PER_SECOND);
+      worst.add(worstNanos(samples, first, next) / NANOS_PER_MICRO);
     }
     return new Timeline(seconds, worst);
   }

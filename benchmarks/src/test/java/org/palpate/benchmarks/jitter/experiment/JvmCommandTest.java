@@ -16,7 +16,7 @@ class JvmCommandTest {
   private static final Jdk JDK_25 = new Jdk(Path.of("jdk25"), 25, "25.0.3", "");
 
   @Test
-  void knowsWhichZgcAReleaseHas() {
+  void choosesTheZgcThatAReleaseHas() {
     assertEquals(Optional.of(List.of("-XX:+UseZGC")), Collector.ZGC.flags(17));
     assertEquals(
         Optional.of(List.of("-XX:+UseZGC", "-XX:+ZGenerational")),
@@ -27,24 +27,24 @@ class JvmCommandTest {
   }
 
   @Test
-  void givesEpsilonRoomForAllThatItsNeighbourAllocates() {
-    Experiment cell =
+  void givesEpsilonRoomForAllAllocations() {
+    Experiment experiment =
         Experiment.of(JDK_17, 512, 10)
             .with(Collector.EPSILON)
             .with(Workload.EMPTY, BackgroundLoad.ALLOCATES);
-    assertTrue(JvmCommand.heapMb(cell) >= 100 * cell.seconds(), cell.key());
-    assertEquals(512, JvmCommand.heapMb(cell.with(Workload.EMPTY, BackgroundLoad.NONE)));
+    assertTrue(JvmCommand.heapMb(experiment) >= 100 * experiment.seconds(), experiment.key());
+    assertEquals(512, JvmCommand.heapMb(experiment.with(Workload.EMPTY, BackgroundLoad.NONE)));
   }
 
   @Test
-  void namesEveryCellOfATableDifferentlyUnlessItIsTheSame() {
+  void differentExperimentsHaveDifferentKeys() {
     Set<String> keys = new HashSet<>();
-    Set<Experiment> cells = new HashSet<>();
+    Set<Experiment> experiments = new HashSet<>();
     for (ExperimentTable table : new ExperimentTables(List.of(JDK_17, JDK_25), 512, 10).all()) {
-      table.cells().forEach(cell -> keys.add(cell.key()));
-      cells.addAll(table.cells());
+      table.experiments().forEach(experiment -> keys.add(experiment.key()));
+      experiments.addAll(table.experiments());
     }
-    assertEquals(cells.size(), keys.size());
+    assertEquals(experiments.size(), keys.size());
   }
 
   @Test
@@ -56,7 +56,7 @@ class JvmCommandTest {
   }
 
   @Test
-  void comesBackFromItsPropertiesAsItWas() {
+  void taskIsTheSameAfterWritingAndReading() {
     ExperimentTask task =
         new ExperimentTask(
             WaitKind.HYBRID,

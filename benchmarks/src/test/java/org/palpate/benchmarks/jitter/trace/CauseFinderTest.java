@@ -10,7 +10,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.palpate.benchmarks.jitter.trace.JvmEvent.Kind;
 
-/** Streams of events whose causes are known because they were put there. */
+/** Finds the causes of delays that the test itself puts into the events. */
 class CauseFinderTest {
   private static final long MILLI = 1_000_000;
   private static final long MICRO = 1_000;
@@ -23,7 +23,7 @@ class CauseFinderTest {
   private final List<JvmEvent> events = new ArrayList<>();
 
   @Test
-  void aPauseThatCoversTheDelayIsTheCollectors() {
+  void aPauseThatCoversTheDelayIsTheCause() {
     event(Kind.GC_PAUSE, DUE - MILLI, DUE + 4 * MILLI, "G1CollectForAllocation");
     Cause cause = worst(late(4 * MILLI, 10 * MICRO, 0), QUIET, true);
     assertEquals(Cause.Kind.GC, cause.kind());
@@ -32,7 +32,7 @@ class CauseFinderTest {
   }
 
   @Test
-  void aPauseThatEndedBeforeTheFrameWasDueIsInnocent() {
+  void aPauseThatEndedBeforeTheDeadlineIsNotTheCause() {
     event(Kind.GC_PAUSE, DUE - 5 * MILLI, DUE - 1, "G1CollectForAllocation");
     Cause cause = worst(late(4 * MILLI, 10 * MICRO, 0), QUIET, true);
     assertEquals(Cause.Kind.OUTSIDE, cause.kind());
@@ -58,7 +58,7 @@ class CauseFinderTest {
   }
 
   @Test
-  void aStallOfAnotherThreadIsNotOurs() {
+  void aStallOfAnotherThreadDoesNotCount() {
     event(Kind.ALLOCATION_STALL, DUE, DUE + 3 * MILLI, "stall");
     assertEquals(Cause.Kind.OUTSIDE, worst(late(3 * MILLI, 0, 0), QUIET, true).kind());
     events.clear();
@@ -67,52 +67,52 @@ class CauseFinderTest {
   }
 
   @Test
-  void readyButNotRunningIsTheScheduler() {
+  void aThreadReadyButNotRunningIsDelayedByTheScheduler() {
     Cause cause = worst(late(3 * MILLI, 0, 2_900 * MICRO), QUIET, true);
     assertEquals(Cause.Kind.SCHEDULER, cause.kind());
     assertEquals("2900 us ready but not running", cause.evidence());
   }
 
   @Test
-  void aCompilerBesideAnOrdinaryThreadHadItsProcessor() {
+  void aCompilerMayHaveTheProcessorOfAnOrdinaryThread() {
     event(Kind.COMPILATION, DUE - MILLI, DUE + 3 * MILLI, "c2 Frame.run");
     assertEquals(Cause.Kind.JIT, worst(late(3 * MILLI, 0, 2_900 * MICRO), QUIET, false).kind());
   }
 
   @Test
-  void aCompilerCannotHaveHadTheProcessorOfARealtimeThread() {
+  void aCompilerCannotHaveTheProcessorOfARealtimeThread() {
     event(Kind.COMPILATION, DUE - MILLI, DUE + 3 * MILLI, "c2 Frame.run");
     assertEquals(
         Cause.Kind.SCHEDULER, worst(late(3 * MILLI, 0, 2_900 * MICRO), QUIET, true).kind());
   }
 
   @Test
-  void longWorkAfterADeoptimizationIsItsFault() {
+  void aDeoptimizationCausesTheLongWorkAfterIt() {
     events.add(new JvmEvent(Kind.DEOPTIMIZATION, DUE + 100, DUE + 100, "class_check", true));
     Cause cause = worst(late(10 * MICRO, 2 * MILLI, 0), QUIET, true);
     assertEquals(Cause.Kind.DEOPTIMIZATION, cause.kind());
   }
 
   @Test
-  void aDeoptimizationElsewhereIsInnocent() {
+  void aDeoptimizationInAnotherThreadIsNotTheCause() {
     event(Kind.DEOPTIMIZATION, DUE + 100, DUE + 100, "class_check");
     assertEquals(Cause.Kind.OUTSIDE, worst(late(10 * MICRO, 2 * MILLI, 0), QUIET, true).kind());
   }
 
   @Test
-  void longWorkWhileItsCodeIsCompiledIsTheJit() {
+  void longWorkDuringItsCompilationIsCausedByTheJit() {
     event(Kind.COMPILATION, DUE, DUE + 2 * MILLI, "c1 Frame.run");
     assertEquals(Cause.Kind.JIT, worst(late(10 * MICRO, 2 * MILLI, 0), QUIET, true).kind());
   }
 
   @Test
-  void workThatIsTooLongEvenForAnInterpreterIsNotTheJit() {
+  void workTooLongEvenForAnInterpreterIsNotCausedByTheJit() {
     event(Kind.COMPILATION, DUE, DUE + 9 * MILLI, "c2 Frame.run");
     assertEquals(Cause.Kind.OUTSIDE, worst(late(10 * MICRO, 9 * MILLI, 0), QUIET, true).kind());
   }
 
   @Test
-  void stolenTimeAboutThenIsTheHypervisors() {
+  void timeStolenAboutThenIsCausedByTheHypervisor() {
     MachineActivity robbed =
         new MachineActivity(
             List.of(
@@ -125,7 +125,7 @@ class CauseFinderTest {
   }
 
   @Test
-  void smallPartsTogetherAreNamedByTheLargest() {
+  void theLargestOfSeveralSmallPartsNamesTheCause() {
     event(Kind.GC_PAUSE, DUE, DUE + MILLI, "ZMarkStart");
     event(Kind.SAFEPOINT, DUE + MILLI, DUE + 1_400 * MICRO, "Cleanup");
     Cause cause = worst(late(4 * MILLI, 0, 700 * MICRO), QUIET, true);
@@ -133,7 +133,7 @@ class CauseFinderTest {
   }
 
   @Test
-  void findsTheWorstInTheirOrderWhereverTheyLie() {
+  void findsTheWorstFramesInTheirOrder() {
     long seed = Long.getLong("palpate.seed", System.nanoTime());
     Random random = new Random(seed);
     List<Long> late = new ArrayList<>();
@@ -141,7 +141,7 @@ class CauseFinderTest {
     for (int i = 0; i < FRAMES; i++) {
       long nanos = random.nextInt(900_000);
       late.add(nanos);
-      samples.note(i * MILLI, i * MILLI + nanos, i * MILLI + nanos, 0, 0, 0);
+      samples.add(i * MILLI, i * MILLI + nanos, i * MILLI + nanos, 0, 0, 0);
     }
     late.sort(Collections.reverseOrder());
     List<Long> found =
@@ -154,14 +154,14 @@ class CauseFinderTest {
     events.add(new JvmEvent(kind, start, end, what, false));
   }
 
-  /** Frames that are a microsecond late, and one that is not. */
+  /** Returns frames that are a microsecond late, except for one. */
   private static Samples late(long lateness, long work, long delayed) {
     Samples samples = new Samples(FRAMES);
     for (int i = 0; i < FRAMES; i++) {
       boolean isLate = i == LATE;
       long start = i * MILLI + (isLate ? lateness : MICRO);
       long counted = i < LATE ? 0 : delayed;
-      samples.note(i * MILLI, start, start + (isLate ? work : MICRO), counted, 0, 0);
+      samples.add(i * MILLI, start, start + (isLate ? work : MICRO), counted, 0, 0);
     }
     return samples;
   }

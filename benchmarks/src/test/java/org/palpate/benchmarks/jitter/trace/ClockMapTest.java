@@ -23,9 +23,9 @@ class ClockMapTest {
   }
 
   @Test
-  void goesByTheTightestPairOfEachHalf() {
+  void usesTheNarrowestPairOfEachHalf() {
     List<Pair> pairs = new ArrayList<>();
-    pairs.add(pair(EPOCH, 80_000, 160_000)); // was put off its processor between its two readings
+    pairs.add(pair(EPOCH, 80_000, 160_000)); // preempted between its two readings
     pairs.add(pair(EPOCH + 1_000, 1_000, 40));
     pairs.add(pair(EPOCH + 10 * SECOND, 10 * SECOND, 40));
     pairs.add(pair(EPOCH + 11 * SECOND, 11 * SECOND + 900_000, 1_800_000));
@@ -34,13 +34,13 @@ class ClockMapTest {
   }
 
   @Test
-  void goesByOnePairAtTheSameRate() {
+  void assumesTheSameRateForASinglePair() {
     ClockMap map = ClockMap.through(List.of(pair(EPOCH, 42, 0)));
     assertEquals(42 + SECOND, map.toNanoTime(EPOCH + SECOND));
   }
 
   @Test
-  void refusesToGuess() {
+  void refusesToGuessWithoutAPair() {
     assertThrows(IllegalArgumentException.class, () -> ClockMap.through(List.of()));
   }
 

@@ -11,34 +11,34 @@ class DelayHistogramsTest {
   private static final long MILLI = 1_000_000;
 
   @Test
-  void countsTheFramesThatWereLeftOutWhileTheLoopWasHeldUp() {
+  void countsTheFramesThatADelayedLoopOmitted() {
     Samples samples = new Samples(4);
-    samples.note(0, 0, 100, 0, 0, 0);
-    samples.note(
+    samples.add(0, 0, 100, 0, 0, 0);
+    samples.add(
         MILLI, 5 * MILLI, 5 * MILLI + 100, 0, 0, 0); // 4 ms late: 2, 3, 4 pass, 5 is on time
-    samples.note(5 * MILLI, 5 * MILLI + 200, 5 * MILLI + 300, 0, 0, 0);
-    samples.note(6 * MILLI, 6 * MILLI, 6 * MILLI + 100, 0, 0, 0);
+    samples.add(5 * MILLI, 5 * MILLI + 200, 5 * MILLI + 300, 0, 0, 0);
+    samples.add(6 * MILLI, 6 * MILLI, 6 * MILLI + 100, 0, 0, 0);
     DelayHistograms delays = DelayHistograms.of(samples, MILLI);
     assertEquals(3, delays.omitted());
     assertEquals(4, delays.lateness().getTotalCount());
     assertEquals(
-        7, delays.corrected().getTotalCount(), "4, and the 3, 2 and 1 ms of those left out");
+        7, delays.corrected().getTotalCount(), "4, and the 3, 2 and 1 ms of those omitted");
     assertEquals(1, delays.overOneAndAHalfMillis());
     assertEquals(0, delays.overTenMillis());
   }
 
   @Test
-  void takesAnEarlyFrameAsPunctual() {
+  void countsAnEarlyFrameAsPunctual() {
     Samples samples = new Samples(1);
-    samples.note(MILLI, MILLI - 500, MILLI, 0, 0, 0);
+    samples.add(MILLI, MILLI - 500, MILLI, 0, 0, 0);
     assertEquals(0, DelayHistograms.of(samples, MILLI).lateness().getMaxValue());
   }
 
   @Test
-  void comesBackFromAFileAsItWas(@TempDir Path folder) throws IOException {
+  void samplesAreTheSameAfterWritingAndReading(@TempDir Path folder) throws IOException {
     Samples samples = new Samples(3);
-    samples.note(1, 2, 3, 4, 5, 6);
-    samples.note(7, 8, 9, 10, 11, 12);
+    samples.add(1, 2, 3, 4, 5, 6);
+    samples.add(7, 8, 9, 10, 11, 12);
     samples.write(folder.resolve("samples.bin"));
     Samples read = Samples.read(folder.resolve("samples.bin"));
     assertEquals(2, read.count());

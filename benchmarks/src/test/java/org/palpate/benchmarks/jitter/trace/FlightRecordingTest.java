@@ -11,26 +11,26 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class FlightRecordingTest {
-  /** Far above the error of the clocks' map, far below the length of the test. */
+  /** Far above the error of the clock map, far below the duration of the test. */
   private static final long CLOCK_ERROR_NANOS = 1_000_000;
 
   @TempDir Path folder;
 
   @Test
-  void blamesACollectionThatWasAskedForOnTheCollector() throws IOException {
+  void attributesARequestedCollectionToTheCollector() throws IOException {
     Samples samples = new Samples(3);
     long due;
     try (Recording recording = new Recording()) {
       FlightRecording.enable(recording);
       recording.start();
-      ClockPair.note();
+      ClockPair.emit();
       due = System.nanoTime();
       System.gc();
       long end = System.nanoTime();
-      samples.note(due - 1_000_000, due - 1_000_000, due - 999_000, 0, 0, 0);
-      samples.note(due, end, end, 0, 0, 0);
-      samples.note(end, end, end, 0, 0, 0);
-      ClockPair.note();
+      samples.add(due - 1_000_000, due - 1_000_000, due - 999_000, 0, 0, 0);
+      samples.add(due, end, end, 0, 0, 0);
+      samples.add(end, end, end, 0, 0, 0);
+      ClockPair.emit();
       recording.stop();
       recording.dump(folder.resolve("recording.jfr"));
     }
