@@ -2,7 +2,6 @@ package org.palpate.benchmarks;
 
 import java.io.PrintStream;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -12,11 +11,12 @@ import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.VerboseMode;
+import org.palpate.loop.Median;
 
 /**
- * Runs {@link ResponseBenchmark} so that the solvers take turns, a fresh process each, round after
- * round: what else the machine does then falls on all alike. Prints medians and ratios to the plain
- * twin.
+ * Runs {@link ResponseBenchmark} with alternating solvers, each in a fresh process and for several
+ * rounds, so that a disturbance of the machine affects all of them alike. Prints medians and ratios
+ * to the plain baseline.
  */
 public final class AlternatingForks {
   private static final String[] SOLVERS = {"twin", "guarded", "paper", "dot"};
@@ -24,7 +24,7 @@ public final class AlternatingForks {
 
   private AlternatingForks() {}
 
-  /** Takes the number of rounds. */
+  /** Runs the benchmark; the first argument is the number of rounds. */
   public static void main(String[] args) throws RunnerException {
     int rounds = args.length > 0 ? Integer.parseInt(args[0]) : DEFAULT_ROUNDS;
     Map<String, Map<String, List<Double>>> nanosBySceneBySolver = new TreeMap<>();
@@ -55,23 +55,21 @@ public final class AlternatingForks {
   private static void print(Map<String, Map<String, List<Double>>> nanos, PrintStream out) {
     nanos.forEach(
         (scene, bySolver) -> {
-          double twin = median(bySolver.get(SOLVERS[0]));
+          double baseline = median(bySolver.get(SOLVERS[0]));
           for (String solver : SOLVERS) {
             double own = median(bySolver.get(solver));
             out.printf(
                 Locale.ROOT,
-                "%-24s %-8s %8.1f ns  %5.2f of twin%n",
+                "%-24s %-8s %8.1f ns  %5.2f of baseline%n",
                 scene,
                 solver,
                 own,
-                own / twin);
+                own / baseline);
           }
         });
   }
 
   private static double median(List<Double> values) {
-    List<Double> sorted = new ArrayList<>(values);
-    Collections.sort(sorted);
-    return sorted.get(sorted.size() / 2);
+    return Median.of(values.stream().mapToDouble(Double::doubleValue).toArray());
   }
 }

@@ -24,8 +24,8 @@ import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.volume.BitCube;
 
 /**
- * Time of one frame of {@code guarded} among many objects, of which five lie where the hand slides,
- * with the tree that tells the near ones and without.
+ * Time of one frame of {@code guarded} among many objects, five of which lie where the hand slides,
+ * with and without the tree that finds the near ones.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -44,20 +44,20 @@ public class ManyObjectsBenchmark {
   private static final double MAX_STEP_VOXELS = 8;
   private static final long SEED = 3;
 
-  /** All objects; the near ones are the same. */
+  /** The number of objects; the near ones are always the same. */
   @Param({"5", "1000"})
   public int objects;
 
-  /** How the near ones are found: by a tree, or by a look at each. */
+  /** The broad phase: a tree, or a test of each object. */
   @Param({"tree", "each"})
   public String candidates;
 
   private final GuardedSolver solver = new GuardedSolver(new GridMetric(1, 1, 1), MAX_STEP_VOXELS);
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 device = new Vec3();
-  private CollisionScene obstacles;
+  private CollisionScene scene;
 
-  /** Makes five slabs that form a floor, and small objects all over the rest of the grid. */
+  /** Makes five slabs that form a floor, and small objects in the rest of the grid. */
   @Setup
   public void prepare() {
     SplittableRandom random = new SplittableRandom(SEED);
@@ -78,7 +78,7 @@ public class ManyObjectsBenchmark {
       }
       cubes.add(cube);
     }
-    obstacles = new CollisionScene(cubes, candidates.equals("tree"));
+    scene = new CollisionScene(cubes, candidates.equals("tree"));
   }
 
   private static void fill(BitCube cube, int i, int j, int k, int x, int y, int z) {
@@ -87,7 +87,7 @@ public class ManyObjectsBenchmark {
     }
   }
 
-  /** Slides to and fro over the floor of five objects, pressed in. */
+  /** Slides back and forth over the floor of five objects, pressed into it. */
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double slide() {
@@ -97,7 +97,7 @@ public class ManyObjectsBenchmark {
     for (int frame = 0; frame < FRAMES; frame++) {
       double along = SPEED * frame;
       device.set(5 + 45 * (1 - Math.cos(along / 45)), 60 + 15 * Math.sin(along / 31), 20.3 - DEPTH);
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
       sum += point.position.x;
     }
     return sum;

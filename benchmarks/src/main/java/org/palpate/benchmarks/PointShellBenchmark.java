@@ -30,8 +30,8 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * Time of one frame of a tool of many points, a ball of radius 20 that slides, dipped in 10 voxels,
- * over a ball of bits of 256^3 and turns. At 1 kHz a frame has 1,000 us.
+ * Time of one frame of a tool of many points: a ball of radius 20 that slides over a ball of bits
+ * at 256^3, 10 voxels deep, and turns. At 1 kHz a frame has 1,000 us.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -47,11 +47,11 @@ public class PointShellBenchmark {
   private static final double SPEED_VOXELS = 0.2;
   private static final long SEED = 5;
 
-  /** What the paper's aims are taken from: collision of 20,000, response of 3,000. */
+  /** The number of points; the paper reaches 20,000 for collision and 3,000 for response. */
   @Param({"20000", "3000"})
   public int points;
 
-  /** The caller's thread, and one that helps it. */
+  /** The number of threads; the first is the caller's. */
   @Param({"1", "2"})
   public int threads;
 
@@ -65,12 +65,12 @@ public class PointShellBenchmark {
   private ShellContacts contacts;
   private ShellResponse response;
   private ShellPool pool;
-  private ShellPool.Share collide;
-  private ShellPool.Share respond;
+  private ShellPool.RangeTask collide;
+  private ShellPool.RangeTask respond;
   private double orbitRadius;
   private long frame;
 
-  /** Makes the ball and the tool. */
+  /** Makes the ball, the tool and the pool. */
   @Setup
   public void prepare() {
     Phantom phantom = Phantom.parse("sphere:256");
@@ -92,13 +92,13 @@ public class PointShellBenchmark {
     response.place(views[0], shell);
   }
 
-  /** Ends the pool. */
+  /** Stops the pool. */
   @TearDown
   public void end() {
     pool.close();
   }
 
-  /** Points spread at random over a ball's surface. */
+  /** Returns random points on the surface of a ball. */
   private static double[] ball(int points) {
     SplittableRandom random = new SplittableRandom(SEED);
     double[] mm = new double[3 * points];
@@ -134,7 +134,7 @@ public class PointShellBenchmark {
     return response.follow(views[thread], shell, from, to);
   }
 
-  /** Contact flags and hits alone. */
+  /** Computes only contact flags and hits. */
   @Benchmark
   public int collision() {
     move();
@@ -142,7 +142,7 @@ public class PointShellBenchmark {
     return pool.run(points, collide);
   }
 
-  /** An interaction point for each point. */
+  /** Moves an interaction point for each point of the tool. */
   @Benchmark
   public int response() {
     move();

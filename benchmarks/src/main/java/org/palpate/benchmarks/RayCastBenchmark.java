@@ -23,8 +23,8 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * Time of one ray against the bits of a ball at 256^3, by caster, length in voxels, and where the
- * ray runs.
+ * Time of one ray against the bits of a ball at 256^3, by caster, by length in voxels and by the
+ * kind of ray.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -37,11 +37,11 @@ public class RayCastBenchmark {
   private static final int EDGE = 256;
   private static final long SEED = 11;
 
-  /** {@code plain:1} skips nothing, see {@link PlainRayCaster}. */
+  /** The caster; {@code plain:1} skips nothing, see {@link PlainRayCaster}. */
   @Param({"exact", "plain:1", "sampled:1", "sampled:0.1", "gridplanes"})
   public String caster;
 
-  /** See {@link RaySet#of}. */
+  /** The kind of ray, see {@link RaySet#of}. */
   @Param({"free", "near", "hit", "anywhere", "slide"})
   public String place;
 
@@ -70,7 +70,7 @@ public class RayCastBenchmark {
     };
   }
 
-  /** All rays, counted by rays. */
+  /** Casts all rays. */
   @Benchmark
   @OperationsPerInvocation(RAYS)
   public int cast() {

@@ -35,15 +35,14 @@ import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * Time of one frame of response, by solver, on one and the same trajectory: the hand comes down and
- * slides under the surface, or does something else. {@link AlternatingForks} runs it so that
- * solvers take turns.
+ * Time of one frame of response, by solver, on the same trajectory: the hand presses and slides, or
+ * moves otherwise. {@link AlternatingForks} runs it with alternating solvers.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
 @Fork(1)
-@Warmup(iterations = 3, time = 1) // the listing as printed is slow to reach its steady state
+@Warmup(iterations = 3, time = 1) // the paper's listing is slow to reach its steady state
 @Measurement(iterations = 5, time = 1)
 public class ResponseBenchmark {
   private static final int FRAMES = 20_000;
@@ -59,7 +58,7 @@ public class ResponseBenchmark {
   @Param({"5"})
   public double depth;
 
-  /** What the hand does, see {@link Trajectories}. */
+  /** The motion of the hand, see {@link Trajectories}. */
   @Param({"slide"})
   public String motion;
 
@@ -69,8 +68,8 @@ public class ResponseBenchmark {
   private final Vec3 start = new Vec3();
   private final Vec3 device = new Vec3();
   private Trajectory trajectory;
-  private PlainBaseline twin;
-  private TrajectoryFollower followed;
+  private PlainBaseline baseline;
+  private TrajectoryFollower follower;
 
   /** Makes the phantom and the trajectory. */
   @Setup
@@ -78,20 +77,20 @@ public class ResponseBenchmark {
     Phantom phantom = Phantom.parse(scene);
     BitCube bits = phantom.segments().segments().get(0).bits();
     trajectory = trajectory(phantom);
-    twin = new PlainBaseline(bits, MAX_STEP_VOXELS);
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
+    baseline = new PlainBaseline(bits, MAX_STEP_VOXELS);
+    CollisionScene collisionScene = new CollisionScene(List.of(bits));
     trajectory.position(0, start);
-    if (obstacles.touches(start.x, start.y, start.z)) { // a hand in a groove begins pressed
-      new NearestFreeVoxel(new GridMetric(1, 1, 1)).find(obstacles, start, start);
+    if (collisionScene.touches(start.x, start.y, start.z)) { // a hand in a groove starts pressed
+      new NearestFreeVoxel(new GridMetric(1, 1, 1)).find(collisionScene, start, start);
     }
     if (!solver.equals("twin")) {
-      followed = new TrajectoryFollower(follower(solver), obstacles, trajectory);
+      follower = new TrajectoryFollower(solverOf(solver), collisionScene, trajectory);
     }
   }
 
   private Trajectory trajectory(Phantom phantom) {
     int edge = phantom.edge();
-    AnalyticSurface truth = phantom.truth().orElse(null); // jumps do without
+    AnalyticSurface truth = phantom.truth().orElse(null); // jumps need no surface
     return switch (motion) {
       case "slide" -> Trajectories.slide(truth, edge, depth, speed, FRAMES, SEED);
       case "press" -> Trajectories.approach(truth, edge, depth, speed, FRAMES, SEED);
@@ -103,7 +102,7 @@ public class ResponseBenchmark {
     };
   }
 
-  private static ProxySolver follower(String name) {
+  private static ProxySolver solverOf(String name) {
     GridMetric metric = new GridMetric(1, 1, 1);
     SampledRayCaster sampled = new SampledRayCaster(1);
     return switch (name) {
@@ -116,20 +115,20 @@ public class ResponseBenchmark {
     };
   }
 
-  /** The whole trajectory, counted by frames. */
+  /** Follows the whole trajectory. */
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double pressAndSlide() {
-    return followed == null ? baselineFrames() : followed.followFromStart(start);
+    return follower == null ? baselineFrames() : follower.followFromStart(start);
   }
 
   private double baselineFrames() {
-    twin.place(start.x, start.y, start.z);
+    baseline.place(start.x, start.y, start.z);
     double sum = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
       trajectory.position(frame, device);
-      twin.frame(device.x, device.y, device.z);
-      sum += twin.x();
+      baseline.frame(device.x, device.y, device.z);
+      sum += baseline.x();
     }
     return sum;
   }

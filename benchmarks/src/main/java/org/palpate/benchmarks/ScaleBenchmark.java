@@ -25,10 +25,10 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * Time of one pressed frame of {@code guarded} on a ball of bits, by the edge of the grid: the same
- * hand in voxels, or the same hand in shares of the ball, which so goes 8 times as many voxels a
- * frame at 2048 as at 256. Caches are warm where the hand is; {@code cold} has each frame
- * elsewhere.
+ * Time of one pressed frame of {@code guarded} on a ball of bits, by the edge of the grid. The hand
+ * {@code voxels} moves the same number of voxels per frame; {@code scaled} moves the same fraction
+ * of the ball, which is 8 times as many voxels at 2048 as at 256. Caches are warm at the hand;
+ * {@code cold} has each frame elsewhere.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -54,56 +54,56 @@ public class ScaleBenchmark {
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 device = new Vec3();
   private GuardedSolver solver;
-  private CollisionScene obstacles;
-  private TrajectoryFollower followed;
-  private double[] places;
+  private CollisionScene scene;
+  private TrajectoryFollower follower;
+  private double[] positions;
 
-  /** Makes the ball. */
+  /** Makes the ball and the hand. */
   @Setup
   public void prepare() {
     Phantom phantom = Phantom.parse("sphere:" + edge);
     BitCube bits = phantom.segments().segments().get(0).bits();
-    obstacles = new CollisionScene(List.of(bits));
+    scene = new CollisionScene(List.of(bits));
     double scale = hand.equals("scaled") ? (double) edge / SCALED_FROM : 1;
     Trajectory trajectory =
         Trajectories.slide(
             phantom.truth().orElseThrow(), edge, DEPTH * scale, SPEED * scale, FRAMES, SEED);
     solver = new GuardedSolver(new GridMetric(1, 1, 1), 8 * scale);
-    followed = new TrajectoryFollower(solver, obstacles, trajectory);
-    placeAbove(phantom);
+    follower = new TrajectoryFollower(solver, scene, trajectory);
+    computePositions(phantom);
   }
 
-  /** For the cold hand: places just above the surface, all over the ball. */
-  private void placeAbove(Phantom phantom) {
+  /** Computes positions just above the surface, all over the ball, for the cold hand. */
+  private void computePositions(Phantom phantom) {
     Trajectory all =
         Trajectories.approach(phantom.truth().orElseThrow(), edge, 1, 14, FRAMES, SEED);
-    places = new double[3 * FRAMES];
+    positions = new double[3 * FRAMES];
     for (int frame = 0; frame < FRAMES; frame++) {
       all.position(frame, device);
       for (int axis = 0; axis < 3; axis++) {
-        places[3 * frame + axis] = device.get(axis);
+        positions[3 * frame + axis] = device.get(axis);
       }
     }
   }
 
-  /** Pressed and sliding; for the cold hand pushed down anew, each time elsewhere. */
+  /** Follows the hand; the cold hand presses from a new position in each frame. */
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double follow() {
-    return hand.equals("cold") ? pushAnew() : followed.follow();
+    return hand.equals("cold") ? followCold() : follower.follow();
   }
 
-  private double pushAnew() {
+  private double followCold() {
     double sum = 0;
     double middle = edge / 2.0;
-    for (int at = 0; at < places.length; at += 3) {
-      point.position.set(places[at], places[at + 1], places[at + 2]);
+    for (int at = 0; at < positions.length; at += 3) {
+      point.position.set(positions[at], positions[at + 1], positions[at + 2]);
       device.set(
-          places[at] + 0.1 * Math.signum(middle - places[at]),
-          places[at + 1] + 0.1 * Math.signum(middle - places[at + 1]),
-          places[at + 2] + 0.1 * Math.signum(middle - places[at + 2]));
+          positions[at] + 0.1 * Math.signum(middle - positions[at]),
+          positions[at + 1] + 0.1 * Math.signum(middle - positions[at + 1]),
+          positions[at + 2] + 0.1 * Math.signum(middle - positions[at + 2]));
       solver.reset();
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
       sum += point.position.x;
     }
     return sum;

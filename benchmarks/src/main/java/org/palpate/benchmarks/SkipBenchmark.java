@@ -36,22 +36,21 @@ import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * What each thing that is skipped is worth: time with the skip and without, where it helps and
- * where it does not. Objects that are far have {@link ManyObjectsBenchmark}; what the scene skips
- * is drawn by {@code bench --skips} itself.
+ * The gain of each skip: time with and without it, where it helps and where it does not. {@link
+ * ManyObjectsBenchmark} measures far objects, and {@code bench --skips} what the scene skips.
  *
  * <ul>
  *   <li>{@code empty bricks}: a ray; helps over 50 voxels of mostly empty space, not at length 4
  *       one voxel above a surface.
- *   <li>{@code neighbours}: a pressed frame of {@code guarded} that keeps the neighbourhoods of the
- *       last frames; helps at 0.05 voxel a frame, less at 2.
- *   <li>{@code climbs}: the same, which remembers fruitless climbs.
- *   <li>{@code rest}: the same where the device rests in every frame but one of a hundred; does not
- *       help where it moves in each.
- *   <li>{@code response}: a pressed frame where collision alone is asked for, against {@code
- *       guarded}; helps less where nothing is touched.
- *   <li>{@code friction}: frame and force of a pressed hand; helps where mu is 0.
- *   <li>{@code properties}: what a frame publishes; helps where nothing changed.
+ *   <li>{@code neighbours}: a pressed frame of {@code guarded} that caches the neighbourhoods of
+ *       the last frames; helps at 0.05 voxel per frame, less at 2.
+ *   <li>{@code climbs}: the same frame, which remembers steps up that failed.
+ *   <li>{@code rest}: the same frame with a device that moves once in a hundred frames; does not
+ *       help if it moves in each.
+ *   <li>{@code response}: a pressed frame of collision alone, against {@code guarded}; helps less
+ *       without contact.
+ *   <li>{@code friction}: frame and force of a pressed hand; helps if mu is 0.
+ *   <li>{@code properties}: the published properties of a frame; helps if none changed.
  * </ul>
  */
 @State(Scope.Thread)
@@ -130,7 +129,7 @@ public class SkipBenchmark {
     return new GuardedSolver(METRIC, MAX_STEP_VOXELS, skips);
   }
 
-  /** A frame, a ray, or what a frame publishes. */
+  /** Runs frames, rays or publications. */
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double frames() {
@@ -149,7 +148,7 @@ public class SkipBenchmark {
     solver.reset();
   }
 
-  /** Each place of the device for so many frames. */
+  /** Follows each position of the device for a number of frames. */
   private double follow(int framesEach) {
     begin();
     double sum = 0;

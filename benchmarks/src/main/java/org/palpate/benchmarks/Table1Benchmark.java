@@ -32,9 +32,9 @@ import org.palpate.raycast.ExactRayCaster;
 import org.palpate.volume.BitCube;
 
 /**
- * The paper's Table 1 on scans: a device that goes 0.3 voxel a frame from place to place through
- * whatever stands there: the point is free, pressed and dragged along as it comes, which is less
- * than the paper's peak load. Head and thorax as they are, and resampled (the nearest voxel) to the
+ * The paper's Table 1 on scans. A device moves 0.3 voxel per frame between random positions,
+ * through solids as well; the point is free, pressed and dragged in turn, which is less than the
+ * paper's peak load. Head and thorax have their own size or are resampled (nearest voxel) to the
  * sizes of the paper's data.
  *
  * <p>Reads the folder that the system property palpate.data names.
@@ -61,31 +61,31 @@ public class Table1Benchmark {
 
   private final Vec3 start = new Vec3();
   private final Vec3 device = new Vec3();
-  private TrajectoryFollower followed;
-  private PlainBaseline twin;
+  private TrajectoryFollower follower;
+  private PlainBaseline baseline;
   private Trajectory trajectory;
   private GridMetric metric;
 
-  /** Reads and, where so named, resamples the scan. */
+  /** Reads the scan and resamples it if its name says so. */
   @Setup
   public void prepare() throws IOException {
     Scans scan = Scans.read(Path.of(System.getProperty("palpate.data")), data);
     BitCube bits = scan.bone();
     metric = data.contains(" to ") ? new GridMetric(1, 1, 1) : GridMetric.of(scan.spacingMm());
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
+    CollisionScene scene = new CollisionScene(List.of(bits));
     trajectory = Trajectories.wander(bits.sizeX(), bits.sizeY(), bits.sizeZ(), SPEED, FRAMES, SEED);
     trajectory.position(0, start);
     if (solver.equals("twin")) {
-      twin = new PlainBaseline(bits, MAX_STEP_MM);
+      baseline = new PlainBaseline(bits, MAX_STEP_MM);
     } else {
-      followed = new TrajectoryFollower(follower(), obstacles, trajectory);
+      follower = new TrajectoryFollower(solverOf(), scene, trajectory);
     }
-    if (twin != null || obstacles.touches(start.x, start.y, start.z)) {
-      new NearestFreeVoxel(metric).find(obstacles, start, start);
+    if (baseline != null || scene.touches(start.x, start.y, start.z)) {
+      new NearestFreeVoxel(metric).find(scene, start, start);
     }
   }
 
-  private ProxySolver follower() {
+  private ProxySolver solverOf() {
     return switch (solver) {
       case "none" -> new CollisionOnlySolver(new ExactRayCaster(), metric);
       case "guarded" -> new GuardedSolver(metric, MAX_STEP_MM);
@@ -94,20 +94,20 @@ public class Table1Benchmark {
     };
   }
 
-  /** The whole way of the device, counted by frames. */
+  /** Follows the whole trajectory. */
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public double wander() {
     double sum = 0;
-    if (followed == null) {
-      twin.place(start.x, start.y, start.z);
+    if (follower == null) {
+      baseline.place(start.x, start.y, start.z);
       for (int frame = 0; frame < FRAMES; frame++) {
         trajectory.position(frame, device);
-        twin.frame(device.x, device.y, device.z);
-        sum += twin.x();
+        baseline.frame(device.x, device.y, device.z);
+        sum += baseline.x();
       }
       return sum;
     }
-    return followed.followFromStart(start);
+    return follower.followFromStart(start);
   }
 }

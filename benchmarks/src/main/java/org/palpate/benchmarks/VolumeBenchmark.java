@@ -16,7 +16,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
-/** Reading and editing bits of the head phantom at 256^3. */
+/** Time to read and edit bits of the head phantom at 256^3. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -28,49 +28,49 @@ public class VolumeBenchmark {
   private static final int VOXELS = 4096;
   private static final long SEED = 13;
 
-  private final int[] places = new int[VOXELS];
+  private final int[] voxels = new int[VOXELS];
   private BitCube bits;
 
-  /** Makes the phantom and places in it. */
+  /** Makes the phantom and random voxel numbers. */
   @Setup
   public void prepare() {
     bits = Phantom.parse("head:" + EDGE).segments().segments().get(0).bits();
     SplittableRandom random = new SplittableRandom(SEED);
     for (int n = 0; n < VOXELS; n++) {
-      places[n] = random.nextInt(EDGE * EDGE * EDGE);
+      voxels[n] = random.nextInt(EDGE * EDGE * EDGE);
     }
   }
 
-  /** Looks at voxels at random. */
+  /** Reads random voxels. */
   @Benchmark
   @OperationsPerInvocation(VOXELS)
   public int readVoxel() {
     int solid = 0;
-    for (int place : places) {
-      solid += bits.get(place & 255, place >> 8 & 255, place >> 16) ? 1 : 0;
+    for (int voxel : voxels) {
+      solid += bits.get(voxel & 255, voxel >> 8 & 255, voxel >> 16) ? 1 : 0;
     }
     return solid;
   }
 
-  /** Looks at the 4x4x4 voxels from a voxel on, at random. */
+  /** Reads the 4x4x4 voxels that start at random voxels. */
   @Benchmark
   @OperationsPerInvocation(VOXELS)
   public long readWindow() {
     long all = 0;
-    for (int place : places) {
-      all ^= bits.window(place & 255, place >> 8 & 255, place >> 16);
+    for (int voxel : voxels) {
+      all ^= bits.window(voxel & 255, voxel >> 8 & 255, voxel >> 16);
     }
     return all;
   }
 
-  /** Makes voxels solid and empty again, at random: two edits an operation. */
+  /** Toggles random voxels twice: two edits per operation. */
   @Benchmark
   @OperationsPerInvocation(VOXELS)
   public long editVoxelTwice() {
-    for (int place : places) {
-      int i = place & 255;
-      int j = place >> 8 & 255;
-      int k = place >> 16;
+    for (int voxel : voxels) {
+      int i = voxel & 255;
+      int j = voxel >> 8 & 255;
+      int k = voxel >> 16;
       if (bits.get(i, j, k)) {
         bits.clear(i, j, k);
         bits.set(i, j, k);

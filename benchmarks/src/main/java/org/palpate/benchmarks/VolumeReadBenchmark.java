@@ -8,7 +8,6 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -34,30 +33,31 @@ import org.palpate.io.VolumeWriter;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.ReadOptions;
+import org.palpate.loop.Median;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * Reading a volume into a segment, against reading and inflating its bytes alone. The input is the
- * grey head phantom written to a file, or the file that {@code -Dpalpate.volume} names.
+ * Time to read a volume into a segment, against reading and inflating its bytes alone. The input is
+ * the grey head phantom in a file, or the file that {@code -Dpalpate.volume} names.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
-@Fork(1) // a second fork changes nothing: the work is one long loop, compiled alike
+@Fork(1) // a second fork changes nothing: the work is one long loop, which compiles alike
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class VolumeReadBenchmark {
   private static final int BUFFER_BYTES = 1 << 16;
   private static final int ROUNDS = 15;
 
-  /** Compressed by gzip, or plain. */
+  /** The format, compressed by gzip or plain. */
   @Param({"nrrd", "nii.gz", "nii"})
   public String format;
 
   private Path file;
   private boolean made;
 
-  /** Writes the phantom, once a run, unless a file was named. */
+  /** Writes the phantom once per run, unless a file is named. */
   @Setup(Level.Trial)
   public void makeFile() throws IOException {
     String named = System.getProperty("palpate.volume", "");
@@ -68,7 +68,7 @@ public class VolumeReadBenchmark {
     }
   }
 
-  /** Deletes what was written. */
+  /** Deletes the file that was written. */
   @TearDown(Level.Trial)
   public void deleteFile() throws IOException {
     if (made) {
@@ -76,7 +76,7 @@ public class VolumeReadBenchmark {
     }
   }
 
-  /** What cannot be avoided: the bytes of the file, inflated where it is gzip. */
+  /** Reads the bytes of the file and inflates them if necessary: the least possible work. */
   @Benchmark
   public long bytesAlone() throws IOException {
     byte[] buffer = new byte[BUFFER_BYTES];
@@ -100,7 +100,7 @@ public class VolumeReadBenchmark {
     return new GZIPInputStream(in, BUFFER_BYTES);
   }
 
-  /** To the empty line that ends a NRRD header. */
+  /** Skips to the empty line that ends a NRRD header. */
   private static void skipHeader(InputStream in) throws IOException {
     for (int before = 0, c = in.read(); !(before == '\n' && c == '\n'); c = in.read()) {
       if (c < 0) {
@@ -110,7 +110,7 @@ public class VolumeReadBenchmark {
     }
   }
 
-  /** The slices decoded, and nothing done with them. */
+  /** Decodes the slices and does nothing with them. */
   @Benchmark
   public long slices() throws IOException {
     long[] sum = {0};
@@ -118,7 +118,7 @@ public class VolumeReadBenchmark {
     return sum[0];
   }
 
-  /** A segment by threshold, as bits. */
+  /** Makes a segment of bits by a threshold. */
   @Benchmark
   public long segmentByThreshold() throws IOException {
     return SegmentBuilder.read(
@@ -130,14 +130,15 @@ public class VolumeReadBenchmark {
         .solidCount();
   }
 
-  /** One of the three, for {@link #main}. */
-  private interface Way {
+  /** A reading that {@link #main} measures. */
+  private interface Reading {
     long run() throws IOException;
   }
 
   /**
-   * Processor time of each and ratios to the bytes alone, in turns, so that what else the machine
-   * does falls on all alike. Takes the formats to make, or none with {@code -Dpalpate.volume}.
+   * Prints the processor time of each reading and its ratio to the bytes alone. The readings
+   * alternate, so that a disturbance of the machine affects all alike. The arguments are formats to
+   * make; none with {@code -Dpalpate.volume}.
    */
   public static void main(String[] args) throws IOException {
     for (String format : args.length > 0 ? List.of(args) : List.of("nrrd")) {
@@ -150,30 +151,29 @@ public class VolumeReadBenchmark {
   }
 
   private void compare(PrintStream out) throws IOException {
-    Map<String, Way> ways = new LinkedHashMap<>();
-    ways.put("bytes alone", this::bytesAlone);
-    ways.put("slices", this::slices);
-    ways.put("segment", this::segmentByThreshold);
-    Map<String, long[]> nanos = new LinkedHashMap<>();
+    Map<String, Reading> readings = new LinkedHashMap<>();
+    readings.put("bytes alone", this::bytesAlone);
+    readings.put("slices", this::slices);
+    readings.put("segment", this::segmentByThreshold);
+    Map<String, double[]> nanos = new LinkedHashMap<>();
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     for (int round = 0; round < ROUNDS; round++) {
-      for (Map.Entry<String, Way> way : ways.entrySet()) {
+      for (Map.Entry<String, Reading> reading : readings.entrySet()) {
         long start = threads.getCurrentThreadCpuTime();
-        way.getValue().run();
-        nanos.computeIfAbsent(way.getKey(), any -> new long[ROUNDS])[round] =
+        reading.getValue().run();
+        nanos.computeIfAbsent(reading.getKey(), any -> new double[ROUNDS])[round] =
             threads.getCurrentThreadCpuTime() - start;
       }
     }
-    nanos.values().forEach(Arrays::sort);
-    double alone = nanos.get("bytes alone")[ROUNDS / 2];
+    double alone = Median.of(nanos.get("bytes alone"));
     out.println(file.getFileName());
     nanos.forEach(
-        (way, sorted) ->
+        (reading, rounds) ->
             out.printf(
                 Locale.ROOT,
                 "  %-12s %7.1f ms, %5.2f of the bytes alone%n",
-                way,
-                sorted[ROUNDS / 2] / 1e6,
-                sorted[ROUNDS / 2] / alone));
+                reading,
+                Median.of(rounds) / 1e6,
+                Median.of(rounds) / alone));
   }
 }

@@ -33,8 +33,8 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * Time of a whole haptic frame, from the device's reading to its force, of a simulated hand on the
- * head phantom; bare, and with recorder and the properties that the scene shows.
+ * Time of a whole haptic frame, from the reading of the device to its force, for a simulated hand
+ * on the head phantom; alone, or with a recorder and the properties that the scene shows.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -47,7 +47,7 @@ public class WholeFrameBenchmark {
   private static final long FRAME_NANOS = 1_000_000;
   private static final long SEED = 7;
 
-  /** Whether it is recorded and shown. */
+  /** Whether the frame is recorded and shown. */
   @Param({"bare", "recorded and shown"})
   public String frameOf;
 
@@ -60,7 +60,7 @@ public class WholeFrameBenchmark {
   public void prepare() {
     SegmentedVolume volume = Phantom.parse("head:256").segments();
     GridMetric metric = GridMetric.of(volume.grid().spacingMm());
-    CollisionScene obstacles =
+    CollisionScene scene =
         new CollisionScene(volume.segments().stream().map(segment -> segment.bits()).toList());
     HandTarget target = HandTarget.ofBox(new Vec3(40, 40, 40), new Vec3(216, 216, 216), 1);
     SimulatedDevice hand = new SimulatedDevice(SEED, target, FRAME_NANOS);
@@ -71,14 +71,14 @@ public class WholeFrameBenchmark {
         new HapticFrame(
             device,
             new GuardedSolver(metric, 8),
-            obstacles,
+            scene,
             metric,
             FrameSettings.live(hand.specification(), ForceSettings.of(0.5, 0.2)),
             new EditQueue(volume.grid(), volume.segments().size()),
             whole ? touch::publish : FramePublisher.NONE);
   }
 
-  /** A second of a session, counted by frames. */
+  /** Runs a second of a session. */
   @Benchmark
   @OperationsPerInvocation(FRAMES)
   public long run() {

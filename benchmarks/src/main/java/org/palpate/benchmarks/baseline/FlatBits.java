@@ -2,7 +2,7 @@ package org.palpate.benchmarks.baseline;
 
 import org.palpate.volume.BitCube;
 
-/** A flat bit array, x fastest, as plain code has it; outside all is empty. */
+/** A flat bit array, x fastest, as plain code would use; voxels outside are empty. */
 final class FlatBits {
   private final int sizeX;
   private final int sizeY;
@@ -27,6 +27,7 @@ final class FlatBits {
     }
   }
 
+  /** Whether a voxel is solid. */
   boolean solid(int i, int j, int k) {
     if (i < 0 || i >= sizeX || j < 0 || j >= sizeY || k < 0 || k >= sizeZ) {
       return false;
@@ -35,6 +36,7 @@ final class FlatBits {
     return (bits[index >> 6] >>> index & 1) != 0;
   }
 
+  /** Whether the voxel at a position is solid. */
   boolean solidAt(double x, double y, double z) {
     return solid((int) Math.floor(x), (int) Math.floor(y), (int) Math.floor(z));
   }

@@ -3,15 +3,14 @@ package org.palpate.benchmarks.baseline;
 import org.palpate.volume.BitCube;
 
 /**
- * The yardstick: the paper's solver of 2013 over a flat bit array, written as an ordinary good
- * programmer would, with one condition more than the listing has: a neighbour must be strictly
- * nearer to d than p. So it comes to rest. Collision by samples one voxel apart; distances in
- * voxels.
+ * The plain baseline: the paper's solver of 2013 over a flat bit array, in straightforward code. It
+ * has one condition more than the listing, so that it comes to rest: a neighbour must be strictly
+ * nearer to d than p. Collision samples are one voxel apart; distances are in voxels.
  *
  * <p>It uses nothing of the library's own frames. Source: Vlasov, Friese, Wolter 2013, section 4.2.
  */
 public final class PlainBaseline {
-  /** The largest number below 1: p stops at the last free sample. */
+  /** The largest number below 1, so that p stops at the last free sample. */
   private static final double EPSILON = 1 - 0x1p-53;
 
   private static final double MISS = -1;
@@ -35,41 +34,44 @@ public final class PlainBaseline {
     this.maxPath = maxPath;
   }
 
-  /** Puts p, grid coordinates. */
+  /** Places p, grid coordinates. */
   public void place(double x, double y, double z) {
     px = x;
     py = y;
     pz = z;
   }
 
+  /** Returns x of p. */
   public double x() {
     return px;
   }
 
+  /** Returns y of p. */
   public double y() {
     return py;
   }
 
+  /** Returns z of p. */
   public double z() {
     return pz;
   }
 
-  /** Whether a solid was met in the last frame. */
+  /** Whether the last frame met a solid. */
   public boolean contact() {
     return contact;
   }
 
-  /** The path of the last frame, voxels. */
+  /** Returns the length of the last frame's path, voxels. */
   public double path() {
     return path;
   }
 
-  /** The part of it that went through border voxels. */
+  /** Returns the length of the last frame's path through border voxels, voxels. */
   public double surfacePath() {
     return surfacePath;
   }
 
-  /** One frame: p follows the device. */
+  /** Lets p follow the device for one frame. */
   public void frame(double deviceX, double deviceY, double deviceZ) {
     dx = deviceX;
     dy = deviceY;
@@ -151,7 +153,7 @@ public final class PlainBaseline {
     return !bits.solidAt(px + t * (dx - px), py + t * (dy - py), pz + t * (dz - pz));
   }
 
-  /** The number of the neighbour, 0 to 26, or -1 where none is nearer to d than p. */
+  /** Returns the number of the neighbour, 0 to 26, or -1 if none is nearer to d than p. */
   private int nearestBorderVoxel(int i, int j, int k) {
     double least = squared(px, py, pz, dx, dy, dz);
     int best = -1;

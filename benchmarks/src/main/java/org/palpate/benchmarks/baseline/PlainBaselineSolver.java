@@ -5,14 +5,16 @@ import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
 
-/** The plain twin behind the interface of the solvers; it has bits of its own and knows no legs. */
+/**
+ * Adapts the plain baseline to the interface of solvers. It has its own bits and records no legs.
+ */
 public final class PlainBaselineSolver implements ProxySolver {
-  private final PlainBaseline twin;
+  private final PlainBaseline baseline;
   private boolean placed;
 
-  /** A solver that starts where the point is in its first frame after {@link #reset}. */
-  public PlainBaselineSolver(PlainBaseline twin) {
-    this.twin = twin;
+  /** Creates a solver that starts at the point's position in the first frame after a reset. */
+  public PlainBaselineSolver(PlainBaseline baseline) {
+    this.baseline = baseline;
   }
 
   @Override
@@ -21,14 +23,14 @@ public final class PlainBaselineSolver implements ProxySolver {
   }
 
   @Override
-  public void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point) {
+  public void follow(CollisionScene scene, Vec3 device, InteractionPoint point) {
     if (!placed) {
-      twin.place(point.position.x, point.position.y, point.position.z);
+      baseline.place(point.position.x, point.position.y, point.position.z);
       placed = true;
     }
-    twin.frame(device.x, device.y, device.z);
-    point.position.set(twin.x(), twin.y(), twin.z());
-    point.contact = twin.contact();
+    baseline.frame(device.x, device.y, device.z);
+    point.position.set(baseline.x(), baseline.y(), baseline.z());
+    point.contact = baseline.contact();
     point.legs.clear();
   }
 }

@@ -6,21 +6,21 @@ import org.palpate.raycast.RayHit;
 import org.palpate.volume.BitCube;
 
 /**
- * The yardstick of collision: samples one voxel apart over a flat bit array, plainly written, as
- * {@link PlainBaseline} takes them. It skips nothing. Of the hit it tells {@code t} and the voxel.
+ * The plain baseline of collision: samples one voxel apart over a flat bit array, as in {@link
+ * PlainBaseline}. It skips nothing, and reports {@code t} and the voxel of a hit.
  *
  * <p>Source: Vlasov et al. 2013, section 4.1 and figure 3.
  */
 public final class PlainRayCaster implements RayCaster {
   private final FlatBits bits;
 
-  /** Copies the voxels; casts are against these. */
+  /** Copies the voxels, which every cast uses. */
   public PlainRayCaster(BitCube cube) {
     bits = new FlatBits(cube);
   }
 
   @Override
-  public boolean cast(BitCube same, Ray ray, RayHit hit) {
+  public boolean cast(BitCube ignored, Ray ray, RayHit hit) {
     double dx = ray.toX - ray.fromX;
     double dy = ray.toY - ray.fromY;
     double dz = ray.toZ - ray.fromZ;

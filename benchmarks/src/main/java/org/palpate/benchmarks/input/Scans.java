@@ -12,14 +12,14 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.SegmentedVolume;
 
 /**
- * Bone of the scans that stand for the data of the paper's Table 1, as they are or resampled (the
- * nearest voxel) to its sizes.
+ * The bone of a scan that stands for the data of the paper's Table 1, in its own size or resampled
+ * (nearest voxel) to the paper's size.
  *
- * @param bone its voxels
- * @param spacingMm edge lengths of a voxel
+ * @param bone the voxels
+ * @param spacingMm the edge lengths of a voxel
  */
 public record Scans(BitCube bone, Vec3 spacingMm) {
-  /** All of them, by the names that {@link #read} takes. */
+  /** The names of all scans, for {@link #read}. */
   public static final List<String> NAMES =
       List.of(
           "CThead 256x256x113", "CThead to 532x532x464", "LIDC 512x512x275", "LIDC to 512x512x520");
@@ -27,9 +27,9 @@ public record Scans(BitCube bone, Vec3 spacingMm) {
   private static final String TO = " to ";
 
   /**
-   * Reads a scan and, where so named, resamples it.
+   * Reads a scan and resamples it if its name says so.
    *
-   * @param folder of the data
+   * @param folder the folder of the data
    */
   public static Scans read(Path folder, String name) throws IOException {
     boolean head = name.startsWith("CThead");

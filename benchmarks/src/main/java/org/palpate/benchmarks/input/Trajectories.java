@@ -7,23 +7,23 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.phantom.AnalyticSurface;
 
 /**
- * Hands that all comparisons share: seeded, and the same to the bit on every JDK. Positions are in
- * grid coordinates, speeds in voxels a frame, depths in voxels under the true surface.
+ * Seeded trajectories of a hand that all comparisons share, bit-identical on every JDK. Positions
+ * are in grid coordinates, speeds in voxels per frame, depths in voxels below the true surface.
  */
 public final class Trajectories {
-  /** How far above the surface a hand that presses begins. */
+  /** The height above the surface at which a pressing hand starts. */
   private static final double CLEARANCE_VOXELS = 6;
 
-  /** How fast it comes down. */
+  /** The speed at which it comes down. */
   private static final double APPROACH_SPEED = 0.5;
 
-  /** How much of its way the hand drifts aside. */
+  /** The sideways drift as a fraction of the motion. */
   private static final double DRIFT = 0.05;
 
-  /** A hand that slides turns back this share of the edge before a face of the grid. */
-  private static final double MARGIN_SHARE = 0.06;
+  /** A sliding hand turns back at this fraction of the edge before a face of the grid. */
+  private static final double MARGIN_FRACTION = 0.06;
 
-  /** Projections to a surface that are exact but for rounding and curvature of the offset. */
+  /** Number of projections to a surface that leave only rounding and curvature errors. */
   private static final int PROJECTIONS = 3;
 
   /** The period at which these trajectories are followed. */
@@ -31,7 +31,7 @@ public final class Trajectories {
 
   private Trajectories() {}
 
-  /** Comes down to a depth and slides at that depth over the surface, drifting. */
+  /** Comes down to a depth and slides at that depth over the surface, with a drift. */
   public static Trajectory slide(
       AnalyticSurface truth, int edge, double depth, double speed, int frames, long seed) {
     Hand hand = new Hand(truth, edge, seed);
@@ -50,7 +50,7 @@ public final class Trajectories {
     return Trajectory.ofPositions(xyz, FRAME_MS);
   }
 
-  /** Goes straight in to a depth and out again, time after time, each time elsewhere. */
+  /** Presses straight in to a depth and out again, repeatedly and each time elsewhere. */
   public static Trajectory approach(
       AnalyticSurface truth, int edge, double depth, double speed, int frames, long seed) {
     Hand hand = new Hand(truth, edge, seed);
@@ -69,7 +69,7 @@ public final class Trajectories {
     return Trajectory.ofPositions(xyz, FRAME_MS);
   }
 
-  /** Rakes at a depth to and fro over the same twenty voxels, along the steps of the voxels. */
+  /** Rakes at a depth back and forth over the same twenty voxels, along the voxel steps. */
   public static Trajectory grooves(
       AnalyticSurface truth, int edge, double depth, double speed, int frames, long seed) {
     Hand hand = new Hand(truth, edge, seed);
@@ -89,18 +89,18 @@ public final class Trajectories {
     return Trajectory.ofPositions(xyz, FRAME_MS);
   }
 
-  /** Slides along above the surface and touches nothing. */
+  /** Slides above the surface and touches nothing. */
   public static Trajectory free(
       AnalyticSurface truth, int edge, double above, double speed, int frames, long seed) {
     return slide(truth, edge, -above, speed, frames, seed);
   }
 
-  /** Jumps by 5 to 50 voxels a frame, anywhere in and a little outside the grid. */
+  /** Jumps 5 to 50 voxels per frame, anywhere in the grid and slightly outside. */
   public static Trajectory jumps(int sizeX, int sizeY, int sizeZ, int frames, long seed) {
     return travel(sizeX, sizeY, sizeZ, frames, seed, random -> 5 + 45 * random.nextDouble());
   }
 
-  /** Goes from place to place at an even speed, through whatever stands there. */
+  /** Moves between random positions at a constant speed, through solids as well. */
   public static Trajectory wander(
       int sizeX, int sizeY, int sizeZ, double speed, int frames, long seed) {
     return travel(sizeX, sizeY, sizeZ, frames, seed, random -> speed);
@@ -127,7 +127,7 @@ public final class Trajectories {
     return Trajectory.ofPositions(xyz, FRAME_MS);
   }
 
-  /** The same surface, touched from within: a wall of one voxel is in between. */
+  /** Returns the same surface touched from within, behind a wall of one voxel. */
   public static AnalyticSurface fromWithin(AnalyticSurface outside) {
     return new AnalyticSurface() {
       @Override
@@ -143,7 +143,7 @@ public final class Trajectories {
     };
   }
 
-  /** Steps towards the goal; true where it came to it. */
+  /** Steps towards the goal and returns whether it is reached. */
   private static boolean step(Vec3 at, Vec3 goal, Vec3 way, double speed) {
     goal.sub(at, way);
     double left = way.length();
@@ -207,7 +207,7 @@ public final class Trajectories {
       heading.x += DRIFT * speed * (random.nextDouble() - 0.5);
       heading.y += DRIFT * speed * (random.nextDouble() - 0.5);
       heading.z += DRIFT * speed * (random.nextDouble() - 0.5);
-      turnBackAtTheRim();
+      turnBackAtTheMargin();
       alignHeading();
       at.add(heading.mul(speed, normal), at);
       keepAt(above);
@@ -225,9 +225,9 @@ public final class Trajectories {
       heading.mul(1 / heading.length(), heading);
     }
 
-    private void turnBackAtTheRim() {
+    private void turnBackAtTheMargin() {
       for (int axis = 0; axis < 3; axis++) {
-        double margin = MARGIN_SHARE * edge;
+        double margin = MARGIN_FRACTION * edge;
         if (at.get(axis) < margin) {
           heading.set(axis, Math.abs(heading.get(axis)));
         } else if (at.get(axis) > edge - margin) {

@@ -8,9 +8,9 @@ import org.knowm.xchart.BitmapEncoder.BitmapFormat;
 import org.knowm.xchart.internal.chartpart.Chart;
 import org.palpate.io.file.AtomicFile;
 
-/** How the pictures of studies look. */
+/** Defines the style of the studies' charts and saves them. */
 public final class Figures {
-  /** Colours that are told apart in print and by most eyes. Source: Okabe and Ito 2008. */
+  /** Colours that most eyes and prints distinguish. Source: Okabe and Ito 2008. */
   private static final Color[] COLOURS = {
     new Color(0, 114, 178),
     new Color(230, 159, 0),
@@ -22,7 +22,7 @@ public final class Figures {
 
   private Figures() {}
 
-  /** A white ground, no frames, colours that most eyes tell apart. */
+  /** Gives a chart a white background, no frames and colours that most eyes distinguish. */
   public static void plain(Chart<?, ?> chart) {
     chart.getStyler().setChartBackgroundColor(Color.WHITE);
     chart.getStyler().setPlotBackgroundColor(Color.WHITE);
@@ -30,7 +30,7 @@ public final class Figures {
     chart.getStyler().setSeriesColors(COLOURS);
   }
 
-  /** Writes a PNG file, whole or not at all. */
+  /** Saves a PNG file atomically. */
   public static void save(Chart<?, ?> chart, Path file) throws IOException {
     try (AtomicFile out = new AtomicFile(file)) {
       BitmapEncoder.saveBitmap(chart, out.stream(), BitmapFormat.PNG);
@@ -38,7 +38,7 @@ public final class Figures {
     }
   }
 
-  /** The colour of a series by its number, for series that belong together. */
+  /** Returns the colour of a series by its number, for series that belong together. */
   public static Color colour(int number) {
     return COLOURS[number % COLOURS.length];
   }

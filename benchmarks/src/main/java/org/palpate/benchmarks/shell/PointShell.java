@@ -5,10 +5,10 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * The points of a tool, and where they are in the grid now and were before.
+ * The points of a tool, with their present and previous positions in the grid.
  *
  * <p>Allocates nothing after construction. {@link #place(RigidTransform, GridMetric)} is for one
- * thread; several may place ranges that do not overlap.
+ * thread; several threads may place ranges that do not overlap.
  */
 public final class PointShell {
   private final double[] toolMm;
@@ -16,7 +16,7 @@ public final class PointShell {
   private double[] before;
 
   /**
-   * A shell at rest at the grid's origin.
+   * Creates a shell at rest at the grid's origin.
    *
    * @param toolMm x, y, z of each point in the tool's frame, millimetres; copied
    */
@@ -30,18 +30,18 @@ public final class PointShell {
     before = new double[toolMm.length];
   }
 
-  /** The number of points. */
+  /** Returns the number of points. */
   public int count() {
     return toolMm.length / 3;
   }
 
-  /** Puts all points where the tool is; where they were stays known as before. */
+  /** Moves all points to the tool's pose; their last positions become the previous ones. */
   public void place(RigidTransform toolToGridMm, GridMetric spacing) {
     turn();
     place(toolToGridMm, spacing, 0, count());
   }
 
-  /** Makes now before; then every point is to be placed once. */
+  /** Makes the present positions the previous ones; then every point must be placed once. */
   public void turn() {
     double[] old = before;
     before = now;
@@ -49,13 +49,13 @@ public final class PointShell {
   }
 
   /**
-   * Puts a range of points where the tool is.
+   * Places a range of points by the tool's pose.
    *
-   * @param toolToGridMm from the tool's frame to grid millimetres; the caller may use one whose
-   *     vectors it sets anew each frame
+   * @param toolToGridMm from the tool's frame to grid millimetres; the caller may reuse one whose
+   *     vectors it changes each frame
    * @param spacing edges of a voxel, mm
    * @param from the first point
-   * @param to one past the last
+   * @param to one past the last point
    */
   public void place(RigidTransform toolToGridMm, GridMetric spacing, int from, int to) {
     Vec3 x = toolToGridMm.axisX();
@@ -72,12 +72,12 @@ public final class PointShell {
     }
   }
 
-  /** Writes where a point is, grid coordinates. */
+  /** Writes the present position of a point, grid coordinates, to {@code dest}. */
   public Vec3 now(int point, Vec3 dest) {
     return dest.set(now[3 * point], now[3 * point + 1], now[3 * point + 2]);
   }
 
-  /** Writes where a point was before the last turn, grid coordinates. */
+  /** Writes the position of a point before the last turn, grid coordinates, to {@code dest}. */
   public Vec3 before(int point, Vec3 dest) {
     return dest.set(before[3 * point], before[3 * point + 1], before[3 * point + 2]);
   }

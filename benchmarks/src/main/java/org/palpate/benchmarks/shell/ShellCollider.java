@@ -8,8 +8,8 @@ import org.palpate.raycast.RayCaster;
 import org.palpate.raycast.RayHit;
 
 /**
- * Tests the points of a shell for collision, each along the straight way from where it was to where
- * it is. Keeps scratch: one thread an instance. Allocates nothing.
+ * Tests each point of a shell for collision on the segment from its previous to its present
+ * position. Owns scratch: one thread per instance. Allocates nothing.
  */
 public final class ShellCollider {
   private final RayCaster caster;
@@ -17,12 +17,12 @@ public final class ShellCollider {
   private final RayHit hit = new RayHit();
   private final Vec3 end = new Vec3();
 
-  /** Tests exactly. */
+  /** Creates an exact collider. */
   public ShellCollider() {
     this(new ExactRayCaster());
   }
 
-  /** Tests as {@code caster} does, which belongs to this from now on. */
+  /** Creates a collider that owns the given caster. */
   public ShellCollider(RayCaster caster) {
     this.caster = caster;
   }
@@ -30,20 +30,19 @@ public final class ShellCollider {
   /**
    * Tests a range of points.
    *
-   * @param obstacles the solids, this thread's own view of them
+   * @param scene the solids, this thread's own view of them
    * @param from the first point
-   * @param to one past the last
-   * @param dest gets contact flag and hit of each
-   * @return how many have contact
+   * @param to one past the last point
+   * @param dest gets the contact flag and the hit of each point
+   * @return the number of points with contact
    */
-  public int cast(
-      CollisionScene obstacles, PointShell shell, int from, int to, ShellContacts dest) {
+  public int cast(CollisionScene scene, PointShell shell, int from, int to, ShellContacts dest) {
     int contacts = 0;
     for (int point = from; point < to; point++) {
       shell.before(point, end);
       ray.from(end.x, end.y, end.z);
       shell.now(point, end);
-      if (obstacles.cast(caster, ray.to(end.x, end.y, end.z), hit)) {
+      if (scene.cast(caster, ray.to(end.x, end.y, end.z), hit)) {
         dest.put(point, hit);
         contacts++;
       } else {

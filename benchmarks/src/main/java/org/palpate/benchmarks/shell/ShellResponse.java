@@ -9,22 +9,22 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
 
 /**
- * An interaction point for each point of a shell, with a solver of its own that remembers what it
- * learned about its surroundings. Allocates nothing after construction; ranges that do not overlap
- * may be moved by several threads, each with its own view of the obstacles.
+ * An interaction point for each point of a shell, each with a solver of its own that keeps its
+ * caches. Allocates nothing after construction; several threads may move ranges that do not
+ * overlap, each with its own view of the collision scene.
  *
- * <p>The points do not know of each other: what keeps them together is the tool that they follow.
+ * <p>The points are independent of each other; only the tool that they follow keeps them together.
  */
 public final class ShellResponse {
   private final InteractionPoint[] points;
   private final ProxySolver[] solvers;
   private final Vec3[] devices;
-  private final NearestFreeVoxel freePlace;
+  private final NearestFreeVoxel nearestFree;
 
   /**
-   * Points that are not placed yet.
+   * Creates points that are not yet placed.
    *
-   * @param count as the shell has
+   * @param count the number of points of the shell
    * @param metric the grid's spacing
    * @param solver makes a solver
    */
@@ -32,7 +32,7 @@ public final class ShellResponse {
     points = new InteractionPoint[count];
     solvers = new ProxySolver[count];
     devices = new Vec3[count];
-    freePlace = new NearestFreeVoxel(metric);
+    nearestFree = new NearestFreeVoxel(metric);
     for (int point = 0; point < count; point++) {
       points[point] = new InteractionPoint();
       solvers[point] = solver.get();
@@ -40,28 +40,28 @@ public final class ShellResponse {
     }
   }
 
-  /** The interaction point of a point of the shell. */
+  /** Returns the interaction point of a point of the shell. */
   public InteractionPoint point(int point) {
     return points[point];
   }
 
   /**
-   * Puts every interaction point where its point of the shell is, or at the nearest empty place
-   * where that touches a solid. One thread.
+   * Places every interaction point at its point of the shell, or at the nearest free voxel if that
+   * touches a solid. One thread.
    */
-  public void place(CollisionScene obstacles, PointShell shell) {
+  public void place(CollisionScene scene, PointShell shell) {
     for (int point = 0; point < points.length; point++) {
       Vec3 position = shell.now(point, points[point].position);
       points[point].legs.clear();
       points[point].contact = false;
-      if (obstacles.touches(position.x, position.y, position.z)) {
-        freePlace.find(obstacles, position, position);
+      if (scene.touches(position.x, position.y, position.z)) {
+        nearestFree.find(scene, position, position);
       }
       solvers[point].reset();
     }
   }
 
-  /** Forgets what is kept from frame to frame, after solids changed. One thread. */
+  /** Resets all solvers, after solids changed. One thread. */
   public void reset() {
     for (ProxySolver solver : solvers) {
       solver.reset();
@@ -69,16 +69,16 @@ public final class ShellResponse {
   }
 
   /**
-   * Moves a range of interaction points after the shell, one frame.
+   * Lets a range of interaction points follow the shell for one frame.
    *
    * @param from the first point
-   * @param to one past the last
-   * @return how many have contact
+   * @param to one past the last point
+   * @return the number of points with contact
    */
-  public int follow(CollisionScene obstacles, PointShell shell, int from, int to) {
+  public int follow(CollisionScene scene, PointShell shell, int from, int to) {
     int contacts = 0;
     for (int point = from; point < to; point++) {
-      solvers[point].follow(obstacles, shell.now(point, devices[point]), points[point]);
+      solvers[point].follow(scene, shell.now(point, devices[point]), points[point]);
       contacts += points[point].contact ? 1 : 0;
     }
     return contacts;

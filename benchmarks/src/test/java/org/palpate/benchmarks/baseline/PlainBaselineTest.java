@@ -18,44 +18,44 @@ class PlainBaselineTest {
   private static final long SEED = 3;
 
   @Test
-  void goesStraightWhereNothingStands() {
-    PlainBaseline twin = new PlainBaseline(new BitCube(9, 9, 9), 100);
-    twin.place(1.5, 1.5, 1.5);
-    twin.frame(7.25, 6.5, 5.5);
-    assertEquals(7.25, twin.x());
-    assertFalse(twin.contact());
+  void movesStraightWithoutObstacles() {
+    PlainBaseline baseline = new PlainBaseline(new BitCube(9, 9, 9), 100);
+    baseline.place(1.5, 1.5, 1.5);
+    baseline.frame(7.25, 6.5, 5.5);
+    assertEquals(7.25, baseline.x());
+    assertFalse(baseline.contact());
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"sphere:64", "plane:64", "torus:96"})
   void comesToRestOnSlopes(String spec) {
     Phantom phantom = Phantom.parse(spec);
-    PlainBaseline twin = new PlainBaseline(phantom.segments().segments().get(0).bits(), 8);
+    PlainBaseline baseline = new PlainBaseline(phantom.segments().segments().get(0).bits(), 8);
     AnalyticSurface truth = phantom.truth().orElseThrow();
     Trajectory slide = Trajectories.slide(truth, phantom.edge(), 4, 0.7, 900, SEED);
     Vec3 device = slide.position(0, new Vec3());
-    twin.place(device.x, device.y, device.z);
+    baseline.place(device.x, device.y, device.z);
     for (int frame = 0; frame < slide.size(); frame++) {
       slide.position(frame, device);
-      twin.frame(device.x, device.y, device.z);
+      baseline.frame(device.x, device.y, device.z);
       if (frame % 90 == 89) {
-        assertComesToRest(twin, device);
+        assertComesToRest(baseline, device);
       }
     }
   }
 
-  private static void assertComesToRest(PlainBaseline twin, Vec3 device) {
+  private static void assertComesToRest(PlainBaseline baseline, Vec3 device) {
     for (int n = 0; n < 50; n++) {
-      twin.frame(device.x, device.y, device.z);
+      baseline.frame(device.x, device.y, device.z);
     }
-    Vec3 rest = new Vec3(twin.x(), twin.y(), twin.z());
-    twin.frame(device.x, device.y, device.z);
-    assertTrue(rest.sameBits(new Vec3(twin.x(), twin.y(), twin.z())), "" + device);
-    assertTrue(twin.contact());
+    Vec3 rest = new Vec3(baseline.x(), baseline.y(), baseline.z());
+    baseline.frame(device.x, device.y, device.z);
+    assertTrue(rest.sameBits(new Vec3(baseline.x(), baseline.y(), baseline.z())), "" + device);
+    assertTrue(baseline.contact());
   }
 
   @Test
-  void slidesHoldTheirDepthAndSpeed() {
+  void slidesKeepTheirDepthAndSpeed() {
     Phantom torus = Phantom.parse("torus:192");
     AnalyticSurface truth = torus.truth().orElseThrow();
     Trajectory slide = Trajectories.slide(truth, 192, 5, 0.3, 3000, SEED);
@@ -69,7 +69,7 @@ class PlainBaselineTest {
   }
 
   @Test
-  void theSameSeedIsTheSameHand() {
+  void theSameSeedGivesTheSameTrajectory() {
     Trajectory one = Trajectories.jumps(50, 60, 70, 500, SEED);
     assertTrue(haveSamePositions(one, Trajectories.jumps(50, 60, 70, 500, SEED)));
     assertFalse(haveSamePositions(one, Trajectories.jumps(50, 60, 70, 500, SEED + 1)));

@@ -22,14 +22,14 @@ import org.palpate.device.jni.NativeLibrary;
 import org.palpate.geometry.Vec3;
 
 /**
- * A frame's way to a HID device and back: two reads (a report, and none any more) and a write of
- * one, over the same substitute of hidapi with nothing behind it. Ours unpacks, orders and limits
- * besides; the others move bytes. Run by {@code src/test/sh/crossing-table.sh}.
+ * Cost of a frame's access to a HID device: two reads (a report, then none) and a write of one,
+ * over the same substitute of hidapi without hardware. Palpate also unpacks, orders and limits; the
+ * others only move bytes. Run by {@code src/test/sh/crossing-table.sh}.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
-@Fork(3) // what the compiler makes of a crossing differs from one JVM to the next
+@Fork(3) // the compiled code of a native call differs from one JVM to the next
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 3, time = 1)
 public class HidPeersBenchmark {
@@ -46,7 +46,7 @@ public class HidPeersBenchmark {
   private Pointer jna;
   private HidDeviceStructure peer;
 
-  /** Opens the device by each way. */
+  /** Opens the device through each library. */
   @Setup
   public void open() throws DeviceException {
     device = DeviceCatalog.open("hid", "NULL");
@@ -59,21 +59,21 @@ public class HidPeersBenchmark {
     }
   }
 
-  /** Ours: one native call to read and one to write. */
+  /** Uses Palpate: one native call to read and one to write. */
   @Benchmark
   public boolean palpate() {
     device.read(state);
     return device.write(forceNewton);
   }
 
-  /** Ours with nothing behind it, not even hidapi. */
+  /** Uses Palpate without a device, not even hidapi. */
   @Benchmark
   public boolean palpateEmpty() {
     empty.read(state);
     return empty.write(forceNewton);
   }
 
-  /** JNA, direct mapping. */
+  /** Uses JNA with direct mapping. */
   @Benchmark
   public int jnaDirect() {
     int got = JnaHidapi.hid_read_timeout(jna, in, IN_BYTES, 0);
@@ -81,7 +81,7 @@ public class HidPeersBenchmark {
     return got + JnaHidapi.hid_write(jna, out, OUT_BYTES);
   }
 
-  /** hid4java, which maps an interface by JNA. */
+  /** Uses hid4java, which maps an interface by JNA. */
   @Benchmark
   public int hid4java() {
     int got = HidApi.read(peer, in, 0);
@@ -89,7 +89,7 @@ public class HidPeersBenchmark {
     return got + HidApi.write(peer, out, OUT_BYTES, (byte) 2);
   }
 
-  /** The yardstick. */
+  /** Makes two native calls that do nothing. */
   @Benchmark
   public void twoEmptyCalls() {
     NativeLibrary.callNothing();

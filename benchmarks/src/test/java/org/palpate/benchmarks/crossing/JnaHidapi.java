@@ -3,7 +3,7 @@ package org.palpate.benchmarks.crossing;
 import com.sun.jna.Native;
 import com.sun.jna.Pointer;
 
-/** hidapi by JNA's direct mapping. */
+/** Binds hidapi by JNA's direct mapping. */
 final class JnaHidapi {
   static {
     Native.register(JnaHidapi.class, "hidapi-hidraw");

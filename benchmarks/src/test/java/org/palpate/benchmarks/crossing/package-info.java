@@ -1,5 +1,5 @@
 /**
- * What reaching hidapi from Java costs by ways that others take. In the tests, for JNA stands in
- * the product only in {@code realtime}, and hid4java nowhere.
+ * Measures the cost of calling hidapi from Java by other libraries. It stands among the tests,
+ * because the product uses JNA only in {@code realtime} and {@code display}, and hid4java nowhere.
  */
 package org.palpate.benchmarks.crossing;

@@ -31,7 +31,7 @@ class PointShellTest {
 
   private final SplittableRandom random = new SplittableRandom(Seeds.seed());
   private final BitCube bits = ball();
-  private final CollisionScene obstacles = new CollisionScene(List.of(bits));
+  private final CollisionScene scene = new CollisionScene(List.of(bits));
   private final double[] tool = toolMm();
   private final PointShell shell = new PointShell(tool);
   private final Vec3[] axes = {new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1)};
@@ -60,7 +60,7 @@ class PointShellTest {
     return mm;
   }
 
-  /** A turn about an axis that changes, and a step towards the ball's far side. */
+  /** Turns about a changing axis and moves towards the far side of the ball. */
   private void move(int frame) {
     double angle = 0.03 * frame;
     axes[0].set(Math.cos(angle), Math.sin(angle), 0);
@@ -69,18 +69,18 @@ class PointShellTest {
   }
 
   @Test
-  void contactsAndHitsAreThoseOfEachPointsOwnCast() {
+  void contactsAndHitsEqualTheCastsOfSinglePoints() {
     ShellContacts contacts = new ShellContacts(POINTS);
     ShellCollider collider = new ShellCollider();
     shell.place(pose, SPACING);
     int all = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
-      Vec3[] before = naivePlaces();
+      Vec3[] before = naivePositions();
       move(frame);
       shell.place(pose, SPACING);
-      int count = collider.cast(obstacles, shell, 0, POINTS, contacts);
+      int count = collider.cast(scene, shell, 0, POINTS, contacts);
       assertEquals(count, contacts.count());
-      assertHits(before, naivePlaces(), contacts, "seed=" + Seeds.seed() + " frame=" + frame);
+      assertHits(before, naivePositions(), contacts, "seed=" + Seeds.seed() + " frame=" + frame);
       all += count;
     }
     assertTrue(all > 200, "too few contacts to mean anything: " + all);
@@ -104,42 +104,42 @@ class PointShellTest {
     }
   }
 
-  /** Each point by the transform's own method, in new vectors. */
-  private Vec3[] naivePlaces() {
-    Vec3[] places = new Vec3[POINTS];
+  /** Transforms each point by the transform's own method, in new vectors. */
+  private Vec3[] naivePositions() {
+    Vec3[] positions = new Vec3[POINTS];
     for (int point = 0; point < POINTS; point++) {
       Vec3 mm = new Vec3(tool[3 * point], tool[3 * point + 1], tool[3 * point + 2]);
       pose.transform(mm, mm);
-      places[point] = mm.set(mm.x / 1, mm.y / 0.5, mm.z / 2);
+      positions[point] = mm.set(mm.x / 1, mm.y / 0.5, mm.z / 2);
     }
-    return places;
+    return positions;
   }
 
   @Test
-  void everyInteractionPointMovesAsItWouldAlone() {
+  void everyInteractionPointMovesAsASinglePoint() {
     ShellResponse response =
         new ShellResponse(POINTS, SPACING, () -> new GuardedSolver(SPACING, 8));
     shell.place(pose, SPACING);
-    response.place(obstacles, shell);
+    response.place(scene, shell);
     GuardedSolver[] solvers = new GuardedSolver[POINTS];
-    InteractionPoint[] twins = new InteractionPoint[POINTS];
+    InteractionPoint[] expected = new InteractionPoint[POINTS];
     LegJudge[] judges = new LegJudge[POINTS];
     for (int point = 0; point < POINTS; point++) {
       solvers[point] = new GuardedSolver(SPACING, 8);
-      twins[point] = new InteractionPoint();
-      twins[point].position.set(response.point(point).position);
-      judges[point] = new LegJudge(bits, twins[point].position);
+      expected[point] = new InteractionPoint();
+      expected[point].position.set(response.point(point).position);
+      judges[point] = new LegJudge(bits, expected[point].position);
     }
     int contacts = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
       move(frame);
       shell.place(pose, SPACING);
-      contacts += response.follow(obstacles, shell, 0, POINTS);
-      Vec3[] devices = naivePlaces();
+      contacts += response.follow(scene, shell, 0, POINTS);
+      Vec3[] devices = naivePositions();
       for (int point = 0; point < POINTS; point++) {
-        solvers[point].follow(obstacles, devices[point], twins[point]);
-        assertTrue(response.point(point).position.sameBits(twins[point].position));
-        assertEquals(twins[point].contact, response.point(point).contact);
+        solvers[point].follow(scene, devices[point], expected[point]);
+        assertTrue(response.point(point).position.sameBits(expected[point].position));
+        assertEquals(expected[point].contact, response.point(point).contact);
         assertNull(judges[point].faultOf(response.point(point)));
       }
     }
@@ -147,15 +147,15 @@ class PointShellTest {
   }
 
   @Test
-  void aPointPutInASolidIsSetFree() {
+  void aPointPlacedInASolidIsSetFree() {
     ShellResponse response =
         new ShellResponse(POINTS, SPACING, () -> new GuardedSolver(SPACING, 8));
     origin.set(20, 20, 20);
     shell.place(pose, SPACING);
-    response.place(obstacles, shell);
+    response.place(scene, shell);
     for (int point = 0; point < POINTS; point++) {
       Vec3 p = response.point(point).position;
-      assertFalse(obstacles.touches(p.x, p.y, p.z));
+      assertFalse(scene.touches(p.x, p.y, p.z));
     }
   }
 
@@ -167,15 +167,15 @@ class PointShellTest {
     ShellResponse response =
         new ShellResponse(POINTS, SPACING, () -> new GuardedSolver(SPACING, 8));
     shell.place(pose, SPACING);
-    response.place(obstacles, shell);
+    response.place(scene, shell);
     long least = Long.MAX_VALUE;
     for (int round = 0; round < 8; round++) { // the JVM itself allocates a little while it compiles
       long before = threads.getCurrentThreadAllocatedBytes();
       for (int frame = 0; frame < 400; frame++) {
         move(frame % FRAMES);
         shell.place(pose, SPACING);
-        collider.cast(obstacles, shell, 0, POINTS, contacts);
-        response.follow(obstacles, shell, 0, POINTS);
+        collider.cast(scene, shell, 0, POINTS, contacts);
+        response.follow(scene, shell, 0, POINTS);
       }
       least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
     }
@@ -183,7 +183,7 @@ class PointShellTest {
   }
 
   @Test
-  void refusesWhatIsNotThreeDoublesAPoint() {
+  void refusesPointsWithoutThreeDoublesEach() {
     assertThrows(IllegalArgumentException.class, () -> new PointShell(new double[4]));
     assertThrows(IllegalArgumentException.class, () -> new PointShell(new double[0]));
   }

@@ -18,7 +18,7 @@ import org.palpate.volume.BitCube;
 class ShellPoolTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 7})
-  void everyPointIsWorkedOnOnceARound(int threads) {
+  void everyRoundWorksOnEveryPointOnce(int threads) {
     try (ShellPool pool = new ShellPool(threads)) {
       for (int points : new int[] {0, 1, 63, 64, 65, 1000}) {
         int[] times = new int[points];
@@ -40,7 +40,7 @@ class ShellPoolTest {
   }
 
   @Test
-  void aFailureOfAHelperReachesTheCallerAndThePoolGoesOn() {
+  void aFailureOfAWorkerReachesTheCallerAndThePoolContinues() {
     try (ShellPool pool = new ShellPool(3)) {
       assertThrows(IllegalStateException.class, () -> pool.run(300, ShellPoolTest::failElsewhere));
       assertEquals(300, pool.run(300, (thread, from, to) -> to - from));
@@ -55,7 +55,7 @@ class ShellPoolTest {
   }
 
   @Test
-  void threeThreadsMoveTheShellAsOneDoes() {
+  void threeThreadsMoveTheShellAsOneThreadDoes() {
     BitCube floor = new BitCube(32, 32, 8);
     for (int n = 0; n < 32 * 32; n++) {
       floor.set(n % 32, n / 32, n % 5 % 3);
@@ -88,10 +88,10 @@ class ShellPoolTest {
             shell.count(), (thread, from, to) -> response.follow(views[thread], shell, from, to));
       }
     }
-    double[] places = new double[3 * shell.count()];
-    for (int n = 0; n < places.length; n++) {
-      places[n] = response.point(n / 3).position.get(n % 3);
+    double[] positions = new double[3 * shell.count()];
+    for (int n = 0; n < positions.length; n++) {
+      positions[n] = response.point(n / 3).position.get(n % 3);
     }
-    return places;
+    return positions;
   }
 }
