@@ -7,6 +7,7 @@ import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -18,6 +19,7 @@ import org.palpate.device.Trajectory;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberText;
+import org.palpate.loop.Median;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.raycast.ExactRayCaster;
@@ -27,8 +29,8 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * The exact ray cast and the guarded frame in Java against their twins in C++, on the same rays and
- * slides, both by processor time and checked to find the same to the bit.
+ * Compares the exact ray cast and the guarded frame in Java with a port to C++, on the same rays
+ * and slides and by processor time. Both must give the same bits.
  */
 public final class CppComparison {
   private static final int FRAMES = 20_000;
@@ -44,7 +46,7 @@ public final class CppComparison {
           new Rays("near", 4),
           new Rays("anywhere", 50),
           new Rays("slide", 0.1));
-  private static final int RAY_COUNT = 20_000; // more than a branch predictor learns by heart
+  private static final int RAY_COUNT = 20_000; // more than a branch predictor can learn
   private static final int RAY_PASSES = 200;
 
   private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
@@ -53,22 +55,22 @@ public final class CppComparison {
 
   private final Ray ray = new Ray();
   private final RayHit hit = new RayHit();
-  private final CppPort twin;
+  private final CppPort port;
   private final PrintWriter out;
   private final Map<String, Object> ratios = new LinkedHashMap<>();
 
-  private CppComparison(CppPort twin, PrintWriter out) {
-    this.twin = twin;
+  private CppComparison(CppPort port, PrintWriter out) {
+    this.port = port;
     this.out = out;
   }
 
   /**
-   * Runs it.
+   * Runs the comparison.
    *
-   * @param folder where the twin is compiled
-   * @param out gets the table
-   * @return Java's time over the twin's, by kind of ray and by slide
-   * @throws IOException where there is no C++ compiler, or a way differs
+   * @param folder the folder in which the port is compiled
+   * @param out receives the table
+   * @return Java's time relative to the port's, by kind of ray and by slide
+   * @throws IOException if there is no C++ compiler or a result differs
    */
   public static Map<String, Object> run(Path folder, PrintWriter out)
       throws IOException, InterruptedException {
@@ -82,7 +84,7 @@ public final class CppComparison {
     return run.ratios;
   }
 
-  /** Kinds of rays and their length, as {@link RaySet} has them. */
+  /** A kind of rays and their length, as in {@link RaySet}. */
   private record Rays(String place, double length) {}
 
   private void castRays() throws IOException, InterruptedException {
@@ -98,7 +100,7 @@ public final class CppComparison {
               RAY_COUNT,
               SEED);
       String name = "a ray, " + kind.place + ", length " + NumberText.people(kind.length);
-      tell(name, twin.cast(bits, rays, RAY_PASSES), castInJava(bits, rays));
+      report(name, port.cast(bits, rays, RAY_PASSES), castInJava(bits, rays));
     }
   }
 
@@ -109,20 +111,20 @@ public final class CppComparison {
           Trajectories.slide(
               phantom.truth().orElseThrow(), phantom.edge(), DEPTH, speed, FRAMES, SEED);
       String name = scene + ", " + speed + " voxel a frame";
-      tell(name, twin.follow(bits, slide, MAX_STEP_VOXELS, PASSES), followInJava(bits, slide));
+      report(name, port.follow(bits, slide, MAX_STEP_VOXELS, PASSES), followInJava(bits, slide));
     }
   }
 
-  private void tell(String name, CppPort.Outcome cpp, CppPort.Outcome java) throws IOException {
+  private void report(String name, CppPort.Outcome cpp, CppPort.Outcome java) throws IOException {
     check(name, cpp, java);
-    double ratio = settled(java) / settled(cpp);
+    double ratio = warmMedian(java) / warmMedian(cpp);
     ratios.put(name, ratio);
     out.printf(
         Locale.ROOT,
         "%-32s Java %7.1f ns  C++ %7.1f ns  %.2f of it, same bits%n",
-        name,
-        settled(java),
-        settled(cpp),
+        "%-32s Java %7.1f ns  C++ %7.1f ns  ratio %.2f, same bits%n",
+        warmMedian(java),
+        warmMedian(cpp),
         ratio);
     out.flush();
   }
@@ -131,18 +133,18 @@ public final class CppComparison {
       throws IOException {
     if (cpp.hash() != java.hash()) {
       throw new IOException(
-          "the C++ twin took another way: " + name + ", rays in doubt: " + cpp.doubts());
+          "the C++ port gave another result: " + name + ", undecided rays: " + cpp.doubts());
     }
   }
 
   private CppPort.Outcome followInJava(BitCube bits, Trajectory slide) {
     GuardedSolver solver = new GuardedSolver(new GridMetric(1, 1, 1), MAX_STEP_VOXELS);
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
+    CollisionScene scene = new CollisionScene(List.of(bits));
     List<Double> nanos = new ArrayList<>();
     long hash = 0;
     for (int pass = 0; pass < PASSES; pass++) {
       long begin = threads.getCurrentThreadCpuTime();
-      hash = pass(solver, obstacles, slide);
+      hash = pass(solver, scene, slide);
       nanos.add((threads.getCurrentThreadCpuTime() - begin) / (double) FRAMES);
     }
     return new CppPort.Outcome(hash, 0, nanos);
@@ -160,7 +162,7 @@ public final class CppComparison {
     return new CppPort.Outcome(hash, 0, nanos);
   }
 
-  /** The hash that the twin computes too: of every hit, in their order. */
+  /** Returns the port's hash of every hit, in order. */
   private long pass(ExactRayCaster caster, BitCube bits, RaySet rays) {
     long hash = 0;
     for (int n = 0; n < rays.count(); n++) {
@@ -170,13 +172,13 @@ public final class CppComparison {
     return hash;
   }
 
-  /** The hash that the twin computes too: of every frame, in their order. */
-  private long pass(GuardedSolver solver, CollisionScene obstacles, Trajectory slide) {
+  /** Returns the port's hash of every frame, in order. */
+  private long pass(GuardedSolver solver, CollisionScene scene, Trajectory slide) {
     solver.reset();
     slide.position(0, point.position);
     long hash = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
-      solver.follow(obstacles, slide.position(frame, device), point);
+      solver.follow(scene, slide.position(frame, device), point);
       hash =
           hash * 31
               + Double.doubleToRawLongBits(point.position.x)
@@ -188,10 +190,9 @@ public final class CppComparison {
     return hash;
   }
 
-  /** The median of the later half: compiled, and with warm caches. */
-  private static double settled(CppPort.Outcome outcome) {
-    List<Double> later =
-        outcome.nanosPerPass().stream().skip(outcome.nanosPerPass().size() / 2).sorted().toList();
-    return later.get(later.size() / 2);
+  /** Returns the median of the later half of the passes, with compiled code and warm caches. */
+  private static double warmMedian(CppPort.Outcome outcome) {
+    double[] nanos = outcome.nanosPerPass().stream().mapToDouble(Double::doubleValue).toArray();
+    return Median.of(Arrays.copyOfRange(nanos, nanos.length / 2, nanos.length));
   }
 }

@@ -19,26 +19,27 @@ import org.palpate.raycast.Ray;
 import org.palpate.volume.BitCube;
 
 /**
- * The guarded frame and the exact ray cast in C++, compiled from the source that the jar carries
- * with -O3 -march=native and no fused multiply-add, called once for a whole trajectory over the
- * same bricks.
+ * The port of the guarded frame and the exact ray cast to C++. The jar contains its source, which
+ * is compiled with -O3 -march=native and without fused multiply-add. One call runs a whole
+ * trajectory over the same bricks.
  */
 final class CppPort {
   private static final String SOURCES = "/org/palpate/benchmarks/cpp/";
-  private static final List<String> NAMES = List.of("rays.h", "guarded.h", "twin.cpp");
+  private static final List<String> NAMES = List.of("rays.h", "guarded.h", "port.cpp");
 
-  /** Places of the device, one a frame; or the two ends of each ray. */
+  /** The device position of a frame. */
   private static final int POINTS_PER_FRAME = 1;
 
+  /** The two ends of a ray. */
   private static final int POINTS_PER_RAY = 2;
 
   /**
-   * What it found.
+   * The result of a run.
    *
-   * @param hash over every position, contact and number of legs, or every hit, see {@link
-   *     CppComparison}
-   * @param doubts rays that only Java's thorough walk could decide; where there are any, hashes may
-   *     differ
+   * @param hash the hash over every position, contact and number of legs, or over every hit; see
+   *     {@link CppComparison}
+   * @param doubts the number of rays that only Java's exact traversal can decide; if there are any,
+   *     hashes may differ
    * @param nanosPerPass processor time of a frame or ray in each pass
    */
   record Outcome(long hash, long doubts, List<Double> nanosPerPass) {}
@@ -52,15 +53,15 @@ final class CppPort {
   }
 
   /**
-   * Compiles it in a folder.
+   * Compiles the port in a folder.
    *
-   * @throws IOException where there is no g++ or it fails
+   * @throws IOException if there is no g++ or it fails
    */
   static CppPort in(Path folder) throws IOException, InterruptedException {
     for (String name : NAMES) {
       copySource(name, folder);
     }
-    Path program = folder.resolve("palpate-twin");
+    Path program = folder.resolve("palpate-port");
     output(
         "g++",
         "-O3",
@@ -69,8 +70,8 @@ final class CppPort {
         "-std=c++17",
         "-o",
         program.toString(),
-        folder.resolve("twin.cpp").toString());
-    return new CppPort(program, folder.resolve("twin.bin"));
+        folder.resolve("port.cpp").toString());
+    return new CppPort(program, folder.resolve("port.bin"));
   }
 
   private static void copySource(String name, Path folder) throws IOException {
@@ -82,7 +83,7 @@ final class CppPort {
     }
   }
 
-  /** Follows a trajectory, so many times. */
+  /** Follows a trajectory a number of times. */
   Outcome follow(BitCube bits, Trajectory trajectory, double maxStep, int passes)
       throws IOException, InterruptedException {
     double[] xyz = new double[3 * trajectory.size()];
@@ -93,7 +94,7 @@ final class CppPort {
     return run(bits, POINTS_PER_FRAME, maxStep, xyz, passes);
   }
 
-  /** Casts rays, so many times each. */
+  /** Casts all rays a number of times. */
   Outcome cast(BitCube bits, RaySet rays, int passes) throws IOException, InterruptedException {
     double[] ends = new double[6 * rays.count()];
     Ray ray = new Ray();
@@ -105,9 +106,9 @@ final class CppPort {
     return run(bits, POINTS_PER_RAY, 1, ends, passes);
   }
 
-  private Outcome run(BitCube bits, int placesEach, double maxStep, double[] xyz, int passes)
+  private Outcome run(BitCube bits, int pointsEach, double maxStep, double[] xyz, int passes)
       throws IOException, InterruptedException {
-    write(bits, placesEach, maxStep, xyz);
+    write(bits, pointsEach, maxStep, xyz);
     String[] words =
         output(program.toString(), input.toString(), Integer.toString(passes))
             .trim()
@@ -125,12 +126,13 @@ final class CppPort {
     process.getOutputStream().close();
     String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     if (process.waitFor() != 0) {
-      throw new IOException(command[0] + " failed: " + text.lines().findFirst().orElse("no word"));
+      throw new IOException(
+          command[0] + " failed: " + text.lines().findFirst().orElse("no message"));
     }
     return text;
   }
 
-  private void write(BitCube bits, int placesEach, double maxStep, double[] xyz)
+  private void write(BitCube bits, int pointsEach, double maxStep, double[] xyz)
       throws IOException {
     int blocksX = (bits.bricksX() + 3) / 4;
     int blocksY = (bits.bricksY() + 3) / 4;
@@ -149,7 +151,7 @@ final class CppPort {
       for (int n = 0; n < blocksX * blocksY * blocksZ; n++) {
         putLong(out, bits.block(n % blocksX, n / blocksX % blocksY, n / (blocksX * blocksY)));
       }
-      putInts(out, xyz.length / 3, placesEach);
+      putInts(out, xyz.length / 3, pointsEach);
       putLong(out, Double.doubleToRawLongBits(maxStep));
       for (double one : xyz) {
         putLong(out, Double.doubleToRawLongBits(one));
@@ -159,7 +161,7 @@ final class CppPort {
 
   private static void putInts(DataOutputStream out, int... values) throws IOException {
     for (int value : values) {
-      out.writeInt(Integer.reverseBytes(value)); // the twin reads little-endian
+      out.writeInt(Integer.reverseBytes(value)); // the port reads little-endian
     }
   }
 

@@ -17,10 +17,10 @@ import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * How much longer the worst frames take than usual ones: a device that jumps 50 voxels in every
- * frame through a maze, beside slides over a ball. A frame's time is the least of many passes over
- * the same way, which is the same to the bit each time, so that what else the machine did is not in
- * it; less what reading the clock takes.
+ * Times of the slowest frames against typical ones: a device that jumps 50 voxels per frame through
+ * a maze, and slides over a ball. A frame's time is the minimum over many passes of the same
+ * trajectory, which give the same bits, so that disturbances of the machine drop out. The time of
+ * reading the clock is subtracted.
  */
 final class FrameTails {
   private static final GridMetric UNIT = new GridMetric(1, 1, 1);
@@ -36,7 +36,7 @@ final class FrameTails {
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 device = new Vec3();
 
-  /** A row for each percentile of each way. */
+  /** Measures a row for each percentile of each trajectory. */
   List<SpeedRow> rows() {
     List<SpeedRow> rows = new ArrayList<>();
     Phantom maze = Phantom.parse("maze:128");
@@ -57,50 +57,51 @@ final class FrameTails {
     return rows;
   }
 
-  private List<SpeedRow> percentiles(String way, Phantom phantom, Trajectory trajectory) {
-    CollisionScene obstacles =
+  private List<SpeedRow> percentiles(
+      String trajectoryName, Phantom phantom, Trajectory trajectory) {
+    CollisionScene scene =
         new CollisionScene(
             phantom.segments().segments().stream().map(segment -> segment.bits()).toList());
-    long[] least = new long[FRAMES];
-    Arrays.fill(least, Long.MAX_VALUE);
+    long[] minNanos = new long[FRAMES];
+    Arrays.fill(minNanos, Long.MAX_VALUE);
     for (int pass = 0; pass < PASSES; pass++) {
-      follow(obstacles, trajectory, least);
+      follow(scene, trajectory, minNanos);
     }
     long clock = clockNanos();
-    Arrays.sort(least);
+    Arrays.sort(minNanos);
     List<SpeedRow> rows = new ArrayList<>();
     for (double percentile : PERCENTILES) {
       int at = Math.min(FRAMES - 1, (int) (FRAMES * percentile / 100));
       Map<String, String> condition = new LinkedHashMap<>();
-      condition.put("way", way);
+      condition.put("way", trajectoryName);
       condition.put("share", percentile == 100 ? "worst" : percentile + " %");
-      List<Double> one = List.of((double) Math.max(0, least[at] - clock));
+      List<Double> one = List.of((double) Math.max(0, minNanos[at] - clock));
       rows.add(new SpeedRow("tails", "frame", condition, "ns/op", one, Double.NaN));
     }
     return rows;
   }
 
-  private void follow(CollisionScene obstacles, Trajectory trajectory, long[] least) {
+  private void follow(CollisionScene scene, Trajectory trajectory, long[] minNanos) {
     GuardedSolver solver = new GuardedSolver(UNIT, MAX_STEP_VOXELS);
     trajectory.position(0, point.position);
-    if (obstacles.touches(point.position.x, point.position.y, point.position.z)) {
-      new NearestFreeVoxel(UNIT).find(obstacles, point.position, point.position);
+    if (scene.touches(point.position.x, point.position.y, point.position.z)) {
+      new NearestFreeVoxel(UNIT).find(scene, point.position, point.position);
     }
     for (int frame = 0; frame < FRAMES; frame++) {
       trajectory.position(frame, device);
       long began = System.nanoTime();
-      solver.follow(obstacles, device, point);
-      least[frame] = Math.min(least[frame], System.nanoTime() - began);
+      solver.follow(scene, device, point);
+      minNanos[frame] = Math.min(minNanos[frame], System.nanoTime() - began);
     }
   }
 
-  /** What two looks at the clock take at least. */
+  /** Returns the minimum time of two clock readings. */
   private static long clockNanos() {
-    long least = Long.MAX_VALUE;
+    long minNanos = Long.MAX_VALUE;
     for (int n = 0; n < FRAMES; n++) {
       long began = System.nanoTime();
-      least = Math.min(least, System.nanoTime() - began);
+      minNanos = Math.min(minNanos, System.nanoTime() - began);
     }
-    return least;
+    return minNanos;
   }
 }

@@ -22,14 +22,14 @@ import org.palpate.scene.window.OffscreenRenderer;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * What the scene skips is worth: processor time of a redraw, of all threads of the process, since a
- * software renderer has its own. With and without in turns.
+ * The gain of the scene's skips: processor time of a redraw with and without each, in alternation.
+ * The time is that of all threads, because a software renderer has threads of its own.
  *
  * <ul>
- *   <li>{@code nodes not seen}: bricks of surfaces outside the view; helps where the camera has
- *       gone near and moves, not where it sees all.
- *   <li>{@code nodes unchanged}: the picture of what stands still is kept; helps where only the
- *       hand moves, not where the camera does.
+ *   <li>{@code nodes not seen}: bricks of surfaces outside the view; helps if a near camera moves,
+ *       not if it sees everything.
+ *   <li>{@code nodes unchanged}: the picture of everything at rest is kept; helps if only the hand
+ *       moves, not if the camera does.
  * </ul>
  */
 final class SceneSkips {
@@ -37,8 +37,8 @@ final class SceneSkips {
   private static final int HEIGHT = 480;
   private static final int WARM_UP_ROUNDS = 1;
 
-  /** The clock of a process is as coarse as 10 ms. */
-  private static final int PICTURES_A_ROUND = 10;
+  /** Averages over the resolution of the process clock, which is 10 ms. */
+  private static final int PICTURES_PER_ROUND = 10;
 
   private static final long PATIENCE_MS = 600_000;
   private static final double NEARER = 0.12;
@@ -54,7 +54,7 @@ final class SceneSkips {
     phantom = quick ? "head:128" : "head:256";
   }
 
-  /** Measures; no rows, and a line that says why, where nothing can be drawn. */
+  /** Measures all rows; if this machine cannot draw, prints the reason and returns none. */
   List<SpeedRow> rows(PrintWriter out) {
     SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
     try (SceneLoader loader = new SceneLoader(model, Phantom.parse(phantom).segments(), 1);
@@ -67,7 +67,7 @@ final class SceneSkips {
       rows.addAll(compare(picture, model, "nodes unchanged", false));
       return rows;
     } catch (GraphicsException e) {
-      out.println("the scene's skips were not measured: " + e.what() + ": " + e.remedy());
+      out.println("the skips of the scene were not measured: " + e.what() + ": " + e.remedy());
       return List.of();
     } catch (TimeoutException e) {
       throw new IllegalStateException("the surface was not made", e);
@@ -90,7 +90,7 @@ final class SceneSkips {
     for (int round = -WARM_UP_ROUNDS; round < rounds; round++) {
       for (boolean on : new boolean[] {true, false}) {
         picture.skip(!isUnseen || on, isUnseen || on);
-        double millis = millisAPicture(picture, model, moves);
+        double millis = millisPerPicture(picture, model, moves);
         if (round >= 0) {
           (on ? with : without).add(millis);
         }
@@ -99,7 +99,7 @@ final class SceneSkips {
     return List.of(row(skip, helps, "with", with), row(skip, helps, "without", without));
   }
 
-  /** Moves the camera to and fro, or the hand alone. */
+  /** Moves the camera back and forth, or only the hand. */
   private static void change(SceneModel model, boolean camera, int n) {
     if (camera) {
       model.moveCamera(now -> now.orbit((n & 1) == 0 ? MOVE_RADIANS : -MOVE_RADIANS, 0), false);
@@ -109,21 +109,21 @@ final class SceneSkips {
     }
   }
 
-  private double millisAPicture(OffscreenRenderer picture, SceneModel model, boolean moves) {
+  private double millisPerPicture(OffscreenRenderer picture, SceneModel model, boolean moves) {
     long began = process.getProcessCpuTime();
-    for (int n = 0; n < PICTURES_A_ROUND; n++) {
+    for (int n = 0; n < PICTURES_PER_ROUND; n++) {
       change(model, moves, n);
       picture.draw(model.state());
     }
-    return (process.getProcessCpuTime() - began) / (1e6 * PICTURES_A_ROUND);
+    return (process.getProcessCpuTime() - began) / (1e6 * PICTURES_PER_ROUND);
   }
 
-  private static SpeedRow row(String skip, boolean helps, String way, List<Double> millis) {
+  private static SpeedRow row(String skip, boolean helps, String variant, List<Double> millis) {
     Collections.sort(millis);
     Map<String, String> condition = new LinkedHashMap<>();
     condition.put("skip", skip);
     condition.put("scene", helps ? "helps" : "does not help");
-    condition.put("way", way);
+    condition.put("way", variant);
     return new SpeedRow("skips", "redraw", condition, "ms/op", millis, Double.NaN);
   }
 }

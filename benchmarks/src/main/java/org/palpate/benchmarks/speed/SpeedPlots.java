@@ -13,8 +13,8 @@ import org.knowm.xchart.CategoryChartBuilder;
 import org.palpate.benchmarks.report.Figures;
 
 /**
- * Draws a picture for each table: a group of bars for each condition, a colour for each value of
- * the parameter that was varied last.
+ * Plots each table: a group of bars for each condition, and a colour for each value of the last
+ * varied parameter.
  */
 final class SpeedPlots {
   private static final int WIDTH = 1200;
@@ -22,6 +22,7 @@ final class SpeedPlots {
 
   private SpeedPlots() {}
 
+  /** Writes the plots of a study's tables to a folder. */
   static void plot(Path folder, SpeedStudy study, List<SpeedRow> rows) throws IOException {
     Map<String, List<SpeedRow>> tables = new LinkedHashMap<>();
     for (SpeedRow row : rows) {

@@ -2,16 +2,17 @@ package org.palpate.benchmarks.speed;
 
 import java.util.List;
 import java.util.Map;
+import org.palpate.loop.Median;
 
 /**
- * One benchmark under one condition.
+ * The result of one benchmark under one condition.
  *
- * @param group which table it belongs to
- * @param name what was measured
- * @param params the condition, in the order in which it is told
- * @param unit of the times, for an operation
- * @param scores the time of each iteration, ascending
- * @param bytes allocated by an operation; NaN where that was not measured
+ * @param group the table that it belongs to
+ * @param name the benchmark
+ * @param params the condition, in the order of the report
+ * @param unit the unit of the scores
+ * @param scores the time of an operation in each iteration, ascending
+ * @param bytes the bytes allocated per operation; NaN if not measured
  */
 record SpeedRow(
     String group,
@@ -21,20 +22,20 @@ record SpeedRow(
     List<Double> scores,
     double bytes) {
 
-  /** Below this a benchmark's own frame is all that allocates. */
+  /** Below this, only the benchmark's own frame allocates. */
   private static final double NO_BYTES = 0.5;
 
+  /** Returns the median score. */
   double median() {
-    int half = scores.size() / 2;
-    return scores.size() % 2 == 1
-        ? scores.get(half)
-        : (scores.get(half - 1) + scores.get(half)) / 2;
+    return Median.of(scores.stream().mapToDouble(Double::doubleValue).toArray());
   }
 
+  /** Returns the smallest score. */
   double least() {
     return scores.get(0);
   }
 
+  /** Returns the largest score. */
   double greatest() {
     return scores.get(scores.size() - 1);
   }
@@ -44,6 +45,7 @@ record SpeedRow(
     return bytes < NO_BYTES;
   }
 
+  /** Returns the values of the condition as text. */
   String condition() {
     return String.join(", ", params.values());
   }

@@ -9,11 +9,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.palpate.benchmarks.report.Progress;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.table.ReportJson;
 
-/** Runs a study and leaves its table as CSV and JSON, and plots, in a folder. */
+/** Runs a study and writes its table as CSV and JSON, and plots, to a folder. */
 public final class SpeedRun {
   private static final String HEADER =
       "group,benchmark,condition,unit,median,least,greatest,iterations,bytes_per_op\n";
@@ -21,13 +22,13 @@ public final class SpeedRun {
   private SpeedRun() {}
 
   /**
-   * Runs it.
+   * Runs a study.
    *
-   * @param folder made where it is not there
-   * @param quick one fork and short iterations
-   * @param data the folder of scans, for those who need it
-   * @param out gets the table
-   * @param progress hears what runs
+   * @param folder the output folder, created if missing
+   * @param quick whether to use one fork and short iterations
+   * @param data the folder of scans
+   * @param out receives the table
+   * @param progress receives progress lines
    * @return median times by condition
    */
   public static Map<String, Object> run(
@@ -43,13 +44,7 @@ public final class SpeedRun {
     out.println(MachineSummary.line(machine));
     out.flush();
     SpeedRunner runner =
-        new SpeedRunner(
-            quick,
-            data.toAbsolutePath().toString(),
-            line -> {
-              progress.println(line);
-              progress.flush();
-            });
+        new SpeedRunner(quick, data.toAbsolutePath().toString(), Progress.to(progress));
     List<SpeedRow> rows = runner.run(study.subjects(quick));
     if (study == SpeedStudy.ALL) {
       progress.println("the longest frames");
@@ -61,9 +56,9 @@ public final class SpeedRun {
     }
     rows.forEach(row -> out.println(line(row)));
     if (study == SpeedStudy.TABLE1) {
-      tellPaper(out);
+      printPaper(out);
     }
-    tellAllocations(rows, out);
+    printAllocations(rows, out);
     AtomicFile.write(folder.resolve(study.fileName() + ".csv"), csv(rows));
     writeJson(folder.resolve(study.fileName() + ".json"), machine, rows);
     SpeedPlots.plot(folder, study, rows);
@@ -86,21 +81,22 @@ public final class SpeedRun {
         rate(row));
   }
 
-  /** For Table 1, whose paper tells frames a second. */
+  /** Returns frames per second for Table 1, as the paper does. */
   private static String rate(SpeedRow row) {
     return row.group().equals("table1")
         ? String.format(Locale.ROOT, "  %,.0f kHz", 1e6 / row.median())
         : "";
   }
 
-  private static void tellPaper(PrintWriter out) {
+  private static void printPaper(PrintWriter out) {
     out.println(
-        "The paper, Java on one core of a Xeon W5580, response, with a real device: Head_small"
+        "The paper, in Java on one core of a Xeon W5580, response with a real device: Head_small"
             + " 113x256x256 146 kHz, Torso 520x512x512 134 kHz, Head_big 464x532x532 141 kHz;"
-            + " collision alone 750 kHz. Its other data are not public: \"to\" says resampled.");
+            + " collision alone 750 kHz. Its other data are not public; \"to\" marks resampled"
+            + " data.");
   }
 
-  private static void tellAllocations(List<SpeedRow> rows, PrintWriter out) {
+  private static void printAllocations(List<SpeedRow> rows, PrintWriter out) {
     List<SpeedRow> frames = rows.stream().filter(row -> !Double.isNaN(row.bytes())).toList();
     List<SpeedRow> guilty = frames.stream().filter(row -> !row.allocatesNothing()).toList();
     out.println(
@@ -109,7 +105,7 @@ public final class SpeedRun {
         row ->
             out.printf(
                 Locale.ROOT,
-                "  not so: %s, %s: %.2f B/op%n",
+                "  not: %s, %s: %.2f B/op%n",
                 row.name(),
                 row.condition(),
                 row.bytes()));

@@ -17,9 +17,7 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
 import org.openjdk.jmh.runner.options.VerboseMode;
 
-/**
- * Runs subjects with JMH, each condition in processes of its own, and counts what they allocate.
- */
+/** Runs subjects with JMH, each condition in its own processes, and measures their allocations. */
 final class SpeedRunner {
   private static final TimeValue QUICK_ITERATION = TimeValue.milliseconds(250);
   private static final TimeValue ITERATION = TimeValue.milliseconds(300);
@@ -29,10 +27,11 @@ final class SpeedRunner {
   private final Consumer<String> progress;
 
   /**
-   * A runner.
+   * Creates a runner.
    *
-   * @param quick one fork and short iterations
+   * @param quick whether to use one fork and short iterations
    * @param data the folder of scans
+   * @param progress receives progress lines
    */
   SpeedRunner(boolean quick, String data, Consumer<String> progress) {
     this.quick = quick;
@@ -40,6 +39,7 @@ final class SpeedRunner {
     this.progress = progress;
   }
 
+  /** Runs all subjects. */
   List<SpeedRow> run(List<Subject> subjects) throws IOException {
     int all = subjects.stream().mapToInt(Subject::conditions).sum();
     int done = 0;
@@ -72,7 +72,7 @@ final class SpeedRunner {
             .jvmArgs(
                 "-Xmx" + subject.heapMegabytes() + "m",
                 "-XX:+UseParallelGC",
-                "-Xbatch", // a busy machine must not starve the compiler
+                "-Xbatch", // a busy machine must not delay the compiler
                 "-Dpalpate.data=" + data)
             .addProfiler(GCProfiler.class)
             .addProfiler(WorkerTime.class)

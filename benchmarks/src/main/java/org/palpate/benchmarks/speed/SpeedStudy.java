@@ -13,7 +13,7 @@ import org.palpate.benchmarks.VolumeBenchmark;
 import org.palpate.benchmarks.VolumeReadBenchmark;
 import org.palpate.benchmarks.WholeFrameBenchmark;
 
-/** Which benchmarks a study runs. */
+/** Studies of speed with their benchmarks. */
 public enum SpeedStudy {
   /** Collision, response, whole frame, points, objects, volumes. */
   ALL("speed") {
@@ -46,7 +46,7 @@ public enum SpeedStudy {
     }
   },
 
-  /** What each thing that is skipped is worth. */
+  /** The gain of each skip. */
   SKIPS("skips") {
     @Override
     List<Subject> subjects(boolean quick) {
@@ -67,7 +67,7 @@ public enum SpeedStudy {
     }
   },
 
-  /** The same hand in ever larger grids. */
+  /** The same hand in grids of growing size. */
   SCALE("scale") {
     @Override
     List<Subject> subjects(boolean quick) {
@@ -83,7 +83,7 @@ public enum SpeedStudy {
     }
   };
 
-  /** Bits of 4096^3 voxels are 8.1 GB. */
+  /** The bits of 4096^3 voxels take 8.1 GB. */
   private static final int HUGE_HEAP = 10_240;
 
   private final String fileName;
@@ -92,12 +92,12 @@ public enum SpeedStudy {
     this.fileName = fileName;
   }
 
-  /** What its files are called, before the ending. */
+  /** Returns the name of its files without extension. */
   String fileName() {
     return fileName;
   }
 
-  /** What it runs. */
+  /** Returns the benchmarks with their parameters. */
   abstract List<Subject> subjects(boolean quick);
 
   private static Subject collision(boolean quick) {

@@ -13,11 +13,12 @@ import org.openjdk.jmh.results.IterationResult;
 import org.openjdk.jmh.results.ScalarResult;
 
 /**
- * Processor time of JMH's own thread an operation, which a machine busy with other work hardly
- * changes; time that helpers take is not in it. JMH makes it, in the benchmark's process.
+ * A profiler of JMH that reports the processor time of its worker thread per operation. A machine
+ * busy with other work hardly changes it; the time of other threads is not included. JMH creates it
+ * in the benchmark's process.
  */
 public final class WorkerTime implements InternalProfiler {
-  /** The label of the result, nanoseconds an operation. */
+  /** The label of the result, nanoseconds per operation. */
   static final String LABEL = "worker.cpu";
 
   private static final String WORKER = "jmh-worker";

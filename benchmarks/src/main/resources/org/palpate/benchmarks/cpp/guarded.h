@@ -1,4 +1,4 @@
-// The guarded frame of the C++ twin: follows GuardedSolver, ProxyVoxel,
+// The guarded frame of the C++ port: follows GuardedSolver, ProxyVoxel,
 // Neighbourhoods and FailedStepCache step by step. Spacing 1, one cube.
 #pragma once
 #include <cstring>
@@ -39,7 +39,7 @@ struct Guarded {
   bool legSlid[kLegs];
   int keptFrom[16][3];
   uint64_t kept[16];
-  // fruitless climbs
+  // steps up that failed
   bool known = false;
   int endCount = 0, reached = 0, endStops[24], fromCell[3], way = 0;
   Vec ends[24], climbDevice{};

@@ -1,10 +1,10 @@
-// The C++ twin of the guarded frame and the exact ray cast, over the same bricks: what the machine
-// can do.
+// The port of the guarded frame and the exact ray cast to C++, over the same bricks. It shows what
+// the machine can do.
 //
-//   twin INPUT PASSES    INPUT as CppPort writes it; one line: hash, doubts, nanoseconds of each
-//   pass
+//   palpate-port INPUT PASSES    INPUT as CppPort writes it; prints one line: hash, undecided rays,
+//                                nanoseconds of each pass
 //
-// INPUT says how many of its places go to one operation: 1 is a frame, 2 are the ends of a ray.
+// INPUT says how many of its points belong to one operation: 1 is a frame, 2 are the ends of a ray.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -16,7 +16,7 @@ namespace {
 template <typename T>
 void read(FILE* file, T* dest, size_t count) {
   if (std::fread(dest, sizeof(T), count, file) != count) {
-    std::fprintf(stderr, "twin: input is too short\n");
+    std::fprintf(stderr, "palpate-port: the input is too short\n");
     std::exit(2);
   }
 }
@@ -46,11 +46,11 @@ void readCube(FILE* file, Cube& cube) {
   read(file, cube.blocks.data(), cube.blocks.size());
 }
 
-uint64_t followAll(Guarded& solver, const std::vector<Vec>& way) {
+uint64_t followAll(Guarded& solver, const std::vector<Vec>& positions) {
   solver.reset();
-  solver.p = way[0];
+  solver.p = positions[0];
   uint64_t hash = 0;
-  for (const Vec& d : way) {
+  for (const Vec& d : positions) {
     solver.follow(d);
     hash = hash * 31 + bits(solver.p.c[0]) + 7 * bits(solver.p.c[1]) + 13 * bits(solver.p.c[2]) +
            solver.contact + 3 * static_cast<uint64_t>(solver.legCount);
@@ -73,26 +73,26 @@ uint64_t castAll(const Cube& cube, const std::vector<Vec>& ends) {
 int main(int argc, char** argv) {
   FILE* file = argc == 3 ? std::fopen(argv[1], "rb") : nullptr;
   if (!file) {
-    std::fprintf(stderr, "usage: twin INPUT PASSES\n");
+    std::fprintf(stderr, "usage: palpate-port INPUT PASSES\n");
     return 2;
   }
   Cube cube;
-  int places, placesEach;
+  int points, pointsEach;
   double maxStep;
   readCube(file, cube);
-  read(file, &places, 1);
-  read(file, &placesEach, 1);
+  read(file, &points, 1);
+  read(file, &pointsEach, 1);
   read(file, &maxStep, 1);
-  std::vector<Vec> way(places);
-  read(file, way.data(), way.size());
+  std::vector<Vec> positions(points);
+  read(file, positions.data(), positions.size());
   std::fclose(file);
   Guarded* solver = new Guarded(cube, maxStep);
   std::vector<double> nanos;
   uint64_t hash = 0;
   for (int pass = 0; pass < std::atoi(argv[2]); pass++) {
     int64_t begin = cpuNanos();
-    hash = placesEach == 1 ? followAll(*solver, way) : castAll(cube, way);
-    nanos.push_back(static_cast<double>(cpuNanos() - begin) * placesEach / places);
+    hash = pointsEach == 1 ? followAll(*solver, positions) : castAll(cube, positions);
+    nanos.push_back(static_cast<double>(cpuNanos() - begin) * pointsEach / points);
   }
   std::printf("%016llx %lld", static_cast<unsigned long long>(hash),
               static_cast<long long>(doubts));

@@ -1,8 +1,8 @@
-// Bricks and the exact ray cast over them, for the C++ twin: follows NearRayTraversal and FarRayTraversal
-// step by step, so that every double is the same (no fused multiply-add). Where a ray is in doubt
-// it counts that and calls it a miss: Java asks its thorough walk there, the twin has none.
+// Bricks and the exact ray cast over them, for the C++ port. It follows NearRayTraversal and
+// FarRayTraversal step by step, so that every double is the same (no fused multiply-add). A ray that
+// doubles cannot decide is counted and reported as a miss; Java decides it by its exact traversal.
 //
-// Part of one program of one translation unit: nameless, so that what is called once is inlined.
+// One program with one translation unit: the unnamed namespace lets single calls be inlined.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 class SpeedPlotsTest {
   @Test
-  void drawsEveryTableThatHasConditions(@TempDir Path folder) throws IOException {
+  void plotsEveryTableWithConditions(@TempDir Path folder) throws IOException {
     List<SpeedRow> rows = new ArrayList<>();
     for (String place : List.of("free", "near")) {
       for (String caster : List.of("exact", "sampled:1")) {
@@ -32,7 +32,7 @@ class SpeedPlotsTest {
   }
 
   @Test
-  void tellsTheMedianOfEvenAndOddCounts() {
+  void reportsTheMedianOfEvenAndOddCounts() {
     assertEquals(30, row(20.5, 30.0, 4000.0).median());
     assertEquals(25, row(20.0, 30.0).median());
   }
