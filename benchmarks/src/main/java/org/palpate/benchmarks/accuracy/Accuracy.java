@@ -1,16 +1,16 @@
 package org.palpate.benchmarks.accuracy;
 
 /**
- * How far a solver's coupling force was from that of the true surface, over the frames of a slide.
+ * The errors of a solver's coupling force against that of the true surface, over a slide.
  *
- * @param angleRmsDegrees angle of the force to the true normal, root of the mean square
+ * @param angleRmsDegrees angle between the force and the true normal, root mean square
  * @param angleWorstDegrees the largest such angle
- * @param heightMeanMm mean distance of the point from the true surface, outside positive
- * @param heightStdMm its standard deviation
- * @param lag mean of the force's length over stiffness times depth: 1 is true
- * @param forceChange root mean square change of force from frame to frame, over that of the true
- *     force; infinity where that does not change
- * @param lostFrames frames in which the device, inside, met no resistance: the solver was through
+ * @param heightMeanMm mean distance of the point from the true surface, positive outside
+ * @param heightStdMm the standard deviation of that distance
+ * @param lag mean of the force's length over stiffness times depth; 1 is exact
+ * @param forceChange root mean square change of the force per frame, relative to that of the true
+ *     force; infinity if that is constant
+ * @param lostFrames frames without a force although the device was inside the solid
  */
 public record Accuracy(
     double angleRmsDegrees,

@@ -9,7 +9,7 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.volume.phantom.AnalyticSurface;
 
-/** Runs a solver along a trajectory and measures its coupling force, without friction. */
+/** Lets a solver follow a trajectory and measures its coupling force without friction. */
 public final class AccuracyMeter {
   private final AnalyticSurface truth;
   private final GridMetric metric;
@@ -33,7 +33,7 @@ public final class AccuracyMeter {
   private double squaredChanges;
   private double squaredTrueChanges;
 
-  /** A meter for one trajectory at one depth; the truth in millimetres. */
+  /** Creates a meter for one trajectory at one depth; the true surface is in millimetres. */
   public AccuracyMeter(
       AnalyticSurface truth, GridMetric metric, SlideTrajectory trajectory, double depthMm) {
     this.truth = truth;
@@ -42,8 +42,8 @@ public final class AccuracyMeter {
     this.depthMm = depthMm;
   }
 
-  /** Runs the solver over all frames and measures those of the slide. */
-  public Accuracy measure(ProxySolver solver, CollisionScene obstacles) {
+  /** Lets the solver follow all frames and measures those of the slide. */
+  public Accuracy measure(ProxySolver solver, CollisionScene scene) {
     clear();
     InteractionPoint point = new InteractionPoint();
     ContactForce contact = new ContactForce(metric, ForceSettings.of(1, 0));
@@ -52,7 +52,7 @@ public final class AccuracyMeter {
     for (int frame = 0; frame < trajectory.frames(); frame++) {
       toGrid(trajectory.device(frame, deviceMm), deviceGrid);
       trajectory.normal(frame, normal);
-      solver.follow(obstacles, deviceGrid, point);
+      solver.follow(scene, deviceGrid, point);
       contact.compute(point, deviceGrid, force);
       if (frame >= trajectory.slideStart()) {
         count(point);

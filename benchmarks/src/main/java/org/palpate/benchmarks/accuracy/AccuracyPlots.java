@@ -13,12 +13,12 @@ import org.knowm.xchart.XYSeries.XYSeriesRenderStyle;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import org.palpate.benchmarks.report.Figures;
 
-/** Draws the study's rows as PNG files. */
+/** Draws the results as PNG files. */
 final class AccuracyPlots {
   private static final int WIDTH = 1000;
   private static final int HEIGHT = 640;
 
-  /** As many as there are contestants, told apart on white. */
+  /** One colour for each solver, all distinguishable on white. */
   private static final Color[] COLOURS = {
     new Color(0x1F4FD8), new Color(0xF0A000), new Color(0xA86A00), new Color(0x7A2FB8),
     new Color(0xB04FC8), new Color(0xD070A0), new Color(0x5A3A80), new Color(0xD02020),
@@ -27,14 +27,14 @@ final class AccuracyPlots {
 
   private AccuracyPlots() {}
 
-  /** Time against the angle of the force, every solver on every slide: the whole front. */
+  /** Plots time against the angle of the force for every solver on every slide. */
   static void plotFront(Path file, List<AccuracyRow> rows) throws IOException {
     XYChart chart =
         new XYChartBuilder()
             .width(WIDTH)
             .height(HEIGHT)
-            .title("Run time against error of the force, every shape, depth and speed")
-            .xAxisTitle("nanoseconds of processor time a frame")
+            .title("Run time against error of the force, for every shape, depth and speed")
+            .xAxisTitle("processor time per frame, ns")
             .yAxisTitle("angle of the force to the true normal, degrees rms")
             .build();
     chart.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);
@@ -55,7 +55,7 @@ final class AccuracyPlots {
     chart.addSeries(solver, nanos, degrees);
   }
 
-  /** The angle of the force frame by frame. */
+  /** Plots the angle of the force for each frame. */
   static void plotSlide(Path file, String title, Map<String, double[]> anglesBySolver)
       throws IOException {
     XYChart chart =
@@ -63,7 +63,7 @@ final class AccuracyPlots {
             .width(WIDTH)
             .height(HEIGHT)
             .title(title)
-            .xAxisTitle("way along the surface, voxels")
+            .xAxisTitle("distance along the surface, voxels")
             .yAxisTitle("angle of the force to the true normal, degrees")
             .build();
     anglesBySolver.forEach((solver, angles) -> addSlide(chart, solver, angles));
@@ -71,10 +71,10 @@ final class AccuracyPlots {
   }
 
   private static void addSlide(XYChart chart, String solver, double[] angles) {
-    double[] way = new double[angles.length];
-    for (int frame = 0; frame < way.length; frame++) {
-      way[frame] = 0.05 * frame;
+    double[] voxels = new double[angles.length];
+    for (int frame = 0; frame < voxels.length; frame++) {
+      voxels[frame] = 0.05 * frame;
     }
-    chart.addSeries(solver, way, angles).setMarker(SeriesMarkers.NONE);
+    chart.addSeries(solver, voxels, angles).setMarker(SeriesMarkers.NONE);
   }
 }

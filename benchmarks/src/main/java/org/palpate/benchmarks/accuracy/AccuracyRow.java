@@ -1,13 +1,14 @@
 package org.palpate.benchmarks.accuracy;
 
 /**
- * What one solver did on one slide.
+ * The result of one solver on one slide.
  *
- * @param solver with its collision method
+ * @param solver the solver with its collision method
  * @param shape the phantom
- * @param depth voxels
- * @param speed voxels a frame
- * @param nanosPerFrame processor time, median of passes that took turns with the other solvers'
+ * @param depth the depth of the device, voxels
+ * @param speed the speed of the device, voxels per frame
+ * @param accuracy the errors
+ * @param nanosPerFrame processor time, median of passes that alternate with the other solvers
  */
 record AccuracyRow(
     String solver,

@@ -8,45 +8,40 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.palpate.benchmarks.report.Progress;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
 
-/** Runs the whole study and leaves a table and two pictures in a folder. */
+/** Runs the study and writes a table and two plots to a folder. */
 public final class AccuracyRun {
-  private static final double PICTURED_DEPTH = 5;
-  private static final int PICTURED_FRAMES = 600;
-  private static final List<String> PICTURED = List.of("paper sampled:1", "guarded", "smooth");
+  private static final double PLOTTED_DEPTH = 5;
+  private static final int PLOTTED_FRAMES = 600;
+  private static final List<String> PLOTTED = List.of("paper sampled:1", "guarded", "smooth");
 
   private AccuracyRun() {}
 
   /**
-   * Runs it.
+   * Runs the study.
    *
-   * @param folder made where it is not there
-   * @param quick one depth and one speed, fewer frames
-   * @param out gets the table
-   * @param progress hears what runs
-   * @return the mean time of each solver over that of the plain twin
+   * @param folder the output folder, created if missing
+   * @param quick whether to use one depth, one speed and fewer frames
+   * @param out receives the table
+   * @param progress receives progress lines
+   * @return the mean time of each solver relative to the plain baseline
    */
   public static Map<String, Double> run(
       Path folder, boolean quick, PrintWriter out, PrintWriter progress) throws IOException {
     Files.createDirectories(folder);
-    AccuracyStudy study =
-        new AccuracyStudy(
-            quick,
-            line -> {
-              progress.println(line);
-              progress.flush();
-            });
+    AccuracyStudy study = new AccuracyStudy(quick, Progress.to(progress));
     List<AccuracyRow> rows = study.rows();
-    tell(rows, out);
+    print(rows, out);
     writeTable(folder.resolve("accuracy.csv"), rows);
     AccuracyPlots.plotFront(folder.resolve("accuracy-front.png"), rows);
-    pictureSlide(folder.resolve("accuracy-slide.png"));
-    return timesOverTwin(rows);
+    drawSlide(folder.resolve("accuracy-slide.png"));
+    return timesOverBaseline(rows);
   }
 
-  private static void tell(List<AccuracyRow> rows, PrintWriter out) {
+  private static void print(List<AccuracyRow> rows, PrintWriter out) {
     out.printf(
         Locale.ROOT,
         "%-8s %5s %5s  %-19s %8s %7s %7s %6s %7s %5s %9s%n",
@@ -115,28 +110,28 @@ public final class AccuracyRun {
     }
   }
 
-  private static void pictureSlide(Path file) throws IOException {
+  private static void drawSlide(Path file) throws IOException {
     AccuracyScene scene = new AccuracyScene("sphere", 192);
     Map<String, double[]> angles = new LinkedHashMap<>();
     for (ComparedSolver one : ComparedSolver.all(scene)) {
-      if (PICTURED.contains(one.name())) {
-        angles.put(one.name(), AccuracyStudy.angles(scene, one, PICTURED_DEPTH, PICTURED_FRAMES));
+      if (PLOTTED.contains(one.name())) {
+        angles.put(one.name(), AccuracyStudy.angles(scene, one, PLOTTED_DEPTH, PLOTTED_FRAMES));
       }
     }
     AccuracyPlots.plotSlide(
-        file, "A slide over a sphere of bits, pressed 5 voxels, 0.05 voxel a frame", angles);
+        file, "A slide over a sphere of bits, 5 voxels deep, 0.05 voxel per frame", angles);
   }
 
-  private static Map<String, Double> timesOverTwin(List<AccuracyRow> rows) {
+  private static Map<String, Double> timesOverBaseline(List<AccuracyRow> rows) {
     Map<String, Double> sums = new LinkedHashMap<>();
-    double twin = 0;
+    double baseline = 0;
     int slides = 0;
     for (AccuracyRow row : rows) {
       if (row.solver().equals(ComparedSolver.BASELINE)) {
-        twin = row.nanosPerFrame();
+        baseline = row.nanosPerFrame();
         slides++;
       }
-      sums.merge(row.solver(), row.nanosPerFrame() / twin, Double::sum);
+      sums.merge(row.solver(), row.nanosPerFrame() / baseline, Double::sum);
     }
     int count = slides;
     sums.replaceAll((solver, sum) -> sum / count);

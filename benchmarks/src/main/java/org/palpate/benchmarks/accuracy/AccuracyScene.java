@@ -10,27 +10,28 @@ import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
 import org.palpate.volume.phantom.PhantomSlices;
 
-/** A phantom as bits and as grey values, and its surface by formula. */
+/** A phantom as bits and as grey values, with its analytic surface. */
 final class AccuracyScene {
   final Phantom phantom;
   final AnalyticSurface truth;
   final BitCube bits;
-  final CollisionScene obstacles;
+  final CollisionScene collisionScene;
 
-  /** The grey values and what they make of the surface. */
+  /** The isosurface of the grey values. */
   final GreyIsosurface grey;
 
-  /** The solids that the threshold makes of the grey values. */
-  final CollisionScene greyObstacles;
+  /** The solids that a threshold makes from the grey values. */
+  final CollisionScene greyCollisionScene;
 
+  /** Makes a phantom of a kind and an edge. */
   AccuracyScene(String kind, int edge) {
     phantom = Phantom.parse(kind + ":" + edge);
     truth = phantom.truth().orElseThrow();
     bits = phantom.segments().segments().get(0).bits();
-    obstacles = new CollisionScene(List.of(bits));
+    collisionScene = new CollisionScene(List.of(bits));
     ScalarVolume volume = read(Phantom.parse(kind + ":" + edge + ":grey"));
     grey = new GreyIsosurface(volume, Phantom.HALF_GREY, Phantom.HALF_GREY);
-    greyObstacles = new CollisionScene(List.of(threshold(volume)));
+    greyCollisionScene = new CollisionScene(List.of(threshold(volume)));
   }
 
   private static ScalarVolume read(Phantom phantom) {

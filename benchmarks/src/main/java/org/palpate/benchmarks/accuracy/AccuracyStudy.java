@@ -8,13 +8,14 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
+import org.palpate.loop.Median;
 import org.palpate.proxy.InteractionPoint;
 
-/** Runs every solver along every slide: first for its errors, then, taking turns, for its time. */
+/** Runs every solver on every slide: first for its errors, then in alternation for its time. */
 final class AccuracyStudy {
   static final List<String> SHAPES = List.of("plane", "sphere", "torus");
 
-  /** Time of the processor, not of the clock: others may want the machine too. */
+  /** Processor time is used because other processes may use the machine too. */
   private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
   private static final int EDGE = 192;
@@ -28,6 +29,7 @@ final class AccuracyStudy {
   private final int frames;
   private final Consumer<String> progress;
 
+  /** Creates a study; {@code quick} uses one depth, one speed and fewer frames. */
   AccuracyStudy(boolean quick, Consumer<String> progress) {
     depths = quick ? new double[] {5} : new double[] {2, 5, 10};
     speeds = quick ? new double[] {0.3} : new double[] {0.05, 0.3, 2};
@@ -35,13 +37,14 @@ final class AccuracyStudy {
     this.progress = progress;
   }
 
+  /** Measures all rows. */
   List<AccuracyRow> rows() {
     List<AccuracyRow> rows = new ArrayList<>();
     for (String shape : SHAPES) {
       AccuracyScene scene = new AccuracyScene(shape, EDGE);
       for (double depth : depths) {
         for (double speed : speeds) {
-          progress.accept(shape + ", " + depth + " voxels deep, " + speed + " a frame");
+          progress.accept(shape + ", " + depth + " voxels deep, " + speed + " per frame");
           rows.addAll(slide(scene, shape, depth, speed));
         }
       }
@@ -51,30 +54,30 @@ final class AccuracyStudy {
 
   private List<AccuracyRow> slide(AccuracyScene scene, String shape, double depth, double speed) {
     SlideTrajectory slide = new SlideTrajectory(scene.truth, EDGE, depth, speed, frames, SEED);
-    List<ComparedSolver> contestants = ComparedSolver.all(scene);
-    double[] nanos = times(contestants, slide);
+    List<ComparedSolver> solvers = ComparedSolver.all(scene);
+    double[] nanos = times(solvers, slide);
     List<AccuracyRow> rows = new ArrayList<>();
-    for (int n = 0; n < contestants.size(); n++) {
-      ComparedSolver one = contestants.get(n);
+    for (int n = 0; n < solvers.size(); n++) {
+      ComparedSolver one = solvers.get(n);
       Accuracy accuracy =
-          new AccuracyMeter(scene.truth, UNIT, slide, depth).measure(one.solver(), one.obstacles());
+          new AccuracyMeter(scene.truth, UNIT, slide, depth).measure(one.solver(), one.scene());
       rows.add(new AccuracyRow(one.name(), shape, depth, speed, accuracy, nanos[n]));
     }
     return rows;
   }
 
-  /** Medians over rounds in which all take turns. */
-  private static double[] times(List<ComparedSolver> contestants, SlideTrajectory slide) {
-    double[][] nanos = new double[contestants.size()][ROUNDS];
+  /** Returns each solver's median over rounds in which the solvers alternate. */
+  private static double[] times(List<ComparedSolver> solvers, SlideTrajectory slide) {
+    double[][] nanos = new double[solvers.size()][ROUNDS];
     for (int round = -WARM_UP_ROUNDS; round < ROUNDS; round++) {
-      for (int n = 0; n < contestants.size(); n++) {
-        double time = time(contestants.get(n), slide);
+      for (int n = 0; n < solvers.size(); n++) {
+        double time = time(solvers.get(n), slide);
         if (round >= 0) {
           nanos[n][round] = time;
         }
       }
     }
-    return Arrays.stream(nanos).mapToDouble(AccuracyStudy::median).toArray();
+    return Arrays.stream(nanos).mapToDouble(Median::of).toArray();
   }
 
   private static double time(ComparedSolver one, SlideTrajectory slide) {
@@ -84,17 +87,12 @@ final class AccuracyStudy {
     slide.device(0, point.position);
     long begin = THREADS.getCurrentThreadCpuTime();
     for (int frame = 0; frame < slide.frames(); frame++) {
-      one.solver().follow(one.obstacles(), slide.device(frame, device), point);
+      one.solver().follow(one.scene(), slide.device(frame, device), point);
     }
     return (THREADS.getCurrentThreadCpuTime() - begin) / (double) slide.frames();
   }
 
-  private static double median(double[] values) {
-    Arrays.sort(values);
-    return values[values.length / 2];
-  }
-
-  /** Angles of the force to the true normal, frame by frame, along a piece of a slide. */
+  /** Returns the angles between force and true normal for the first frames of a slide. */
   static double[] angles(AccuracyScene scene, ComparedSolver one, double depth, int count) {
     SlideTrajectory slide = new SlideTrajectory(scene.truth, EDGE, depth, 0.05, count, SEED);
     InteractionPoint point = new InteractionPoint();
@@ -104,7 +102,7 @@ final class AccuracyStudy {
     slide.device(0, point.position);
     double[] angles = new double[count];
     for (int frame = 0; frame < slide.frames(); frame++) {
-      one.solver().follow(one.obstacles(), slide.device(frame, device), point);
+      one.solver().follow(one.scene(), slide.device(frame, device), point);
       if (frame >= slide.slideStart()) {
         Vec3 force = point.position.sub(device, device);
         double cosine = force.dot(slide.normal(frame, normal)) / force.length();

@@ -19,20 +19,20 @@ import org.palpate.raycast.SampledRayCaster;
 /**
  * A solver in a scene.
  *
- * @param name with its collision method
- * @param solver made for the scene
- * @param obstacles what it touches
+ * @param name the solver with its collision method
+ * @param solver a solver made for the scene
+ * @param scene the solids that it touches
  */
-record ComparedSolver(String name, ProxySolver solver, CollisionScene obstacles) {
+record ComparedSolver(String name, ProxySolver solver, CollisionScene scene) {
   private static final GridMetric UNIT = new GridMetric(1, 1, 1);
   private static final double MAX_STEP_MM = 8;
 
-  /** The yardstick of all times. */
+  /** The name of the plain baseline, to which all times are relative. */
   static final String BASELINE = "twin";
 
-  /** Every solver with every collision method, in this scene. */
+  /** Returns every solver with every collision method. */
   static List<ComparedSolver> all(AccuracyScene scene) {
-    CollisionScene bits = scene.obstacles;
+    CollisionScene bits = scene.collisionScene;
     return List.of(
         new ComparedSolver(
             BASELINE, new PlainBaselineSolver(new PlainBaseline(scene.bits, MAX_STEP_MM)), bits),
@@ -45,7 +45,9 @@ record ComparedSolver(String name, ProxySolver solver, CollisionScene obstacles)
         new ComparedSolver("guarded", new GuardedSolver(UNIT, MAX_STEP_MM), bits),
         new ComparedSolver("smooth", new SmoothSolver(UNIT, MAX_STEP_MM), bits),
         new ComparedSolver(
-            "smooth grey", new SmoothSolver(UNIT, MAX_STEP_MM, scene.grey), scene.greyObstacles));
+            "smooth grey",
+            new SmoothSolver(UNIT, MAX_STEP_MM, scene.grey),
+            scene.greyCollisionScene));
   }
 
   private static ProxySolver dot(RayCaster caster) {

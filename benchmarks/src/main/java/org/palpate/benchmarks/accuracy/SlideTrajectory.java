@@ -5,17 +5,17 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.phantom.AnalyticSurface;
 
 /**
- * A device that comes down on a surface, presses to a depth, and wanders along it at a speed: the
- * same to the bit for the same numbers. Millimetres; immutable.
+ * A device that comes down on a surface, presses to a depth and wanders along the surface at a
+ * speed. The same arguments give the same bits. Millimetres; immutable.
  */
 public final class SlideTrajectory {
   private static final double START_HEIGHT_MM = 4;
-  private static final double APPROACH_MM_A_FRAME = 0.05;
+  private static final double APPROACH_MM_PER_FRAME = 0.05;
 
-  /** Frames after the approach that do not count. */
+  /** Frames after the approach that are not measured. */
   private static final int SETTLING_FRAMES = 50;
 
-  /** How much the heading turns, a square root of a millimetre. */
+  /** The strength of the heading's random turns, per square root of a millimetre. */
   private static final double WANDER = 0.15;
 
   private static final double MARGIN_MM = 28;
@@ -25,52 +25,53 @@ public final class SlideTrajectory {
   private final int slideStart;
 
   /**
-   * Makes a trajectory.
+   * Creates a trajectory.
    *
    * @param truth the surface, in millimetres
-   * @param edgeMm the cube that it stays in, well inside
-   * @param depthMm how deep the device lies in the solid once it slides
-   * @param speedMmAFrame how far the nearest surface point goes in a frame
-   * @param slideFrames frames that count, after the approach
+   * @param edgeMm the edge of the cube in which the device stays
+   * @param depthMm the depth of the sliding device in the solid
+   * @param speedMmPerFrame the speed of the nearest surface point
+   * @param slideFrames the number of measured frames, after the approach
    */
   public SlideTrajectory(
       AnalyticSurface truth,
       double edgeMm,
       double depthMm,
-      double speedMmAFrame,
+      double speedMmPerFrame,
       int slideFrames,
       long seed) {
-    int approach = (int) Math.ceil((depthMm + START_HEIGHT_MM) / APPROACH_MM_A_FRAME);
+    int approach = (int) Math.ceil((depthMm + START_HEIGHT_MM) / APPROACH_MM_PER_FRAME);
     slideStart = approach + SETTLING_FRAMES;
     int frames = slideStart + slideFrames;
     devices = new double[3 * frames];
     normals = new double[3 * frames];
     Wanderer wanderer = new Wanderer(truth, edgeMm, new SplittableRandom(seed));
     for (int frame = 0; frame < frames; frame++) {
-      double share = Math.min(1, frame / (double) approach);
-      double depth = -START_HEIGHT_MM + share * (depthMm + START_HEIGHT_MM);
+      double fraction = Math.min(1, frame / (double) approach);
+      double depth = -START_HEIGHT_MM + fraction * (depthMm + START_HEIGHT_MM);
       wanderer.write(depth, frame, devices, normals);
       if (frame >= approach) {
-        wanderer.step(speedMmAFrame);
+        wanderer.step(speedMmPerFrame);
       }
     }
   }
 
+  /** Returns the number of frames, approach included. */
   public int frames() {
     return devices.length / 3;
   }
 
-  /** The first frame that counts. */
+  /** Returns the first measured frame. */
   public int slideStart() {
     return slideStart;
   }
 
-  /** Writes where the device is, mm. */
+  /** Writes the device position of a frame, mm. */
   public Vec3 device(int frame, Vec3 dest) {
     return read(devices, frame, dest);
   }
 
-  /** Writes the true unit normal at the surface point that the device stands for. */
+  /** Writes the true unit normal at the surface point nearest to the device. */
   public Vec3 normal(int frame, Vec3 dest) {
     return read(normals, frame, dest);
   }
@@ -79,7 +80,7 @@ public final class SlideTrajectory {
     return dest.set(from[3 * frame], from[3 * frame + 1], from[3 * frame + 2]);
   }
 
-  /** A point that walks on the surface, heading where it did but for small turns. */
+  /** A point that moves on the surface and changes its heading by small random turns. */
   private static final class Wanderer {
     private final AnalyticSurface truth;
     private final double edgeMm;
@@ -95,7 +96,7 @@ public final class SlideTrajectory {
       at.set(edgeMm / 2 + 20, edgeMm / 2 + 30, edgeMm / 2 + 50);
       heading.set(gaussian(), gaussian(), gaussian());
       for (int n = 0; n < 20; n++) {
-        ontoSurface();
+        projectToSurface();
       }
     }
 
@@ -118,8 +119,8 @@ public final class SlideTrajectory {
           heading.x - along * normal.x, heading.y - along * normal.y, heading.z - along * normal.z);
       heading.mul(1 / heading.length(), heading);
       at.set(at.x + length * heading.x, at.y + length * heading.y, at.z + length * heading.z);
-      ontoSurface();
-      ontoSurface();
+      projectToSurface();
+      projectToSurface();
     }
 
     private double awayFromWall(double coordinate) {
@@ -129,14 +130,14 @@ public final class SlideTrajectory {
       return coordinate > edgeMm - MARGIN_MM ? -2 : 0;
     }
 
-    private void ontoSurface() {
+    private void projectToSurface() {
       truth.normal(at, normal);
       double distance = truth.signedDistance(at);
       at.set(at.x - distance * normal.x, at.y - distance * normal.y, at.z - distance * normal.z);
       truth.normal(at, normal);
     }
 
-    /** About normally distributed: the sum of twelve, alike on every machine. */
+    /** Returns an almost normally distributed number, the same on every machine. */
     private double gaussian() {
       double sum = -6;
       for (int n = 0; n < 12; n++) {

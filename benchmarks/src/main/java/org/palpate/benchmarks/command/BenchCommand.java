@@ -30,11 +30,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code palpate bench}: measurements that leave tables and plots in a folder. */
+/** {@code palpate bench}: runs measurements and writes tables and plots to a folder. */
 @Command(
     name = "bench",
-    description =
-        "Measures, the speed of all unless told what, and leaves tables and plots in a folder.",
+    description = "Runs measurements (by default all of speed) and writes tables and plots.",
     footer = {
       "",
       "Examples:",
@@ -53,12 +52,12 @@ import picocli.CommandLine.Spec;
     })
 public final class BenchCommand implements Callable<Integer> {
   private static final Path DATA = Path.of(System.getProperty("palpate.data", "../shared/data"));
-  private static final long USUAL_FRAMES = 10_000_000;
-  private static final long USUAL_SEED = 7;
-  private static final String USUAL_SOLVER = "guarded";
+  private static final long DEFAULT_FRAMES = 10_000_000;
+  private static final long DEFAULT_SEED = 7;
+  private static final String DEFAULT_SOLVER = "guarded";
 
-  /** Of the frames of --stress so many run whole, with device, edits and force. */
-  private static final long WHOLE_FRAMES_SHARE = 10;
+  /** One in this many frames of --stress is a whole frame, with device, edits and force. */
+  private static final long WHOLE_FRAMES_DIVISOR = 10;
 
   @Spec private CommandSpec spec;
   @Mixin private OutputOptions output;
@@ -66,8 +65,8 @@ public final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--stability",
       description = {
-        "Person, device and contact as one loop in simulation:",
-        "how stiff a surface may be before the hand shakes, beside the theory."
+        "Person, device and contact as one closed loop in simulation:",
+        "the largest stiffness without vibration, beside the theory."
       })
   private boolean stability;
 
@@ -75,39 +74,42 @@ public final class BenchCommand implements Callable<Integer> {
       names = "--accuracy",
       description = {
         "Run time against error, for every solver and collision method:",
-        "solvers pressed into surfaces known by formula and slid along them;",
-        "and how far from the nearest free point they come to rest."
+        "solvers slide along analytic surfaces under pressure;",
+        "also their distance to the nearest free point at rest."
       })
   private boolean accuracy;
 
   @Option(
       names = "--stress",
       description = {
-        "Hostile scenes and hands against the guarantee, every leg judged exactly.",
-        "Run again with the same folder, it goes on where it ended."
+        "Hostile scenes and hands against the guarantee; every leg is judged exactly.",
+        "A second run with the same folder continues where the first one ended."
       })
   private boolean stress;
 
   @Option(
       names = "--frames",
       paramLabel = "N",
-      description = "With --stress: frames in all (10000000).")
+      description = "With --stress: total number of frames (10000000).")
   private Long frames;
 
-  @Option(names = "--seed", paramLabel = "S", description = "With --stress: which attack (7).")
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      description = "With --stress: seed of the attack (7).")
   private Long seed;
 
   @Option(
       names = "--solver",
       paramLabel = "NAME",
       description =
-          "With --stress: guarded (every promise) or smooth (its legs). Default: guarded.")
+          "With --stress: guarded (all promises) or smooth (only its legs). Default: guarded.")
   private String solver;
 
   @Option(
       names = "--sync",
       description = {
-        "What changing the scene costs the haptic thread: directly, by the paper's",
+        "Cost of scene changes for the haptic thread: direct, by the paper's",
         "synchronized accumulators, by wait-free ones. Draws, so it needs OpenGL."
       })
   private boolean sync;
@@ -115,7 +117,7 @@ public final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--table1",
       description = {
-        "The paper's Table 1 on scans, as they are and resampled to its sizes.",
+        "The paper's Table 1 on scans, in their own size and resampled to its sizes.",
         "Reads the folder of -Dpalpate.data (../shared/data)."
       })
   private boolean table1;
@@ -123,15 +125,15 @@ public final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--surfaces",
       description = {
-        "Triangles, time and memory of the scans' surfaces, as they are and resampled to the",
-        "paper's sizes. Reads the folder of -Dpalpate.data (../shared/data)."
+        "Triangles, time and memory of the scans' surfaces, in their own size and resampled",
+        "to the paper's sizes. Reads the folder of -Dpalpate.data (../shared/data)."
       })
   private boolean surfaces;
 
   @Option(
       names = "--skips",
       description = {
-        "What each skip is worth: with and without, where it helps and where not.",
+        "Gain of each skip: with and without it, where it helps and where it does not.",
         "Draws, so it needs OpenGL."
       })
   private boolean skips;
@@ -139,21 +141,21 @@ public final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--cpp",
       description = {
-        "The guarded frame against the same in C++ over the same bricks; needs g++.",
-        "Both must take the same way to the bit."
+        "The guarded frame against a port to C++ over the same bricks; needs g++.",
+        "Both must give the same bits."
       })
   private boolean cpp;
 
   @Option(names = "--scale", description = "The same hand in grids of 256^3 to 2048^3 voxels.")
   private boolean scale;
 
-  @Option(names = "--quick", description = "Fewer values in each sweep.")
+  @Option(names = "--quick", description = "Use fewer values in each sweep.")
   private boolean quick;
 
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "Where files go (palpate-bench); made where it is not there.")
+      description = "Folder of the files (palpate-bench); created if missing.")
   private Path folder = Path.of("palpate-bench");
 
   @Override
@@ -161,7 +163,7 @@ public final class BenchCommand implements Callable<Integer> {
     output.checked(folder);
     List<SpeedStudy> speeds = speedStudies();
     Attack attack = attack();
-    Path data = dataOfTable1();
+    Path data = table1Data();
     if ((sync || skips) && !GraphicsDriver.hasDisplay()) {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
@@ -178,7 +180,7 @@ public final class BenchCommand implements Callable<Integer> {
       }
     } catch (StressSession.FailedCaseException e) {
       throw PalpateException.failed(
-          "a promise was broken (" + e.summary() + ")", e.place(), "see replay.txt there", e);
+          "a promise is broken (" + e.summary() + ")", e.caseFolder(), "see replay.txt there", e);
     } catch (GraphicsException e) {
       throw PalpateException.failed(e.what(), "bench --sync", e.remedy(), e);
     } catch (InterruptedException e) {
@@ -186,9 +188,9 @@ public final class BenchCommand implements Callable<Integer> {
       return PalpateException.FAILED;
     } catch (IOException e) {
       throw PalpateException.failed(
-          "not measured to the end (" + e.getMessage() + ")",
+          "the measurement did not finish (" + e.getMessage() + ")",
           folder.toString(),
-          "mend that, or choose another folder with --out",
+          "remove the cause, or choose another folder with --out",
           e);
     }
     if (report.isWanted()) {
@@ -205,7 +207,7 @@ public final class BenchCommand implements Callable<Integer> {
     return spec.commandLine().getErr();
   }
 
-  /** The studies of speed that were chosen; all of it where nothing at all was. */
+  /** Returns the chosen studies of speed; all of speed if no study is chosen. */
   private List<SpeedStudy> speedStudies() {
     List<SpeedStudy> studies = new ArrayList<>();
     if (table1) {
@@ -223,17 +225,17 @@ public final class BenchCommand implements Callable<Integer> {
     return studies;
   }
 
-  private Path dataOfTable1() {
+  private Path table1Data() {
     return table1 ? scans() : DATA;
   }
 
-  /** The folder of the scans. */
+  /** Returns the folder of the scans. */
   private static Path scans() {
     if (!Files.isDirectory(DATA)) {
       throw PalpateException.wrongUse(
-          "the scans of Table 1 are not there",
+          "the scans of Table 1 are missing",
           DATA.toString(),
-          "name their folder: -Dpalpate.data");
+          "name their folder with -Dpalpate.data");
     }
     return DATA;
   }
@@ -258,7 +260,7 @@ public final class BenchCommand implements Callable<Integer> {
     }
   }
 
-  /** The attack that was asked for, or null; refuses its options where it was not. */
+  /** Returns the chosen attack, or null; without one its options are refused. */
   private Attack attack() {
     if (!stress) {
       refuseWithoutStress("--frames", frames);
@@ -271,46 +273,44 @@ public final class BenchCommand implements Callable<Integer> {
           "a positive number is needed", "--frames " + frames, "try --frames 1000000");
     }
     return new Attack(
-        frames == null ? USUAL_FRAMES : frames,
-        seed == null ? USUAL_SEED : seed,
+        frames == null ? DEFAULT_FRAMES : frames,
+        seed == null ? DEFAULT_SEED : seed,
         solverUnderAttack());
   }
 
   private static void refuseWithoutStress(String option, Object given) {
     if (given != null) {
       throw PalpateException.wrongUse(
-          "this belongs to --stress, which was not asked for",
-          option + " " + given,
-          "add --stress, or leave it out");
+          "this option needs --stress", option + " " + given, "add --stress, or remove the option");
     }
   }
 
   private StressSession.Attacked solverUnderAttack() {
-    String name = solver == null ? USUAL_SOLVER : solver;
+    String name = solver == null ? DEFAULT_SOLVER : solver;
     return switch (name) {
       case "guarded" -> StressSession.Attacked.GUARDED;
       case "smooth" -> StressSession.Attacked.SMOOTH;
       default ->
           throw PalpateException.wrongUse(
-              "no solver to attack", "--solver " + name, "choose guarded or smooth");
+              "no such solver to attack", "--solver " + name, "choose guarded or smooth");
     };
   }
 
-  /** What --stress does. */
+  /** The attack of --stress. */
   private final class Attack {
-    private final long wanted;
-    private final long ofSeed;
+    private final long frameCount;
+    private final long attackSeed;
     private final StressSession.Attacked attacked;
 
-    Attack(long wanted, long ofSeed, StressSession.Attacked attacked) {
-      this.wanted = wanted;
-      this.ofSeed = ofSeed;
+    Attack(long frameCount, long attackSeed, StressSession.Attacked attacked) {
+      this.frameCount = frameCount;
+      this.attackSeed = attackSeed;
       this.attacked = attacked;
     }
 
     void run(Report report) throws IOException {
-      StressSession session = new StressSession(folder, ofSeed, attacked, progress());
-      StressTotals totals = session.run(wanted);
+      StressSession session = new StressSession(folder, attackSeed, attacked, progress());
+      StressTotals totals = session.run(frameCount);
       out()
           .println(
               attacked
@@ -319,13 +319,13 @@ public final class BenchCommand implements Callable<Integer> {
                   + " frames, "
                   + totals.legs()
                   + " legs, 0 violations, seed "
-                  + ofSeed);
-      out().println(session.attackFrames(wanted / WHOLE_FRAMES_SHARE));
+                  + attackSeed);
+      out().println(session.attackFrames(frameCount / WHOLE_FRAMES_DIVISOR));
       out().println();
-      session.tellSteps(out());
+      session.printWork(out());
       out().println();
       session.printBaselines(out());
-      report.put("seed", ofSeed).put("frames", totals.frames()).put("legs", totals.legs());
+      report.put("seed", attackSeed).put("frames", totals.frames()).put("legs", totals.legs());
       report.put("violations", 0).put("exact_decisions", totals.exactDecisions());
     }
   }

@@ -4,8 +4,9 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
- * The oracle: how near to a device a point could be that is in no solid, found by looking at every
- * empty voxel of the grid and of a rim of one around it. It asks for no way there. Unit voxels.
+ * A naive oracle of the distance from a device to the nearest free point. It tests every empty
+ * voxel of the grid and of a rim of one voxel around it, whether or not a path leads there. Unit
+ * voxels.
  */
 final class NearestFreeOracle {
   private final BitCube bits;
@@ -14,12 +15,12 @@ final class NearestFreeOracle {
     this.bits = bits;
   }
 
-  /** Distance from the device to the nearest free point. */
+  /** Returns the distance from the device to the nearest free point. */
   double distance(Vec3 device) {
     return distance(device, device, Double.POSITIVE_INFINITY);
   }
 
-  /** The same, of the free points alone that are no farther than {@code radius} from a point. */
+  /** Returns the distance to the nearest free point within {@code radius} of {@code from}. */
   double distance(Vec3 device, Vec3 from, double radius) {
     double least = Double.POSITIVE_INFINITY;
     for (int k = -1; k <= bits.sizeZ(); k++) {
@@ -40,7 +41,7 @@ final class NearestFreeOracle {
     return Math.sqrt(least);
   }
 
-  /** The coordinate within a cell that is nearest to {@code at}. */
+  /** Returns the coordinate within a voxel that is nearest to {@code at}. */
   private static double clamp(double at, int cell) {
     return Math.max(cell, Math.min(cell + 1.0, at));
   }

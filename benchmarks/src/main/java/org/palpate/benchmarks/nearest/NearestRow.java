@@ -1,14 +1,14 @@
 package org.palpate.benchmarks.nearest;
 
 /**
- * How far beyond the nearest free point a solver's points stayed.
+ * The distance of a solver's resting points beyond the nearest free point.
  *
- * @param shape of the solids
- * @param depth of the device below the true surface, voxels
- * @param solver its name, or that of the search
- * @param meanExcess mean of |p-d| less the distance of the nearest free point, voxels
- * @param worstExcess the largest
- * @param presses how many
+ * @param shape the kind of solid
+ * @param depth the depth of the device below the true surface, voxels
+ * @param solver the name of the solver or of the search
+ * @param meanExcess mean of |p-d| minus the distance to the nearest free point, voxels
+ * @param worstExcess the largest such difference
+ * @param presses the number of presses
  */
 record NearestRow(
     String shape,

@@ -13,10 +13,11 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.palpate.benchmarks.report.Figures;
+import org.palpate.benchmarks.report.Progress;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
 
-/** Runs the study and leaves a table and a picture in a folder. */
+/** Runs the study and writes a table and a plot to a folder. */
 public final class NearestRun {
   private static final long SEED = 7;
   private static final int PRESSES = 60;
@@ -27,32 +28,26 @@ public final class NearestRun {
   private NearestRun() {}
 
   /**
-   * Runs it.
+   * Runs the study.
    *
-   * @param folder made where it is not there
-   * @param quick fewer presses
-   * @param out gets the table
-   * @param progress hears what runs
+   * @param folder the output folder, created if missing
+   * @param quick whether to use fewer presses
+   * @param out receives the table
+   * @param progress receives progress lines
    */
   public static void run(Path folder, boolean quick, PrintWriter out, PrintWriter progress)
       throws IOException {
     Files.createDirectories(folder);
     NearestStudy study =
-        new NearestStudy(
-            quick ? QUICK_PRESSES : PRESSES,
-            SEED,
-            line -> {
-              progress.println(line);
-              progress.flush();
-            });
+        new NearestStudy(quick ? QUICK_PRESSES : PRESSES, SEED, Progress.to(progress));
     List<NearestRow> rows = study.rows();
-    tell(rows, out);
+    print(rows, out);
     write(folder.resolve("nearest.csv"), rows);
     plot(folder.resolve("nearest.png"), rows);
   }
 
-  private static void tell(List<NearestRow> rows, PrintWriter out) {
-    out.println("voxels farther than the nearest free point, mean / worst, seed " + SEED);
+  private static void print(List<NearestRow> rows, PrintWriter out) {
+    out.println("voxels beyond the nearest free point, mean / worst, seed " + SEED);
     for (NearestRow row : rows) {
       out.printf(
           Locale.ROOT,
@@ -97,7 +92,7 @@ public final class NearestRun {
         new XYChartBuilder()
             .width(WIDTH)
             .height(HEIGHT)
-            .title(shape + ": farther than the nearest free point, mean")
+            .title(shape + ": distance beyond the nearest free point, mean")
             .xAxisTitle("depth of the device, voxels")
             .yAxisTitle("voxels")
             .build();

@@ -20,14 +20,14 @@ import org.palpate.proxy.reference.PaperSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.raycast.SampledRayCaster;
 
-/** Presses every solver into every shape at every depth and measures where it comes to rest. */
+/** Presses every solver into every shape at every depth and measures its resting point. */
 final class NearestStudy {
   static final double[] DEPTHS = {1, 2, 5, 10, 15, 20};
 
-  /** What a search of radius sqrt(2 s + 1) around the guarded solver's point reaches. */
+  /** The name of a search within sqrt(2 s + 1) of the guarded solver's point. */
   static final String SEARCH = "search sqrt(2s+1)";
 
-  /** The smooth solver's point with the height of its surface taken off, as the force does. */
+  /** The name of the smooth solver's point minus the height of its surface, as for the force. */
   static final String SMOOTH_FELT = "smooth felt";
 
   private static final String SMOOTH = "smooth";
@@ -36,54 +36,57 @@ final class NearestStudy {
   private static final GridMetric UNIT = new GridMetric(1, 1, 1);
   private static final double MAX_STEP_VOXELS = 8;
 
-  /** The paper's solver as printed never rests on a slope; the others do long before. */
+  /** Frames with a resting device; the paper's solver as printed never rests on a slope. */
   private static final int FRAMES_AT_REST = 200;
 
   private final int presses;
   private final long seed;
   private final Consumer<String> progress;
 
+  /** Creates a study. */
   NearestStudy(int presses, long seed, Consumer<String> progress) {
     this.presses = presses;
     this.seed = seed;
     this.progress = progress;
   }
 
+  /** Measures all rows. */
   List<NearestRow> rows() {
-    Map<String, Tally> tallies = new LinkedHashMap<>();
+    Map<String, ExcessSum> sums = new LinkedHashMap<>();
     for (PressedSolid solid : PressedSolid.all()) {
       progress.accept("nearest free point: " + solid.shape());
       for (double depth : DEPTHS) {
         SplittableRandom random = new SplittableRandom(seed);
         for (int n = 0; n < presses; n++) {
-          press(solid, depth, PressTrajectory.way(solid, depth, random), tallies);
+          press(solid, depth, PressTrajectory.positions(solid, depth, random), sums);
         }
       }
     }
     List<NearestRow> rows = new ArrayList<>();
-    tallies.values().forEach(tally -> rows.add(tally.row()));
+    sums.values().forEach(sum -> rows.add(sum.row()));
     return rows;
   }
 
   private static void press(
-      PressedSolid solid, double depth, List<Vec3> way, Map<String, Tally> tallies) {
-    Vec3 device = way.get(way.size() - 1);
+      PressedSolid solid, double depth, List<Vec3> devices, Map<String, ExcessSum> sums) {
+    Vec3 device = devices.get(devices.size() - 1);
     NearestFreeOracle free = new NearestFreeOracle(solid.bits());
     double nearest = free.distance(device);
     solvers(solid)
         .forEach(
             (name, solver) -> {
-              InteractionPoint point = rest(solver, new CollisionScene(List.of(solid.bits())), way);
+              InteractionPoint point =
+                  rest(solver, new CollisionScene(List.of(solid.bits())), devices);
               Vec3 p = point.position;
               double reached = p.sub(device, new Vec3()).length();
-              tally(tallies, solid, depth, name).add(reached - nearest);
+              sumFor(sums, solid, depth, name).add(reached - nearest);
               if (name.equals(GUARDED)) {
                 double found = free.distance(device, p, Math.sqrt(2 * depth + 1));
-                tally(tallies, solid, depth, SEARCH).add(Math.min(found, reached) - nearest);
+                sumFor(sums, solid, depth, SEARCH).add(Math.min(found, reached) - nearest);
               }
               if (name.equals(SMOOTH)) {
                 double felt = reached - point.surfaceHeightMm;
-                tally(tallies, solid, depth, SMOOTH_FELT).add(felt - nearest);
+                sumFor(sums, solid, depth, SMOOTH_FELT).add(felt - nearest);
               }
             });
   }
@@ -101,28 +104,29 @@ final class NearestStudy {
     return solvers;
   }
 
-  /** Where the point is after the device has rested for a while. */
+  /** Returns the point after the device has rested for a while. */
   private static InteractionPoint rest(
-      ProxySolver solver, CollisionScene obstacles, List<Vec3> way) {
+      ProxySolver solver, CollisionScene scene, List<Vec3> devices) {
     InteractionPoint point = new InteractionPoint();
-    point.position.set(way.get(0));
-    for (Vec3 device : way) {
-      solver.follow(obstacles, device, point);
+    point.position.set(devices.get(0));
+    for (Vec3 device : devices) {
+      solver.follow(scene, device, point);
     }
     for (int frame = 0; frame < FRAMES_AT_REST; frame++) {
-      solver.follow(obstacles, way.get(way.size() - 1), point);
+      solver.follow(scene, devices.get(devices.size() - 1), point);
     }
     return point;
   }
 
-  private static Tally tally(
-      Map<String, Tally> tallies, PressedSolid solid, double depth, String solver) {
-    return tallies.computeIfAbsent(
-        solid.shape() + " " + depth + " " + solver, any -> new Tally(solid.shape(), depth, solver));
+  private static ExcessSum sumFor(
+      Map<String, ExcessSum> sums, PressedSolid solid, double depth, String solver) {
+    return sums.computeIfAbsent(
+        solid.shape() + " " + depth + " " + solver,
+        any -> new ExcessSum(solid.shape(), depth, solver));
   }
 
-  /** Sums for one row. */
-  private static final class Tally {
+  /** The sum of a row's values. */
+  private static final class ExcessSum {
     private final String shape;
     private final double depth;
     private final String solver;
@@ -130,7 +134,7 @@ final class NearestStudy {
     private double worst = Double.NEGATIVE_INFINITY;
     private int count;
 
-    Tally(String shape, double depth, String solver) {
+    ExcessSum(String shape, double depth, String solver) {
       this.shape = shape;
       this.depth = depth;
       this.solver = solver;

@@ -6,62 +6,62 @@ import java.util.SplittableRandom;
 import org.palpate.geometry.Vec3;
 
 /**
- * A hand that comes straight in to a depth, slides a little way at that depth, and rests: device
- * positions, the same for a seed.
+ * Seeded device positions of a hand that presses straight in to a depth, slides a little at that
+ * depth, and rests.
  */
 final class PressTrajectory {
   private static final double ABOVE = 3;
   private static final double SPEED = 0.3;
   private static final int SLIDES = 30;
 
-  /** How far from the grid's middle a hand may come in; the solids end farther out. */
+  /** The largest distance of the press from the grid's middle; the solids end farther out. */
   private static final double REACH = 10;
 
   private final PressedSolid solid;
   private final double depth;
-  private final List<Vec3> way = new ArrayList<>();
+  private final List<Vec3> positions = new ArrayList<>();
 
   private PressTrajectory(PressedSolid solid, double depth) {
     this.solid = solid;
     this.depth = depth;
   }
 
-  /** The way of the device, its last position the one that it rests at. */
-  static List<Vec3> way(PressedSolid solid, double depth, SplittableRandom random) {
+  /** Returns the positions of the device; it rests at the last one. */
+  static List<Vec3> positions(PressedSolid solid, double depth, SplittableRandom random) {
     PressTrajectory press = new PressTrajectory(solid, depth);
-    press.comeIn(random);
+    press.approach(random);
     press.slide(random);
-    return press.way;
+    return press.positions;
   }
 
-  private void comeIn(SplittableRandom random) {
+  private void approach(SplittableRandom random) {
     Vec3 at = new Vec3();
     do {
-      at.set(place(random), place(random), place(random));
-      keepAt(ABOVE, at);
+      at.set(coordinate(random), coordinate(random), coordinate(random));
+      moveToHeight(ABOVE, at);
     } while (!isOverOneFace(at));
     for (double height = ABOVE; height > -depth; height -= SPEED) {
-      keepAt(height, at);
-      way.add(new Vec3().set(at));
+      moveToHeight(height, at);
+      positions.add(new Vec3().set(at));
     }
-    keepAt(-depth, at);
-    way.add(at);
+    moveToHeight(-depth, at);
+    positions.add(at);
   }
 
-  private double place(SplittableRandom random) {
+  private double coordinate(SplittableRandom random) {
     return 0.5 * PressedSolid.EDGE + 2 * REACH * (random.nextDouble() - 0.5);
   }
 
-  /** Whether it is as deep under the same face wherever it goes in from here. */
+  /** Whether the device reaches its depth below the same face. */
   private boolean isOverOneFace(Vec3 at) {
     Vec3 inside = new Vec3().set(at);
-    keepAt(-depth, inside);
+    moveToHeight(-depth, inside);
     Vec3 before = solid.truth().normal(at, new Vec3());
-    return isKeptAt(-depth, inside)
+    return isAtHeight(-depth, inside)
         && before.dot(solid.truth().normal(inside, new Vec3())) > 1 - 1e-9;
   }
 
-  private boolean isKeptAt(double height, Vec3 at) {
+  private boolean isAtHeight(double height, Vec3 at) {
     return Math.abs(solid.truth().signedDistance(at) - height) < 1e-9;
   }
 
@@ -74,22 +74,22 @@ final class PressTrajectory {
     }
   }
 
-  /** One step; none where it would come to another face. */
+  /** Slides one step unless it would lead to another face, and returns whether it did. */
   private boolean slide(Vec3 heading) {
-    Vec3 at = new Vec3().set(way.get(way.size() - 1));
+    Vec3 at = new Vec3().set(positions.get(positions.size() - 1));
     Vec3 normal = solid.truth().normal(at, new Vec3());
     heading.sub(normal.mul(heading.dot(normal), new Vec3()), heading);
     at.add(heading.mul(SPEED / heading.length(), heading), at);
-    keepAt(-depth, at);
+    moveToHeight(-depth, at);
     boolean onSameFace = normal.dot(solid.truth().normal(at, new Vec3())) > 0.9;
     if (onSameFace) {
-      way.add(at);
+      positions.add(at);
     }
     return onSameFace;
   }
 
-  /** Moves along the normal to a height over the surface. */
-  private void keepAt(double height, Vec3 at) {
+  /** Moves along the normal to a height above the surface. */
+  private void moveToHeight(double height, Vec3 at) {
     Vec3 normal = new Vec3();
     for (int n = 0; n < 2; n++) {
       solid.truth().normal(at, normal);

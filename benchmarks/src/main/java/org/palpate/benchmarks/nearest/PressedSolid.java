@@ -6,16 +6,18 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.AnalyticSurface;
 
 /**
- * A solid well inside a grid, solid where a voxel's centre lies within its surface.
+ * A solid inside a grid. A voxel is solid if its centre lies within the surface.
  *
- * @param shape what tables call it; several may be one shape
+ * @param shape the name in tables; several solids may share it
+ * @param bits the solid voxels
+ * @param truth the surface
  */
 record PressedSolid(String shape, BitCube bits, AnalyticSurface truth) {
   static final int EDGE = 112;
 
   private static final Vec3 MIDDLE = new Vec3(56.3, 55.6, 56.1);
 
-  /** Boxes along the axes, balls, cylinders and planes that lean. */
+  /** Returns boxes along the axes, balls, cylinders and tilted planes. */
   static List<PressedSolid> all() {
     return List.of(
         of("box", box(new Vec3(12, 12, 12), new Vec3(100, 100, 100))),
@@ -96,7 +98,7 @@ record PressedSolid(String shape, BitCube bits, AnalyticSurface truth) {
     };
   }
 
-  /** Known inside, and outside where a face is nearest. */
+  /** Returns a box whose distance is exact inside, and outside where a face is nearest. */
   private static AnalyticSurface box(Vec3 low, Vec3 high) {
     return new AnalyticSurface() {
       @Override
@@ -127,7 +129,7 @@ record PressedSolid(String shape, BitCube bits, AnalyticSurface truth) {
     };
   }
 
-  private static Vec3 unit(Vec3 way) {
-    return way.mul(1 / way.length(), way);
+  private static Vec3 unit(Vec3 direction) {
+    return direction.mul(1 / direction.length(), direction);
   }
 }

@@ -3,15 +3,15 @@ package org.palpate.benchmarks.stability;
 import java.util.List;
 
 /**
- * A device as the model has it. Force and workspace are as published by CHAI3D for the device of
- * that name; mass, damping and encoder step are not published with them and are swept or assumed.
+ * A model of a device. Force and workspace are those that CHAI3D publishes for the device of that
+ * name; mass, damping and encoder step are not published with them and are swept or assumed.
  *
- * @param name as a person knows it
- * @param maxForceNewton nominal maximum
- * @param maxStiffnessNewtonPerMm largest stiffness of its specification in the native layer
- * @param handleKg apparent mass of the handle
- * @param dampingNewtonSecondPerM physical damping b
- * @param encoderStepMm smallest step of position
+ * @param name the name that a person knows
+ * @param maxForceNewton the nominal maximum
+ * @param maxStiffnessNewtonPerMm the largest stiffness of its specification in the native layer
+ * @param handleKg the apparent mass of the handle
+ * @param dampingNewtonSecondPerM the physical damping b
+ * @param encoderStepMm the smallest step of position
  */
 public record DeviceModel(
     String name,
@@ -21,7 +21,7 @@ public record DeviceModel(
     double dampingNewtonSecondPerM,
     double encoderStepMm) {
 
-  /** The devices of which force and stiffness are known; desktop arms are light, deltas are not. */
+  /** The devices with known force and stiffness; desktop arms are light, delta robots are not. */
   public static final List<DeviceModel> KNOWN =
       List.of(
           new DeviceModel("Touch", 3.3, 0.4, 0.05, 0.5, 0.055),
@@ -33,19 +33,19 @@ public record DeviceModel(
           new DeviceModel("omega", 12, 0.7, 0.2, 2, 0.009),
           new DeviceModel("delta", 20, 0.6, 0.25, 2, 0.03));
 
-  /** The same with another mass. */
+  /** Returns this device with another mass. */
   public DeviceModel withHandleKg(double kg) {
     return new DeviceModel(
         name, maxForceNewton, maxStiffnessNewtonPerMm, kg, dampingNewtonSecondPerM, encoderStepMm);
   }
 
-  /** The same with another physical damping. */
+  /** Returns this device with another physical damping. */
   public DeviceModel withDamping(double newtonSecondPerM) {
     return new DeviceModel(
         name, maxForceNewton, maxStiffnessNewtonPerMm, handleKg, newtonSecondPerM, encoderStepMm);
   }
 
-  /** The same with an encoder that is as fine as the model's time steps. */
+  /** Returns this device with an encoder that is fine enough not to matter. */
   public DeviceModel withFineEncoder() {
     return new DeviceModel(
         name, maxForceNewton, maxStiffnessNewtonPerMm, handleKg, dampingNewtonSecondPerM, 1e-6);

@@ -1,19 +1,19 @@
 package org.palpate.benchmarks.stability;
 
 /**
- * The person: a hand held by the arm, with the handle in its grip. Two springs and dampers in a
- * row, the hand's mass between them.
+ * A model of the person: the arm drives a hand that grips the handle. Two springs and dampers in
+ * series with the hand's mass between them.
  *
- * <p>The values span what is plausible for fingers and a hand; no single source stands behind them,
- * and the study sweeps them.
+ * <p>The values span what is plausible for fingers and a hand. They have no single source, and the
+ * study sweeps them.
  *
- * @param name as tables tell it
- * @param handKg mass of the hand that moves with the handle
- * @param gripNewtonPerM spring between hand and handle
- * @param gripNewtonSecondPerM damper between hand and handle
- * @param armNewtonPerM spring between the hand and where the person wants it
- * @param armNewtonSecondPerM damper there
- * @param pressNewton a constant force on the handle downwards, for one that no hand holds
+ * @param name the name in tables
+ * @param handKg the mass of the hand that moves with the handle
+ * @param gripNewtonPerM the spring between hand and handle
+ * @param gripNewtonSecondPerM the damper between hand and handle
+ * @param armNewtonPerM the spring between the hand and its intended position
+ * @param armNewtonSecondPerM the damper between the hand and its intended position
+ * @param pressNewton a constant force on the handle towards the surface, if no hand holds it
  */
 public record Grip(
     String name,
@@ -24,12 +24,12 @@ public record Grip(
     double armNewtonSecondPerM,
     double pressNewton) {
 
-  /** Nobody: the handle lies on the surface with 0.5 N. The hardest case, and the theory's. */
+  /** No hand; 0.5 N press the handle on the surface. The hardest case, and that of the theory. */
   public static final Grip NONE = new Grip("none", 0.1, 0, 0, 0, 1, 0.5);
 
-  /** Two fingers that hardly hold. */
+  /** A light grip with two fingers. */
   public static final Grip LIGHT = new Grip("light", 0.08, 400, 1.5, 150, 1.5, 0);
 
-  /** A hand that holds firmly. */
+  /** A firm grip of the hand. */
   public static final Grip FIRM = new Grip("firm", 0.3, 1500, 8, 400, 8, 0);
 }

@@ -2,7 +2,7 @@ package org.palpate.benchmarks.stability;
 
 import org.palpate.geometry.Vec3;
 
-/** The box in which a handle moves during a span of time. */
+/** The bounding box of the handle's motion during an interval of time. */
 final class HandleExcursion {
   private static final double MM_PER_M = 1e3;
   private static final double MOST = Double.MAX_VALUE;
@@ -17,7 +17,8 @@ final class HandleExcursion {
     this.toSeconds = toSeconds;
   }
 
-  void watch(double seconds, double[] state) {
+  /** Extends the box if the time lies in the interval. */
+  void record(double seconds, double[] state) {
     if (seconds <= fromSeconds || seconds > toSeconds) {
       return;
     }
@@ -28,8 +29,8 @@ final class HandleExcursion {
     }
   }
 
-  /** The box's diagonal, mm. */
-  double playMm() {
+  /** Returns the diagonal of the box, mm. */
+  double excursionMm() {
     return highestMm.sub(lowestMm, new Vec3()).length();
   }
 }

@@ -4,8 +4,9 @@ import org.hipparchus.ode.OrdinaryDifferentialEquation;
 import org.palpate.geometry.Vec3;
 
 /**
- * Handle and hand as masses on springs and dampers, three axes alike. State: handle position and
- * velocity, hand position and velocity, each three doubles, m and m/s.
+ * The equation of motion of handle and hand: masses on springs and dampers, the same for all three
+ * axes. The state is handle position and velocity, hand position and velocity, each three doubles,
+ * m and m/s.
  */
 final class HandleMotion implements OrdinaryDifferentialEquation {
   static final int HANDLE = 0;
@@ -19,7 +20,7 @@ final class HandleMotion implements OrdinaryDifferentialEquation {
   private final Grip grip;
   private final Reach reach;
   private final double[] away = new double[3];
-  private final double[] way = new double[3];
+  private final double[] travel = new double[3];
   private final double[] press = new double[3];
   private final double[] force = new double[3];
 
@@ -30,12 +31,12 @@ final class HandleMotion implements OrdinaryDifferentialEquation {
     Vec3 along = reach.pressedMm().sub(reach.awayMm(), new Vec3());
     for (int axis = 0; axis < 3; axis++) {
       away[axis] = reach.awayMm().get(axis) * M_PER_MM;
-      way[axis] = along.get(axis) * M_PER_MM;
+      travel[axis] = along.get(axis) * M_PER_MM;
       press[axis] = grip.pressNewton() * along.get(axis) / along.length();
     }
   }
 
-  /** At rest, away from the surface. */
+  /** Returns the state at rest, away from the surface. */
   double[] start() {
     double[] state = new double[STATES];
     System.arraycopy(away, 0, state, HANDLE, 3);
@@ -43,8 +44,8 @@ final class HandleMotion implements OrdinaryDifferentialEquation {
     return state;
   }
 
-  /** Holds a force of the device on the handle, N. */
-  void hold(Vec3 newton) {
+  /** Sets the device's force on the handle, N. */
+  void setForce(Vec3 newton) {
     force[0] = newton.x;
     force[1] = newton.y;
     force[2] = newton.z;
@@ -58,26 +59,26 @@ final class HandleMotion implements OrdinaryDifferentialEquation {
   @Override
   public double[] computeDerivatives(double seconds, double[] state) {
     double[] rates = new double[STATES];
-    double share = reach.share(seconds);
-    double shareRate = reach.shareRate(seconds);
+    double fraction = reach.fraction(seconds);
+    double fractionRate = reach.fractionRate(seconds);
     for (int axis = 0; axis < 3; axis++) {
       double handleVelocity = state[HANDLE_VELOCITY + axis];
       double handVelocity = state[HAND_VELOCITY + axis];
-      double held =
+      double gripForce =
           grip.gripNewtonPerM() * (state[HAND + axis] - state[HANDLE + axis])
               + grip.gripNewtonSecondPerM() * (handVelocity - handleVelocity);
-      double wanted =
-          grip.armNewtonPerM() * (away[axis] + share * way[axis] - state[HAND + axis])
-              + grip.armNewtonSecondPerM() * (shareRate * way[axis] - handVelocity);
+      double armForce =
+          grip.armNewtonPerM() * (away[axis] + fraction * travel[axis] - state[HAND + axis])
+              + grip.armNewtonSecondPerM() * (fractionRate * travel[axis] - handVelocity);
       rates[HANDLE + axis] = handleVelocity;
       rates[HAND + axis] = handVelocity;
       rates[HANDLE_VELOCITY + axis] =
           (force[axis]
-                  + press[axis] * share
-                  + held
+                  + press[axis] * fraction
+                  + gripForce
                   - device.dampingNewtonSecondPerM() * handleVelocity)
               / device.handleKg();
-      rates[HAND_VELOCITY + axis] = (wanted - held) / grip.handKg();
+      rates[HAND_VELOCITY + axis] = (armForce - gripForce) / grip.handKg();
     }
     return rates;
   }

@@ -20,13 +20,14 @@ import org.palpate.frame.FrameSettings;
 import org.palpate.frame.HapticFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
+import org.palpate.loop.Median;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * The same closed motion of a hand over a head phantom, again and again: whether each round leaves
- * the same bits as the one before, allocates nothing, and takes no longer.
+ * Repeats the same closed motion of a hand over a head phantom. It checks that each round gives the
+ * same bits as the one before, allocates nothing, and takes no longer.
  */
 public final class LongRun {
   /** Frames of one round. */
@@ -35,7 +36,7 @@ public final class LongRun {
   private static final long PERIOD_NANOS = 1_000_000;
   private static final int TIMED_ROUNDS = 10;
 
-  /** The round before it starts from a solver that has met nothing yet. */
+  /** The reference; the round before it starts with a solver without any history. */
   private static final int REFERENCE_ROUND = 1;
 
   private static final long HASH_FACTOR = 0x9E3779B97F4A7C15L;
@@ -47,17 +48,17 @@ public final class LongRun {
   private long nowNanos;
 
   /**
-   * What a long run found.
+   * The result of a long run.
    *
    * @param frames all frames
-   * @param contactFrames those in contact
-   * @param differingRounds rounds whose points or forces differ by a bit from those of the second
-   *     round; the first starts from a solver that has met nothing yet
-   * @param allocatingRounds rounds after the warm ones in which the thread allocated
-   * @param firstNanosPerFrame median of the first warm rounds
-   * @param lastNanosPerFrame median of the last rounds
+   * @param contactFrames the frames with contact
+   * @param differingRounds rounds whose points or forces differ in a bit from the second round; the
+   *     first round starts with a solver without any history
+   * @param allocatingRounds rounds after the warm-up in which the thread allocated
+   * @param firstNanosPerFrame the median of the first warm rounds
+   * @param lastNanosPerFrame the median of the last rounds
    */
-  public record Found(
+  public record Result(
       long frames,
       long contactFrames,
       long differingRounds,
@@ -65,7 +66,7 @@ public final class LongRun {
       double firstNanosPerFrame,
       double lastNanosPerFrame) {}
 
-  /** A run of one solver with a seeded hand. */
+  /** Creates a run of one solver with a seeded hand. */
   public LongRun(SolverChoice solver, long seed) {
     GridMetric metric = GridMetric.of(head.grid().spacingMm());
     device = new ReplayDevice("closed motion", motion(seed));
@@ -73,7 +74,7 @@ public final class LongRun {
     frame =
         new HapticFrame(
             device,
-            solver.maker().make(metric, 8),
+            solver.factory().make(metric, 8),
             new CollisionScene(segments.stream().map(Segment::bits).toList()),
             metric,
             FrameSettings.live(device.specification(), ForceSettings.of(0.5, 0.2)),
@@ -81,7 +82,7 @@ public final class LongRun {
             FramePublisher.NONE);
   }
 
-  /** A round that starts and ends at the same free place. */
+  /** Returns a motion that starts and ends at the same free position. */
   private Trajectory motion(long seed) {
     double edge = head.grid().sizeX();
     HandTarget target =
@@ -104,12 +105,12 @@ public final class LongRun {
   }
 
   /**
-   * Runs rounds.
+   * Runs a number of rounds.
    *
-   * @param rounds how many, at least 20
-   * @param progress hears of every tenth
+   * @param rounds the number of rounds, at least 20
+   * @param progress receives a line for every tenth round
    */
-  public Found run(int rounds, Consumer<String> progress) {
+  public Result run(int rounds, Consumer<String> progress) {
     double[] nanos = new double[rounds];
     long reference = 0;
     long differing = 0;
@@ -127,16 +128,16 @@ public final class LongRun {
         progress.accept("long run: round " + round + " of " + rounds);
       }
     }
-    return new Found(
-        frame.statistics().frames(),
-        frame.statistics().contactFrames(),
+    return new Result(
+        frame.counts().frames(),
+        frame.counts().contactFrames(),
         differing,
         allocating,
-        median(nanos, TIMED_ROUNDS),
-        median(nanos, rounds - TIMED_ROUNDS));
+        medianOfRounds(nanos, TIMED_ROUNDS),
+        medianOfRounds(nanos, rounds - TIMED_ROUNDS));
   }
 
-  /** One round; the answer depends on every bit of every point and force. */
+  /** Runs a round and returns a hash of every bit of every point and force. */
   private long round() {
     device.rewind();
     long hash = 0;
@@ -146,22 +147,20 @@ public final class LongRun {
       FrameOutcome outcome = frame.run(nowNanos);
       assert outcome == FrameOutcome.RUNNING;
       nowNanos += PERIOD_NANOS;
-      hash = mixed(mixed(hash, point), force);
+      hash = mix(mix(hash, point), force);
     }
     return hash;
   }
 
-  private static long mixed(long hash, Vec3 value) {
-    long mixed = hash;
-    mixed = (mixed ^ Double.doubleToRawLongBits(value.x)) * HASH_FACTOR;
-    mixed = (mixed ^ Double.doubleToRawLongBits(value.y)) * HASH_FACTOR;
-    mixed = (mixed ^ Double.doubleToRawLongBits(value.z)) * HASH_FACTOR;
-    return mixed ^ (mixed >>> 29);
+  private static long mix(long hash, Vec3 value) {
+    long mix = hash;
+    mix = (mix ^ Double.doubleToRawLongBits(value.x)) * HASH_FACTOR;
+    mix = (mix ^ Double.doubleToRawLongBits(value.y)) * HASH_FACTOR;
+    mix = (mix ^ Double.doubleToRawLongBits(value.z)) * HASH_FACTOR;
+    return mix ^ (mix >>> 29);
   }
 
-  private static double median(double[] values, int from) {
-    double[] some = Arrays.copyOfRange(values, from, from + TIMED_ROUNDS);
-    Arrays.sort(some);
-    return (some[TIMED_ROUNDS / 2 - 1] + some[TIMED_ROUNDS / 2]) / 2;
+  private static double medianOfRounds(double[] nanos, int from) {
+    return Median.of(Arrays.copyOfRange(nanos, from, from + TIMED_ROUNDS));
   }
 }

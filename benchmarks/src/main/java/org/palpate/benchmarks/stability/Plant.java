@@ -8,27 +8,27 @@ import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Vec3;
 
 /**
- * A person with a device in hand, seen by a frame as a device: a read lets one period pass under
- * the force that was held, and gives the encoder's position in grid coordinates. The force of a
- * write takes hold after the delay and stays until the next.
+ * The plant of the closed loop: a person with a device, seen by a frame as a device. A read
+ * advances the plant by one period under the present force and returns the encoder's position in
+ * grid coordinates. A written force acts after the delay and lasts until the next one.
  *
- * <p>Watches what the contact does: the energy it puts into the handle, the force's rise, the
- * handle's play while the hand wants to rest.
+ * <p>It records the energy that the contact puts into the handle, the change of the force, and the
+ * excursion of the handle while the hand tries to rest.
  */
 final class Plant implements HapticDevice {
-  /** Integration is at least this much finer than a frame. */
-  private static final int LEAST_STEPS = 4;
+  /** Each frame has at least this many integration steps. */
+  private static final int MIN_STEPS = 4;
 
-  /** And its steps are no longer than this; the fastest mode of the models is some 400 rad/s. */
-  private static final double LONGEST_STEP_SECONDS = 1e-4;
+  /** The longest integration step; the fastest mode of the models has about 400 rad/s. */
+  private static final double MAX_STEP_SECONDS = 1e-4;
 
   private static final double MM_PER_M = 1e3;
 
-  /** The last part of the stay, in which the handle should rest, is as long as this. */
-  private static final double WATCHED_SECONDS = 0.25;
+  /** The length of the last part of the stay, in which the handle should rest. */
+  private static final double WINDOW_SECONDS = 0.25;
 
-  /** Another part of that length is watched before it, so that play which shrinks is seen to. */
-  static final double APART_SECONDS = 1;
+  /** The distance to an earlier window of that length, which shows whether an excursion decays. */
+  static final double WINDOW_DISTANCE_SECONDS = 1;
 
   private final DeviceModel device;
   private final Sampling sampling;
@@ -38,14 +38,14 @@ final class Plant implements HapticDevice {
   private final ClassicalRungeKuttaIntegrator integrator;
   private final int steps;
   private final double stepSeconds;
-  private final Vec3[] underWay;
+  private final Vec3[] pending;
   private double[] state;
   private double seconds;
   private long samples;
 
   private final Vec3 lastForce = new Vec3();
   private double energyJoule;
-  private double mostEnergyJoule;
+  private double maxEnergyJoule;
   private double steepestNewtonPerMs;
   private final HandleExcursion before;
   private final HandleExcursion last;
@@ -56,17 +56,19 @@ final class Plant implements HapticDevice {
     this.reach = reach;
     this.voxelMm = voxelMm;
     double leave = reach.leaveSeconds();
-    before = new HandleExcursion(leave - APART_SECONDS - WATCHED_SECONDS, leave - APART_SECONDS);
-    last = new HandleExcursion(leave - WATCHED_SECONDS, leave);
+    before =
+        new HandleExcursion(
+            leave - WINDOW_DISTANCE_SECONDS - WINDOW_SECONDS, leave - WINDOW_DISTANCE_SECONDS);
+    last = new HandleExcursion(leave - WINDOW_SECONDS, leave);
     motion = new HandleMotion(device, grip, reach);
     state = motion.start();
     double period = 1 / sampling.rateHz();
-    steps = (int) Math.max(LEAST_STEPS, Math.ceil(period / LONGEST_STEP_SECONDS));
+    steps = (int) Math.max(MIN_STEPS, Math.ceil(period / MAX_STEP_SECONDS));
     stepSeconds = period / steps;
     integrator = new ClassicalRungeKuttaIntegrator(stepSeconds);
-    underWay = new Vec3[sampling.delaySamples() + 1];
-    for (int i = 0; i < underWay.length; i++) {
-      underWay[i] = new Vec3();
+    pending = new Vec3[sampling.delaySamples() + 1];
+    for (int i = 0; i < pending.length; i++) {
+      pending[i] = new Vec3();
     }
   }
 
@@ -79,7 +81,7 @@ final class Plant implements HapticDevice {
   @Override
   public ReadStatus read(DeviceState sample) {
     if (samples > 0) {
-      pass();
+      advance();
     }
     for (int axis = 0; axis < 3; axis++) {
       double mm = state[HandleMotion.HANDLE + axis] * MM_PER_M;
@@ -90,10 +92,10 @@ final class Plant implements HapticDevice {
     return seconds < reach.endSeconds() ? ReadStatus.FRESH : ReadStatus.DISCONNECTED;
   }
 
-  /** One period under the force that has arrived. */
-  private void pass() {
-    Vec3 held = underWay[(int) (samples % underWay.length)];
-    motion.hold(held);
+  /** Advances by one period under the force that has arrived. */
+  private void advance() {
+    Vec3 gripForce = pending[(int) (samples % pending.length)];
+    motion.setForce(gripForce);
     double x = state[HandleMotion.HANDLE];
     double y = state[HandleMotion.HANDLE + 1];
     double z = state[HandleMotion.HANDLE + 2];
@@ -102,19 +104,19 @@ final class Plant implements HapticDevice {
       seconds += stepSeconds;
     }
     energyJoule +=
-        held.x * (state[HandleMotion.HANDLE] - x)
-            + held.y * (state[HandleMotion.HANDLE + 1] - y)
-            + held.z * (state[HandleMotion.HANDLE + 2] - z);
-    mostEnergyJoule = Math.max(mostEnergyJoule, energyJoule);
-    before.watch(seconds, state);
-    last.watch(seconds, state);
+        gripForce.x * (state[HandleMotion.HANDLE] - x)
+            + gripForce.y * (state[HandleMotion.HANDLE + 1] - y)
+            + gripForce.z * (state[HandleMotion.HANDLE + 2] - z);
+    maxEnergyJoule = Math.max(maxEnergyJoule, energyJoule);
+    before.record(seconds, state);
+    last.record(seconds, state);
   }
 
   @Override
   public boolean write(Vec3 forceNewton) {
-    // What is written after sample n arrives at slot n + delay; pass() reads the slot of its
-    // sample.
-    underWay[(int) ((samples + sampling.delaySamples()) % underWay.length)].set(forceNewton);
+    // The force written after sample n arrives in slot n + delay; advance() reads its sample's
+    // slot.
+    pending[(int) ((samples + sampling.delaySamples()) % pending.length)].set(forceNewton);
     double change = forceNewton.sub(lastForce, new Vec3()).length();
     steepestNewtonPerMs = Math.max(steepestNewtonPerMs, change * sampling.rateHz() / MM_PER_M);
     lastForce.set(forceNewton);
@@ -124,23 +126,23 @@ final class Plant implements HapticDevice {
   @Override
   public void close() {}
 
-  /** The most energy that the contact had put into the handle at any time, J. */
-  double mostEnergyJoule() {
-    return mostEnergyJoule;
+  /** Returns the largest energy that the contact had put into the handle at any time, J. */
+  double maxEnergyJoule() {
+    return maxEnergyJoule;
   }
 
-  /** The fastest change of force between two frames, N/ms. */
+  /** Returns the largest change of force between two frames, N/ms. */
   double steepestNewtonPerMs() {
     return steepestNewtonPerMs;
   }
 
-  /** How far the handle moved in the last part of its stay, mm. */
-  double playMm() {
-    return last.playMm();
+  /** Returns the handle's excursion in the last part of the stay, mm. */
+  double excursionMm() {
+    return last.excursionMm();
   }
 
-  /** How far it moved in a part of the same length that ended {@link #APART_SECONDS} before, mm. */
-  double earlierPlayMm() {
-    return before.playMm();
+  /** Returns the excursion in the window that ended {@link #WINDOW_DISTANCE_SECONDS} before, mm. */
+  double earlierExcursionMm() {
+    return before.excursionMm();
   }
 }

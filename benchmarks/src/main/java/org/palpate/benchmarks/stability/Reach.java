@@ -3,34 +3,35 @@ package org.palpate.benchmarks.stability;
 import org.palpate.geometry.Vec3;
 
 /**
- * What the person wants: to go from a place above the surface to one below it, stay, and come back.
+ * The intended motion of the person: from a position above the surface to one below it and back.
  *
- * @param awayMm where it starts and ends
- * @param pressedMm where the hand would be if nothing were in its way
- * @param inSeconds how long the way in takes, and the way out
- * @param staySeconds how long it stays
+ * @param awayMm the start and the end
+ * @param pressedMm the target, which the hand would reach without contact
+ * @param inSeconds the duration of the motion in each direction
+ * @param staySeconds the duration of the stay
  */
 public record Reach(Vec3 awayMm, Vec3 pressedMm, double inSeconds, double staySeconds) {
 
+  /** Returns the time at which the motion ends. */
   public double endSeconds() {
     return 2 * inSeconds + staySeconds;
   }
 
-  /** When the stay ends. */
+  /** Returns the time at which the stay ends. */
   public double leaveSeconds() {
     return inSeconds + staySeconds;
   }
 
-  /** Where along the way the hand wants to be, 0 away and 1 pressed, with least jerk. */
-  public double share(double seconds) {
+  /** Returns the intended fraction of the motion, 0 away and 1 pressed, with minimal jerk. */
+  public double fraction(double seconds) {
     if (seconds <= inSeconds) {
       return eased(Math.max(0, seconds) / inSeconds);
     }
     return seconds <= leaveSeconds() ? 1 : eased(Math.max(0, (endSeconds() - seconds) / inSeconds));
   }
 
-  /** The change of {@link #share} a second. */
-  public double shareRate(double seconds) {
+  /** Returns the derivative of {@link #fraction} by time. */
+  public double fractionRate(double seconds) {
     if (seconds <= 0 || seconds >= endSeconds()) {
       return 0;
     }

@@ -16,13 +16,13 @@ import org.palpate.benchmarks.report.Figures;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
 
-/** Draws the study's rows as PNG files. */
+/** Draws the results as PNG files. */
 final class StabilityPlots {
   private static final int WIDTH = 900;
   private static final int HEIGHT = 600;
 
-  /** Bars above this say no more: the stiffness is beyond what any device renders. */
-  private static final double MOST_MARGIN = 20;
+  /** Bars end here, because no device renders such a stiffness. */
+  private static final double MAX_MARGIN = 20;
 
   private static final double WANTED_MARGIN = 2;
 
@@ -30,7 +30,7 @@ final class StabilityPlots {
 
   private StabilityPlots() {}
 
-  /** The largest stiffness against the rate for one physical damping: marks; the theory: lines. */
+  /** Plots the largest stiffness against the rate for one damping: marks; the theory: lines. */
   static void plotTheory(Path file, List<TheoryRow> rows, double damping) throws IOException {
     List<TheoryRow> drawn =
         rows.stream()
@@ -39,13 +39,13 @@ final class StabilityPlots {
             .toList();
     CategoryChart chart =
         chart("Largest stable stiffness, bare handle on a wall, b = " + damping + " N s/m");
-    chart.setXAxisTitle("frames a second");
+    chart.setXAxisTitle("frames per second");
     chart.setYAxisTitle("N/m");
     chart.getStyler().setYAxisLogarithmic(true).setYAxisDecimalPattern("#,##0");
-    chart.getStyler().setOverlapped(true); // marks and lines of one rate over each other
+    chart.getStyler().setOverlapped(true); // marks and lines of a rate coincide
     chart.getStyler().setLegendPosition(LegendPosition.InsideNW);
     double least = drawn.stream().mapToDouble(TheoryRow::largest).min().orElse(1);
-    chart.getStyler().setYAxisMin(least / 2); // bars, of which there are none, would begin at 0
+    chart.getStyler().setYAxisMin(least / 2); // without bars the axis need not start at 0
     for (int delay = 0; delay <= 2; delay++) {
       addDelay(chart, drawn, delay);
     }
@@ -74,29 +74,30 @@ final class StabilityPlots {
     theory.setMarker(SeriesMarkers.NONE).setLineColor(Figures.colour(delay));
   }
 
-  /** The least margin of each device over the sweep, up to a most. */
+  /** Plots the least margin of each device over the sweep, up to a limit. */
   static void plotMargins(Path file, Map<String, Double> margins) throws IOException {
     CategoryChart chart =
         chart("Least margin of the default stiffness over mass, damping, grip and delay");
     chart.setXAxisTitle("device (model)");
-    chart.setYAxisTitle("largest stable / default (cut at " + (int) MOST_MARGIN + ")");
+    chart.setYAxisTitle("largest stable / default (cut at " + (int) MAX_MARGIN + ")");
     chart.getStyler().setYAxisMin(0.0);
     chart.getStyler().setOverlapped(true);
     chart.getStyler().setLegendVisible(false);
     List<Double> bars =
-        margins.values().stream().map(margin -> Math.min(margin, MOST_MARGIN)).toList();
+        margins.values().stream().map(margin -> Math.min(margin, MAX_MARGIN)).toList();
     List<String> names = List.copyOf(margins.keySet());
     chart.addSeries("margin", names, bars);
-    CategorySeries wanted =
+    CategorySeries armForce =
         chart.addSeries("wanted", names, Collections.nCopies(names.size(), WANTED_MARGIN));
-    wanted.setChartCategorySeriesRenderStyle(CategorySeriesRenderStyle.Line);
-    wanted.setMarker(SeriesMarkers.NONE);
+    armForce.setChartCategorySeriesRenderStyle(CategorySeriesRenderStyle.Line);
+    armForce.setMarker(SeriesMarkers.NONE);
     Figures.save(chart, file);
   }
 
-  /** The play of the handle at rest, at the default stiffness, by shape and solver. */
-  static void plotPlay(Path file, List<DeviceRow> rows, String device) throws IOException {
-    CategoryChart chart = chart("Play of the handle at rest at the default stiffness, " + device);
+  /** Plots the handle's excursion at rest, at the default stiffness, by shape and solver. */
+  static void plotExcursion(Path file, List<DeviceRow> rows, String device) throws IOException {
+    CategoryChart chart =
+        chart("Excursion of the handle at rest at the default stiffness, " + device);
     chart.setXAxisTitle("shape");
     chart.setYAxisTitle("micrometres");
     chart.getStyler().setLegendPosition(LegendPosition.InsideNW);
@@ -111,7 +112,7 @@ final class StabilityPlots {
       chart.addSeries(
           solver,
           drawn.stream().map(row -> row.trial().shape().name()).toList(),
-          drawn.stream().map(row -> MICROMETRES_PER_MM * row.atDefault().playMm()).toList());
+          drawn.stream().map(row -> MICROMETRES_PER_MM * row.atDefault().excursionMm()).toList());
     }
     Figures.save(chart, file);
   }

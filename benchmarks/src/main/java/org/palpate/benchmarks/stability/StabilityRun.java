@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.palpate.benchmarks.report.Progress;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
@@ -19,19 +20,19 @@ import org.palpate.proxy.reference.PaperSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.raycast.SampledRayCaster;
 
-/** Runs the whole study and leaves tables and plots in a folder. */
+/** Runs the study and writes tables and plots to a folder. */
 public final class StabilityRun {
   private static final double WANTED_MARGIN = 2;
   private static final long SEED = 7;
 
-  /** 10^8 frames a solver. */
+  /** 10^8 frames for each solver. */
   private static final int ROUNDS = 1000;
 
   private static final int QUICK_ROUNDS = 30;
 
   private StabilityRun() {}
 
-  /** The solvers that are compared. */
+  /** Returns the compared solvers. */
   public static List<SolverChoice> solvers() {
     return List.of(
         new SolverChoice("guarded", GuardedSolver::new),
@@ -49,34 +50,27 @@ public final class StabilityRun {
   }
 
   /**
-   * Runs it.
+   * Runs the study.
    *
-   * @param folder made where it is not there
-   * @param quick fewer values in each sweep
-   * @param out hears what is found
-   * @param progress hears what runs
+   * @param folder the output folder, created if missing
+   * @param quick whether to use fewer values in each sweep
+   * @param out receives the results
+   * @param progress receives progress lines
    * @return the least margin of the default stiffness over the sweep, by device
    */
   public static Map<String, Double> run(
       Path folder, boolean quick, PrintWriter out, PrintWriter progress) throws IOException {
     Files.createDirectories(folder);
-    StabilityStudy study =
-        new StabilityStudy(
-            quick,
-            solvers(),
-            line -> {
-              progress.println(line);
-              progress.flush();
-            });
-    tellTheory(folder, study.theory(), out);
-    Map<String, Double> margins = tellDevices(folder, study.devices(), out);
-    tellShapes(folder, study.shapes(), out);
-    tellLongRuns(quick, out, progress);
+    StabilityStudy study = new StabilityStudy(quick, solvers(), Progress.to(progress));
+    reportTheory(folder, study.theory(), out);
+    Map<String, Double> margins = reportDevices(folder, study.devices(), out);
+    reportShapes(folder, study.shapes(), out);
+    reportLongRuns(quick, out, progress);
     out.flush();
     return margins;
   }
 
-  private static void tellTheory(Path folder, List<TheoryRow> rows, PrintWriter out)
+  private static void reportTheory(Path folder, List<TheoryRow> rows, PrintWriter out)
       throws IOException {
     StabilityTables.writeTheory(folder.resolve("stability-theory.csv"), rows);
     List<Double> dampings = rows.stream().map(TheoryRow::damping).distinct().toList();
@@ -89,8 +83,8 @@ public final class StabilityRun {
         Locale.ROOT, "theory: model over passive bound, least of %d: %.2f%n", rows.size(), least);
   }
 
-  private static Map<String, Double> tellDevices(Path folder, List<DeviceRow> rows, PrintWriter out)
-      throws IOException {
+  private static Map<String, Double> reportDevices(
+      Path folder, List<DeviceRow> rows, PrintWriter out) throws IOException {
     StabilityTables.writeDevices(folder.resolve("stability-devices.csv"), rows);
     Map<String, Double> margins = StabilityStudy.leastMargins(rows);
     StabilityPlots.plotMargins(folder.resolve("stability-devices.png"), margins);
@@ -105,48 +99,46 @@ public final class StabilityRun {
     return margins;
   }
 
-  private static void tellLongRuns(boolean quick, PrintWriter out, PrintWriter progress) {
+  private static void reportLongRuns(boolean quick, PrintWriter out, PrintWriter progress) {
     for (SolverChoice solver : solvers().subList(0, 2)) {
       LongRun run = new LongRun(solver, SEED);
-      LongRun.Found found =
+      LongRun.Result result =
           run.run(
               quick ? QUICK_ROUNDS : ROUNDS,
-              line -> {
-                progress.println(line + " by " + solver.name());
-                progress.flush();
-              });
+              line -> Progress.to(progress).accept(line + " by " + solver.name()));
       out.printf(
           Locale.ROOT,
           "long run by %s: %d frames, %d in contact, %d rounds that differ from the second, %d that"
-              + " allocate, %.0f ns a frame at first and %.0f at last (seed %d)%n",
+              + " allocate, %.0f ns per frame at first and %.0f at last (seed %d)%n",
           solver.name(),
-          found.frames(),
-          found.contactFrames(),
-          found.differingRounds(),
-          found.allocatingRounds(),
-          found.firstNanosPerFrame(),
-          found.lastNanosPerFrame(),
+          result.frames(),
+          result.contactFrames(),
+          result.differingRounds(),
+          result.allocatingRounds(),
+          result.firstNanosPerFrame(),
+          result.lastNanosPerFrame(),
           SEED);
     }
   }
 
-  private static void tellShapes(Path folder, List<DeviceRow> rows, PrintWriter out)
+  private static void reportShapes(Path folder, List<DeviceRow> rows, PrintWriter out)
       throws IOException {
     StabilityTables.writeDevices(folder.resolve("stability-shapes.csv"), rows);
     for (String device :
         rows.stream().map(row -> row.trial().device().name()).distinct().toList()) {
       String name = "stability-shapes-" + device.toLowerCase(Locale.ROOT) + ".png";
-      StabilityPlots.plotPlay(folder.resolve(name), rows, device);
+      StabilityPlots.plotExcursion(folder.resolve(name), rows, device);
     }
     for (DeviceRow row : rows) {
       out.printf(
           Locale.ROOT,
-          "shape %s by %s with %s: margin %.2f, play %.4f mm, energy back %.3f mJ, rise %.2f N/ms%n",
+          "shape %s by %s with %s: margin %.2f, excursion %.4f mm, energy %.3f mJ, rise %.2f"
+              + " N/ms%n",
           row.trial().shape().name(),
           row.trial().solver().name(),
           row.trial().device().name(),
           row.margin(),
-          row.atDefault().playMm(),
+          row.atDefault().excursionMm(),
           row.atDefault().energyBackMillijoule(),
           row.atDefault().riseNewtonPerMs());
     }

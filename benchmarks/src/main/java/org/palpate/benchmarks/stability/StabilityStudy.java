@@ -10,18 +10,18 @@ import org.palpate.benchmarks.stability.Trial.SolverChoice;
 import org.palpate.proxy.exact.GuardedSolver;
 
 /**
- * The sweeps. Each gives rows; what runs is told to a listener, a line at a time.
+ * The sweeps of the study. Each returns rows and sends progress lines to a listener.
  *
- * <p>The default stiffness of a device is half its maximum, scaled by the workspace; the scale
+ * <p>The default stiffness of a device is half its maximum, scaled by the workspace. The scale
  * cancels at the handle, so the model needs none.
  */
 public final class StabilityStudy {
-  /** The guarded solver, by which devices and theory are measured. */
+  /** The guarded solver, used for devices and for the theory. */
   public static final SolverChoice GUARDED = new SolverChoice("guarded", GuardedSolver::new);
 
   private static final double N_PER_M_PER_MM = 1e3;
-  private static final double DEFAULT_SHARE = 0.5;
-  private static final Sampling USUAL = new Sampling(1000, 1);
+  private static final double DEFAULT_FRACTION = 0.5;
+  private static final Sampling DEFAULT_SAMPLING = new Sampling(1000, 1);
 
   private final boolean quick;
   private final List<SolverChoice> solvers;
@@ -29,11 +29,11 @@ public final class StabilityStudy {
   private final TouchedShape wall = TouchedShape.wall();
 
   /**
-   * A study.
+   * Creates a study.
    *
-   * @param quick fewer values in each sweep
-   * @param solvers those that are compared on shapes
-   * @param progress hears what runs
+   * @param quick whether to use fewer values in each sweep
+   * @param solvers the solvers that are compared on shapes
+   * @param progress receives progress lines
    */
   public StabilityStudy(boolean quick, List<SolverChoice> solvers, Consumer<String> progress) {
     this.quick = quick;
@@ -42,12 +42,12 @@ public final class StabilityStudy {
   }
 
   /**
-   * The model beside the theory: a handle that no hand holds, on a flat wall.
+   * The model against the theory: a handle without a hand, on a flat wall.
    *
    * @param sampling rate and delay
-   * @param damping physical damping b, N s/m
-   * @param largest largest stiffness at which the handle rests, N/m
-   * @param passive what the theory allows, N/m
+   * @param damping the physical damping b, N s/m
+   * @param largest the largest stable stiffness, N/m
+   * @param passive the bound of the theory, N/m
    */
   public record TheoryRow(Sampling sampling, double damping, double largest, double passive) {}
 
@@ -80,12 +80,13 @@ public final class StabilityStudy {
   /**
    * A device at 1 kHz with the limits of a live session.
    *
-   * @param trial who with what
+   * @param trial the set-up
    * @param defaultStiffness half the device's maximum, N/m
-   * @param largest largest stiffness at which the handle rests, N/m
-   * @param atDefault what happens at the default
+   * @param largest the largest stable stiffness, N/m
+   * @param atDefault the outcome at the default stiffness
    */
   public record DeviceRow(Trial trial, double defaultStiffness, double largest, Outcome atDefault) {
+    /** Returns the largest stable stiffness relative to the default. */
     public double margin() {
       return largest / defaultStiffness;
     }
@@ -93,20 +94,20 @@ public final class StabilityStudy {
 
   /** Sweeps devices by name, mass, damping, grip and delay. */
   public List<DeviceRow> devices() {
-    double[] shares = quick ? new double[] {0.5, 2} : new double[] {0.5, 1, 2};
-    double[] dampingShares = quick ? new double[] {0.25, 1} : new double[] {0.25, 1, 4};
+    double[] massFactors = quick ? new double[] {0.5, 2} : new double[] {0.5, 1, 2};
+    double[] dampingFactors = quick ? new double[] {0.25, 1} : new double[] {0.25, 1, 4};
     List<DeviceRow> rows = new ArrayList<>();
     for (DeviceModel device : DeviceModel.KNOWN) {
       for (Grip grip : List.of(Grip.LIGHT, Grip.FIRM)) {
         for (int delay = 1; delay <= 2; delay++) {
           progress.accept("devices: " + device.name() + " grip=" + grip.name() + " delay=" + delay);
-          for (double share : shares) {
-            for (double dampingShare : dampingShares) {
+          for (double fraction : massFactors) {
+            for (double dampingFactor : dampingFactors) {
               DeviceModel varied =
                   device
-                      .withHandleKg(device.handleKg() * share)
-                      .withDamping(device.dampingNewtonSecondPerM() * dampingShare);
-              rows.add(row(varied, grip, new Sampling(USUAL.rateHz(), delay)));
+                      .withHandleKg(device.handleKg() * fraction)
+                      .withDamping(device.dampingNewtonSecondPerM() * dampingFactor);
+              rows.add(row(varied, grip, new Sampling(DEFAULT_SAMPLING.rateHz(), delay)));
             }
           }
         }
@@ -116,16 +117,17 @@ public final class StabilityStudy {
   }
 
   private DeviceRow row(DeviceModel device, Grip grip, Sampling sampling) {
-    double usual = defaultNewtonPerM(device);
+    double defaultStiffness = defaultNewtonPerM(device);
     Trial trial = new Trial(device, grip, sampling, wall, GUARDED, true);
-    return new DeviceRow(trial, usual, StiffnessSearch.largest(trial), trial.run(usual));
+    return new DeviceRow(
+        trial, defaultStiffness, StiffnessSearch.largest(trial), trial.run(defaultStiffness));
   }
 
   private static double defaultNewtonPerM(DeviceModel device) {
-    return DEFAULT_SHARE * device.maxStiffnessNewtonPerMm() * N_PER_M_PER_MM;
+    return DEFAULT_FRACTION * device.maxStiffnessNewtonPerMm() * N_PER_M_PER_MM;
   }
 
-  /** Every shape by every solver: the softest and the stiffest kind of device, firmly held. */
+  /** Sweeps shapes and solvers with the softest and the stiffest kind of device, firmly gripped. */
   public List<DeviceRow> shapes() {
     List<DeviceModel> devices =
         DeviceModel.KNOWN.stream()
@@ -137,16 +139,21 @@ public final class StabilityStudy {
         for (DeviceModel device : devices) {
           progress.accept(
               "shapes: " + shape.name() + " by " + solver.name() + " with " + device.name());
-          Trial trial = new Trial(device, Grip.FIRM, USUAL, shape, solver, true);
-          double usual = defaultNewtonPerM(device);
-          rows.add(new DeviceRow(trial, usual, StiffnessSearch.largest(trial), trial.run(usual)));
+          Trial trial = new Trial(device, Grip.FIRM, DEFAULT_SAMPLING, shape, solver, true);
+          double defaultStiffness = defaultNewtonPerM(device);
+          rows.add(
+              new DeviceRow(
+                  trial,
+                  defaultStiffness,
+                  StiffnessSearch.largest(trial),
+                  trial.run(defaultStiffness)));
         }
       }
     }
     return rows;
   }
 
-  /** The least margin of each device, in the order in which devices come. */
+  /** Returns the least margin of each device, in the order of the devices. */
   public static Map<String, Double> leastMargins(List<DeviceRow> rows) {
     Map<String, Double> least = new LinkedHashMap<>();
     for (DeviceRow row : rows) {

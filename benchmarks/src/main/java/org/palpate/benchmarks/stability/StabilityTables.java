@@ -1,7 +1,6 @@
 package org.palpate.benchmarks.stability;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
@@ -9,10 +8,11 @@ import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
 
-/** Writes the study's rows as CSV files: a header, a row a line, numbers to read back. */
+/** Writes the results as CSV files with a header and exact numbers. */
 final class StabilityTables {
   private StabilityTables() {}
 
+  /** Writes the rows of the theory. */
   static void writeTheory(Path file, List<TheoryRow> rows) throws IOException {
     StringBuilder text =
         new StringBuilder(
@@ -26,9 +26,10 @@ final class StabilityTables {
           number(row.largest()),
           number(row.passive()));
     }
-    write(file, text);
+    AtomicFile.write(file, text);
   }
 
+  /** Writes rows of devices or shapes. */
   static void writeDevices(Path file, List<DeviceRow> rows) throws IOException {
     StringBuilder text =
         new StringBuilder(
@@ -49,11 +50,11 @@ final class StabilityTables {
           number(row.defaultStiffness()),
           number(row.largest()),
           number(row.margin()),
-          number(row.atDefault().playMm()),
+          number(row.atDefault().excursionMm()),
           number(row.atDefault().energyBackMillijoule()),
           number(row.atDefault().riseNewtonPerMs()));
     }
-    write(file, text);
+    AtomicFile.write(file, text);
   }
 
   private static String number(double value) {
@@ -62,12 +63,5 @@ final class StabilityTables {
 
   private static void append(StringBuilder text, String... cells) {
     text.append(String.join(",", cells)).append('\n');
-  }
-
-  private static void write(Path file, StringBuilder text) throws IOException {
-    try (AtomicFile out = new AtomicFile(file)) {
-      out.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
-      out.commit();
-    }
   }
 }

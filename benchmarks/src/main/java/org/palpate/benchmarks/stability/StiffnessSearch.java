@@ -1,49 +1,49 @@
 package org.palpate.benchmarks.stability;
 
 /**
- * Finds the largest stiffness up to which a trial comes to rest: doubles it from a soft start until
- * the handle shakes, then halves the interval on a logarithmic scale.
+ * Finds the largest stable stiffness of a trial. It doubles a soft start until the handle vibrates,
+ * then bisects the interval on a logarithmic scale.
  */
 final class StiffnessSearch {
-  /** Where the search starts, N/m. */
+  /** The start of the search, N/m. */
   static final double SOFTEST = 50;
 
-  /** Where it gives up: what no device renders, N/m. */
+  /** The end of the search, N/m; no device renders more. */
   static final double STIFFEST = 200_000;
 
-  /** Five halvings of a factor of 2: to 2 %. */
+  /** Five bisections of a factor of 2, to 2 %. */
   private static final int HALVINGS = 5;
 
   private StiffnessSearch() {}
 
   /**
-   * The largest stiffness that rests, N/m: 0 where the softest shakes, infinity where the stiffest
-   * does not.
+   * Returns the largest stable stiffness, N/m; 0 if the softest is unstable, infinity if the
+   * stiffest is stable.
    */
   static double largest(Trial trial) {
-    double rests = 0;
-    double shakes = SOFTEST;
-    while (shakes <= STIFFEST && trial.run(shakes).rests()) {
-      rests = shakes;
-      shakes *= 2;
+    double stable = 0;
+    double unstable = SOFTEST;
+    while (unstable <= STIFFEST && trial.run(unstable).stable()) {
+      stable = unstable;
+      unstable *= 2;
     }
-    if (rests == 0) {
+    if (stable == 0) {
       return 0;
     }
-    return shakes > STIFFEST ? Double.POSITIVE_INFINITY : between(trial, rests, shakes);
+    return unstable > STIFFEST ? Double.POSITIVE_INFINITY : between(trial, stable, unstable);
   }
 
   private static double between(Trial trial, double low, double high) {
-    double rests = low;
-    double shakes = high;
+    double stable = low;
+    double unstable = high;
     for (int i = 0; i < HALVINGS; i++) {
-      double middle = Math.sqrt(rests * shakes);
-      if (trial.run(middle).rests()) {
-        rests = middle;
+      double middle = Math.sqrt(stable * unstable);
+      if (trial.run(middle).stable()) {
+        stable = middle;
       } else {
-        shakes = middle;
+        unstable = middle;
       }
     }
-    return rests;
+    return stable;
   }
 }

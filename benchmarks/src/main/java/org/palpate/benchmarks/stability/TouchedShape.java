@@ -8,34 +8,34 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * What the model's hand presses on, in voxels of a half a millimetre.
+ * A shape that the hand presses on, in voxels of half a millimetre.
  *
- * @param name as tables tell it
- * @param obstacles the solids
+ * @param name the name in tables
+ * @param scene the solids
  * @param touchMm a point of the surface
- * @param inward unit direction into the solid
+ * @param inward the unit direction into the solid
  */
-public record TouchedShape(String name, CollisionScene obstacles, Vec3 touchMm, Vec3 inward) {
-  /** Edge of a voxel. */
+public record TouchedShape(String name, CollisionScene scene, Vec3 touchMm, Vec3 inward) {
+  /** The edge of a voxel. */
   public static final double VOXEL_MM = 0.5;
 
   private static final int EDGE = 128;
   private static final int MIDDLE = EDGE / 2;
 
-  /** Of the sphere, voxels: twice as deep as the hand wants to go. */
+  /** The radius of the sphere in voxels: twice the intended depth of the hand. */
   private static final int RADIUS = 55;
 
-  /** Which voxels are solid. */
+  /** A rule for solid voxels. */
   private interface Solid {
     boolean at(int i, int j, int k);
   }
 
-  /** Every shape of the study. */
+  /** Returns every shape of the study. */
   public static List<TouchedShape> all() {
     return List.of(wall(), corner(), groove(), sphere(), head());
   }
 
-  /** A flat wall across z, pressed a third of a voxel off the middle. */
+  /** Returns a flat wall across z, pressed a third of a voxel beside the middle. */
   public static TouchedShape wall() {
     return of(
         "wall",
@@ -52,7 +52,7 @@ public record TouchedShape(String name, CollisionScene obstacles, Vec3 touchMm, 
         unit(-1, 0, -1));
   }
 
-  /** A groove three voxels wide and deep. */
+  /** Returns a groove three voxels wide and deep. */
   private static TouchedShape groove() {
     return of(
         "groove",
@@ -74,18 +74,18 @@ public record TouchedShape(String name, CollisionScene obstacles, Vec3 touchMm, 
         unit(-0.6, 0, -0.8));
   }
 
-  /** The head phantom's skin, pressed from above. */
+  /** Returns the skin of the head phantom, pressed from above. */
   private static TouchedShape head() {
     Phantom head = Phantom.parse("head:" + EDGE);
     List<BitCube> cubes =
         head.segments().segments().stream().map(segment -> segment.bits()).toList();
-    CollisionScene obstacles = new CollisionScene(cubes);
+    CollisionScene scene = new CollisionScene(cubes);
     int top = EDGE - 1;
-    while (top > 0 && !obstacles.isSolid(MIDDLE, MIDDLE, top)) {
+    while (top > 0 && !scene.isSolid(MIDDLE, MIDDLE, top)) {
       top--;
     }
     return new TouchedShape(
-        "head", obstacles, toMm(new Vec3(MIDDLE + 0.3, MIDDLE + 0.4, top + 1)), new Vec3(0, 0, -1));
+        "head", scene, toMm(new Vec3(MIDDLE + 0.3, MIDDLE + 0.4, top + 1)), new Vec3(0, 0, -1));
   }
 
   private static TouchedShape of(String name, Solid solid, Vec3 touchGrid, Vec3 inward) {
@@ -111,7 +111,7 @@ public record TouchedShape(String name, CollisionScene obstacles, Vec3 touchMm, 
     return direction.mul(1 / direction.length(), direction);
   }
 
-  /** A point on the line through the touched point, mm outside of it (negative: inside). */
+  /** Returns a point on the line through the touched point, mm outside of it (negative: inside). */
   Vec3 alongMm(double outside) {
     Vec3 at = inward.mul(-outside, new Vec3());
     return at.add(touchMm, at);

@@ -11,14 +11,14 @@ import org.palpate.proxy.ProxySolver;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * One set-up of the closed loop: who, with what, on what, by which solver, how often.
+ * One set-up of the closed loop.
  *
  * @param device the device
  * @param grip the person
  * @param sampling rate and delay
- * @param shape what is pressed
- * @param solver the solver's maker and name
- * @param limited whether the force passes the limits of a live session (maximum and slew)
+ * @param shape the shape that is pressed
+ * @param solver the factory of the solver and its name
+ * @param limited whether the force passes the limits of a live session (maximum and slew rate)
  */
 public record Trial(
     DeviceModel device,
@@ -33,46 +33,46 @@ public record Trial(
 
   private static final double STAY_SECONDS = 2;
 
-  /** A handle that no hand holds takes its time: so many time constants 2 m / b. */
+  /** Extra stay of a handle without a hand, in time constants 2 m / b. */
   private static final double STAY_ALONE_CONSTANTS = 10;
 
-  /** How much force the hand wants to press with, as a share of the device's maximum. */
-  private static final double PRESSED_SHARE = 0.4;
+  /** The intended force of the hand as a fraction of the device's maximum. */
+  private static final double PRESSED_FRACTION = 0.4;
 
-  /** Play below this counts as rest: a few encoder steps and 10 um. */
+  /** An excursion below this counts as rest: a few encoder steps and 10 um. */
   private static final double REST_ENCODER_STEPS = 3;
 
   private static final double REST_MM = 0.01;
 
   /**
-   * A handle in a hand that has not settled yet is stable if its play shrinks at least so fast in
-   * {@link Plant#APART_SECONDS}: a heavy one that two fingers hardly hold swings for seconds, with
-   * or without a surface, and that is no shaking.
+   * A gripped handle that has not settled is stable if its excursion shrinks at least by this
+   * factor in {@link Plant#WINDOW_DISTANCE_SECONDS}. A heavy handle in a light grip swings for
+   * seconds with or without a surface, which is no vibration.
    */
-  private static final double SETTLING_SHARE = 0.9;
+  private static final double SETTLING_FRACTION = 0.9;
 
-  /** A solver with a name. */
-  public record SolverChoice(String name, Maker maker) {
+  /** The factory of a solver with its name. */
+  public record SolverChoice(String name, Factory factory) {
     /** Makes a solver. */
     @FunctionalInterface
-    public interface Maker {
-      /** A fresh one for a metric and w_max, mm. */
+    public interface Factory {
+      /** Creates a solver for a metric and w_max, mm. */
       ProxySolver make(GridMetric metric, double maxStepMm);
     }
   }
 
   /**
-   * What came of it.
+   * The outcome of a trial.
    *
-   * @param rests whether the handle came to rest while the hand wanted to
-   * @param playMm how far it moved then
-   * @param energyBackMillijoule the most that the contact had put into the handle at any time
-   * @param riseNewtonPerMs the fastest change of force from frame to frame
+   * @param stable whether the handle came to rest during the stay
+   * @param excursionMm the excursion of the handle during the last part of the stay
+   * @param energyBackMillijoule the largest energy that the contact had put into the handle
+   * @param riseNewtonPerMs the largest change of force between two frames
    */
   public record Outcome(
-      boolean rests, double playMm, double energyBackMillijoule, double riseNewtonPerMs) {}
+      boolean stable, double excursionMm, double energyBackMillijoule, double riseNewtonPerMs) {}
 
-  /** Runs it with a stiffness, N/m. */
+  /** Runs the trial with a stiffness, N/m. */
   public Outcome run(double newtonPerM) {
     Plant plant = new Plant(device, grip, sampling, reach(), TouchedShape.VOXEL_MM);
     HapticFrame frame = frame(plant, newtonPerM);
@@ -82,28 +82,31 @@ public record Trial(
       now += period;
     }
     return new Outcome(
-        rests(plant), plant.playMm(), plant.mostEnergyJoule() * 1e3, plant.steepestNewtonPerMs());
+        stable(plant),
+        plant.excursionMm(),
+        plant.maxEnergyJoule() * 1e3,
+        plant.steepestNewtonPerMs());
   }
 
-  private boolean rests(Plant plant) {
+  private boolean stable(Plant plant) {
     double rest = REST_ENCODER_STEPS * device.encoderStepMm() + REST_MM;
-    boolean settling = plant.playMm() <= SETTLING_SHARE * plant.earlierPlayMm();
-    return plant.playMm() <= rest || (!isAlone() && settling);
+    boolean settling = plant.excursionMm() <= SETTLING_FRACTION * plant.earlierExcursionMm();
+    return plant.excursionMm() <= rest || (!isBare() && settling);
   }
 
-  private boolean isAlone() {
+  private boolean isBare() {
     return grip.armNewtonPerM() == 0;
   }
 
   private Reach reach() {
-    boolean alone = isAlone();
+    boolean bare = isBare();
     double depthMm =
-        alone ? 1 : 1e3 * PRESSED_SHARE * device.maxForceNewton() / grip.armNewtonPerM();
+        bare ? 1 : 1e3 * PRESSED_FRACTION * device.maxForceNewton() / grip.armNewtonPerM();
     return new Reach(
-        shape.alongMm(alone ? 0.05 : AWAY_MM),
+        shape.alongMm(bare ? 0.05 : AWAY_MM),
         shape.alongMm(-depthMm),
         IN_SECONDS,
-        alone ? STAY_SECONDS + STAY_ALONE_CONSTANTS * decaySeconds() : STAY_SECONDS);
+        bare ? STAY_SECONDS + STAY_ALONE_CONSTANTS * decaySeconds() : STAY_SECONDS);
   }
 
   private double decaySeconds() {
@@ -128,8 +131,8 @@ public record Trial(
     VoxelGrid unit = VoxelGrid.ofUnitVoxels(1, 1, 1);
     return new HapticFrame(
         plant,
-        solver.maker().make(metric, 8 * voxel),
-        shape.obstacles(),
+        solver.factory().make(metric, 8 * voxel),
+        shape.scene(),
         metric,
         settings,
         new EditQueue(unit, 1),

@@ -20,9 +20,9 @@ import org.palpate.raycast.RayHit;
 import org.palpate.raycast.SampledRayCaster;
 
 /**
- * What other ways lose on the same hostile scenes and hands: solid voxels that a collision test
- * misses, and legs, frames and depth in solids by solver. The hand is the one that the guarded
- * solver was followed by.
+ * The losses of other methods on the same hostile scenes and hands: solid voxels that a collision
+ * test misses, and legs, frames and depth in solids by solver. The device positions are those of
+ * the guarded solver's run.
  */
 public final class BaselineLosses {
   private static final double SAMPLED_STEP = 1;
@@ -37,7 +37,7 @@ public final class BaselineLosses {
   private final List<SolverLoss> solvers = new ArrayList<>();
   private final long seed;
 
-  /** Losses over the cases of a seed. */
+  /** Creates the losses over the cases of a seed. */
   public BaselineLosses(long seed) {
     this.seed = seed;
     RayCaster sampled = new SampledRayCaster(SAMPLED_STEP);
@@ -51,8 +51,8 @@ public final class BaselineLosses {
     add("guarded", GuardedSolver::new);
   }
 
-  private void add(String name, SolverFactory maker) {
-    solvers.add(new SolverLoss(name, maker));
+  private void add(String name, SolverFactory factory) {
+    solvers.add(new SolverLoss(name, factory));
   }
 
   /** Runs a number of cases. */
@@ -66,19 +66,19 @@ public final class BaselineLosses {
     }
   }
 
-  /** Hits missed by the collision test of that name. */
+  /** Returns the number of hits that a collision test missed. */
   public long missed(String caster) {
     return casters.stream().filter(c -> c.name.equals(caster)).findFirst().orElseThrow().missed;
   }
 
-  /** Legs in violation by the solver of that name. */
+  /** Returns the number of a solver's legs that touch a solid. */
   public long badLegs(String solver) {
     return solvers.stream().filter(s -> s.name.equals(solver)).findFirst().orElseThrow().badLegs;
   }
 
-  /** Prints both tables, as Markdown. */
+  /** Prints both tables as Markdown. */
   public void print(PrintWriter out) {
-    out.println("| collision | rays that touch a solid | missed | share |");
+    out.println("| collision | rays that touch a solid | missed | fraction |");
     out.println("| --- | --- | --- | --- |");
     casters.forEach(caster -> caster.print(out));
     out.println();
@@ -89,7 +89,7 @@ public final class BaselineLosses {
     out.flush();
   }
 
-  /** One collision test against the exact judge, on rays from device to device. */
+  /** One collision test against the exact judge, on rays between successive device positions. */
   private static final class CasterLoss {
     private final String name;
     private final RayCaster caster;
@@ -127,10 +127,10 @@ public final class BaselineLosses {
     }
   }
 
-  /** One solver, leg by leg. */
+  /** One solver, judged leg by leg. */
   private static final class SolverLoss {
     private final String name;
-    private final SolverFactory maker;
+    private final SolverFactory factory;
     private final ExactJudge judge = new ExactJudge();
     private final InteractionPoint point = new InteractionPoint();
     private long frames;
@@ -139,17 +139,17 @@ public final class BaselineLosses {
     private long badLegs;
     private double deepestVoxels;
 
-    SolverLoss(String name, SolverFactory maker) {
+    SolverLoss(String name, SolverFactory factory) {
       this.name = name;
-      this.maker = maker;
+      this.factory = factory;
     }
 
     void run(StressCase stress, List<Vec3> devices) {
-      ProxySolver solver = maker.make(stress.scene.metric(), stress.scene.maxStepMm());
-      CollisionScene obstacles = stress.obstacles();
+      ProxySolver solver = factory.make(stress.scene.metric(), stress.scene.maxStepMm());
+      CollisionScene collisionScene = stress.collisionScene();
       point.position.set(stress.start);
       for (Vec3 device : devices) {
-        solver.follow(obstacles, device, point);
+        solver.follow(collisionScene, device, point);
         frames++;
         legs += point.legs.count();
         int bad = countBadLegs(stress);

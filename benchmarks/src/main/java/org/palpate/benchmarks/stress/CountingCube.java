@@ -2,14 +2,14 @@ package org.palpate.benchmarks.stress;
 
 import org.palpate.volume.BitCube;
 
-/** A bit cube that counts the words that are read of it. */
+/** A bit cube that counts the words read from it. */
 final class CountingCube extends BitCube {
-  /** A window is put together from so many bricks, or a few less at the rim. */
-  private static final int WORDS_A_WINDOW = 8;
+  /** A window is made of this many bricks, or fewer at the margin of the grid. */
+  private static final int WORDS_PER_WINDOW = 8;
 
   private long words;
 
-  /** The same voxels as another. */
+  /** Copies the voxels of another cube. */
   CountingCube(BitCube like) {
     super(like.sizeX(), like.sizeY(), like.sizeZ());
     for (int z = 0; z < like.bricksZ(); z++) {
@@ -21,7 +21,7 @@ final class CountingCube extends BitCube {
     }
   }
 
-  /** Words read so far. */
+  /** Returns the number of words read so far. */
   long words() {
     return words;
   }
@@ -34,9 +34,9 @@ final class CountingCube extends BitCube {
 
   @Override
   public long window(int i, int j, int k) {
-    long after = words + WORDS_A_WINDOW;
+    long after = words + WORDS_PER_WINDOW;
     long window = super.window(i, j, k);
-    words = after; // however it reads them
+    words = after; // a window counts the same, however it is read
     return window;
   }
 

@@ -6,14 +6,14 @@ import org.palpate.raycast.Ray;
 import org.palpate.volume.BitCube;
 
 /**
- * Decides exactly whether a segment, as its six doubles say, touches a closed solid voxel, and fast
- * enough for a billion legs. Written apart from the casters that it judges: no traversal, but every
- * solid voxel in the segment's box is held against it by separating planes.
+ * Decides exactly whether the segment between two points touches a closed solid voxel, fast enough
+ * for a billion legs. It is independent of the casters that it judges: it does not traverse the
+ * grid, but tests every solid voxel in the segment's bounding box with separating planes.
  *
- * <p>A segment and a box are apart where their extents are apart along an axis, or where, looked at
- * along an axis, all corners of the box lie on one side of the segment's line. Sides are signs of
- * a*b - c*d, taken from doubles where an error bound allows and from decimal fractions without end
- * elsewhere. Not for several threads.
+ * <p>A segment and a box are separate if their extents along an axis are, or if all corners of the
+ * box, projected along an axis, lie on one side of the segment's line. Sides are signs of a*b -
+ * c*d, computed in doubles if an error bound allows and otherwise in unlimited decimal fractions.
+ * For one thread.
  */
 public final class ExactJudge {
   /**
@@ -22,8 +22,8 @@ public final class ExactJudge {
    */
   private static final double RELATIVE_ERROR = 0x1p-50;
 
-  /** Below this, products may have lost bits to underflow. */
-  private static final double LEAST_RELIABLE = 0x1p-900;
+  /** Products below this may have lost bits to underflow. */
+  private static final double MIN_RELIABLE = 0x1p-900;
 
   private final double[] from = new double[3];
   private final double[] to = new double[3];
@@ -32,12 +32,12 @@ public final class ExactJudge {
   private final int[] cell = new int[3];
   private long exactDecisions;
 
-  /** How often doubles did not suffice. */
+  /** Returns how often doubles did not suffice. */
   public long exactDecisions() {
     return exactDecisions;
   }
 
-  /** Whether leg {@code leg} touches a solid voxel. */
+  /** Whether a leg touches a solid voxel. */
   public boolean touches(BitCube bits, LegPath legs, int leg) {
     for (int axis = 0; axis < 3; axis++) {
       from[axis] = legs.start(leg, axis);
@@ -46,7 +46,7 @@ public final class ExactJudge {
     return touchesAny(bits);
   }
 
-  /** Whether the ray touches a solid voxel. */
+  /** Whether a ray touches a solid voxel. */
   public boolean touches(BitCube bits, Ray ray) {
     from[0] = ray.fromX;
     from[1] = ray.fromY;
@@ -74,7 +74,7 @@ public final class ExactJudge {
     return false;
   }
 
-  /** The closed cells of the grid whose extent along an axis meets the segment's. Exact. */
+  /** Computes the closed voxels whose extent along an axis meets the segment's. Exact. */
   private void extent(int axis, int size) {
     double least = Math.min(from[axis], to[axis]);
     double most = Math.max(from[axis], to[axis]);
@@ -105,7 +105,7 @@ public final class ExactJudge {
         && cell[2] <= high[2];
   }
 
-  /** Whether the line, looked at along the third axis, has the whole cell on one side. */
+  /** Whether the line, projected along the third axis, has the whole voxel on one side. */
   private boolean isApart(int u, int v) {
     int first = side(u, v, 0, 0);
     return first != 0
@@ -114,12 +114,12 @@ public final class ExactJudge {
         && first == side(u, v, 1, 1);
   }
 
-  /** On which side of the line a corner lies: the sign of a cross product. */
+  /** Returns the side of the line on which a corner lies: the sign of a cross product. */
   private int side(int u, int v, int cornerU, int cornerV) {
     double a = (to[u] - from[u]) * (cell[v] + cornerV - from[v]);
     double b = (to[v] - from[v]) * (cell[u] + cornerU - from[u]);
     double difference = a - b;
-    double error = (Math.abs(a) + Math.abs(b)) * RELATIVE_ERROR + LEAST_RELIABLE;
+    double error = (Math.abs(a) + Math.abs(b)) * RELATIVE_ERROR + MIN_RELIABLE;
     if (Math.abs(difference) > error && error < Double.POSITIVE_INFINITY) {
       return difference > 0 ? 1 : -1;
     }

@@ -11,16 +11,16 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
- * A case that breaks a promise in its last frame.
+ * A case whose last frame breaks a promise.
  *
  * @param scene the solids
- * @param start where the interaction point starts, free
- * @param devices where the device is, frame after frame
- * @param caseSeed what the case was made from
+ * @param start the free start of the interaction point
+ * @param devices the device position of each frame
+ * @param caseSeed the seed of the case
  */
 public record FailedCase(HostileScene scene, Vec3 start, List<Vec3> devices, long caseSeed) {
 
-  /** What is told of it. */
+  /** Returns a description for a message. */
   public String summary() {
     return scene.kind()
         + " of "
@@ -33,7 +33,7 @@ public record FailedCase(HostileScene scene, Vec3 start, List<Vec3> devices, lon
 
   /**
    * Writes {@code scene.nrrd}, {@code device.csv} and the command that replays them into a folder,
-   * which is made.
+   * which is created.
    */
   public void write(Path folder, String solver) throws IOException {
     Files.createDirectories(folder);

@@ -9,7 +9,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 
 /**
- * A device in grid coordinates that a hostile hand holds and whose link is bad: NaN, infinities,
+ * A device in grid coordinates with a hostile hand and a faulty connection: NaN, infinities,
  * repeated samples, times that stop and go back, writes that do not arrive. Never disconnects.
  */
 final class FaultyDevice implements HapticDevice {
@@ -32,12 +32,12 @@ final class FaultyDevice implements HapticDevice {
     position.set(start);
   }
 
-  /** Tells the hand what to aim at. */
+  /** Sets the interaction point that the hand aims at. */
   void aimAt(InteractionPoint aim) {
     point = aim;
   }
 
-  /** The force that was written last, whether or not it arrived. */
+  /** Returns the last written force, whether or not it arrived. */
   Vec3 lastForce() {
     return lastForce;
   }
@@ -64,7 +64,7 @@ final class FaultyDevice implements HapticDevice {
     return ReadStatus.FRESH;
   }
 
-  /** Fails now and then, seldom twice. */
+  /** Fails sometimes, and rarely twice in a row. */
   @Override
   public boolean write(Vec3 forceNewton) {
     lastForce.set(forceNewton);

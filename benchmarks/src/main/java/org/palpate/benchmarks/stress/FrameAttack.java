@@ -23,14 +23,15 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Whole frames under attack: a {@link FaultyDevice}, a clock that jumps, voxels, balls and whole
- * segments that change under the interaction point, solvers that take turns. Held against the
- * promises: legs that touch no voxel that is solid when they are travelled, chains that break only
- * where the point was set free, forces that are finite and within the device's maximum, zero at the
- * end. The same to the bit for a seed. One thread.
+ * Attacks whole frames: a {@link FaultyDevice}, a clock that jumps, edits of voxels, balls and
+ * whole segments around the interaction point, and changing solvers.
+ *
+ * <p>It checks the promises. A leg touches no voxel that is solid at that time. A chain of legs
+ * breaks only where the point was set free. Forces are finite, within the device's maximum, and
+ * zero at the end. The same seed gives the same bits. One thread.
  */
 public final class FrameAttack {
-  private static final int FRAMES_A_CASE = 1000;
+  private static final int FRAMES_PER_CASE = 1000;
   private static final double STIFFNESS_NEWTON_PER_MM = 0.7;
   private static final double FRICTION = 0.4;
 
@@ -41,28 +42,30 @@ public final class FrameAttack {
   private long freed;
   private long edits;
 
+  /** Returns the number of frames. */
   public long frames() {
     return frames;
   }
 
+  /** Returns the number of legs. */
   public long legs() {
     return legs;
   }
 
-  /** How often a point was set free. */
+  /** Returns how often a point was set free. */
   public long freed() {
     return freed;
   }
 
-  /** Edits that were carried out. */
+  /** Returns the number of edits that were applied. */
   public long edits() {
     return edits;
   }
 
   /**
-   * Runs whole cases until so many frames are done in all.
+   * Runs whole cases until the total number of frames is reached.
    *
-   * @return what went wrong first, and with which case, or null
+   * @return the first fault with its case, or null
    */
   public String untilFrames(long seed, long wanted) {
     while (frames < wanted) {
@@ -79,7 +82,7 @@ public final class FrameAttack {
     private final SplittableRandom random;
     private final HostileScene scene;
     private final FaultyDevice device;
-    private final CollisionScene obstacles;
+    private final CollisionScene collisionScene;
     private final EditQueue queue;
     private final HapticFrame frame;
     private final Vec3 before = new Vec3();
@@ -94,7 +97,7 @@ public final class FrameAttack {
       BitCube bits = scene.bits();
       HostileHand hand = new HostileHand(random.split(), bits);
       device = new FaultyDevice(random.split(), hand, new Vec3(0.5, 0.5, 0.5));
-      obstacles = new CollisionScene(List.of(bits));
+      collisionScene = new CollisionScene(List.of(bits));
       Vec3 spacing = scene.spacingMm();
       VoxelGrid grid =
           new VoxelGrid(
@@ -104,7 +107,7 @@ public final class FrameAttack {
           new HapticFrame(
               device,
               newSolver(),
-              obstacles,
+              collisionScene,
               scene.metric(),
               FrameSettings.live(
                   device.specification(), ForceSettings.of(STIFFNESS_NEWTON_PER_MM, FRICTION)),
@@ -121,11 +124,11 @@ public final class FrameAttack {
 
     String run() {
       FrameOutcome outcome = FrameOutcome.RUNNING;
-      for (int n = 0; n < FRAMES_A_CASE && outcome == FrameOutcome.RUNNING; n++) {
+      for (int n = 0; n < FRAMES_PER_CASE && outcome == FrameOutcome.RUNNING; n++) {
         disturb();
         nowNanos += step();
         before.set(frame.point().position);
-        outcome = frame.run(nowNanos); // the end where a lost write meets a long gap
+        outcome = frame.run(nowNanos); // may end if a lost write meets a long gap
         frames++;
         String fault = fault();
         if (fault != null) {
@@ -187,14 +190,14 @@ public final class FrameAttack {
       return new BrushEdit(0, centre, shortest * (0.3 + 3 * random.nextDouble()), solid);
     }
 
-    /** The voxel that the point is in or one near it, within the grid. */
+    /** Returns the point's voxel or one next to it, within the grid. */
     private int near(double coordinate, int size) {
       double voxel = Math.floor(coordinate) + random.nextInt(-1, 2);
       return (int) Math.max(0, Math.min(size - 1, voxel));
     }
 
     private BitCube otherBits() {
-      BitCube bits = obstacles.cube(0).copy();
+      BitCube bits = collisionScene.cube(0).copy();
       for (int n = 0; n < 200; n++) {
         int i = random.nextInt(bits.sizeX());
         int j = random.nextInt(bits.sizeY());
@@ -218,15 +221,15 @@ public final class FrameAttack {
       placed |= frame.followed();
       String fault = faultOfLegs(begins);
       Vec3 p = frame.point().position;
-      return fault == null && placed && obstacles.touches(p.x, p.y, p.z)
+      return fault == null && placed && collisionScene.touches(p.x, p.y, p.z)
           ? "the point touches a solid"
           : fault;
     }
 
     /**
-     * What is wrong with the legs of the frame.
+     * Returns the fault of the frame's legs, or null.
      *
-     * @param begins whether they may start elsewhere than where the point was before
+     * @param begins whether a new chain may start away from the point's last position
      */
     private String faultOfLegs(boolean begins) {
       LegPath path = frame.point().legs;
@@ -237,7 +240,7 @@ public final class FrameAttack {
         if (!start.sameBits(at) && !(begins && leg == 0)) {
           return "leg " + leg + " does not start where the last one ended";
         }
-        if (judge.touches(obstacles.cube(0), path, leg)) {
+        if (judge.touches(collisionScene.cube(0), path, leg)) {
           return "leg " + leg + " touches a solid";
         }
         at.set(path.end(leg, 0), path.end(leg, 1), path.end(leg, 2));

@@ -8,21 +8,21 @@ import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.volume.BitCube;
 
 /**
- * Holds each frame of a solver against what was promised: legs that touch nothing and hang together
- * to the bit, a path within w_max, an end strictly nearer to the device or at the same bits, and
- * rest in time.
+ * Checks each frame of a solver against its promises: legs that touch nothing and connect bit for
+ * bit, a path within w_max, an end that is strictly nearer to the device or has the same bits, and
+ * rest after a bounded number of frames.
  */
 final class FrameJudge {
-  /** A path is a sum of rounded lengths. */
+  /** Tolerance of a path length, which is a sum of rounded lengths. */
   private static final double PATH_ROUNDING = 1 + 1e-12;
 
   /**
-   * A w_max of fewer units in the last place of a coordinate cannot be used up: how long the way to
-   * rest takes is not asked there, only that each frame ends nearer.
+   * A w_max below this many units in the last place of a coordinate cannot be used up. The number
+   * of frames until rest is not checked there, only that each frame ends nearer.
    */
-  private static final double LEAST_ULPS_A_STEP = 0x1p20;
+  private static final double MIN_ULPS_PER_STEP = 0x1p20;
 
-  /** What is cut from a path so that rounding cannot make it longer than w_max, generously. */
+  /** A generous bound of the cut that keeps a rounded path within w_max. */
   private static final double CUT = 1 - 0x1p-20;
 
   private final ExactJudge judge = new ExactJudge();
@@ -32,39 +32,41 @@ final class FrameJudge {
   private final boolean nearerAlways;
   private final int framesToSettle;
   private final Vec3 before = new Vec3();
-  private final Vec3 held = new Vec3();
-  private long heldMoves;
-  private long heldLongFrames;
-  private double heldPathMm;
+  private final Vec3 restDevice = new Vec3();
+  private long restMoves;
+  private long restLongFrames;
+  private double restPathMm;
   private long legs;
 
   /**
-   * A judge of the frames from {@code start} on.
+   * Creates a judge of the frames from {@code start} on.
    *
-   * @param maker says what its solver promises beside the guarantee
+   * @param factory the solver's promises besides the guarantee
    */
-  FrameJudge(HostileScene scene, Vec3 start, SolverFactory maker) {
-    nearerAlways = maker.endsNearer();
-    framesToSettle = maker.framesToSettle();
+  FrameJudge(HostileScene scene, Vec3 start, SolverFactory factory) {
+    nearerAlways = factory.endsNearer();
+    framesToSettle = factory.framesToSettle();
     bits = scene.bits();
     metric = scene.metric();
     maxStepMm = scene.maxStepMm();
     before.set(start);
-    held.set(Double.NaN, Double.NaN, Double.NaN);
+    restDevice.set(Double.NaN, Double.NaN, Double.NaN);
   }
 
+  /** Returns the number of judged legs. */
   long legs() {
     return legs;
   }
 
+  /** Returns how often doubles did not suffice. */
   long exactDecisions() {
     return judge.exactDecisions();
   }
 
   /**
-   * What is wrong with the frame that just ended, or null.
+   * Returns the fault of the frame that just ended, or null.
    *
-   * @param steps that it took, as the guarded solver counts them
+   * @param steps the frame's work, as the guarded solver counts it
    */
   String fault(Vec3 device, InteractionPoint point, int steps) {
     String fault = faultOfLegs(point);
@@ -116,30 +118,30 @@ final class FrameJudge {
   }
 
   private String faultOfRest(Vec3 device, InteractionPoint point, int steps) {
-    if (!device.sameBits(held)) {
-      held.set(device);
-      heldMoves = 0;
-      heldLongFrames = 0;
-      heldPathMm = 0;
+    if (!device.sameBits(restDevice)) {
+      restDevice.set(device);
+      restMoves = 0;
+      restLongFrames = 0;
+      restPathMm = 0;
     }
-    heldPathMm += point.legs.lengthMm();
-    heldLongFrames += steps > GuardedSolver.ENOUGH_STEPS ? 1 : 0;
-    heldMoves += before.sameBits(point.position) ? 0 : 1;
-    if (!isFine(point.position) || !isFine(device)) {
+    restPathMm += point.legs.lengthMm();
+    restLongFrames += steps > GuardedSolver.ENOUGH_STEPS ? 1 : 0;
+    restMoves += before.sameBits(point.position) ? 0 : 1;
+    if (!resolvesSteps(point.position) || !resolvesSteps(device)) {
       return null;
     }
     double needed =
-        Math.ceil(2 * heldPathMm / (maxStepMm * CUT)) + 2 * heldLongFrames + framesToSettle;
-    return heldMoves <= needed
+        Math.ceil(2 * restPathMm / (maxStepMm * CUT)) + 2 * restLongFrames + framesToSettle;
+    return restMoves <= needed
         ? null
-        : "for a device at rest it took " + heldMoves + " frames to go " + heldPathMm + " mm";
+        : "with a resting device it took " + restMoves + " frames to move " + restPathMm + " mm";
   }
 
-  private boolean isFine(Vec3 at) {
+  private boolean resolvesSteps(Vec3 at) {
     double largest = Math.max(Math.abs(at.x), Math.max(Math.abs(at.y), Math.abs(at.z)));
-    return Math.ulp(largest) * metric.spacingX() * LEAST_ULPS_A_STEP < maxStepMm
-        && Math.ulp(largest) * metric.spacingY() * LEAST_ULPS_A_STEP < maxStepMm
-        && Math.ulp(largest) * metric.spacingZ() * LEAST_ULPS_A_STEP < maxStepMm;
+    return Math.ulp(largest) * metric.spacingX() * MIN_ULPS_PER_STEP < maxStepMm
+        && Math.ulp(largest) * metric.spacingY() * MIN_ULPS_PER_STEP < maxStepMm
+        && Math.ulp(largest) * metric.spacingZ() * MIN_ULPS_PER_STEP < maxStepMm;
   }
 
   private double square(Vec3 from, Vec3 to) {

@@ -5,18 +5,18 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
- * A hand that goes where geometry is weakest: grid planes, edges and corners to the ulp, subnormal
- * steps, 1e12 and up to 1e99 voxels and back, the interaction point itself, the inside of solids.
- * Finite always.
+ * A hand that moves to where geometry is weakest: grid planes, edges and corners to the ulp,
+ * subnormal steps, 1e12 and up to 1e99 voxels and back, the interaction point itself, the inside of
+ * solids. Always finite.
  */
 final class HostileHand {
-  private static final int LONGEST_HOLD = 24;
+  private static final int MAX_REST_FRAMES = 24;
   private static final double FAR = 1e12;
 
   private final SplittableRandom random;
   private final BitCube bits;
-  private final Vec3 held = new Vec3();
-  private int holdFrames;
+  private final Vec3 previous = new Vec3();
+  private int restFrames;
   private boolean flips;
 
   HostileHand(SplittableRandom random, BitCube bits) {
@@ -24,17 +24,17 @@ final class HostileHand {
     this.bits = bits;
   }
 
-  /** Writes where the device goes next; {@code p} is where the interaction point is. */
+  /** Writes the next device position; {@code p} is the position of the interaction point. */
   Vec3 next(Vec3 p, Vec3 device) {
-    if (holdFrames > 0) {
-      holdFrames--;
+    if (restFrames > 0) {
+      restFrames--;
       return flips ? device.mul(-1, device) : device;
     }
     flips = random.nextInt(64) == 0;
-    holdFrames = random.nextInt(12) == 0 ? random.nextInt(LONGEST_HOLD) : 0;
-    held.set(device);
+    restFrames = random.nextInt(12) == 0 ? random.nextInt(MAX_REST_FRAMES) : 0;
+    previous.set(device);
     for (int axis = 0; axis < 3; axis++) {
-      device.set(axis, coordinate(axis, p, held));
+      device.set(axis, coordinate(axis, p, previous));
     }
     if (random.nextInt(6) == 0) {
       keepInPlane(p, device);
@@ -42,7 +42,7 @@ final class HostileHand {
     return device;
   }
 
-  /** Along an edge, along a face, or straight along an axis. */
+  /** Restricts the device to a plane or a line through the point. */
   private void keepInPlane(Vec3 p, Vec3 device) {
     int axis = random.nextInt(3);
     device.set(axis, p.get(axis));

@@ -7,21 +7,22 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * A small scene made to break geometry.
+ * A small scene that challenges geometric tests.
  *
- * @param kind what it is, for people
- * @param bits its solids
- * @param spacingMm up to 1:1:20
+ * @param kind the kind, for messages
+ * @param bits the solids
+ * @param spacingMm the spacing, up to 1:1:20
  * @param maxStepMm w_max, from tiny to huge
  */
 public record HostileScene(String kind, BitCube bits, Vec3 spacingMm, double maxStepMm) {
   private static final int LARGEST = 20;
 
-  /** Which voxels are solid. */
+  /** A rule for solid voxels. */
   private interface Rule {
     boolean isSolid(int i, int j, int k);
   }
 
+  /** Returns a random scene. */
   static HostileScene next(SplittableRandom random) {
     int sizeX = size(random);
     int sizeY = size(random);
@@ -83,7 +84,7 @@ public record HostileScene(String kind, BitCube bits, Vec3 spacingMm, double max
     return bits;
   }
 
-  /** Planes along the diagonals, of voxels that share edges and corners alone, with holes. */
+  /** Diagonal planes of voxels that share only edges and corners, with holes. */
   private static Rule diagonalWalls(SplittableRandom random) {
     int a = sign(random);
     int b = sign(random);
@@ -124,20 +125,20 @@ public record HostileScene(String kind, BitCube bits, Vec3 spacingMm, double max
       int k = random.nextInt(LARGEST);
       for (int step = 0; step < 40; step++) {
         wire.set(i, j, k);
-        i = walk(i, random);
-        j = walk(j, random);
-        k = walk(k, random);
+        i = randomStep(i, random);
+        j = randomStep(j, random);
+        k = randomStep(k, random);
       }
     }
     return wire::get;
   }
 
-  private static int walk(int at, SplittableRandom random) {
+  private static int randomStep(int at, SplittableRandom random) {
     return Math.max(0, Math.min(LARGEST - 1, at + random.nextInt(-1, 2)));
   }
 
   private static Rule shell(SplittableRandom random) {
-    Vec3 centre = place(random);
+    Vec3 centre = randomPoint(random);
     double radius = 2 + 6 * random.nextDouble();
     Rule ball = (i, j, k) -> new Vec3(i, j, k).sub(centre, new Vec3()).length() <= radius;
     return (i, j, k) ->
@@ -150,7 +151,7 @@ public record HostileScene(String kind, BitCube bits, Vec3 spacingMm, double max
                 && ball.isSolid(i, j, k + 1));
   }
 
-  /** Something at every face of the grid. */
+  /** Solid voxels at every face of the grid. */
   private static Rule faces(SplittableRandom random) {
     long seed = random.nextLong();
     return (i, j, k) ->
@@ -158,8 +159,8 @@ public record HostileScene(String kind, BitCube bits, Vec3 spacingMm, double max
   }
 
   private static Rule slope(SplittableRandom random) {
-    Vec3 point = place(random);
-    Vec3 normal = place(random);
+    Vec3 point = randomPoint(random);
+    Vec3 normal = randomPoint(random);
     normal.sub(new Vec3(LARGEST / 2.0, LARGEST / 2.0, LARGEST / 2.0), normal);
     return (i, j, k) -> new Vec3(i, j, k).sub(point, new Vec3()).dot(normal) <= 0;
   }
@@ -170,7 +171,7 @@ public record HostileScene(String kind, BitCube bits, Vec3 spacingMm, double max
     return (i, j, k) -> Math.min(i, Math.min(j, k)) >= low && Math.max(i, Math.max(j, k)) <= high;
   }
 
-  private static Vec3 place(SplittableRandom random) {
+  private static Vec3 randomPoint(SplittableRandom random) {
     return new Vec3(
         LARGEST * random.nextDouble(),
         LARGEST * random.nextDouble(),
@@ -227,6 +228,7 @@ public record HostileScene(String kind, BitCube bits, Vec3 spacingMm, double max
     return z ^ (z >>> 31);
   }
 
+  /** Returns the metric of the grid. */
   GridMetric metric() {
     return GridMetric.of(spacingMm);
   }

@@ -3,10 +3,13 @@ package org.palpate.benchmarks.stress;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
-/** How deep a point lies in solids: the distance to the nearest empty cell. Looks at all cells. */
+/**
+ * Computes the distance from a point in a solid to the nearest empty voxel by testing all voxels.
+ */
 final class PenetrationDepth {
   private PenetrationDepth() {}
 
+  /** Returns the depth in voxels; 0 outside solids. */
   static double voxels(BitCube bits, Vec3 point) {
     int i = (int) Math.floor(point.x);
     int j = (int) Math.floor(point.y);

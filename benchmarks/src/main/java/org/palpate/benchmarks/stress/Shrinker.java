@@ -9,18 +9,20 @@ import org.palpate.proxy.ProxySolver;
 import org.palpate.volume.BitCube;
 
 /**
- * Makes a failing case smaller as long as it fails: leaves out frames, then solid voxels, in ever
- * smaller pieces. Source: Zeller and Hildebrandt 2002, delta debugging, complements only.
+ * Shrinks a failing case while it fails: it removes frames, then solid voxels, in ever smaller
+ * pieces. Source: Zeller and Hildebrandt 2002, delta debugging, complements only.
  */
 final class Shrinker {
   private static final int PASSES = 3;
 
-  private final SolverFactory maker;
+  private final SolverFactory factory;
 
-  Shrinker(SolverFactory maker) {
-    this.maker = maker;
+  /** Creates a shrinker for the cases of a solver. */
+  Shrinker(SolverFactory factory) {
+    this.factory = factory;
   }
 
+  /** Returns the smallest case found. */
   FailedCase shrink(FailedCase failed) {
     FailedCase least = failed;
     for (int pass = 0; pass < PASSES; pass++) {
@@ -31,19 +33,19 @@ final class Shrinker {
   }
 
   private FailedCase withFewerFrames(FailedCase failed) {
-    List<Vec3> kept = upToFault(failed.scene(), failed.start(), failed.devices());
-    for (int piece = kept.size() / 2; piece >= 1; piece /= 2) {
-      for (int at = 0; at + piece <= kept.size(); ) {
-        List<Vec3> fewer = without(kept, at, piece);
+    List<Vec3> remaining = upToFault(failed.scene(), failed.start(), failed.devices());
+    for (int piece = remaining.size() / 2; piece >= 1; piece /= 2) {
+      for (int at = 0; at + piece <= remaining.size(); ) {
+        List<Vec3> fewer = without(remaining, at, piece);
         List<Vec3> failing = upToFault(failed.scene(), failed.start(), fewer);
         if (failing == null) {
           at += piece;
         } else {
-          kept = failing;
+          remaining = failing;
         }
       }
     }
-    return new FailedCase(failed.scene(), failed.start(), kept, failed.caseSeed());
+    return new FailedCase(failed.scene(), failed.start(), remaining, failed.caseSeed());
   }
 
   private FailedCase withFewerVoxels(FailedCase failed) {
@@ -90,16 +92,16 @@ final class Shrinker {
     return new HostileScene(like.kind(), bits, like.spacingMm(), like.maxStepMm());
   }
 
-  /** The devices up to the first frame with a fault; null where there is none. */
+  /** Returns the devices up to the first frame with a fault; null if there is none. */
   private List<Vec3> upToFault(HostileScene scene, Vec3 start, List<Vec3> devices) {
-    CollisionScene obstacles = new CollisionScene(List.of(scene.bits()));
-    FrameJudge judge = new FrameJudge(scene, start, maker);
-    ProxySolver solver = maker.make(scene.metric(), scene.maxStepMm());
+    CollisionScene collisionScene = new CollisionScene(List.of(scene.bits()));
+    FrameJudge judge = new FrameJudge(scene, start, factory);
+    ProxySolver solver = factory.make(scene.metric(), scene.maxStepMm());
     InteractionPoint point = new InteractionPoint();
     point.position.set(start);
     for (int frame = 0; frame < devices.size(); frame++) {
-      solver.follow(obstacles, devices.get(frame), point);
-      if (judge.fault(devices.get(frame), point, maker.steps(solver)) != null) {
+      solver.follow(collisionScene, devices.get(frame), point);
+      if (judge.fault(devices.get(frame), point, factory.steps(solver)) != null) {
         return new ArrayList<>(devices.subList(0, frame + 1));
       }
     }

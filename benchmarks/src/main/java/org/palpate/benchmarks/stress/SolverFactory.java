@@ -5,13 +5,13 @@ import org.palpate.proxy.ProxySolver;
 import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 
-/** Makes a fresh solver for a scene. */
+/** Creates a solver for a scene, and knows its promises. */
 @FunctionalInterface
 public interface SolverFactory {
-  /** In practice; what is proved is only that there are finitely many. */
+  /** The number observed; proved is only that it is finite. */
   int SMOOTH_FRAMES_TO_SETTLE = 64;
 
-  /** The smooth solver, whose measure of nearness is its own. */
+  /** Creates the smooth solver, which lowers a function of its own instead of the distance. */
   SolverFactory SMOOTH =
       new SolverFactory() {
         @Override
@@ -30,23 +30,24 @@ public interface SolverFactory {
         }
       };
 
+  /** Creates a solver for a metric and w_max, mm. */
   ProxySolver make(GridMetric metric, double maxStepMm);
 
-  /** The steps of the last frame, where the solver tells them. */
+  /** Returns the work of the last frame; 0 if the solver does not count it. */
   default int steps(ProxySolver solver) {
     return solver instanceof GuardedSolver guarded ? guarded.steps() : 0;
   }
 
-  /** Whether each frame has to end strictly nearer to the device or at the same bits. */
+  /** Whether each frame must end strictly nearer to the device or at the same bits. */
   default boolean endsNearer() {
     return true;
   }
 
   /**
-   * Frames that a point may take beyond its path, until it rests. Two frames that follow each other
-   * go at least w_max together: the first leaves a part unused only where a climb needed more than
-   * that part, and then the second begins with that climb. A frame that worked enough and left the
-   * rest to the next one goes as far as it goes, and may part two such frames: it is not in here.
+   * Returns the number of frames that a point may take beyond its path until it rests. Two
+   * successive frames move at least w_max together. The first leaves a part unused only if a step
+   * up needs more than that part, and then the second begins with that step. A frame that ends for
+   * its work budget may stand between two such frames and is counted apart.
    */
   default int framesToSettle() {
     return 2;

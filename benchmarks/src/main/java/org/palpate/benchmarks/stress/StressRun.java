@@ -8,27 +8,27 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
 
 /**
- * Drives a solver through case after case until enough frames are done or one fails. Each case
- * comes from the seed and its number alone, so a run goes on from {@link StressTotals} where it
- * ended. One thread.
+ * Runs a solver on one case after the other until enough frames are done or one fails. A case
+ * depends only on the seed and its number, so that a run continues from {@link StressTotals}. One
+ * thread.
  */
 public final class StressRun {
   private final long seed;
-  private final SolverFactory maker;
+  private final SolverFactory factory;
 
-  /** A run over the cases of a seed. */
-  public StressRun(long seed, SolverFactory maker) {
+  /** Creates a run over the cases of a seed. */
+  public StressRun(long seed, SolverFactory factory) {
     this.seed = seed;
-    this.maker = maker;
+    this.factory = factory;
   }
 
   /**
-   * Runs whole cases.
+   * Runs whole cases until a total number of frames is reached.
    *
-   * @param totals what was done before; counted on
-   * @param frames until this many are done in all
-   * @param afterCase told of the totals after each case
-   * @return the first case that failed, made as small as could be, or null
+   * @param totals the totals so far, which are increased
+   * @param frames the total number of frames
+   * @param afterCase receives the totals after each case
+   * @return the first failed case, shrunk, or null
    */
   public FailedCase untilFrames(
       StressTotals totals, long frames, Consumer<StressTotals> afterCase) {
@@ -42,7 +42,7 @@ public final class StressRun {
     return null;
   }
 
-  /** As {@link #untilFrames}, by legs. */
+  /** Runs whole cases until a total number of legs is reached; see {@link #untilFrames}. */
   public FailedCase untilLegs(StressTotals totals, long legs, Consumer<StressTotals> afterCase) {
     while (totals.legs < legs) {
       FailedCase failed = runCase(totals);
@@ -57,16 +57,16 @@ public final class StressRun {
   private FailedCase runCase(StressTotals totals) {
     long caseSeed = caseSeed(seed, totals.cases);
     StressCase stress = new StressCase(caseSeed);
-    FrameJudge judge = new FrameJudge(stress.scene, stress.start, maker);
-    ProxySolver solver = maker.make(stress.scene.metric(), stress.scene.maxStepMm());
-    CollisionScene obstacles = stress.obstacles();
+    FrameJudge judge = new FrameJudge(stress.scene, stress.start, factory);
+    ProxySolver solver = factory.make(stress.scene.metric(), stress.scene.maxStepMm());
+    CollisionScene collisionScene = stress.collisionScene();
     InteractionPoint point = new InteractionPoint();
     point.position.set(stress.start);
     Vec3 device = new Vec3().set(stress.start);
     for (int frame = 0; frame < StressCase.ALL_FRAMES; frame++) {
       stress.next(frame, point.position, device);
-      solver.follow(obstacles, device, point);
-      if (judge.fault(device, point, maker.steps(solver)) != null) {
+      solver.follow(collisionScene, device, point);
+      if (judge.fault(device, point, factory.steps(solver)) != null) {
         return failed(caseSeed, frame + 1);
       }
     }
@@ -79,12 +79,13 @@ public final class StressRun {
 
   private FailedCase failed(long caseSeed, int frames) {
     StressCase again = new StressCase(caseSeed);
-    ProxySolver solver = maker.make(again.scene.metric(), again.scene.maxStepMm());
+    ProxySolver solver = factory.make(again.scene.metric(), again.scene.maxStepMm());
     List<Vec3> devices = again.devices(solver, frames);
-    return new Shrinker(maker).shrink(new FailedCase(again.scene, again.start, devices, caseSeed));
+    return new Shrinker(factory)
+        .shrink(new FailedCase(again.scene, again.start, devices, caseSeed));
   }
 
-  /** What the case of a number is made from. */
+  /** Returns the seed of the case with a number. */
   static long caseSeed(long seed, long number) {
     return seed * 0x9E3779B97F4A7C15L + number;
   }

@@ -10,8 +10,8 @@ import org.palpate.io.file.AtomicFile;
 import org.palpate.proxy.exact.GuardedSolver;
 
 /**
- * {@code palpate bench --stress}: a run that says how far it is, keeps its totals in a folder, goes
- * on from them, and leaves the smallest case of what failed.
+ * The session of {@code palpate bench --stress}. It reports its progress, keeps its totals in a
+ * folder, continues from them, and saves the smallest case of a failure.
  */
 public final class StressSession {
   private static final long NANOS_BETWEEN_LINES = 5_000_000_000L;
@@ -25,23 +25,25 @@ public final class StressSession {
   private final PrintWriter progress;
   private long lastLineNanos = System.nanoTime();
 
-  /** Which solver is attacked. */
+  /** The attacked solver. */
   public enum Attacked {
+    /** The guarded solver, with all its promises. */
     GUARDED,
+    /** The smooth solver, with its legs. */
     SMOOTH;
 
-    private SolverFactory maker() {
+    private SolverFactory factory() {
       return this == GUARDED ? GuardedSolver::new : SolverFactory.SMOOTH;
     }
 
-    /** As on the command line. */
+    /** Returns the name on the command line. */
     @Override
     public String toString() {
       return name().toLowerCase(Locale.ROOT);
     }
   }
 
-  /** A session that keeps its files in a folder, which is made where it is not there. */
+  /** Creates a session that keeps its files in a folder, which is created if missing. */
   public StressSession(Path folder, long seed, Attacked attacked, PrintWriter progress) {
     this.attacked = attacked;
     this.folder = folder;
@@ -50,10 +52,10 @@ public final class StressSession {
   }
 
   /**
-   * Runs until so many frames of this seed are done in all, those of earlier runs counted.
+   * Runs until a total number of frames of this seed is reached, earlier runs included.
    *
    * @return the totals
-   * @throws FailedCaseException where a promise was broken; the case lies in the folder
+   * @throws FailedCaseException if a promise is broken; the folder then contains the case
    */
   public StressTotals run(long frames) throws IOException {
     Files.createDirectories(folder);
@@ -61,13 +63,13 @@ public final class StressSession {
     StressTotals totals = StressTotals.read(file);
     try {
       FailedCase failed =
-          new StressRun(seed, attacked.maker())
-              .untilFrames(totals, frames, now -> tell(now, frames, file));
+          new StressRun(seed, attacked.factory())
+              .untilFrames(totals, frames, now -> reportProgress(now, frames, file));
       totals.write(file);
       if (failed != null) {
-        Path place = folder.resolve("failed-" + failed.caseSeed());
-        failed.write(place, attacked.toString());
-        throw new FailedCaseException(failed.summary(), place);
+        Path caseFolder = folder.resolve("failed-" + failed.caseSeed());
+        failed.write(caseFolder, attacked.toString());
+        throw new FailedCaseException(failed.summary(), caseFolder);
       }
     } catch (UncheckedIOException e) {
       throw e.getCause();
@@ -75,7 +77,7 @@ public final class StressSession {
     return totals;
   }
 
-  private void tell(StressTotals totals, long frames, Path file) {
+  private void reportProgress(StressTotals totals, long frames, Path file) {
     if (System.nanoTime() - lastLineNanos < NANOS_BETWEEN_LINES) {
       return;
     }
@@ -95,10 +97,10 @@ public final class StressSession {
   }
 
   /**
-   * Runs whole frames, with a bad device, edits, and solvers that take turns.
+   * Runs whole frames with a faulty device, edits and changing solvers.
    *
-   * @return a line that tells what was done
-   * @throws FailedCaseException where a promise was broken
+   * @return a line with the totals
+   * @throws FailedCaseException if a promise is broken
    */
   public String attackFrames(long frames) throws FailedCaseException {
     FrameAttack attack = new FrameAttack();
@@ -115,12 +117,10 @@ public final class StressSession {
         attack.freed());
   }
 
-  /**
-   * Prints what work frames were, in steps, as Markdown, and leaves it as a table in the folder.
-   */
-  public void tellSteps(PrintWriter out) throws IOException {
+  /** Prints the work of frames in work units as Markdown, and writes it as a table. */
+  public void printWork(PrintWriter out) throws IOException {
     StringBuilder csv = new StringBuilder("hand,frames,median_steps,p99_steps,worst_steps\n");
-    out.println("| steps a frame, " + attacked + " | frames | median | p99 | worst |");
+    out.println("| work units a frame, " + attacked + " | frames | median | p99 | worst |");
     out.println("| --- | --- | --- | --- | --- |");
     for (WorkStudy.Row row : new WorkStudy(attacked, seed, STEP_CASES, JUMPS).rows()) {
       out.printf(
@@ -139,32 +139,33 @@ public final class StressSession {
     out.flush();
   }
 
-  /** Prints what other ways lose on the first cases of the seed. */
+  /** Prints the losses of other methods on the first cases of the seed. */
   public void printBaselines(PrintWriter out) {
     BaselineLosses losses = new BaselineLosses(seed);
     losses.run(BASELINE_CASES);
     losses.print(out);
   }
 
-  /** A promise was broken. */
+  /** A promise is broken. */
   public static final class FailedCaseException extends IOException {
     private static final long serialVersionUID = 1L;
     private final String summary;
-    private final String place;
+    private final String caseFolder;
 
-    FailedCaseException(String summary, Path place) {
+    FailedCaseException(String summary, Path caseFolder) {
       super(summary);
       this.summary = summary;
-      this.place = place.toString();
+      this.caseFolder = caseFolder.toString();
     }
 
+    /** Returns a description of the case. */
     public String summary() {
       return summary;
     }
 
-    /** The folder of the case. */
-    public String place() {
-      return place;
+    /** Returns the folder of the case. */
+    public String caseFolder() {
+      return caseFolder;
     }
   }
 }

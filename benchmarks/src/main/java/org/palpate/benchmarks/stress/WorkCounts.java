@@ -11,43 +11,47 @@ import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.volume.BitCube;
 
 /**
- * The work of frames in steps, the same on every machine: a step is a word of voxels that is read
- * (of 64 voxels or of 64 bricks), a way that is tried, a stair that is looked at, a value of the
- * smooth surface. One thread.
+ * Counts the work of frames in units that are the same on every machine: a word of voxels read (64
+ * voxels or 64 bricks), a path tried, a step up tested, a value of the smooth field. One thread.
  */
 final class WorkCounts {
   private final CountingCube bits;
-  private final CollisionScene obstacles;
+  private final CollisionScene scene;
   private final GuardedSolver guarded;
   private final SmoothSolver smooth;
   private final InteractionPoint point = new InteractionPoint();
   private long[] counts = new long[1024];
   private int frames;
 
-  /** Counts what a solver does in a scene, from a free start. */
+  /** Creates counts of a solver in a scene, from a free start. */
   WorkCounts(
-      StressSession.Attacked who, BitCube solids, GridMetric metric, double maxStepMm, Vec3 start) {
+      StressSession.Attacked attacked,
+      BitCube solids,
+      GridMetric metric,
+      double maxStepMm,
+      Vec3 start) {
     bits = new CountingCube(solids);
-    obstacles = new CollisionScene(List.of(bits));
-    guarded = who == StressSession.Attacked.GUARDED ? new GuardedSolver(metric, maxStepMm) : null;
-    smooth = who == StressSession.Attacked.SMOOTH ? new SmoothSolver(metric, maxStepMm) : null;
+    scene = new CollisionScene(List.of(bits));
+    guarded =
+        attacked == StressSession.Attacked.GUARDED ? new GuardedSolver(metric, maxStepMm) : null;
+    smooth = attacked == StressSession.Attacked.SMOOTH ? new SmoothSolver(metric, maxStepMm) : null;
     point.position.set(start);
   }
 
-  /** Where the point is. */
+  /** Returns the position of the interaction point. */
   Vec3 position() {
     return point.position;
   }
 
-  /** One frame. */
+  /** Runs one frame and counts its work. */
   void follow(Vec3 device) {
     long before = bits.words();
     long steps;
     if (guarded != null) {
-      guarded.follow(obstacles, device, point);
+      guarded.follow(scene, device, point);
       steps = guarded.steps();
     } else {
-      smooth.follow(obstacles, device, point);
+      smooth.follow(scene, device, point);
       steps = smooth.steps();
     }
     add(steps + bits.words() - before);
@@ -60,7 +64,7 @@ final class WorkCounts {
     counts[frames++] = steps;
   }
 
-  /** What each frame took, in order. */
+  /** Returns the work of each frame, in order. */
   long[] counts() {
     return Arrays.copyOf(counts, frames);
   }

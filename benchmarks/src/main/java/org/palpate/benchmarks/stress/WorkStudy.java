@@ -14,45 +14,47 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * How much work a frame may be at the default w_max, in steps ({@link WorkCounts}): hands that
- * slide, hands that jump by 5 to 50 voxels, and hostile hands in hostile scenes.
+ * Measures the work of a frame at the default w_max, in the units of {@link WorkCounts}, for hands
+ * that slide, hands that jump 5 to 50 voxels, and hostile hands in hostile scenes.
  */
 public final class WorkStudy {
-  /** The slide that others are held against: a sphere, 5 voxels deep, 2 voxels a frame. */
+  /** The slide to compare with: a sphere, 5 voxels deep, 2 voxels per frame. */
   public static final String SLIDING = "slide, 2 voxels a frame";
 
-  /** Hostile hands in hostile scenes. */
+  /** The name of hostile hands in hostile scenes. */
   public static final String HOSTILE = "hostile";
 
   private static final double DEPTH_VOXELS = 5;
   private static final int SLIDE_FRAMES = 5000;
   private static final String SLID_ON = "sphere:192";
 
-  private final StressSession.Attacked who;
+  private final StressSession.Attacked attacked;
   private final long seed;
   private final int cases;
   private final int jumps;
 
   /**
-   * A study.
+   * Creates a study.
    *
-   * @param who which solver
-   * @param cases hostile scenes, of 1,000 frames each
-   * @param jumps frames that jump in each of a few phantoms
+   * @param attacked the solver
+   * @param cases the number of hostile scenes, of 1,000 frames each
+   * @param jumps the number of jumps in each of several phantoms
    */
-  public WorkStudy(StressSession.Attacked who, long seed, int cases, int jumps) {
-    this.who = who;
+  public WorkStudy(StressSession.Attacked attacked, long seed, int cases, int jumps) {
+    this.attacked = attacked;
     this.seed = seed;
     this.cases = cases;
     this.jumps = jumps;
   }
 
   /**
-   * What frames of one kind took.
+   * The work of frames of one kind.
    *
-   * @param hand what it did
-   * @param frames how many
-   * @param worst the most steps of one frame
+   * @param hand the motion of the hand
+   * @param frames the number of frames
+   * @param median the median work of a frame
+   * @param p99 the 99th percentile
+   * @param worst the largest work of a frame
    */
   public record Row(String hand, int frames, long median, long p99, long worst) {
     static Row of(String hand, long[] counts) {
@@ -64,7 +66,7 @@ public final class WorkStudy {
     }
   }
 
-  /** Runs it. */
+  /** Measures all rows. */
   public List<Row> rows() {
     List<Row> rows = new ArrayList<>();
     rows.add(slide("slide, 0.05 voxel a frame", 0.05));
@@ -92,12 +94,13 @@ public final class WorkStudy {
     GridMetric unit = new GridMetric(1, 1, 1);
     Vec3 device = trajectory.position(0, new Vec3());
     Vec3 start = new Vec3().set(device);
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
-    if (obstacles.touches(start.x, start.y, start.z)) {
-      new NearestFreeVoxel(unit).find(obstacles, start, start);
+    CollisionScene scene = new CollisionScene(List.of(bits));
+    if (scene.touches(start.x, start.y, start.z)) {
+      new NearestFreeVoxel(unit).find(scene, start, start);
     }
     WorkCounts counts =
-        new WorkCounts(who, bits, unit, ContactSettings.defaultMaxStepMm(new Vec3(1, 1, 1)), start);
+        new WorkCounts(
+            attacked, bits, unit, ContactSettings.defaultMaxStepMm(new Vec3(1, 1, 1)), start);
     for (int frame = 0; frame < trajectory.size(); frame++) {
       counts.follow(trajectory.position(frame, device));
     }
@@ -110,7 +113,8 @@ public final class WorkStudy {
       StressCase stress = new StressCase(StressRun.caseSeed(seed, number));
       double maxStepMm = ContactSettings.defaultMaxStepMm(stress.scene.spacingMm());
       WorkCounts counts =
-          new WorkCounts(who, stress.scene.bits(), stress.scene.metric(), maxStepMm, stress.start);
+          new WorkCounts(
+              attacked, stress.scene.bits(), stress.scene.metric(), maxStepMm, stress.start);
       Vec3 device = new Vec3().set(stress.start);
       for (int frame = 0; frame < StressCase.FRAMES; frame++) {
         stress.next(frame, counts.position(), device);

@@ -3,17 +3,17 @@ package org.palpate.benchmarks.surface;
 /**
  * The surface of a scan.
  *
- * @param data its name
- * @param voxels solid ones
- * @param triangles of the finest level
- * @param vertices of its bricks
- * @param cpuSeconds processor time of one thread for all of it
- * @param heapBytes in the JVM
- * @param cardBytes on the graphics card
- * @param coarseTriangles of the first picture, at a quarter of the resolution
- * @param coarseCpuSeconds processor time of one thread for that, its voxels included
- * @param brickMedianMs processor time of a brick that is made anew after an edit
- * @param brickMostMs of the slowest brick
+ * @param data the name of the scan
+ * @param voxels the number of solid voxels
+ * @param triangles the triangles of the finest level
+ * @param vertices the vertices of its bricks
+ * @param cpuSeconds processor time of one thread for the whole surface
+ * @param heapBytes memory in the JVM
+ * @param cardBytes memory on the graphics card
+ * @param coarseTriangles the triangles of the first picture, at a quarter of the resolution
+ * @param coarseCpuSeconds processor time of one thread for the first picture, voxels included
+ * @param brickMedianMs processor time of a brick that is extracted again after an edit
+ * @param brickMaxMs processor time of the slowest brick
  */
 record SurfaceRow(
     String data,
@@ -26,4 +26,4 @@ record SurfaceRow(
     long coarseTriangles,
     double coarseCpuSeconds,
     double brickMedianMs,
-    double brickMostMs) {}
+    double brickMaxMs) {}

@@ -11,8 +11,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.palpate.benchmarks.input.Scans;
+import org.palpate.benchmarks.report.Progress;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
+import org.palpate.loop.Median;
 import org.palpate.scene.surface.AmbientOcclusion;
 import org.palpate.scene.surface.CoarseVolume;
 import org.palpate.scene.surface.DensityAmbientOcclusion;
@@ -20,14 +22,14 @@ import org.palpate.scene.surface.SurfaceBrick;
 import org.palpate.scene.surface.SurfaceExtractor;
 import org.palpate.scene.surface.SurfaceSource;
 
-/** Makes the surface of each scan on one thread, as the scene does, and leaves a table. */
+/** Extracts the surface of each scan on one thread, as the scene does, and writes a table. */
 public final class SurfaceStudy {
   private static final double NANOS_PER_SECOND = 1e9;
   private static final double NANOS_PER_MS = 1e6;
   private static final double MEGA = 1e6;
 
-  /** A vertex on the card: three floats and four shorts. */
-  private static final int CARD_BYTES_A_VERTEX = 20;
+  /** The size of a vertex on the card: three floats and four shorts. */
+  private static final int CARD_BYTES_PER_VERTEX = 20;
 
   private static final int SHORT_INDEX_LIMIT = 1 << 16;
 
@@ -43,22 +45,23 @@ public final class SurfaceStudy {
   /**
    * Measures all scans.
    *
-   * @param data folder of the scans
-   * @param folder made where it is not there
-   * @return triangles of the last, the largest
+   * @param data the folder of the scans
+   * @param folder the output folder, created if missing
+   * @param out receives the table
+   * @param progress receives progress lines
+   * @return the triangles of the last and largest scan
    */
   public static long run(Path data, Path folder, PrintWriter out, PrintWriter progress)
       throws IOException {
     Files.createDirectories(folder);
     SurfaceStudy study = new SurfaceStudy();
-    study.row(data, Scans.NAMES.get(0)); // compiles
+    study.row(data, Scans.NAMES.get(0)); // warm-up
     List<SurfaceRow> rows = new ArrayList<>();
     for (String name : Scans.NAMES) {
-      progress.println("surfaces: " + name);
-      progress.flush();
+      Progress.to(progress).accept("surfaces: " + name);
       rows.add(study.row(data, name));
     }
-    tell(rows, out);
+    print(rows, out);
     write(rows, folder.resolve("surfaces.csv"));
     return rows.get(rows.size() - 1).triangles();
   }
@@ -74,7 +77,6 @@ public final class SurfaceStudy {
     AmbientOcclusion light = new DensityAmbientOcclusion(List.of(scan.bone()));
     double[] brickMs = make(SurfaceSource.ofBits(scan.bone(), scan.spacingMm()), light);
     double seconds = (threads.getCurrentThreadCpuTime() - began) / NANOS_PER_SECOND;
-    Arrays.sort(brickMs);
     return new SurfaceRow(
         name,
         scan.bone().solidCount(),
@@ -85,11 +87,11 @@ public final class SurfaceStudy {
         cardBytes,
         coarseTriangles,
         coarseSeconds,
-        brickMs[brickMs.length / 2],
-        brickMs[brickMs.length - 1]);
+        Median.of(brickMs),
+        Arrays.stream(brickMs).max().orElseThrow());
   }
 
-  /** Makes every brick; the time of each that is not empty, ms. */
+  /** Extracts every brick and returns the time of each that is not empty, ms. */
   private double[] make(SurfaceSource source, AmbientOcclusion light) {
     triangles = 0;
     vertices = 0;
@@ -113,11 +115,11 @@ public final class SurfaceStudy {
     vertices += mesh.vertexCount();
     heapBytes += mesh.bytes();
     int indexBytes = mesh.vertexCount() <= SHORT_INDEX_LIMIT ? Short.BYTES : Integer.BYTES;
-    cardBytes += (long) CARD_BYTES_A_VERTEX * mesh.vertexCount();
+    cardBytes += (long) CARD_BYTES_PER_VERTEX * mesh.vertexCount();
     cardBytes += 3L * indexBytes * mesh.triangleCount();
   }
 
-  private static void tell(List<SurfaceRow> rows, PrintWriter out) {
+  private static void print(List<SurfaceRow> rows, PrintWriter out) {
     out.printf(
         "%-22s %10s %10s %7s %8s %8s %10s %8s %8s %8s%n",
         "data",
@@ -143,7 +145,7 @@ public final class SurfaceStudy {
           row.coarseTriangles(),
           row.coarseCpuSeconds(),
           row.brickMedianMs(),
-          row.brickMostMs());
+          row.brickMaxMs());
     }
     out.flush();
   }
@@ -160,7 +162,7 @@ public final class SurfaceStudy {
       text.append(',').append(row.cardBytes()).append(',').append(row.coarseTriangles());
       text.append(',').append(NumberText.text(row.coarseCpuSeconds())).append(',');
       text.append(NumberText.text(row.brickMedianMs())).append(',');
-      text.append(NumberText.text(row.brickMostMs())).append('\n');
+      text.append(NumberText.text(row.brickMaxMs())).append('\n');
     }
     AtomicFile.write(file, text);
   }

@@ -2,23 +2,25 @@ package org.palpate.benchmarks.sync;
 
 import java.util.concurrent.Semaphore;
 
-/** Draws on request on a thread of its own, requests in work making one more picture. */
+/** Draws on request in its own thread; all requests during a drawing cause one more picture. */
 final class DrawingThread implements AutoCloseable {
   private final Runnable draw;
   private final Semaphore wanted = new Semaphore(0);
   private final Thread thread = new Thread(this::run, "bench-draw");
   private volatile boolean closed;
 
+  /** Creates a thread that is not yet started. */
   DrawingThread(Runnable draw) {
     this.draw = draw;
     thread.setDaemon(true);
   }
 
+  /** Starts the thread. */
   void start() {
     thread.start();
   }
 
-  /** Asks for a picture. Never waits. */
+  /** Requests a picture. Never waits. */
   void request() {
     wanted.release();
   }
@@ -33,7 +35,7 @@ final class DrawingThread implements AutoCloseable {
     }
   }
 
-  /** Ends when the picture in work is done. */
+  /** Ends the thread after its current picture. */
   @Override
   public void close() {
     closed = true;

@@ -5,13 +5,13 @@ import java.util.List;
 import org.palpate.geometry.Vec3;
 
 /**
- * Accumulators as the paper has them: every access is synchronized, a changed one is put on a list,
- * the synchronization goes through the list and applies it, all under one lock.
+ * The paper's accumulators. Every access is synchronized and adds a changed value to a list; the
+ * synchronization applies the list under the same lock.
  *
  * <p>Source: Vlasov et al. 2013, section 5.2.
  */
 final class PaperSync {
-  /** Takes a property that is to be applied. */
+  /** Applies the properties to the scene. */
   @FunctionalInterface
   interface Applier {
     void apply(Vec3 device, Vec3 point, Vec3 force, boolean contact);
@@ -24,13 +24,13 @@ final class PaperSync {
   private final List<Object> changed = new ArrayList<>();
   private boolean contact;
 
-  /** A position that notes its changes; guarded by the lock. */
+  /** A position that records its changes; guarded by the lock. */
   private final class Position {
     private final Vec3 value = new Vec3();
 
-    void set(Vec3 wanted) {
-      if (!value.sameBits(wanted)) {
-        value.set(wanted);
+    void set(Vec3 newValue) {
+      if (!value.sameBits(newValue)) {
+        value.set(newValue);
         if (!changed.contains(this)) {
           changed.add(this);
         }
@@ -38,7 +38,7 @@ final class PaperSync {
     }
   }
 
-  /** The haptic thread's part. */
+  /** Publishes the properties of a frame; haptic thread. */
   void publish(Vec3 deviceGrid, Vec3 pointGrid, Vec3 forceNewton, boolean touching, long frame) {
     synchronized (lock) {
       device.set(deviceGrid);
@@ -54,7 +54,7 @@ final class PaperSync {
     }
   }
 
-  /** The synchronization thread's part, at 30 Hz: the lock is held while the scene is changed. */
+  /** Applies all changes while it holds the lock; synchronization thread, 30 Hz. */
   void synchronize(Applier applier) {
     synchronized (lock) {
       if (!changed.isEmpty()) {

@@ -1,14 +1,14 @@
 package org.palpate.benchmarks.sync;
 
-/** How the haptic thread changes the scene. */
+/** Methods by which the haptic thread changes the scene. */
 enum SyncMethod {
-  /** Not at all: the control. */
+  /** No changes: the control. */
   NONE("no scene"),
-  /** It changes the scene itself, and each change is drawn. */
+  /** Direct changes, each of which is drawn. */
   DIRECT("direct"),
-  /** By the paper's synchronized accumulators. */
+  /** The paper's synchronized accumulators. */
   PAPER("paper, synchronized"),
-  /** By wait-free accumulators. */
+  /** Wait-free accumulators. */
   WAIT_FREE("wait-free");
 
   private final String title;
@@ -17,6 +17,7 @@ enum SyncMethod {
     this.title = title;
   }
 
+  /** Returns the name in tables. */
   String title() {
     return title;
   }

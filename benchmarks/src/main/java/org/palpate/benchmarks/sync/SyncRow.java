@@ -3,24 +3,29 @@ package org.palpate.benchmarks.sync;
 import org.HdrHistogram.Histogram;
 
 /**
- * What one way cost in one round.
+ * The cost of one method in one round.
  *
- * @param work of each frame, nanoseconds
- * @param period between the starts of two frames, nanoseconds
- * @param redraws pictures drawn
- * @param seconds that it took
+ * @param method the method
+ * @param round the number of the round
+ * @param work the work of each frame, ns
+ * @param period the time between the starts of two frames, ns
+ * @param redraws the number of pictures drawn
+ * @param seconds the duration of the round
  */
 record SyncRow(
-    SyncMethod way, int round, Histogram work, Histogram period, long redraws, double seconds) {
+    SyncMethod method, int round, Histogram work, Histogram period, long redraws, double seconds) {
 
+  /** Returns a percentile of the work, microseconds. */
   double workMicros(double percentile) {
     return work.getValueAtPercentile(percentile) / 1e3;
   }
 
+  /** Returns a percentile of the period, microseconds. */
   double periodMicros(double percentile) {
     return period.getValueAtPercentile(percentile) / 1e3;
   }
 
+  /** Returns the number of frames per second. */
   double rateHz() {
     return work.getTotalCount() / seconds;
   }

@@ -14,18 +14,20 @@ import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.CategorySeries.CategorySeriesRenderStyle;
 import org.palpate.benchmarks.report.Figures;
+import org.palpate.benchmarks.report.Progress;
 import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
+import org.palpate.loop.Median;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * Runs the experiment: each way in turn, several rounds, over the head phantom, and leaves a table
- * and a picture.
+ * Runs the experiment over the head phantom, with all methods in alternation for several rounds,
+ * and writes tables and a plot.
  */
 public final class SyncRun {
   private static final double WARM_UP_SECONDS = 2;
@@ -36,26 +38,25 @@ public final class SyncRun {
   private SyncRun() {}
 
   /**
-   * Runs it.
+   * Runs the experiment.
    *
-   * @param folder made where it is not there
+   * @param folder the output folder, created if missing
    * @return the median over the rounds of the 99th percentile of a frame's work, microseconds, by
-   *     way
+   *     method
    */
   public static Map<String, Double> run(
       Path folder, boolean quick, PrintWriter out, PrintWriter progress)
       throws IOException, GraphicsException, InterruptedException {
     Files.createDirectories(folder);
     List<SyncRow> rows = rows(quick, progress);
-    tell(rows, out);
+    print(rows, out);
     writeTable(folder.resolve("sync.csv"), rows);
     plot(folder.resolve("sync.png"), rows);
-    progress.println("sync: the hand-over alone");
-    progress.flush();
-    tellWrites(new WriteCost().measure(), folder.resolve("sync-writes.csv"), out);
+    Progress.to(progress).accept("sync: the publication alone");
+    printWrites(new WriteCost().measure(), folder.resolve("sync-writes.csv"), out);
     Map<String, Double> p99 = new LinkedHashMap<>();
-    for (SyncMethod way : SyncMethod.values()) {
-      p99.put(way.title(), median(rows, way, 99));
+    for (SyncMethod method : SyncMethod.values()) {
+      p99.put(method.title(), median(rows, method, 99));
     }
     return p99;
   }
@@ -76,25 +77,32 @@ public final class SyncRun {
     try (SyncTrial trial = new SyncTrial(scene)) {
       trial.run(SyncMethod.WAIT_FREE, 0, WARM_UP_SECONDS);
       for (int round = 1; round <= (quick ? 1 : 3); round++) {
-        for (SyncMethod way : SyncMethod.values()) {
-          progress.println("sync: round " + round + ", " + way.title());
-          progress.flush();
-          rows.add(trial.run(way, round, quick ? QUICK_SECONDS : SECONDS));
+        for (SyncMethod method : SyncMethod.values()) {
+          Progress.to(progress).accept("sync: round " + round + ", " + method.title());
+          rows.add(trial.run(method, round, quick ? QUICK_SECONDS : SECONDS));
         }
       }
     }
     return rows;
   }
 
-  private static void tell(List<SyncRow> rows, PrintWriter out) {
+  private static void print(List<SyncRow> rows, PrintWriter out) {
     out.printf(
         "%-20s %5s %9s %10s %10s %10s %10s %11s %8s%n",
-        "way", "round", "rate Hz", "work p50", "p99", "p99.9", "max us", "period p99", "redraws");
+        "method",
+        "round",
+        "rate Hz",
+        "work p50",
+        "p99",
+        "p99.9",
+        "max us",
+        "period p99",
+        "redraws");
     for (SyncRow row : rows) {
       out.printf(
           Locale.ROOT,
           "%-20s %5d %9.1f %10.1f %10.1f %10.1f %10.1f %11.1f %8d%n",
-          row.way().title(),
+          row.method().title(),
           row.round(),
           row.rateHz(),
           row.workMicros(50),
@@ -113,7 +121,7 @@ public final class SyncRun {
             "way,round,rate_hz,work_p50_us,work_p99_us,work_p99_9_us,work_max_us,period_p50_us,"
                 + "period_p99_us,period_p99_9_us,period_max_us,redraws\n");
     for (SyncRow row : rows) {
-      text.append('"').append(row.way().title()).append("\",").append(row.round()).append(',');
+      text.append('"').append(row.method().title()).append("\",").append(row.round()).append(',');
       text.append(NumberText.text(row.rateHz())).append(',');
       for (double percentile : PERCENTILES) {
         text.append(NumberText.text(row.workMicros(percentile))).append(',');
@@ -126,7 +134,7 @@ public final class SyncRun {
     AtomicFile.write(file, text);
   }
 
-  private static void tellWrites(List<WriteCost.Row> rows, Path file, PrintWriter out)
+  private static void printWrites(List<WriteCost.Row> rows, Path file, PrintWriter out)
       throws IOException {
     StringBuilder text = new StringBuilder("way,changed_ns,unchanged_ns,p99_9_ns,max_ns\n");
     out.printf("%n%-20s %12s %12s %12s %12s%n", "a write", "changed ns", "same ns", "p99.9", "max");
@@ -134,12 +142,12 @@ public final class SyncRun {
       out.printf(
           Locale.ROOT,
           "%-20s %12.1f %12.1f %12d %12d%n",
-          row.way(),
+          row.candidate(),
           row.nanos(),
           row.unchangedNanos(),
           row.p999Nanos(),
           row.maxNanos());
-      text.append('"').append(row.way()).append("\",").append(NumberText.text(row.nanos()));
+      text.append('"').append(row.candidate()).append("\",").append(NumberText.text(row.nanos()));
       text.append(',').append(NumberText.text(row.unchangedNanos())).append(',');
       text.append(row.p999Nanos()).append(',').append(row.maxNanos()).append('\n');
     }
@@ -147,14 +155,12 @@ public final class SyncRun {
     AtomicFile.write(file, text);
   }
 
-  private static double median(List<SyncRow> rows, SyncMethod way, double percentile) {
-    double[] values =
+  private static double median(List<SyncRow> rows, SyncMethod method, double percentile) {
+    return Median.of(
         rows.stream()
-            .filter(row -> row.way() == way)
+            .filter(row -> row.method() == method)
             .mapToDouble(row -> row.workMicros(percentile))
-            .sorted()
-            .toArray();
-    return values[values.length / 2];
+            .toArray());
   }
 
   private static void plot(Path file, List<SyncRow> rows) throws IOException {
@@ -164,22 +170,22 @@ public final class SyncRun {
             .height(560)
             .title("A haptic frame that changes the scene (median of the rounds)")
             .xAxisTitle("frames")
-            .yAxisTitle("work at most, microseconds")
+            .yAxisTitle("work up to, microseconds")
             .build();
     chart.getStyler().setYAxisLogarithmic(true);
-    // A bar starts at nothing, which has no logarithm: lines do not.
+    // Bars start at zero, which has no logarithm; lines do not.
     chart.getStyler().setDefaultSeriesRenderStyle(CategorySeriesRenderStyle.Line);
     chart.getStyler().setOverlapped(true);
-    List<String> shares = new ArrayList<>();
+    List<String> labels = new ArrayList<>();
     for (double percentile : PERCENTILES) {
-      shares.add(percentile == 100 ? "all" : NumberText.people(percentile) + " %");
+      labels.add(percentile == 100 ? "all" : NumberText.people(percentile) + " %");
     }
-    for (SyncMethod way : SyncMethod.values()) {
+    for (SyncMethod method : SyncMethod.values()) {
       List<Double> values = new ArrayList<>();
       for (double percentile : PERCENTILES) {
-        values.add(median(rows, way, percentile));
+        values.add(median(rows, method, percentile));
       }
-      chart.addSeries(way.title(), shares, values);
+      chart.addSeries(method.title(), labels, values);
     }
     Figures.save(chart, file);
   }

@@ -27,7 +27,7 @@ import org.palpate.sync.Accumulator;
 import org.palpate.sync.TouchProperties;
 import org.palpate.volume.SegmentedVolume;
 
-/** Runs a haptic loop at 1 kHz that changes a drawn scene by one way. */
+/** Runs a haptic loop at 1 kHz that changes a drawn scene by one method. */
 final class SyncTrial implements AutoCloseable {
   private static final int WIDTH = 640;
   private static final int HEIGHT = 480;
@@ -41,27 +41,27 @@ final class SyncTrial implements AutoCloseable {
   private final OffscreenRenderer picture;
   private long redraws;
 
-  /** Opens a picture of a scene that will be touched. */
+  /** Opens a picture of the touched scene. */
   SyncTrial(ContactScene contact) throws GraphicsException, InterruptedException {
     this.contact = contact;
     SegmentedVolume volume = contact.volume();
     try (SceneLoader loader = new SceneLoader(model, volume, 1)) {
       loader.await(PATIENCE_MS);
     } catch (TimeoutException e) {
-      throw new IllegalStateException("the surface was not made", e);
+      throw new IllegalStateException("the surface was not extracted in time", e);
     }
     model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
     picture = new OffscreenRenderer(WIDTH, HEIGHT, 1);
     picture.draw(model.state());
   }
 
-  /** Runs one way for a while. */
-  SyncRow run(SyncMethod way, int round, double seconds) {
+  /** Runs one method for some seconds. */
+  SyncRow run(SyncMethod method, int round, double seconds) {
     redraws = 0;
     TouchProperties properties = new TouchProperties(new Accumulator());
     PaperSync paper = new PaperSync();
     FramePublisher publisher =
-        switch (way) {
+        switch (method) {
           case NONE -> FramePublisher.NONE;
           case DIRECT -> this::changeAndDraw;
           case PAPER -> paper::publish;
@@ -69,27 +69,27 @@ final class SyncTrial implements AutoCloseable {
         };
     SceneSynchronizer sync = new SceneSynchronizer(properties, contact.grid(), model, List::of);
     Runnable tick =
-        switch (way) {
+        switch (method) {
           case NONE, DIRECT -> () -> {};
           case PAPER -> () -> paper.synchronize(this::change);
           case WAIT_FREE -> sync;
         };
     AtomicReference<RuntimeException> failure = new AtomicReference<>();
     try (DrawingThread drawing =
-            new DrawingThread(way == SyncMethod.DIRECT ? () -> {} : this::draw);
+            new DrawingThread(method == SyncMethod.DIRECT ? () -> {} : this::draw);
         SynchronizationThread ticking = new SynchronizationThread(tick, failure::set)) {
       model.onChange(drawing::request);
       drawing.start();
       ticking.start();
-      SyncRow row = loop(way, round, seconds, publisher);
+      SyncRow row = loop(method, round, seconds, publisher);
       if (failure.get() != null) {
-        throw new IllegalStateException("the scene was not kept up to date", failure.get());
+        throw new IllegalStateException("the scene was not updated", failure.get());
       }
       return row;
     }
   }
 
-  private SyncRow loop(SyncMethod way, int round, double seconds, FramePublisher publisher) {
+  private SyncRow loop(SyncMethod method, int round, double seconds, FramePublisher publisher) {
     SimulatedDevice hand = new SimulatedDevice(SEED, contact.handTarget(), PERIOD_NANOS);
     HapticFrame frame =
         contact.newFrame(
@@ -111,7 +111,7 @@ final class SyncTrial implements AutoCloseable {
       period.recordValue(Math.min(start - last, LONGEST_NANOS));
       last = start;
     }
-    return new SyncRow(way, round, work, period, redraws(), (last - began) / 1e9);
+    return new SyncRow(method, round, work, period, redraws(), (last - began) / 1e9);
   }
 
   private static void awaitUntil(long due) {

@@ -9,15 +9,16 @@ import java.util.concurrent.locks.LockSupport;
 import org.HdrHistogram.Histogram;
 import org.palpate.frame.FramePublisher;
 import org.palpate.geometry.Vec3;
+import org.palpate.loop.Median;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.Property;
 import org.palpate.sync.TouchProperties;
 
 /**
- * What handing the properties of one frame (three positions and contact) to a reader at 30 Hz costs
- * the thread that writes: by nothing, which is what the loop around it takes, by the paper's
- * synchronized accumulators and by wait-free ones, in turns in one run. The reader does nothing
- * with what it takes, so that the hand-over alone is measured.
+ * The cost of publishing the properties of one frame (three positions and contact) to a reader at
+ * 30 Hz, for the writing thread. The candidates alternate: nothing, which is the cost of the loop,
+ * the paper's synchronized accumulators, and wait-free ones. The reader ignores the values, so that
+ * only the publication is measured.
  */
 final class WriteCost {
   private static final int ROUNDS = 9;
@@ -27,63 +28,67 @@ final class WriteCost {
   private static final long LONGEST_NANOS = 10_000_000_000L;
 
   /**
-   * What one way costs.
+   * The cost of one candidate.
    *
-   * @param nanos of a frame whose values changed: median over the rounds, processor time
-   * @param unchangedNanos of a frame whose values did not
-   * @param p999Nanos of single frames, by the clock
-   * @param maxNanos of single frames, by the clock
+   * @param candidate its name
+   * @param nanos a frame whose values changed: processor time, median over the rounds
+   * @param unchangedNanos a frame whose values did not change
+   * @param p999Nanos 99.9th percentile of single frames, by the clock
+   * @param maxNanos maximum of single frames, by the clock
    */
-  record Row(String way, double nanos, double unchangedNanos, long p999Nanos, long maxNanos) {}
+  record Row(
+      String candidate, double nanos, double unchangedNanos, long p999Nanos, long maxNanos) {}
 
   private final Vec3 device = new Vec3();
   private final Vec3 point = new Vec3();
   private final Vec3 force = new Vec3();
 
-  /** A way with its reader. */
-  private record Way(String name, FramePublisher publisher, Runnable reader) {}
+  /** A publisher with its reader. */
+  private record Candidate(String name, FramePublisher publisher, Runnable reader) {}
 
+  /** Measures all candidates. */
   List<Row> measure() throws InterruptedException {
     PaperSync paper = new PaperSync();
-    TouchProperties ours = new TouchProperties(new Accumulator());
-    List<Way> ways =
+    TouchProperties waitFree = new TouchProperties(new Accumulator());
+    List<Candidate> candidates =
         List.of(
-            new Way("nothing", (d, p, f, touching, frame) -> {}, () -> {}),
-            new Way("paper, synchronized", paper::publish, () -> paper.synchronize(WriteCost::no)),
-            new Way("wait-free", ours::publish, () -> takeAll(ours.accumulator())));
-    double[][] changed = new double[ways.size()][ROUNDS];
-    double[][] unchanged = new double[ways.size()][ROUNDS];
-    Histogram[] single = new Histogram[ways.size()];
+            new Candidate("nothing", (d, p, f, touching, frame) -> {}, () -> {}),
+            new Candidate(
+                "paper, synchronized", paper::publish, () -> paper.synchronize(WriteCost::ignore)),
+            new Candidate("wait-free", waitFree::publish, () -> takeAll(waitFree.accumulator())));
+    double[][] changed = new double[candidates.size()][ROUNDS];
+    double[][] unchanged = new double[candidates.size()][ROUNDS];
+    Histogram[] single = new Histogram[candidates.size()];
     Arrays.setAll(single, n -> new Histogram(LONGEST_NANOS, 3));
     for (int round = -WARM_UP_ROUNDS; round < ROUNDS; round++) {
-      for (int n = 0; n < ways.size(); n++) {
-        Way way = ways.get(n);
-        Thread reader = startReader(way.reader());
-        double moving = nanosAFrame(way.publisher(), 1);
-        double resting = nanosAFrame(way.publisher(), 0);
+      for (int n = 0; n < candidates.size(); n++) {
+        Candidate candidate = candidates.get(n);
+        Thread reader = startReader(candidate.reader());
+        double moving = nanosPerFrame(candidate.publisher(), 1);
+        double resting = nanosPerFrame(candidate.publisher(), 0);
         if (round >= 0) {
           changed[n][round] = moving;
           unchanged[n][round] = resting;
-          record(way.publisher(), single[n]);
+          record(candidate.publisher(), single[n]);
         }
         reader.interrupt();
         reader.join();
       }
     }
     List<Row> rows = new ArrayList<>();
-    for (int n = 0; n < ways.size(); n++) {
+    for (int n = 0; n < candidates.size(); n++) {
       rows.add(
           new Row(
-              ways.get(n).name(),
-              median(changed[n]),
-              median(unchanged[n]),
+              candidates.get(n).name(),
+              Median.of(changed[n]),
+              Median.of(unchanged[n]),
               single[n].getValueAtPercentile(99.9),
               single[n].getMaxValue()));
     }
     return rows;
   }
 
-  private static void no(Vec3 device, Vec3 point, Vec3 force, boolean contact) {}
+  private static void ignore(Vec3 device, Vec3 point, Vec3 force, boolean contact) {}
 
   private static void takeAll(Accumulator accumulator) {
     if (accumulator.take()) {
@@ -107,8 +112,8 @@ final class WriteCost {
     return reader;
   }
 
-  /** Processor time of a frame, the values moving by {@code step} from frame to frame. */
-  private double nanosAFrame(FramePublisher publisher, double step) {
+  /** Returns the processor time of a frame whose values change by {@code step} per frame. */
+  private double nanosPerFrame(FramePublisher publisher, double step) {
     ThreadMXBean time = ManagementFactory.getThreadMXBean();
     long began = time.getCurrentThreadCpuTime();
     for (int frame = 0; frame < FRAMES; frame++) {
@@ -130,11 +135,5 @@ final class WriteCost {
     point.set(at, 3, 4);
     force.set(at, 5, 6);
     publisher.publish(device, point, force, true, frame);
-  }
-
-  private static double median(double[] values) {
-    double[] sorted = values.clone();
-    Arrays.sort(sorted);
-    return sorted[sorted.length / 2];
   }
 }

@@ -1,7 +1,7 @@
 /**
- * Measures what handing scene properties to the scene costs, beside the paper's method.
+ * Measures the cost of publishing scene properties to the scene, beside the paper's method.
  *
  * <p>Uses {@code sync} and {@code benchmarks.report}. One writer and one reader thread. Nanoseconds
- * a frame.
+ * per frame.
  */
 package org.palpate.benchmarks.sync;

@@ -24,21 +24,21 @@ class ClosedLoopTest {
   @TempDir private Path folder;
 
   @Test
-  void aBareHandleRestsBelowTheTheorysStiffnessAndShakesAboveIt() {
+  void aBareHandleIsStableBelowTheTheorysStiffnessAndUnstableAboveIt() {
     for (int delay = 0; delay <= 2; delay++) {
       Sampling sampling = new Sampling(1000, delay);
       double passive = sampling.passiveNewtonPerM(BARE.dampingNewtonSecondPerM());
       Trial trial =
           new Trial(BARE, Grip.NONE, sampling, TouchedShape.wall(), StabilityStudy.GUARDED, false);
-      assertTrue(trial.run(passive * 0.7).rests(), "delay=" + delay);
-      assertFalse(trial.run(passive * 1.4).rests(), "delay=" + delay);
+      assertTrue(trial.run(passive * 0.7).stable(), "delay=" + delay);
+      assertFalse(trial.run(passive * 1.4).stable(), "delay=" + delay);
       double largest = StiffnessSearch.largest(trial);
       assertTrue(largest > passive * 0.7 && largest < passive * 1.1, "largest=" + largest);
     }
   }
 
   @Test
-  void everyDevicesDefaultStiffnessRestsWithAMarginOfTwo() {
+  void everyDevicesDefaultStiffnessIsStableWithAMarginOfTwo() {
     List<DeviceRow> rows =
         new StabilityStudy(true, List.of(StabilityStudy.GUARDED), line -> {}).devices();
     for (DeviceModel device : DeviceModel.KNOWN) {
@@ -48,7 +48,7 @@ class ClosedLoopTest {
         .forEach((device, margin) -> assertTrue(margin >= 2, device + " margin=" + margin));
   }
 
-  /** Twice the assumed mass with a quarter of the damping, two fingers, two frames late. */
+  /** Whether the row has twice the assumed mass, a quarter of the damping and a light grip. */
   private static boolean isHeavyAndHardlyDamped(DeviceRow row, DeviceModel device) {
     DeviceModel swept = row.trial().device();
     return swept.name().equals(device.name())
@@ -59,19 +59,19 @@ class ClosedLoopTest {
   }
 
   @Test
-  void theTheoryIsColgatesForNoDelay() {
+  void theBoundIsColgatesWithoutDelay() {
     assertEquals(2 * 3 * 1000, new Sampling(1000, 0).passiveNewtonPerM(3), 1e-9);
     assertEquals(3 * 1000 / 2.5, new Sampling(1000, 2).passiveNewtonPerM(3), 1e-9);
   }
 
   @Test
-  void aForceTakesHoldAfterTheDelayAndStaysForOneFrame() {
+  void aForceActsAfterTheDelayForOneFrame() {
     for (int delay = 0; delay <= 2; delay++) {
       assertEquals(delay + 1, framesUntilPushed(delay), "delay=" + delay);
     }
   }
 
-  /** Pushes once, sideways, in the first frame. */
+  /** Pushes sideways in the first frame and returns the frame in which the handle moves. */
   private static int framesUntilPushed(int delay) {
     Reach reach = new Reach(new Vec3(0, 0, 1), new Vec3(0, 0, -1), 1, 1);
     Plant plant = new Plant(BARE, Grip.NONE, new Sampling(1000, delay), reach, 1);
@@ -87,14 +87,14 @@ class ClosedLoopTest {
   }
 
   @Test
-  void theHandsWishIsSmoothAndItsRateIsItsDerivative() {
+  void theIntendedMotionIsSmoothAndItsRateIsItsDerivative() {
     Reach reach = new Reach(new Vec3(), new Vec3(0, 0, 1), 0.2, 0.5);
     for (double t = 0.001; t < 0.9; t += 0.0137) {
-      double slope = (reach.share(t + 1e-6) - reach.share(t - 1e-6)) / 2e-6;
-      assertEquals(slope, reach.shareRate(t), 1e-5, "t=" + t);
+      double slope = (reach.fraction(t + 1e-6) - reach.fraction(t - 1e-6)) / 2e-6;
+      assertEquals(slope, reach.fractionRate(t), 1e-5, "t=" + t);
     }
-    assertEquals(1, reach.share(0.5));
-    assertEquals(0, reach.share(5));
+    assertEquals(1, reach.fraction(0.5));
+    assertEquals(0, reach.fraction(5));
   }
 
   @Test
@@ -123,18 +123,18 @@ class ClosedLoopTest {
               StabilityStudy.GUARDED,
               true);
       Trial.Outcome outcome = trial.run(200);
-      assertTrue(outcome.rests(), shape.name() + " " + outcome);
+      assertTrue(outcome.stable(), shape.name() + " " + outcome);
       assertTrue(outcome.riseNewtonPerMs() > 0, shape.name() + " " + outcome);
     }
   }
 
   @Test
-  void aClosedMotionLeavesTheSameBitsEveryRound() {
+  void aClosedMotionGivesTheSameBitsInEveryRound() {
     for (Trial.SolverChoice solver : StabilityRun.solvers().subList(0, 2)) {
-      LongRun.Found found = new LongRun(solver, 7).run(20, line -> {});
-      assertEquals(20L * LongRun.ROUND_FRAMES, found.frames());
-      assertEquals(0, found.differingRounds(), solver.name());
-      assertTrue(found.contactFrames() > found.frames() / 10, found.toString());
+      LongRun.Result result = new LongRun(solver, 7).run(20, line -> {});
+      assertEquals(20L * LongRun.ROUND_FRAMES, result.frames());
+      assertEquals(0, result.differingRounds(), solver.name());
+      assertTrue(result.contactFrames() > result.frames() / 10, result.toString());
     }
   }
 
@@ -160,7 +160,7 @@ class ClosedLoopTest {
     assertEquals(Map.of("Touch", 2.5), margins);
     StabilityPlots.plotTheory(folder.resolve("theory.png"), List.of(theory), 2);
     StabilityPlots.plotMargins(folder.resolve("margins.png"), margins);
-    StabilityPlots.plotPlay(folder.resolve("play.png"), List.of(row), "Touch");
+    StabilityPlots.plotExcursion(folder.resolve("play.png"), List.of(row), "Touch");
     assertTrue(Files.size(folder.resolve("play.png")) > 1000);
   }
 }
