@@ -1,7 +1,7 @@
 /**
  * JMH benchmarks of collision, response, volumes, whole frames and native crossings.
  *
- * <p>Uses {@code benchmarks.baseline} and {@code benchmarks.input}. One thread a benchmark unless
+ * <p>Uses {@code benchmarks.baseline} and {@code benchmarks.input}. One thread per benchmark unless
  * its name says otherwise. Grid coordinates; each class states its unit of time.
  */
 package org.palpate.benchmarks;

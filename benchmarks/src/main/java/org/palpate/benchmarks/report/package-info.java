@@ -1,7 +1,6 @@
 /**
- * Draws and saves the charts of the studies.
+ * Draws charts, prints progress lines and describes the machine for all studies.
  *
- * <p>Uses {@code io.file}. Every study uses it, which is why it is a package of its own. Any
- * thread. No units.
+ * <p>Uses {@code io.file}. Any thread. No units.
  */
 package org.palpate.benchmarks.report;
