@@ -20,7 +20,7 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
 
-/** The guarded solver stays at least as close behind the device as the plain twin does. */
+/** The guarded solver stays at least as close to the device as the plain baseline does. */
 class DistanceBehindDeviceTest {
   private static final double MAX_STEP_VOXELS = 8;
   private static final int FRAMES = 4000;
@@ -32,18 +32,18 @@ class DistanceBehindDeviceTest {
     "plane:192, 2", "plane:192, 5", "plane:192, 10",
     "torus:192, 2", "torus:192, 5"
   })
-  void guardedIsNoFartherThanTheTwin(String spec, double depth) {
+  void guardedIsNoFartherThanTheBaseline(String spec, double depth) {
     for (double speed : SPEEDS) {
       assertNoFarther(spec, depth, 1, speed);
     }
   }
 
   /**
-   * Half of the tube deep, the nearest points of all sides are nearly equal, and which one a solver
-   * is caught at in one slide is chance: so the mean of many slides at all speeds.
+   * Compares the means of many slides at all speeds. Half a tube deep, the nearest points of all
+   * sides are almost equally far, and chance decides at which one a solver rests in a single slide.
    */
   @Test
-  void guardedIsNoFartherThanTheTwinHalfOfATubeDeep() {
+  void guardedIsNoFartherThanTheBaselineHalfATubeDeep() {
     assertNoFarther("torus:192", 10, 40, SPEEDS);
   }
 
@@ -52,44 +52,45 @@ class DistanceBehindDeviceTest {
     BitCube bits = phantom.segments().segments().get(0).bits();
     AnalyticSurface truth = phantom.truth().orElseThrow();
     double guarded = 0;
-    double twin = 0;
+    double baseline = 0;
     for (double speed : speeds) {
       for (int n = 0; n < slides; n++) {
         Trajectory slide =
             Trajectories.slide(truth, phantom.edge(), depth, speed, FRAMES, Seeds.seed() + n);
         guarded += meanOfGuarded(bits, slide) / (slides * speeds.length);
-        twin += meanOfTwin(bits, slide) / (slides * speeds.length);
+        baseline += meanOfBaseline(bits, slide) / (slides * speeds.length);
       }
     }
     String what = spec + " depth " + depth + " speeds " + Arrays.toString(speeds);
     assertTrue(
-        guarded <= twin, what + " seed " + Seeds.seed() + ": guarded " + guarded + " twin " + twin);
+        guarded <= baseline,
+        what + " seed " + Seeds.seed() + ": guarded " + guarded + " baseline " + baseline);
   }
 
   private static double meanOfGuarded(BitCube bits, Trajectory slide) {
     GuardedSolver solver = new GuardedSolver(new GridMetric(1, 1, 1), MAX_STEP_VOXELS);
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
+    CollisionScene scene = new CollisionScene(List.of(bits));
     InteractionPoint point = new InteractionPoint();
     slide.position(0, point.position);
     Vec3 device = new Vec3();
     double sum = 0;
     for (int frame = 0; frame < slide.size(); frame++) {
       slide.position(frame, device);
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
       sum += point.position.sub(device, device).length();
     }
     return sum / slide.size();
   }
 
-  private static double meanOfTwin(BitCube bits, Trajectory slide) {
-    PlainBaseline twin = new PlainBaseline(bits, MAX_STEP_VOXELS);
+  private static double meanOfBaseline(BitCube bits, Trajectory slide) {
+    PlainBaseline baseline = new PlainBaseline(bits, MAX_STEP_VOXELS);
     Vec3 device = slide.position(0, new Vec3());
-    twin.place(device.x, device.y, device.z);
+    baseline.place(device.x, device.y, device.z);
     double sum = 0;
     for (int frame = 0; frame < slide.size(); frame++) {
       slide.position(frame, device);
-      twin.frame(device.x, device.y, device.z);
-      sum += new Vec3(twin.x(), twin.y(), twin.z()).sub(device, device).length();
+      baseline.frame(device.x, device.y, device.z);
+      sum += new Vec3(baseline.x(), baseline.y(), baseline.z()).sub(device, device).length();
     }
     return sum / slide.size();
   }

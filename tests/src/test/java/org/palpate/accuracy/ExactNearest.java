@@ -5,8 +5,8 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
- * Which free points are nearest to a device, by looking at every empty voxel of the grid and of a
- * rim of one around it, in decimal fractions without end: nothing is rounded.
+ * Computes the free points nearest to a device exactly. It tests every empty voxel of the grid and
+ * of a rim of one voxel around it in unlimited decimal fractions, without rounding.
  */
 final class ExactNearest {
   private final BitCube bits;
@@ -14,7 +14,9 @@ final class ExactNearest {
   private final BigDecimal[][] squaresMm;
   private BigDecimal leastMm2;
 
-  /** What is nearest to {@code device}, grid coordinates, where a voxel is {@code spacingMm}. */
+  /**
+   * Finds the points nearest to {@code device}, grid coordinates, in voxels of {@code spacingMm}.
+   */
   ExactNearest(BitCube bits, Vec3 spacingMm, Vec3 device) {
     this.bits = bits;
     this.device = device;
@@ -36,7 +38,7 @@ final class ExactNearest {
         });
   }
 
-  /** Whether one of the nearest free points, there may be equals, is within some voxels of p. */
+  /** Whether one of the nearest free points, which may be several, is within some voxels of p. */
   boolean isWithin(Vec3 p, double voxels) {
     BigDecimal most = new BigDecimal(voxels).pow(2);
     boolean[] found = new boolean[1];
@@ -48,7 +50,7 @@ final class ExactNearest {
     return found[0];
   }
 
-  /** Something to be done with a voxel. */
+  /** An action on a voxel. */
   private interface Visitor {
     void visit(int i, int j, int k);
   }
@@ -69,7 +71,7 @@ final class ExactNearest {
     return squaresMm[0][i + 1].add(squaresMm[1][j + 1]).add(squaresMm[2][k + 1]);
   }
 
-  /** From p to the point of the cell that is nearest to the device. */
+  /** Returns the squared distance from p to the point of the voxel nearest to the device. */
   private BigDecimal squareTo(Vec3 p, int i, int j, int k) {
     BigDecimal x = difference(clamp(device.x, i), p.x);
     BigDecimal y = difference(clamp(device.y, j), p.y);
@@ -77,7 +79,7 @@ final class ExactNearest {
     return x.multiply(x).add(y.multiply(y)).add(z.multiply(z));
   }
 
-  /** Exact: the device's own coordinate, or a whole number. */
+  /** Returns the device's own coordinate or an integer, so the result is exact. */
   private static double clamp(double at, int cell) {
     return Math.max(cell, Math.min(cell + 1.0, at));
   }

@@ -13,7 +13,7 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.volume.BitCube;
 
-/** Slits, combs, holes, wires and edges: the force never jumps, whatever the point does. */
+/** The force never jumps over slits, combs, holes, wires and edges, whatever the point does. */
 class ForceContinuityTest {
   private static final int EDGE = 48;
   private static final double STIFFNESS = 0.5;
@@ -25,7 +25,7 @@ class ForceContinuityTest {
   private final Vec3 force = new Vec3();
 
   @Test
-  void slitsOfOneToFiveVoxels() {
+  void theForceIsContinuousOverSlitsOfOneToFiveVoxels() {
     for (int width = 1; width <= 5; width++) {
       int w = width;
       slideOver((i, j, k) -> k < 24 && !(i >= 24 && i < 24 + w));
@@ -33,7 +33,7 @@ class ForceContinuityTest {
   }
 
   @Test
-  void combs() {
+  void theForceIsContinuousOverCombs() {
     for (int width = 1; width <= 6; width++) {
       int w = width;
       slideOver((i, j, k) -> k < 24 && i / w % 2 == 0);
@@ -41,7 +41,7 @@ class ForceContinuityTest {
   }
 
   @Test
-  void holesOfOneToFourVoxels() {
+  void theForceIsContinuousOverHolesOfOneToFourVoxels() {
     for (int width = 1; width <= 4; width++) {
       int w = width;
       slideOver((i, j, k) -> k < 24 && !(i >= 22 && i < 22 + w && j >= 22 && j < 22 + w));
@@ -49,14 +49,14 @@ class ForceContinuityTest {
   }
 
   @Test
-  void wiresAndACheckerboard() {
+  void theForceIsContinuousOverWiresAndACheckerboard() {
     slideOver((i, j, k) -> j == 24 && k == 23);
     slideOver((i, j, k) -> j >= 23 && j < 26 && k >= 21 && k < 24);
     slideOver((i, j, k) -> k < 24 && (i + j + k) % 2 == 0);
   }
 
   @Test
-  void innerAndOuterEdgesOfEveryAngle() {
+  void theForceIsContinuousOverInnerAndOuterEdgesOfEveryAngle() {
     for (int degrees = 20; degrees <= 160; degrees += 20) {
       double slope = StrictMath.tan(StrictMath.toRadians(degrees / 2.0));
       slideOver((i, j, k) -> k < 24 && (24 - k) * slope > Math.abs(i - 23.5));
@@ -86,11 +86,11 @@ class ForceContinuityTest {
   }
 
   private void slide(BitCube bits, double depth, double sideways) {
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
+    CollisionScene scene = new CollisionScene(List.of(bits));
     JudgedSolver solver = new JudgedSolver(new SmoothSolver(UNIT, 8), bits);
     point.position.set(6.1, 24.3, 30);
     device.set(point.position);
-    step(solver, obstacles);
+    step(solver, scene);
     Vec3 last = new Vec3();
     Vec3 lastDevice = new Vec3();
     for (int frame = 0; frame < 700; frame++) {
@@ -101,15 +101,15 @@ class ForceContinuityTest {
           down ? 6.1 : device.x + 0.05,
           down ? 24.3 : device.y + 0.05 * sideways,
           down ? 30 - (6 + depth) * (frame + 1) / 100.0 : device.z);
-      step(solver, obstacles);
+      step(solver, scene);
       double motion = distance(device, lastDevice);
       double most = 1.5 * STIFFNESS * Math.max(0.05, motion);
       assertTrue(distance(force, last) <= most * (1 + 1e-9), "frame " + frame);
     }
   }
 
-  private void step(JudgedSolver solver, CollisionScene obstacles) {
-    solver.follow(obstacles, device, point);
+  private void step(JudgedSolver solver, CollisionScene scene) {
+    solver.follow(scene, device, point);
     contact.compute(point, device, force);
   }
 

@@ -19,7 +19,7 @@ import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.phantom.Phantom;
 
-/** Errors of the smooth solver's force where it knows the grey values. */
+/** Bounds the errors of the smooth solver's force on grey values. */
 class GreyAccuracyTest {
   private static final int EDGE = 192;
   private static final int FRAMES = 3000;
@@ -28,43 +28,43 @@ class GreyAccuracyTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"sphere:64:grey", "plane:64:grey", "torus:64:grey"})
-  void theContrastIsToldByTheValuesAtTheSurface(String spec) {
+  void theContrastIsFoundFromTheValuesAtTheSurface(String spec) {
     GreySolids solid = new GreySolids(Phantom.parse(spec), 0, Seeds.seed());
     double contrast = GreyIsosurface.ofThreshold(solid.volume, Phantom.HALF_GREY).contrast();
     assertEquals(Phantom.HALF_GREY, contrast, 0.15 * Phantom.HALF_GREY, spec);
   }
 
   @Test
-  void aPlaneIsFeltToAThirdOfADegree() {
+  void theForceOnAPlaneIsWithinAThirdOfADegree() {
     check("plane", 0, new double[][] {{2, 0.3, 1}, {5, 0.3, 1}, {10, 0.3, 1}}, 0.02);
   }
 
   @Test
-  void aSphereIsFeltToHalfADegree() {
+  void theForceOnASphereIsWithinHalfADegree() {
     check("sphere", 0, new double[][] {{2, 0.5, 2}, {5, 0.5, 2}, {10, 0.5, 2}}, 0.02);
   }
 
   @Test
-  void aTorusIsFeltToADegree() {
+  void theForceOnATorusIsWithinADegree() {
     check("torus", 0, new double[][] {{2, 0.8, 3}, {5, 0.8, 3}, {10, 1.2, 5}}, 0.03);
   }
 
   @Test
-  void tenPercentOfNoiseIsWithinTwoDegrees() {
+  void tenPercentOfNoiseKeepTheForceWithinTwoDegrees() {
     for (String name : List.of("plane", "sphere", "torus")) {
       check(name, 0.1, new double[][] {{5, 2, 8}}, 0.1);
     }
   }
 
   @Test
-  void anEditIsFeltAgainstTheGreyValues() {
+  void anEditOverridesTheGreyValues() {
     GreySolids solids = new GreySolids(Phantom.parse("plane:64:grey"), 0, SEED);
-    CollisionScene obstacles = new CollisionScene(List.of(solids.bits));
+    CollisionScene scene = new CollisionScene(List.of(solids.bits));
     SmoothSolver solver = solver(solids);
     InteractionPoint point = new InteractionPoint();
     point.position.set(32, 32, 62);
     Vec3 device = new Vec3(32.2, 31.7, 28);
-    follow(solver, obstacles, device, point);
+    follow(solver, scene, device, point);
     double before = point.position.z;
     for (int k = 0; k < 64; k++) {
       for (int n = 0; n < 25; n++) {
@@ -72,18 +72,18 @@ class GreyAccuracyTest {
       }
     }
     solver.reset();
-    follow(solver, obstacles, device, point);
+    follow(solver, scene, device, point);
     assertTrue(point.position.z < before - 1, "before " + before + " now " + point.position);
   }
 
   private static void follow(
-      SmoothSolver solver, CollisionScene obstacles, Vec3 device, InteractionPoint point) {
+      SmoothSolver solver, CollisionScene scene, Vec3 device, InteractionPoint point) {
     for (int frame = 0; frame < 50; frame++) {
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
     }
   }
 
-  /** Each row: depth, the most degrees rms, the most at all. */
+  /** Checks rows of depth, largest rms angle and largest angle, degrees. */
   private static void check(String name, double noise, double[][] rows, double heightStd) {
     Phantom phantom = Phantom.parse(name + ":" + EDGE + ":grey");
     GreySolids solids = new GreySolids(phantom, noise, SEED);

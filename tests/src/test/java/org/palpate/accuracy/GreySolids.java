@@ -7,12 +7,12 @@ import org.palpate.volume.ScalarVolume.Storage;
 import org.palpate.volume.phantom.Phantom;
 import org.palpate.volume.phantom.PhantomSlices;
 
-/** Grey values of a phantom, with noise, and the bits that half of full makes of them. */
+/** Grey values of a phantom with noise, and the bits above half of the full value. */
 final class GreySolids {
   final ScalarVolume volume;
   final BitCube bits;
 
-  /** Adds about normal noise of this share of full to every voxel. */
+  /** Adds almost normal noise, a fraction of the full value, to every voxel. */
   GreySolids(Phantom phantom, double noise, long seed) {
     int edge = phantom.edge();
     volume = ScalarVolume.of(phantom.grid(), Storage.INT16);

@@ -9,7 +9,7 @@ import org.palpate.proxy.ProxySolver;
 import org.palpate.testing.LegJudge;
 import org.palpate.volume.BitCube;
 
-/** A solver whose every leg the exact oracle judges. */
+/** A solver whose every leg is judged by the exact oracle. */
 final class JudgedSolver implements ProxySolver {
   private final ProxySolver solver;
   private final BitCube bits;
@@ -27,11 +27,11 @@ final class JudgedSolver implements ProxySolver {
   }
 
   @Override
-  public void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point) {
+  public void follow(CollisionScene scene, Vec3 device, InteractionPoint point) {
     if (judge == null) {
       judge = new LegJudge(bits, point.position);
     }
-    solver.follow(obstacles, device, point);
+    solver.follow(scene, device, point);
     assertNull(judge.faultOf(point));
   }
 }

@@ -17,18 +17,18 @@ import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
 /**
- * On boxes along the axes the point ends at the free point that is nearest to the device, within a
- * voxel, where the hand came in by the face that is nearest: by the voxels of the whole grid,
- * looked at one by one in exact arithmetic.
+ * The point ends within a voxel of the free point nearest to the device, for axis-aligned boxes and
+ * a hand that enters by the nearest face. The reference tests every voxel of the grid in exact
+ * arithmetic.
  */
 class NearestFreePointTest {
   private static final int EDGE = 30;
   private static final int BOXES = 80;
-  private static final int PLACES = 3;
+  private static final int POSITIONS = 3;
   private static final int FRAMES_TO_REST = 100;
   private static final double ONE_VOXEL = 1;
 
-  /** So near to an edge the smooth solver's surface is rounded. */
+  /** The smooth solver's surface is rounded within this distance of an edge. */
   private static final double ROUNDED_VOXELS = 5;
 
   private static final double MAX_STEP_MM = 8;
@@ -44,37 +44,37 @@ class NearestFreePointTest {
   private int axis;
   private boolean fromAbove;
 
-  /** No nearer to an edge does the device rest. */
+  /** The least distance of the resting device from an edge. */
   private double edgeMm;
 
   @Test
   void guardedEndsAtTheNearestFreePointOfABox() {
     for (int box = 0; box < BOXES; box++) {
       spacingMm = SPACINGS[box % SPACINGS.length];
-      endsWithinAVoxel(metric -> new GuardedSolver(metric, MAX_STEP_MM), 0);
+      assertEndsWithinAVoxel(metric -> new GuardedSolver(metric, MAX_STEP_MM), 0);
     }
   }
 
   @Test
-  void smoothDoesSoButForTheHeightOfItsSurfaceAwayFromEdges() {
+  void smoothEndsThereUpToTheHeightOfItsSurfaceAwayFromEdges() {
     spacingMm = SPACINGS[0];
     edgeMm = ROUNDED_VOXELS;
     for (int box = 0; box < BOXES; box++) {
-      endsWithinAVoxel(metric -> new SmoothSolver(metric, MAX_STEP_MM), 1);
+      assertEndsWithinAVoxel(metric -> new SmoothSolver(metric, MAX_STEP_MM), 1);
     }
   }
 
-  private void endsWithinAVoxel(Function<GridMetric, ProxySolver> maker, double heights) {
-    CollisionScene obstacles = new CollisionScene(List.of(box()));
-    ProxySolver solver = maker.apply(GridMetric.of(spacingMm));
+  private void assertEndsWithinAVoxel(Function<GridMetric, ProxySolver> factory, double heights) {
+    CollisionScene scene = new CollisionScene(List.of(box()));
+    ProxySolver solver = factory.apply(GridMetric.of(spacingMm));
     InteractionPoint point = new InteractionPoint();
-    comeOverTheFace();
+    startAboveTheFace();
     point.position.set(device);
-    for (int place = 0; place < PLACES; place++) {
-      goInside(solver, obstacles, point);
+    for (int place = 0; place < POSITIONS; place++) {
+      pressIn(solver, scene, point);
       double within = ONE_VOXEL + heights * point.surfaceHeightMm;
       assertTrue(
-          new ExactNearest(obstacles.cube(0), spacingMm, device).isWithin(point.position, within),
+          new ExactNearest(scene.cube(0), spacingMm, device).isWithin(point.position, within),
           () -> "box " + low + " " + high + " device " + device + " " + point.position + seed());
     }
   }
@@ -95,7 +95,7 @@ class NearestFreePointTest {
     return bits;
   }
 
-  private void comeOverTheFace() {
+  private void startAboveTheFace() {
     axis = random.nextInt(3);
     fromAbove = random.nextBoolean();
     anywhereInside();
@@ -109,22 +109,22 @@ class NearestFreePointTest {
     }
   }
 
-  /** In some steps straight to where this face is nearest, and rests there. */
-  private void goInside(ProxySolver solver, CollisionScene obstacles, InteractionPoint point) {
+  /** Moves in some steps to a position for which this face is the nearest, and rests there. */
+  private void pressIn(ProxySolver solver, CollisionScene scene, InteractionPoint point) {
     Vec3 from = new Vec3().set(device);
     do {
       anywhereInside();
     } while (!isFaceNearest());
     Vec3 to = new Vec3().set(device);
     int steps = random.nextInt(1, 80);
-    Vec3 way = to.sub(from, new Vec3());
+    Vec3 path = to.sub(from, new Vec3());
     for (int step = 1; step < steps; step++) {
-      from.add(way.mul(step / (double) steps, new Vec3()), device);
-      solver.follow(obstacles, device, point);
+      from.add(path.mul(step / (double) steps, new Vec3()), device);
+      solver.follow(scene, device, point);
     }
     device.set(to);
     for (int frame = 0; frame < FRAMES_TO_REST; frame++) {
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
     }
   }
 

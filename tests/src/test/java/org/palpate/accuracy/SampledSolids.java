@@ -5,7 +5,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.AnalyticSurface;
 
-/** Bits that sample a surface known by formula, with voxels of any size and with noise. */
+/** Makes bits that sample an analytic surface, with voxels of any size and with noise. */
 final class SampledSolids {
   private static final int[][] NEIGHBOURS = {
     {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}
@@ -13,7 +13,7 @@ final class SampledSolids {
 
   private SampledSolids() {}
 
-  /** The voxels whose centres are inside. */
+  /** Returns the voxels whose centres are inside. */
   static BitCube of(AnalyticSurface truth, double edgeMm, Vec3 spacingMm) {
     BitCube bits =
         new BitCube(
@@ -34,14 +34,14 @@ final class SampledSolids {
     return bits;
   }
 
-  /** A copy in which a share of the voxels on either side of the border changed sides. */
-  static BitCube flipped(BitCube bits, double share, long seed) {
+  /** Returns a copy in which a fraction of the voxels at the border is inverted. */
+  static BitCube flipped(BitCube bits, double fraction, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     BitCube noisy = bits.copy();
     for (int k = 0; k < bits.sizeZ(); k++) {
       for (int j = 0; j < bits.sizeY(); j++) {
         for (int i = 0; i < bits.sizeX(); i++) {
-          if (isBorder(bits, i, j, k) && random.nextDouble() < share) {
+          if (isBorder(bits, i, j, k) && random.nextDouble() < fraction) {
             flip(noisy, i, j, k);
           }
         }

@@ -6,17 +6,17 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
- * A way of the device below the outer surface of a scan, in one slice: the longest arc around the
- * middle of the solids along which rays from outside meet a surface without a gap, with solid
- * enough behind it and in the slices beside it. The surface is smoothed along the arc, so that the
- * way has no stairs of its own. Positions in grid coordinates.
+ * A slide of the device below the outer surface of a scan, in one slice. It follows the longest arc
+ * around the middle of the solids on which rays from outside meet the surface without a gap and
+ * with enough solid behind it and in the adjacent slices. The surface is smoothed along the arc, so
+ * that the slide has no steps of its own. Grid coordinates.
  */
 final class ScanSlide {
-  /** Between two rays on the arc. */
+  /** The distance between two rays on the arc. */
   private static final double RAY_STEP_MM = 0.25;
 
-  /** A farther step from ray to ray is a gap. */
-  private static final double MOST_JUMP_MM = 2.5;
+  /** A larger step between two rays is a gap. */
+  private static final double MAX_JUMP_MM = 2.5;
 
   private static final double SMOOTHING_MM = 6;
   private static final double MARCH_MM = 0.05;
@@ -24,7 +24,7 @@ final class ScanSlide {
   private static final double STEP_MM = 0.2;
   private static final int SLICE_STEP = 4;
 
-  /** More than the depth, so that the surface is the nearest way out. */
+  /** Additional solid around the device, so that the surface is the nearest free point. */
   private static final double BESIDE_MM = 2;
 
   private final BitCube bits;
@@ -43,7 +43,7 @@ final class ScanSlide {
     farthestMm = Math.hypot(bits.sizeX() * spacing.x, bits.sizeY() * spacing.y) / 2;
   }
 
-  /** The device, frame by frame: an approach from outside, then the slide. */
+  /** Returns the device positions: an approach from outside, then the slide. */
   static List<Vec3> below(BitCube bits, Vec3 spacing, double depthMm) {
     ScanSlide slide = new ScanSlide(bits, spacing, depthMm);
     Arc best = null;
@@ -51,10 +51,10 @@ final class ScanSlide {
       Arc arc = slide.longestArc(k);
       best = best == null || arc.radii.size() > best.radii.size() ? arc : best;
     }
-    return slide.way(best);
+    return slide.positions(best);
   }
 
-  /** Radii from ray to ray, from an angle on, in the middle of a slice. */
+  /** The radii of successive rays from an angle on, in the middle of a slice. */
   private record Arc(int slice, double fromAngle, double angleStep, List<Double> radii) {}
 
   private Arc longestArc(int slice) {
@@ -64,7 +64,7 @@ final class ScanSlide {
     List<Double> run = new ArrayList<>();
     for (int ray = 0; ray < rays; ray++) {
       double radius = radius(slice, ray * angleStep);
-      if (!run.isEmpty() && !(Math.abs(radius - run.get(run.size() - 1)) <= MOST_JUMP_MM)) {
+      if (!run.isEmpty() && !(Math.abs(radius - run.get(run.size() - 1)) <= MAX_JUMP_MM)) {
         run = new ArrayList<>();
       }
       if (radius > 0) {
@@ -76,7 +76,7 @@ final class ScanSlide {
     return best;
   }
 
-  /** Where the ray from outside meets the first solid, mm from the middle; 0 where it does not. */
+  /** Returns the distance from the middle to the first solid from outside, mm; 0 if none. */
   private double radius(int slice, double angle) {
     double x = StrictMath.cos(angle);
     double y = StrictMath.sin(angle);
@@ -94,7 +94,7 @@ final class ScanSlide {
     return bits.get(i, j, slice);
   }
 
-  /** Whether it is solid down to where the device will be, there and some way up and down. */
+  /** Whether it is solid down to the device's depth, in this slice and in the adjacent ones. */
   private boolean isThick(double radiusMm, double x, double y, int slice) {
     int beside = (int) Math.ceil((depthMm + BESIDE_MM) / spacing.z);
     for (double r = radiusMm - BESIDE_MM; r > radiusMm - depthMm - BESIDE_MM; r -= 0.5) {
@@ -107,23 +107,23 @@ final class ScanSlide {
     return true;
   }
 
-  private List<Vec3> way(Arc arc) {
-    List<Vec3> way = new ArrayList<>();
+  private List<Vec3> positions(Arc arc) {
+    List<Vec3> positions = new ArrayList<>();
     double[] radii = smoothed(arc.radii);
     for (double above = APPROACH_MM; above > -depthMm; above -= STEP_MM / 2) {
-      way.add(at(arc, 0, radii[0] + above));
+      positions.add(at(arc, 0, radii[0] + above));
     }
-    Vec3 last = way.get(way.size() - 1);
+    Vec3 last = positions.get(positions.size() - 1);
     for (int ray = 0; ray < radii.length; ray++) {
       Vec3 next = at(arc, ray, radii[ray] - depthMm);
       int steps = (int) Math.ceil(distanceMm(last, next) / STEP_MM);
       for (int step = 1; step <= steps; step++) {
-        way.add(next.sub(last, new Vec3()).mul(step / (double) steps, new Vec3()));
-        way.get(way.size() - 1).add(last, way.get(way.size() - 1));
+        positions.add(next.sub(last, new Vec3()).mul(step / (double) steps, new Vec3()));
+        positions.get(positions.size() - 1).add(last, positions.get(positions.size() - 1));
       }
       last = next;
     }
-    return way;
+    return positions;
   }
 
   private double distanceMm(Vec3 a, Vec3 b) {

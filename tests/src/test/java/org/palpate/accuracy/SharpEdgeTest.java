@@ -11,13 +11,13 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.volume.BitCube;
 
-/** Edges sharper than the kernel are felt near their place: where the force would be zero. */
+/** An edge sharper than the kernel is felt near its position, which is where the force vanishes. */
 class SharpEdgeTest {
   private static final int EDGE = 64;
   private static final double MIDDLE = 32;
   private static final GridMetric UNIT = new GridMetric(1, 1, 1);
 
-  /** Distances of the two sides of the edge from the middle, off the grid. */
+  /** The distances of the two sides of the edge from the middle, off the grid. */
   private static final double SIDE_U = 12.3;
 
   private static final double SIDE_V = 11.7;
@@ -35,21 +35,21 @@ class SharpEdgeTest {
     }
   }
 
-  /** Slides around the edge inside the cube; the largest distance of what is felt from truth. */
+  /** Slides around the edge inside the cube; returns the largest error of the felt position. */
   private double slideAround(double turn, double depth) {
     double cosine = StrictMath.cos(turn);
     double sine = StrictMath.sin(turn);
-    CollisionScene obstacles = new CollisionScene(List.of(cube(cosine, sine)));
+    CollisionScene scene = new CollisionScene(List.of(cube(cosine, sine)));
     SmoothSolver solver = new SmoothSolver(UNIT, 8);
     point.position.set(MIDDLE + 20 * cosine, MIDDLE + 20 * sine, MIDDLE);
     double corner = SIDE_V - depth;
     double worst = 0;
     for (int frame = 0; frame < 900; frame++) {
-      double way = 0.03 * frame;
-      double u = SIDE_U - depth - Math.max(0, way - corner);
-      double v = Math.min(way, corner);
+      double distance = 0.03 * frame;
+      double u = SIDE_U - depth - Math.max(0, distance - corner);
+      double v = Math.min(distance, corner);
       device.set(MIDDLE + cosine * u - sine * v, MIDDLE + sine * u + cosine * v, MIDDLE + 0.2);
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
       if (frame > 60) {
         worst = Math.max(worst, Math.abs(feltOutside(cosine, sine)));
       }
@@ -57,7 +57,7 @@ class SharpEdgeTest {
     return worst;
   }
 
-  /** The signed distance from the cube's surface to where the force would be zero. */
+  /** Returns the signed distance from the cube's surface to the point where the force vanishes. */
   private double feltOutside(double cosine, double sine) {
     Vec3 pull = point.position.sub(device, new Vec3());
     double length = pull.length();

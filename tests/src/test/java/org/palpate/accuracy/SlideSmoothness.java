@@ -11,42 +11,43 @@ import org.palpate.proxy.ProxySolver;
 import org.palpate.volume.BitCube;
 
 /**
- * What a slide feels like where no truth is known: along a way to its end and back again, at a
- * stiffness of 1 N/mm, without friction.
+ * The smoothness of a slide without a known truth: along positions to their end and back, with a
+ * stiffness of 1 N/mm and without friction.
  *
- * @param change root mean square of the force's change over that of the device's motion, from frame
- *     to frame
+ * @param change root mean square of the force's change per frame, relative to the device's motion
  * @param worstChange the largest such ratio
- * @param stuckMm the longest way of the device on which the point stayed within a tenth of a voxel
- * @param asymmetry root mean square difference of the forces there and back at the same place of
- *     the device, over their mean length
- * @param contactShare frames of the slide in contact
+ * @param stuckMm the longest motion of the device in which the point stayed within a tenth of a
+ *     voxel
+ * @param asymmetry root mean square difference of the forces in both directions at the same device
+ *     position, relative to their mean length
+ * @param contactFraction the fraction of frames with contact
  */
 record SlideSmoothness(
-    double change, double worstChange, double stuckMm, double asymmetry, double contactShare) {
+    double change, double worstChange, double stuckMm, double asymmetry, double contactFraction) {
 
-  /** Frames at either end that are not compared: the point is still on its way. */
+  /** Frames at either end that are not compared, because the point still approaches. */
   private static final int SETTLING = 60;
 
-  private static final double STAYS_VOXELS = 0.1;
+  private static final double STUCK_VOXELS = 0.1;
 
-  static SlideSmoothness of(ProxySolver solver, BitCube bits, GridMetric metric, List<Vec3> way) {
-    return new Meter(solver, bits, metric, way).measure();
+  static SlideSmoothness of(
+      ProxySolver solver, BitCube bits, GridMetric metric, List<Vec3> positions) {
+    return new Meter(solver, bits, metric, positions).measure();
   }
 
   /** One run. */
   private static final class Meter {
     private final ProxySolver solver;
-    private final CollisionScene obstacles;
+    private final CollisionScene scene;
     private final GridMetric metric;
-    private final List<Vec3> way;
+    private final List<Vec3> positions;
     private final ContactForce contact;
     private final InteractionPoint point = new InteractionPoint();
     private final Vec3 force = new Vec3();
     private final Vec3 lastForce = new Vec3();
-    private final Vec3 heldAt = new Vec3(Double.NaN, 0, 0);
+    private final Vec3 stuckAt = new Vec3(Double.NaN, 0, 0);
     private Vec3 last;
-    private double heldMm;
+    private double stillMm;
     private double stuckMm;
     private double squaredChange;
     private double squaredMotion;
@@ -54,24 +55,24 @@ record SlideSmoothness(
     private int contacts;
     private int frames;
 
-    Meter(ProxySolver solver, BitCube bits, GridMetric metric, List<Vec3> way) {
+    Meter(ProxySolver solver, BitCube bits, GridMetric metric, List<Vec3> positions) {
       this.solver = solver;
       this.metric = metric;
-      this.way = way;
-      obstacles = new CollisionScene(List.of(bits));
+      this.positions = positions;
+      scene = new CollisionScene(List.of(bits));
       contact = new ContactForce(metric, ForceSettings.of(1, 0));
     }
 
     SlideSmoothness measure() {
       solver.reset();
-      last = way.get(0);
+      last = positions.get(0);
       point.position.set(last);
-      Vec3[] there = new Vec3[way.size()];
-      Vec3[] back = new Vec3[way.size()];
-      for (int n = 0; n < way.size(); n++) {
+      Vec3[] there = new Vec3[positions.size()];
+      Vec3[] back = new Vec3[positions.size()];
+      for (int n = 0; n < positions.size(); n++) {
         frame(n, there);
       }
-      for (int n = way.size() - 1; n >= 0; n--) {
+      for (int n = positions.size() - 1; n >= 0; n--) {
         frame(n, back);
       }
       return new SlideSmoothness(
@@ -83,11 +84,11 @@ record SlideSmoothness(
     }
 
     private void frame(int n, Vec3[] forces) {
-      Vec3 device = way.get(n);
-      solver.follow(obstacles, device, point);
+      Vec3 device = positions.get(n);
+      solver.follow(scene, device, point);
       contact.compute(point, device, force);
       forces[n] = new Vec3().set(force);
-      if (n > SLIDE_BEGINS && n < way.size() - 1) {
+      if (n > SLIDE_BEGINS && n < positions.size() - 1) {
         count(metric.distance(last.x, last.y, last.z, device.x, device.y, device.z));
       }
       last = device;
@@ -102,14 +103,14 @@ record SlideSmoothness(
       squaredMotion += motionMm * motionMm;
       worst = Math.max(worst, motionMm > 0 ? change / motionMm : 0);
       Vec3 p = point.position;
-      double from = metric.distance(heldAt.x, heldAt.y, heldAt.z, p.x, p.y, p.z);
-      if (from < STAYS_VOXELS * metric.shortestEdgeMm()) {
-        heldMm += motionMm;
+      double from = metric.distance(stuckAt.x, stuckAt.y, stuckAt.z, p.x, p.y, p.z);
+      if (from < STUCK_VOXELS * metric.shortestEdgeMm()) {
+        stillMm += motionMm;
       } else {
-        heldAt.set(p);
-        heldMm = 0;
+        stuckAt.set(p);
+        stillMm = 0;
       }
-      stuckMm = Math.max(stuckMm, heldMm);
+      stuckMm = Math.max(stuckMm, stillMm);
     }
 
     private static double asymmetry(Vec3[] there, Vec3[] back) {
@@ -126,6 +127,6 @@ record SlideSmoothness(
     }
   }
 
-  /** Frames of the approach. */
+  /** The number of frames of the approach. */
   private static final int SLIDE_BEGINS = 100;
 }

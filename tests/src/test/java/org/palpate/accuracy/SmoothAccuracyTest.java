@@ -16,7 +16,7 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
 
-/** Errors of the smooth solver's force; they do not depend on the machine. */
+/** Bounds the errors of the smooth solver's force, which do not depend on the machine. */
 class SmoothAccuracyTest {
   private static final int EDGE = 192;
   private static final int FRAMES = 4000;
@@ -53,7 +53,7 @@ class SmoothAccuracyTest {
   }
 
   @Test
-  void theForceChangesAboutAsMuchAsTheSurfaceMakesIt() {
+  void theForceChangesAboutAsMuchAsTheSurfaceRequires() {
     assertTrue(measure("sphere", 5, 0.3).forceChange() < 1.25);
     assertTrue(measure("torus", 5, 0.3).forceChange() < 1.15);
   }
@@ -68,7 +68,7 @@ class SmoothAccuracyTest {
   }
 
   @Test
-  void tenPercentOfTheBorderFlippedIsHardlyFelt() {
+  void tenPercentOfInvertedBorderVoxelsHardlyChangeTheForce() {
     for (String name : List.of("plane", "sphere", "torus")) {
       AnalyticSurface truth = Phantom.parse(name + ":" + EDGE).truth().orElseThrow();
       BitCube noisy = SampledSolids.flipped(SampledSolids.of(truth, EDGE, CUBES), 0.1, SEED);
@@ -78,7 +78,7 @@ class SmoothAccuracyTest {
   }
 
   @Test
-  void voxelsTwiceAsTallKeepWithinTwiceTheAngles() {
+  void voxelsTwiceAsTallAtMostDoubleTheAngles() {
     Vec3 tall = new Vec3(1, 1, 2);
     check(measureSampled("plane", tall, 5), 1, 2, 0.1, 0.03);
     check(measureSampled("sphere", tall, 5), 3, 12, 0.1, 0.03);
@@ -124,7 +124,7 @@ class SmoothAccuracyTest {
     assertEquals(0, accuracy.lostFrames(), accuracy::toString);
   }
 
-  /** The inside of a ball with a wall of some thickness, felt from the cavity. */
+  /** The inside of a ball with a wall of some thickness, touched from the cavity. */
   private record Cavity(AnalyticSurface ball, double wallMm) implements AnalyticSurface {
     @Override
     public double signedDistance(Vec3 point) {

@@ -1,2 +1,2 @@
-/** How true the forces of the solvers are, on surfaces known by formula. */
+/** Tests of the accuracy of the solvers' forces, on analytic surfaces and on scans. */
 package org.palpate.accuracy;

@@ -13,11 +13,11 @@ import java.util.List;
 import org.palpate.app.PalpateCommandLine;
 
 /**
- * What a command did.
+ * The result of a command.
  *
- * @param exitCode of the process
- * @param out standard output
- * @param err standard error
+ * @param exitCode the exit code of the process
+ * @param out the standard output
+ * @param err the standard error
  */
 record CommandRun(int exitCode, String out, String err) {
 
@@ -34,7 +34,7 @@ record CommandRun(int exitCode, String out, String err) {
         exitCode, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
   }
 
-  /** The command line that runs a command in a JVM of its own. */
+  /** Returns the command line that runs a command in a JVM of its own. */
   static ProcessBuilder inOwnJvm(Path javaHome, List<String> jvmOptions, Object... arguments) {
     List<String> command = new ArrayList<>();
     command.add(javaHome.resolve("bin").resolve("java").toString());
@@ -60,18 +60,19 @@ record CommandRun(int exitCode, String out, String err) {
     return java.util.Arrays.stream(arguments).map(Object::toString).toList();
   }
 
+  /** Asserts that the command succeeded. */
   CommandRun mustSucceed() {
     assertEquals(0, exitCode, () -> "exit code; standard error was: " + err);
     return this;
   }
 
-  /** The one line that a refusal prints. */
+  /** Asserts that the command refused its input, and returns the one line that it printed. */
   String mustRefuse() {
     assertEquals(2, exitCode, () -> "exit code; standard error was: " + err);
     assertEquals(1, err.lines().count(), () -> "lines on standard error: " + err);
     String line = err.strip();
     assertTrue(line.matches("palpate: .+: .+: .+"), () -> "not in three parts: " + line);
-    assertTrue(!line.contains("Exception"), () -> "speaks of Java: " + line);
+    assertTrue(!line.contains("Exception"), () -> "names a Java class: " + line);
     return line;
   }
 }

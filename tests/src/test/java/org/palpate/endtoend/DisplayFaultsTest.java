@@ -16,8 +16,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.platform.XServer;
 
-/** Whatever befalls the display, the session goes on and says so in one line. */
-@EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: there is no X here")
+/** Whatever fails at the display, the session continues and reports it in one line. */
+@EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: no X11 on this system")
 class DisplayFaultsTest {
   private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
   private static final List<String> SMALL = List.of("-Xmx512m");
@@ -39,7 +39,7 @@ class DisplayFaultsTest {
     return folder.resolve("r.json");
   }
 
-  private void assertItTouched(CommandRun run, String line) throws IOException {
+  private void assertTouchedAndPrinted(CommandRun run, String line) throws IOException {
     run.mustSucceed();
     assertEquals(1, run.out().lines().filter(each -> each.contains(line)).count(), run.out());
     assertTrue(Long.parseLong(FlatJson.read(report()).get("/frames")) > 0, run.out());
@@ -50,12 +50,13 @@ class DisplayFaultsTest {
     try (XServer display = XServer.start()) {
       ProcessBuilder old = session(display.display());
       old.environment().put("MESA_GL_VERSION_OVERRIDE", "2.1");
-      assertItTouched(CommandRun.waitFor(old), "no window (the graphics driver has no OpenGL 3.3)");
+      assertTouchedAndPrinted(
+          CommandRun.waitFor(old), "no window (the graphics driver has no OpenGL 3.3)");
     }
   }
 
   @Test
-  void aPictureWithoutOpenGl3IsRefusedInOneLine() throws Exception {
+  void renderingWithoutOpenGl3IsRefusedInOneLine() throws Exception {
     try (XServer display = XServer.start()) {
       ProcessBuilder old =
           on(
@@ -74,18 +75,19 @@ class DisplayFaultsTest {
 
   @Test
   void aDisplayThatDoesNotAnswerLeavesTheSessionWithoutAWindow() throws Exception {
-    assertItTouched(CommandRun.waitFor(session(":6553")), "no window (");
+    assertTouchedAndPrinted(CommandRun.waitFor(session(":6553")), "no window (");
   }
 
   @Test
   void withoutADisplayTheSessionRunsAndTheMouseIsRefused() throws Exception {
     ProcessBuilder blind = session("");
-    assertItTouched(CommandRun.waitFor(blind), "there is no display: goes on without a window");
+    assertTouchedAndPrinted(
+        CommandRun.waitFor(blind), "there is no display: goes on without a window");
     CommandRun.waitFor(on("", "touch", "--device", "mouse")).mustRefuse();
   }
 
   @Test
-  void aDisplayThatGoesAwayLeavesTheSessionToItsEndWithReportAndRecording() throws Exception {
+  void aLostDisplayLetsTheSessionEndWithReportAndRecording() throws Exception {
     Path recording = folder.resolve("t.csv");
     Path out = folder.resolve("out.txt");
     Process process;
@@ -97,13 +99,13 @@ class DisplayFaultsTest {
               .start();
       await(process, () -> draws(process.pid()));
     }
-    // Xlib notices that it is gone, or the driver does, where it was just drawing.
+    // Either Xlib detects the loss, or the driver does if it is drawing.
     await(process, () -> Files.readString(out).contains("the session goes on without it"));
-    process.destroy(); // asks, as Ctrl-C does
-    assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "it hangs");
+    process.destroy(); // SIGTERM, as Ctrl-C is SIGINT
+    assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "the process does not end");
     assertEquals(0, process.exitValue(), Files.readString(out));
-    assertTrue(Files.readString(out).contains("in contact"), "it said what was measured");
-    assertTrue(Files.readAllLines(recording).size() > 1, "the recording is whole");
+    assertTrue(Files.readString(out).contains("in contact"), "the measurements are printed");
+    assertTrue(Files.readAllLines(recording).size() > 1, "the recording is complete");
   }
 
   private interface Condition {
@@ -115,10 +117,10 @@ class DisplayFaultsTest {
     while (!condition.holds() && System.nanoTime() < end && process.isAlive()) {
       Thread.onSpinWait();
     }
-    assertTrue(condition.holds(), "it did not come to that");
+    assertTrue(condition.holds(), "the condition never held");
   }
 
-  /** Whether the process has its thread that draws. */
+  /** Whether the process has its drawing thread. */
   private static boolean draws(long process) throws IOException {
     try (DirectoryStream<Path> threads =
         Files.newDirectoryStream(Path.of("/proc/" + process + "/task"))) {
@@ -135,7 +137,7 @@ class DisplayFaultsTest {
     try {
       return Files.readString(thread.resolve("comm"));
     } catch (NoSuchFileException e) {
-      return ""; // ended meanwhile
+      return ""; // the thread has ended
     }
   }
 }

@@ -35,14 +35,16 @@ import org.palpate.testing.LegJudge;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
-/** What the attack finds lies in files that {@code replay} takes, and fails there again. */
+/**
+ * A failing case of the attack is saved in files that {@code replay} reads, and fails there too.
+ */
 class FailedCaseReplayTest {
   private static final long ENOUGH_FRAMES = 1_000_000;
 
   @TempDir private Path folder;
 
   @Test
-  void aCaseThatBreaksTheListingAsPrintedBreaksItInReplayAndGuardedDoesNot() throws IOException {
+  void aCaseThatBreaksThePaperSolverBreaksItInReplayToo() throws IOException {
     SolverFactory paper =
         judgedByLegs(
             (metric, maxStepMm) ->
@@ -50,12 +52,12 @@ class FailedCaseReplayTest {
                     new SampledRayCaster(1), metric, maxStepMm, BorderVoxels.onTheFly()));
     attack(paper).write(folder, "paper");
     BitCube bits = solids();
-    assertTrue(touchingLegs(bits, "paper") > 0, "the saved case breaks nothing");
+    assertTrue(touchingLegs(bits, "paper") > 0, "the saved case does not fail");
     assertTrue(touchingLegs(bits, "guarded") == 0, "guarded breaks on the saved case");
   }
 
   @Test
-  void aCaseThatBreaksAnInjectedFaultBreaksItAgainFromItsFiles() throws IOException {
+  void aCaseThatBreaksAnInjectedFaultBreaksItFromItsFilesToo() throws IOException {
     FailedCase failed = attack(judgedByLegs(LeapingSolver::new));
     failed.write(folder, "guarded");
     assertTrue(failed.scene().bits().solidCount() <= 4, failed.summary());
@@ -65,15 +67,15 @@ class FailedCaseReplayTest {
     assertTrue(touchingLegs(bits, "guarded") == 0, "guarded breaks on the saved case");
   }
 
-  private static FailedCase attack(SolverFactory maker) {
+  private static FailedCase attack(SolverFactory factory) {
     FailedCase failed =
-        new StressRun(Seeds.seed(), maker)
+        new StressRun(Seeds.seed(), factory)
             .untilFrames(new StressTotals(), ENOUGH_FRAMES, now -> {});
     assertNotNull(failed, "the attack found nothing");
     return failed;
   }
 
-  /** A solver of which the guarantee alone is asked. */
+  /** Returns a factory whose solver is checked only for the guarantee. */
   private static SolverFactory judgedByLegs(SolverFactory solver) {
     return new SolverFactory() {
       @Override
@@ -102,7 +104,7 @@ class FailedCaseReplayTest {
         .bits();
   }
 
-  /** Runs the command that was saved, with this solver; how many legs of it touch a solid. */
+  /** Runs the saved command with a solver and returns the number of legs that touch a solid. */
   private int touchingLegs(BitCube bits, String solver) throws IOException {
     List<Object> arguments = new ArrayList<>();
     String[] saved = Files.readString(folder.resolve("replay.txt")).trim().split(" ", -1);
@@ -129,7 +131,7 @@ class FailedCaseReplayTest {
   }
 
   private String fault(BitCube bits, ProxySolver solver) throws IOException {
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
+    CollisionScene scene = new CollisionScene(List.of(bits));
     InteractionPoint point = new InteractionPoint();
     LegJudge judge = null;
     for (double[] row : rows("device.csv")) {
@@ -138,7 +140,7 @@ class FailedCaseReplayTest {
         point.position.set(device);
         judge = new LegJudge(bits, device);
       }
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
       String fault = judge.faultOf(point);
       if (fault != null) {
         return fault;
@@ -147,7 +149,7 @@ class FailedCaseReplayTest {
     return null;
   }
 
-  /** The guarded solver with a fault: in the third frame of a contact it leaps to the device. */
+  /** The guarded solver with a fault: in the third frame of a contact it jumps to the device. */
   private static final class LeapingSolver implements ProxySolver {
     private final GuardedSolver guarded;
     private int contacts;
@@ -157,8 +159,8 @@ class FailedCaseReplayTest {
     }
 
     @Override
-    public void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point) {
-      guarded.follow(obstacles, device, point);
+    public void follow(CollisionScene scene, Vec3 device, InteractionPoint point) {
+      guarded.follow(scene, device, point);
       contacts = point.contact ? contacts + 1 : 0;
       if (contacts == 3) {
         Vec3 p = point.position;

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** A JSON object as paths and values: {@code /segments/0/voxels} is {@code 336108}. */
+/** Reads a JSON object as paths and values: {@code /segments/0/voxels} is {@code 336108}. */
 final class FlatJson {
   private FlatJson() {}
 

@@ -42,7 +42,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void tellsWhereTheBoneOfTheHeadLies() throws IOException {
+  void reportsTheBoundsOfTheHeadsBone() throws IOException {
     CommandRun run =
         CommandRun.of(
                 "info",
@@ -55,14 +55,14 @@ class InfoCommandTest {
   }
 
   @Test
-  void neverRefusesForWantOfASegment() {
+  void neverRefusesAVolumeWithoutASegment() {
     CommandRun run =
         CommandRun.of("info", "--volume", TestFiles.scan("CThead/CThead_u16gz.nrrd")).mustSucceed();
     assertTrue(run.out().contains("--segment"), run.out());
   }
 
   @Test
-  void givesALabelVolumeASegmentALabel() throws IOException {
+  void makesASegmentOfEachLabel() throws IOException {
     Path report = folder.resolve("r.json");
     CommandRun.of("info", "--phantom", "head:64", "--report", report).mustSucceed();
     Map<String, String> json = FlatJson.read(report);
@@ -72,7 +72,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void givesAMaskOneSegment() throws IOException {
+  void makesOneSegmentOfAMask() throws IOException {
     Path volume = TestFiles.nrrd(folder.resolve("mask.nrrd"), 20, v -> v[2] < 5 ? 255 : 0);
     Path report = folder.resolve("r.json");
     CommandRun.of("info", "--volume", volume, "--report", report).mustSucceed();
@@ -96,7 +96,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void readsRawFilesAsTheyAreDescribed() throws IOException {
+  void readsRawFilesByTheirDescription() throws IOException {
     byte[] bytes = new byte[4 * 5 * 6 * 2];
     bytes[2 * 7] = 6; // 1536, big-endian
     Path raw = Files.write(folder.resolve("v.raw"), bytes);
@@ -119,7 +119,7 @@ class InfoCommandTest {
   }
 
   @Test
-  void refusesFilesThatAreEmptyTruncatedOrLie() throws IOException {
+  void refusesEmptyTruncatedAndInconsistentFiles() throws IOException {
     byte[] whole = TestFiles.nrrdBytes(20, v -> v[0] & 1);
     String lie =
         "NRRD0004\ntype: double\ndimension: 3\nsizes: 10000 10000 10000\nencoding: raw\n\n";

@@ -11,15 +11,15 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 
 /**
- * A session through the kernel's own HID core, in a virtual machine under software emulation; some
- * two minutes, so only where {@code -Dpalpate.nightly=qemu} asks for it.
+ * Runs a session through the kernel's own HID core, in an emulated virtual machine. It takes about
+ * two minutes and therefore runs only with {@code -Dpalpate.nightly=qemu}.
  */
 class KernelHidTest {
   private static final Path SCRIPT =
       Path.of("..", "native", "src", "test", "sh", "touch-uhid-in-qemu.sh");
 
   @Test
-  void aDeviceThatTheKernelMakesIsListedRefusedAndTouched() throws Exception {
+  void aDeviceOfTheKernelIsListedRefusedAndTouched() throws Exception {
     Assumptions.assumeTrue(
         "qemu".equals(System.getProperty("palpate.nightly")),
         "skipped: the kernel's uhid in qemu: ./palpate test -Dpalpate.nightly=qemu");

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Every option that says how a volume is read, and what is written of it. */
+/** Tests every option that controls how a volume is read, and the files that are exported. */
 class ReadingOptionsTest {
   @TempDir private Path folder;
 
@@ -33,7 +33,7 @@ class ReadingOptionsTest {
   }
 
   @Test
-  void aFileOfSeveralStepsAsksWhichOneAndOneOfOneStepRefusesOthers() throws IOException {
+  void aFileOfSeveralStepsNeedsAChoiceAndAFileOfOneStepRefusesOthers() throws IOException {
     Path many = TestFiles.scan("formats/nifti/functional.nii");
     assertTrue(
         CommandRun.of("info", "--volume", many)
@@ -47,12 +47,12 @@ class ReadingOptionsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"--time=1", "--series=1", "--resample", "--raw=4x4x4:u8:1,1,1"})
-  void whatSaysHowToReadWantsAFile(String option) {
+  void aReadingOptionWithoutAFileIsRefused(String option) {
     assertTrue(CommandRun.of("info", option).mustRefuse().contains("without a file"));
   }
 
   @Test
-  void seriesChoosesOneOfAFolder() throws IOException {
+  void seriesChoosesOneSeriesOfAFolder() throws IOException {
     Path files = TestFiles.scan("formats/dicom");
     for (String name : new String[] {"CT_small.dcm", "MR_small.dcm"}) {
       Files.copy(files.resolve(name), folder.resolve(name));
@@ -74,7 +74,7 @@ class ReadingOptionsTest {
   }
 
   @Test
-  void resampleMakesTheSliceThatIsMissingAndSaysSo() throws IOException {
+  void resampleInterpolatesTheMissingSliceAndReportsIt() throws IOException {
     Path all = TestFiles.scan("LIDC/dicom_10slices");
     try (Stream<Path> files = Files.list(all).sorted()) {
       for (Path file : files.toList()) {
@@ -114,7 +114,7 @@ class ReadingOptionsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"bone.nrrd", "bone.nii", "bone.nii.gz"})
-  void exportWritesASegmentThatReadsBackToTheVoxel(String name) throws IOException {
+  void anExportedSegmentReadsBackToTheVoxel(String name) throws IOException {
     Path written = folder.resolve(name);
     CommandRun.of(
             "info",
@@ -139,7 +139,7 @@ class ReadingOptionsTest {
   }
 
   @Test
-  void exportNeverHarmsWhatIsRead() throws IOException {
+  void exportNeverOverwritesItsInput() throws IOException {
     Path volume = TestFiles.nrrd(folder.resolve("v.nrrd"), 8, v -> v[0] & 1);
     byte[] before = Files.readAllBytes(volume);
     CommandRun.of("info", "--volume", volume, "--export", volume).mustRefuse();
@@ -149,7 +149,7 @@ class ReadingOptionsTest {
   }
 
   @Test
-  void labelsAreNamedByTheTableBesideThem() throws IOException {
+  void labelsAreNamedByTheTableBesideTheFile() throws IOException {
     Path volume = TestFiles.nrrd(folder.resolve("jaws.nrrd"), 8, v -> v[2] < 4 ? 7 : 9);
     Files.writeString(
         folder.resolve("jaws.ctbl"), "7 lower_jaw 1 2 3 255\n9 upper_jaw 4 5 6 255\n");
@@ -159,7 +159,7 @@ class ReadingOptionsTest {
   }
 
   @Test
-  void saysHowTheSlicesLieInThePatient() {
+  void reportsTheOrientationOfTheSlicesInThePatient() {
     String out =
         CommandRun.of("info", "--volume", TestFiles.scan("labels/HN-Atlas-labels.nrrd"))
             .mustSucceed()

@@ -27,7 +27,7 @@ class ReplayCommandTest {
   private Path trajectory;
 
   @BeforeEach
-  void walk() throws IOException {
+  void makeTrajectory() throws IOException {
     trajectory = TestFiles.trajectory(folder.resolve("t.csv"), 400, 48, 20130701);
   }
 
@@ -104,21 +104,21 @@ class ReplayCommandTest {
   }
 
   @Test
-  void aMaterialOfTheOneSegmentIsFeltLikeTheSameForAll() throws IOException {
-    replayInReach("--stiffness", 1.25, "--friction", 0.4, "--out", file("a"));
-    replayInReach("--material", "sphere=stiffness:1.25,friction:0.4", "--out", file("b"));
+  void aMaterialOfTheOnlySegmentEqualsTheOptionsForAll() throws IOException {
+    replayWithLongSteps("--stiffness", 1.25, "--friction", 0.4, "--out", file("a"));
+    replayWithLongSteps("--material", "sphere=stiffness:1.25,friction:0.4", "--out", file("b"));
     assertArrayEquals(Files.readAllBytes(file("a")), Files.readAllBytes(file("b")));
   }
 
   @Test
-  void aSofterMaterialPushesLess() throws IOException {
-    replayInReach("--out", file("a"));
-    replayInReach("--material", "sphere=stiffness:0.1", "--out", file("b"));
+  void aSofterMaterialGivesASmallerForce() throws IOException {
+    replayWithLongSteps("--out", file("a"));
+    replayWithLongSteps("--material", "sphere=stiffness:0.1", "--out", file("b"));
     assertEquals(largestForce("a") / 5, largestForce("b"), 1e-9);
   }
 
-  /** With w_max so long that the point lags behind the device in contact alone. */
-  private void replayInReach(Object... more) {
+  /** Uses a long w_max, so that the point lags behind the device only in contact. */
+  private void replayWithLongSteps(Object... more) {
     List<Object> arguments = new ArrayList<>(List.of("--max-step", "100"));
     arguments.addAll(List.of(more));
     replay(arguments.toArray()).mustSucceed();
@@ -133,7 +133,7 @@ class ReplayCommandTest {
   }
 
   @Test
-  void legsAreOneChainThatEndsWhereEachFrameEnds() throws IOException {
+  void legsFormOneChainThatEndsAtEachFramesPoint() throws IOException {
     replay("--coordinates", "grid", "--out", file("f"), "--legs", file("l")).mustSucceed();
     double[][] frames = rows(file("f"));
     double[][] legs = rows(file("l"));
@@ -153,7 +153,7 @@ class ReplayCommandTest {
   }
 
   @Test
-  void theForceIsTheSpringToTheDeviceWithoutFriction() throws IOException {
+  void theForceIsThatOfTheSpringWithoutFriction() throws IOException {
     replay("--solver", "guarded", "--out", file("f"), "--friction", "0", "--stiffness", "2")
         .mustSucceed();
     int contacts = 0;
@@ -167,7 +167,7 @@ class ReplayCommandTest {
   }
 
   @Test
-  void noForceIsLongerThanMaxForceAndOnlyThatLimits() throws IOException {
+  void maxForceIsTheOnlyLimitOfTheForce() throws IOException {
     replay("--out", file("f"), "--max-force", "0.75").mustSucceed();
     double longest = 0;
     for (double[] row : rows(file("f"))) {
@@ -177,19 +177,19 @@ class ReplayCommandTest {
   }
 
   @Test
-  void worldAndGridAgreeWhereTheyAreTheSame() throws IOException {
+  void worldAndGridAgreeIfTheyAreTheSame() throws IOException {
     replay("--out", file("world")).mustSucceed();
     replay("--out", file("grid"), "--coordinates", "grid").mustSucceed();
     double[][] world = rows(file("world"));
     double[][] grid = rows(file("grid"));
     assertEquals(world.length, grid.length);
     for (int n = 0; n < world.length; n++) {
-      assertArrayEquals(grid[n], world[n], 1e-11, "but for rounding on the way, row " + n);
+      assertArrayEquals(grid[n], world[n], 1e-11, "up to rounding, row " + n);
     }
   }
 
   @Test
-  void worldPositionsArePutOnTheGridByTheFilesAxes() throws IOException {
+  void worldPositionsAreMappedToTheGridByTheFilesAxes() throws IOException {
     Path volume = TestFiles.nrrd(file("v.nrrd"), 24, v -> v[2] < 12 ? 1 : 0);
     // z of the surface is 30 (centre of voxel 0) - 1 (half a voxel) + 12 * 2
     Path down =
@@ -215,9 +215,9 @@ class ReplayCommandTest {
   }
 
   @Test
-  void startsInASolidAtTheCentreOfTheNearestEmptyVoxelWithTheForceRamped() throws IOException {
+  void aStartInASolidMovesToTheNearestEmptyVoxelAndRampsTheForce() throws IOException {
     Path volume = TestFiles.nrrd(file("v.nrrd"), 24, v -> v[2] < 12 ? 1 : 0);
-    // in grid coordinates the nearest empty centre is straight up; metric, though z is 2 mm a voxel
+    // In grid coordinates the nearest empty centre is straight up; also in mm, with 2 mm along z.
     Path inside =
         Files.writeString(
             file("in.csv"), "t_ms,x,y,z\n0,12.5,12.5,10.5\n1,12.5,12.5,10.5\n400,12.5,12.5,10.5\n");
@@ -255,7 +255,7 @@ class ReplayCommandTest {
         "x,y,z\\n1,2,3 | t_ms",
         "t_ms,x,y,z | no sample",
       })
-  void refusesTrajectoriesWithTheirLine(String text, String expected) throws IOException {
+  void refusesAWrongTrajectoryWithItsLine(String text, String expected) throws IOException {
     Path bad = Files.writeString(file("bad.csv"), text.replace("\\n", "\n"));
     String line =
         CommandRun.of("replay", "--phantom", "sphere:48", "--trajectory", bad).mustRefuse();
@@ -263,7 +263,7 @@ class ReplayCommandTest {
   }
 
   @Test
-  void meetsARawDeviceAsALiveSessionWould() throws IOException {
+  void treatsARawDeviceAsALiveSessionDoes() throws IOException {
     StringBuilder text = new StringBuilder("t_ms,x,y,z\n");
     for (int n = 0; n < 120; n++) {
       String x = n >= 40 && n < 80 ? "NaN" : "24";
@@ -294,7 +294,7 @@ class ReplayCommandTest {
   }
 
   @Test
-  void reportsWhatTheContractNames() throws IOException {
+  void reportsTheFieldsOfTheContract() throws IOException {
     replay("--report", file("r"), "--repeat", "4").mustSucceed();
     Map<String, String> json = FlatJson.read(file("r"));
     assertEquals("400", json.get("/frames"));
@@ -339,7 +339,7 @@ class ReplayCommandTest {
   }
 
   @Test
-  void aFailureLeavesTheTargetAsItWas() throws IOException {
+  void aFailureLeavesTheTargetUnchanged() throws IOException {
     Path target = Files.writeString(file("f"), "precious");
     Path bad = Files.writeString(file("bad.csv"), "t_ms,x,y,z\n0,1,2,3\n1,NaN,2,3\n");
     CommandRun.of("replay", "--phantom", "sphere:48", "--trajectory", bad, "--out", target)

@@ -9,11 +9,11 @@ import java.util.SplittableRandom;
 import java.util.function.ToIntFunction;
 import org.junit.jupiter.api.Assumptions;
 
-/** Small files that tests make, and the folder of real scans. */
+/** Makes small test files, and finds real scans. */
 final class TestFiles {
   private TestFiles() {}
 
-  /** A file of the folder of real scans; the test is skipped, and says so, where it is absent. */
+  /** Returns a file of the folder of real scans, or skips the test if it does not exist. */
   static Path scan(String name) {
     Path file = Path.of(System.getProperty("palpate.data", "../shared/data"), name);
     Assumptions.assumeTrue(
@@ -21,11 +21,12 @@ final class TestFiles {
     return file;
   }
 
-  /** An NRRD file of bytes, x fastest, spacing 1, 1, 2. */
+  /** Writes an NRRD file of bytes, x fastest, spacing 1, 1, 2. */
   static Path nrrd(Path file, int edge, ToIntFunction<int[]> value) throws IOException {
     return Files.write(file, nrrdBytes(edge, value));
   }
 
+  /** Returns the bytes of such a file. */
   static byte[] nrrdBytes(int edge, ToIntFunction<int[]> value) {
     byte[] header =
         ("NRRD0004\ntype: uint8\ndimension: 3\nsizes: "
@@ -46,7 +47,7 @@ final class TestFiles {
     return bytes;
   }
 
-  /** A seeded walk through a cube of an edge in mm, some of its steps long. */
+  /** Writes a seeded random trajectory through a cube, with some long steps; the edge is in mm. */
   static Path trajectory(Path file, int frames, double edgeMm, long seed) throws IOException {
     SplittableRandom random = new SplittableRandom(seed);
     StringBuilder text = new StringBuilder("t_ms,x,y,z\n");

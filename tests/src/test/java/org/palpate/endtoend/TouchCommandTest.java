@@ -21,7 +21,7 @@ class TouchCommandTest {
   @TempDir private Path folder;
 
   @Test
-  void aSegmentWithoutVoxelsIsTold() {
+  void aSegmentWithoutVoxelsIsReported() {
     CommandRun run =
         CommandRun.of(
             "touch",
@@ -37,7 +37,7 @@ class TouchCommandTest {
   }
 
   @Test
-  void aSessionTouchesAndReportsWhatTheContractNames() throws IOException {
+  void aSessionTouchesAndReportsTheFieldsOfTheContract() throws IOException {
     Path report = folder.resolve("r.json");
     CommandRun.of(
             "touch", "--phantom", "head:64", "--headless", "--seconds", "3", "--report", report)
@@ -76,7 +76,7 @@ class TouchCommandTest {
   }
 
   @Test
-  void whatItRecordsReplayReads() throws IOException {
+  void replayReadsWhatTouchRecords() throws IOException {
     Path recording = folder.resolve("t.csv");
     CommandRun.of(
             "touch",
@@ -97,7 +97,7 @@ class TouchCommandTest {
   }
 
   @Test
-  void endsWhenTheRecordingOfAReplayDeviceEnds() throws IOException {
+  void endsWithTheRecordingOfAReplayDevice() throws IOException {
     Path trajectory = TestFiles.trajectory(folder.resolve("t.csv"), 200, 48, 3);
     Path report = folder.resolve("r.json");
     CommandRun.of(
@@ -114,7 +114,8 @@ class TouchCommandTest {
   }
 
   @Test
-  void aSignalEndsItWithItsReportWrittenAndExitCodeZero() throws IOException, InterruptedException {
+  void aSignalEndsTheSessionWithItsReportAndExitCodeZero()
+      throws IOException, InterruptedException {
     Path report = folder.resolve("r.json");
     Path recording = folder.resolve("t.csv");
     Process process =
@@ -138,7 +139,7 @@ class TouchCommandTest {
       line = lines.readLine();
     }
     process.destroy(); // SIGTERM, as Ctrl-C is SIGINT
-    assertTrue(process.waitFor(60, TimeUnit.SECONDS), "it did not end");
+    assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process does not end");
     assertEquals(0, process.exitValue());
     assertEquals("stopped", FlatJson.read(report).get("/end"));
     assertTrue(Files.exists(recording));

@@ -19,13 +19,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Commands with a hand-built device that the unmodified hidapi finds behind umockdev; its firmware
- * says at the end what it felt. What {@code native/src/test/sh/touch-virtual-device.sh} does.
+ * Runs commands with a hand-built device that the unmodified hidapi finds behind umockdev. Its
+ * firmware prints at the end the forces that it received. {@code
+ * native/src/test/sh/touch-virtual-device.sh} does the same.
  */
 class VirtualHidTest {
   private static final Path DEVICE = Path.of("..", "native", "target", "cmake-tests", "umock_hid");
   private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
-  private static final Pattern FELT =
+  private static final Pattern FIRMWARE_LINE =
       Pattern.compile(
           "umock_hid: .* (\\d+) forces, .* (\\d+) with a push, largest (\\d+) mN, .* (\\d+) mN at"
               + " the end");
@@ -40,14 +41,14 @@ class VirtualHidTest {
   }
 
   @Test
-  void hidapiListsIt() throws Exception {
+  void hidapiListsTheDevice() throws Exception {
     String out = run("", "devices").out();
     assertTrue(out.contains("libhidapi-hidraw.so.0"), out);
     assertTrue(out.contains("SN0001  Virtual hand-built device"), out);
   }
 
   @Test
-  void aSessionTouchesThroughItAndLeavesItWithoutForce() throws Exception {
+  void aSessionTouchesThroughTheDeviceAndLeavesItWithoutForce() throws Exception {
     Path report = folder.resolve("r.json");
     CommandRun run =
         run(
@@ -72,7 +73,7 @@ class VirtualHidTest {
   }
 
   @Test
-  void aKeyDrawsForceWhileItIsWatched() throws Exception {
+  void aKeyRequestsForceWhileTheDeviceIsWatched() throws Exception {
     Path report = folder.resolve("r.json");
     CommandRun run =
         run("\n", "devices", "--watch", "hid:SN0001", "--seconds", "4", "--report", report);
@@ -82,22 +83,22 @@ class VirtualHidTest {
     String samples = FlatJson.read(report).get("/samples");
     assertTrue(run.out().contains("\n" + samples + " samples"), run.out());
     Matcher felt = felt(run.err());
-    // A tenth of its maximum; less where this machine held the watch up.
+    // A tenth of its maximum; less if this machine delayed the watch.
     int largest = Integer.parseInt(felt.group(3));
     assertTrue(largest > 0 && largest <= 600, run.err());
     assertEquals("0", felt.group(4), run.err());
   }
 
   @Test
-  void aSerialThatIsNotThereIsAnsweredWithTheOneThatIs() throws Exception {
+  void anUnknownSerialIsRefusedWithTheKnownOne() throws Exception {
     CommandRun run = start("", "touch", "--device", "hid:SN9", "--headless");
     assertEquals(1, run.exitCode(), run.err());
     assertTrue(run.err().contains("use one of SN0001"), run.err());
   }
 
   private static Matcher felt(String err) {
-    Matcher felt = FELT.matcher(err);
-    assertTrue(felt.find(), "the device said nothing: " + err);
+    Matcher felt = FIRMWARE_LINE.matcher(err);
+    assertTrue(felt.find(), "the device printed nothing: " + err);
     assertTrue(Integer.parseInt(felt.group(1)) > 0, err);
     return felt;
   }
@@ -106,7 +107,7 @@ class VirtualHidTest {
     return start(keys, arguments).mustSucceed();
   }
 
-  /** The device, which runs the command; keys are pressed once the hand has come to hold still. */
+  /** Starts the device, which runs the command, and presses keys after the hand was held still. */
   private static CommandRun start(String keys, Object... arguments)
       throws IOException, InterruptedException {
     ProcessBuilder own = CommandRun.inOwnJvm(JAVA_HOME, List.of(), arguments);
@@ -123,7 +124,7 @@ class VirtualHidTest {
       boolean pressed = keys.isEmpty();
       for (String line = lines.readLine(); line != null; line = lines.readLine()) {
         out.append(line).append('\n');
-        // The force is let in within a second after it went on.
+        // The force is enabled within a second after it is switched on.
         if (!pressed && line.contains("samples/s") && !line.contains("hold it still")) {
           pressed = out.toString().lines().filter(said -> said.contains("samples/s")).count() > 9;
           if (pressed) {

@@ -87,7 +87,7 @@ class WrongUseTest {
 
   @ParameterizedTest
   @MethodSource("wrongArguments")
-  void isToldInOneLineWithExitCodeTwo(String arguments) {
+  void wrongUseIsReportedInOneLineWithExitCodeTwo(String arguments) {
     CommandRun.of((Object[]) arguments.split(" ")).mustRefuse();
   }
 
@@ -114,8 +114,8 @@ class WrongUseTest {
   }
 
   @Test
-  @EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: has no file that is always full")
-  void aFullDiskIsToldWithTheFileThatWasToBe() {
+  @EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: no /dev/full on this system")
+  void aFullDiskIsReportedWithTheFile() {
     CommandRun run = CommandRun.of("info", "--phantom", "sphere:16", "--report", "/dev/full");
     assertEquals(1, run.exitCode());
     assertTrue(
@@ -133,7 +133,7 @@ class WrongUseTest {
   }
 
   @Test
-  void anInputIsNeverWritten() throws IOException {
+  void anInputIsNeverOverwritten() throws IOException {
     Path volume = TestFiles.nrrd(folder.resolve("v.nrrd"), 16, v -> v[0] > 8 ? 1 : 0);
     Path trajectory = TestFiles.trajectory(folder.resolve("t.csv"), 20, 16, 1);
     byte[] volumeBytes = Files.readAllBytes(volume);
@@ -150,7 +150,7 @@ class WrongUseTest {
   }
 
   @Test
-  void intensitiesAreRefusedWithValuesToChooseFrom() throws IOException {
+  void intensitiesWithoutASegmentAreRefusedWithAProposal() throws IOException {
     Path volume =
         TestFiles.nrrd(
             folder.resolve("grey.nrrd"), 24, v -> (v[0] * 7 + v[1] * 3 + v[2] * 5) % 251);

@@ -36,19 +36,19 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * A thread edits two segments while frames run: voxels, balls, swaps of a whole segment, the same
- * for a seed; when each of them comes is the scheduler's affair. Every leg is judged by the bits as
- * they were in its frame, and in the end the bits are those of a twin that was edited at once.
+ * A thread edits two segments while frames run: voxels, balls and swaps of a whole segment. The
+ * edits depend only on the seed, their times on the scheduler. Every leg is judged by the bits of
+ * its frame; at the end the bits equal those of cubes that were edited at once.
  */
 class ConcurrentEditsTest {
   private static final int EDGE = 32;
   private static final int FLOOR = 8;
   private static final int EDITS = 6_000;
 
-  /** Before an edit is offered, so that they come while the hand touches. */
-  private static final int FRAMES_AN_EDIT = 4;
+  /** Frames before each edit is offered, so that edits come while the hand touches. */
+  private static final int FRAMES_PER_EDIT = 4;
 
-  private static final int LEAST_FRAMES = EDITS * FRAMES_AN_EDIT;
+  private static final int MIN_FRAMES = EDITS * FRAMES_PER_EDIT;
   private static final long MS = 1_000_000;
   private static final double STIFFNESS = 0.5;
   private static final double FRICTION = 0.2;
@@ -58,8 +58,8 @@ class ConcurrentEditsTest {
   private static final VoxelGrid GRID = VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE);
 
   private final EditQueue queue = new EditQueue(GRID, 2);
-  private final CollisionScene obstacles = new CollisionScene(List.of(floor(), ceiling()));
-  private final List<BitCube> twins = new ArrayList<>(List.of(floor(), ceiling()));
+  private final CollisionScene scene = new CollisionScene(List.of(floor(), ceiling()));
+  private final List<BitCube> expected = new ArrayList<>(List.of(floor(), ceiling()));
   private final Ray ray = new Ray();
   private final Vec3 at = new Vec3();
   private final AtomicLong framesRun = new AtomicLong();
@@ -70,24 +70,24 @@ class ConcurrentEditsTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void everyLegIsFreeOfTheBitsOfItsFrameAndNoEditIsTornOrLost(boolean smooth)
+  void noLegTouchesTheBitsOfItsFrameAndNoEditIsTornOrLost(boolean smooth)
       throws InterruptedException {
     frame = frame(smooth ? new SmoothSolver(METRIC, 8) : new GuardedSolver(METRIC, 8));
     List<Edit> edits = edits(new SplittableRandom(Seeds.seed()));
     Thread editor = new Thread(() -> offer(edits), "editor");
     editor.start();
-    for (long n = 0; n < LEAST_FRAMES || queue.completed() < EDITS; n++) {
+    for (long n = 0; n < MIN_FRAMES || queue.done() < EDITS; n++) {
       runFrame(n, !smooth);
       framesRun.lazySet(n);
     }
     editor.join();
     assertTrue(frame.release());
-    assertEquals(freed, frame.statistics().freed());
-    assertTrue(freed > 10, "solids came to the point: freed=" + freed);
+    assertEquals(freed, frame.counts().freed());
+    assertTrue(freed > 10, "edits put solids at the point: freed=" + freed);
     assertTrue(legs > 1000, "legs=" + legs);
     assertEquals(EDITS, queue.completed());
     for (int segment = 0; segment < 2; segment++) {
-      assertNotTorn(twins.get(segment), obstacles.cube(segment));
+      assertNotTorn(expected.get(segment), scene.cube(segment));
     }
     System.out.println(
         (smooth ? "smooth" : "guarded")
@@ -103,7 +103,7 @@ class ConcurrentEditsTest {
 
   private void offer(List<Edit> edits) {
     for (int n = 0; n < edits.size(); n++) {
-      while (framesRun.get() < (long) n * FRAMES_AN_EDIT || !queue.offer(edits.get(n))) {
+      while (framesRun.get() < (long) n * FRAMES_PER_EDIT || !queue.offer(edits.get(n))) {
         Thread.onSpinWait();
       }
     }
@@ -114,7 +114,7 @@ class ConcurrentEditsTest {
         new SimulatedDevice(
             Seeds.seed(), HandTarget.ofBox(new Vec3(12, 12, 4), new Vec3(20, 20, 14), 1), MS),
         solver,
-        obstacles,
+        scene,
         METRIC,
         new FrameSettings(
             ForceSettings.of(STIFFNESS, FRICTION),
@@ -139,8 +139,8 @@ class ConcurrentEditsTest {
       assertEquals(0, frame.forceNewton().length(), where);
     }
     judgeLegs(newChain, where);
-    assertTrue(at.sameBits(p) || newChain, () -> "the point left its chain, " + where);
-    assertFalse(obstacles.touches(p.x, p.y, p.z), where);
+    assertTrue(at.sameBits(p) || newChain, () -> "the chain of legs is broken, " + where);
+    assertFalse(scene.touches(p.x, p.y, p.z), where);
     if (springAlone) {
       assertRamped(number, where);
     }
@@ -154,21 +154,21 @@ class ConcurrentEditsTest {
       ray.to(path.end(leg, 0), path.end(leg, 1), path.end(leg, 2));
       boolean chained = at.sameBits(new Vec3(ray.fromX, ray.fromY, ray.fromZ));
       assertTrue(chained || (newChain && leg == 0), () -> "a broken chain, " + where);
-      assertFalse(ExactOracle.touchesAny(obstacles.cube(0), ray), where);
-      assertFalse(ExactOracle.touchesAny(obstacles.cube(1), ray), where);
+      assertFalse(ExactOracle.touchesAny(scene.cube(0), ray), where);
+      assertFalse(ExactOracle.touchesAny(scene.cube(1), ray), where);
       at.set(ray.toX, ray.toY, ray.toZ);
     }
   }
 
-  /** The force after the point was set free is no more than its share of spring and friction. */
+  /** Asserts that the force after a release is at most the ramped spring and friction. */
   private void assertRamped(long number, String where) {
-    double share = Math.min(1, (number * MS - freedNanos) / (double) RAMP_NANOS);
+    double fraction = Math.min(1, (number * MS - freedNanos) / (double) RAMP_NANOS);
     Vec3 behind = frame.point().position.sub(frame.sample().positionMm, new Vec3());
     double whole = STIFFNESS * behind.length() * (1 + FRICTION);
     double force = frame.forceNewton().length();
     assertTrue(
-        force <= Math.min(MAX_FORCE, share * whole) * (1 + 1e-9) + 1e-12,
-        () -> "force " + force + " of " + whole + " share " + share + ", " + where);
+        force <= Math.min(MAX_FORCE, fraction * whole) * (1 + 1e-9) + 1e-12,
+        () -> "force " + force + " of " + whole + " share " + fraction + ", " + where);
   }
 
   private List<Edit> edits(SplittableRandom random) {
@@ -192,7 +192,7 @@ class ConcurrentEditsTest {
     int j = random.nextInt(EDGE);
     int k = random.nextInt(EDGE);
     boolean solid = random.nextBoolean();
-    put(twins.get(segment), i, j, k, solid);
+    put(expected.get(segment), i, j, k, solid);
     return new VoxelEdit(segment, i, j, k, solid);
   }
 
@@ -204,7 +204,7 @@ class ConcurrentEditsTest {
             4 + 12 * random.nextDouble());
     double radius = 4 * random.nextDouble();
     boolean solid = random.nextInt(3) == 0;
-    BitCube twin = twins.get(segment);
+    BitCube expectedBits = expected.get(segment);
     for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
       int i = n % EDGE;
       int j = n / EDGE % EDGE;
@@ -212,7 +212,7 @@ class ConcurrentEditsTest {
       double square =
           METRIC.squaredDistance(centre.x, centre.y, centre.z, i + 0.5, j + 0.5, k + 0.5);
       if (square <= radius * radius) {
-        put(twin, i, j, k, solid);
+        put(expectedBits, i, j, k, solid);
       }
     }
     return new BrushEdit(segment, centre, radius, solid);
@@ -223,7 +223,7 @@ class ConcurrentEditsTest {
     for (int n = 0; n < 300; n++) {
       fresh.set(random.nextInt(EDGE), random.nextInt(EDGE), random.nextInt(EDGE));
     }
-    twins.set(segment, fresh.copy());
+    expected.set(segment, fresh.copy());
     return new SwapEdit(segment, fresh);
   }
 
@@ -253,8 +253,8 @@ class ConcurrentEditsTest {
     return bits;
   }
 
-  /** Word by word the twin's bits, and a level above that tells which words are not 0. */
-  private static void assertNotTorn(BitCube twin, BitCube bits) {
+  /** Asserts that both cubes have the same words and that the level above marks those not 0. */
+  private static void assertNotTorn(BitCube expectedBits, BitCube bits) {
     long solids = 0;
     for (int z = 0; z < bits.bricksZ(); z++) {
       for (int y = 0; y < bits.bricksY(); y++) {
@@ -262,7 +262,7 @@ class ConcurrentEditsTest {
           String where = "brick " + x + "," + y + "," + z + " seed " + Seeds.seed();
           long word = bits.brick(x, y, z);
           solids += Long.bitCount(word);
-          assertEquals(twin.brick(x, y, z), word, where);
+          assertEquals(expectedBits.brick(x, y, z), word, where);
           boolean marked = (bits.block(x >> 2, y >> 2, z >> 2) >>> BitCube.bit(x, y, z) & 1) != 0;
           assertEquals(word != 0, marked, where);
         }

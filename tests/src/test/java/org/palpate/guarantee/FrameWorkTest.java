@@ -11,24 +11,24 @@ import org.palpate.benchmarks.stress.StressSession.Attacked;
 import org.palpate.benchmarks.stress.WorkStudy;
 import org.palpate.testing.Seeds;
 
-/** The work of a frame at the default w_max, in steps, which no machine changes. */
+/** Bounds the work of a frame at the default w_max, in work units that no machine changes. */
 class FrameWorkTest {
-  private static final int MOST_TIMES_A_SLIDE = 20;
+  private static final int MAX_RATIO_TO_A_SLIDE = 20;
   private static final int CASES = 500;
   private static final int JUMPS = 20_000;
 
   @ParameterizedTest
   @EnumSource
-  void noFrameIsMoreThanTwentyTimesTheWorkOfOneThatSlides(Attacked solver) {
+  void noFrameNeedsMoreThanTwentyTimesTheWorkOfASlidingFrame(Attacked solver) {
     List<WorkStudy.Row> rows = rows(solver);
     long sliding = median(rows, WorkStudy.SLIDING);
-    assertTrue(sliding > 10, "what a frame reads is counted: " + rows);
+    assertTrue(sliding > 10, "the words that a frame reads are counted: " + rows);
     for (WorkStudy.Row row : rows) {
       assertTrue(
-          row.worst() <= MOST_TIMES_A_SLIDE * sliding,
+          row.worst() <= MAX_RATIO_TO_A_SLIDE * sliding,
           () -> row + " sliding " + sliding + " seed " + Seeds.seed());
     }
-    System.out.println("steps of " + solver + ": " + rows);
+    System.out.println("work units of " + solver + ": " + rows);
   }
 
   @Test

@@ -20,7 +20,7 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
-/** Counts what the legs of a simulated session do that the guarantee forbids. */
+/** Counts violations of the guarantee by the legs of a simulated session. */
 final class SessionLegs implements ReplayRun.FrameSink {
   private static final long PERIOD_NANOS = 1_000_000;
 
@@ -38,13 +38,13 @@ final class SessionLegs implements ReplayRun.FrameSink {
     cubes = volume.segments().stream().map(Segment::bits).toArray(BitCube[]::new);
   }
 
-  /** Runs a seeded hand over a volume. */
+  /** Runs a session of a seeded hand over a volume. */
   static SessionLegs of(SegmentedVolume volume, SolverKind solver, long seed, int frames)
       throws IOException {
     return of(volume, solver, Optional.empty(), seed, frames);
   }
 
-  /** The same over the grey values that the volume's one segment was made of. */
+  /** Runs the session over the grey values from which the volume's one segment was made. */
   static SessionLegs of(
       SegmentedVolume volume,
       SolverKind solver,
@@ -61,9 +61,9 @@ final class SessionLegs implements ReplayRun.FrameSink {
             OptionalDouble.empty(),
             OptionalDouble.empty());
     ContactScene scene = new ContactScene(volume, settings, grey);
-    SessionLegs counted = new SessionLegs(volume);
-    new ReplayRun(scene, hand(scene, seed, frames), true, false).run(counted);
-    return counted;
+    SessionLegs session = new SessionLegs(volume);
+    new ReplayRun(scene, hand(scene, seed, frames), true, false).run(session);
+    return session;
   }
 
   private static Trajectory hand(ContactScene scene, long seed, int frames) {
@@ -101,12 +101,12 @@ final class SessionLegs implements ReplayRun.FrameSink {
   private void judge(int frame, int leg) {
     if (chained && !end.sameBits(new Vec3(ray.fromX, ray.fromY, ray.fromZ))) {
       brokenChains++;
-      note("starts elsewhere", frame, leg);
+      recordFault("starts elsewhere", frame, leg);
     }
     for (BitCube cube : cubes) {
       if (ExactOracle.touchesAny(cube, ray)) {
         legsThroughSolids++;
-        note("touches a solid", frame, leg);
+        recordFault("touches a solid", frame, leg);
         break;
       }
     }
@@ -114,31 +114,35 @@ final class SessionLegs implements ReplayRun.FrameSink {
     chained = true;
   }
 
-  private void note(String what, int frame, int leg) {
+  private void recordFault(String what, int frame, int leg) {
     if (firstFault.isEmpty()) {
       firstFault = "frame " + frame + " leg " + leg + " " + what + ": " + ray;
     }
   }
 
+  /** Returns the number of legs. */
   long legs() {
     return legs;
   }
 
+  /** Returns the number of frames with contact. */
   long contactFrames() {
     return contactFrames;
   }
 
-  /** Legs that touch a closed solid voxel. */
+  /** Returns the number of legs that touch a closed solid voxel. */
   long legsThroughSolids() {
     return legsThroughSolids;
   }
 
-  /** Legs that do not start, or frames that do not end, where the leg before ended. */
+  /**
+   * Returns the number of legs that do not start, or frames that do not end, at the last leg's end.
+   */
   long brokenChains() {
     return brokenChains;
   }
 
-  /** The first of them, or nothing. */
+  /** Returns the first fault; empty if there is none. */
   String firstFault() {
     return firstFault;
   }

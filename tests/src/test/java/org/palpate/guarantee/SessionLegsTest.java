@@ -34,7 +34,7 @@ class SessionLegsTest {
     "plane:96, SMOOTH", "torus:96, SMOOTH", "maze:64, SMOOTH"
   })
   void noLegTouchesASolidOnAPhantom(String phantom, SolverKind solver) throws IOException {
-    isKept(phantom, Phantom.parse(phantom).segments(), solver);
+    assertKept(phantom, Phantom.parse(phantom).segments(), solver);
   }
 
   @ParameterizedTest
@@ -50,7 +50,7 @@ class SessionLegsTest {
   })
   void noLegTouchesASolidOnAScan(String file, String segment, SolverKind solver)
       throws IOException {
-    isKept(file, scan(file, segment), solver);
+    assertKept(file, scan(file, segment), solver);
   }
 
   @ParameterizedTest
@@ -59,24 +59,24 @@ class SessionLegsTest {
     "LIDC/LIDC-IDRI-0314_ge100HU_i16gz.nrrd, 200",
     "totalseg/example_ct.nii.gz, 200"
   })
-  void noLegTouchesASolidWhereGreyValuesMakeTheSurface(String file, double threshold)
+  void noLegTouchesASolidIfGreyValuesMakeTheSurface(String file, double threshold)
       throws IOException {
     SegmentedVolume volume = scan(file, "bone=>=" + threshold);
     GreyIsosurface grey =
         GreyIsosurface.ofThreshold(
             GreyVolumes.read(VolumeFiles.open(data(file), ReadOptions.defaults())), threshold);
-    isKept(
+    assertKept(
         file,
         SolverKind.SMOOTH,
         SessionLegs.of(volume, SolverKind.SMOOTH, Optional.of(grey), Seeds.seed(), FRAMES));
   }
 
-  private static void isKept(String name, SegmentedVolume volume, SolverKind solver)
+  private static void assertKept(String name, SegmentedVolume volume, SolverKind solver)
       throws IOException {
-    isKept(name, solver, SessionLegs.of(volume, solver, Seeds.seed(), FRAMES));
+    assertKept(name, solver, SessionLegs.of(volume, solver, Seeds.seed(), FRAMES));
   }
 
-  private static void isKept(String name, SolverKind solver, SessionLegs session) {
+  private static void assertKept(String name, SolverKind solver, SessionLegs session) {
     long seed = Seeds.seed();
     String where = name + " by " + solver + ", seed " + seed + ": " + session.firstFault();
     assertEquals(0, session.legsThroughSolids(), where);
@@ -87,7 +87,7 @@ class SessionLegsTest {
 
   @ParameterizedTest
   @CsvSource({"head:128", "sphere:96", "shell:96", "plane:96", "torus:96", "maze:64"})
-  void theBaselinesGoThroughSolidsOfAPhantom(String name) throws IOException {
+  void theBaselinesPassThroughSolidsOfAPhantom(String name) throws IOException {
     assertBroken(name, Phantom.parse(name).segments());
   }
 
@@ -97,7 +97,7 @@ class SessionLegsTest {
     "LIDC/LIDC-IDRI-0314_bone200_u8gz.nrrd, bone=nonzero",
     "labels/HN-Atlas-labels.nrrd, all=nonzero"
   })
-  void theBaselinesGoThroughSolidsOfAScan(String file, String segment) throws IOException {
+  void theBaselinesPassThroughSolidsOfAScan(String file, String segment) throws IOException {
     assertBroken(file, scan(file, segment));
   }
 
@@ -113,7 +113,7 @@ class SessionLegsTest {
           session.legs());
       assertTrue(
           session.legsThroughSolids() > 0,
-          solver + " on " + name + " kept the guarantee, which README denies");
+          solver + " on " + name + " kept the guarantee, which the documents deny");
     }
   }
 

@@ -58,7 +58,7 @@ class StressTest {
   }
 
   @Test
-  void wholeFramesKeepThePromisesWithABadDeviceAndSolidsThatChange() {
+  void wholeFramesKeepTheirPromisesWithAFaultyDeviceAndEdits() {
     FrameAttack attack = new FrameAttack();
     String fault = attack.untilFrames(Seeds.seed(), LEGS / 10);
     assertNull(fault);
@@ -77,7 +77,7 @@ class StressTest {
   }
 
   @Test
-  void theJudgeAgreesWithTheOracleOfRationals() {
+  void theJudgeAgreesWithTheRationalOracle() {
     SplittableRandom random = new SplittableRandom(Seeds.seed());
     ExactJudge judge = new ExactJudge();
     Ray ray = new Ray();
@@ -101,7 +101,7 @@ class StressTest {
   }
 
   @Test
-  void aFaultOfTheListingAsPrintedIsFoundAndMadeSmall(@TempDir Path folder) throws IOException {
+  void aFaultOfThePaperSolverIsFoundAndShrunk(@TempDir Path folder) throws IOException {
     StressTotals totals = new StressTotals();
     FailedCase failed =
         new StressRun(
@@ -120,7 +120,7 @@ class StressTest {
   }
 
   @Test
-  void aRunGoesOnWhereItEnded(@TempDir Path folder) throws IOException {
+  void aRunContinuesFromItsTotals(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("totals.properties");
     StressTotals whole = new StressTotals();
     new StressRun(3, GuardedSolver::new).untilFrames(whole, 8000, now -> {});
@@ -134,7 +134,7 @@ class StressTest {
   }
 
   @Test
-  void otherWaysLoseWhatTheExactWayKeeps() {
+  void baselinesLoseWhatTheExactMethodsKeep() {
     BaselineLosses losses = new BaselineLosses(Seeds.seed());
     losses.run(20);
     assertEquals(0, losses.missed("exact"));

@@ -7,9 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** A hand that slides over the brow of CThead, from one temple to the other, for a picture. */
+/** A trajectory over the brow of CThead, from one temple to the other, for a picture. */
 final class BrowSlide {
-  /** The slice, from 1, in which it comes to rest. */
+  /** The slice, from 1, in which the hand comes to rest. */
   static final int LAST_SLICE = 90;
 
   private static final int BONE = 1500;
@@ -26,7 +26,7 @@ final class BrowSlide {
 
   private BrowSlide() {}
 
-  /** The trajectory for a stack whose slices run from the jaw to the head. */
+  /** Returns the rows of the trajectory for a stack whose slices run from the jaw to the head. */
   static List<String> rows(Path stack) {
     ImagePlus head = IJ.openImage(stack.toString());
     int count = APPROACH_MS + SLIDE_MS;
@@ -45,19 +45,19 @@ final class BrowSlide {
     return rows;
   }
 
-  private static double share(int t) {
+  private static double fraction(int t) {
     return Math.max(0, t - APPROACH_MS) / (double) SLIDE_MS;
   }
 
   private static double angle(int t) {
-    return -StrictMath.PI / 2 - 0.55 + 1.25 * share(t);
+    return -StrictMath.PI / 2 - 0.55 + 1.25 * fraction(t);
   }
 
   private static double height(int t) {
-    return Z_MM - 14 * StrictMath.sin(StrictMath.PI * share(t));
+    return Z_MM - 14 * StrictMath.sin(StrictMath.PI * fraction(t));
   }
 
-  /** How far the outermost bone is from the middle. */
+  /** Returns the distance of the outermost bone from the middle. */
   private static double surface(ImagePlus head, double angle, double zMm) {
     double out = OUTSIDE_MM;
     while (out > 0 && !isBone(head, angle, out, zMm)) {

@@ -6,11 +6,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The libraries that this JVM runs with. */
+/** Finds libraries on the class path of this JVM. */
 final class ClassPath {
   private ClassPath() {}
 
-  /** The jars of libraries, of each with its natives, by the beginnings of their names. */
+  /** Returns the jars of libraries, natives included, by the start of their names. */
   static List<Path> jars(String... artifacts) {
     List<Path> found =
         entries()
@@ -25,7 +25,7 @@ final class ClassPath {
     return found;
   }
 
-  /** JOGL and GlueGen with their natives. */
+  /** Returns JOGL and GlueGen with their natives. */
   static List<Path> jogamp() {
     return entries()
         .map(Path::of)

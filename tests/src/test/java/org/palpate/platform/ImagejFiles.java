@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** What the probe opens: a ball as a stack, and hands for it. */
+/** Makes the files that the probe opens: a ball as a stack, and trajectories. */
 final class ImagejFiles {
   static final int EDGE = 64;
   private static final double RADIUS = 20;
@@ -19,7 +19,7 @@ final class ImagejFiles {
 
   private ImagejFiles() {}
 
-  /** A ball of value 200, voxels of half a millimetre; gives the count of its voxels. */
+  /** Writes a ball of value 200 in voxels of half a millimetre; returns the number of voxels. */
   static long writeBall(Path file) {
     ImageStack slices = new ImageStack(EDGE, EDGE);
     long solid = 0;
@@ -49,7 +49,7 @@ final class ImagejFiles {
     return x * x + y * y + z * z <= RADIUS * RADIUS;
   }
 
-  /** A hand that circles for a minute, a little below the ball's surface. */
+  /** Writes a trajectory that circles for a minute slightly below the ball's surface. */
   static void writeSlide(Path file) throws IOException {
     List<String> rows = new ArrayList<>(List.of("t_ms,x,y,z"));
     double reach = (RADIUS - 2) * SPACING_MM;
@@ -63,7 +63,7 @@ final class ImagejFiles {
     Files.write(file, rows);
   }
 
-  /** A hand that rests beside the ball for so many milliseconds. */
+  /** Writes a trajectory that rests beside the ball. */
   static void writeStill(Path file, int millis) throws IOException {
     List<String> rows = new ArrayList<>(List.of("t_ms,x,y,z"));
     double middle = EDGE / 2.0 * SPACING_MM;

@@ -45,9 +45,9 @@ import java.util.TreeMap;
 import javax.imageio.ImageIO;
 
 /**
- * Sits in the real ImageJ's plug-ins folder and does what a user would do, by menu, dialog and
- * macro; what it sees it writes into {@code facts.txt}, a line each, for the test outside. Knows
- * Palpate by its commands alone.
+ * A plug-in that acts as a user inside the real ImageJ, by menu, dialog and macro. It writes its
+ * observations to {@code facts.txt}, one per line, for the test outside. It uses Palpate only
+ * through its commands.
  */
 public final class ImagejProbe implements PlugIn {
   private static final String TOUCH = "org.palpate.imagej.TouchVolume";
@@ -136,7 +136,7 @@ public final class ImagejProbe implements PlugIn {
     close(ball);
   }
 
-  /** Commands by hand while the recorder looks on, then the recorded lines again, one by one. */
+  /** Runs commands by hand while the recorder is on, then the recorded lines one by one. */
   private void record() {
     ImagePlus ball = open("ball.tif");
     Recorder recorder = new Recorder();
@@ -146,7 +146,7 @@ public final class ImagejProbe implements PlugIn {
     Recorder.record = false;
     fact("recorded", recorded);
     long rows = rows("Palpate Landmarks");
-    recorded.lines().filter(line -> line.startsWith("run(\"")).forEach(this::again);
+    recorded.lines().filter(line -> line.startsWith("run(\"")).forEach(this::runAgain);
     fact("landmarks again", rows("Palpate Landmarks") - rows);
     fact("overlay", ball.getOverlay() == null ? 0 : ball.getOverlay().size());
     close(ball);
@@ -183,7 +183,7 @@ public final class ImagejProbe implements PlugIn {
     await("the end", () -> !isTouching());
   }
 
-  private void again(String line) {
+  private void runAgain(String line) {
     boolean stop = line.contains("Stop Touching");
     IJ.runMacro(line);
     fact("again " + line.replaceAll("\\W+", " ").strip(), touching());
@@ -205,13 +205,13 @@ public final class ImagejProbe implements PlugIn {
     recordReplayAndJitter();
     recordTheRest();
     run("Touch Volume...", TOUCH_BALL + device("still.csv") + "time=0");
-    IJ.setKeyDown(KeyEvent.VK_ESCAPE); // any macro would take it back, so none asks for the end
+    IJ.setKeyDown(KeyEvent.VK_ESCAPE); // a macro call would reset the key, so none checks the end
     await("the end by Escape", () -> palpateThreads().isEmpty());
     fact("touching after Escape", touching());
     close(ball);
   }
 
-  /** By hand while the recorder looks on, then again as recorded. */
+  /** Runs commands by hand while the recorder is on, then the recorded lines. */
   private void recordReplayAndJitter() {
     Recorder recorder = new Recorder();
     byHand("Measure Jitter...", "Measure Jitter", dialog -> number(dialog, 0, "1"));
@@ -255,7 +255,7 @@ public final class ImagejProbe implements PlugIn {
     fact("recorded the rest", recorded);
     delete(taped);
     WindowManager.getWindow("Palpate Devices").dispose();
-    recorded.lines().filter(line -> line.startsWith("run(\"")).forEach(this::andAnswer);
+    recorded.lines().filter(line -> line.startsWith("run(\"")).forEach(this::runAndAnswer);
     await("the recording", () -> !isTouching() && Files.exists(taped));
     fact("devices", WindowManager.getWindow("Palpate Devices") != null);
   }
@@ -265,8 +265,8 @@ public final class ImagejProbe implements PlugIn {
     number(dialog, 5, "1");
   }
 
-  /** A message waits for its button in a macro too. */
-  private void andAnswer(String line) {
+  /** Runs a line and presses the button of its message, for which a macro waits too. */
+  private void runAndAnswer(String line) {
     Thread macro = new Thread(() -> IJ.runMacro(line), "probe macro");
     macro.start();
     if (line.contains("About")) {
@@ -304,7 +304,7 @@ public final class ImagejProbe implements PlugIn {
     press(idle, "OK");
   }
 
-  /** Ten seconds under a recorded hand, painted into meanwhile; then the image is closed. */
+  /** Touches under a recorded hand, paints into the image meanwhile, then closes it. */
   private void touch() {
     ImagePlus ball = open("ball.tif");
     run("Touch Volume...", TOUCH_BALL + device("slide.csv") + "time=0 view");
@@ -328,7 +328,7 @@ public final class ImagejProbe implements PlugIn {
     fact("touching after close", touching());
   }
 
-  /** How long an edit takes to reach hand and eye while the hand rests; told, not judged. */
+  /** Measures how long an edit takes to reach hand and eye; the test only prints it. */
   private void latency() {
     ImagePlus ball = open("ball.tif");
     run("Touch Volume...", TOUCH_BALL + device("still.csv") + "time=0 view");
@@ -402,9 +402,9 @@ public final class ImagejProbe implements PlugIn {
     }
   }
 
-  private static final int RIGHT = 1034; // of the 3-D window
+  private static final int RIGHT = 1034; // right of the 3-D window
 
-  /** The desk with a volume being touched, for people to look at. */
+  /** Arranges the desk during a session and saves a screenshot. */
   private void picture() throws Exception {
     ImagePlus image = open(System.getProperty("probe.picture"));
     image.setSlice(image.getStackSize() / 2);

@@ -28,7 +28,7 @@ import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 
-/** The hands and eyes of {@link ImagejProbe} at ImageJ's dialogs. */
+/** Operates and reads ImageJ's dialogs for {@link ImagejProbe}. */
 final class ImagejProbeDialogs {
   private ImagejProbeDialogs() {}
 
@@ -45,15 +45,15 @@ final class ImagejProbeDialogs {
   }
 
   /**
-   * Waits until the recorder has written a command down and has let go of it: it writes the line
-   * first and forgets the command then, and would forget the next one in its place.
+   * Waits until the recorder has written a command and forgotten it. It writes the line first and
+   * forgets the command afterwards; a command started in between would be forgotten in its place.
    */
   static void awaitRecorded(Recorder recorder, String command, String text) {
     await(
         command + " in the recorder", () -> recorder.getText().contains(text) && !isAlive(command));
   }
 
-  /** Names the file in Swing's file chooser. */
+  /** Chooses the file in Swing's file chooser. */
   static void saveAs(Path file) {
     await("the file chooser", () -> chooser() != null && isModal());
     JFileChooser chooser = chooser();
@@ -99,8 +99,8 @@ final class ImagejProbeDialogs {
   }
 
   /**
-   * Whether a thread waits for a dialog's end. A dialog that is closed before that, when it is
-   * hardly on the screen, leaves its thread waiting for ever.
+   * Whether a thread waits for a dialog's end. A dialog that is closed before, when it has hardly
+   * appeared, leaves its thread waiting for ever.
    */
   private static boolean isModal() {
     return Thread.getAllStackTraces().values().stream()
@@ -151,7 +151,7 @@ final class ImagejProbeDialogs {
     return texts;
   }
 
-  /** ImageJ's label tells no one what it says. */
+  /** Reads the text of ImageJ's label, which has no accessor. */
   private static String lines(MultiLineLabel label) {
     try {
       Field lines = MultiLineLabel.class.getDeclaredField("lines");

@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 
-/** What {@link ImagejProbe} waits for and counts: conditions, threads, memory. */
+/** Conditions, threads and memory that {@link ImagejProbe} waits for and counts. */
 final class ImagejProbeWatch {
   private static final long PATIENCE_NANOS = 90_000_000_000L;
 
@@ -30,7 +30,7 @@ final class ImagejProbeWatch {
   }
 
   static List<String> palpateThreads() {
-    // JOGL names the threads that it keeps for all windows after the one that opened the first.
+    // JOGL names the threads that all windows share after the thread that opened the first one.
     return threadNames().stream()
         .filter(name -> name.startsWith("palpate") && !name.endsWith("SharedResourceRunner"))
         .toList();
@@ -40,14 +40,14 @@ final class ImagejProbeWatch {
     await("Palpate's threads to end", () -> palpateThreads().isEmpty());
   }
 
-  /** Whether a thread of that name lives; ImageJ names one after the command that it runs. */
+  /** Whether a thread of that name is alive; ImageJ names a thread after its command. */
   static boolean isAlive(String name) {
     return threadNames().contains(name);
   }
 
   /**
-   * How many threads there are by name, without those that ImageJ begins for a macro, and without
-   * the one that the JDK keeps for a minute after a process has ended, which JogAmp starts once.
+   * Returns the number of threads by name. It omits those that ImageJ starts for a macro, and the
+   * one that the JDK keeps for a minute after a process has ended, which JogAmp starts once.
    */
   static Map<String, Long> threads() {
     return threadNames().stream()
@@ -57,7 +57,7 @@ final class ImagejProbeWatch {
         .collect(Collectors.groupingBy(name -> name, TreeMap::new, Collectors.counting()));
   }
 
-  /** The names of which there are more threads than before. */
+  /** Returns the names with more threads than before. */
   static List<String> threadsMoreThan(Map<String, Long> before) {
     return threads().entrySet().stream()
         .filter(entry -> entry.getValue() > before.getOrDefault(entry.getKey(), 0L))
@@ -72,7 +72,7 @@ final class ImagejProbeWatch {
         .toList();
   }
 
-  /** What stands on the screen, and what every thread is doing. */
+  /** Describes the windows on the screen and the stacks of all threads. */
   static String desk() {
     StringBuilder desk = new StringBuilder();
     for (Window window : Window.getWindows()) {

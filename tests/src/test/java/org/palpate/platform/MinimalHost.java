@@ -17,7 +17,7 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
-/** A volume platform's side of Palpate, whole: labels in, place and contact out, edits, an end. */
+/** The complete side of a volume platform: labels in, position and contact out, edits, an end. */
 final class MinimalHost implements AutoCloseable {
   private static final int BONE_RGB = 0xE6C99F;
 
@@ -25,7 +25,7 @@ final class MinimalHost implements AutoCloseable {
   private final TouchSession session;
   private final Vec3 point = new Vec3();
 
-  /** Takes the voxels of one label as what is solid; x runs fastest in {@code labels}. */
+  /** Takes the voxels of one label as solid; x runs fastest in {@code labels}. */
   MinimalHost(byte[] labels, int label, int edge, Vec3 spacingMm, HapticDevice device) {
     BitCube bone = new BitCube(edge, edge, edge);
     for (int n = 0; n < labels.length; n++) {
@@ -46,12 +46,12 @@ final class MinimalHost implements AutoCloseable {
             end -> {});
   }
 
-  /** Force comes on when the frame has warmed up. */
+  /** Starts the session; the force comes on after the frame has warmed up. */
   void start() {
     session.start();
   }
 
-  /** To be called some 30 times a second, by one thread; false when the session has ended. */
+  /** Updates the platform about 30 times per second, in one thread; false after the end. */
   boolean tick() {
     session.takeUnseen();
     session.properties().touch().interactionPoint(point);
@@ -59,17 +59,17 @@ final class MinimalHost implements AutoCloseable {
     return !session.supervise();
   }
 
-  /** Where the hand's point was at the last tick, world mm. */
+  /** Returns the interaction point at the last tick, world mm. */
   Vec3 pointWorldMm() {
     return point;
   }
 
-  /** Frames so far. */
+  /** Returns the number of frames so far. */
   long frames() {
     return session.status().frames();
   }
 
-  /** Makes a voxel solid or empty, felt in one of the next frames; false where too many wait. */
+  /** Makes a voxel solid or empty, felt within a few frames; false if too many edits wait. */
   boolean paint(int i, int j, int k, boolean solid) {
     return scene.edits().offer(new VoxelEdit(0, i, j, k, solid));
   }
@@ -79,7 +79,7 @@ final class MinimalHost implements AutoCloseable {
     return scene.edits().isIdle();
   }
 
-  /** Ends the session, zero force last, and tells what was measured. */
+  /** Ends the session with zero force and returns the measurements. */
   LoopReport end() {
     session.stop();
     return session.report();

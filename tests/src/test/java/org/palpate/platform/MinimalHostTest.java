@@ -14,7 +14,7 @@ import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.LoopReport;
 
-/** A second host, so that ImageJ is not the only one that the port fits. */
+/** A second host besides ImageJ, which shows that the port fits others. */
 class MinimalHostTest {
   private static final int EDGE = 16;
   private static final int BONE = 7;
@@ -22,7 +22,7 @@ class MinimalHostTest {
   private static final Path PAGE = Path.of("../plugin/docs/embedding.md");
   private static final Path SOURCE = Path.of("src/test/java/org/palpate/platform/MinimalHost.java");
 
-  /** A hand that moves evenly from one place to another and rests there. */
+  /** A hand that moves evenly from one position to another and rests there. */
   private static final class Hand implements HapticDevice {
     private static final int STEPS = 500;
 
@@ -44,11 +44,11 @@ class MinimalHostTest {
 
     @Override
     public synchronized ReadStatus read(DeviceState state) {
-      double share = Math.min(1, reads / (double) STEPS);
+      double fraction = Math.min(1, reads / (double) STEPS);
       state.positionMm.set(
-          from.x + (to.x - from.x) * share,
-          from.y + (to.y - from.y) * share,
-          from.z + (to.z - from.z) * share);
+          from.x + (to.x - from.x) * fraction,
+          from.y + (to.y - from.y) * fraction,
+          from.z + (to.z - from.z) * fraction);
       state.timeNanos = reads++ * 1_000_000L;
       return ReadStatus.FRESH;
     }
@@ -66,7 +66,7 @@ class MinimalHostTest {
   }
 
   @Test
-  void theHandStopsAtWhatThePlatformHoldsAndIsLetGoWithoutForce() {
+  void theHandStopsAtThePlatformsSolidsAndIsReleasedWithoutForce() {
     Hand hand = new Hand(new Vec3(4, 4, 1), new Vec3(4, 4, 12));
     LoopReport report;
     try (MinimalHost host = new MinimalHost(floor(), BONE, EDGE, SPACING_MM, hand)) {
@@ -76,7 +76,8 @@ class MinimalHostTest {
       }
       host.tick();
       assertTrue(host.pointWorldMm().z < 8, "above the floor at 8 mm: " + host.pointWorldMm());
-      double reach = SPACING_MM.length() / 2 * 1.15; // smooth runs that far outside
+      double reach =
+          SPACING_MM.length() / 2 * 1.15; // the smooth surface lies up to this far outside
       assertTrue(host.pointWorldMm().z > 8 - reach, "and on it: " + host.pointWorldMm());
       report = host.end();
     }
@@ -88,7 +89,7 @@ class MinimalHostTest {
   }
 
   @Test
-  void aVoxelThatThePlatformPaintsReachesTheHand() {
+  void aPaintedVoxelReachesTheHand() {
     Vec3 place = new Vec3(4.25, 4.25, 2.5);
     try (MinimalHost host =
         new MinimalHost(floor(), BONE, EDGE, SPACING_MM, new Hand(place, place))) {
@@ -104,7 +105,7 @@ class MinimalHostTest {
     }
   }
 
-  /** Solid from half the height on. */
+  /** Returns labels that are solid in the upper half. */
   private static byte[] floor() {
     byte[] labels = new byte[EDGE * EDGE * EDGE];
     for (int n = labels.length / 2; n < labels.length; n++) {
@@ -114,7 +115,7 @@ class MinimalHostTest {
   }
 
   @Test
-  void thePageShowsThisCodeAndItIsUnderAHundredLines() throws IOException {
+  void thePageShowsThisCodeInUnderAHundredLines() throws IOException {
     String source = Files.readString(SOURCE);
     String body = source.substring(source.indexOf("import java.util.List;"));
     assertTrue(body.lines().count() < 100, "lines: " + body.lines().count());

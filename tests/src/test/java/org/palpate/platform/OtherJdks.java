@@ -6,14 +6,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** JDKs on this machine, newer than what most people have. */
+/** Finds newer JDKs on this machine. */
 final class OtherJdks {
   private static final Path HOMES = Path.of("/usr/lib/jvm");
   private static final int NEW_ENOUGH = 25;
 
   private OtherJdks() {}
 
-  /** The homes of those of release 25 or newer, where Linux keeps them. */
+  /** Returns the homes of all JDKs of release 25 or newer in Linux's folder. */
   static List<Path> found() throws IOException {
     if (!Files.isDirectory(HOMES)) {
       return List.of();

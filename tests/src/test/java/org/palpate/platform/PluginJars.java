@@ -11,7 +11,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 import org.junit.jupiter.api.Assumptions;
 
-/** The jars that the build of the plug-in leaves. */
+/** Finds the jars that the build of the plug-in makes. */
 final class PluginJars {
   private static final Path FOLDER =
       Path.of(System.getProperty("palpate.pluginJars", "../plugin/target"));
@@ -37,7 +37,7 @@ final class PluginJars {
     return jar.toAbsolutePath().normalize();
   }
 
-  /** The names of all files in a jar, in order; one that is there twice throws. */
+  /** Returns the names of all files in a jar, in order; throws if one occurs twice. */
   static Set<String> names(Path jar) throws IOException {
     try (ZipFile file = new ZipFile(jar.toFile())) {
       Set<String> names = new TreeSet<>();
@@ -54,7 +54,7 @@ final class PluginJars {
     }
   }
 
-  /** A text file in a jar. */
+  /** Returns the text of a file in a jar. */
   static String text(Path jar, String name) throws IOException {
     try (ZipFile file = new ZipFile(jar.toFile())) {
       ZipEntry entry = file.getEntry(name);

@@ -19,7 +19,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** What people install: opens both jars and looks. */
+/** Inspects both jars that people install. */
 class PluginJarsTest {
   private static final List<String> JOGAMP_NATIVES =
       List.of(
@@ -41,7 +41,7 @@ class PluginJarsTest {
           "com/sun/jna/darwin-x86-64/libjnidispatch.jnilib");
 
   @Test
-  void theThinJarHoldsNothingThatFijiHasUnderTheSameName() throws IOException {
+  void theThinJarHasNoNameThatFijiHasToo() throws IOException {
     Set<String> roots = roots(PluginJars.thin());
     assertEquals(Set.of("META-INF", "natives", "org/palpate", "plugins.config"), roots);
   }
@@ -64,7 +64,7 @@ class PluginJarsTest {
     return "missing: " + wanted.stream().filter(name -> !names.contains(name)).toList();
   }
 
-  /** The first two folders of every file, or the file where there are none. */
+  /** Returns the first two folders of every file, or the file if it has none. */
   private static Set<String> roots(Path jar) throws IOException {
     return PluginJars.names(jar).stream()
         .map(PluginJarsTest::root)
@@ -78,7 +78,7 @@ class PluginJarsTest {
   }
 
   @Test
-  void neitherJarHoldsAnothersServicesOrImagejItself() throws IOException {
+  void neitherJarHasForeignServicesOrImagejItself() throws IOException {
     for (Path jar : List.of(PluginJars.thin(), PluginJars.bundle())) {
       Set<String> names = PluginJars.names(jar);
       List<String> foreign =
@@ -144,7 +144,7 @@ class PluginJarsTest {
   }
 
   @Test
-  void licencesAndVersionAreInside() throws IOException {
+  void theJarsContainLicencesAndVersion() throws IOException {
     for (Path jar : List.of(PluginJars.thin(), PluginJars.bundle())) {
       assertTrue(PluginJars.text(jar, "META-INF/LICENSE").contains("Apache License"));
       String licences = PluginJars.text(jar, "META-INF/THIRD-PARTY-LICENCES.txt");
@@ -161,7 +161,7 @@ class PluginJarsTest {
   }
 
   @Test
-  void theUpdateSiteHasTheThinJarWhereFijiWantsIt() throws IOException {
+  void theUpdateSiteHasTheThinJarInFijisFolder() throws IOException {
     Path thin = PluginJars.thin();
     try (Stream<Path> files = Files.walk(PluginJars.updateSite())) {
       List<String> relative =
@@ -176,7 +176,7 @@ class PluginJarsTest {
         Files.readAllBytes(PluginJars.updateSite().resolve("plugins/Palpate_.jar")));
   }
 
-  /** The libraries were moved to packages of their own: every class must still find its own. */
+  /** Libraries were moved to packages of their own, and every class must still find its own. */
   @Test
   void everyClassOfTheThinJarLoadsBesideFijisLibraries() throws Exception {
     Path thin = PluginJars.thin();
@@ -200,7 +200,7 @@ class PluginJarsTest {
     assertTrue(members > 1000, "members: " + members);
   }
 
-  /** How many methods and fields a class has, whose types must be found for that. */
+  /** Counts the methods and fields of a class, which resolves their types. */
   private static int members(ClassLoader loader, String name, List<String> failures) {
     String type = name.substring(0, name.length() - ".class".length()).replace('/', '.');
     try {

@@ -20,7 +20,7 @@ import java.util.stream.Stream;
 
 /**
  * A real ImageJ in a folder and a process of its own, with the plug-in installed as people install
- * it and a probe beside it that acts and looks.
+ * it and a probe that acts and observes.
  */
 final class RealImagej {
   private static final long PATIENCE_SECONDS = 400;
@@ -30,7 +30,7 @@ final class RealImagej {
   private Path javaHome = Path.of(System.getProperty("java.home"));
   private final Map<String, String> properties = new LinkedHashMap<>();
 
-  /** What the probe saw: its facts by their names. */
+  /** The observations of the probe: facts by name, and the standard error. */
   record Seen(Map<String, String> facts, String errors) {
     String of(String name) {
       assertTrue(facts.containsKey(name), () -> "no fact " + name + " in " + facts + errors);
@@ -50,17 +50,17 @@ final class RealImagej {
     classPath.add(imagej);
   }
 
-  /** Plain ImageJ with the bundle in its plug-ins folder, and nothing else. */
+  /** Returns plain ImageJ with only the bundle in its plug-ins folder. */
   static RealImagej plain(Path folder) throws IOException {
     return new RealImagej(folder, PluginJars.bundle(), ClassPath.jars("ij").get(0));
   }
 
-  /** The same in another build of ImageJ, as Debian packs it. */
+  /** Returns another build of ImageJ, such as Debian's, with the bundle. */
   static RealImagej plain(Path folder, Path imagej) throws IOException {
     return new RealImagej(folder, PluginJars.bundle(), imagej);
   }
 
-  /** One flat class path as Fiji's, with its libraries and the thin jar. */
+  /** Returns one flat class path as in Fiji, with its libraries and the thin jar. */
   static RealImagej flat(Path folder) throws IOException {
     RealImagej imagej = new RealImagej(folder, PluginJars.thin(), ClassPath.jars("ij").get(0));
     imagej.classPath.add(PluginJars.thin());
@@ -69,13 +69,13 @@ final class RealImagej {
     return imagej;
   }
 
-  /** Runs it on another JDK. */
+  /** Chooses another JDK. */
   RealImagej on(Path otherJavaHome) {
     javaHome = otherJavaHome;
     return this;
   }
 
-  /** Tells the probe something. */
+  /** Sets a property of the probe. */
   RealImagej with(String property, Object value) {
     properties.put(property, value.toString());
     return this;
@@ -112,9 +112,9 @@ final class RealImagej {
   }
 
   /**
-   * Starts ImageJ, lets the probe play its parts, and waits for the end.
+   * Starts ImageJ, runs parts of the probe, and waits for the end.
    *
-   * @param parts as the probe names them
+   * @param parts the names of the parts
    */
   Seen play(XServer display, String... parts) throws IOException, InterruptedException {
     List<String> command = new ArrayList<>();
@@ -143,7 +143,7 @@ final class RealImagej {
     return new Seen(facts(), errors);
   }
 
-  /** A JVM that is asked so tells on its standard output where its threads stand. */
+  /** Requests a thread dump, which the JVM prints on its standard output. */
   private static void dumpThreads(Process process) throws IOException, InterruptedException {
     new ProcessBuilder("kill", "-QUIT", Long.toString(process.pid())).start().waitFor();
     process.waitFor(2, TimeUnit.SECONDS);

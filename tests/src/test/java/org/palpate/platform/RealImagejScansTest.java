@@ -28,7 +28,7 @@ import org.palpate.io.VolumeFiles;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeReader;
 
-/** Real scans in the real ImageJ: every segment has the voxels that the command line counts. */
+/** In the real ImageJ, every segment of real scans has the voxels that the command line counts. */
 class RealImagejScansTest {
   private static final Path DATA = Path.of(System.getProperty("palpate.data", "../shared/data"));
   private static final Path CT_HEAD = DATA.resolve("CThead/CThead_u16gz.nrrd");
@@ -42,7 +42,7 @@ class RealImagejScansTest {
   @TempDir Path folder;
 
   @Test
-  void segmentsAreTheCommandLinesToTheVoxel() throws Exception {
+  void segmentsEqualThoseOfTheCommandLineToTheVoxel() throws Exception {
     Assumptions.assumeTrue(
         Files.exists(CT_HEAD) && Files.exists(ATLAS) && Files.isDirectory(DICOM),
         "skipped: the scans are not in " + DATA.toAbsolutePath());
@@ -70,7 +70,7 @@ class RealImagejScansTest {
     }
   }
 
-  /** Makes the picture of README anew where it is asked for: -Dpalpate.picture=FILE.png. */
+  /** Takes the picture of README if -Dpalpate.picture=FILE.png requests it. */
   @Test
   void takesThePictureOfReadme() throws Exception {
     String target = System.getProperty("palpate.picture", "");
@@ -103,7 +103,7 @@ class RealImagejScansTest {
     return table;
   }
 
-  /** What {@code palpate info} counts; labels by their number. */
+  /** Returns the counts of {@code palpate info}; labels by their number. */
   private Map<String, Long> counts(Object... arguments) throws IOException {
     Path report = folder.resolve("report.json");
     List<String> all = new ArrayList<>(List.of("info"));
@@ -125,9 +125,9 @@ class RealImagejScansTest {
   }
 
   /**
-   * The same values as a stack that ImageJ opens by itself, 16 bits a voxel.
+   * Writes a volume as a stack that ImageJ opens by itself, 16 bits per voxel.
    *
-   * @param fromHead whether to turn the order of the slices round
+   * @param fromHead whether to reverse the order of the slices
    */
   private static void writeTiff(Path volume, Path target, boolean fromHead) throws IOException {
     VolumeReader reader = VolumeFiles.open(volume, ReadOptions.defaults());

@@ -24,7 +24,7 @@ class RealImagejTest {
   private static final Path DEBIAN = Path.of("/usr/share/java/ij.jar");
   private static final Pattern STACK_TRACE = Pattern.compile("(?m)^\\s+at |Exception|Error:");
 
-  /** Longer than any part takes on a machine that is busy: the hand must not end the session. */
+  /** Longer than any part takes on a busy machine, because the end of the hand ends the session. */
   private static final int STILL_MS = 300_000;
 
   private static XServer display;
@@ -66,7 +66,7 @@ class RealImagejTest {
     checkTouch(seen);
   }
 
-  /** Two minutes of dialogs, which wants a machine that is not busy: -Dpalpate.realImagej=full. */
+  /** Takes two minutes of dialogs and needs an idle machine: -Dpalpate.realImagej=full. */
   @Test
   @EnabledIfSystemProperty(named = "palpate.realImagej", matches = "full")
   void everyCommandWorksAndManySessionsLeaveNothingBehind() throws Exception {
@@ -124,7 +124,7 @@ class RealImagejTest {
     checkTouch(seen);
   }
 
-  /** Everything was played, and nothing on standard error looks like a stack trace. */
+  /** Checks that every part ran, and that the standard error has no stack trace. */
   static void checkEnd(RealImagej.Seen seen) {
     assertFalse(seen.facts().containsKey("failed"), () -> seen.facts().get("failed"));
     assertEquals("reached", seen.of("end"), seen::errors);
@@ -233,7 +233,7 @@ class RealImagejTest {
   private static void checkCycles(RealImagej.Seen seen) {
     assertEquals("[]", seen.of("palpate threads"));
     long grown = seen.number("heap late") - seen.number("heap early");
-    // Nine sessions more: a stack and its copy take half a megabyte each, a window's meshes more.
+    // Nine more sessions: a stack and its copy take half a megabyte each, a window's meshes more.
     assertTrue(grown < 2_000_000, "grown by " + grown + " bytes");
   }
 }

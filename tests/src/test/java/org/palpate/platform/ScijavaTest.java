@@ -23,7 +23,7 @@ import org.scijava.command.CommandInfo;
 import org.scijava.command.CommandModule;
 import org.scijava.command.CommandService;
 
-/** The SciJava face, found by its index and run without a screen. */
+/** The SciJava command, found by its index and run without a display. */
 class ScijavaTest {
   @TempDir Path folder;
 
@@ -85,7 +85,7 @@ class ScijavaTest {
   }
 
   @Test
-  void whatIsWrongIsSaidInOneLine() throws Exception {
+  void anErrorIsReportedInOneLine() throws Exception {
     CommandModule module = replay(folder.resolve("none.csv"), "ball=nonsense");
     assertEquals(false, module.getOutput("done"));
     String message = (String) module.getOutput("message");

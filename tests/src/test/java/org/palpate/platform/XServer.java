@@ -6,7 +6,7 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Assumptions;
 
-/** An X server of the test's own, which picks a free number; ends with {@link #close}. */
+/** An X server for a test, on a free display number; {@link #close} ends it. */
 public final class XServer implements AutoCloseable {
   private final Process process;
   private final String display;
@@ -16,7 +16,7 @@ public final class XServer implements AutoCloseable {
     this.display = display;
   }
 
-  /** Starts one, or skips the test where there is no Xvfb. */
+  /** Starts a server, or skips the test if there is no Xvfb. */
   public static XServer start() throws IOException {
     Process process = null;
     try {
@@ -47,6 +47,7 @@ public final class XServer implements AutoCloseable {
     return new XServer(process, ":" + number.strip());
   }
 
+  /** Returns the display, such as {@code :5}. */
   public String display() {
     return display;
   }

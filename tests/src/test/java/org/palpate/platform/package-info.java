@@ -1,2 +1,2 @@
-/** Palpate inside volume platforms: the packed plug-in in the real ImageJ, and hosts of our own. */
+/** Tests of Palpate inside volume platforms: the packed plug-in in the real ImageJ, other hosts. */
 package org.palpate.platform;
