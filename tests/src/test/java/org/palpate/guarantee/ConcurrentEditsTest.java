@@ -76,13 +76,13 @@ class ConcurrentEditsTest {
     List<Edit> edits = edits(new SplittableRandom(Seeds.seed()));
     Thread editor = new Thread(() -> offer(edits), "editor");
     editor.start();
-    for (long n = 0; n < MIN_FRAMES || queue.done() < EDITS; n++) {
+    for (long n = 0; n < MIN_FRAMES || queue.completed() < EDITS; n++) {
       runFrame(n, !smooth);
       framesRun.lazySet(n);
     }
     editor.join();
     assertTrue(frame.release());
-    assertEquals(freed, frame.counts().freed());
+    assertEquals(freed, frame.statistics().freed());
     assertTrue(freed > 10, "edits put solids at the point: freed=" + freed);
     assertTrue(legs > 1000, "legs=" + legs);
     assertEquals(EDITS, queue.completed());

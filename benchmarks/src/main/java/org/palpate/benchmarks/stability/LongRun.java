@@ -129,8 +129,8 @@ public final class LongRun {
       }
     }
     return new Result(
-        frame.counts().frames(),
-        frame.counts().contactFrames(),
+        frame.statistics().frames(),
+        frame.statistics().contactFrames(),
         differing,
         allocating,
         medianOfRounds(nanos, TIMED_ROUNDS),
