@@ -5,13 +5,13 @@ import java.nio.charset.StandardCharsets;
 import org.palpate.app.process.ShutdownHook;
 import org.palpate.display.DisplayLoss;
 
-/** Where the JVM starts. */
+/** The entry point of the program. */
 public final class Main {
   private Main() {}
 
-  /** Runs a command and ends the JVM with its exit code. */
+  /** Runs a command and exits the JVM with its exit code. */
   public static void main(String[] arguments) {
-    // No command needs the desktop of Java; windows are JOGL's. Nor is it asked for a display then.
+    // Windows are JOGL's; without Java's desktop no command needs a display of AWT.
     System.setProperty("java.awt.headless", "true");
     PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
     PrintStream err = new PrintStream(System.err, true, StandardCharsets.UTF_8);

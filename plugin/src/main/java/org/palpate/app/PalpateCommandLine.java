@@ -30,8 +30,8 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
- * All commands together: finds the one that is asked for, runs it, and turns what goes wrong into
- * one line and an exit code.
+ * Finds the command that the user asks for, runs it, and turns each failure into one line and an
+ * exit code. One thread.
  */
 public final class PalpateCommandLine {
   private static final String DEFAULT_COMMAND = "touch";
@@ -40,7 +40,7 @@ public final class PalpateCommandLine {
   private final PrintStream err;
   private final CommandLine commandLine;
 
-  /** Commands that print to the given streams. */
+  /** Creates the command line with all commands, which print to the given streams. */
   public PalpateCommandLine(PrintStream out, PrintStream err) {
     this.err = err;
     commandLine = new CommandLine(new Root());
@@ -58,22 +58,24 @@ public final class PalpateCommandLine {
         .setErr(new PrintWriter(err, true, StandardCharsets.UTF_8))
         .setAbbreviatedOptionsAllowed(false)
         .setCaseInsensitiveEnumValuesAllowed(true)
-        .setParameterExceptionHandler(this::wrongUse)
-        .setExecutionExceptionHandler(this::failed);
+        .setParameterExceptionHandler(this::handleWrongUse)
+        .setExecutionExceptionHandler(this::handleFailure);
   }
 
   /**
    * Runs one command.
    *
-   * @param arguments as the process got them; without a command they are those of {@code touch}
-   * @return 0 done, 1 failed at run time, 2 wrong use or bad input
+   * @param arguments the arguments of the process; without a command they are those of {@code
+   *     touch}
+   * @return 0 if the command succeeded, 1 if it failed at run time, 2 for wrong use or bad input
    */
   public int run(String... arguments) {
     try {
       return commandLine.execute(withDefaultCommand(arguments));
     } catch (OutOfMemoryError e) {
       print(
-          "palpate: memory ran out: palpate: give Java more, as in JAVA_TOOL_OPTIONS=-Xmx8g",
+          "palpate: out of memory: palpate: give Java more memory, for example"
+              + " JAVA_TOOL_OPTIONS=-Xmx8g",
           e,
           isDebug(arguments));
       return PalpateException.FAILED;
@@ -81,15 +83,15 @@ public final class PalpateCommandLine {
   }
 
   private static String[] withDefaultCommand(String... arguments) {
-    boolean namesNone =
+    boolean namesNoCommand =
         arguments.length == 0
             || (arguments[0].startsWith("-") && !ROOT_OPTIONS.contains(arguments[0]));
-    return namesNone
+    return namesNoCommand
         ? Stream.concat(Stream.of(DEFAULT_COMMAND), Arrays.stream(arguments)).toArray(String[]::new)
         : arguments;
   }
 
-  private int wrongUse(ParameterException e, String... arguments) {
+  private int handleWrongUse(ParameterException e, String... arguments) {
     CommandLine command = e.getCommandLine();
     String name = command.getCommandSpec().qualifiedName();
     print(
@@ -117,7 +119,7 @@ public final class PalpateCommandLine {
         : missing.paramLabel();
   }
 
-  private int failed(Exception e, CommandLine command, ParseResult result) {
+  private int handleFailure(Exception e, CommandLine command, ParseResult result) {
     boolean debug = isDebug(result.originalArgs().toArray(String[]::new));
     if (e instanceof PalpateException known) {
       print("palpate: " + oneLine(known.getMessage()), e, debug);
@@ -137,7 +139,7 @@ public final class PalpateCommandLine {
     String where = command.getCommandSpec().qualifiedName();
     if (e instanceof IOException) {
       String what = "reading or writing failed (" + e.getMessage() + ")";
-      print("palpate: " + oneLine(what) + ": " + where + ": look at the disk", e, debug);
+      print("palpate: " + oneLine(what) + ": " + where + ": check the disk", e, debug);
       return PalpateException.FAILED;
     }
     print(
@@ -145,7 +147,7 @@ public final class PalpateCommandLine {
             + oneLine(e.toString())
             + ": "
             + where
-            + ": run it again with --debug and report what it shows",
+            + ": run it again with --debug and report the output",
         e,
         debug);
     return PalpateException.FAILED;
@@ -166,7 +168,7 @@ public final class PalpateCommandLine {
     return text.replaceAll("\\R+", " ");
   }
 
-  /** The command without a command, for its help. */
+  /** The root command, which exists for its help. */
   @Command(
       name = "palpate",
       description = "Touch a segmented 3-D scan with a haptic device. Not a medical device.",
@@ -175,7 +177,7 @@ public final class PalpateCommandLine {
       synopsisSubcommandLabel = "[COMMAND]",
       footer = {
         "",
-        "Without a command it is touch: a live session on the built-in head phantom.",
+        "Without a command, palpate runs touch: a live session on the built-in head phantom.",
         "",
         "Examples:",
         "  palpate",

@@ -3,29 +3,37 @@ package org.palpate.host;
 import java.util.Optional;
 
 /**
- * How collisions are found.
+ * Chooses how a path is tested for collisions.
  *
- * @param method of the three
- * @param stepVoxels for {@link Method#SAMPLED} the distance of samples, grid coordinates; else 0
+ * @param method the traversal of a straight segment
+ * @param stepVoxels distance between samples in grid coordinates for {@link Method#SAMPLED},
+ *     otherwise 0
  */
 public record CollisionChoice(Method method, double stepVoxels) {
   private static final String SAMPLED_PREFIX = "sampled:";
 
-  /** The methods. */
+  /** Traversals of a straight segment; see {@code org.palpate.raycast}. */
   public enum Method {
+    /** Samples at equal distances; the paper's method. */
     SAMPLED,
+    /** Samples where the segment crosses planes of the grid. */
     GRIDPLANES,
+    /** Every closed voxel that the segment meets, decided exactly. */
     EXACT
   }
 
   public static final CollisionChoice EXACT = new CollisionChoice(Method.EXACT, 0);
   public static final CollisionChoice GRIDPLANES = new CollisionChoice(Method.GRIDPLANES, 0);
 
+  /** Returns sampling at a distance in grid coordinates. */
   public static CollisionChoice sampled(double stepVoxels) {
     return new CollisionChoice(Method.SAMPLED, stepVoxels);
   }
 
-  /** Reads {@code sampled:STEP}, {@code gridplanes} or {@code exact}; empty where it is none. */
+  /**
+   * Parses {@code sampled:STEP}, {@code gridplanes} or {@code exact}; empty if the text is none of
+   * them.
+   */
   public static Optional<CollisionChoice> parse(String text) {
     if (text.equals("exact")) {
       return Optional.of(EXACT);
@@ -47,7 +55,7 @@ public record CollisionChoice(Method method, double stepVoxels) {
     }
   }
 
-  /** As on the command line. */
+  /** Returns the text that {@link #parse} reads. */
   @Override
   public String toString() {
     return switch (method) {

@@ -36,9 +36,11 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * What can be touched and how: builds obstacles, solvers and frames out of a volume and settings.
+ * Builds collision scenes, solvers and haptic frames from a segmented volume and its contact
+ * settings.
  *
- * <p>Any thread builds; what is built belongs to the one that runs it.
+ * <p>One contact scene holds the queue of edits of one session. Any thread may build; what is built
+ * belongs to the thread that runs it. Positions are grid coordinates unless a name says otherwise.
  */
 public final class ContactScene {
   private final SegmentedVolume volume;
@@ -48,15 +50,20 @@ public final class ContactScene {
   private final EditQueue edits;
   private final Optional<GreyIsosurfaceSource> grey;
 
-  /** A scene over a volume whose bits the haptic thread alone will change. */
+  /**
+   * Creates a scene of bits alone.
+   *
+   * @param volume the segments; once a session runs, its haptic thread alone changes their bits
+   */
   public ContactScene(SegmentedVolume volume, ContactSettings settings) {
     this(volume, settings, Optional.empty());
   }
 
   /**
-   * The same with the grey values that its one segment was made of.
+   * Creates a scene with the grey values from which its one segment was made.
    *
-   * @param grey what {@link SolverKind#SMOOTH} makes its surface of; of the bits where empty
+   * @param volume the segments; once a session runs, its haptic thread alone changes their bits
+   * @param grey the isosurface for {@link SolverKind#SMOOTH}; if empty, the solver uses the bits
    */
   public ContactScene(
       SegmentedVolume volume, ContactSettings settings, Optional<GreyIsosurface> grey) {
@@ -69,66 +76,76 @@ public final class ContactScene {
     edits = new EditQueue(volume.grid(), volume.segments().size());
   }
 
+  /** Returns the grid of the volume, which converts between world and grid coordinates. */
   public VoxelGrid grid() {
     return volume.grid();
   }
 
+  /** Returns the volume with its segments. */
   public SegmentedVolume volume() {
     return volume;
   }
 
+  /** Returns the settings that the scene was created with. */
   public ContactSettings settings() {
     return settings;
   }
 
+  /** Returns the metric of the grid, which measures lengths in millimetres. */
   public GridMetric metric() {
     return metric;
   }
 
-  /** w_max, the most that the interaction point travels in a frame, mm. */
+  /** Returns w_max, the longest path of the interaction point in one frame, mm. */
   public double maxStepMm() {
     return maxStepMm;
   }
 
-  /** The grey values that the smooth solver goes by, if any. */
+  /** Returns the grey isosurface that the smooth solver follows, if there is one. */
   public Optional<GreyIsosurface> grey() {
     return grey.map(GreyIsosurfaceSource::now);
   }
 
   /**
-   * Queues other grey values for the smooth solver; any thread.
+   * Queues new grey values for the smooth solver. Any thread.
    *
-   * @return false where the queue of edits is full; try again later
-   * @throws IllegalStateException where the scene was made without
+   * @return false if the queue of edits is full; then try again later
+   * @throws IllegalStateException if the scene has no grey values
    */
-  public boolean offerGrey(GreyIsosurface fresh) {
+  public boolean offerGrey(GreyIsosurface surface) {
     GreyIsosurfaceSource live =
-        grey.orElseThrow(() -> new IllegalStateException("made without grey values"));
-    return edits.offer(new GreyEdit(0, live, fresh));
+        grey.orElseThrow(
+            () ->
+                new IllegalStateException(
+                    "the scene has no grey values; create it with a GreyIsosurface"));
+    return edits.offer(new GreyEdit(0, live, surface));
   }
 
-  /** Where changes of the segments are queued while a session runs. */
+  /** Returns the queue that takes changes of the segments while a session runs. Any thread. */
   public EditQueue edits() {
     return edits;
   }
 
-  /** What a simulated hand goes for, world mm. */
+  /** Returns the region and surface points that a simulated hand presses, world mm. */
   public HandTarget handTarget() {
     return HandTargetFinder.of(volume);
   }
 
-  /** All segments as one obstacle each. */
-  public CollisionScene newObstacles() {
+  /** Returns a new collision scene in which each segment is one object. */
+  public CollisionScene newCollisionScene() {
     List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
     return new CollisionScene(cubes);
   }
 
-  /** A solver as the settings want it. */
+  /** Returns a new solver of the kind that the settings name. */
   public ProxySolver newSolver() {
     return newSolver(settings.solver());
   }
 
-  /** Another solver; it finds collisions as the settings' solver does, or by its own default. */
+  /**
+   * Returns a new solver. It uses the settings' collision method if it is of the settings' kind,
+   * otherwise its own default.
+   */
   public ProxySolver newSolver(SolverKind kind) {
     CollisionChoice collision =
         kind == settings.solver() ? settings.collision() : kind.defaultCollision();
@@ -153,9 +170,9 @@ public final class ContactScene {
   }
 
   /**
-   * Stiffness, friction and damping of each segment.
+   * Returns stiffness, friction and damping of each segment.
    *
-   * @param defaultNewtonPerMm stiffness where the settings give none
+   * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan
    */
   public ForceSettings force(double defaultNewtonPerMm) {
     double newtonPerMm = settings.stiffnessNewtonPerMm().orElse(defaultNewtonPerMm);
@@ -164,7 +181,7 @@ public final class ContactScene {
     return new ForceSettings(general, form, true, materials(general, form));
   }
 
-  /** One a segment, in their order; none where all feel alike. */
+  /** Returns a material for each segment in their order, or none if all segments are alike. */
   private List<Material> materials(Material general, FrictionForm form) {
     Map<String, MaterialOverride> chosen = settings.materials();
     return volume.segments().stream().noneMatch(segment -> chosen.containsKey(segment.name()))
@@ -175,7 +192,12 @@ public final class ContactScene {
             .toList();
   }
 
-  /** The settings of a live session's frame with a device. */
+  /**
+   * Returns the settings for the frames of a live session.
+   *
+   * @param device the device, which limits the force unless the settings do
+   * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan
+   */
   public FrameSettings liveFrame(DeviceSpecification device, double defaultNewtonPerMm) {
     FrameSettings live = FrameSettings.live(device, force(defaultNewtonPerMm));
     return settings.maxForceNewton().isPresent()
@@ -184,20 +206,22 @@ public final class ContactScene {
   }
 
   /**
-   * A frame over this scene that carries out its edits.
+   * Returns a new frame over this scene that applies its queued edits.
    *
-   * @param gridDevice delivers grid coordinates, takes forces along the grid's axes
+   * @param gridDevice delivers grid coordinates and takes forces along the grid's axes; see {@link
+   *     GridDevice}
+   * @param publisher receives the result of each frame on the haptic thread
    */
   public HapticFrame newFrame(
       HapticDevice gridDevice, FrameSettings frame, FramePublisher publisher) {
     return new HapticFrame(
-        gridDevice, newSolver(), newObstacles(), metric, frame, edits, publisher);
+        gridDevice, newSolver(), newCollisionScene(), metric, frame, edits, publisher);
   }
 
-  /** A frame that edits nothing and tells no one, to warm up with. */
+  /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */
   HapticFrame newWarmUpFrame(HapticDevice gridDevice, FrameSettings frame) {
     EditQueue none = new EditQueue(volume.grid(), volume.segments().size(), 1);
     return new HapticFrame(
-        gridDevice, newSolver(), newObstacles(), metric, frame, none, FramePublisher.NONE);
+        gridDevice, newSolver(), newCollisionScene(), metric, frame, none, FramePublisher.NONE);
   }
 }

@@ -7,17 +7,20 @@ import org.palpate.force.FrictionForm;
 import org.palpate.geometry.Vec3;
 
 /**
- * How touching is to be done.
+ * Settings of contact: solver, collision method, stiffness, friction and limits.
  *
- * @param solver what moves the interaction point
- * @param collision how collisions are found; exact where the solver does not let one choose
- * @param stiffnessNewtonPerMm force over distance, of scan; the device's own default where empty
- * @param friction coefficient, 0 or more
- * @param maxStepMm w_max, the most that the point travels in a frame; {@link #defaultMaxStepMm}
- *     where empty
- * @param maxForceNewton the largest force; the device's maximum where empty
- * @param frictionForm how friction is computed
- * @param materials by the name of a segment: what differs from all of this
+ * <p>Immutable. Start from {@link #standard()}; an empty value means a default.
+ *
+ * @param solver moves the interaction point
+ * @param collision tests paths for collisions; exact if the solver does not let the user choose
+ * @param stiffnessNewtonPerMm force per distance between device and interaction point, N per mm of
+ *     scan; if empty, the device's default
+ * @param friction friction coefficient, 0 or more
+ * @param maxStepMm w_max, the longest path of the interaction point in one frame, mm; if empty,
+ *     {@link #defaultMaxStepMm}
+ * @param maxForceNewton the largest force, N; if empty, the device's maximum
+ * @param frictionForm the friction model
+ * @param materials overrides of stiffness, friction and damping by the name of a segment
  */
 public record ContactSettings(
     SolverKind solver,
@@ -29,12 +32,12 @@ public record ContactSettings(
     FrictionForm frictionForm,
     Map<String, MaterialOverride> materials) {
 
-  /** Keeps a copy of the map. */
+  /** Copies the map. */
   public ContactSettings {
     materials = Map.copyOf(materials);
   }
 
-  /** With friction by the paper's equation (4), the same for all segments. */
+  /** Creates settings with friction by the paper's equation (4), the same for all segments. */
   public ContactSettings(
       SolverKind solver,
       CollisionChoice collision,
@@ -53,12 +56,12 @@ public record ContactSettings(
         Map.of());
   }
 
-  /** Everything as it is unless one says otherwise. */
+  /** Returns the default settings. */
   public static ContactSettings standard() {
     return standard(SolverKind.DEFAULT);
   }
 
-  /** A solver with everything else as it is unless one says otherwise. */
+  /** Returns the default settings for a solver. */
   public static ContactSettings standard(SolverKind solver) {
     return new ContactSettings(
         solver,
@@ -69,7 +72,10 @@ public record ContactSettings(
         OptionalDouble.empty());
   }
 
-  /** The larger of 8 shortest and 3 longest voxel edges, mm. */
+  /**
+   * Returns the default of w_max in mm: 8 times the shortest or 3 times the longest voxel edge,
+   * whichever is larger.
+   */
   public static double defaultMaxStepMm(Vec3 spacingMm) {
     double shortest = Math.min(spacingMm.x, Math.min(spacingMm.y, spacingMm.z));
     double longest = Math.max(spacingMm.x, Math.max(spacingMm.y, spacingMm.z));

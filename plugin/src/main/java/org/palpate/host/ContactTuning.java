@@ -6,89 +6,94 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.HapticFrame;
 
 /**
- * What surfaces feel like, changed in steps while they are touched: stiffness and friction of all
- * segments together, solver. Each change is felt from the next frame on. Any thread.
+ * Changes stiffness, friction and the solver in steps while the user touches. Each change takes
+ * effect in the next frame and applies to all segments together. Any thread.
  */
 public final class ContactTuning {
   private static final double STIFFNESS_STEP = 1.25;
-  private static final double LEAST_NEWTON_PER_MM = 0.01;
+  private static final double MIN_NEWTON_PER_MM = 0.01;
 
-  /** For devices that tell no maximum. */
-  private static final double LARGEST_NEWTON_PER_MM = 10;
+  /** The maximum for devices that report none. */
+  private static final double DEFAULT_MAX_NEWTON_PER_MM = 10;
 
   private static final double FRICTION_STEP = 0.05;
-  private static final double LARGEST_FRICTION = 1;
+  private static final double MAX_FRICTION = 1;
 
-  /** In the order in which {@link #nextSolver} goes through them. */
+  /** In the order of {@link #nextSolver}. */
   private static final List<SolverKind> SOLVERS =
       List.of(SolverKind.SMOOTH, SolverKind.GUARDED, SolverKind.PAPER, SolverKind.DOT);
 
   private final HapticFrame frame;
   private final ContactScene scene;
-  private final double mostNewtonPerMm;
+  private final double maxNewtonPerMm;
   private ForceSettings force;
   private SolverKind solver;
 
-  /** Begins with what the frame was made with. */
+  /** Starts from the settings that the frame was created with. */
   ContactTuning(
       HapticFrame frame, ContactScene scene, ForceSettings force, DeviceSpecification device) {
     this.frame = frame;
     this.scene = scene;
     this.force = force;
     solver = scene.settings().solver();
-    double most = device.maxStiffnessNewtonPerMm();
-    boolean told = most > 0 && !Double.isInfinite(most);
-    mostNewtonPerMm = Math.max(told ? most : LARGEST_NEWTON_PER_MM, force.stiffestNewtonPerMm());
+    double deviceMax = device.maxStiffnessNewtonPerMm();
+    boolean isKnown = deviceMax > 0 && !Double.isInfinite(deviceMax);
+    maxNewtonPerMm =
+        Math.max(isKnown ? deviceMax : DEFAULT_MAX_NEWTON_PER_MM, force.stiffestNewtonPerMm());
   }
 
-  /** A quarter stiffer, until the stiffest segment reaches the device's maximum. */
-  public synchronized void stiffer() {
-    makeStiffer(STIFFNESS_STEP);
+  /**
+   * Increases the stiffness by a quarter, until the stiffest segment reaches the device's maximum.
+   */
+  public synchronized void increaseStiffness() {
+    scaleStiffness(STIFFNESS_STEP);
   }
 
-  /** The step of {@link #stiffer} back. */
-  public synchronized void softer() {
-    makeStiffer(1 / STIFFNESS_STEP);
+  /** Decreases the stiffness by the step of {@link #increaseStiffness}. */
+  public synchronized void decreaseStiffness() {
+    scaleStiffness(1 / STIFFNESS_STEP);
   }
 
-  private void makeStiffer(double factor) {
+  private void scaleStiffness(double factor) {
     double stiffest = force.stiffestNewtonPerMm();
-    double within = Math.max(LEAST_NEWTON_PER_MM, Math.min(mostNewtonPerMm, factor * stiffest));
-    retune(stiffest > 0 ? within / stiffest : 1, 0);
+    double limited = Math.max(MIN_NEWTON_PER_MM, Math.min(maxNewtonPerMm, factor * stiffest));
+    retune(stiffest > 0 ? limited / stiffest : 1, 0);
   }
 
-  /** More friction by 0.05, up to 1. */
-  public synchronized void rougher() {
+  /** Increases the friction coefficient by 0.05, up to 1. */
+  public synchronized void increaseFriction() {
     setFriction(force.friction() + FRICTION_STEP);
   }
 
-  /** Less friction by 0.05, down to none. */
+  /** Decreases the friction coefficient by 0.05, down to 0. */
   public synchronized void decreaseFriction() {
     setFriction(force.friction() - FRICTION_STEP);
   }
 
   private void setFriction(double friction) {
     double steps = Math.rint(friction / FRICTION_STEP) * FRICTION_STEP;
-    retune(1, Math.max(0, Math.min(LARGEST_FRICTION, steps)) - force.friction());
+    retune(1, Math.max(0, Math.min(MAX_FRICTION, steps)) - force.friction());
   }
 
-  private void retune(double stiffnessFactor, double moreFriction) {
-    force = force.retuned(stiffnessFactor, moreFriction);
+  private void retune(double stiffnessFactor, double addedFriction) {
+    force = force.retuned(stiffnessFactor, addedFriction);
     frame.requestForce(force);
   }
 
-  /** The next of smooth, guarded, paper and dot; the last two do not keep the guarantee. */
+  /**
+   * Switches to the next of smooth, guarded, paper and dot. The last two do not keep the guarantee.
+   */
   public synchronized void nextSolver() {
     solver = SOLVERS.get((SOLVERS.indexOf(solver) + 1) % SOLVERS.size());
     frame.requestSolver(scene.newSolver(solver));
   }
 
-  /** The solver that the next frame runs. */
+  /** Returns the kind of solver that the next frame runs. */
   public synchronized SolverKind solver() {
     return solver;
   }
 
-  /** Stiffness and friction of the next frame. */
+  /** Returns stiffness and friction of the next frame. */
   public synchronized ForceSettings force() {
     return force;
   }

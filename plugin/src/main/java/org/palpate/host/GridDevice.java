@@ -8,22 +8,27 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * A device seen from the grid: positions come in grid coordinates, forces go along the grid's axes.
- * The one place where the haptic thread passes between world and grid.
+ * Presents a device in grid coordinates: positions are grid coordinates, forces act along the
+ * grid's axes. This is the one place where the haptic thread converts between world and grid.
  *
- * <p>Read and written by one thread, closed by any; allocates nothing.
+ * <p>One thread reads and writes; any thread closes. Allocates nothing in a frame.
  */
 public final class GridDevice extends DeviceDecorator {
   private final VoxelGrid grid;
   private final Vec3 forceWorldNewton = new Vec3();
 
-  /** Stands before {@code device}, whose positions and forces are of the world. */
+  /**
+   * Wraps a device.
+   *
+   * @param device positions in world mm, forces along the world's axes
+   * @param grid the grid to convert to
+   */
   public GridDevice(HapticDevice device, VoxelGrid grid) {
     super(device);
     this.grid = grid;
   }
 
-  /** As the device answers; the state's position is in grid coordinates. */
+  /** Reads the device; the position of {@code state} is in grid coordinates. */
   @Override
   public ReadStatus read(DeviceState state) {
     ReadStatus status = device.read(state);
@@ -36,7 +41,7 @@ public final class GridDevice extends DeviceDecorator {
   /**
    * Sends a force.
    *
-   * @param forceNewton along the grid's axes
+   * @param forceNewton force on the hand along the grid's axes, N
    */
   @Override
   public boolean write(Vec3 forceNewton) {

@@ -15,16 +15,19 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
-/** Finds what a simulated hand can press: points where rays from all around first meet a solid. */
+/**
+ * Finds the points that a simulated hand can press: where rays from all directions first meet a
+ * solid.
+ */
 public final class HandTargetFinder {
   private static final int RAYS = 512;
 
-  /** The turn from one direction to the next, which spreads them evenly over the ball. */
+  /** Angle between successive directions of a spiral that covers the sphere evenly, rad. */
   private static final double GOLDEN_ANGLE = StrictMath.PI * (3 - Math.sqrt(5));
 
   private HandTargetFinder() {}
 
-  /** The target in world mm; the whole grid where nothing is solid. */
+  /** Returns the target in world mm; the box of the whole grid if no voxel is solid. */
   public static HandTarget of(SegmentedVolume volume) {
     VoxelGrid grid = volume.grid();
     IntBox box = solidBox(volume);
@@ -68,7 +71,7 @@ public final class HandTargetFinder {
     highMm.set(Math.max(highMm.x, p.x), Math.max(highMm.y, p.y), Math.max(highMm.z, p.z));
   }
 
-  private static List<Vec3> surface(CollisionScene obstacles, IntBox box, VoxelGrid grid) {
+  private static List<Vec3> surface(CollisionScene scene, IntBox box, VoxelGrid grid) {
     double x = (box.lowX + box.highX + 1) / 2.0;
     double y = (box.lowY + box.highY + 1) / 2.0;
     double z = (box.lowZ + box.highZ + 1) / 2.0;
@@ -83,9 +86,9 @@ public final class HandTargetFinder {
       double dx = reach * out * StrictMath.cos(n * GOLDEN_ANGLE);
       double dy = reach * out * StrictMath.sin(n * GOLDEN_ANGLE);
       double dz = reach * up;
-      if (obstacles.cast(caster, ray.from(x + dx, y + dy, z + dz), hit)) {
-        double rest = 1 - hit.t;
-        Vec3 point = new Vec3(x + rest * dx, y + rest * dy, z + rest * dz);
+      if (scene.cast(caster, ray.from(x + dx, y + dy, z + dz), hit)) {
+        double remaining = 1 - hit.t;
+        Vec3 point = new Vec3(x + remaining * dx, y + remaining * dy, z + remaining * dz);
         points.add(grid.gridToWorld(point, point));
       }
     }

@@ -6,12 +6,12 @@ import org.palpate.force.FrictionForm;
 import org.palpate.force.Material;
 
 /**
- * What of a segment feels otherwise than the rest; what is empty is as with the others.
+ * Overrides parts of the general material for one segment. An empty value keeps the general one.
  *
- * @param stiffnessNewtonPerMm force over distance, of scan
- * @param friction at rest, and sliding where that has none of its own
- * @param slidingFriction of a slide, at most that at rest
- * @param dampingNewtonSecondPerMm force over speed
+ * @param stiffnessNewtonPerMm force per distance, N per mm of scan
+ * @param friction static friction coefficient; also the kinetic one if that is not given
+ * @param slidingFriction kinetic friction coefficient, at most the static one
+ * @param dampingNewtonSecondPerMm force per speed, N s/mm
  */
 public record MaterialOverride(
     OptionalDouble stiffnessNewtonPerMm,
@@ -19,7 +19,7 @@ public record MaterialOverride(
     OptionalDouble slidingFriction,
     OptionalDouble dampingNewtonSecondPerMm) {
 
-  /** Nothing differs. */
+  /** Overrides nothing. */
   public static final MaterialOverride NONE =
       new MaterialOverride(
           OptionalDouble.empty(),
@@ -28,23 +28,26 @@ public record MaterialOverride(
           OptionalDouble.empty());
 
   /**
-   * Reads {@code stiffness:0.8,friction:0.3,sliding:0.2,damping:0.001}, any of the four, each once;
-   * empty where it is not that, a number is below 0 or infinite, or sliding is above friction.
+   * Parses any of the four as in {@code stiffness:0.8,friction:0.3,sliding:0.2,damping:0.001}, each
+   * at most once.
+   *
+   * <p>Returns empty if the text has another form, a number is negative or infinite, or sliding
+   * exceeds friction.
    */
   public static Optional<MaterialOverride> parse(String text) {
-    MaterialOverride choice = NONE;
+    MaterialOverride override = NONE;
     for (String part : text.split(",", -1)) {
       int colon = part.indexOf(':');
       OptionalDouble value = number(part.substring(colon + 1));
       MaterialOverride next =
-          colon < 0 || value.isEmpty() ? choice : choice.with(part.substring(0, colon), value);
-      if (next.equals(choice)) {
+          colon < 0 || value.isEmpty() ? override : override.with(part.substring(0, colon), value);
+      if (next.equals(override)) {
         return Optional.empty();
       }
-      choice = next;
+      override = next;
     }
-    double atRest = choice.friction.orElse(Double.POSITIVE_INFINITY);
-    return choice.slidingFriction.orElse(0) > atRest ? Optional.empty() : Optional.of(choice);
+    double atRest = override.friction.orElse(Double.POSITIVE_INFINITY);
+    return override.slidingFriction.orElse(0) > atRest ? Optional.empty() : Optional.of(override);
   }
 
   private static OptionalDouble number(String text) {
@@ -58,7 +61,9 @@ public record MaterialOverride(
     }
   }
 
-  /** The same with one more number; itself where there is no such name or it has been given. */
+  /**
+   * Returns a copy with one more value; this object if the name is unknown or already has a value.
+   */
   private MaterialOverride with(String name, OptionalDouble value) {
     if (name.equals("stiffness") && stiffnessNewtonPerMm.isEmpty()) {
       return new MaterialOverride(value, friction, slidingFriction, dampingNewtonSecondPerMm);
@@ -76,7 +81,7 @@ public record MaterialOverride(
     return this;
   }
 
-  /** The material of a segment among others of a general one. */
+  /** Returns the material of the segment over a general material. */
   Material over(Material general, FrictionForm form) {
     double atRest = friction.orElse(Math.max(general.staticFriction(), slidingFriction.orElse(0)));
     double sliding = slidingFriction.orElse(form.slidingFraction() * atRest);

@@ -9,53 +9,54 @@ import org.palpate.device.SimulatedDevice;
 import org.palpate.geometry.Vec3;
 
 /**
- * A mouse as a device: it follows where the pointer wants to be, no faster than a hand, and feels
- * nothing. Any thread moves it, the haptic thread reads it.
+ * A mouse as a haptic device without force. The position approaches the pointer smoothly, no faster
+ * than a hand. Any thread moves the pointer; the haptic thread reads the device.
  */
 public final class MouseDevice implements HapticDevice {
-  /** How far the hand comes in a sample, as a share of what is left to the pointer. */
+  /** Part of the remaining distance to the pointer that one sample covers. */
   private static final double APPROACH_FRACTION_PER_SAMPLE = 0.02;
 
   private final DeviceSpecification specification;
   private final long intervalNanos;
   private final Vec3 position = new Vec3();
-  private volatile Vec3 wanted;
+  private volatile Vec3 target;
   private volatile boolean closed;
   private long reads;
 
   /**
-   * A hand that rests beside what can be touched until the pointer moves it.
+   * Creates a device that rests beside the region until the pointer moves.
    *
-   * @param intervalNanos time between samples, positive
+   * @param region the region to touch, world mm
+   * @param intervalNanos time between two samples, positive
    */
-  public MouseDevice(HandTarget target, long intervalNanos) {
+  public MouseDevice(HandTarget region, long intervalNanos) {
     this.intervalNanos = intervalNanos;
-    wanted = beside(target);
-    position.set(wanted);
+    target = beside(region);
+    position.set(target);
     specification =
         new DeviceSpecification(
             "mouse",
             "",
             SimulatedDevice.MAX_FORCE_NEWTON,
             SimulatedDevice.MAX_STIFFNESS_NEWTON_PER_MM,
-            radiusMm(target),
+            radiusMm(region),
             0);
   }
 
-  private static double radiusMm(HandTarget target) {
-    return target.highMm().sub(target.lowMm(), new Vec3()).length() / 2;
+  private static double radiusMm(HandTarget region) {
+    return region.highMm().sub(region.lowMm(), new Vec3()).length() / 2;
   }
 
-  private static Vec3 beside(HandTarget target) {
-    Vec3 middle = target.lowMm().add(target.highMm(), new Vec3());
+  private static Vec3 beside(HandTarget region) {
+    Vec3 middle = region.lowMm().add(region.highMm(), new Vec3());
     middle.mul(0.5, middle);
-    middle.x = target.highMm().x + 0.1 * radiusMm(target);
+    middle.x = region.highMm().x + 0.1 * radiusMm(region);
     return middle;
   }
 
-  /** Says where the hand is to go, world mm. Any thread. */
+  /** Sets the position that the device approaches, world mm. Any thread. */
   public void moveTo(Vec3 worldMm) {
-    wanted = new Vec3().set(worldMm);
+    target = new Vec3().set(worldMm);
   }
 
   @Override
@@ -68,11 +69,11 @@ public final class MouseDevice implements HapticDevice {
     if (closed) {
       return ReadStatus.DISCONNECTED;
     }
-    Vec3 to = wanted;
+    Vec3 end = target;
     position.set(
-        position.x + (to.x - position.x) * APPROACH_FRACTION_PER_SAMPLE,
-        position.y + (to.y - position.y) * APPROACH_FRACTION_PER_SAMPLE,
-        position.z + (to.z - position.z) * APPROACH_FRACTION_PER_SAMPLE);
+        position.x + (end.x - position.x) * APPROACH_FRACTION_PER_SAMPLE,
+        position.y + (end.y - position.y) * APPROACH_FRACTION_PER_SAMPLE,
+        position.z + (end.z - position.z) * APPROACH_FRACTION_PER_SAMPLE);
     state.positionMm.set(position);
     state.timeNanos = reads++ * intervalNanos;
     return ReadStatus.FRESH;

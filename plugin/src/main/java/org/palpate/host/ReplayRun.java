@@ -14,12 +14,12 @@ import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 
 /**
- * The frames of a session from a trajectory: a frame a sample, without a clock, so that the same
- * input gives the same bits. One thread.
+ * Runs the frames of a session over a recorded trajectory, one frame a sample. It uses no clock, so
+ * the same input gives the same bits. One thread.
  *
- * <p>Time is the trajectory's, and every sample is followed. Met raw, as a live session would meet
- * them, frames come a millisecond apart, a sample that is no position or comes from the past is
- * held, and silences are noticed.
+ * <p>Time is the trajectory's, and every sample is followed. In raw mode samples are treated as in
+ * a live session: frames come a millisecond apart, invalid positions and backward times keep the
+ * last sample, and silences are detected.
  */
 public final class ReplayRun {
   private static final double NANOS_PER_MS = 1e6;
@@ -29,18 +29,18 @@ public final class ReplayRun {
   private final boolean world;
   private final boolean raw;
 
-  /** Takes what a frame did. */
+  /** Receives the result of each frame. */
   @FunctionalInterface
   public interface FrameSink {
     /**
-     * Takes a frame. The vectors are the run's own and change with the next.
+     * Receives a frame. The vectors belong to the run and change with the next frame.
      *
      * @param frame its number, from 0
-     * @param device as the trajectory has it
-     * @param point p in the trajectory's coordinates
-     * @param forceNewton on the hand, along the axes of the trajectory's coordinates
-     * @param state p with the legs of the frame, grid coordinates
-     * @param freed whether the point was set free before the legs
+     * @param device the device position as the trajectory gives it
+     * @param point the interaction point in the trajectory's coordinates
+     * @param forceNewton force on the hand along the axes of the trajectory's coordinates, N
+     * @param state the interaction point with the legs of the frame, grid coordinates
+     * @param freed whether the frame set the interaction point free before its legs
      */
     void accept(
         int frame, Vec3 device, Vec3 point, Vec3 forceNewton, InteractionPoint state, boolean freed)
@@ -48,10 +48,10 @@ public final class ReplayRun {
   }
 
   /**
-   * A replay that has not run.
+   * Creates a replay.
    *
-   * @param world whether the trajectory is in world mm; grid coordinates else
-   * @param raw whether to meet samples as a live session would
+   * @param world whether the trajectory is in world mm; otherwise in grid coordinates
+   * @param raw whether samples are treated as in a live session
    */
   public ReplayRun(ContactScene scene, Trajectory trajectory, boolean world, boolean raw) {
     this.scene = scene;
@@ -60,11 +60,11 @@ public final class ReplayRun {
     this.raw = raw;
   }
 
-  /** Runs every frame once, from a fresh start, and gives the counts over all of them. */
+  /** Runs every frame once from a fresh start and returns the statistics of all frames. */
   public FrameStatistics run(FrameSink sink) throws IOException {
     TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
-    HapticDevice inGrid = world ? new GridDevice(device, scene.grid()) : device;
-    HapticFrame frame = scene.newFrame(inGrid, frameSettings(), FramePublisher.NONE);
+    HapticDevice gridDevice = world ? new GridDevice(device, scene.grid()) : device;
+    HapticFrame frame = scene.newFrame(gridDevice, frameSettings(), FramePublisher.NONE);
     Vec3 point = new Vec3();
     Vec3 force = new Vec3();
     for (int n = 0; n < trajectory.size(); n++) {

@@ -13,32 +13,34 @@ import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.proxy.TouchedObjectFinder;
 
-/** The time of solver and force over a trajectory, nothing else inside. One thread. */
+/**
+ * Measures the time of solver and force over a trajectory, with nothing else inside. One thread.
+ */
 public final class ReplayTiming {
-  /** Passes that are run first and not counted: they find interpreted code. */
+  /** Passes that are run first and not counted, because they run interpreted code. */
   public static final int UNCOUNTED_PASSES = 2;
 
-  private final CollisionScene obstacles;
+  private final CollisionScene collisionScene;
   private final ProxySolver solver;
   private final ContactForce contactForce;
   private final TouchedObjectFinder touched = new TouchedObjectFinder();
-  private final NearestFreeVoxel freePlace;
+  private final NearestFreeVoxel nearestFree;
   private final Vec3[] devices;
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 forceNewton = new Vec3();
 
   /**
-   * A timing over the samples of a trajectory that are positions.
+   * Prepares a timing over the valid samples of a trajectory.
    *
-   * @param world whether it is in world mm; grid coordinates else
+   * @param world whether the trajectory is in world mm; otherwise in grid coordinates
    */
   public ReplayTiming(ContactScene scene, Trajectory trajectory, boolean world) {
-    obstacles = scene.newObstacles();
+    collisionScene = scene.newCollisionScene();
     solver = scene.newSolver();
     contactForce =
         new ContactForce(
             scene.metric(), scene.force(ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM));
-    freePlace = new NearestFreeVoxel(scene.metric());
+    nearestFree = new NearestFreeVoxel(scene.metric());
     devices = positions(scene, trajectory, world);
   }
 
@@ -57,45 +59,45 @@ public final class ReplayTiming {
   }
 
   /**
-   * Nanoseconds a frame.
+   * Time of one frame in nanoseconds, over the passes that count.
    *
-   * @param min of the passes that count
-   * @param median of the passes that count
-   * @param max of the passes that count
+   * @param min the fastest pass
+   * @param median the median of the passes
+   * @param max the slowest pass
    */
   public record NanosPerFrame(double min, double median, double max) {}
 
   /**
    * Runs all passes.
    *
-   * @param passes more than {@link #UNCOUNTED_PASSES}
+   * @param passes number of passes, more than {@link #UNCOUNTED_PASSES}
    */
   public NanosPerFrame run(int passes) {
     double[] nanos = new double[passes];
     for (int pass = 0; pass < passes; pass++) {
-      start();
-      long began = System.nanoTime();
+      placeAtFirstSample();
+      long startNanos = System.nanoTime();
       pass();
-      nanos[pass] = (double) (System.nanoTime() - began) / devices.length;
+      nanos[pass] = (double) (System.nanoTime() - startNanos) / devices.length;
     }
     double[] counted = Arrays.copyOfRange(nanos, UNCOUNTED_PASSES, passes);
     Arrays.sort(counted);
     return new NanosPerFrame(counted[0], Median.of(counted), counted[counted.length - 1]);
   }
 
-  private void start() {
+  private void placeAtFirstSample() {
     Vec3 p = point.position.set(devices[0]);
     solver.reset();
-    if (obstacles.touches(p.x, p.y, p.z)) {
-      freePlace.find(obstacles, p, p);
+    if (collisionScene.touches(p.x, p.y, p.z)) {
+      nearestFree.find(collisionScene, p, p);
     }
   }
 
   private void pass() {
     for (Vec3 device : devices) {
-      solver.follow(obstacles, device, point);
+      solver.follow(collisionScene, device, point);
       if (contactForce.settings().distinguishesObjects()) {
-        touched.find(obstacles, device, point);
+        touched.find(collisionScene, device, point);
       }
       contactForce.compute(point, device, TrajectoryDevice.FRAME_NANOS, forceNewton);
     }

@@ -23,19 +23,24 @@ import org.palpate.scene.window.WindowInput;
 import org.palpate.volume.SegmentedVolume;
 
 /**
- * The window of a live session and the thread that keeps it up to date. It opens on a thread of its
- * own, so that force does not wait for it; whatever befalls it, the session goes on.
+ * The window of a live session and the thread that keeps it up to date.
+ *
+ * <p>The window opens on a thread of its own, so that the force does not wait for it. A failure of
+ * the window never ends the session. Any thread may call every method unless it says otherwise.
  */
 public final class SessionView implements AutoCloseable {
-  /** Whom a view tells. */
+  /** Receives what a view reports. */
   public interface Listener {
-    /** A line for the person. Any thread. */
-    void tell(String line);
+    /** Prints a line for the user. Any thread. */
+    void print(String line);
 
-    /** The session is to end: Escape, or the window was closed. Any thread. */
+    /** Ends the session: the user pressed Escape or closed the window. Any thread. */
     void stop();
 
-    /** A window is about to be shown: the time to give keys something to do. */
+    /**
+     * Prepares a window that is about to be shown, for example by adding keys. On the thread that
+     * opens it.
+     */
     default void opening(SceneWindow window) {}
   }
 
@@ -43,8 +48,8 @@ public final class SessionView implements AutoCloseable {
   private static final int HEIGHT = 768;
   private static final long OVERLAY_NANOS = 500_000_000;
 
-  /** The longest that an ending session waits for a window that is being opened. */
-  private static final long OPENING_MILLIS = 10_000;
+  /** The longest time that an ending session waits for a window that is opening. */
+  private static final long OPENING_WAIT_MILLIS = 10_000;
 
   private static final char ESCAPE = 27;
 
@@ -55,26 +60,30 @@ public final class SessionView implements AutoCloseable {
   private final ViewOptions options;
   private final Optional<MovableSlices> slices;
   private final SceneModel model;
-  private final SceneSynchronizer sync;
-  private final SynchronizationThread ticking;
+  private final SceneSynchronizer synchronizer;
+  private final SynchronizationThread synchronization;
   private final Thread opening;
-  private final Vec3 taken = new Vec3();
+  private final Vec3 point = new Vec3();
   private volatile Vec3 proxyGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
   private volatile SceneLoader loader;
   private volatile SceneWindow window;
-  private volatile boolean retuned;
+  private volatile boolean overlayOutdated;
   private boolean closed;
   private List<String> lines = List.of();
   private long linesNanos;
   private long linesFrames;
   private long linesApplications;
-  private double linesMade;
+  private double linesProgress;
 
   /**
-   * A view of surfaces that is not open yet; from now on the reader of the session's properties.
+   * Creates a view of surfaces made of bits, which is not open yet. From now on the view is the one
+   * reader of the session's properties.
    *
-   * @param volume what is drawn; its bits may be a copy of those that are touched
-   * @param device what is held; the mouse moves it where it is a {@link MouseDevice}
+   * @param session the session to show
+   * @param volume the drawn segments; their bits may be a copy of those that are touched
+   * @param axes orientation of the volume's world axes
+   * @param device the device of the session; the mouse moves it if it is a {@link MouseDevice}
+   * @param listener receives reports
    */
   public SessionView(
       TouchSession session,
@@ -85,7 +94,7 @@ public final class SessionView implements AutoCloseable {
     this(session, volume, axes, device, listener, ViewOptions.PLAIN);
   }
 
-  /** The same with more to see. */
+  /** Creates a view with further options; otherwise as the other constructor. */
   public SessionView(
       TouchSession session,
       SegmentedVolume volume,
@@ -99,25 +108,25 @@ public final class SessionView implements AutoCloseable {
     this.device = device;
     this.listener = listener;
     model = new SceneModel(axes, Theme.DARK);
-    sync = new SceneSynchronizer(session.properties(), volume.grid(), model, this::overlay);
-    ticking = new SynchronizationThread(this::tick, this::synchronizationFailed);
+    synchronizer = new SceneSynchronizer(session.properties(), volume.grid(), model, this::overlay);
+    synchronization = new SynchronizationThread(this::tick, this::synchronizationFailed);
     opening = new Thread(this::open, "palpate-open-view");
     opening.setDaemon(true);
     slices = options.slices().map(start -> new MovableSlices(model, start));
   }
 
-  /** Starts the synchronization, and the window in the background. */
+  /** Starts the synchronization, and opens the window in the background. */
   public void start() {
-    ticking.start();
+    synchronization.start();
     opening.start();
   }
 
   private void tick() {
-    sync.run();
-    if (sync.applications() > 0) {
-      session.properties().touch().interactionPoint(taken);
-      proxyGrid = new Vec3().set(taken);
-      slices.ifPresent(planes -> planes.follow(taken));
+    synchronizer.run();
+    if (synchronizer.applications() > 0) {
+      session.properties().touch().interactionPoint(point);
+      proxyGrid = new Vec3().set(point);
+      slices.ifPresent(planes -> planes.follow(point));
     }
   }
 
@@ -131,53 +140,56 @@ public final class SessionView implements AutoCloseable {
       if (!isClosed()) {
         opened.show();
       }
-      keep(opened);
+      setWindow(opened);
     } catch (GraphicsException e) {
       loader = null;
       started.close();
-      tell("no window (" + e.what() + "): " + e.remedy() + "; goes on without one");
+      print("no window (" + e.what() + "): " + e.remedy() + "; the session goes on without one");
     }
   }
 
   private SceneWindow newWindow() throws GraphicsException {
     return options.panel().isPresent()
-        ? new SceneWindow(model, options.panel().get(), this::ended)
-        : new SceneWindow(model, "Palpate", WIDTH, HEIGHT, this::ended);
+        ? new SceneWindow(model, options.panel().get(), this::windowEnded)
+        : new SceneWindow(model, "Palpate", WIDTH, HEIGHT, this::windowEnded);
   }
 
   private void addKeys(WindowInput input) {
     input.onKey(ESCAPE, "end", listener::stop);
-    ContactTuning feel = session.feel();
-    input.onKey('+', "stiffer", () -> retune(feel::stiffer));
-    input.onKey('-', "softer", () -> retune(feel::softer));
-    input.onKey('.', "more friction", () -> retune(feel::rougher));
-    input.onKey(',', "less friction", () -> retune(feel::decreaseFriction));
-    input.onKey('n', "next solver: smooth, guarded, paper, dot", () -> retune(feel::nextSolver));
-    if (device instanceof MouseDevice pointer) {
-      input.setPointer(pointer::moveTo);
+    ContactTuning tuning = session.tuning();
+    input.onKey('+', "stiffer", () -> applyAndShow(tuning::increaseStiffness));
+    input.onKey('-', "softer", () -> applyAndShow(tuning::decreaseStiffness));
+    input.onKey('.', "more friction", () -> applyAndShow(tuning::increaseFriction));
+    input.onKey(',', "less friction", () -> applyAndShow(tuning::decreaseFriction));
+    input.onKey(
+        'n', "next solver: smooth, guarded, paper, dot", () -> applyAndShow(tuning::nextSolver));
+    if (device instanceof MouseDevice mouse) {
+      input.setPointer(mouse::moveTo);
     }
     if (device instanceof WorkspaceDevice mapped) {
       input.onKey(
-          ' ', "clutch: hold the point, or let it go", () -> retune(() -> toggleClutch(mapped)));
+          ' ', "clutch: hold or release the point", () -> applyAndShow(() -> toggleClutch(mapped)));
     }
     slices.ifPresent(planes -> addSliceKeys(input, planes));
   }
 
   private void addSliceKeys(WindowInput input, MovableSlices planes) {
     input.onKey(
-        'g', "slices of grey values: off, fixed, at the point", () -> retune(planes::nextMode));
-    input.onKey('p', "which slice [ and ] move: x, y, z", () -> retune(planes::nextAxis));
-    input.onHeldKey('[', "move the slice back", () -> retune(() -> planes.move(-1)));
-    input.onHeldKey(']', "move the slice on", () -> retune(() -> planes.move(1)));
+        'g',
+        "slices of grey values: off, fixed, at the point",
+        () -> applyAndShow(planes::nextMode));
+    input.onKey('p', "axis that [ and ] move: x, y, z", () -> applyAndShow(planes::nextAxis));
+    input.onHeldKey('[', "move the slice back", () -> applyAndShow(() -> planes.move(-1)));
+    input.onHeldKey(']', "move the slice forward", () -> applyAndShow(() -> planes.move(1)));
   }
 
   private static void toggleClutch(WorkspaceDevice mapped) {
     mapped.holdClutch(!mapped.isClutchRequested());
   }
 
-  private void retune(Runnable change) {
+  private void applyAndShow(Runnable change) {
     change.run();
-    retuned = true;
+    overlayOutdated = true;
   }
 
   private synchronized boolean isClosed() {
@@ -191,7 +203,7 @@ public final class SessionView implements AutoCloseable {
     return started;
   }
 
-  private synchronized void keep(SceneWindow opened) {
+  private synchronized void setWindow(SceneWindow opened) {
     window = opened;
     if (closed) {
       closeBoth();
@@ -199,73 +211,76 @@ public final class SessionView implements AutoCloseable {
   }
 
   /**
-   * Draws anew what an edit changed. By the thread that closes the view, after the bits of the
-   * drawn volume have changed.
+   * Rebuilds the surface where an edit changed voxels. Call it on the thread that closes the view,
+   * after the bits of the drawn volume have changed.
    *
    * @param segment its number
-   * @param voxels a box about what changed
+   * @param voxels a box around the changed voxels
    */
-  public void edited(int segment, IntBox voxels) {
+  public void remesh(int segment, IntBox voxels) {
     SceneLoader meshes = loader;
     if (meshes != null) {
-      meshes.edited(segment, voxels);
+      meshes.remesh(segment, voxels);
     }
   }
 
-  /** Shows landmarks, all that there are; places in the world. Any thread. */
-  public void showLandmarks(List<NamedPoint> world) {
-    model.setLandmarks(world);
+  /** Shows these landmarks and no others; positions in world mm. */
+  public void showLandmarks(List<NamedPoint> worldMm) {
+    model.setLandmarks(worldMm);
   }
 
-  /** Where the interaction point was at the last tick, grid coordinates; NaN before. Any thread. */
+  /** Returns the interaction point of the last tick in grid coordinates; NaN before the first. */
   public Vec3 proxyGrid() {
     return new Vec3().set(proxyGrid);
   }
 
-  /** The window, once it is shown; null before and where there is none. */
+  /** Returns the window once it is shown; null before, or if none could be opened. */
   public SceneWindow window() {
     return window;
   }
 
-  private void ended(SceneWindow.End why) {
-    if (why == SceneWindow.End.CLOSED_BY_USER) {
+  private void windowEnded(SceneWindow.End end) {
+    if (end == SceneWindow.End.CLOSED_BY_USER) {
       listener.stop();
     } else {
-      tell("the window failed (" + reason() + "); the session goes on without it");
+      print("the window failed (" + reason() + "); the session goes on without it");
     }
   }
 
   private String reason() {
     SceneWindow failed = window;
-    return failed == null ? "" : failed.failure().map(SessionView::words).orElse("");
+    return failed == null ? "" : failed.failure().map(SessionView::message).orElse("");
   }
 
-  private static String words(Throwable failure) {
+  private static String message(Throwable failure) {
     return failure.getMessage() == null ? failure.toString() : failure.getMessage();
   }
 
   private void synchronizationFailed(RuntimeException failure) {
-    tell("the scene is not brought up to date (" + words(failure) + "); the session goes on");
+    print("the scene is no longer updated (" + message(failure) + "); the session goes on");
   }
 
-  private void tell(String line) {
-    listener.tell(line);
+  private void print(String line) {
+    listener.print(line);
   }
 
-  /** New numbers twice a second while something moves; the same lines else, so no redraw. */
+  /**
+   * Returns new numbers twice a second while something moves, otherwise the same lines, which cause
+   * no redraw.
+   */
   private List<String> overlay() {
     long now = System.nanoTime();
-    double made = surfaceProgress();
-    boolean moved = sync.applications() != linesApplications || made != linesMade;
-    if (retuned || (moved && now - linesNanos >= OVERLAY_NANOS)) {
-      retuned = false;
+    double progress = surfaceProgress();
+    boolean moved = synchronizer.applications() != linesApplications || progress != linesProgress;
+    if (overlayOutdated || (moved && now - linesNanos >= OVERLAY_NANOS)) {
+      overlayOutdated = false;
       LoopStatus status = session.status();
       double rate = (status.frames() - linesFrames) * 1e9 / (now - linesNanos);
       lines = lines(status, linesNanos == 0 ? "" : String.format(Locale.ROOT, "%.0f Hz   ", rate));
       linesNanos = now;
       linesFrames = status.frames();
-      linesApplications = sync.applications();
-      linesMade = made;
+      linesApplications = synchronizer.applications();
+      linesProgress = progress;
     }
     return lines;
   }
@@ -285,67 +300,72 @@ public final class SessionView implements AutoCloseable {
         "h: help");
   }
 
-  /** The share of the surfaces that is made; all where none are. */
+  /** Returns the fraction of the surfaces that is complete; 1 if there are none. */
   private double surfaceProgress() {
     SceneLoader meshes = loader;
     return meshes == null ? 1 : meshes.progress();
   }
 
   private String pendingSurfaceText() {
-    double made = surfaceProgress();
-    return made == 1
+    double progress = surfaceProgress();
+    return progress == 1
         ? ""
-        : String.format(Locale.ROOT, "   surfaces %.0f %%", Math.floor(100 * made));
+        : String.format(Locale.ROOT, "   surfaces %.0f %%", Math.floor(100 * progress));
   }
 
   private String tuningLine() {
-    ContactTuning feel = session.feel();
+    ContactTuning tuning = session.tuning();
     boolean clutched = device instanceof WorkspaceDevice mapped && mapped.isClutchRequested();
     return String.format(
         Locale.ROOT,
         "%s   %.2f N/mm   friction %.2f%s",
-        feel.solver(),
-        feel.force().stiffnessNewtonPerMm(),
-        feel.force().friction(),
+        tuning.solver(),
+        tuning.force().stiffnessNewtonPerMm(),
+        tuning.force().friction(),
         clutched ? "   clutch held" : "");
   }
 
-  /** Ticks of the synchronization a second. */
+  /** Returns the rate of the synchronization, Hz. */
   public double rateHz() {
-    return ticking.rateHz();
+    return synchronization.rateHz();
   }
 
-  /** When a surface was first seen, as the system counts milliseconds; 0 where it was not. */
+  /** Returns when a surface was first shown, in milliseconds of the system clock; 0 if none was. */
   public long firstSurfaceMillis() {
     SceneWindow shown = window;
     return shown == null ? 0 : shown.firstSurfaceMillis();
   }
 
-  /** Pictures drawn. */
+  /** Returns the number of pictures drawn. */
   public long redraws() {
     SceneWindow shown = window;
     return shown == null ? 0 : shown.redraws();
   }
 
-  /** How often the picture of what stands still was kept; once the session has ended. */
-  public long stillKept() {
+  /**
+   * Returns how often the picture of the static parts was reused; final once the session has ended.
+   */
+  public long staticReused() {
     SceneWindow shown = window;
-    return shown == null ? 0 : shown.stillKept();
-  }
-
-  /** Bricks of surfaces that were not drawn, outside the view; once the session has ended. */
-  public long skippedBricks() {
-    SceneWindow shown = window;
-    return shown == null ? 0 : shown.skippedBricks();
+    return shown == null ? 0 : shown.staticReused();
   }
 
   /**
-   * Ends the synchronization and closes the window, also one that is just being opened. Any number
-   * of times.
+   * Returns how many surface bricks were not drawn because they were outside the view; final once
+   * the session has ended.
+   */
+  public long culledBricks() {
+    SceneWindow shown = window;
+    return shown == null ? 0 : shown.culledBricks();
+  }
+
+  /**
+   * Ends the synchronization and closes the window, also one that is just opening. May be called
+   * repeatedly.
    */
   @Override
   public void close() {
-    ticking.close();
+    synchronization.close();
     synchronized (this) {
       closed = true;
     }
@@ -358,7 +378,7 @@ public final class SessionView implements AutoCloseable {
   private void awaitOpening() {
     if (opening != Thread.currentThread()) {
       try {
-        opening.join(OPENING_MILLIS);
+        opening.join(OPENING_WAIT_MILLIS);
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
       }

@@ -4,76 +4,77 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Runs a session's duties from its start to its end in a thread of its own, for platforms whose
- * commands are to return at once. Where the platform's process ends meanwhile, the session is asked
- * to stop and waited for, so that zero force is sent first.
+ * Runs a session in a thread of its own, for platforms whose commands must return at once.
+ *
+ * <p>If the process ends meanwhile, the worker asks the session to stop and waits, so that zero
+ * force is sent first.
  */
 public final class SessionWorker {
-  private static final long PATIENCE_MILLIS = 3000;
+  private static final long SHUTDOWN_WAIT_MILLIS = 3000;
 
   private final CountDownLatch ended = new CountDownLatch(1);
-  private final Runnable duties;
+  private final Runnable session;
   private final Thread thread;
-  private final Thread atExit;
+  private final Thread shutdownHook;
 
   /**
-   * A worker that has not started.
+   * Creates a worker.
    *
-   * @param duties the session, whole; what it throws reaches the thread's uncaught handler
+   * @param session runs the whole session; what it throws reaches the thread's uncaught handler
    * @param stop asks the session to end; must not wait
    */
-  public SessionWorker(Runnable duties, Runnable stop) {
-    this.duties = duties;
+  public SessionWorker(Runnable session, Runnable stop) {
+    this.session = session;
     thread = new Thread(this::run, "palpate-session");
     thread.setDaemon(true);
-    atExit =
+    shutdownHook =
         new Thread(
             () -> {
               stop.run();
-              await(PATIENCE_MILLIS);
+              await(SHUTDOWN_WAIT_MILLIS);
             },
             "palpate-end");
   }
 
-  /** Starts; once. */
+  /** Starts the thread. Call it once. */
   public void start() {
-    Runtime.getRuntime().addShutdownHook(atExit);
+    Runtime.getRuntime().addShutdownHook(shutdownHook);
     thread.start();
   }
 
   private void run() {
     try {
-      duties.run();
+      session.run();
     } finally {
       ended.countDown();
-      forgetExit();
+      removeShutdownHook();
     }
   }
 
-  private void forgetExit() {
+  private void removeShutdownHook() {
     try {
-      Runtime.getRuntime().removeShutdownHook(atExit);
+      Runtime.getRuntime().removeShutdownHook(shutdownHook);
     } catch (IllegalStateException e) {
-      // the process is ending, and the hook runs or has run
+      // The process is ending; the hook runs or has run.
     }
   }
 
   /**
-   * Whether the process is ending: windows are being taken down by others then, and nobody is there
-   * to be told what they throw. Any thread.
+   * Whether the process is ending. Others close the windows then, and nobody is left to read a
+   * message. Any thread.
    */
   public static boolean isProcessEnding() {
-    Thread none = new Thread(() -> {});
+    Thread probe = new Thread(() -> {});
     try {
-      Runtime.getRuntime().addShutdownHook(none);
-      Runtime.getRuntime().removeShutdownHook(none);
+      Runtime.getRuntime().addShutdownHook(probe);
+      Runtime.getRuntime().removeShutdownHook(probe);
       return false;
     } catch (IllegalStateException e) {
       return true;
     }
   }
 
-  /** Waits for the end; whether it came in that time. Any thread but the worker's own. */
+  /** Waits for the end and returns whether it came in time. Any thread but the worker's own. */
   public boolean await(long millis) {
     try {
       return ended.await(millis, TimeUnit.MILLISECONDS);

@@ -4,38 +4,38 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What moves the interaction point. */
+/** The algorithms that move the interaction point. */
 public enum SolverKind {
-  /** Vlasov et al. 2012. */
+  /** Vlasov et al. 2012; without the guarantee. */
   DOT,
-  /** Vlasov et al. 2013, as printed. */
+  /** Vlasov et al. 2013 as printed; without the guarantee. */
   PAPER,
-  /** The paper's path finding made exact. */
+  /** Path finding along hard voxels, verified exactly. */
   GUARDED,
-  /** Slides on an implicit surface, made exact. */
+  /** Motion on an implicit surface, verified exactly. */
   SMOOTH,
-  /** Nothing: the interaction point is the device, collision alone. */
+  /** No solver: the interaction point is the device position, and only collisions are found. */
   NONE;
 
-  /** What every command and plug-in takes unless told otherwise. */
+  /** The default of every command and plug-in. */
   public static final SolverKind DEFAULT = SMOOTH;
 
-  /** The solver of that name, as {@link #toString} has it; empty where there is none. */
+  /** Parses the name that {@link #toString} returns; empty if there is no such solver. */
   public static Optional<SolverKind> parse(String name) {
     return Arrays.stream(values()).filter(kind -> kind.toString().equals(name)).findFirst();
   }
 
-  /** Whether the collision method is the user's to choose; the others are always exact. */
+  /** Whether the user may choose the collision method; the other solvers are always exact. */
   public boolean choosesCollision() {
     return this == DOT || this == PAPER || this == NONE;
   }
 
-  /** The collision method where none was chosen. */
+  /** Returns the collision method if the user chose none. */
   public CollisionChoice defaultCollision() {
     return this == DOT || this == PAPER ? CollisionChoice.sampled(1) : CollisionChoice.EXACT;
   }
 
-  /** As on the command line. */
+  /** Returns the name on the command line. */
   @Override
   public String toString() {
     return name().toLowerCase(Locale.ROOT);

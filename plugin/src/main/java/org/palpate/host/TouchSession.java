@@ -17,45 +17,57 @@ import org.palpate.loop.NanoClock;
 import org.palpate.loop.WarmUp;
 import org.palpate.recording.RecordingDevice;
 import org.palpate.recording.SampleRecorder;
+import org.palpate.scene.SynchronizationThread;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.Property;
 import org.palpate.sync.SyncCounters;
 import org.palpate.sync.TouchProperties;
 
 /**
- * A live session: a device that touches a scene, in a haptic thread of its own.
+ * A live session: a haptic thread of its own moves a device through a scene.
  *
  * <pre>
- *   try (TouchSession session = new TouchSession(scene, device, 0.5, LoopSettings.ofRate(1000), recorder, end -&gt; {})) {
+ *   try (TouchSession session =
+ *       new TouchSession(
+ *           scene, device, 0.5, LoopSettings.ofRate(1000), Optional.empty(), end -&gt; {})) {
  *     session.start();
- *     while (!session.supervise()) { ... some 30 times a second ... }
- *   }   // zero force was sent last, the device is closed
+ *     while (!session.supervise()) {
+ *       LockSupport.parkNanos(TouchSession.SUPERVISION_PERIOD_NANOS);
+ *     }
+ *   }
  * </pre>
  *
- * <p>Made, supervised and closed by one thread; {@link #stop} is for any.
+ * <p>Closing the session sends zero force last and closes the device; close it whatever happens.
+ * One thread creates, supervises and closes a session; any thread may call {@link #stop}.
  */
 public final class TouchSession implements AutoCloseable {
-  /** The least frames that are rehearsed before force comes on, so that they find compiled code. */
-  private static final int WARM_UP_LEAST_FRAMES = 10_000;
+  /**
+   * The least number of warm-up frames before the force is switched on, so that it runs compiled
+   * code.
+   */
+  private static final int WARM_UP_MIN_FRAMES = 10_000;
 
   private static final long WARM_UP_NANOS = 1_000_000_000L;
   private static final long WARM_UP_SEED = 1;
 
+  /** Time between two calls of {@link #supervise}, 30 a second. */
+  public static final long SUPERVISION_PERIOD_NANOS = SynchronizationThread.PERIOD_NANOS;
+
   private final HapticDevice device;
   private final HapticLoop loop;
-  private final ContactTuning feel;
+  private final ContactTuning tuning;
   private final TouchProperties properties = new TouchProperties(new Accumulator());
-  private final List<Property> taken = properties.accumulator().properties();
+  private final List<Property> published = properties.accumulator().properties();
   private long ticks;
 
   /**
-   * A session that has not started.
+   * Creates a session.
    *
-   * @param worldDevice positions in world mm; closed with the session
-   * @param defaultNewtonPerMm stiffness where the scene's settings give none
-   * @param settings pace; the warm-up is added here
-   * @param recorder takes what the device sends, where one is given
-   * @param listener hears of the end, once
+   * @param worldDevice the device with positions in world mm; closed with the session
+   * @param defaultNewtonPerMm stiffness if the scene's settings give none, N per mm of scan
+   * @param settings pace and thread setup; the warm-up is added here
+   * @param recorder records what the device sends, if given
+   * @param listener receives the end of the loop, once, on the thread that ends it
    */
   public TouchSession(
       ContactScene scene,
@@ -68,7 +80,7 @@ public final class TouchSession implements AutoCloseable {
     FrameSettings frameSettings = scene.liveFrame(worldDevice.specification(), defaultNewtonPerMm);
     HapticFrame frame =
         scene.newFrame(new GridDevice(device, scene.grid()), frameSettings, properties::publish);
-    feel = new ContactTuning(frame, scene, frameSettings.force(), worldDevice.specification());
+    tuning = new ContactTuning(frame, scene, frameSettings.force(), worldDevice.specification());
     Runnable warmUp = warmUp(scene, frameSettings, settings.periodNanos());
     loop = new HapticLoop(frame, settings.withWarmUp(warmUp), listener);
   }
@@ -77,17 +89,17 @@ public final class TouchSession implements AutoCloseable {
       ContactScene scene, FrameSettings frameSettings, long periodNanos) {
     HandTarget target = scene.handTarget();
     HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, periodNanos);
-    HapticFrame rehearsal = scene.newWarmUpFrame(new GridDevice(hand, scene.grid()), frameSettings);
-    return new WarmUp(rehearsal, WARM_UP_LEAST_FRAMES, WARM_UP_NANOS, NanoClock.SYSTEM);
+    HapticFrame frame = scene.newWarmUpFrame(new GridDevice(hand, scene.grid()), frameSettings);
+    return new WarmUp(frame, WARM_UP_MIN_FRAMES, WARM_UP_NANOS, NanoClock.SYSTEM);
   }
 
-  /** Starts the haptic thread: it warms up, then force is on. */
+  /** Starts the haptic thread. It warms up and then switches the force on. */
   public void start() {
     loop.start();
   }
 
   /**
-   * Ends a session whose frame does not come back. To be called some 30 times a second.
+   * Ends the session if a frame does not return. Call it about 30 times a second.
    *
    * @return whether the session has ended
    */
@@ -96,60 +108,63 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /**
-   * Takes what the frames published where no view does: the reader of {@link #properties} of a
-   * session without a window.
+   * Takes what the frames have published, so that {@link #properties} shows it.
+   *
+   * <p>For a session without a {@link SessionView}; a view does this itself.
    */
-  public void takeUnseen() {
+  public void takeUpdates() {
     ticks++;
     properties.accumulator().take();
-    for (Property property : taken) {
+    for (Property property : published) {
       if (property.isDirty()) {
         property.markApplied();
       }
     }
   }
 
-  /** What the surface feels like, to be changed while it is touched. Any thread. */
-  public ContactTuning feel() {
-    return feel;
+  /** Returns the tuning of stiffness, friction and solver. Any thread. */
+  public ContactTuning tuning() {
+    return tuning;
   }
 
-  /** A glance at the loop. Any thread. */
+  /** Returns the present state of the loop. Any thread. */
   public LoopStatus status() {
     return loop.status();
   }
 
-  /** What the frames publish. Its reader is a view, or {@link #takeUnseen}, but not both. */
+  /**
+   * Returns what the frames publish. One reader: a view, or the caller of {@link #takeUpdates}, not
+   * both.
+   */
   public TouchProperties properties() {
     return properties;
   }
 
-  /** How often {@link #takeUnseen} was called. */
+  /** Returns how often {@link #takeUpdates} was called. */
   public long ticks() {
     return ticks;
   }
 
-  /** What was published and taken; whole after {@link #stop}. */
-  public SyncCounters syncCounts() {
+  /** Returns how often properties were published and applied; complete after {@link #stop}. */
+  public SyncCounters syncCounters() {
     return properties.accumulator().counters();
   }
 
   /**
-   * Ends the session: zero force is sent last, and it is waited for. Any thread, any number of
-   * times.
+   * Ends the session and waits until zero force was sent. Any thread, any number of times.
    *
-   * @return how the loop ended, now or before
+   * @return how the loop ended, now or earlier
    */
   public LoopEnd stop() {
     return loop.stop();
   }
 
-  /** What was measured; whole after {@link #stop}. */
+  /** Returns the measurements; complete after {@link #stop}. */
   public LoopReport report() {
     return loop.report();
   }
 
-  /** Stops and lets the device go. */
+  /** Ends the session and closes the device. */
   @Override
   public void close() {
     try {

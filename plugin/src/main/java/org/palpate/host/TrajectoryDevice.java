@@ -7,9 +7,14 @@ import org.palpate.device.ReadStatus;
 import org.palpate.device.Trajectory;
 import org.palpate.geometry.Vec3;
 
-/** Gives a sample of a trajectory at each read, for frames that are driven without a clock. */
+/**
+ * Delivers one sample of a trajectory at each read, for frames that run without a clock.
+ *
+ * <p>Core's {@code ReplayDevice} replays in real time instead: it repeats or skips samples by the
+ * clock.
+ */
 final class TrajectoryDevice implements HapticDevice {
-  /** Time between samples where the trajectory's own does not count. */
+  /** Time between two frames if the trajectory's own times are not used. */
   static final long FRAME_NANOS = 1_000_000;
 
   private static final DeviceSpecification SPECIFICATION =
@@ -22,9 +27,9 @@ final class TrajectoryDevice implements HapticDevice {
   private int next;
 
   /**
-   * A device at the first sample.
+   * Creates a device at the first sample.
    *
-   * @param ownTimes whether samples carry the trajectory's times; else each is a new one
+   * @param ownTimes whether samples carry the trajectory's times; otherwise they are equidistant
    */
   TrajectoryDevice(Trajectory trajectory, boolean ownTimes) {
     this.trajectory = trajectory;
@@ -50,7 +55,9 @@ final class TrajectoryDevice implements HapticDevice {
     return ReadStatus.FRESH;
   }
 
-  /** The position that was read last, as the trajectory has it. The device's own. */
+  /**
+   * Returns the position that was read last, in the trajectory's coordinates. Owned by the device.
+   */
   Vec3 lastPosition() {
     return lastPosition;
   }
@@ -62,6 +69,6 @@ final class TrajectoryDevice implements HapticDevice {
 
   @Override
   public void close() {
-    // nothing is held
+    // There is nothing to release.
   }
 }

@@ -7,19 +7,21 @@ import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.window.ScenePanel;
 
 /**
- * What a view shows beside surfaces of bits.
+ * Options of a {@link SessionView} beyond surfaces made of bits.
  *
- * @param greys what each segment was made of, where its surface is to go by grey values, in the
- *     order of the segments; those that are missing at the end go by their bits
- * @param slices planes of grey values, with keys that switch and move them
- * @param panel the place in another program's window where it is shown; a window of its own where
- *     empty
+ * <p>Immutable. Start from {@link #PLAIN}.
+ *
+ * @param greys grey values for each segment whose surface follows them, in the order of the
+ *     segments; missing ones at the end use the bits
+ * @param slices planes of grey values with keys that switch and move them, if wanted
+ * @param panel the component inside another program's window that shows the view; if empty, the
+ *     view opens its own window
  */
 public record ViewOptions(
     List<Optional<GreyRange>> greys,
     Optional<MovableSlices.Start> slices,
     Optional<ScenePanel> panel) {
-  /** Surfaces of bits in a window of its own. */
+  /** Surfaces made of bits, in a window of their own. */
   public static final ViewOptions PLAIN =
       new ViewOptions(List.of(), Optional.empty(), Optional.empty());
 
@@ -28,8 +30,8 @@ public record ViewOptions(
     greys = List.copyOf(greys);
   }
 
-  /** The same inside another program's window. */
-  public ViewOptions in(ScenePanel place) {
-    return new ViewOptions(greys, slices, Optional.of(place));
+  /** Returns a copy that shows the view inside another program's window. */
+  public ViewOptions in(ScenePanel component) {
+    return new ViewOptions(greys, slices, Optional.of(component));
   }
 }

@@ -2,9 +2,9 @@ package org.palpate.imagej;
 
 import ij.IJ;
 
-/** "About Palpate": what it is, its version, and what it is not. */
+/** "About Palpate": shows the purpose, the version and the safety notice. */
 public final class AboutPalpate extends PalpateCommand {
-  /** Made by ImageJ. */
+  /** Creates the command; ImageJ calls this. */
   public AboutPalpate() {
     super("About Palpate");
   }
@@ -18,6 +18,6 @@ public final class AboutPalpate extends PalpateCommand {
             + (version == null ? "(not packed)" : version)
             + "\nTouch a segmented 3-D scan with a haptic device.\n"
             + "After Vlasov, Friese and Wolter, 2013. Apache License 2.0.\n \n"
-            + "Not a medical device. Not yet tried on haptic hardware.");
+            + "Not a medical device. Not yet tested on haptic hardware.");
   }
 }

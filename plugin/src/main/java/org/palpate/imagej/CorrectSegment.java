@@ -9,9 +9,11 @@ import org.palpate.imagej.session.StackSession;
 import org.palpate.imagej.stack.TouchRefusedException;
 
 /**
- * "Correct Segment...": adds or removes the voxels of a ball around the interaction point, in the
- * stack and in what is felt and seen, or undoes and redoes that. The stack is what is kept: save it
- * to keep the correction. In the 3-D window the keys a, x, z and y do the same without a dialog.
+ * "Correct Segment...": adds or removes the voxels of a ball around the interaction point, or
+ * undoes and redoes that.
+ *
+ * <p>The stack, the force and the 3-D window change together. Save the stack to keep the
+ * correction. In the 3-D window the keys a, x, z and y do the same without a dialog.
  */
 public final class CorrectSegment extends PalpateCommand {
   private static final String ADD = "add";
@@ -19,7 +21,7 @@ public final class CorrectSegment extends PalpateCommand {
   private static final String UNDO = "undo";
   private static final String REDO = "redo";
 
-  /** Made by ImageJ. */
+  /** Creates the command; ImageJ calls this. */
   public CorrectSegment() {
     super("Correct Segment");
   }

@@ -5,12 +5,12 @@ import java.util.List;
 import org.palpate.device.jni.BackendProbe;
 import org.palpate.device.jni.DeviceCatalog;
 
-/** "Devices...": what can be used here, each back end found or why not. */
+/** "Devices...": lists the back ends and devices that can be used, and the reason if one cannot. */
 public final class Devices extends PalpateCommand {
   private static final int WIDTH = 1000;
   private static final int HEIGHT = 320;
 
-  /** Made by ImageJ. */
+  /** Creates the command; ImageJ calls this. */
   public Devices() {
     super("Devices");
   }
@@ -21,12 +21,12 @@ public final class Devices extends PalpateCommand {
     row(rows, "simulated", "found", "", "a hand that approaches, presses, slides, taps and tears");
     row(rows, "mouse", "found", "", "the mouse in the 3-D window");
     row(rows, "replay", "found", "FILE.csv", "a recorded trajectory");
-    for (BackendProbe finding : realOnes()) {
-      row(rows, finding.backend(), finding.usable() ? "found" : "not usable", "", finding.why());
-      for (BackendProbe.Found device : finding.devices()) {
+    for (BackendProbe probe : nativeBackends()) {
+      row(rows, probe.backend(), probe.usable() ? "found" : "not usable", "", probe.why());
+      for (BackendProbe.Found device : probe.devices()) {
         row(
             rows,
-            finding.backend(),
+            probe.backend(),
             device.usable() ? "device" : "not usable",
             device.id(),
             device.usable() ? device.name() : device.why());
@@ -36,9 +36,9 @@ public final class Devices extends PalpateCommand {
         "Palpate Devices", "Back end\tState\tId\tWhat", rows.toString().strip(), WIDTH, HEIGHT);
   }
 
-  private static List<BackendProbe> realOnes() {
+  private static List<BackendProbe> nativeBackends() {
     return DeviceCatalog.probeAll().stream()
-        .filter(finding -> DeviceCatalog.isNative(finding.backend()))
+        .filter(probe -> DeviceCatalog.isNative(probe.backend()))
         .toList();
   }
 

@@ -10,12 +10,14 @@ import org.palpate.imagej.session.StackSession;
 import org.palpate.imagej.stack.TouchRefusedException;
 
 /**
- * "Landmarks...": puts a named point where the interaction point is, into the table "Palpate
- * Landmarks" in calibrated units and into the stack's overlay, and saves all of them where a folder
- * is given. In the 3-D window the key m does the same without a dialog.
+ * "Landmarks...": adds a named landmark at the interaction point to the table "Palpate Landmarks"
+ * and to the stack's overlay.
+ *
+ * <p>It saves all landmarks if the user gives a folder. In the 3-D window the key m does the same
+ * without a dialog.
  */
 public final class Landmarks extends PalpateCommand {
-  /** Made by ImageJ. */
+  /** Creates the command; ImageJ calls this. */
   public Landmarks() {
     super("Landmarks");
   }

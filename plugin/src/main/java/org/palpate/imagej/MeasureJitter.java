@@ -29,10 +29,12 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * "Measure Jitter...": how regularly this ImageJ's own JVM runs a haptic frame a thousand times a
- * second, as an ordinary thread and as sessions run it. A simulated hand touches a ball; the
- * figures go to the table "Palpate Jitter". Other JVMs, collectors and the C++ loop beside them are
- * the business of the command line's {@code palpate jitter}.
+ * "Measure Jitter...": measures how regularly ImageJ's own JVM runs a haptic frame a thousand times
+ * a second.
+ *
+ * <p>It measures an ordinary thread and a thread as sessions use it, while a simulated hand touches
+ * a ball, and shows the figures in the table "Palpate Jitter". The command {@code palpate jitter}
+ * compares other JVMs, collectors and a C++ loop.
  */
 public final class MeasureJitter extends PalpateCommand {
   static final String TABLE = "Palpate Jitter";
@@ -42,10 +44,9 @@ public final class MeasureJitter extends PalpateCommand {
   private static final double RATE_HZ = 1000;
   private static final int EDGE = 96;
   private static final long SEED = 1;
-  private static final long TICK_NANOS = 33_333_333;
   private static final double NANOS_PER_SECOND = 1e9;
 
-  /** Made by ImageJ. */
+  /** Creates the command; ImageJ calls this. */
   public MeasureJitter() {
     super("Measure Jitter");
   }
@@ -89,24 +90,24 @@ public final class MeasureJitter extends PalpateCommand {
             Optional.empty(),
             end -> {})) {
       session.start();
-      watch(session, seconds);
+      supervise(session, seconds);
       session.stop();
       return session.report();
     }
   }
 
-  private static void watch(TouchSession session, double seconds) {
-    long began = 0;
-    double passed = 0;
-    while (passed < seconds && !session.supervise() && !IJ.escapePressed()) {
-      if (began == 0 && session.status().frames() > 0) {
-        began = System.nanoTime();
+  private static void supervise(TouchSession session, double seconds) {
+    long startNanos = 0;
+    double passedSeconds = 0;
+    while (passedSeconds < seconds && !session.supervise() && !IJ.escapePressed()) {
+      if (startNanos == 0 && session.status().frames() > 0) {
+        startNanos = System.nanoTime();
       }
-      passed = began == 0 ? 0 : (System.nanoTime() - began) / NANOS_PER_SECOND;
-      session.takeUnseen();
-      IJ.showProgress(passed / seconds);
+      passedSeconds = startNanos == 0 ? 0 : (System.nanoTime() - startNanos) / NANOS_PER_SECOND;
+      session.takeUpdates();
+      IJ.showProgress(passedSeconds / seconds);
       IJ.showStatus("Palpate: measuring jitter; Escape ends");
-      LockSupport.parkNanos(TICK_NANOS);
+      LockSupport.parkNanos(TouchSession.SUPERVISION_PERIOD_NANOS);
     }
   }
 

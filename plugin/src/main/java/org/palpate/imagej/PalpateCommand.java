@@ -4,7 +4,10 @@ import ij.plugin.PlugIn;
 import org.palpate.imagej.dialog.ErrorDialogs;
 import org.palpate.imagej.stack.TouchRefusedException;
 
-/** A command of the menu: says in a dialog, in plain words, what could not be done. */
+/**
+ * A command of the menu; shows a refusal or failure in a dialog. On ImageJ's thread for the
+ * command.
+ */
 abstract class PalpateCommand implements PlugIn {
   private final String title;
 
@@ -12,7 +15,7 @@ abstract class PalpateCommand implements PlugIn {
     this.title = title;
   }
 
-  /** Does what the command is for, in ImageJ's thread for it. */
+  /** Executes the command. */
   abstract void execute() throws TouchRefusedException;
 
   @Override
@@ -29,12 +32,12 @@ abstract class PalpateCommand implements PlugIn {
     } catch (OutOfMemoryError e) {
       ErrorDialogs.showOutOfMemory(title);
     } catch (NoClassDefFoundError e) {
-      ErrorDialogs.show(title, missing(e));
+      ErrorDialogs.show(title, missingLibrary(e));
     }
   }
 
-  /** The thin jar where JOGL and JNA are not. */
-  private static TouchRefusedException missing(NoClassDefFoundError e) {
+  /** Explains that the thin jar runs without JOGL and JNA. */
+  private static TouchRefusedException missingLibrary(NoClassDefFoundError e) {
     return new TouchRefusedException(
         "A library is missing ("
             + e.getMessage()

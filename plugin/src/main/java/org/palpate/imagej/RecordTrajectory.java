@@ -2,21 +2,22 @@ package org.palpate.imagej;
 
 import ij.IJ;
 import ij.io.SaveDialog;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.palpate.host.TrajectoryRecording;
 import org.palpate.imagej.dialog.TouchOptions;
 import org.palpate.imagej.session.CurrentSession;
-import org.palpate.imagej.session.StackRecording;
 import org.palpate.imagej.session.StackSessionRunner;
 import org.palpate.imagej.stack.StackVolume;
 import org.palpate.imagej.stack.TouchRefusedException;
 
 /**
- * "Record Trajectory...": touches the stack in front and writes what the device sends into a file
- * that replays; the file is there when the session has ended.
+ * "Record Trajectory...": touches the active stack and records what the device sends into a file
+ * that can be replayed. The file is complete when the session has ended.
  */
 public final class RecordTrajectory extends PalpateCommand {
-  /** Made by ImageJ. */
+  /** Creates the command; ImageJ calls this. */
   public RecordTrajectory() {
     super("Record Trajectory");
   }
@@ -35,7 +36,15 @@ public final class RecordTrajectory extends PalpateCommand {
     SaveDialog where = new SaveDialog("Record Trajectory", "trajectory", ".csv");
     if (where.getFileName() != null) {
       Path target = Path.of(where.getDirectory(), where.getFileName());
-      StackSessionRunner.begin(volume, options, Optional.of(new StackRecording(target)));
+      StackSessionRunner.begin(volume, options, Optional.of(record(target)));
+    }
+  }
+
+  private static TrajectoryRecording record(Path target) throws TouchRefusedException {
+    try {
+      return new TrajectoryRecording(target);
+    } catch (IOException e) {
+      throw StackSessionRunner.notWritten(target, e);
     }
   }
 }

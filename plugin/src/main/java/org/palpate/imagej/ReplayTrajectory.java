@@ -24,13 +24,13 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
 /**
- * "Replay Trajectory...": runs the frames of a recorded trajectory over the stack in front, off
- * line, and shows device, point and force of each in the table "Palpate Frames".
+ * "Replay Trajectory...": runs the frames of a recorded trajectory over the active stack, and shows
+ * time, interaction point, force and contact of each frame in the table "Palpate Frames".
  */
 public final class ReplayTrajectory extends PalpateCommand {
   static final String TABLE = "Palpate Frames";
 
-  /** Made by ImageJ. */
+  /** Creates the command; ImageJ calls this. */
   public ReplayTrajectory() {
     super("Replay Trajectory");
   }
@@ -65,17 +65,17 @@ public final class ReplayTrajectory extends PalpateCommand {
   private static void replay(StackVolume volume, TouchOptions options, Trajectory trajectory)
       throws TouchRefusedException {
     StackGeometry geometry = StackGeometry.of(volume.image());
-    List<SegmentRange> rules = options.rules(volume);
+    List<SegmentRange> ranges = options.ranges(volume);
     PixelSnapshot pixels = new PixelSnapshot(volume);
     List<Segment> segments =
         StackSegments.of(
-            volume, pixels::slice, rules, k -> IJ.showProgress(k + 1, volume.slices()));
+            volume, pixels::slice, ranges, k -> IJ.showProgress(k + 1, volume.slices()));
     options.materials().checkNamed(segments);
     ContactScene scene =
         new ContactScene(
             new SegmentedVolume(geometry.grid(), segments),
             options.contactSettings(),
-            StackGreyValues.surface(pixels, volume.slices(), geometry.grid(), rules));
+            StackGreyValues.surface(pixels, volume.slices(), geometry.grid(), ranges));
     ResultsTable table = new ResultsTable();
     try {
       new ReplayRun(scene, trajectory, true, false)

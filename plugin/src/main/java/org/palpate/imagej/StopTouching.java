@@ -5,7 +5,7 @@ import org.palpate.imagej.stack.TouchRefusedException;
 
 /** "Stop Touching": ends the session as Escape does, and waits for its end. */
 public final class StopTouching extends PalpateCommand {
-  /** Made by ImageJ. */
+  /** Creates the command; ImageJ calls this. */
   public StopTouching() {
     super("Stop Touching");
   }

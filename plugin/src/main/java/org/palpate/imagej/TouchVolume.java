@@ -13,13 +13,15 @@ import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.volume.Segment;
 
 /**
- * "Touch Volume...": touches the stack in front until Escape, "Stop Touching", the end of its time,
- * or the image or the 3-D window closes. Returns as soon as force is on.
+ * "Touch Volume...": touches the active stack until the user presses Escape or calls "Stop
+ * Touching", the time is over, or the image or the 3-D window closes. It returns as soon as the
+ * force is on.
  *
- * <p>Macros may ask meanwhile, as in {@code call("org.palpate.imagej.TouchVolume.isTouching")}.
+ * <p>Macros call the static methods, for example {@code
+ * call("org.palpate.imagej.TouchVolume.isTouching")}. Their names are a public interface.
  */
 public final class TouchVolume extends PalpateCommand {
-  /** Made by ImageJ. */
+  /** Creates the command; ImageJ calls this. */
   public TouchVolume() {
     super("Touch Volume");
   }
@@ -36,7 +38,7 @@ public final class TouchVolume extends PalpateCommand {
     }
   }
 
-  /** Asks whether the shown channel and time is meant. */
+  /** Asks the user whether the shown channel and time is meant. */
   static boolean confirmShownChannel(StackVolume volume) {
     return IJ.showMessageWithCancel(
         "Palpate",
@@ -47,14 +49,14 @@ public final class TouchVolume extends PalpateCommand {
             + ", the one that is shown, will be touched.");
   }
 
-  /** For macros: "true" while a session runs, else "false". */
+  /** Returns "true" while a session runs, else "false". */
   public static String isTouching() {
     return Boolean.toString(CurrentSession.isRunning());
   }
 
   /**
-   * For macros: the segments of the session that runs, a line each, name and voxels parted by a
-   * tabulator; empty where none runs.
+   * Returns the segments of the running session, one a line: name, tab, number of voxels. Empty if
+   * none runs.
    */
   public static String segments() {
     try {
@@ -70,7 +72,7 @@ public final class TouchVolume extends PalpateCommand {
     }
   }
 
-  /** For macros: frames so far, "0" where no session runs. */
+  /** Returns the number of frames so far; "0" if no session runs. */
   public static String frames() {
     try {
       return Long.toString(CurrentSession.current().status().frames());
@@ -79,7 +81,7 @@ public final class TouchVolume extends PalpateCommand {
     }
   }
 
-  /** For macros: pictures drawn in the 3-D window so far, "0" where there is none. */
+  /** Returns the number of pictures drawn in the 3-D window so far; "0" if there is no window. */
   public static String redraws() {
     try {
       return Long.toString(CurrentSession.current().view().map(SessionView::redraws).orElse(0L));

@@ -4,15 +4,15 @@ import java.util.List;
 import org.palpate.geometry.Vec3;
 
 /**
- * Where the picture is taken from: a point looked at, a distance and a turn about it. Immutable;
- * each move gives a new one. Scene frame, mm.
+ * A camera that orbits a target at a distance. Immutable; each move returns a new camera. Scene
+ * frame, mm.
  */
 public final class Camera {
-  /** Height of what is seen over its distance: an angle of 28 degrees. */
+  /** Visible height at the target over the distance: an angle of view of 28 degrees. */
   public static final double HEIGHT_PER_DISTANCE = 0.5;
 
   private static final double MARGIN = 1.06;
-  private static final double SHORTEST_DISTANCE_MM = 1e-3;
+  private static final double MIN_DISTANCE_MM = 1e-3;
 
   private final Vec3 target;
   private final Vec3 right;
@@ -29,16 +29,16 @@ public final class Camera {
   }
 
   /**
-   * A camera that sees all of some points.
+   * Returns a camera that sees all of the given points.
    *
-   * @param middle what it looks at, scene frame, mm
-   * @param points that must be in the picture, such as the corners of boxes
+   * @param middle the target, scene frame, mm
+   * @param points points that must be in the picture, such as the corners of boxes
    * @param aspect width of the picture over its height
    */
-  public static Camera seeing(Vec3 middle, List<Vec3> points, StandardView view, double aspect) {
+  static Camera seeing(Vec3 middle, List<Vec3> points, StandardView view, double aspect) {
     Camera unit = new Camera(new Vec3().set(middle), view.towardsEye(), view.up(), 1);
     double half = HEIGHT_PER_DISTANCE / 2;
-    double distance = SHORTEST_DISTANCE_MM;
+    double distance = MIN_DISTANCE_MM;
     for (Vec3 point : points) {
       Vec3 from = point.sub(middle, new Vec3());
       double needed =
@@ -49,12 +49,12 @@ public final class Camera {
     return unit.zoom(distance);
   }
 
-  /** The same rolled half round: what was up is down. */
+  /** Returns the camera rolled by 180 degrees. */
   public Camera upsideDown() {
     return new Camera(target, back, up.mul(-1, new Vec3()), distanceMm);
   }
 
-  /** The scene turned before the camera: to the right and upwards, radians. */
+  /** Returns the camera after turning the scene to the right and upwards, rad. */
   public Camera orbit(double rightRadians, double upRadians) {
     Vec3 turned = combine(back, Math.cos(rightRadians), right, -Math.sin(rightRadians));
     Vec3 raised = combine(turned, Math.cos(upRadians), up, -Math.sin(upRadians));
@@ -62,51 +62,57 @@ public final class Camera {
     return new Camera(target, raised, newUp, distanceMm);
   }
 
-  /** Moved sideways and up by so many picture heights. */
+  /** Returns the camera after moving the scene right and up, in picture heights. */
   public Camera pan(double rightHeights, double upHeights) {
     double height = distanceMm * HEIGHT_PER_DISTANCE;
     Vec3 moved = combine(right, -rightHeights * height, up, -upHeights * height);
     return new Camera(moved.add(target, moved), back, up, distanceMm);
   }
 
-  /** Nearer by a factor below 1, further by one above. */
+  /** Returns the camera with its distance multiplied by a factor. */
   public Camera zoom(double factor) {
     return new Camera(target, back, up, distanceMm * factor);
   }
 
+  /** Returns the position of the camera. */
   public Vec3 eye() {
     return combine(target, 1, back, distanceMm);
   }
 
-  /** Unit, to the right of the picture; not to be changed, as the others. */
+  /** Returns the unit vector to the right of the picture. Read-only, as the other axes. */
   public Vec3 right() {
     return right;
   }
 
+  /** Returns the unit vector to the top of the picture. */
   public Vec3 up() {
     return up;
   }
 
-  /** Unit, towards the one who looks. */
+  /** Returns the unit vector from the target to the viewer. */
   public Vec3 back() {
     return back;
   }
 
+  /** Returns the distance from the target. */
   public double distanceMm() {
     return distanceMm;
   }
 
   /**
-   * The view for an eye.
+   * Returns the view matrix of an eye.
    *
-   * @param eye 0 for one, -1 for the left and 1 for the right of two
+   * @param eye 0 for a single eye, -1 for the left and 1 for the right of two
    */
   public Matrix4 view(int eye) {
     Vec3 at = combine(eye(), 1, right, eye * eyeShiftMm());
     return Matrix4.view(right, up, back, at);
   }
 
-  /** The perspective for an eye, near and far around a ball of {@code radiusMm}. */
+  /**
+   * Returns the projection matrix of an eye, with near and far planes around a ball of {@code
+   * radiusMm}.
+   */
   public Matrix4 perspective(int eye, double aspect, Vec3 middle, double radiusMm) {
     double depth = back.dot(eye().sub(middle, new Vec3()));
     double far = Math.max(depth + 1.2 * radiusMm, 0.02 * radiusMm);
@@ -116,16 +122,16 @@ public final class Camera {
     return Matrix4.perspective(HEIGHT_PER_DISTANCE, aspect, near, far, shift);
   }
 
-  /** Half the distance between two eyes that look at the target: a thirtieth of how far it is. */
+  /** Returns half the distance between two eyes: a thirtieth of the distance to the target. */
   private double eyeShiftMm() {
     return distanceMm / 30;
   }
 
-  private static Vec3 combine(Vec3 a, double shareOfA, Vec3 b, double shareOfB) {
+  private static Vec3 combine(Vec3 a, double factorA, Vec3 b, double factorB) {
     return new Vec3(
-        a.x * shareOfA + b.x * shareOfB,
-        a.y * shareOfA + b.y * shareOfB,
-        a.z * shareOfA + b.z * shareOfB);
+        a.x * factorA + b.x * factorB,
+        a.y * factorA + b.y * factorB,
+        a.z * factorA + b.z * factorB);
   }
 
   private static Vec3 cross(Vec3 a, Vec3 b) {

@@ -7,8 +7,10 @@ import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * The grey values of a volume for slices: black is what one voxel in a hundred lies below, white
- * what one in a hundred lies above. Immutable but for the volume; any thread.
+ * The grey values of a volume with the contrast of its slices. The darkest and the brightest
+ * hundredth of the voxels are drawn black and white.
+ *
+ * <p>Immutable except for the volume; any thread.
  */
 public final class GreySlices implements Grey {
   private static final int SAMPLES_PER_AXIS = 48;
@@ -18,13 +20,13 @@ public final class GreySlices implements Grey {
   private final double black;
   private final double white;
 
-  /** Looks at a regular sample of the values. */
+  /** Measures the contrast on a regular sample of the values. */
   public GreySlices(ScalarVolume volume) {
     this.volume = volume;
     double[] sample = sample();
-    int left = (int) (sample.length * TAIL_FRACTION);
-    black = sample.length == 0 ? 0 : sample[left];
-    double high = sample.length == 0 ? 0 : sample[sample.length - 1 - left];
+    int tail = (int) (sample.length * TAIL_FRACTION);
+    black = sample.length == 0 ? 0 : sample[tail];
+    double high = sample.length == 0 ? 0 : sample[sample.length - 1 - tail];
     white = high > black ? high : black + 1;
   }
 
@@ -54,9 +56,9 @@ public final class GreySlices implements Grey {
   }
 
   /**
-   * The planes through a voxel, in the scene of a model.
+   * Returns the planes through a voxel in the scene of a model.
    *
-   * @param i the plane across x, -1 for none; likewise j and k
+   * @param i number of the plane across x, -1 for none; j and k likewise
    */
   public SlicePlanes through(int i, int j, int k, SceneModel model) {
     VoxelGrid grid = volume.grid();

@@ -5,18 +5,24 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.palpate.scene.surface.SurfaceBrick;
 
-/** The bricks of one level of detail. Any thread puts and reads; a newer mesh is never lost. */
+/**
+ * The surface bricks of one level of detail. Any thread puts and reads; an older mesh never
+ * replaces a newer one.
+ */
 final class LevelBricks {
   private final Map<Integer, SurfaceBrick> shown = new ConcurrentHashMap<>();
-  private final Map<Integer, Long> begun = new HashMap<>();
+  private final Map<Integer, Long> started = new HashMap<>();
 
-  /** Takes a mesh, null for none, unless one that was begun later is there. */
-  synchronized void put(int brick, long begunAt, SurfaceBrick mesh) {
-    Long before = begun.get(brick);
-    if (before != null && before > begunAt) {
+  /**
+   * Stores the mesh of a brick, or removes it if {@code mesh} is null, unless a later one is
+   * stored.
+   */
+  synchronized void put(int brick, long startedAt, SurfaceBrick mesh) {
+    Long before = started.get(brick);
+    if (before != null && before > startedAt) {
       return;
     }
-    begun.put(brick, begunAt);
+    started.put(brick, startedAt);
     if (mesh == null) {
       shown.remove(brick);
     } else {
@@ -24,7 +30,7 @@ final class LevelBricks {
     }
   }
 
-  /** By the bricks' numbers; may change while read. */
+  /** Returns the bricks by their numbers. The map may change while it is read. */
   Map<Integer, SurfaceBrick> shown() {
     return shown;
   }

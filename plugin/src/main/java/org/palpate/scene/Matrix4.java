@@ -3,7 +3,7 @@ package org.palpate.scene;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
-/** A 4x4 matrix, column by column, as OpenGL has it. Immutable. */
+/** A 4x4 matrix, column-major as in OpenGL. Immutable. */
 public final class Matrix4 {
   private final double[] m;
 
@@ -11,7 +11,7 @@ public final class Matrix4 {
     m = columns;
   }
 
-  /** A pose. */
+  /** Returns the matrix of a pose. */
   public static Matrix4 of(RigidTransform pose) {
     Vec3 x = pose.axisX();
     Vec3 y = pose.axisY();
@@ -20,8 +20,8 @@ public final class Matrix4 {
     return new Matrix4(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, o.x, o.y, o.z, 1);
   }
 
-  /** The view from {@code eye} of a camera with the given unit axes; it looks along -back. */
-  public static Matrix4 view(Vec3 right, Vec3 up, Vec3 back, Vec3 eye) {
+  /** Returns the view matrix of a camera at {@code eye} with unit axes; it looks along -back. */
+  static Matrix4 view(Vec3 right, Vec3 up, Vec3 back, Vec3 eye) {
     return new Matrix4(
         right.x,
         up.x,
@@ -42,13 +42,13 @@ public final class Matrix4 {
   }
 
   /**
-   * A perspective.
+   * Returns a perspective projection.
    *
-   * @param heightPerDistance of what is seen at a distance, tangents of half the angle times 2
+   * @param heightPerDistance visible height over distance, twice the tangent of half the angle
    * @param aspect width over height
-   * @param shift how far the window is moved sideways at the near plane, for a stereo eye
+   * @param shift sideways shift of the near plane for a stereo eye
    */
-  public static Matrix4 perspective(
+  static Matrix4 perspective(
       double heightPerDistance, double aspect, double near, double far, double shift) {
     double yScale = 2 / heightPerDistance;
     double depth = (near + far) / (near - far);
@@ -71,7 +71,7 @@ public final class Matrix4 {
         0);
   }
 
-  /** This after {@code first}. */
+  /** Returns the product of this and {@code first}, which is applied first. */
   public Matrix4 times(Matrix4 first) {
     double[] product = new double[16];
     for (int column = 0; column < 4; column++) {
@@ -87,7 +87,7 @@ public final class Matrix4 {
   }
 
   /**
-   * The image of a point after the division by w.
+   * Projects a point and divides by w.
    *
    * @return w, which is not positive for a point behind the eye
    */
@@ -101,12 +101,12 @@ public final class Matrix4 {
     return m[row] * p.x + m[4 + row] * p.y + m[8 + row] * p.z + m[12 + row];
   }
 
-  /** Component of a row: what a plane of the view frustum is made from. */
+  /** Returns one element; the planes of the view frustum are made from rows. */
   public double at(int row, int column) {
     return m[4 * column + row];
   }
 
-  /** As OpenGL takes it. */
+  /** Returns the elements as OpenGL takes them. */
   public float[] toFloats() {
     float[] floats = new float[16];
     for (int i = 0; i < 16; i++) {

@@ -6,19 +6,20 @@ import java.util.Optional;
 import org.palpate.geometry.Vec3;
 
 /**
- * The slices of a live view, which keys switch and move: none, at a place of their own, or through
- * the interaction point. Any thread.
+ * The slices of a live view, which keys switch and move: off, fixed, or through the interaction
+ * point. Any thread.
  */
 public final class MovableSlices {
-  /** Where the slices are. */
+  /** The positions of the slices. */
   public enum Mode {
+    /** No slices. */
     OFF,
     /** Through a voxel that {@link #move} changes. */
     FIXED,
     /** Through the voxel of the interaction point. */
     AT_POINT;
 
-    /** As a person reads it. */
+    /** Returns the words of the overlay. */
     @Override
     public String toString() {
       return name().toLowerCase(Locale.ROOT).replace('_', ' ');
@@ -26,16 +27,18 @@ public final class MovableSlices {
   }
 
   /**
-   * What is shown at first.
+   * The slices at the start.
    *
-   * @param i the plane across x where they are fixed, a voxel number; -1 for none; likewise j, k
+   * @param grey the grey values
+   * @param mode position of the slices
+   * @param i number of the fixed plane across x, -1 for none; j and k likewise
    */
   public record Start(GreySlices grey, Mode mode, int i, int j, int k) {}
 
-  /** One in so many ticks of the 30 Hz follows the point: each makes the surfaces be drawn anew. */
+  /** Ticks between two moves with the interaction point, because each move redraws the surfaces. */
   private static final int TICKS_PER_MOVE = 3;
 
-  /** A press of a key moves a plane by one in so many of the voxels along it. */
+  /** Number of key presses that move a plane across the whole volume. */
   private static final int KEY_STEPS_PER_AXIS = 128;
 
   private final SceneModel model;
@@ -46,7 +49,7 @@ public final class MovableSlices {
   private int axis;
   private int ticks;
 
-  /** Slices of a model, shown at once where they are fixed. */
+  /** Creates the slices of a model and shows them if they are fixed. */
   public MovableSlices(SceneModel model, Start start) {
     this.model = model;
     grey = start.grey;
@@ -59,7 +62,7 @@ public final class MovableSlices {
     }
   }
 
-  /** The next of: none, fixed, at the point. */
+  /** Switches to the next mode: off, fixed, at the point. */
   public synchronized void nextMode() {
     mode =
         switch (mode) {
@@ -75,15 +78,15 @@ public final class MovableSlices {
     }
   }
 
-  /** Chooses the next axis for {@link #move}. */
+  /** Selects the next axis for {@link #move}. */
   public synchronized void nextAxis() {
     axis = (axis + 1) % fixed.length;
   }
 
   /**
-   * Moves the chosen plane along its axis; slices that were elsewhere come to stand still.
+   * Moves the selected plane along its axis. Slices that followed the point become fixed.
    *
-   * @param steps 1 towards the high end, -1 towards the low one
+   * @param steps 1 towards the high end, -1 towards the low end
    */
   public synchronized void move(int steps) {
     if (mode == Mode.AT_POINT) {
@@ -91,16 +94,16 @@ public final class MovableSlices {
     }
     mode = Mode.FIXED;
     int step = steps * Math.max(1, grey.size(axis) / KEY_STEPS_PER_AXIS);
-    fixed[axis] = within(axis, (double) fixed[axis] + step);
+    fixed[axis] = clamp(axis, (double) fixed[axis] + step);
     show(fixed);
   }
 
-  /** Lets the slices follow the point where they do; once a tick. */
+  /** Moves the slices to the interaction point if they follow it. Call it once a tick. */
   public synchronized void follow(Vec3 pointGrid) {
     if (mode == Mode.AT_POINT && ticks++ % TICKS_PER_MOVE == 0) {
       int[] voxel = new int[3];
       for (int along = 0; along < voxel.length; along++) {
-        voxel[along] = within(along, Math.floor(pointGrid.get(along)));
+        voxel[along] = clamp(along, Math.floor(pointGrid.get(along)));
       }
       if (!Arrays.equals(voxel, shown) || model.state().look().slices().isEmpty()) {
         show(voxel);
@@ -108,8 +111,8 @@ public final class MovableSlices {
     }
   }
 
-  private int within(int along, double place) {
-    return (int) Math.max(0, Math.min(grey.size(along) - 1.0, place));
+  private int clamp(int along, double position) {
+    return (int) Math.max(0, Math.min(grey.size(along) - 1.0, position));
   }
 
   private void show(int[] voxel) {
@@ -118,7 +121,9 @@ public final class MovableSlices {
     model.changeLook(look -> look.with(Optional.of(planes)));
   }
 
-  /** Where they are and which plane the keys move, for the overlay; empty where there are none. */
+  /**
+   * Returns the overlay line: the position and the axis that the keys move; empty without slices.
+   */
   public synchronized String line() {
     return mode == Mode.OFF
         ? ""

@@ -3,8 +3,10 @@ package org.palpate.scene;
 import org.palpate.geometry.Vec3;
 
 /**
- * A landmark: a place with a name, drawn as a small ball with its name beside it.
+ * A landmark: a named point, drawn as a small ball with its name beside it.
  *
- * @param place mm, not to be changed; world or scene frame as whoever takes it says
+ * @param name the name
+ * @param position position in mm, read-only; in the world or in the scene frame as the receiver
+ *     states
  */
-public record NamedPoint(String name, Vec3 place) {}
+public record NamedPoint(String name, Vec3 position) {}

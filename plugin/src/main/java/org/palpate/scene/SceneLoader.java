@@ -24,43 +24,43 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Gives the segments of a volume their surfaces, in the background: a quarter of the resolution
- * first, then a half, then all. Any thread; closed by whoever opened it.
+ * Builds the surfaces of a volume's segments in the background: first at a quarter of the
+ * resolution, then at half, then at full.
  *
- * <p>In a window the finer levels wait until the coarse one was seen ({@link #forWindow}), so that
- * their making does not keep the processors from showing it.
+ * <p>In a window the finer levels wait until the coarsest one was drawn ({@link #forWindow}), so
+ * that building them does not delay it. Any thread; whoever creates the loader closes it.
  */
 public final class SceneLoader implements AutoCloseable {
-  private static final int COARSEST = SceneObject.LEVELS - 1;
+  private static final int COARSEST_LEVEL = SceneObject.LEVELS - 1;
 
-  private static final double SURROUNDING_OPACITY = 0.3;
+  private static final double ENCLOSING_OPACITY = 0.3;
 
   private final SceneModel model;
   private final SurfaceBuilder builder;
   private final VoxelGrid grid;
-  private final AmbientOcclusion openness;
+  private final AmbientOcclusion occlusion;
   private final List<Optional<GreyRange>> greys;
   private final List<SceneObject> objects = new ArrayList<>();
   private final List<SurfaceSource> sources = new ArrayList<>();
 
-  /** Of each segment at a half and at a quarter of the resolution. */
+  /** The coarse copies of each segment, at half and at a quarter of the resolution. */
   private final List<List<CoarseVolume>> coarse = new ArrayList<>();
 
-  private final List<SurfaceJob> builds = new CopyOnWriteArrayList<>();
+  private final List<SurfaceJob> jobs = new CopyOnWriteArrayList<>();
 
-  /** Whether the finer levels were begun, or never will be. */
+  /** Whether the finer levels were started, or never will be. */
   private volatile boolean refined;
 
-  /** Adds the segments of a volume to a model and begins with their surfaces, made of bits. */
+  /** Adds the segments of a volume to a model and starts building their surfaces from bits. */
   public SceneLoader(SceneModel model, SegmentedVolume volume, int threads) {
     this(model, volume, List.of(), threads);
   }
 
   /**
-   * The same with finest surfaces that go by grey values.
+   * Adds the segments of a volume to a model and starts building their surfaces.
    *
-   * @param greys what each segment was made of, in their order; those that are missing at the end
-   *     or empty go by their bits
+   * @param greys grey values for each segment whose finest surface follows them, in the order of
+   *     the segments; missing ones at the end use the bits
    */
   public SceneLoader(
       SceneModel model, SegmentedVolume volume, List<Optional<GreyRange>> greys, int threads) {
@@ -78,23 +78,23 @@ public final class SceneLoader implements AutoCloseable {
     grid = volume.grid();
     builder = new SurfaceBuilder(threads);
     List<Segment> segments = volume.segments();
-    openness =
+    occlusion =
         segments.isEmpty()
-            ? AmbientOcclusion.EVERYWHERE
+            ? AmbientOcclusion.NONE
             : new DensityAmbientOcclusion(segments.stream().map(Segment::bits).toList());
     Vec3 spacing = grid.spacingMm();
     model.addDetail(Math.max(spacing.x, Math.max(spacing.y, spacing.z)));
     segments.forEach(this::add);
-    showWhatIsInside();
-    begin(COARSEST);
+    makeEnclosingTranslucent();
+    start(COARSEST_LEVEL);
     if (!waits) {
       refine();
     }
   }
 
   /**
-   * The same for a window: the finer levels are begun by {@link #pictureDrawn}, once the coarsest
-   * one is whole.
+   * Returns a loader for a window: it starts the finer levels in {@link #pictureDrawn}, once the
+   * coarsest level is complete.
    */
   public static SceneLoader forWindow(
       SceneModel model, SegmentedVolume volume, List<Optional<GreyRange>> greys, int threads) {
@@ -102,8 +102,8 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * Says that a picture of the model was drawn. Any thread, as often as one likes; costs a look at
-   * a flag once the finer levels are begun.
+   * Reports that a picture of the model was drawn. Any thread, at every picture; it only reads a
+   * flag once the finer levels are started.
    */
   public void pictureDrawn() {
     if (!refined && isCoarseDone()) {
@@ -111,11 +111,14 @@ public final class SceneLoader implements AutoCloseable {
     }
   }
 
-  /** Asked after a picture that the last coarse surface called for, which is complete by then. */
+  /**
+   * Whether the coarsest level is complete. It is asked after the picture that the last coarse
+   * surface caused.
+   */
   private boolean isCoarseDone() {
     for (int i = 0; i < objects.size(); i++) {
-      // One that failed is never complete; the finer ones may yet be made.
-      if (!objects.get(i).isComplete(COARSEST) && !builds.get(i).isDone()) {
+      // A failed level is never complete, but the finer levels may still succeed.
+      if (!objects.get(i).isComplete(COARSEST_LEVEL) && !jobs.get(i).isDone()) {
         return false;
       }
     }
@@ -125,15 +128,15 @@ public final class SceneLoader implements AutoCloseable {
   private synchronized void refine() {
     if (!refined) {
       refined = true;
-      for (int level = COARSEST - 1; level >= 0; level--) {
-        begin(level);
+      for (int level = COARSEST_LEVEL - 1; level >= 0; level--) {
+        start(level);
       }
     }
   }
 
-  private void begin(int level) {
+  private void start(int level) {
     for (int i = 0; i < objects.size(); i++) {
-      builds.add(build(i, level));
+      jobs.add(build(i, level));
     }
   }
 
@@ -158,25 +161,25 @@ public final class SceneLoader implements AutoCloseable {
             .orElseGet(() -> SurfaceSource.ofBits(segment.bits(), spacing)));
   }
 
-  /** Draws a segment that surrounds all others, such as skin, translucent. */
-  private void showWhatIsInside() {
+  /** Makes a segment that encloses all others, such as skin, translucent. */
+  private void makeEnclosingTranslucent() {
     for (SceneObject object : objects) {
-      if (objects.size() > 1 && objects.stream().allMatch(object::surrounds)) {
-        model.setOpacity(object, SURROUNDING_OPACITY);
+      if (objects.size() > 1 && objects.stream().allMatch(object::encloses)) {
+        model.setOpacity(object, ENCLOSING_OPACITY);
       }
     }
   }
 
-  /** Begins with all bricks of a level. */
+  /** Starts building all bricks of a level. */
   private SurfaceJob build(int number, int level) {
     SceneObject object = objects.get(number);
     int urgency = level == 0 ? SurfaceBuilder.FINE : SurfaceBuilder.COARSE;
     return builder.build(
         source(number, level),
-        light(level),
+        occlusionAt(level),
         urgency,
-        (brick, begun, mesh) -> object.put(level, brick, begun, mesh),
-        () -> complete(object, level));
+        (brick, started, mesh) -> object.put(level, brick, started, mesh),
+        () -> markComplete(object, level));
   }
 
   private SurfaceSource source(int number, int level) {
@@ -188,54 +191,58 @@ public final class SceneLoader implements AutoCloseable {
     return coarse.get(number).get(level - 1);
   }
 
-  private AmbientOcclusion light(int level) {
-    return level == 0 ? openness : scaled(1 << level);
+  private AmbientOcclusion occlusionAt(int level) {
+    return level == 0 ? occlusion : scaled(1 << level);
   }
 
   private AmbientOcclusion scaled(int factor) {
-    return (x, y, z, nx, ny, nz) -> openness.at(x * factor, y * factor, z * factor, nx, ny, nz);
+    return (x, y, z, nx, ny, nz) -> occlusion.at(x * factor, y * factor, z * factor, nx, ny, nz);
   }
 
-  private void complete(SceneObject object, int level) {
+  private void markComplete(SceneObject object, int level) {
     object.setComplete(level);
     model.surfaceChanged();
   }
 
-  /** The share of the surfaces that is made, 0 to 1, each level of each segment alike. */
+  /**
+   * Returns the fraction of the surfaces that is complete, 0 to 1; each level of each segment
+   * counts alike.
+   */
   public double progress() {
-    int all = objects.size() * (COARSEST + 1);
-    return all == 0 ? 1 : builds.stream().mapToDouble(SurfaceJob::progress).sum() / all;
+    int all = objects.size() * (COARSEST_LEVEL + 1);
+    return all == 0 ? 1 : jobs.stream().mapToDouble(SurfaceJob::progress).sum() / all;
   }
 
   /**
-   * Waits for every surface that was begun.
+   * Waits for every surface that was started.
    *
-   * @throws TimeoutException where it takes longer
+   * @throws TimeoutException if it takes longer
    */
   public void await(long timeoutMillis) throws InterruptedException, TimeoutException {
-    for (SurfaceJob build : builds) {
+    for (SurfaceJob build : jobs) {
       build.await(timeoutMillis);
     }
   }
 
   /**
-   * Remeshes what an edit touched: the finest level before all other work, the coarser ones before
-   * what is finest and was never seen. The bits must have been changed and published before.
+   * Rebuilds the surface where an edit changed voxels: the finest level before all other work, the
+   * coarser ones before finest levels that were never shown. The bits must have been changed and
+   * published before.
    *
-   * @param segment the number of the segment
-   * @param voxels a box about the edited voxels
-   * @return the work on each level, the finest first
+   * @param segment number of the segment
+   * @param voxels a box around the edited voxels
+   * @return the job of each level, the finest first
    */
-  public synchronized List<SurfaceJob> edited(int segment, IntBox voxels) {
-    List<SurfaceJob> begun = new ArrayList<>();
-    begun.add(rebuild(segment, 0, voxels, SurfaceBuilder.EDITED));
+  public synchronized List<SurfaceJob> remesh(int segment, IntBox voxels) {
+    List<SurfaceJob> started = new ArrayList<>();
+    started.add(rebuild(segment, 0, voxels, SurfaceBuilder.EDITED));
     for (int level = 1; level < SceneObject.LEVELS; level++) {
       CoarseVolume volume = coarse(segment, level);
       volume.update(voxels);
       IntBox box = volume.toCoarse(voxels, new IntBox());
-      begun.add(rebuild(segment, level, box, SurfaceBuilder.COARSE));
+      started.add(rebuild(segment, level, box, SurfaceBuilder.COARSE));
     }
-    return begun;
+    return started;
   }
 
   private SurfaceJob rebuild(int segment, int level, IntBox voxels, int urgency) {
@@ -243,14 +250,14 @@ public final class SceneLoader implements AutoCloseable {
     SceneObject object = objects.get(segment);
     return builder.build(
         source,
-        light(level),
+        occlusionAt(level),
         urgency,
-        touched(source, voxels),
-        (brick, begun, mesh) -> object.put(level, brick, begun, mesh),
+        touchedBricks(source, voxels),
+        (brick, started, mesh) -> object.put(level, brick, started, mesh),
         model::surfaceChanged);
   }
 
-  private static int[] touched(SurfaceSource source, IntBox voxels) {
+  private static int[] touchedBricks(SurfaceSource source, IntBox voxels) {
     BrickLayout layout = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE);
     int reach = SurfaceExtractor.reach(source.smoothing());
     IntBox box = layout.touchedBy(voxels, reach, new IntBox());
@@ -259,16 +266,16 @@ public final class SceneLoader implements AutoCloseable {
         .toArray();
   }
 
-  /** The finest surfaces of all segments; whole only after {@link #await}. */
+  /** Returns the finest surfaces of all segments; complete only after {@link #await}. */
   public WeldedSurface weldedSurface() {
     return WeldedSurface.together(
         objects.stream().map(object -> WeldedSurface.of(object.bricks(0).values())).toList());
   }
 
-  /** Stops the work; what is there stays. */
+  /** Stops building; finished surfaces stay. */
   @Override
   public synchronized void close() {
-    refined = true; // what was not begun is not begun any more
+    refined = true; // levels that were not started are never started
     builder.close();
   }
 }

@@ -12,12 +12,14 @@ import org.palpate.scene.SceneState.DrawnObject;
 import org.palpate.scene.SceneState.Look;
 
 /**
- * Everything that can be seen. Any thread changes it, under one short lock; who draws takes a
- * {@link #state}. A change asks for one redraw; one of looks, visibility, colour, opacity or text
- * that makes no difference asks for none.
+ * Everything that is drawn. Any thread changes it under one short lock; the renderer takes a {@link
+ * #state}.
+ *
+ * <p>A change requests one redraw. A change of look, visibility, colour, opacity or text to the
+ * same value requests none.
  */
 public final class SceneModel {
-  /** One count for all models, so that a renderer never takes one for the other. */
+  /** One counter for all models, so that a renderer never confuses two models. */
   private static final AtomicLong REVISIONS = new AtomicLong();
 
   private final WorldAxes axes;
@@ -35,52 +37,59 @@ public final class SceneModel {
   private double radiusMm = 1;
   private double detailMm;
 
-  /** An empty scene in a world with the given axes. */
+  /** Creates an empty scene in a world with the given axes. */
   public SceneModel(WorldAxes axes, Theme theme) {
     this.axes = axes;
     look = new Look(theme, axes, Stereo.OFF, Optional.empty());
   }
 
+  /** Returns the orientation of the world's axes. */
   public WorldAxes axes() {
     return axes;
   }
 
-  /** Adds someone who redraws; called on the thread that changed something, outside the lock. */
+  /**
+   * Adds a listener that redraws. It is called outside the lock on the thread that changed the
+   * model.
+   */
   public void onChange(Runnable redraw) {
     redrawRequests.add(redraw);
   }
 
   /**
-   * Adds a segment without a surface yet.
+   * Adds a segment without a surface.
    *
-   * @param rgb 0xRRGGBB
-   * @param gridMmToWorld where it stands
-   * @param lowMm low corner of the box about its solid voxels, grid mm
-   * @param highMm its high corner
+   * @param rgb colour, 0xRRGGBB
+   * @param gridMmToWorld pose in the world
+   * @param lowMm low corner of the box of its solid voxels, grid mm
+   * @param highMm high corner of that box
    */
   public SceneObject add(
       String name, int rgb, RigidTransform gridMmToWorld, Vec3 lowMm, Vec3 highMm) {
     SceneObject object = new SceneObject(name, rgb, axes.toScene(gridMmToWorld), lowMm, highMm);
     synchronized (this) {
       objects.add(object);
-      fitBall();
+      fitBoundingBall();
       staticRevision = REVISIONS.incrementAndGet();
     }
     requestRedraw();
     return object;
   }
 
-  /** Says how large a voxel of some segment is: so far may its surface be from what is touched. */
-  public synchronized void addDetail(double longestEdgeMm) {
+  /**
+   * Records the longest voxel edge of a segment, the largest distance between drawn and touched
+   * surface.
+   */
+  synchronized void addDetail(double longestEdgeMm) {
     detailMm = Math.max(detailMm, longestEdgeMm);
   }
 
-  /** The segments in the order in which they were added. */
+  /** Returns the segments in the order in which they were added. */
   public synchronized List<SceneObject> objects() {
     return List.copyOf(objects);
   }
 
-  /** Looks at everything from one side. */
+  /** Moves the camera so that it sees everything from one side. */
   public void look(StandardView view, double aspect) {
     synchronized (this) {
       camera = Camera.seeing(middle, corners(), view, aspect);
@@ -92,7 +101,7 @@ public final class SceneModel {
   /**
    * Moves the camera.
    *
-   * @param stillMoving whether more moves are to come, so that speed counts more than detail
+   * @param stillMoving whether more moves follow, so that speed matters more than detail
    */
   public void moveCamera(UnaryOperator<Camera> move, boolean stillMoving) {
     synchronized (this) {
@@ -126,7 +135,7 @@ public final class SceneModel {
         true);
   }
 
-  /** Colours a segment: 0xRRGGBB. */
+  /** Sets the colour of a segment, 0xRRGGBB. */
   public void setColour(SceneObject object, int rgb) {
     change(
         () -> {
@@ -137,7 +146,7 @@ public final class SceneModel {
         true);
   }
 
-  /** Makes a segment opaque, 1, or less so; 0 hides it. */
+  /** Sets the opacity of a segment: 1 is opaque, 0 hides it. */
   public void setOpacity(SceneObject object, double opacity) {
     change(
         () -> {
@@ -158,12 +167,12 @@ public final class SceneModel {
         true);
   }
 
-  /** Says that bricks of a segment came or went. */
-  public void surfaceChanged() {
+  /** Reports that surface bricks were added or removed. */
+  void surfaceChanged() {
     change(() -> true, true);
   }
 
-  /** Shows the hand, or no longer. */
+  /** Shows the device, interaction point and force, or hides them. */
   public void setMarks(Optional<TouchMarks> shown) {
     change(
         () -> {
@@ -173,11 +182,13 @@ public final class SceneModel {
         false);
   }
 
-  /** Shows landmarks, all that there are; places in the world. */
+  /** Shows these landmarks and no others; positions in world mm. */
   public void setLandmarks(List<NamedPoint> world) {
     List<NamedPoint> shown =
         world.stream()
-            .map(mark -> new NamedPoint(mark.name(), axes.swap(mark.place(), new Vec3())))
+            .map(
+                mark ->
+                    new NamedPoint(mark.name(), axes.toSceneOrBack(mark.position(), new Vec3())))
             .toList();
     change(
         () -> {
@@ -187,8 +198,8 @@ public final class SceneModel {
         false);
   }
 
-  /** Writes the lines in the corner. */
-  public void setOverlay(List<String> lines) {
+  /** Sets the lines of text in the upper left corner. */
+  void setOverlay(List<String> lines) {
     change(
         () -> {
           boolean differs = !lines.equals(overlay);
@@ -198,7 +209,7 @@ public final class SceneModel {
         false);
   }
 
-  /** Writes the lines in the middle; none hides them. */
+  /** Sets the lines of text in the middle; none hides them. */
   public void setHelp(List<String> lines) {
     change(
         () -> {
@@ -209,7 +220,7 @@ public final class SceneModel {
         false);
   }
 
-  /** A copy of what is to be drawn now. */
+  /** Returns a copy of what is to be drawn. */
   public synchronized SceneState state() {
     List<DrawnObject> drawn = new ArrayList<>();
     for (SceneObject object : objects) {
@@ -233,15 +244,15 @@ public final class SceneModel {
   }
 
   private interface Change {
-    /** Whether it made a difference. */
+    /** Applies the change; returns whether it made a difference. */
     boolean apply();
   }
 
-  private void change(Change change, boolean still) {
+  private void change(Change change, boolean isStatic) {
     boolean differs;
     synchronized (this) {
       differs = change.apply();
-      if (differs && still) {
+      if (differs && isStatic) {
         staticRevision = REVISIONS.incrementAndGet();
       }
     }
@@ -250,13 +261,13 @@ public final class SceneModel {
     }
   }
 
-  /** Asks for a picture though nothing changed, as when a window was uncovered. */
+  /** Requests a picture although nothing changed, for example after a window was uncovered. */
   public void requestRedraw() {
     redrawRequests.forEach(Runnable::run);
   }
 
-  /** The ball about the boxes of all objects. */
-  private void fitBall() {
+  /** Updates the ball around the boxes of all objects. */
+  private void fitBoundingBall() {
     Vec3 low = new Vec3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
     Vec3 high = new Vec3(-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE);
     for (Vec3 corner : corners()) {

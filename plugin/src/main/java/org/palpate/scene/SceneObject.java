@@ -7,11 +7,11 @@ import org.palpate.geometry.Vec3;
 import org.palpate.scene.surface.SurfaceBrick;
 
 /**
- * A segment as it is drawn. Its surface comes brick by brick from any thread; all else is changed
- * through {@link SceneModel}, whose lock guards it.
+ * A segment as it is drawn. Any thread delivers surface bricks; {@link SceneModel} changes
+ * everything else under its lock.
  */
 public final class SceneObject {
-  /** Levels of detail: 0 is every voxel, each further one half of the resolution. */
+  /** Number of levels of detail: level 0 has full resolution, each further level half of it. */
   public static final int LEVELS = 3;
 
   private final String name;
@@ -33,11 +33,15 @@ public final class SceneObject {
     levels = List.of(new LevelBricks(), new LevelBricks(), new LevelBricks());
   }
 
+  /** Returns the name. */
   public String name() {
     return name;
   }
 
-  /** A corner of the box about its solid voxels, grid mm: bit 0 of the number is x, 1 y, 2 z. */
+  /**
+   * Returns a corner of the box of its solid voxels, grid mm. Bit 0 of the number is x, bit 1 y,
+   * bit 2 z.
+   */
   public Vec3 corner(int number) {
     return new Vec3(
         (number & 1) == 0 ? lowMm.x : highMm.x,
@@ -45,8 +49,8 @@ public final class SceneObject {
         (number & 4) == 0 ? lowMm.z : highMm.z);
   }
 
-  /** Whether the box of this holds that of another, or is it. */
-  boolean surrounds(SceneObject other) {
+  /** Whether this box contains the box of another segment. */
+  boolean encloses(SceneObject other) {
     return lowMm.x <= other.lowMm.x
         && lowMm.y <= other.lowMm.y
         && lowMm.z <= other.lowMm.z
@@ -55,21 +59,22 @@ public final class SceneObject {
         && highMm.z >= other.highMm.z;
   }
 
-  /** The bricks of a level by their numbers; may change while read. */
+  /** Returns the bricks of a level by their numbers. The map may change while it is read. */
   public Map<Integer, SurfaceBrick> bricks(int level) {
     return levels.get(level).shown();
   }
 
-  /** Takes a brick's mesh, see {@link LevelBricks#put}. */
-  void put(int level, int brick, long begun, SurfaceBrick mesh) {
-    levels.get(level).put(brick, begun, mesh);
+  /** Stores a brick's mesh, see {@link LevelBricks#put}. */
+  void put(int level, int brick, long started, SurfaceBrick mesh) {
+    levels.get(level).put(brick, started, mesh);
   }
 
+  /** Records that a level is complete. */
   synchronized void setComplete(int level) {
     complete[level] = true;
   }
 
-  /** The finest level that is whole; -1 while there is none. */
+  /** Returns the finest complete level; -1 if there is none. */
   public synchronized int finestComplete() {
     for (int level = 0; level < LEVELS; level++) {
       if (complete[level]) {
@@ -79,12 +84,12 @@ public final class SceneObject {
     return -1;
   }
 
-  /** Whether a level is whole. */
+  /** Whether a level is complete. */
   public synchronized boolean isComplete(int level) {
     return complete[level];
   }
 
-  /** Triangles of a level so far. */
+  /** Returns the number of triangles of a level so far. */
   public long triangleCount(int level) {
     return bricks(level).values().stream().mapToLong(SurfaceBrick::triangleCount).sum();
   }

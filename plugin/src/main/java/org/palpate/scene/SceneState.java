@@ -6,20 +6,20 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * What one picture shows: a copy that the renderer reads while the model goes on.
+ * The contents of one picture: a copy for the renderer while the model goes on changing.
  *
- * @param objects what is drawn of each segment
- * @param camera from where
- * @param marks the hand, where there is one
+ * @param objects visible segments
+ * @param camera the camera
+ * @param marks device, interaction point and force, if there are any
  * @param overlay lines of text in the upper left corner
- * @param help lines of text in the middle; none where the help is hidden
- * @param middle of all objects, scene frame, mm
- * @param radiusMm of a ball about the middle that holds all objects
- * @param detailMm how far a drawn surface may be from the voxels that are touched
- * @param look theme, axes, stereo, slices
- * @param staticRevision changes with everything but marks and text
- * @param moving whether the camera is being moved, so that speed counts more than detail
- * @param landmarks in the scene frame
+ * @param help lines of text in the middle; none if the help is hidden
+ * @param middle middle of all objects, scene frame, mm
+ * @param radiusMm radius of a ball about the middle that contains all objects
+ * @param detailMm largest distance between drawn surface and touched voxels
+ * @param look theme, axes, stereo and slices
+ * @param staticRevision changes with everything except marks and text
+ * @param moving whether the camera is moving, so that speed matters more than detail
+ * @param landmarks landmarks in the scene frame
  */
 public record SceneState(
     List<DrawnObject> objects,
@@ -44,25 +44,25 @@ public record SceneState(
   }
 
   /**
-   * A segment as it is drawn now.
+   * A visible segment with its present appearance.
    *
-   * @param pose from grid millimetres to the scene frame
+   * @param pose transform from grid mm to the scene frame
    */
   public record DrawnObject(SceneObject object, int rgb, double opacity, RigidTransform pose) {}
 
-  /** How it is drawn. */
+  /** The general appearance. */
   public record Look(Theme theme, WorldAxes axes, Stereo stereo, Optional<SlicePlanes> slices) {
-    /** The same in another kind of stereo. */
+    /** Returns a copy with another stereo mode. */
     public Look with(Stereo other) {
       return new Look(theme, axes, other, slices);
     }
 
-    /** The same with other slices. */
+    /** Returns a copy with other slices. */
     public Look with(Optional<SlicePlanes> other) {
       return new Look(theme, axes, stereo, other);
     }
 
-    /** The same, dark where it was light. */
+    /** Returns a copy with the other theme. */
     public Look withOtherTheme() {
       Theme other = theme == Theme.DARK ? Theme.LIGHT : Theme.DARK;
       return new Look(other, axes, stereo, slices);

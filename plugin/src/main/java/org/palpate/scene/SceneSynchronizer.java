@@ -11,15 +11,16 @@ import org.palpate.sync.TouchProperties;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * One tick of the synchronization: takes what the frames published, as one, and applies it to the
- * scene, each property once; a tick with nothing new changes nothing. The one reader of the
- * properties; one thread.
+ * Applies what the frames published to the scene, one tick at a time. Each changed property is
+ * applied once; a tick without changes does nothing.
+ *
+ * <p>The one reader of the properties; one thread.
  */
 public final class SceneSynchronizer implements Runnable {
-  /** Places of the trail that are kept. */
-  private static final int TRAIL = 90;
+  /** Number of points of the trail that are kept. */
+  private static final int MAX_TRAIL_POINTS = 90;
 
-  /** Places nearer than this share of the scene's radius to the last are left out. */
+  /** Least distance between two points of the trail, relative to the scene's radius. */
   private static final double TRAIL_STEP = 0.004;
 
   private final TouchProperties properties;
@@ -33,9 +34,9 @@ public final class SceneSynchronizer implements Runnable {
   private long applications;
 
   /**
-   * A reader of properties in grid coordinates.
+   * Creates a reader of properties in grid coordinates.
    *
-   * @param overlay lines for the corner, asked for at each tick; equal lines cause no redraw
+   * @param overlay provides the overlay's lines at each tick; equal lines cause no redraw
    */
   public SceneSynchronizer(
       TouchProperties properties,
@@ -48,6 +49,7 @@ public final class SceneSynchronizer implements Runnable {
     this.overlay = overlay;
   }
 
+  /** Runs one tick. */
   @Override
   public void run() {
     if (properties.accumulator().take()) {
@@ -61,7 +63,7 @@ public final class SceneSynchronizer implements Runnable {
     toScene(properties.touch().interactionPoint(point), point);
     properties.touch().force(force);
     grid.gridMmToWorld().rotate(force, force);
-    model.axes().swap(force, force);
+    model.axes().toSceneOrBack(force, force);
     boolean contact = properties.touch().contact();
     extendTrail(contact);
     TouchMarks marks =
@@ -84,8 +86,8 @@ public final class SceneSynchronizer implements Runnable {
     applications++;
   }
 
-  private void toScene(Vec3 inGrid, Vec3 dest) {
-    model.axes().swap(grid.gridToWorld(inGrid, dest), dest);
+  private void toScene(Vec3 gridPoint, Vec3 dest) {
+    model.axes().toSceneOrBack(grid.gridToWorld(gridPoint, dest), dest);
   }
 
   private void extendTrail(boolean contact) {
@@ -98,12 +100,12 @@ public final class SceneSynchronizer implements Runnable {
     if (last == null || last.sub(point, new Vec3()).length() > step) {
       trail.addLast(new Vec3().set(point));
     }
-    if (trail.size() > TRAIL) {
+    if (trail.size() > MAX_TRAIL_POINTS) {
       trail.removeFirst();
     }
   }
 
-  /** Ticks that had something new to apply. */
+  /** Returns the number of ticks that applied a change. */
   public long applications() {
     return applications;
   }

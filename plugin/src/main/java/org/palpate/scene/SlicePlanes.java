@@ -4,32 +4,33 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * Grey values on three planes of the grid.
+ * Grey values on up to three planes of the grid.
  *
- * @param grey where the values come from
- * @param i the plane across x that is shown, a voxel number; -1 for none
- * @param j across y
- * @param k across z
- * @param spacingMm of a voxel
- * @param pose from grid millimetres to the scene frame
+ * @param grey the grey values
+ * @param i number of the plane across x; -1 for none
+ * @param j number of the plane across y; -1 for none
+ * @param k number of the plane across z; -1 for none
+ * @param spacingMm edge lengths of a voxel
+ * @param pose transform from grid mm to the scene frame
  */
 public record SlicePlanes(Grey grey, int i, int j, int k, Vec3 spacingMm, RigidTransform pose) {
 
-  /** Grey values of a grid. Read by the thread that draws. */
+  /** Grey values of a grid. The drawing thread reads them. */
   public interface Grey {
+    /** Returns the number of voxels along an axis. */
     int size(int axis);
 
-    /** The value of a voxel of the grid. */
+    /** Returns the value of a voxel. */
     double value(int i, int j, int k);
 
-    /** What is drawn black. */
+    /** Returns the value that is drawn black. */
     double black();
 
-    /** What is drawn white. */
+    /** Returns the value that is drawn white. */
     double white();
   }
 
-  /** The plane across an axis. */
+  /** Returns the number of the plane across an axis. */
   public int plane(int axis) {
     return axis == 0 ? i : axis == 1 ? j : k;
   }

@@ -3,7 +3,10 @@ package org.palpate.scene;
 import java.util.Locale;
 import org.palpate.geometry.Vec3;
 
-/** From where one looks; the scene's frame has x to the left, y to the back and z to the head. */
+/**
+ * Directions of view. In the scene's frame x points to the patient's left, y to the back and z to
+ * the head.
+ */
 public enum StandardView {
   FRONT(0, -1, 0),
   BACK(0, 1, 0),
@@ -24,18 +27,21 @@ public enum StandardView {
     this.z = z;
   }
 
-  /** From the middle towards the eye, of length 1. */
+  /** Returns the unit vector from the middle towards the eye. */
   public Vec3 towardsEye() {
     Vec3 direction = new Vec3(x, y, z);
     return direction.mul(1 / direction.length(), direction);
   }
 
-  /** What is up in the picture: the head, or, seen from head or foot, the front. */
+  /**
+   * Returns the direction that is up in the picture: the head, or the front if seen from head or
+   * foot.
+   */
   Vec3 up() {
     return Math.abs(z) > 0.9 ? new Vec3(0, -1, 0) : new Vec3(0, 0, 1);
   }
 
-  /** As a person types it. */
+  /** Returns the name on the command line. */
   @Override
   public String toString() {
     return name().toLowerCase(Locale.ROOT);

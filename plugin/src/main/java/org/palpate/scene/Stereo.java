@@ -2,17 +2,18 @@ package org.palpate.scene;
 
 import java.util.Locale;
 
-/** How two eyes are served. */
+/** Modes of stereo. */
 public enum Stereo {
+  /** One picture for both eyes. */
   OFF,
-  /** Left through red, right through cyan glasses. */
+  /** Left eye in red, right eye in cyan, for coloured glasses. */
   ANAGLYPH,
-  /** Two pictures beside each other, left for the left eye. */
+  /** Two pictures side by side, the left one for the left eye. */
   SIDE_BY_SIDE,
-  /** Two back buffers, where the driver has them. */
+  /** Two back buffers, if the driver has them. */
   QUAD_BUFFER;
 
-  /** As a person types it. */
+  /** Returns the name on the command line. */
   @Override
   public String toString() {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');

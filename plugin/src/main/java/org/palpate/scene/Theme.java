@@ -3,8 +3,8 @@ package org.palpate.scene;
 import java.util.Locale;
 
 /**
- * Colours of what surrounds the scan, 0xRRGGBB. The marks differ in lightness as well as in hue, so
- * that they can be told apart without seeing red or green.
+ * Colours of the background and the text, 0xRRGGBB. Marks differ in lightness as well as in hue, so
+ * that people can distinguish them without seeing red or green.
  */
 public enum Theme {
   DARK(0x1b2330, 0x0a0d13, 0xe8ecf2, 0x8b98a9),
@@ -22,23 +22,27 @@ public enum Theme {
     this.quiet = quiet;
   }
 
+  /** Returns the background colour in the middle of the picture. */
   public int above() {
     return above;
   }
 
+  /** Returns the background colour at the edge of the picture. */
   public int below() {
     return below;
   }
 
+  /** Returns the colour of text. */
   public int text() {
     return text;
   }
 
+  /** Returns the colour of unobtrusive lines. */
   public int quiet() {
     return quiet;
   }
 
-  /** As a person types it. */
+  /** Returns the name on the command line. */
   @Override
   public String toString() {
     return name().toLowerCase(Locale.ROOT);

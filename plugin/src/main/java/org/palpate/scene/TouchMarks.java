@@ -4,13 +4,14 @@ import java.util.List;
 import org.palpate.geometry.Vec3;
 
 /**
- * What is drawn of the hand, of one frame. Scene frame, mm and newtons. Immutable by convention.
+ * Device, interaction point, force and trail of one frame as they are drawn. Scene frame, mm and
+ * newtons. Immutable by convention.
  *
- * @param device where the device is
- * @param point where the interaction point is
- * @param forceNewton on the hand
- * @param contact whether something is touched
- * @param trail places of the interaction point while there was contact, the oldest first
+ * @param device device position
+ * @param point interaction point
+ * @param forceNewton force on the hand
+ * @param contact whether the interaction point is in contact
+ * @param trail earlier positions of the interaction point during this contact, the oldest first
  */
 public record TouchMarks(
     Vec3 device, Vec3 point, Vec3 forceNewton, boolean contact, List<Vec3> trail) {

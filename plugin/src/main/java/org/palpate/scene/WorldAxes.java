@@ -4,14 +4,17 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * Which way the axes of the world point in the patient, and how the scene gets from there to its
- * own frame, in which x goes to the patient's left, y to the back and z to the head.
+ * Orientation of the world's axes in the patient, and the transform to the scene's frame. There x
+ * points to the patient's left, y to the back and z to the head.
  */
 public enum WorldAxes {
+  /** Left, posterior, superior; as DICOM. */
   LPS(1, 1),
+  /** Right, anterior, superior; as NIfTI. */
   RAS(-1, -1),
+  /** Left, anterior, superior. */
   LAS(1, -1),
-  /** Not known: shown as if it were LPS, without letters. */
+  /** Unknown; drawn like LPS, without letters. */
   UNKNOWN(1, 1);
 
   private static final String[] LETTERS = {"L", "R", "P", "A", "H", "F"};
@@ -24,12 +27,14 @@ public enum WorldAxes {
     this.signY = signY;
   }
 
+  /** Whether the letters of the patient's directions are drawn. */
   public boolean hasLetters() {
     return this != UNKNOWN;
   }
 
   /**
-   * The letter of a direction of the scene's frame: left, right, posterior, anterior, head, foot.
+   * Returns the letter of a direction of the scene's frame: left, right, posterior, anterior, head,
+   * foot.
    *
    * @param axis 0 is x, 1 is y, 2 is z
    */
@@ -37,19 +42,20 @@ public enum WorldAxes {
     return LETTERS[2 * axis + (positive ? 0 : 1)];
   }
 
-  /** Writes a world point or direction in the scene's frame, or back, into {@code dest}. */
-  public Vec3 swap(Vec3 world, Vec3 dest) {
+  /**
+   * Converts a point or direction from the world to the scene's frame, or back, into {@code dest}.
+   * The conversion is its own inverse.
+   */
+  public Vec3 toSceneOrBack(Vec3 world, Vec3 dest) {
     return dest.set(signX * world.x, signY * world.y, world.z);
   }
 
-  /**
-   * A pose in the world as a pose in the scene's frame; it mirrors where the world is left-handed.
-   */
-  public RigidTransform toScene(RigidTransform toWorld) {
+  /** Returns a pose in the scene's frame. It mirrors if the world is left-handed. */
+  RigidTransform toScene(RigidTransform toWorld) {
     return new RigidTransform(
-        swap(toWorld.axisX(), new Vec3()),
-        swap(toWorld.axisY(), new Vec3()),
-        swap(toWorld.axisZ(), new Vec3()),
-        swap(toWorld.origin(), new Vec3()));
+        toSceneOrBack(toWorld.axisX(), new Vec3()),
+        toSceneOrBack(toWorld.axisY(), new Vec3()),
+        toSceneOrBack(toWorld.axisZ(), new Vec3()),
+        toSceneOrBack(toWorld.origin(), new Vec3()));
   }
 }

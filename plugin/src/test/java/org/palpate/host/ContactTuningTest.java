@@ -33,46 +33,46 @@ class ContactTuningTest {
           new GridDevice(new SimulatedDevice(1, scene.handTarget(), PERIOD_NANOS), scene.grid()),
           scene.liveFrame(DEVICE, 0.4),
           FramePublisher.NONE);
-  private final ContactTuning feel =
+  private final ContactTuning tuning =
       new ContactTuning(frame, scene, ForceSettings.of(0.4, 0.2), DEVICE);
 
   @Test
-  void neverGetsStifferThanTheDeviceBears() {
+  void neverExceedsTheStiffnessOfTheDevice() {
     for (int i = 0; i < 20; i++) {
-      feel.stiffer();
+      tuning.increaseStiffness();
     }
-    assertEquals(0.8, feel.force().stiffnessNewtonPerMm());
+    assertEquals(0.8, tuning.force().stiffnessNewtonPerMm());
     for (int i = 0; i < 100; i++) {
-      feel.softer();
+      tuning.decreaseStiffness();
     }
-    assertTrue(feel.force().stiffnessNewtonPerMm() > 0);
+    assertTrue(tuning.force().stiffnessNewtonPerMm() > 0);
   }
 
   @Test
-  void frictionStaysFromNoneToOne() {
+  void keepsFrictionBetweenZeroAndOne() {
     for (int i = 0; i < 40; i++) {
-      feel.rougher();
+      tuning.increaseFriction();
     }
-    assertEquals(1, feel.force().friction());
+    assertEquals(1, tuning.force().friction());
     for (int i = 0; i < 40; i++) {
-      feel.decreaseFriction();
+      tuning.decreaseFriction();
     }
-    assertEquals(0, feel.force().friction());
+    assertEquals(0, tuning.force().friction());
   }
 
   @Test
-  void goesThroughTheSolversWhileFramesRunAndLeavesNoPointInASolid() {
-    assertEquals(SolverKind.GUARDED, feel.solver());
+  void switchesSolversBetweenFramesWithoutEnteringASolid() {
+    assertEquals(SolverKind.GUARDED, tuning.solver());
     long now = 0;
     for (int change = 0; change < 40; change++) {
-      feel.nextSolver();
+      tuning.nextSolver();
       for (int n = 0; n < 250; n++) {
         now += PERIOD_NANOS;
         assertEquals(FrameOutcome.RUNNING, frame.run(now));
-        if (feel.solver() == SolverKind.GUARDED || feel.solver() == SolverKind.SMOOTH) {
+        if (tuning.solver() == SolverKind.GUARDED || tuning.solver() == SolverKind.SMOOTH) {
           var p = frame.point().position;
-          boolean touches = scene.newObstacles().touches(p.x, p.y, p.z);
-          assertTrue(!touches, feel.solver() + " change " + change + " frame " + n);
+          boolean touches = scene.newCollisionScene().touches(p.x, p.y, p.z);
+          assertTrue(!touches, tuning.solver() + " change " + change + " frame " + n);
         }
       }
     }

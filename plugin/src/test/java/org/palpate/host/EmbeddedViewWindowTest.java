@@ -22,7 +22,7 @@ import org.palpate.scene.window.ProgramWithPanel;
 import org.palpate.scene.window.SceneWindow;
 import org.palpate.volume.phantom.Phantom;
 
-/** A session seen inside the window of another program. */
+/** A session in a panel inside the window of another program. */
 class EmbeddedViewWindowTest {
   private static final long PATIENCE_S = 60;
   private static final long PERIOD_NANOS = 1_000_000;
@@ -43,7 +43,7 @@ class EmbeddedViewWindowTest {
   }
 
   @Test
-  void aSessionIsSeenInThePanelAndLeavesItWithoutAThread() throws Exception {
+  void showsASessionInThePanelAndLeavesNoThread() throws Exception {
     ContactScene scene =
         new ContactScene(
             Phantom.parse("sphere:32").segments(), ContactSettings.standard(SolverKind.GUARDED));
@@ -66,7 +66,7 @@ class EmbeddedViewWindowTest {
     }
     assertEquals(LoopEnd.Cause.STOPPED, end.cause());
     EventQueue.invokeAndWait(() -> {});
-    assertTrue(ours().isEmpty(), ours().toString());
+    assertTrue(palpateThreads().isEmpty(), palpateThreads().toString());
   }
 
   private static TouchSession session(ContactScene scene, HapticDevice hand) {
@@ -88,7 +88,7 @@ class EmbeddedViewWindowTest {
   private SessionView.Listener listener() {
     return new SessionView.Listener() {
       @Override
-      public void tell(String line) {
+      public void print(String line) {
         opening.completeExceptionally(new IllegalStateException(line));
       }
 
@@ -102,8 +102,8 @@ class EmbeddedViewWindowTest {
     };
   }
 
-  /** Threads of ours that still run; JOGL keeps one of its own that is named after ours. */
-  private static List<String> ours() {
+  /** Returns the names of Palpate's running threads, except JOGL's, which inherit their names. */
+  private static List<String> palpateThreads() {
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
     List<String> names;
     do {

@@ -18,11 +18,11 @@ class LevelBricksTest {
     BitCube bits = new BitCube(4, 4, 4);
     bits.set(1, 1, 1);
     SurfaceSource source = SurfaceSource.ofBits(bits, new Vec3(1, 1, 1));
-    return new SurfaceExtractor().extract(source, AmbientOcclusion.EVERYWHERE, 0);
+    return new SurfaceExtractor().extract(source, AmbientOcclusion.NONE, 0);
   }
 
   @Test
-  void aMeshThatWasBegunBeforeAnEditDoesNotReplaceTheOneThatWasBegunAfter() {
+  void aMeshStartedBeforeAnEditDoesNotReplaceOneStartedAfterIt() {
     SurfaceBrick newer = mesh();
     bricks.put(3, 8, newer);
     bricks.put(3, 5, mesh());
@@ -32,7 +32,7 @@ class LevelBricksTest {
   }
 
   @Test
-  void aBrickThatWasEmptiedStaysEmptyForAnOlderMesh() {
+  void anOlderMeshDoesNotReturnToAnEmptiedBrick() {
     bricks.put(3, 8, null);
     bricks.put(3, 5, mesh());
     assertTrue(bricks.shown().isEmpty());

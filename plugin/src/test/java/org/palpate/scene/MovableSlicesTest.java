@@ -35,7 +35,7 @@ class MovableSlicesTest {
   }
 
   @Test
-  void fixedOnesStandWhereTheyWereAskedForWhateverThePointDoes() {
+  void fixedSlicesIgnoreThePoint() {
     MovableSlices slices = slices(Mode.FIXED);
     assertEquals("1 2 3", shown());
     for (int tick = 0; tick < 9; tick++) {
@@ -46,7 +46,7 @@ class MovableSlicesTest {
   }
 
   @Test
-  void thoseAtThePointGoThroughItsVoxelOrTheNearestOfTheGrid() {
+  void slicesAtThePointPassThroughItsVoxelOrTheNearestOfTheGrid() {
     MovableSlices slices = slices(Mode.AT_POINT);
     assertEquals("none", shown());
     slices.follow(POINT);
@@ -64,7 +64,7 @@ class MovableSlicesTest {
   }
 
   @Test
-  void aPointThatRunsMovesThemTenTimesASecond() {
+  void aMovingPointMovesTheSlicesTenTimesASecond() {
     MovableSlices slices = slices(Mode.AT_POINT);
     for (int tick = 0; tick < 30; tick++) {
       slices.follow(new Vec3(4, 6, tick));
@@ -73,7 +73,7 @@ class MovableSlicesTest {
   }
 
   @Test
-  void movingOnesThatFollowedLeavesThemThereOnePlaneFurther() {
+  void movingSlicesThatFollowedThePointFixesThemOnePlaneFurther() {
     MovableSlices slices = slices(Mode.AT_POINT);
     slices.follow(POINT);
     slices.move(1);
@@ -87,7 +87,7 @@ class MovableSlicesTest {
   }
 
   @Test
-  void aKeySwitchesThemOffAndOnAgain() {
+  void switchesSlicesOffAndOn() {
     MovableSlices slices = slices(Mode.OFF);
     assertEquals("", slices.line());
     slices.nextMode();

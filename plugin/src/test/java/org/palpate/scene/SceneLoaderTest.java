@@ -22,7 +22,7 @@ class SceneLoaderTest {
   private final SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
 
   @Test
-  void finerLevelsWaitUntilTheCoarseOneWasSeen() throws Exception {
+  void finerLevelsWaitUntilTheCoarsestWasDrawn() throws Exception {
     try (SceneLoader loader = SceneLoader.forWindow(model, volume(box(), dot()), List.of(), 1)) {
       loader.await(PATIENCE_MS);
       assertEquals(List.of(2, 2), finest());
@@ -36,7 +36,7 @@ class SceneLoaderTest {
   }
 
   @Test
-  void whatHasNoSurfaceKeepsNoFinerLevelWaiting() throws Exception {
+  void anEmptySegmentDoesNotDelayFinerLevels() throws Exception {
     BitCube empty = new BitCube(EDGE, EDGE, EDGE);
     try (SceneLoader loader = SceneLoader.forWindow(model, volume(empty, box()), List.of(), 1)) {
       loader.await(PATIENCE_MS);
@@ -47,7 +47,7 @@ class SceneLoaderTest {
   }
 
   @Test
-  void anEditBeforeThePictureIsInTheFinerLevels() throws Exception {
+  void anEditBeforeThePictureAppearsInTheFinerLevels() throws Exception {
     BitCube bits = box();
     try (SceneLoader loader = SceneLoader.forWindow(model, volume(bits), List.of(), 1)) {
       loader.await(PATIENCE_MS);
@@ -56,7 +56,7 @@ class SceneLoaderTest {
         bits.set(i, 10, 10);
         edited.include(i, 10, 10);
       }
-      for (SurfaceJob level : loader.edited(0, edited)) {
+      for (SurfaceJob level : loader.remesh(0, edited)) {
         level.await(PATIENCE_MS);
       }
       loader.pictureDrawn();
@@ -75,7 +75,7 @@ class SceneLoaderTest {
   }
 
   @Test
-  void aPictureThatComesAfterTheEndBeginsNothing() throws Exception {
+  void aPictureAfterClosingStartsNothing() throws Exception {
     SceneLoader loader = SceneLoader.forWindow(model, volume(box()), List.of(), 1);
     loader.await(PATIENCE_MS);
     loader.close();

@@ -11,13 +11,15 @@ import org.palpate.geometry.Vec3;
 import org.palpate.scene.SceneState.DrawnObject;
 
 class SceneModelTest {
+  private static final int BONE_RGB = 0xe9dcc0;
+
   private final SceneModel model = new SceneModel(WorldAxes.RAS, Theme.DARK);
   private final SceneObject bone =
-      model.add("bone", Palette.BONE, RigidTransform.identity(), new Vec3(), new Vec3(2, 4, 6));
+      model.add("bone", BONE_RGB, RigidTransform.identity(), new Vec3(), new Vec3(2, 4, 6));
   private final AtomicInteger redraws = new AtomicInteger();
 
   @Test
-  void aChangeAsksForOneRedrawAndTheSameAgainForNone() {
+  void aChangeRequestsOneRedrawAndItsRepetitionNone() {
     model.onChange(redraws::incrementAndGet);
     List<Runnable> changes =
         List.of(
@@ -35,18 +37,18 @@ class SceneModelTest {
   }
 
   @Test
-  void aStateIsACopyThatLaterChangesLeaveAlone() {
+  void laterChangesDoNotAffectAState() {
     SceneState before = model.state();
     model.setColour(bone, Palette.POINT);
     model.setOpacity(bone, 0.5);
     DrawnObject then = before.objects().get(0);
-    assertEquals(Palette.BONE, then.rgb());
+    assertEquals(BONE_RGB, then.rgb());
     assertEquals(1, then.opacity());
     assertTrue(before.staticRevision() < model.state().staticRevision());
   }
 
   @Test
-  void whatIsHiddenOrWhollyTransparentIsNotDrawn() {
+  void hiddenAndFullyTransparentSegmentsAreNotDrawn() {
     model.setVisible(bone, false);
     assertEquals(List.of(), model.state().objects());
     model.setVisible(bone, true);
@@ -55,7 +57,7 @@ class SceneModelTest {
   }
 
   @Test
-  void aMovedSegmentStandsElsewhereInTheScene() {
+  void aMovedSegmentHasANewPoseInTheScene() {
     Vec3 x = new Vec3(1, 0, 0);
     Vec3 y = new Vec3(0, 1, 0);
     Vec3 z = new Vec3(0, 0, 1);

@@ -33,7 +33,7 @@ class SceneSynchronizerTest {
   private final AtomicInteger redraws = new AtomicInteger();
 
   @Test
-  void aThousandFramesBetweenTwoTicksAreOneRedrawOfTheLast() {
+  void aThousandFramesBetweenTwoTicksCauseOneRedrawOfTheLast() {
     model.onChange(redraws::incrementAndGet);
     for (int frame = 1; frame <= 1000; frame++) {
       publish(frame / 1000.0, frame);
@@ -47,7 +47,7 @@ class SceneSynchronizerTest {
   }
 
   @Test
-  void aHandAtRestCausesNoRedraw() {
+  void aDeviceAtRestCausesNoRedraw() {
     model.onChange(redraws::incrementAndGet);
     publish(1, 1);
     sync.run();
@@ -60,7 +60,7 @@ class SceneSynchronizerTest {
   }
 
   @Test
-  void whatARendererThatThrowsMissedIsAppliedAtTheNextTick() {
+  void changesThatAFailingRendererMissedAreAppliedAtTheNextTick() {
     AtomicInteger calls = new AtomicInteger();
     model.onChange(
         () -> {
@@ -76,7 +76,7 @@ class SceneSynchronizerTest {
   }
 
   @Test
-  void theThreadGoesOnWhenTicksThrowAndTellsOfTheFirst() throws Exception {
+  void theThreadContinuesAfterFailingTicksAndReportsTheFirst() throws Exception {
     CountDownLatch ticks = new CountDownLatch(5);
     List<String> told = new CopyOnWriteArrayList<>();
     Runnable failing =

@@ -12,15 +12,15 @@ import org.palpate.scene.surface.SurfaceFile;
 
 class WorldAxesTest {
   @Test
-  void theSceneGoesLeftBackAndUpWhateverTheWorldDoes() {
+  void theSceneFrameIsLeftPosteriorSuperiorForEveryWorld() {
     Vec3 left = new Vec3(1, 0, 0);
-    assertEquals(1, WorldAxes.LPS.swap(left, new Vec3()).x);
-    assertEquals(-1, WorldAxes.RAS.swap(left, new Vec3()).x);
-    assertEquals(-1, WorldAxes.LAS.swap(new Vec3(0, 1, 0), new Vec3()).y);
+    assertEquals(1, WorldAxes.LPS.toSceneOrBack(left, new Vec3()).x);
+    assertEquals(-1, WorldAxes.RAS.toSceneOrBack(left, new Vec3()).x);
+    assertEquals(-1, WorldAxes.LAS.toSceneOrBack(new Vec3(0, 1, 0), new Vec3()).y);
   }
 
   @Test
-  void aLeftHandedWorldMirrorsAndTheOthersDoNot() {
+  void onlyALeftHandedWorldMirrors() {
     RigidTransform pose = RigidTransform.identity();
     assertTrue(SurfaceFile.isMirrored(WorldAxes.LAS.toScene(pose)));
     assertFalse(SurfaceFile.isMirrored(WorldAxes.RAS.toScene(pose)));

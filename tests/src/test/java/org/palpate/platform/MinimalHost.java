@@ -53,7 +53,7 @@ final class MinimalHost implements AutoCloseable {
 
   /** Updates the platform about 30 times per second, in one thread; false after the end. */
   boolean tick() {
-    session.takeUnseen();
+    session.takeUpdates();
     session.properties().touch().interactionPoint(point);
     scene.grid().gridToWorld(point, point);
     return !session.supervise();

@@ -17,8 +17,10 @@ import org.palpate.scene.StandardView;
 import org.palpate.scene.Theme;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
+import org.palpate.scene.gl.SceneRendererVariants;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.scene.window.OffscreenRenderer;
+import org.palpate.scene.window.OffscreenRendererVariants;
 import org.palpate.volume.phantom.Phantom;
 
 /**
@@ -58,13 +60,15 @@ final class SceneSkips {
   List<SpeedRow> rows(PrintWriter out) {
     SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
     try (SceneLoader loader = new SceneLoader(model, Phantom.parse(phantom).segments(), 1);
-        OffscreenRenderer picture = new OffscreenRenderer(WIDTH, HEIGHT, 1)) {
+        OffscreenRenderer both = renderer(true, true);
+        OffscreenRenderer drawsUnseen = renderer(false, true);
+        OffscreenRenderer drawsUnchanged = renderer(true, false)) {
       loader.await(PATIENCE_MS);
       List<SpeedRow> rows = new ArrayList<>();
-      rows.addAll(compare(picture, model, "nodes not seen", true));
-      rows.addAll(compare(picture, model, "nodes not seen", false));
-      rows.addAll(compare(picture, model, "nodes unchanged", true));
-      rows.addAll(compare(picture, model, "nodes unchanged", false));
+      rows.addAll(compare(both, drawsUnseen, model, "nodes not seen", true));
+      rows.addAll(compare(both, drawsUnseen, model, "nodes not seen", false));
+      rows.addAll(compare(both, drawsUnchanged, model, "nodes unchanged", true));
+      rows.addAll(compare(both, drawsUnchanged, model, "nodes unchanged", false));
       return rows;
     } catch (GraphicsException e) {
       out.println("the skips of the scene were not measured: " + e.what() + ": " + e.remedy());
@@ -77,8 +81,18 @@ final class SceneSkips {
     }
   }
 
+  private static OffscreenRenderer renderer(boolean cullsOutsideView, boolean reusesStatic)
+      throws GraphicsException {
+    return OffscreenRendererVariants.of(
+        WIDTH, HEIGHT, SceneRendererVariants.of(cullsOutsideView, reusesStatic));
+  }
+
   private List<SpeedRow> compare(
-      OffscreenRenderer picture, SceneModel model, String skip, boolean helps) {
+      OffscreenRenderer skipping,
+      OffscreenRenderer drawingAll,
+      SceneModel model,
+      String skip,
+      boolean helps) {
     boolean isUnseen = skip.equals("nodes not seen");
     boolean moves = isUnseen || !helps;
     model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
@@ -89,8 +103,7 @@ final class SceneSkips {
     List<Double> without = new ArrayList<>();
     for (int round = -WARM_UP_ROUNDS; round < rounds; round++) {
       for (boolean on : new boolean[] {true, false}) {
-        picture.skip(!isUnseen || on, isUnseen || on);
-        double millis = millisPerPicture(picture, model, moves);
+        double millis = millisPerPicture(on ? skipping : drawingAll, model, moves);
         if (round >= 0) {
           (on ? with : without).add(millis);
         }

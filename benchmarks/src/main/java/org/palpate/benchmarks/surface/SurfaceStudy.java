@@ -70,7 +70,7 @@ public final class SurfaceStudy {
     Scans scan = Scans.read(data, name);
     long began = threads.getCurrentThreadCpuTime();
     SurfaceSource coarse = CoarseVolume.of(scan.bone(), 2).source(scan.spacingMm());
-    make(coarse, AmbientOcclusion.EVERYWHERE);
+    make(coarse, AmbientOcclusion.NONE);
     double coarseSeconds = (threads.getCurrentThreadCpuTime() - began) / NANOS_PER_SECOND;
     long coarseTriangles = triangles;
     began = threads.getCurrentThreadCpuTime();

@@ -11,15 +11,15 @@ import org.palpate.io.file.AtomicFile;
 import org.palpate.scene.window.Picture;
 import org.palpate.scene.window.SceneWindow;
 
-/** What the command line does for the window of a session: tells its lines, saves snapshots. */
+/** Prints the reports of a session's view and saves snapshots of its window. Any thread. */
 final class ConsoleViewListener implements SessionView.Listener {
   private final PrintWriter out;
   private final Runnable stop;
 
   /**
-   * A listener.
+   * Creates a listener.
    *
-   * @param out gets a line where there can be no window
+   * @param out receives the lines
    * @param stop ends the session
    */
   ConsoleViewListener(PrintWriter out, Runnable stop) {
@@ -30,7 +30,7 @@ final class ConsoleViewListener implements SessionView.Listener {
   @Override
   public void opening(SceneWindow window) {
     DisplayLoss.install(window::displayLost);
-    window.input().onKey('s', "snapshot to a file", () -> window.takeSnapshot(this::save));
+    window.input().onKey('s', "save a snapshot", () -> window.takeSnapshot(this::save));
   }
 
   private void save(Picture picture) {
@@ -38,14 +38,14 @@ final class ConsoleViewListener implements SessionView.Listener {
     try (AtomicFile target = new AtomicFile(file)) {
       ImageIO.write(picture.toImage(), "png", target.stream());
       target.commit();
-      tell("snapshot: " + file + " (" + Files.size(file) / 1024 + " KB)");
+      print("snapshot: " + file + " (" + Files.size(file) / 1024 + " KB)");
     } catch (IOException e) {
-      tell("snapshot " + file + " could not be written: " + e.getMessage());
+      print("snapshot " + file + " could not be written: " + e.getMessage());
     }
   }
 
   @Override
-  public void tell(String line) {
+  public void print(String line) {
     out.println(line);
     out.flush();
   }

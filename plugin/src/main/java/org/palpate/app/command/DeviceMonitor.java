@@ -17,15 +17,17 @@ import org.palpate.device.jni.NativeDevice;
 import org.palpate.geometry.Vec3;
 
 /**
- * Shows one device live in its own frame: position, buttons, rate; draws a gentle force when the
- * person presses Enter. One thread, which reads and writes the device at 1 kHz.
+ * Shows one device live in its own frame: position, buttons and sample rate; sends a gentle force
+ * when the user presses Enter.
+ *
+ * <p>One thread, which reads and writes the device at 1 kHz.
  */
 final class DeviceMonitor {
   private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
   private static final long LINE_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
   private static final long PUSH_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
 
-  /** Of what the device bears at most, so that it can be felt and does no harm. */
+  /** Fraction of the device's maximum force, strong enough to feel and harmless. */
   private static final double PUSH_FRACTION = 0.1;
 
   private final NativeDevice device;
@@ -46,21 +48,22 @@ final class DeviceMonitor {
   }
 
   /**
-   * Watches until the device goes or the time is over, then says what befell its samples; returns
-   * why it went, or nothing.
+   * Watches until the device disconnects or the time is over, then prints a summary of its samples.
+   *
+   * @return why the device disconnected; empty if the time was over
    */
   String watch(double seconds) throws IOException {
-    String ending = watchUntilTheEnd(seconds);
-    out.println(befell());
+    String ending = watchUntilEnd(seconds);
+    out.println(sampleSummary());
     out.flush();
     return ending;
   }
 
-  private String watchUntilTheEnd(double seconds) throws IOException {
+  private String watchUntilEnd(double seconds) throws IOException {
     String push =
         pushNewton() > 0
-            ? format("Enter draws %.2f N upwards for 0.3 s", pushNewton())
-            : "an input without force";
+            ? format("Enter pushes %.2f N upwards for 0.3 s", pushNewton())
+            : "no force feedback";
     out.println(device.specification().name() + ": " + push + ", Ctrl-C ends");
     startNanos = System.nanoTime();
     shownNanos = startNanos - LINE_NANOS;
@@ -89,8 +92,8 @@ final class DeviceMonitor {
   }
 
   private double pushNewton() {
-    double most = device.specification().maxForceNewton();
-    return Double.isFinite(most) ? PUSH_FRACTION * most : 0;
+    double maxNewton = device.specification().maxForceNewton();
+    return Double.isFinite(maxNewton) ? PUSH_FRACTION * maxNewton : 0;
   }
 
   private void show(long nanos) throws IOException {
@@ -99,7 +102,7 @@ final class DeviceMonitor {
       pressedNanos = nanos;
     }
     long samples = device.counters().samples();
-    // The first read drains what had been waiting, which is no rate.
+    // The first read drains a backlog, which gives no rate.
     long fresh = nanos == startNanos ? 0 : samples - shownSamples;
     double samplesPerSecond = fresh * 1e9 / (nanos - shownNanos);
     shownSamples = samples;
@@ -117,20 +120,20 @@ final class DeviceMonitor {
     out.flush();
   }
 
-  /** What keeps force away or is done with it, and how hot the motors are. */
+  /** Returns why there is no force, whether the monitor pushes, and the heat of the motors. */
   private String condition(long nanos) {
     String heat =
         device.motorHeat() > 0 ? format("  motors at %.0f %%", 100 * device.motorHeat()) : "";
     if (device.needsCalibration()) {
-      return heat + "  calibrate it to let force in";
+      return heat + "  calibrate it to enable the force";
     }
     if (device.isWaitingForHand()) {
-      return heat + "  hold it still to let force in";
+      return heat + "  hold it still to enable the force";
     }
     return heat + (isPushing(nanos) ? "  pushing" : "");
   }
 
-  /** The counts of samples, for a report. */
+  /** Adds the counts of samples to a report. */
   void putInto(Report report) {
     counts().forEach(report::put);
   }
@@ -149,8 +152,8 @@ final class DeviceMonitor {
     return counts;
   }
 
-  /** One line: how many samples, and how many of them were not as they should be. */
-  private String befell() {
+  /** Returns one line: the number of samples, and of those that were faulty in some way. */
+  private String sampleSummary() {
     StringJoiner line = new StringJoiner(", ");
     counts()
         .forEach(

@@ -24,10 +24,11 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Tells what can be touched with here. */
+/** Lists the devices that can be used on this machine, or watches one. */
 @Command(
     name = "devices",
-    description = "Tells which devices can be used here, and why not where one cannot.",
+    description =
+        "Lists the devices that can be used on this machine, and the reason if one cannot.",
     footer = {
       "",
       "Examples:",
@@ -39,19 +40,20 @@ public final class DevicesCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private OutputOptions output;
 
-  @Option(names = "--json", description = "Print JSON.")
+  @Option(names = "--json", description = "Prints the list as JSON.")
   private boolean json;
 
   @Option(
       names = "--watch",
       paramLabel = "NAME[:ID]",
-      description = "Show one device live: position, buttons, rate; Enter draws a gentle force.")
+      description =
+          "Shows one device live: position, buttons and rate. Enter pushes the hand gently.")
   private String watched;
 
   @Option(
       names = "--seconds",
       paramLabel = "S",
-      description = "How long to watch; until Ctrl-C without it.")
+      description = "Ends --watch after S seconds. Default: Ctrl-C ends it.")
   private Double seconds;
 
   @Override
@@ -67,13 +69,13 @@ public final class DevicesCommand implements Callable<Integer> {
     }
     if (seconds != null && watched == null) {
       throw PalpateException.wrongUse(
-          "nothing is watched", "--seconds " + seconds, "add --watch NAME, or leave it out");
+          "no device is watched", "--seconds " + seconds, "add --watch NAME, or leave it out");
     }
     if (json && watched != null) {
       throw PalpateException.wrongUse(
-          "what is live is not printed as JSON",
+          "a live view cannot be printed as JSON",
           "--json --watch " + watched,
-          "take --report FILE.json with --watch");
+          "use --report FILE.json with --watch");
     }
   }
 
@@ -83,20 +85,20 @@ public final class DevicesCommand implements Callable<Integer> {
     String id = colon < 0 ? "" : watched.substring(colon + 1);
     if (!DeviceCatalog.isNative(name)) {
       throw PalpateException.wrongUse(
-          "there is no such device to watch",
+          "this device cannot be watched",
           "--watch " + watched,
-          "write hid, openhaptics, forcedimension or virtuose, with :ID where there are several");
+          "write hid, openhaptics, forcedimension or virtuose, with :ID if there are several");
     }
     Report report = new Report("devices", output.report(), List.of());
     try (NativeDevice device = DeviceCatalog.open(name, id)) {
-      // Zero force goes first on Ctrl-C too.
+      // Closing sends zero force, also on Ctrl-C.
       Runtime.getRuntime().addShutdownHook(new Thread(device::close, "palpate-device-end"));
       DeviceMonitor watch = new DeviceMonitor(device, System.in, spec.commandLine().getOut());
       String ending = watch.watch(seconds == null ? Double.POSITIVE_INFINITY : seconds);
       watch.putInto(report.put("device", watched).put("ending", ending));
       report.write();
       if (!ending.isEmpty()) {
-        throw PalpateException.failed("the device went: " + watched + ": " + ending, null);
+        throw PalpateException.failed("the device disconnected: " + watched + ": " + ending, null);
       }
       return 0;
     } catch (DeviceException e) {
@@ -106,8 +108,8 @@ public final class DevicesCommand implements Callable<Integer> {
 
   private int list() throws IOException {
     Report report = new Report("devices", output.report(), List.of());
-    List<BackendProbe> probeAll = DeviceCatalog.probeAll();
-    report.put("backends", probeAll.stream().map(DevicesCommand::entry).toList());
+    List<BackendProbe> probes = DeviceCatalog.probeAll();
+    report.put("backends", probes.stream().map(DevicesCommand::entry).toList());
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
       ByteArrayOutputStream text = new ByteArrayOutputStream();
@@ -115,43 +117,46 @@ public final class DevicesCommand implements Callable<Integer> {
       out.print(text.toString(StandardCharsets.UTF_8));
       out.flush();
     } else {
-      probeAll.forEach(finding -> print(finding, out));
+      probes.forEach(probe -> print(probe, out));
     }
     report.write();
     return 0;
   }
 
-  private static void print(BackendProbe finding, PrintWriter out) {
-    String library = (finding.library() + " " + finding.version()).strip();
-    line(out, finding.backend(), state(finding) + (library.isEmpty() ? "" : " (" + library + ")"));
-    for (BackendProbe.Found device : finding.devices()) {
+  private static void print(BackendProbe probe, PrintWriter out) {
+    String library = (probe.library() + " " + probe.version()).strip();
+    line(out, probe.backend(), state(probe) + (library.isEmpty() ? "" : " (" + library + ")"));
+    for (BackendProbe.Found device : probe.devices()) {
       String name = device.id().isEmpty() ? device.name() : device.id() + "  " + device.name();
       line(out, "", device.usable() ? name : name + ": " + device.why());
     }
   }
 
-  /** Why not is said once: of the device where there is one, else of the back end. */
-  private static String state(BackendProbe finding) {
-    if (finding.usable()) {
+  /**
+   * Returns the state of a back end. The reason is printed once: with the device if there is one,
+   * otherwise with the back end.
+   */
+  private static String state(BackendProbe probe) {
+    if (probe.usable()) {
       return "found";
     }
-    boolean saidBelow = finding.devices().stream().anyMatch(d -> d.why().equals(finding.why()));
-    return saidBelow ? "not usable yet" : "not usable: " + finding.why();
+    boolean printedBelow = probe.devices().stream().anyMatch(d -> d.why().equals(probe.why()));
+    return printedBelow ? "not usable yet" : "not usable: " + probe.why();
   }
 
   private static void line(PrintWriter out, String what, String text) {
     out.println(String.format(Locale.ROOT, "%-15s %s", what, text));
   }
 
-  private static Map<String, Object> entry(BackendProbe finding) {
+  private static Map<String, Object> entry(BackendProbe probe) {
     Map<String, Object> entry = new LinkedHashMap<>();
-    entry.put("name", finding.backend());
-    entry.put("usable", finding.usable());
-    entry.put("why", finding.why());
-    entry.put("library", finding.library());
-    entry.put("library_version", finding.version());
+    entry.put("name", probe.backend());
+    entry.put("usable", probe.usable());
+    entry.put("why", probe.why());
+    entry.put("library", probe.library());
+    entry.put("library_version", probe.version());
     List<Object> devices = new ArrayList<>();
-    for (BackendProbe.Found found : finding.devices()) {
+    for (BackendProbe.Found found : probe.devices()) {
       Map<String, Object> device = new LinkedHashMap<>();
       device.put("id", found.id());
       device.put("name", found.name());

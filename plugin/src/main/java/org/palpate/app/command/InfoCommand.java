@@ -31,10 +31,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Tells what is in a volume. */
+/** Prints the properties of a volume and exports volumes. */
 @Command(
     name = "info",
-    description = "Tells what is in a volume: size, spacing, type, values, segments, memory.",
+    description = "Prints the size, spacing, type, values, segments and memory need of a volume.",
     footer = {
       "",
       "Examples:",
@@ -53,7 +53,8 @@ public final class InfoCommand implements Callable<Integer> {
       names = "--export",
       paramLabel = "FILE",
       description = {
-        "Write the volume, or the segments asked for as labels, to a .nrrd, .nii or .nii.gz file."
+        "Writes the volume to a .nrrd, .nii or .nii.gz file; with --segment, the segments as"
+            + " labels."
       })
   private Path export;
 
@@ -67,17 +68,17 @@ public final class InfoCommand implements Callable<Integer> {
     checkExport(source);
     printHeader(source);
     out.flush();
-    ValueStatistics survey = new ValueStatistics(source.header());
-    source.reader().read(survey);
-    ValueStatistics.Found found = survey.found();
+    ValueStatistics statistics = new ValueStatistics(source.header());
+    source.reader().read(statistics);
+    ValueStatistics.Found found = statistics.found();
     printValues(found);
     List<Segment> segments = segments(source, found);
     printSegments(segments);
     if (export != null) {
       export(source, segments);
     }
-    if (source.asked().isEmpty() && source.isIntensities(found)) {
-      line("segments", "none asked for; choose, for example " + source.proposal(found));
+    if (source.requested().isEmpty() && source.isIntensities(found)) {
+      line("segments", "none chosen; for example " + source.suggestion(found));
     }
     double bytes = SegmentBuilder.bytesFor(source.header().grid(), segments.size());
     line("memory", NumberText.bytes(bytes) + " for the segments");
@@ -99,9 +100,9 @@ public final class InfoCommand implements Callable<Integer> {
   private static List<Segment> segments(VolumeSource source, ValueStatistics.Found found)
       throws IOException {
     List<SegmentSpec> specs =
-        source.asked().isEmpty() && !source.isIntensities(found)
+        source.requested().isEmpty() && !source.isIntensities(found)
             ? source.specsOf(found.labels())
-            : source.asked();
+            : source.requested();
     return specs.isEmpty() ? List.of() : source.read(specs).segments();
   }
 
@@ -143,8 +144,8 @@ public final class InfoCommand implements Callable<Integer> {
     String odd =
         found.notFinite() == 0
             ? ""
-            : String.format(Locale.ROOT, ", and %,d that are no numbers", found.notFinite());
-    line("values", found.low() <= found.high() ? range + odd : "none that is a number");
+            : String.format(Locale.ROOT, ", and %,d that are not numbers", found.notFinite());
+    line("values", found.low() <= found.high() ? range + odd : "no value is a number");
   }
 
   private void printSegments(List<Segment> segments) {
@@ -163,7 +164,7 @@ public final class InfoCommand implements Callable<Integer> {
   private void export(VolumeSource source, List<Segment> segments) throws IOException {
     VolumeHeader header = source.header();
     VolumeReader written =
-        source.asked().isEmpty()
+        source.requested().isEmpty()
             ? source.reader()
             : new SegmentsAsLabels(new SegmentedVolume(header.grid(), segments), header.world());
     VolumeWriter.write(written, export);

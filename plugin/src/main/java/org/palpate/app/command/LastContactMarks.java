@@ -14,33 +14,37 @@ import org.palpate.scene.StandardView;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
 
-/** The hand in a picture: a trajectory run to its end, shown at the last frame with contact. */
+/**
+ * Collects the marks for a picture: runs a trajectory to its end and keeps the last frame with
+ * contact.
+ */
 final class LastContactMarks {
   private static final double TRAIL_STEP_MM = 0.3;
 
   private final WorldAxes axes;
   private final List<Vec3> trail = new ArrayList<>();
   private List<Vec3> shownTrail = List.of();
-  private final Vec3 device = new Vec3();
-  private final Vec3 point = new Vec3();
-  private final Vec3 force = new Vec3();
-  private boolean contact;
+  private final Vec3 shownDevice = new Vec3();
+  private final Vec3 shownPoint = new Vec3();
+  private final Vec3 shownForce = new Vec3();
+  private boolean hasContact;
 
   private LastContactMarks(WorldAxes axes) {
     this.axes = axes;
   }
 
   /**
-   * Runs a trajectory of world mm over a scene.
+   * Runs a trajectory in world mm over a scene.
    *
-   * @return what to draw of it; where nothing was touched the last frame
+   * @return the marks of the last frame with contact; of the last frame if there was no contact
    */
   static TouchMarks of(Path file, ContactScene scene, WorldAxes axes) throws IOException {
     Trajectory trajectory = new Trajectory();
     TrajectoryCsvReader.read(file, true, trajectory::add);
     LastContactMarks marks = new LastContactMarks(axes);
     new ReplayRun(scene, trajectory, true, false).run(marks::take);
-    return new TouchMarks(marks.device, marks.point, marks.force, marks.contact, marks.shownTrail);
+    return new TouchMarks(
+        marks.shownDevice, marks.shownPoint, marks.shownForce, marks.hasContact, marks.shownTrail);
   }
 
   private void take(
@@ -53,25 +57,30 @@ final class LastContactMarks {
     if (!state.contact) {
       trail.clear();
     }
-    Vec3 at = axes.swap(pointMm, new Vec3());
+    Vec3 at = axes.toSceneOrBack(pointMm, new Vec3());
     boolean isNew =
         trail.isEmpty()
             || trail.get(trail.size() - 1).sub(at, new Vec3()).length() >= TRAIL_STEP_MM;
     if (state.contact && isNew) {
       trail.add(at);
     }
-    if (state.contact || !contact) {
-      axes.swap(deviceMm, device);
-      point.set(at);
-      axes.swap(forceNewton, force);
-      contact = state.contact;
+    if (state.contact || !hasContact) {
+      axes.toSceneOrBack(deviceMm, shownDevice);
+      shownPoint.set(at);
+      axes.toSceneOrBack(forceNewton, shownForce);
+      hasContact = state.contact;
       shownTrail = List.copyOf(trail);
     }
   }
 
-  /** The standard view that sees a place most from the front. */
-  static StandardView viewOf(Vec3 place, Vec3 middle) {
-    Vec3 outward = place.sub(middle, new Vec3());
+  /**
+   * Returns the standard view that faces a position best.
+   *
+   * @param position a point of the surface
+   * @param middle the middle of the scene
+   */
+  static StandardView viewOf(Vec3 position, Vec3 middle) {
+    Vec3 outward = position.sub(middle, new Vec3());
     StandardView best = StandardView.OBLIQUE;
     for (StandardView view : StandardView.values()) {
       if (view.towardsEye().dot(outward) > best.towardsEye().dot(outward)) {

@@ -8,7 +8,7 @@ import org.palpate.realtime.RecommendedJvm;
 import org.palpate.realtime.os.OperatingSystem;
 import org.palpate.realtime.os.RequestOutcome;
 
-/** Tells what real time needs, and what this JVM and this system give. */
+/** Prints what real time needs, and what this JVM and this system grant. */
 final class RealtimeExplanation {
   private final PrintWriter out;
 
@@ -16,7 +16,9 @@ final class RealtimeExplanation {
     this.out = out;
   }
 
-  /** Asks the system as a session would, in a thread that ends at once. */
+  /**
+   * Requests real time as a session does, in a thread that ends at once, and prints the outcome.
+   */
   void print() {
     int release = Runtime.version().feature();
     out.println("Java " + Runtime.version() + ", " + System.getProperty("java.home"));
@@ -32,12 +34,12 @@ final class RealtimeExplanation {
       }
       out.println("  wait: " + realtime.waiting());
     }
-    Map<String, String> settings = OperatingSystem.kernelSettings();
-    if (!settings.isEmpty()) {
-      out.println("The system by itself");
-      settings.forEach((name, words) -> out.println("  " + name + ": " + words));
+    Map<String, String> observations = OperatingSystem.kernelSettings();
+    if (!observations.isEmpty()) {
+      out.println("The system");
+      observations.forEach((name, text) -> out.println("  " + name + ": " + text));
     }
-    out.println("palpate jitter --quick --out DIR measures what it is worth on this machine.");
+    out.println("palpate jitter --quick --out DIR measures the effect on this machine.");
     out.flush();
   }
 

@@ -52,12 +52,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
-/** Makes a picture of a volume's segments, or writes their surface. */
+/** Renders a picture of a volume's segments, or exports their surface. */
 @Command(
     name = "render",
     description = {
-      "Makes a picture of the scene, as PNG, or writes its surface, as STL or PLY, world mm.",
-      "Where there is no display it starts one of its own, if Xvfb is installed."
+      "Renders the scene to a PNG file, or writes its surface to an STL or PLY file in world mm.",
+      "Without a display, it starts one of its own if Xvfb is installed."
     },
     footer = {
       "",
@@ -69,11 +69,11 @@ import picocli.CommandLine.TypeConversionException;
       "  palpate render --volume labels.nrrd --out labels.ply"
     })
 public final class RenderCommand implements Callable<Integer> {
-  private static final long PATIENCE_MS = 600_000;
+  private static final long SURFACE_WAIT_MS = 600_000;
   private static final int SMOOTHING_SCALE = 2;
-  private static final int LARGEST_EDGE = 8192;
+  private static final int MAX_EDGE_PIXELS = 8192;
 
-  /** Options that mean nothing to a surface. */
+  /** Options that have no effect on an exported surface. */
   private static final List<String> PICTURE_OPTIONS =
       List.of(
           "--size",
@@ -97,22 +97,22 @@ public final class RenderCommand implements Callable<Integer> {
       names = "--out",
       paramLabel = "FILE",
       required = true,
-      description = "The picture, .png, or the surface, .stl or .ply.")
+      description = "The file to write: .png for a picture, .stl or .ply for the surface.")
   private Path outFile;
 
   @Option(
       names = "--size",
       paramLabel = "WxH",
       defaultValue = "1280x960",
-      description = "Pixels of the picture. Default: ${DEFAULT-VALUE}.")
+      description = "Size of the picture in pixels. Default: ${DEFAULT-VALUE}.")
   private String size;
 
   @Option(
       names = "--view",
       paramLabel = "NAME",
       description = {
-        "From where: ${COMPLETION-CANDIDATES}.",
-        "Default: oblique, or the one that sees best what the trajectory touches."
+        "Direction of view: ${COMPLETION-CANDIDATES}.",
+        "Default: oblique; with --trajectory, the view that faces the contact best."
       })
   private StandardView view;
 
@@ -120,35 +120,35 @@ public final class RenderCommand implements Callable<Integer> {
       names = "--trajectory",
       paramLabel = "T.csv",
       description = {
-        "Device positions, t_ms,x,y,z in world mm: run to the end, the last contact is shown."
+        "Device positions, t_ms,x,y,z in world mm. They run to the end; the last contact is shown."
       })
   private Path trajectory;
 
   @Option(
       names = "--upside-down",
-      description = "Turn the picture half round, for a file whose axes point the wrong way.")
+      description = "Turns the picture by 180 degrees, for a file whose axes point the wrong way.")
   private boolean upsideDown;
 
   @Option(
       names = "--zoom",
       paramLabel = "FACTOR",
       defaultValue = "1",
-      description = "Nearer by this factor. Default: ${DEFAULT-VALUE}.")
+      description = "Moves the camera closer by this factor. Default: ${DEFAULT-VALUE}.")
   private double zoom;
 
   @Option(
       names = "--theme",
       paramLabel = "NAME",
       defaultValue = "dark",
-      description = "${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+      description = "Colours: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
   private Theme theme;
 
   @Option(
       names = "--opacity",
-      paramLabel = "NAME=SHARE",
+      paramLabel = "NAME=OPACITY",
       description = {
-        "How opaque a segment is, 0 (hidden) to 1; may be given again. Default: 1, but 0.3 for a",
-        "segment that surrounds all others."
+        "Opacity of a segment, 0 (hidden) to 1; may be repeated. Default: 1, but 0.3 for a",
+        "segment that encloses all others."
       })
   private Map<String, Double> opacities = new LinkedHashMap<>();
 
@@ -156,7 +156,7 @@ public final class RenderCommand implements Callable<Integer> {
       names = "--stereo",
       paramLabel = "NAME",
       defaultValue = "off",
-      description = "off, anaglyph or side-by-side. Default: ${DEFAULT-VALUE}.",
+      description = "Stereo: off, anaglyph or side-by-side. Default: ${DEFAULT-VALUE}.",
       converter = StereoConverter.class)
   private Stereo stereo;
 
@@ -168,7 +168,7 @@ public final class RenderCommand implements Callable<Integer> {
     parseSize();
     check();
     boolean surfaceOnly = SurfaceFile.isSurfaceName(outFile);
-    checkSense(surfaceOnly);
+    checkOptionCombination(surfaceOnly);
     VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
     Optional.ofNullable(trajectory).ifPresent(inputs::add);
@@ -181,7 +181,7 @@ public final class RenderCommand implements Callable<Integer> {
     SegmentedVolume segments = source.segments(spec.commandLine().getErr());
     SceneModel model = new SceneModel(axes(source.header().world()), theme);
     Optional<MovableSlices.Start> planes = slices.start(source);
-    showHand(model, source, segments);
+    showMarks(model, source, segments);
     showSlices(model, segments.grid(), planes);
     List<Optional<GreyRange>> greys = surface.greys(source, true);
     long started = System.nanoTime();
@@ -201,12 +201,12 @@ public final class RenderCommand implements Callable<Integer> {
     return 0;
   }
 
-  /** Refuses what would be left out in silence. */
-  private void checkSense(boolean surfaceOnly) {
+  /** Rejects options that would otherwise be ignored silently. */
+  private void checkOptionCombination(boolean surfaceOnly) {
     for (String option : PICTURE_OPTIONS) {
       if (surfaceOnly && spec.commandLine().getParseResult().hasMatchedOption(option)) {
         throw PalpateException.wrongUse(
-            "a file of a surface is no picture",
+            "a surface file is not a picture",
             "--out " + outFile,
             "leave " + option + " out, or write a .png");
       }
@@ -214,9 +214,9 @@ public final class RenderCommand implements Callable<Integer> {
     surface.check();
     if (slices.followsProxy() && trajectory == null) {
       throw PalpateException.wrongUse(
-          "there is no interaction point",
+          "there is no interaction point to follow",
           "--slices point",
-          "give --trajectory, or choose --slices middle");
+          "add --trajectory, or choose --slices middle");
     }
   }
 
@@ -228,10 +228,13 @@ public final class RenderCommand implements Callable<Integer> {
     } catch (NumberFormatException e) {
       width = 0;
     }
-    boolean fits = width >= 16 && height >= 16 && width <= LARGEST_EDGE && height <= LARGEST_EDGE;
+    boolean fits =
+        width >= 16 && height >= 16 && width <= MAX_EDGE_PIXELS && height <= MAX_EDGE_PIXELS;
     if (parts.length != 2 || !fits) {
       throw PalpateException.wrongUse(
-          "not a size from 16 to " + LARGEST_EDGE, "--size " + size, "try --size 1280x960");
+          "the size must be WxH with 16 to " + MAX_EDGE_PIXELS + " pixels each",
+          "--size " + size,
+          "try --size 1280x960");
     }
   }
 
@@ -242,16 +245,18 @@ public final class RenderCommand implements Callable<Integer> {
     }
     if (stereo == Stereo.QUAD_BUFFER) {
       throw PalpateException.wrongUse(
-          "a picture has no two buffers", "--stereo quad-buffer", "try --stereo side-by-side");
+          "a picture file has only one buffer",
+          "--stereo quad-buffer",
+          "try --stereo side-by-side");
     }
     String name = outFile.toString().toLowerCase(Locale.ROOT);
     if (!name.endsWith(".png") && !SurfaceFile.isSurfaceName(outFile)) {
       throw PalpateException.wrongUse(
-          "not a kind of file that can be made", "--out " + outFile, "use .png, .stl or .ply");
+          "this kind of file cannot be written", "--out " + outFile, "use .png, .stl or .ply");
     }
   }
 
-  /** The scene's name for the way a file's axes point. */
+  /** Returns the scene's orientation of the world's axes. */
   static WorldAxes axes(VolumeHeader.World world) {
     return switch (world) {
       case LPS -> WorldAxes.LPS;
@@ -261,7 +266,7 @@ public final class RenderCommand implements Callable<Integer> {
     };
   }
 
-  private void showHand(SceneModel model, VolumeSource source, SegmentedVolume segments)
+  private void showMarks(SceneModel model, VolumeSource source, SegmentedVolume segments)
       throws IOException {
     if (trajectory != null) {
       ContactScene scene = contact.scene(source, segments);
@@ -277,33 +282,35 @@ public final class RenderCommand implements Callable<Integer> {
           model
               .state()
               .marks()
-              .map(hand -> model.axes().swap(hand.point(), new Vec3()))
+              .map(marks -> model.axes().toSceneOrBack(marks.point(), new Vec3()))
               .ifPresent(world -> shown.follow(grid.worldToGrid(world, world)));
         });
   }
 
   private StandardView chosenView(SceneState state) {
     return Optional.ofNullable(view)
-        .or(() -> state.marks().map(hand -> LastContactMarks.viewOf(hand.point(), state.middle())))
+        .or(
+            () ->
+                state.marks().map(marks -> LastContactMarks.viewOf(marks.point(), state.middle())))
         .orElse(StandardView.OBLIQUE);
   }
 
   private static void awaitSurfaces(SceneLoader loader, VolumeSource source) {
     try {
-      loader.await(PATIENCE_MS);
+      loader.await(SURFACE_WAIT_MS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw interrupted(source, e);
+      throw notBuilt(source, e);
     } catch (TimeoutException e) {
-      throw interrupted(source, e);
+      throw notBuilt(source, e);
     }
   }
 
-  private static PalpateException interrupted(VolumeSource source, Exception cause) {
+  private static PalpateException notBuilt(VolumeSource source, Exception cause) {
     return PalpateException.failed(
-        "the surface was not made",
+        "the surface was not finished",
         source.name(),
-        "try again on a machine with more to give",
+        "try again on a faster machine, or with a smaller volume",
         cause);
   }
 
@@ -320,7 +327,7 @@ public final class RenderCommand implements Callable<Integer> {
     model.look(chosenView(model.state()), aspect);
     model.moveCamera(camera -> (upsideDown ? camera.upsideDown() : camera).zoom(1 / zoom), false);
     model.changeLook(look -> look.with(stereo));
-    opacities.forEach((name, share) -> setOpacity(model, name, share));
+    opacities.forEach((name, opacity) -> setOpacity(model, name, opacity));
     try (OffscreenRenderer scene = new OffscreenRenderer(width, height, SMOOTHING_SCALE)) {
       long started = System.nanoTime();
       Picture picture = scene.draw(model.state());
@@ -332,7 +339,7 @@ public final class RenderCommand implements Callable<Integer> {
     }
   }
 
-  private static void setOpacity(SceneModel model, String name, double share) {
+  private static void setOpacity(SceneModel model, String name, double opacity) {
     SceneObject object =
         model.objects().stream()
             .filter(each -> each.name().equals(name))
@@ -340,12 +347,16 @@ public final class RenderCommand implements Callable<Integer> {
             .orElseThrow(
                 () ->
                     PalpateException.wrongUse(
-                        "there is no such segment", "--opacity " + name, "see palpate info"));
-    if (!(share >= 0 && share <= 1)) {
+                        "there is no such segment",
+                        "--opacity " + name,
+                        "list them with palpate info"));
+    if (!(opacity >= 0 && opacity <= 1)) {
       throw PalpateException.wrongUse(
-          "not a share from 0 to 1", "--opacity " + name + "=" + share, "try --opacity name=0.5");
+          "the opacity must be a number from 0 to 1",
+          "--opacity " + name + "=" + opacity,
+          "try --opacity name=0.5");
     }
-    model.setOpacity(object, share);
+    model.setOpacity(object, opacity);
   }
 
   private void writePicture(Picture picture) {
@@ -368,7 +379,7 @@ public final class RenderCommand implements Callable<Integer> {
     }
   }
 
-  /** Takes a name with hyphens. */
+  /** Converts a name with hyphens. */
   static final class StereoConverter implements ITypeConverter<Stereo> {
     @Override
     public Stereo convert(String name) {

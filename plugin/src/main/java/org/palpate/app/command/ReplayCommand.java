@@ -30,10 +30,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Runs the frames of a recorded trajectory, off line. */
+/** Runs the frames of a recorded trajectory without a device and without a clock. */
 @Command(
     name = "replay",
-    description = "Runs the frames of a recorded trajectory, off line and bit for bit repeatable.",
+    description = "Runs the frames of a recorded trajectory offline, with bit-identical results.",
     footer = {
       "",
       "Examples:",
@@ -44,7 +44,7 @@ import picocli.CommandLine.Spec;
       "    --report time.json"
     })
 public final class ReplayCommand implements Callable<Integer> {
-  /** What the positions of a trajectory mean. */
+  /** The coordinates of a trajectory's positions. */
   enum Coordinates {
     world,
     grid
@@ -59,37 +59,38 @@ public final class ReplayCommand implements Callable<Integer> {
       names = "--trajectory",
       paramLabel = "T.csv",
       required = true,
-      description = "Device positions: a header t_ms,x,y,z, then a row a frame.")
+      description = "Device positions: a header t_ms,x,y,z, then one row for each frame.")
   private Path trajectoryFile;
 
   @Option(
       names = "--coordinates",
       paramLabel = "world|grid",
       defaultValue = "world",
-      description = "World mm or grid coordinates. Default: ${DEFAULT-VALUE}.")
+      description = "Coordinates of the positions: world mm or grid. Default: ${DEFAULT-VALUE}.")
   private Coordinates coordinates;
 
   @Option(
       names = "--out",
       paramLabel = "FRAMES.csv",
-      description = "Write a row a frame: device, interaction point, force, contact, path.")
+      description =
+          "Writes one row for each frame: device, interaction point, force, contact and path.")
   private Path framesFile;
 
   @Option(
       names = "--legs",
       paramLabel = "LEGS.csv",
-      description = "Write every leg of the interaction point, grid coordinates.")
+      description = "Writes every leg of the interaction point in grid coordinates.")
   private Path legsFile;
 
   @Option(
       names = "--repeat",
       paramLabel = "N",
-      description = "Replay N times and report the time of solver and force; at least 3.")
+      description = "Replays N times, at least 3, and reports the time of solver and force.")
   private Integer repeat;
 
   @Option(
       names = "--raw-device",
-      description = "Meet NaN, infinities and backward times as a live session would.")
+      description = "Handles NaN, infinities and backward times as a live session does.")
   private boolean rawDevice;
 
   @Override
@@ -105,13 +106,13 @@ public final class ReplayCommand implements Callable<Integer> {
     TrajectoryCsvReader.read(trajectoryFile, !rawDevice, trajectory::add);
     SegmentedVolume segments = source.segments(spec.commandLine().getErr());
     ContactScene scene = contact.scene(source, segments);
-    FrameStatistics counts =
+    FrameStatistics statistics =
         run(new ReplayRun(scene, trajectory, world, rawDevice), trajectory, tables);
-    print(counts);
+    print(statistics);
     if (report.isWanted()) {
       report.putVolume(source, segments.segments());
     }
-    putCounts(report, counts);
+    putStatistics(report, statistics);
     if (repeat != null) {
       time(new ReplayTiming(scene, trajectory, world), report);
     }
@@ -122,7 +123,7 @@ public final class ReplayCommand implements Callable<Integer> {
   private void checkRepeat() {
     if (repeat != null && repeat <= ReplayTiming.UNCOUNTED_PASSES) {
       throw PalpateException.wrongUse(
-          "the first two passes do not count", "--repeat " + repeat, "repeat 3 times or more");
+          "the first two passes are not counted", "--repeat " + repeat, "repeat 3 times or more");
     }
   }
 
@@ -130,36 +131,36 @@ public final class ReplayCommand implements Callable<Integer> {
       throws IOException {
     try (tables) {
       tables.open(trajectory);
-      FrameStatistics counts = replay.run(tables);
+      FrameStatistics statistics = replay.run(tables);
       tables.commit();
-      return counts;
+      return statistics;
     }
   }
 
-  private void print(FrameStatistics counts) {
+  private void print(FrameStatistics statistics) {
     PrintWriter out = spec.commandLine().getOut();
     out.println(
         String.format(
             Locale.ROOT,
             "%,d frames, %,d in contact, set free %,d times, largest force %.3f N (%s, %s)",
-            counts.frames(),
-            counts.contactFrames(),
-            counts.freed(),
-            counts.maxForceNewton(),
+            statistics.frames(),
+            statistics.contactFrames(),
+            statistics.freed(),
+            statistics.maxForceNewton(),
             contact.solver(),
             contact.collision()));
   }
 
-  private void putCounts(Report report, FrameStatistics counts) {
+  private void putStatistics(Report report, FrameStatistics statistics) {
     report
-        .put("frames", counts.frames())
-        .put("contact_frames", counts.contactFrames())
-        .put("freed", counts.freed())
-        .put("max_force_n", counts.maxForceNewton())
+        .put("frames", statistics.frames())
+        .put("contact_frames", statistics.contactFrames())
+        .put("freed", statistics.freed())
+        .put("max_force_n", statistics.maxForceNewton())
         .put("solver", contact.solver().toString())
         .put("collision", contact.collision().toString())
-        .put("skipped", counts.skipped())
-        .put("faults", FaultFields.of(counts.faults()));
+        .put("skipped", statistics.skipped())
+        .put("faults", FaultFields.of(statistics.faults()));
   }
 
   private void time(ReplayTiming timing, Report report) {

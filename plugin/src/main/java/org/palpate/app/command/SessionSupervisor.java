@@ -13,45 +13,51 @@ import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopStatus;
 
 /**
- * Watches a session from start to end in the thread that calls: supervises it some 30 times a
- * second, tells how it goes once a second on a terminal, and stops it when its time is over or the
- * process is asked to end.
+ * Runs a session from start to end on the calling thread.
+ *
+ * <p>It supervises the session 30 times a second and prints its state once a second if a terminal
+ * is attached. It stops the session when its time is over or the process must end.
  */
 final class SessionSupervisor {
-  private static final long TICK_NANOS = 33_333_333;
   private static final double NANOS_PER_SECOND = 1e9;
 
   private final TouchSession session;
   private final Optional<Double> limitSeconds;
   private final PrintWriter out;
-  private final CountDownLatch stopAsked = new CountDownLatch(1);
-  private final boolean onTerminal = Terminal.isThere();
+  private final CountDownLatch stopRequested = new CountDownLatch(1);
+  private final boolean onTerminal = Terminal.isInteractive();
   private Optional<SessionView> view = Optional.empty();
-  private long beganNanos;
+  private long startNanos;
   private long endedNanos;
-  private boolean began;
+  private boolean started;
   private long lastLineNanos;
   private long lastLineFrames;
 
-  /** Asks the session to end. Any thread, any number of times. */
-  void stop() {
-    stopAsked.countDown();
-  }
-
-  /** Shows the session in a window while it runs; before {@link #run}. */
-  void show(SessionView shown) {
-    view = Optional.of(shown);
-  }
-
+  /**
+   * Creates a supervisor.
+   *
+   * @param limitSeconds the longest time from force on; if empty, the session has no limit
+   * @param out receives a line when the force is switched on
+   */
   SessionSupervisor(TouchSession session, Optional<Double> limitSeconds, PrintWriter out) {
     this.session = session;
     this.limitSeconds = limitSeconds;
     this.out = out;
   }
 
-  /** Runs the session to its end, zero force sent, and says how it ended. */
+  /** Requests the end of the session. Any thread, any number of times. */
+  void stop() {
+    stopRequested.countDown();
+  }
+
+  /** Shows the session in a window while it runs. Call it before {@link #run}. */
+  void show(SessionView shown) {
+    view = Optional.of(shown);
+  }
+
+  /** Runs the session until it ends and zero force was sent; returns how it ended. */
   LoopEnd run() {
-    ShutdownHook endOfProcess = ShutdownHook.asks(stopAsked::countDown);
+    ShutdownHook hook = ShutdownHook.install(stopRequested::countDown);
     try {
       session.start();
       view.ifPresent(SessionView::start);
@@ -59,64 +65,64 @@ final class SessionSupervisor {
       LoopEnd end = session.stop();
       endedNanos = System.nanoTime();
       view.ifPresent(SessionView::close);
-      session.takeUnseen();
+      session.takeUpdates();
       clearLine();
       return end;
     } finally {
-      endOfProcess.close();
+      hook.close();
     }
   }
 
   private void watch() {
     long next = System.nanoTime();
-    boolean asked = false;
-    while (!asked && !session.supervise() && !isOver()) {
-      noteBeginning();
-      takeUnseen();
+    boolean stop = false;
+    while (!stop && !session.supervise() && !isOver()) {
+      recordStart();
+      takeUpdates();
       printProgress();
-      next = Math.max(next + TICK_NANOS, System.nanoTime());
-      asked = waitUntil(next);
+      next = Math.max(next + TouchSession.SUPERVISION_PERIOD_NANOS, System.nanoTime());
+      stop = waitUntil(next);
     }
   }
 
   private boolean isOver() {
-    return began
+    return started
         && limitSeconds.isPresent()
-        && System.nanoTime() - beganNanos >= limitSeconds.get() * NANOS_PER_SECOND;
+        && System.nanoTime() - startNanos >= limitSeconds.get() * NANOS_PER_SECOND;
   }
 
-  /** Waits for a tick or the end of the time; true where the process is asked to end. */
+  /** Waits until a time or the end of the session's time; returns whether the process must end. */
   private boolean waitUntil(long nanos) {
     long until = nanos;
-    if (began && limitSeconds.isPresent()) {
-      until = Math.min(nanos, beganNanos + (long) (limitSeconds.get() * NANOS_PER_SECOND));
+    if (started && limitSeconds.isPresent()) {
+      until = Math.min(nanos, startNanos + (long) (limitSeconds.get() * NANOS_PER_SECOND));
     }
     try {
-      return stopAsked.await(until - System.nanoTime(), TimeUnit.NANOSECONDS);
+      return stopRequested.await(until - System.nanoTime(), TimeUnit.NANOSECONDS);
     } catch (InterruptedException e) {
-      return true; // someone wants this thread to end, and with it the session
+      return true; // whoever interrupts this thread ends the session with it
     }
   }
 
-  private void noteBeginning() {
-    if (!began && session.status().frames() > 0) {
-      began = true;
-      beganNanos = System.nanoTime();
-      lastLineNanos = beganNanos;
-      out.println("force is on; Ctrl-C ends");
+  private void recordStart() {
+    if (!started && session.status().frames() > 0) {
+      started = true;
+      startNanos = System.nanoTime();
+      lastLineNanos = startNanos;
+      out.println("force is on; Ctrl-C ends the session");
       out.flush();
     }
   }
 
-  private void takeUnseen() {
-    if (began && view.isEmpty()) {
-      session.takeUnseen();
+  private void takeUpdates() {
+    if (started && view.isEmpty()) {
+      session.takeUpdates();
     }
   }
 
   private void printProgress() {
     long now = System.nanoTime();
-    if (!onTerminal || !began || now - lastLineNanos < NANOS_PER_SECOND) {
+    if (!onTerminal || !started || now - lastLineNanos < NANOS_PER_SECOND) {
       return;
     }
     LoopStatus status = session.status();
@@ -134,13 +140,13 @@ final class SessionSupervisor {
   }
 
   private void clearLine() {
-    if (onTerminal && began) {
+    if (onTerminal && started) {
       System.err.print("\r" + " ".repeat(60) + "\r");
     }
   }
 
-  /** How long the session was watched, from force on to zero force, s. */
+  /** Returns the time from force on to zero force, s. */
   double seconds() {
-    return began ? (endedNanos - beganNanos) / NANOS_PER_SECOND : 0;
+    return started ? (endedNanos - startNanos) / NANOS_PER_SECOND : 0;
   }
 }

@@ -16,7 +16,6 @@ import org.palpate.app.options.SurfaceOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.Report;
-import org.palpate.app.output.TrajectoryRecording;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VersionProvider;
 import org.palpate.device.HandTarget;
@@ -25,6 +24,7 @@ import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
+import org.palpate.host.TrajectoryRecording;
 import org.palpate.host.ViewOptions;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
@@ -41,12 +41,13 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** The main job: a live session. */
+/** Runs a live session. */
 @Command(
     name = "touch",
     description = {
-      "Touches a volume, live: a device is read and answered with a force a thousand times a second.",
-      "Ends on Ctrl-C, after --seconds, or when the device goes away; zero force is sent last."
+      "Runs a live session: reads a device and answers with a force a thousand times a second.",
+      "It ends on Ctrl-C, after --seconds, or when the device disconnects, and sends zero force"
+          + " last."
     },
     footer = {
       "",
@@ -60,9 +61,9 @@ import picocli.CommandLine.Spec;
       "  palpate touch --explain"
     })
 public final class TouchCommand implements Callable<Integer> {
-  private static final double FASTEST_HZ = 100_000;
+  private static final double MAX_RATE_HZ = 100_000;
 
-  /** Options that mean nothing without a window. */
+  /** Options that have no effect without a window. */
   private static final List<String> WINDOW_OPTIONS = List.of("--slices", "--surface");
 
   @Spec private CommandSpec spec;
@@ -78,14 +79,15 @@ public final class TouchCommand implements Callable<Integer> {
       defaultValue = "simulated",
       description = {
         "simulated[:SEED], replay:T.csv, hid[:SERIAL], openhaptics[:NAME],",
-        "forcedimension[:SERIAL], virtuose:HOST, or mouse in the window. Default: ${DEFAULT-VALUE}."
+        "forcedimension[:SERIAL], virtuose:HOST, or mouse (in the window).",
+        "Default: ${DEFAULT-VALUE}."
       })
   private String device;
 
   @Option(
       names = "--fit-each-axis",
       description = {
-        "Stretch a real device's reach over the volume's box along each axis by itself;",
+        "Stretches the workspace of a real device over the segments along each axis separately;",
         "shapes then lose their proportions."
       })
   private boolean fitEachAxis;
@@ -94,24 +96,25 @@ public final class TouchCommand implements Callable<Integer> {
       names = "--rate",
       paramLabel = "HZ",
       defaultValue = "1000",
-      description = "Frames a second. Default: ${DEFAULT-VALUE}.")
+      description = "Frames per second. Default: ${DEFAULT-VALUE}.")
   private double rateHz;
 
-  @Option(names = "--seconds", paramLabel = "S", description = "End after so many seconds.")
+  @Option(names = "--seconds", paramLabel = "S", description = "Ends after S seconds.")
   private Double seconds;
 
-  @Option(names = "--headless", description = "Open no window.")
+  @Option(names = "--headless", description = "Opens no window.")
   private boolean headless;
 
   @Option(
       names = "--record",
       paramLabel = "T.csv",
-      description = "Record what the device sends, for replay.")
+      description = "Records what the device sends, for palpate replay.")
   private Path recordFile;
 
   @Option(
       names = "--explain",
-      description = "Tell what real time needs, what this JVM and this system give, and end.")
+      description =
+          "Explains what real time needs and what this JVM and this system grant, then ends.")
   private boolean explain;
 
   private PrintWriter out;
@@ -124,7 +127,7 @@ public final class TouchCommand implements Callable<Integer> {
       return 0;
     }
     checkNumbers();
-    checkSense();
+    checkOptionCombination();
     if (hasWindow()) {
       GraphicsDriver.prepare();
     }
@@ -158,34 +161,36 @@ public final class TouchCommand implements Callable<Integer> {
     }
   }
 
-  /** Refuses what would be left out in silence. */
-  private void checkSense() {
+  /** Rejects options that would otherwise be ignored silently. */
+  private void checkOptionCombination() {
     surface.check();
     for (String option : WINDOW_OPTIONS) {
       if (headless && spec.commandLine().getParseResult().hasMatchedOption(option)) {
-        throw wantsWindow(option);
+        throw needsWindow(option);
       }
     }
     if (device.equals("mouse") && headless) {
-      throw wantsWindow("--device mouse");
+      throw needsWindow("--device mouse");
     }
     if (device.equals("mouse") && !GraphicsDriver.hasDisplay()) {
       throw PalpateException.wrongUse(
-          "the mouse needs the window, and there is no display",
+          "the mouse needs a window, but there is no display",
           "--device mouse",
           "set DISPLAY, or choose another device");
     }
   }
 
-  private static PalpateException wantsWindow(String option) {
+  private static PalpateException needsWindow(String option) {
     return PalpateException.wrongUse(
-        option + " needs the window", "--headless", "leave one of them out");
+        option + " needs a window", "--headless", "leave one of them out");
   }
 
   private void checkNumbers() {
-    if (!(rateHz > 0) || rateHz > FASTEST_HZ) {
+    if (!(rateHz > 0) || rateHz > MAX_RATE_HZ) {
       throw PalpateException.wrongUse(
-          "no rate for a loop", "--rate " + NumberText.people(rateHz), "try --rate 1000");
+          "the rate must be above 0 and at most 100,000 Hz",
+          "--rate " + NumberText.people(rateHz),
+          "try --rate 1000");
     }
     if (seconds != null && (!(seconds > 0) || seconds.isInfinite())) {
       throw PalpateException.wrongUse(
@@ -222,7 +227,7 @@ public final class TouchCommand implements Callable<Integer> {
       DeviceChoice choice,
       LoopSettings loop,
       Optional<Path> record,
-      Optional<ViewOptions> viewed,
+      Optional<ViewOptions> viewOptions,
       WorldAxes axes)
       throws IOException {
     TrajectoryRecording recording =
@@ -237,18 +242,19 @@ public final class TouchCommand implements Callable<Integer> {
                 loop.with(realtime, realtime),
                 Optional.ofNullable(recording).map(TrajectoryRecording::recorder),
                 end -> {})) {
-      SessionSupervisor watch = new SessionSupervisor(session, Optional.ofNullable(seconds), out);
-      ConsoleViewListener listener = new ConsoleViewListener(out, watch::stop);
+      SessionSupervisor supervisor =
+          new SessionSupervisor(session, Optional.ofNullable(seconds), out);
+      ConsoleViewListener listener = new ConsoleViewListener(out, supervisor::stop);
       Optional<SessionView> view =
-          viewed.map(
+          viewOptions.map(
               options -> new SessionView(session, scene.volume(), axes, opened, listener, options));
-      view.ifPresent(watch::show);
-      LoopEnd end = watch.run();
+      view.ifPresent(supervisor::show);
+      LoopEnd end = supervisor.run();
       if (recording != null) {
         recording.finish();
       }
       return new TouchReport(
-          session, end, choice, opened, watch.seconds(), view, realtime.throttled());
+          session, end, choice, opened, supervisor.seconds(), view, realtime.throttled());
     }
   }
 
@@ -256,7 +262,7 @@ public final class TouchCommand implements Callable<Integer> {
     return !headless && GraphicsDriver.hasDisplay();
   }
 
-  /** What the window shows; empty where there is none. */
+  /** Returns the options of the window; empty if there is none. */
   private Optional<ViewOptions> view(VolumeSource source) throws VolumeFormatException {
     if (!hasWindow()) {
       return Optional.empty();

@@ -20,7 +20,7 @@ import org.palpate.loop.Quantiles;
 import org.palpate.loop.ThreadSetup;
 import org.palpate.sync.SyncCounters;
 
-/** What a session measured, and how it ended. */
+/** Reports what a session measured and how it ended. */
 final class TouchReport {
   private final TouchSession session;
   private final LoopEnd end;
@@ -32,9 +32,9 @@ final class TouchReport {
   private final LoopReport loop;
 
   /**
-   * Of a session that has ended.
+   * Creates the report of a session that has ended.
    *
-   * @param throttled how often the kernel was seen to force its rest on the haptic thread
+   * @param throttled how often the kernel's throttling of real-time threads was observed
    */
   TouchReport(
       TouchSession session,
@@ -55,18 +55,19 @@ final class TouchReport {
   }
 
   /**
-   * 0 where the session ended as it should.
+   * Returns 0 if the session ended regularly.
    *
-   * @throws PalpateException exit code 1, where it failed
+   * @throws PalpateException exit code 1, if it failed
    */
   int exitCode() {
     return exitCode(end, choice, device.ending());
   }
 
   /**
-   * The same of any ending.
+   * Returns 0 if a session ended regularly.
    *
-   * @param ending what the device tells of its going, or nothing
+   * @param ending the reason that the device gives for its disconnection, or nothing
+   * @throws PalpateException exit code 1, if it failed
    */
   static int exitCode(LoopEnd end, DeviceChoice choice, String ending) {
     switch (end.cause()) {
@@ -74,20 +75,20 @@ final class TouchReport {
           throw PalpateException.failed(
               "the session failed (" + end.failure() + ")",
               "device " + choice,
-              "run it again with --debug and report what it shows",
+              "run it again with --debug and report the output",
               end.failure());
       case HUNG ->
           throw PalpateException.failed(
-              "a frame did not come back",
+              "a frame did not return",
               "device " + choice,
-              "force was ended by closing the device; look at its cable and driver",
+              "the force was ended by closing the device; check its cable and driver",
               null);
       case DEVICE_GONE -> {
         if (!choice.ends()) {
           throw PalpateException.failed(
-              "the device went away" + (ending.isEmpty() ? "" : " (" + ending + ")"),
+              "the device disconnected" + (ending.isEmpty() ? "" : " (" + ending + ")"),
               "device " + choice,
-              "look at its cable and power; what it still holds its own watchdog ends",
+              "check its cable and power; its own watchdog ends any remaining force",
               null);
         }
       }
@@ -96,7 +97,7 @@ final class TouchReport {
     return 0;
   }
 
-  /** Tells it in two lines. */
+  /** Prints a summary. */
   void print(PrintWriter out) {
     FrameStatistics counts = loop.statistics();
     out.println(
@@ -123,7 +124,7 @@ final class TouchReport {
     out.flush();
   }
 
-  /** Adds its fields. */
+  /** Adds the fields of a session to a report. */
   void putInto(Report report) {
     FrameStatistics counts = loop.statistics();
     report
@@ -146,9 +147,9 @@ final class TouchReport {
 
   private Map<String, Object> skipped(FrameStatistics counts) {
     Map<String, Object> fields = new LinkedHashMap<>(counts.skipped());
-    fields.put("unchanged_frames", session.syncCounts().unchanged());
-    fields.put("unchanged_nodes", view.map(SessionView::stillKept).orElse(0L));
-    fields.put("unseen_nodes", view.map(SessionView::skippedBricks).orElse(0L));
+    fields.put("unchanged_frames", session.syncCounters().unchanged());
+    fields.put("unchanged_nodes", view.map(SessionView::staticReused).orElse(0L));
+    fields.put("unseen_nodes", view.map(SessionView::culledBricks).orElse(0L));
     return fields;
   }
 
@@ -173,10 +174,10 @@ final class TouchReport {
   }
 
   private Map<String, Object> sync() {
-    SyncCounters counts = session.syncCounts();
+    SyncCounters counts = session.syncCounters();
     Map<String, Object> fields = new LinkedHashMap<>();
-    double unseen = watchedSeconds > 0 ? session.ticks() / watchedSeconds : 0;
-    fields.put("rate_hz", view.map(SessionView::rateHz).orElse(unseen));
+    double tickRateHz = watchedSeconds > 0 ? session.ticks() / watchedSeconds : 0;
+    fields.put("rate_hz", view.map(SessionView::rateHz).orElse(tickRateHz));
     fields.put("writes", counts.writes());
     fields.put("applied", counts.applied());
     fields.put("redraws", view.map(SessionView::redraws).orElse(0L));

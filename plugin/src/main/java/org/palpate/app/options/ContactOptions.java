@@ -16,15 +16,16 @@ import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Option;
 
-/** The options that say how it feels: solver, collision, force. */
+/** The options of contact: solver, collision and force. */
 public final class ContactOptions {
 
   @Option(
       names = "--solver",
       paramLabel = "NAME",
       description = {
-        "What moves the interaction point: smooth (along the surface), guarded (along voxels), paper",
-        "or dot (to compare with, without the guarantee), or none (collision alone).",
+        "Solver of the interaction point: smooth (along the surface), guarded (along voxels),"
+            + " paper",
+        "or dot (baselines without the guarantee), or none (collision alone).",
         "Default: ${DEFAULT-VALUE}."
       },
       defaultValue = "smooth")
@@ -34,15 +35,17 @@ public final class ContactOptions {
       names = "--collision",
       paramLabel = "METHOD",
       description = {
-        "sampled:STEP, gridplanes or exact, for the solvers none, dot and paper.",
-        "Default: exact for none, sampled:1 for dot and paper; the others are always exact."
+        "Collision method: sampled:STEP, gridplanes or exact, for the solvers none, dot and paper.",
+        "Default: exact for none, sampled:1 for dot and paper. The other solvers are always exact."
       })
   private String collision;
 
   @Option(
       names = "--stiffness",
       paramLabel = "N/MM",
-      description = "Force for each mm that the device is ahead. Default: 0.5.")
+      description =
+          "Force for each mm between device and interaction point. Default: 0.5, or half of what a"
+              + " real device can render.")
   private Double stiffness;
 
   @Option(
@@ -56,7 +59,7 @@ public final class ContactOptions {
       names = "--friction-form",
       paramLabel = "FORM",
       description = {
-        "How friction is computed: equation4 (the paper's), shorter (its shorter form, for",
+        "Friction model: equation4 (the paper's), shorter (its shorter form, for",
         "comparison) or cone (static and sliding). Default: ${DEFAULT-VALUE}."
       },
       defaultValue = "equation4")
@@ -66,10 +69,10 @@ public final class ContactOptions {
       names = "--material",
       paramLabel = "NAME=WHAT",
       description = {
-        "What a segment feels like where it differs from the rest; may be given again. WHAT is any",
-        "of stiffness:N/MM, friction:MU, sliding:MU and damping:N*S/MM with commas between, as in",
+        "Material of one segment, if it differs from the others; may be repeated. WHAT is any",
+        "of stiffness:N/MM, friction:MU, sliding:MU and damping:N*S/MM, separated by commas, as in",
         "--material bone=stiffness:0.8,friction:0.3 --material skin=stiffness:0.2,damping:0.002.",
-        "Where segments share a voxel the first of them is felt."
+        "If segments share a voxel, the first of them counts."
       })
   private Map<String, String> materials = new LinkedHashMap<>();
 
@@ -77,8 +80,8 @@ public final class ContactOptions {
       names = "--smooth-from",
       paramLabel = "WHAT",
       description = {
-        "What the solver smooth makes its surface of: grey values, where the one segment is a",
-        "threshold (NAME=>=VALUE), or bits. Default: grey where it can."
+        "Source of the surface for the solver smooth: grey (grey values; needs one segment by a",
+        "threshold, NAME=>=VALUE) or bits (its voxels). Default: grey if possible."
       })
   private String smoothFrom;
 
@@ -86,26 +89,37 @@ public final class ContactOptions {
       names = "--max-step",
       paramLabel = "MM",
       description = {
-        "The most that the interaction point travels in a frame.",
-        "Default: the larger of 8 shortest and 3 longest voxel edges."
+        "Longest path of the interaction point in one frame.",
+        "Default: 8 times the shortest or 3 times the longest voxel edge, whichever is larger."
       })
   private Double maxStep;
 
-  @Option(names = "--max-force", paramLabel = "N", description = "The largest force ever sent.")
+  @Option(
+      names = "--max-force",
+      paramLabel = "N",
+      description = "Largest force that is sent. Default: the device's maximum.")
   private Double maxForce;
 
-  /** What moves the interaction point. */
+  /**
+   * Returns the solver.
+   *
+   * @throws PalpateException exit code 2, if there is no such solver
+   */
   public SolverKind solver() {
     return SolverKind.parse(solverName)
         .orElseThrow(
             () ->
                 PalpateException.wrongUse(
-                    "no such solver",
+                    "there is no such solver",
                     "--solver " + solverName,
                     "choose smooth, guarded, paper, dot or none"));
   }
 
-  /** All of them together, checked. */
+  /**
+   * Returns the checked settings.
+   *
+   * @throws PalpateException exit code 2, if an option is wrong
+   */
   public ContactSettings settings() {
     return new ContactSettings(
         solver(),
@@ -128,12 +142,12 @@ public final class ContactOptions {
                     .orElseThrow(
                         () ->
                             PalpateException.wrongUse(
-                                "not a material",
+                                "the material cannot be read",
                                 "--material " + name + "=" + text,
-                                "write it as in "
+                                "write for example "
                                     + name
-                                    + "=stiffness:0.8,friction:0.3,damping:0"
-                                    + ", numbers from 0 up, sliding at most friction"))));
+                                    + "=stiffness:0.8,friction:0.3,damping:0, with numbers of at"
+                                    + " least 0 and sliding at most friction"))));
     return choices;
   }
 
@@ -144,17 +158,18 @@ public final class ContactOptions {
       case "cone" -> FrictionForm.CONE;
       default ->
           throw PalpateException.wrongUse(
-              "no such form of friction",
+              "there is no such friction model",
               "--friction-form " + frictionForm,
               "choose equation4, shorter or cone");
     };
   }
 
   /**
-   * What can be touched, of a source.
+   * Returns the contact scene of a volume.
    *
-   * @param segments that were read from it
-   * @throws VolumeFormatException where its grey values are needed and cannot be read
+   * @param source the volume
+   * @param segments its segments
+   * @throws VolumeFormatException if the grey values are needed and cannot be read
    */
   public ContactScene scene(VolumeSource source, SegmentedVolume segments)
       throws VolumeFormatException {
@@ -167,7 +182,7 @@ public final class ContactOptions {
   private static void checkNamed(SegmentedVolume segments, String name) {
     if (segments.segments().stream().noneMatch(segment -> segment.name().equals(name))) {
       throw PalpateException.wrongUse(
-          "there is no such segment", "--material " + name, "see palpate info");
+          "there is no such segment", "--material " + name, "list them with palpate info");
     }
   }
 
@@ -175,7 +190,9 @@ public final class ContactOptions {
     boolean grey = "grey".equals(smoothFrom);
     if (smoothFrom != null && !grey && !smoothFrom.equals("bits")) {
       throw PalpateException.wrongUse(
-          "no such source of a surface", "--smooth-from " + smoothFrom, "choose grey or bits");
+          "there is no such source of a surface",
+          "--smooth-from " + smoothFrom,
+          "choose grey or bits");
     }
     if (solver() != SolverKind.SMOOTH || (smoothFrom != null && !grey)) {
       return Optional.empty();
@@ -183,34 +200,32 @@ public final class ContactOptions {
     Optional<GreyIsosurface> found = source.greySurface();
     if (grey && found.isEmpty()) {
       throw PalpateException.wrongUse(
-          "a surface of grey values needs one segment made by a threshold",
+          "a surface of grey values needs exactly one segment, made by a threshold",
           "--smooth-from grey",
           "choose one with --segment NAME=>=VALUE, or leave --smooth-from out");
     }
     return found;
   }
 
-  /** Force over distance, N/mm of scan, where it was given. */
-  public OptionalDouble stiffnessNewtonPerMm() {
+  private OptionalDouble stiffnessNewtonPerMm() {
     return positive("--stiffness", stiffness);
   }
 
-  /** The friction coefficient, 0 or more. */
-  public double friction() {
+  private double friction() {
     if (!(friction >= 0) || Double.isInfinite(friction)) {
       throw PalpateException.wrongUse(
-          "friction must be a number from 0 up", "--friction " + friction, "try --friction 0.2");
+          "the friction coefficient must be a number of at least 0",
+          "--friction " + friction,
+          "try --friction 0.2");
     }
     return friction;
   }
 
-  /** w_max in mm, where it was given. */
-  public OptionalDouble maxStepMm() {
+  private OptionalDouble maxStepMm() {
     return positive("--max-step", maxStep);
   }
 
-  /** The largest force, N, where it was given. */
-  public OptionalDouble maxForceNewton() {
+  private OptionalDouble maxForceNewton() {
     return positive("--max-force", maxForce);
   }
 
@@ -225,26 +240,30 @@ public final class ContactOptions {
     return OptionalDouble.of(value);
   }
 
-  /** How collisions are found: the method that was given, else the solver's own. */
+  /**
+   * Returns the collision method that was given, otherwise the solver's default.
+   *
+   * @throws PalpateException exit code 2, if the method is wrong or the solver does not allow it
+   */
   public CollisionChoice collision() {
     SolverKind solver = solver();
     if (collision == null) {
       return solver.defaultCollision();
     }
-    CollisionChoice choice = CollisionChoice.parse(collision).orElseThrow(this::notACollision);
+    CollisionChoice choice = CollisionChoice.parse(collision).orElseThrow(this::unknownCollision);
     if (!solver.choosesCollision() && !choice.equals(CollisionChoice.EXACT)) {
       throw PalpateException.wrongUse(
-          "the solver " + solver + " is always exact",
+          "the solver " + solver + " always uses exact collision",
           "--collision " + collision,
           "leave it out, or choose --solver none, dot or paper");
     }
     return choice;
   }
 
-  private PalpateException notACollision() {
+  private PalpateException unknownCollision() {
     return PalpateException.wrongUse(
-        "not a way to find collisions",
+        "there is no such collision method",
         "--collision " + collision,
-        "write sampled:STEP with a positive step in voxels, gridplanes or exact");
+        "write sampled:STEP (a positive step in voxels), gridplanes or exact");
   }
 }

@@ -10,34 +10,32 @@ public final class OutputOptions {
   @Option(
       names = "--report",
       paramLabel = "FILE.json",
-      description = "Write what was measured, as JSON.")
+      description = "Writes the measurements as JSON.")
   private Path report;
 
-  @Option(names = "--debug", description = "Show the stack trace behind an error.")
+  @Option(names = "--debug", description = "Prints the stack trace of an error.")
+  @SuppressWarnings("UnusedVariable") // PalpateCommandLine looks for the argument itself
   private boolean debug;
 
   @Option(
       names = {"-h", "--help"},
       usageHelp = true,
-      description = "Show this help and end.")
+      description = "Prints this help and ends.")
   @SuppressWarnings("UnusedVariable") // picocli reads it
   private boolean help;
 
-  /** Where the report goes, if one was asked for. */
+  /** Returns the file of the report, if one was asked for. */
   public Optional<Path> report() {
     return Optional.ofNullable(report);
   }
 
   /**
-   * The folder that {@code --out} names, for commands that leave many files; it may be made later.
+   * Returns the folder that {@code --out} names, for commands that write many files. It need not
+   * exist yet.
    *
-   * @throws PalpateException exit code 2, where a file stands in its place
+   * @throws PalpateException exit code 2, if a file has that name
    */
   public Path checked(Path folder) {
     return OutputPaths.checkedFolder("--out", folder);
-  }
-
-  public boolean debug() {
-    return debug;
   }
 }

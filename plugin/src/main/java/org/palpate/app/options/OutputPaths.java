@@ -8,60 +8,60 @@ import java.util.List;
 import java.util.Set;
 import org.palpate.app.process.PalpateException;
 
-/** Looks at where output goes before any work is done. */
+/** Checks the targets of output before any work is done. */
 public final class OutputPaths {
   private OutputPaths() {}
 
   /**
-   * The target, once it is known that it can be written.
+   * Returns the target after checking that it can be written.
    *
-   * @param option that named it
-   * @param inputs files that must not be written
-   * @throws PalpateException exit code 2
+   * @param option the option that named it
+   * @param inputs files that must not be replaced
+   * @throws PalpateException exit code 2, if it cannot be written
    */
   public static Path checked(String option, Path target, List<Path> inputs) {
     Path folder = target.toAbsolutePath().getParent();
     if (Files.isDirectory(target)) {
-      throw wrong("it is a folder", option, target, "name a file in it");
+      throw wrong("the target is a folder", option, target, "name a file in it");
     }
     if (folder == null || !Files.isDirectory(folder)) {
-      throw wrong("there is no such folder", option, target, "make the folder first");
+      throw wrong("there is no such folder", option, target, "create the folder first");
     }
-    boolean isThere = Files.exists(target);
-    if (isThere ? !Files.isWritable(target) : !Files.isWritable(folder)) {
-      throw wrong("it may not be written", option, target, "choose another place");
+    boolean exists = Files.exists(target);
+    if (exists ? !Files.isWritable(target) : !Files.isWritable(folder)) {
+      throw wrong("there is no permission to write", option, target, "choose another place");
     }
     for (Path input : inputs) {
-      if (isThere && isSame(target, input)) {
-        throw wrong("it is an input", option, target, "name another file");
+      if (exists && isSame(target, input)) {
+        throw wrong("the target is an input", option, target, "name another file");
       }
     }
     return target;
   }
 
   /**
-   * The folder, which may be made later, once it is known that no file stands in its place.
+   * Returns a folder, which need not exist yet, after checking that no file has its name.
    *
-   * @throws PalpateException exit code 2
+   * @throws PalpateException exit code 2, if a file has that name
    */
   static Path checkedFolder(String option, Path folder) {
     if (Files.exists(folder) && !Files.isDirectory(folder)) {
-      throw wrong("not a folder", option, folder, "name a new folder");
+      throw wrong("the target is not a folder", option, folder, "name a new folder");
     }
     return folder;
   }
 
   /**
-   * Refuses two outputs in one file.
+   * Checks that no two outputs have the same file.
    *
-   * @throws PalpateException exit code 2
+   * @throws PalpateException exit code 2, if two have
    */
   public static void checkDistinct(List<Path> targets) {
     Set<Path> seen = new HashSet<>();
     for (Path target : targets) {
       if (!seen.add(target.toAbsolutePath().normalize())) {
         throw PalpateException.wrongUse(
-            "two outputs have one file", target.toString(), "name a file for each");
+            "two outputs have the same file", target.toString(), "name a file for each");
       }
     }
   }
@@ -70,7 +70,7 @@ public final class OutputPaths {
     try {
       return Files.isSameFile(a, b);
     } catch (IOException e) {
-      return false; // one of them is not there
+      return false; // one of them does not exist
     }
   }
 
@@ -78,17 +78,17 @@ public final class OutputPaths {
     return PalpateException.wrongUse(what, option + " " + target, remedy);
   }
 
-  /** What to tell where a target that looked well could not be written. */
+  /** Returns the error for a target that passed the check but could not be written. */
   public static PalpateException failed(Path target, IOException cause) {
     return failed(target.toString(), cause);
   }
 
-  /** As above, of a target by its name. */
+  /** Returns the error for a target, given by its name, that could not be written. */
   public static PalpateException failed(String target, IOException cause) {
     return PalpateException.failed(
         "could not be written (" + cause.getMessage() + ")",
         target,
-        "look at the disk and its permissions",
+        "check the disk and its permissions",
         cause);
   }
 }

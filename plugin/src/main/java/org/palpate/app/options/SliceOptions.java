@@ -18,23 +18,26 @@ public final class SliceOptions {
       names = "--slices",
       paramLabel = "I,J,K",
       description = {
-        "Show the grey values on three planes: the voxel they go through, -1 for no plane,",
-        "middle, or point: where the interaction point is."
+        "Shows the grey values on three planes: through a voxel (-1 for no plane), through the",
+        "middle, or through the interaction point (point)."
       })
   private String slices;
 
-  boolean areWanted() {
+  boolean isRequested() {
     return slices != null;
   }
 
-  /** Whether the slices go through the interaction point. */
+  /** Whether the slices follow the interaction point. */
   public boolean followsProxy() {
     return POINT.equals(slices);
   }
 
-  /** Reads the grey values, where slices are wanted; those at the point begin in the middle. */
+  /**
+   * Reads the grey values and returns the first slices, if slices were asked for. Slices that
+   * follow the interaction point start in the middle.
+   */
   public Optional<MovableSlices.Start> start(VolumeSource source) throws VolumeFormatException {
-    if (!areWanted()) {
+    if (!isRequested()) {
       return Optional.empty();
     }
     int[] voxel = voxel(source.header().grid());
@@ -63,6 +66,6 @@ public final class SliceOptions {
   }
 
   private PalpateException wrong(String remedy) {
-    return PalpateException.wrongUse("no such slices", "--slices " + slices, remedy);
+    return PalpateException.wrongUse("the slices cannot be shown", "--slices " + slices, remedy);
   }
 }

@@ -14,32 +14,40 @@ import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Option;
 
-/** The option that says what drawn surfaces are made from. */
+/** The option that chooses the source of drawn surfaces. */
 public final class SurfaceOptions {
   private static final String GREY = "grey";
   private static final double MEMORY_FRACTION = 0.25;
-  private static final double SAMPLE = 100_000;
-  private static final int MOST_LABELS = 64;
+  private static final double SAMPLE_SIZE = 100_000;
+  private static final int MAX_LABELS = 64;
 
   @Option(
       names = "--surface",
       paramLabel = "WHAT",
       description = {
-        "What the drawn surfaces go by: grey values, where a segment is a threshold or a range,",
-        "or bits, the voxels that are touched. Default: grey where it can, in a window only",
-        "where the grey values are read anyway."
+        "Source of the drawn surfaces: grey (grey values, if a segment is a threshold or a range)",
+        "or bits (the voxels that are touched). Default: grey if possible; in a window only",
+        "if the grey values are read anyway."
       })
   private String surface;
 
-  /** Refuses a word that is not known. */
+  /**
+   * Checks that the value is known.
+   *
+   * @throws PalpateException exit code 2, if it is not
+   */
   public void check() {
     if (surface != null && !surface.equals(GREY) && !surface.equals("bits")) {
       throw PalpateException.wrongUse(
-          "no such source of a surface", "--surface " + surface, "choose grey or bits");
+          "there is no such source of a surface", "--surface " + surface, "choose grey or bits");
     }
   }
 
-  /** Refuses grey values where no segment came from any. */
+  /**
+   * Checks that a surface of grey values is possible if one was asked for.
+   *
+   * @throws PalpateException exit code 2, if it is not
+   */
   public void checkPossible(VolumeSource source) {
     if (GREY.equals(surface) && !isPossible(source)) {
       throw PalpateException.wrongUse(
@@ -50,43 +58,43 @@ public final class SurfaceOptions {
   }
 
   private static boolean isPossible(VolumeSource source) {
-    return source.asked().stream().anyMatch(SurfaceOptions::isRange);
+    return source.requested().stream().anyMatch(SurfaceOptions::isRange);
   }
 
   /**
-   * What each segment was made of; none where surfaces go by bits.
+   * Returns the range of grey values of each segment; an empty list if surfaces are made of bits.
    *
-   * @param byDefault whether grey values are to be read where nothing was asked for
+   * @param byDefault whether to use grey values if the user did not choose
    */
   public List<Optional<GreyRange>> greys(VolumeSource source, boolean byDefault)
       throws VolumeFormatException {
     checkPossible(source);
-    boolean asked = GREY.equals(surface);
-    boolean unasked = surface == null && byDefault && isPossible(source) && fitsGreySurface(source);
-    return asked || unasked ? ranges(source.asked(), source.greyValues()) : List.of();
+    boolean isRequired = GREY.equals(surface);
+    boolean chosen = surface == null && byDefault && isPossible(source) && fitsGreySurface(source);
+    return isRequired || chosen ? ranges(source.requested(), source.greyValues()) : List.of();
   }
 
-  /** Not for masks and labels, nor where the values would take most of the memory. */
+  /** Whether the values are not a mask or labels and fit into the memory. */
   private static boolean fitsGreySurface(VolumeSource source) throws VolumeFormatException {
-    double mostBytes = Runtime.getRuntime().maxMemory() * MEMORY_FRACTION;
+    double maxBytes = Runtime.getRuntime().maxMemory() * MEMORY_FRACTION;
     return source.hasGreyValues()
         ? hasManyValues(source.greyValues())
-        : GreyVolumes.bytesFor(source.header()) < mostBytes && source.holdsIntensities();
+        : GreyVolumes.bytesFor(source.header()) < maxBytes && source.holdsIntensities();
   }
 
-  /** Whether a sample says that they are no labels; quicker than to look at them all. */
+  /** Whether a regular sample has too many values for labels; faster than reading all values. */
   private static boolean hasManyValues(ScalarVolume values) {
     VoxelGrid grid = values.grid();
-    int step = (int) Math.max(1, Math.cbrt((double) grid.voxelCount() / SAMPLE));
+    int step = (int) Math.max(1, Math.cbrt((double) grid.voxelCount() / SAMPLE_SIZE));
     Set<Double> seen = new HashSet<>();
-    for (int k = 0; k < grid.sizeZ() && seen.size() <= MOST_LABELS; k += step) {
+    for (int k = 0; k < grid.sizeZ() && seen.size() <= MAX_LABELS; k += step) {
       for (int j = 0; j < grid.sizeY(); j += step) {
         for (int i = 0; i < grid.sizeX(); i += step) {
           seen.add(values.value(i, j, k));
         }
       }
     }
-    return seen.size() > MOST_LABELS;
+    return seen.size() > MAX_LABELS;
   }
 
   private static boolean isRange(SegmentSpec spec) {

@@ -7,7 +7,7 @@ import java.util.OptionalInt;
 import org.palpate.app.process.PalpateException;
 import picocli.CommandLine.Option;
 
-/** The options that say what is touched. */
+/** The options that choose the volume and its segments. */
 public final class VolumeOptions {
   static final String DEFAULT_PHANTOM = "head:256";
 
@@ -15,39 +15,39 @@ public final class VolumeOptions {
       names = "--volume",
       paramLabel = "FILE",
       description = {
-        "A volume: NRRD, NIfTI, MetaImage, TIFF stack, DICOM file or folder, or raw with --raw."
+        "The volume: NRRD, NIfTI, MetaImage, TIFF stack, DICOM file or folder, or raw with --raw."
       })
   private Path volume;
 
   @Option(
       names = "--raw",
       paramLabel = "SIZES:TYPE:SPACING",
-      description = "What a raw file holds, as in 256x256x113:u16be:1,1,2.")
+      description = "Layout of a raw file, for example 256x256x113:u16be:1,1,2.")
   private String raw;
 
   @Option(
       names = "--time",
       paramLabel = "N",
-      description = "Which time step or component of a file with several, from 0.")
+      description = "Time step or component of a file with several, counted from 0.")
   private Integer time;
 
   @Option(
       names = "--series",
       paramLabel = "N",
-      description = "Which series of a DICOM folder, by its number in the list or its UID.")
+      description = "Series of a DICOM folder, by its number in the list or its UID.")
   private String series;
 
   @Option(
       names = "--resample",
-      description = "Make slices in between where those of a DICOM series are uneven.")
+      description = "Interpolates slices if those of a DICOM series are unevenly spaced.")
   private boolean resample;
 
   @Option(
       names = "--phantom",
       paramLabel = "NAME[:EDGE][:grey]",
       description = {
-        "A volume made by formula: head, sphere, shell, plane, torus or maze.",
-        "Default, without --volume: " + DEFAULT_PHANTOM + "."
+        "A synthetic volume: head, sphere, shell, plane, torus or maze.",
+        "Default without --volume: " + DEFAULT_PHANTOM + "."
       })
   private String phantom;
 
@@ -55,44 +55,48 @@ public final class VolumeOptions {
       names = "--segment",
       paramLabel = "NAME=SPEC",
       description = {
-        "What of it is solid; may be given again. SPEC is >=1500, 300..900, label:7,"
-            + " label:7,8,12 or nonzero. Without one, a mask or label volume gives a segment a"
+        "A solid segment; may be repeated. SPEC is >=1500, 300..900, label:7,"
+            + " label:7,8,12 or nonzero. Default for a mask or label volume: one segment for each"
             + " label."
       })
   private List<String> segments = List.of();
 
-  /** The file that was asked for, if one was. */
+  /**
+   * Returns the file that was asked for, if any.
+   *
+   * @throws PalpateException exit code 2, if options contradict each other
+   */
   public Optional<Path> volume() {
     check();
     return Optional.ofNullable(volume);
   }
 
-  /** What a raw file holds, if that was said. */
+  /** Returns the layout of a raw file, if given. */
   public Optional<String> raw() {
     return Optional.ofNullable(raw);
   }
 
-  /** Which time step or component, if that was said. */
-  public OptionalInt time() {
+  /** Returns the time step or component, if given. */
+  OptionalInt time() {
     return time == null ? OptionalInt.empty() : OptionalInt.of(time);
   }
 
-  /** Which series of a folder, if that was said. */
-  public Optional<String> series() {
+  /** Returns the series of a folder, if given. */
+  Optional<String> series() {
     return Optional.ofNullable(series);
   }
 
-  /** Whether uneven slices may be resampled. */
-  public boolean resample() {
+  /** Whether unevenly spaced slices may be resampled. */
+  boolean resample() {
     return resample;
   }
 
-  /** The phantom to make where no file was asked for. */
+  /** Returns the phantom to use if no file was asked for. */
   public String phantom() {
     return phantom == null ? DEFAULT_PHANTOM : phantom;
   }
 
-  /** The segments that were asked for, as they were written, in order. */
+  /** Returns the segments that were asked for, as they were written and in order. */
   public List<String> segments() {
     return segments;
   }
@@ -100,7 +104,9 @@ public final class VolumeOptions {
   private void check() {
     if (volume != null && phantom != null) {
       throw PalpateException.wrongUse(
-          "a file and a phantom at once", "--volume and --phantom", "leave one of them out");
+          "a file and a phantom were both given",
+          "--volume and --phantom",
+          "leave one of them out");
     }
     if (raw != null && volume == null) {
       throw PalpateException.wrongUse(

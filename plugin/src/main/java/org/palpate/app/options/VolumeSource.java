@@ -31,54 +31,56 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
 
-/** The volume that a command is about: its header understood, its values not read yet. */
+/** The volume of a command: its header is read, its values are not read yet. One thread. */
 public final class VolumeSource {
   private final String name;
   private final VolumeReader reader;
   private final Optional<Phantom> phantom;
-  private final List<SegmentSpec> asked;
+  private final List<SegmentSpec> requested;
   private ScalarVolume greyValues;
 
   private VolumeSource(
-      String name, VolumeReader reader, Optional<Phantom> phantom, List<SegmentSpec> asked) {
+      String name, VolumeReader reader, Optional<Phantom> phantom, List<SegmentSpec> requested) {
     this.name = name;
     this.reader = reader;
     this.phantom = phantom;
-    this.asked = asked;
+    this.requested = requested;
   }
 
   /**
-   * Opens what the options name.
+   * Opens the volume that the options name.
    *
-   * @throws VolumeFormatException where a file or an option is not understood
+   * @throws VolumeFormatException if a file or an option cannot be understood
    */
   public static VolumeSource open(VolumeOptions options) throws VolumeFormatException {
-    List<SegmentSpec> asked = parseSegments(options.segments());
+    List<SegmentSpec> requested = parseSegments(options.segments());
     Optional<Path> file = options.volume();
     if (file.isEmpty()) {
       Phantom phantom = parsePhantom(options.phantom());
       return new VolumeSource(
-          "phantom " + phantom.spec(), new PhantomReader(phantom), Optional.of(phantom), asked);
+          "phantom " + phantom.spec(), new PhantomReader(phantom), Optional.of(phantom), requested);
     }
     return new VolumeSource(
         file.get().toString(),
-        VolumeFiles.open(file.get(), reading(options)),
+        VolumeFiles.open(file.get(), readOptions(options)),
         Optional.empty(),
-        asked);
+        requested);
   }
 
-  private static ReadOptions reading(VolumeOptions options) throws VolumeFormatException {
-    ReadOptions reading =
+  private static ReadOptions readOptions(VolumeOptions options) throws VolumeFormatException {
+    ReadOptions readOptions =
         ReadOptions.defaults()
             .withProgress(new ProgressLine("reading"))
             .withResample(options.resample());
     if (options.raw().isPresent()) {
-      reading = reading.withRaw(RawLayout.parse(options.raw().get()));
+      readOptions = readOptions.withRaw(RawLayout.parse(options.raw().get()));
     }
     if (options.time().isPresent()) {
-      reading = reading.withTime(options.time().getAsInt());
+      readOptions = readOptions.withTime(options.time().getAsInt());
     }
-    return options.series().isPresent() ? reading.withSeries(options.series().get()) : reading;
+    return options.series().isPresent()
+        ? readOptions.withSeries(options.series().get())
+        : readOptions;
   }
 
   private static List<SegmentSpec> parseSegments(List<String> texts) throws VolumeFormatException {
@@ -88,7 +90,7 @@ public final class VolumeSource {
       SegmentSpec spec = SegmentSpec.parse(text);
       if (!names.add(spec.name())) {
         throw PalpateException.wrongUse(
-            "two segments have one name", "--segment " + text, "give each its own name");
+            "two segments have the same name", "--segment " + text, "give each its own name");
       }
       specs.add(spec);
     }
@@ -103,43 +105,46 @@ public final class VolumeSource {
     }
   }
 
-  /** The file or the phantom, for a person. */
+  /** Returns the file or phantom as the user knows it. */
   public String name() {
     return name;
   }
 
+  /** Returns the header. */
   public VolumeHeader header() {
     return reader.header();
   }
 
+  /** Returns the reader of the values. */
   public VolumeReader reader() {
     return reader;
   }
 
-  /** The segments that were asked for by {@code --segment}. */
-  public List<SegmentSpec> asked() {
-    return asked;
+  /** Returns the segments that {@code --segment} asked for. */
+  public List<SegmentSpec> requested() {
+    return requested;
   }
 
-  /** The files that must not be written. */
+  /** Returns the files of the volume, which no output may replace. */
   public List<Path> files() {
     return reader.files();
   }
 
-  /** SHA-256 of the files, or of the phantom's values. */
+  /** Returns the SHA-256 of the files, or of the phantom's values. */
   public String sha256() throws IOException {
     return VolumeDigest.sha256(reader);
   }
 
   /**
-   * Reads the segments that were asked for, or one for each label.
+   * Reads the segments that were asked for, otherwise one for each label.
    *
-   * @param err is told which of them have no voxel
-   * @throws PalpateException exit code 2, where none was asked for and the values are intensities
+   * @param err receives a line for each segment without voxels
+   * @throws PalpateException exit code 2, if no segment was asked for and the values are
+   *     intensities
    */
   public SegmentedVolume segments(PrintWriter err) throws VolumeFormatException {
-    if (!asked.isEmpty()) {
-      SegmentedVolume found = read(asked);
+    if (!requested.isEmpty()) {
+      SegmentedVolume found = read(requested);
       found.segments().stream()
           .filter(segment -> segment.bits().solidCount() == 0)
           .forEach(segment -> err.println(emptyLine(segment)));
@@ -149,20 +154,20 @@ public final class VolumeSource {
     if (phantom.isPresent() && !phantom.get().grey()) {
       return phantom.get().segments();
     }
-    ValueStatistics.Found found = survey();
+    ValueStatistics.Found found = statistics();
     if (isIntensities(found)) {
-      throw refusal(found);
+      throw noSegmentChosen(found);
     }
     return read(specsOf(found.labels()));
   }
 
   /**
-   * The grey values that the one segment was made of by a threshold; empty where it was made
-   * otherwise, or where there are several.
+   * Returns the isosurface of grey values if exactly one segment was asked for, by a threshold;
+   * empty otherwise.
    */
   Optional<GreyIsosurface> greySurface() throws VolumeFormatException {
-    if (asked.size() != 1
-        || !(asked.get(0).rule() instanceof SegmentSpec.Range range)
+    if (requested.size() != 1
+        || !(requested.get(0).rule() instanceof SegmentSpec.Range range)
         || Double.isInfinite(range.low())
         || !Double.isInfinite(range.high())) {
       return Optional.empty();
@@ -170,7 +175,7 @@ public final class VolumeSource {
     return Optional.of(GreyIsosurface.ofThreshold(greyValues(), range.low()));
   }
 
-  /** All grey values, read once and kept. */
+  /** Returns all grey values. Reads them once and keeps them. */
   ScalarVolume greyValues() throws VolumeFormatException {
     if (greyValues == null) {
       greyValues = GreyVolumes.read(reader);
@@ -178,7 +183,7 @@ public final class VolumeSource {
     return greyValues;
   }
 
-  /** Whether {@link #greyValues} costs nothing any more. */
+  /** Whether the grey values have been read. */
   public boolean hasGreyValues() {
     return greyValues != null;
   }
@@ -193,26 +198,26 @@ public final class VolumeSource {
         + segment.name()
         + " has no voxel: "
         + name
-        + ": palpate info tells its values";
+        + ": palpate info prints its values";
   }
 
-  private ValueStatistics.Found survey() throws VolumeFormatException {
-    ValueStatistics survey = new ValueStatistics(header());
-    reader.read(survey);
-    return survey.found();
+  private ValueStatistics.Found statistics() throws VolumeFormatException {
+    ValueStatistics statistics = new ValueStatistics(header());
+    reader.read(statistics);
+    return statistics.found();
   }
 
-  /** Whether its values are more than labels; one pass over them. */
+  /** Whether the values are intensities rather than labels; one pass over them. */
   boolean holdsIntensities() throws VolumeFormatException {
-    return isIntensities(survey());
+    return isIntensities(statistics());
   }
 
-  /** Whether it takes a person to say which values are solid. */
+  /** Whether the user must choose which values are solid. */
   public boolean isIntensities(ValueStatistics.Found found) {
     return found.labels().isEmpty() || phantom.map(Phantom::grey).orElse(false);
   }
 
-  /** A segment for each label, by the names of the file where it has any. */
+  /** Returns a segment for each label, named as in the file if possible. */
   public List<SegmentSpec> specsOf(List<Long> labels) {
     List<SegmentSpec> specs = new ArrayList<>();
     Set<String> names = new HashSet<>();
@@ -235,28 +240,28 @@ public final class VolumeSource {
     return known == null ? SegmentSpec.ANY_COLOUR : known.rgb();
   }
 
-  private PalpateException refusal(ValueStatistics.Found found) {
+  private PalpateException noSegmentChosen(ValueStatistics.Found found) {
     return PalpateException.wrongUse(
-        "which values are solid is not known, they run from "
+        "no segment is chosen, and the values are intensities from "
             + NumberText.people(found.low())
             + " to "
             + NumberText.people(found.high()),
         name,
-        "choose with --segment, for example " + proposal(found));
+        "choose with --segment, for example " + suggestion(found));
   }
 
-  /** Arguments to try, for a person. */
-  public String proposal(ValueStatistics.Found found) {
-    List<String> proposals = new ArrayList<>();
+  /** Returns arguments for the user to try. */
+  public String suggestion(ValueStatistics.Found found) {
+    List<String> suggestions = new ArrayList<>();
     if (phantom.isPresent()) {
-      phantom.get().thresholds().forEach(t -> proposals.add(argument(t.name(), t.atLeast())));
+      phantom.get().thresholds().forEach(t -> suggestions.add(argument(t.name(), t.atLeast())));
     } else if (found.thresholds().size() == 2) {
-      proposals.add(argument("bone", found.thresholds().get(1)));
-      proposals.add(argument("tissue", found.thresholds().get(0)));
+      suggestions.add(argument("bone", found.thresholds().get(1)));
+      suggestions.add(argument("tissue", found.thresholds().get(0)));
     } else {
-      proposals.add("--segment all=nonzero");
+      suggestions.add("--segment all=nonzero");
     }
-    return String.join(" or ", proposals);
+    return String.join(" or ", suggestions);
   }
 
   private static String argument(String name, double atLeast) {
@@ -264,7 +269,7 @@ public final class VolumeSource {
         Locale.ROOT, "--segment '%s=>=%s'", name, NumberText.people(rounded(atLeast)));
   }
 
-  /** To three digits, for a threshold is no more than a proposal. */
+  /** Rounds to three digits, because a threshold is only a suggestion. */
   private static double rounded(double value) {
     if (value == 0) {
       return 0;

@@ -4,10 +4,11 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.palpate.frame.FrameStatistics;
 
-/** What went wrong in frames and was met, as a report has it. */
+/** Lists the faults that frames met and handled, as fields of a report. */
 public final class FaultFields {
   private FaultFields() {}
 
+  /** Returns the fields in the order of the report. */
   public static Map<String, Object> of(FrameStatistics.Faults faults) {
     Map<String, Object> fields = new LinkedHashMap<>();
     fields.put("held", faults.held());

@@ -16,7 +16,7 @@ import org.palpate.io.table.LegsCsvWriter;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
 
-/** The tables that a replay writes, each only where it was asked for. One thread. */
+/** The tables that a replay writes, each only if it was asked for. One thread. */
 public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
   private final Optional<Path> framesFile;
   private final Optional<Path> legsFile;
@@ -31,9 +31,11 @@ public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
   }
 
   /**
-   * Tables whose files were looked at; null for one that is not wanted.
+   * Returns the tables after checking their files.
    *
-   * @throws PalpateException exit code 2, where one cannot be written, is an input, or is another
+   * @param framesFile target of the frames, or null
+   * @param legsFile target of the legs, or null
+   * @throws PalpateException exit code 2, if a file cannot be written, is an input or is another
    *     output
    */
   public static ReplayTables checked(
@@ -50,7 +52,7 @@ public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
     return new ReplayTables(frames, legs);
   }
 
-  /** Opens what is wanted, for the frames of a trajectory. */
+  /** Opens the tables for the frames of a trajectory. */
   public void open(Trajectory replayed) throws IOException {
     trajectory = replayed;
     if (framesFile.isPresent()) {
@@ -84,11 +86,11 @@ public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
   private void addLegs(int frame, InteractionPoint state, boolean freed) throws IOException {
     LegPath path = state.legs;
     if (freed) {
-      Vec3 place = new Vec3().set(state.position);
+      Vec3 start = new Vec3().set(state.position);
       if (path.count() > 0) {
-        place.set(path.start(0, 0), path.start(0, 1), path.start(0, 2));
+        start.set(path.start(0, 0), path.start(0, 1), path.start(0, 2));
       }
-      legs.addRelease(frame, place);
+      legs.addRelease(frame, start);
     }
     for (int leg = 0; leg < path.count(); leg++) {
       legs.add(
@@ -103,7 +105,7 @@ public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
     }
   }
 
-  /** Moves every table over its target. */
+  /** Moves every finished table over its target. */
   public void commit() throws IOException {
     for (AtomicFile file : files) {
       file.commit();

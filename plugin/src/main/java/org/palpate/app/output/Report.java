@@ -20,20 +20,21 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * What a command measured, field by field in the order in which it is written. One thread.
+ * The measurements of a command, field by field in the order in which they are written. One thread.
  *
- * <p>Its file is tried when the command starts, so that a wrong path is told before the work.
+ * <p>The target is checked when the command starts, so that a wrong path is reported before the
+ * work.
  */
 public final class Report {
   private final Optional<Path> file;
   private final Map<String, Object> fields = new LinkedHashMap<>();
 
   /**
-   * A report that every command begins with: version, Java, command.
+   * Creates a report with the fields of every command: version, Java and command.
    *
-   * @param file where it goes; nothing is written where there is none
-   * @param inputs files that must not be written
-   * @throws PalpateException exit code 2, where the file cannot be written or is an input
+   * @param file the target; if empty, nothing is written
+   * @param inputs files that must not be replaced
+   * @throws PalpateException exit code 2, if the file cannot be written or is an input
    */
   public Report(String command, Optional<Path> file, List<Path> inputs) {
     this.file = file.map(path -> OutputPaths.checked("--report", path, inputs));
@@ -42,23 +43,23 @@ public final class Report {
     fields.put("command", command);
   }
 
-  /** Whether anyone asked for it. */
+  /** Whether the user asked for a report. */
   public boolean isWanted() {
     return file.isPresent();
   }
 
-  /** Adds a field: a string, number, boolean, null, or a map or list of such. */
+  /** Adds a field: a string, number, boolean, null, or a map or list of these. */
   public Report put(String name, Object value) {
     fields.put(name, value);
     return this;
   }
 
-  /** The fields so far, in order; not to be changed. */
+  /** Returns an unmodifiable view of the fields in order. */
   public Map<String, Object> fields() {
     return Collections.unmodifiableMap(fields);
   }
 
-  /** Adds what is known of the volume. Reads it once for its checksum. */
+  /** Adds the properties of the volume. Reads it once for its checksum. */
   public void putVolume(VolumeSource source, List<Segment> segments) throws IOException {
     VoxelGrid grid = source.header().grid();
     Vec3 spacing = grid.spacingMm();
@@ -87,9 +88,9 @@ public final class Report {
   }
 
   /**
-   * Writes it, if anyone asked for it.
+   * Writes the report if the user asked for it.
    *
-   * @throws PalpateException exit code 1, where the disk refuses
+   * @throws PalpateException exit code 1, if it cannot be written
    */
   public void write() {
     if (file.isEmpty()) {

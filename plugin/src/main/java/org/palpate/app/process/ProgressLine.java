@@ -2,16 +2,21 @@ package org.palpate.app.process;
 
 import org.palpate.io.volume.ReadProgress;
 
-/** A line that grows on a terminal while something takes longer than a second. One thread. */
+/** A progress bar on a terminal for work that takes longer than a second. One thread. */
 public final class ProgressLine implements ReadProgress {
   private static final long SECOND_NANOS = 1_000_000_000L;
   private static final int WIDTH = 40;
 
   private final String what;
-  private final boolean shown = Terminal.isThere();
+  private final boolean shown = Terminal.isInteractive();
   private final long startNanos = System.nanoTime();
   private int drawn = -1;
 
+  /**
+   * Creates a progress bar.
+   *
+   * @param what the work, printed before the bar
+   */
   public ProgressLine(String what) {
     this.what = what;
   }

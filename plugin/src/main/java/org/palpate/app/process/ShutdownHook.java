@@ -5,13 +5,14 @@ import java.util.concurrent.TimeUnit;
 import org.palpate.display.DisplayLoss;
 
 /**
- * Turns Ctrl-C, or another wish that the process end, into an orderly end of the command: asks it
- * to stop, waits until it has written what it has to write, and lets the process end with the
- * command's own exit code.
+ * Turns Ctrl-C, or another request to end the process, into an orderly end of the command.
+ *
+ * <p>The hook asks the command to stop, waits until it has written its output, and lets the process
+ * end with the command's own exit code.
  */
 public final class ShutdownHook {
-  /** Longer than a session takes to stop and a report to be written. */
-  private static final long PATIENCE_SECONDS = 20;
+  /** Longer than a session needs to stop and a report to be written. */
+  private static final long COMMAND_WAIT_SECONDS = 20;
 
   private static final CountDownLatch COMMAND_DONE = new CountDownLatch(1);
   private static volatile int exitCode = PalpateException.FAILED;
@@ -28,14 +29,17 @@ public final class ShutdownHook {
             "palpate-end");
   }
 
-  /** While open, {@code stop} is called when the process is to end; it must not wait. */
-  public static ShutdownHook asks(Runnable stop) {
-    ShutdownHook end = new ShutdownHook(stop);
-    Runtime.getRuntime().addShutdownHook(end.hook);
-    return end;
+  /**
+   * Returns an open hook: until it is closed, the end of the process calls {@code stop}, which must
+   * not wait.
+   */
+  public static ShutdownHook install(Runnable stop) {
+    ShutdownHook installed = new ShutdownHook(stop);
+    Runtime.getRuntime().addShutdownHook(installed.hook);
+    return installed;
   }
 
-  /** Says that the command is done; called by the process's main thread before it exits. */
+  /** Records that the command is done. Called by the main thread before it exits. */
   public static void commandDone(int code) {
     exitCode = code;
     COMMAND_DONE.countDown();
@@ -43,9 +47,9 @@ public final class ShutdownHook {
 
   private static void awaitCommand() {
     try {
-      if (COMMAND_DONE.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+      if (COMMAND_DONE.await(COMMAND_WAIT_SECONDS, TimeUnit.SECONDS)) {
         DisplayLoss.exitIfLost(exitCode);
-        // the signal's own exit code would tell of a failure that there was not
+        // the signal's own exit code would report a failure that did not happen
         Runtime.getRuntime().halt(exitCode);
       }
     } catch (InterruptedException e) {
@@ -53,12 +57,12 @@ public final class ShutdownHook {
     }
   }
 
-  /** Asks no one any more. */
+  /** Removes the hook. */
   public void close() {
     try {
       Runtime.getRuntime().removeShutdownHook(hook);
     } catch (IllegalStateException e) {
-      // the process is ending, and the hook runs or has run
+      // The process is ending; the hook runs or has run.
     }
   }
 }

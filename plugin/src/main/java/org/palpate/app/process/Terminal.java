@@ -1,14 +1,14 @@
 package org.palpate.app.process;
 
-/** Whether a person is looking. */
+/** Finds out whether output goes to a terminal. */
 public final class Terminal {
-  /** Set by the launcher, which can tell; the JDK cannot tell for each stream. */
+  /** The launcher sets this property; the JDK cannot examine each stream. */
   private static final String PROPERTY = "palpate.terminal";
 
   private Terminal() {}
 
   /** Whether standard error goes to a terminal, as far as is known. */
-  public static boolean isThere() {
+  public static boolean isInteractive() {
     return Boolean.getBoolean(PROPERTY);
   }
 }

@@ -10,16 +10,20 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A display of our own where there is none: starts Xvfb on a free number and runs the command again
- * in a new JVM that draws there, because a process cannot change its display once Java has started.
+ * Runs a command on a display of its own if there is none.
+ *
+ * <p>It starts Xvfb on a free number and runs the command again in a new JVM, because a process
+ * cannot change its display after Java has started.
  */
 public final class VirtualDisplay {
-  /** The class that starts the program; named as text because this package may not use it. */
+  /**
+   * Name of the class that starts the program; a text, because this package may not use the class.
+   */
   static final String MAIN_CLASS = "org.palpate.app.Main";
 
   private static final String SERVER = "Xvfb";
 
-  /** Runs the same command with a display; its exit code is the answer. */
+  /** Runs the command again with a display and returns its exit code. */
   public int rerun(List<String> arguments) {
     Process server = start();
     try {
@@ -31,7 +35,7 @@ public final class VirtualDisplay {
       return again.start().waitFor();
     } catch (IOException e) {
       throw PalpateException.failed(
-          "Xvfb did not start", "render", "run it by hand and set DISPLAY", e);
+          "Xvfb did not start", "render", "run it yourself and set DISPLAY", e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return PalpateException.FAILED;
@@ -57,9 +61,9 @@ public final class VirtualDisplay {
           .start();
     } catch (IOException e) {
       throw PalpateException.failed(
-          "there is no display and no Xvfb",
+          "there is no display, and Xvfb is not installed",
           "render",
-          "install it with: sudo apt-get install xvfb libgl1 libglx-mesa0 libgl1-mesa-dri",
+          "install Xvfb with: sudo apt-get install xvfb libgl1 libglx-mesa0 libgl1-mesa-dri",
           e);
     }
   }

@@ -8,10 +8,10 @@ import org.palpate.imagej.stack.SegmentRange;
 import org.palpate.imagej.stack.StackVolume;
 
 /**
- * Voxels of a stack that a spherical brush changed, with their values before and after: can be
- * undone and done again.
+ * The voxels of a stack that a spherical brush changed, with their values before and after. A
+ * stroke can be undone and redone.
  */
-public final class BrushStroke {
+final class BrushStroke {
   private record Change(int i, int j, int k, float before, float after) {}
 
   private final StackVolume volume;
@@ -24,30 +24,31 @@ public final class BrushStroke {
   /**
    * Paints a ball into the stack.
    *
-   * @param centreGrid grid coordinates
-   * @param spacingMm edges of a voxel
-   * @param value what voxels inside become
-   * @param rule only voxels change that belong to it, or not, other than {@code value} does
+   * @param centreGrid centre of the ball, grid coordinates
+   * @param spacingMm edge lengths of a voxel
+   * @param value new value of the voxels
+   * @param range the segment's values; only voxels change whose membership differs from that of
+   *     {@code value}
    */
-  public static BrushStroke paint(
+  static BrushStroke paint(
       StackVolume volume,
       Vec3 centreGrid,
       Vec3 spacingMm,
       double radiusMm,
       float value,
-      SegmentRange rule) {
+      SegmentRange range) {
     BrushStroke stroke = new BrushStroke(volume);
     int lowK = low(centreGrid.z, radiusMm / spacingMm.z);
     int highK = high(centreGrid.z, radiusMm / spacingMm.z, volume.slices());
     for (int k = lowK; k <= highK; k++) {
-      stroke.paintSlice(k, centreGrid, spacingMm, radiusMm, value, rule);
+      stroke.paintSlice(k, centreGrid, spacingMm, radiusMm, value, range);
     }
     stroke.redo();
     return stroke;
   }
 
   private void paintSlice(
-      int k, Vec3 centre, Vec3 spacing, double radiusMm, float value, SegmentRange rule) {
+      int k, Vec3 centre, Vec3 spacing, double radiusMm, float value, SegmentRange range) {
     ImageProcessor slice = volume.slice(k);
     int highJ = high(centre.y, radiusMm / spacing.y, volume.height());
     int highI = high(centre.x, radiusMm / spacing.x, volume.width());
@@ -55,7 +56,7 @@ public final class BrushStroke {
       for (int i = low(centre.x, radiusMm / spacing.x); i <= highI; i++) {
         float before = slice.getf(i, j);
         boolean inside = isInside(i, j, k, centre, spacing, radiusMm);
-        if (inside && rule.holds(before) != rule.holds(value)) {
+        if (inside && range.contains(before) != range.contains(value)) {
           changes.add(new Change(i, j, k, before, value));
         }
       }
@@ -77,19 +78,19 @@ public final class BrushStroke {
     return (int) Math.min(size - 1.0, Math.floor(centre + radius));
   }
 
-  /** How many voxels it changes. */
-  public int size() {
+  /** Returns the number of changed voxels. */
+  int size() {
     return changes.size();
   }
 
-  /** Gives the voxels their values from before. */
-  public void undo() {
+  /** Restores the values from before the stroke. */
+  void undo() {
     changes.forEach(change -> volume.slice(change.k).setf(change.i, change.j, change.before));
     volume.image().updateAndDraw();
   }
 
-  /** Gives the voxels their new values. */
-  public void redo() {
+  /** Applies the new values. */
+  void redo() {
     changes.forEach(change -> volume.slice(change.k).setf(change.i, change.j, change.after));
     volume.image().updateAndDraw();
   }

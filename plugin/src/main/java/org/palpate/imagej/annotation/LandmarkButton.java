@@ -6,16 +6,17 @@ import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
 
 /**
- * Counts how often the first button of a device was pressed, each time for a landmark. Read by the
- * haptic thread, asked by any one other.
+ * Counts the presses of the first button of a device; each adds a landmark. The haptic thread reads
+ * the device, one other thread polls the presses.
  */
 public final class LandmarkButton extends DeviceDecorator {
   private static final int FIRST_BUTTON = 1;
 
-  private boolean held;
+  private boolean wasPressed;
   private volatile int presses;
-  private int taken;
+  private int polled;
 
+  /** Wraps a device. */
   public LandmarkButton(HapticDevice device) {
     super(device);
   }
@@ -25,25 +26,25 @@ public final class LandmarkButton extends DeviceDecorator {
     ReadStatus status = super.read(state);
     if (status == ReadStatus.FRESH) {
       boolean pressed = (state.buttons & FIRST_BUTTON) != 0;
-      if (pressed && !held) {
+      if (pressed && !wasPressed) {
         countOne();
       }
-      held = pressed;
+      wasPressed = pressed;
     }
     return status;
   }
 
-  /** The haptic thread alone writes it. */
+  /** Only the haptic thread writes the counter. */
   @SuppressWarnings("NonAtomicVolatileUpdate")
   private void countOne() {
     presses++;
   }
 
-  /** How often it was pressed since this was asked last. */
+  /** Returns the number of presses since the last call. */
   public int pollPresses() {
     int now = presses;
-    int fresh = now - taken;
-    taken = now;
+    int fresh = now - polled;
+    polled = now;
     return fresh;
   }
 }

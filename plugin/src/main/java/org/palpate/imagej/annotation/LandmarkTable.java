@@ -19,7 +19,7 @@ import org.palpate.io.table.LandmarkFiles;
 import org.palpate.scene.NamedPoint;
 
 /**
- * The landmarks of a session: rows of a table of ImageJ in calibrated units, marks in the stack's
+ * The landmarks of a session: rows of an ImageJ table in calibrated units, marks in the stack's
  * overlay, and files. Any thread.
  */
 public final class LandmarkTable {
@@ -34,9 +34,9 @@ public final class LandmarkTable {
   private final List<Landmark> landmarks = new ArrayList<>();
 
   /**
-   * An empty one.
+   * Creates an empty table.
    *
-   * @param view hears of all landmarks, places in the world, whenever there are more
+   * @param view receives all landmarks, in world mm, after each addition
    */
   public LandmarkTable(ImagePlus image, StackGeometry geometry, Consumer<List<NamedPoint>> view) {
     this.image = image;
@@ -44,12 +44,16 @@ public final class LandmarkTable {
     this.view = view;
   }
 
-  /** A name for the next one: L1, L2 and so on. */
+  /** Returns a name for the next landmark: L1, L2 and so on. */
   public synchronized String nextName() {
     return "L" + (landmarks.size() + 1);
   }
 
-  /** Adds one. */
+  /**
+   * Adds a landmark.
+   *
+   * @param grid its position, grid coordinates
+   */
   public synchronized void add(String name, Vec3 grid) {
     landmarks.add(new Landmark(name, geometry.grid().gridToWorld(grid, new Vec3())));
     addRow(name, geometry.gridToCalibrated(grid, new Vec3()));
@@ -58,14 +62,14 @@ public final class LandmarkTable {
         landmarks.stream().map(mark -> new NamedPoint(mark.name(), mark.worldMm())).toList());
   }
 
-  private void addRow(String name, Vec3 at) {
+  private void addRow(String name, Vec3 calibrated) {
     ResultsTable open = ResultsTable.getResultsTable(TITLE);
     ResultsTable table = open == null ? new ResultsTable() : open;
     table.incrementCounter();
     table.addValue("Name", name);
-    table.addValue("X", at.x);
-    table.addValue("Y", at.y);
-    table.addValue("Z", at.z);
+    table.addValue("X", calibrated.x);
+    table.addValue("Y", calibrated.y);
+    table.addValue("Z", calibrated.z);
     table.addValue("Unit", geometry.unit());
     table.show(TITLE);
   }
@@ -92,7 +96,7 @@ public final class LandmarkTable {
   /**
    * Writes {@code landmarks.csv}, and {@code landmarks.fcsv} for 3D Slicer, in world mm.
    *
-   * @throws TouchRefusedException where they cannot be written
+   * @throws TouchRefusedException if they cannot be written
    */
   public synchronized void save(Path folder) throws TouchRefusedException {
     try {

@@ -8,9 +8,9 @@ import org.palpate.imagej.stack.SegmentRange;
 import org.palpate.imagej.stack.StackVolume;
 import org.palpate.imagej.stack.TouchRefusedException;
 
-/** The brush strokes of a session, to be undone and done again. Any thread. */
+/** The brush strokes of a session, which can be undone and redone. Any thread. */
 public final class StrokeHistory {
-  private static final int KEPT_STROKES = 100;
+  private static final int MAX_STROKES = 100;
   private static final String RADIUS_PREFERENCE = "palpate.brush";
   private static final double DEFAULT_RADIUS_MM = 2;
 
@@ -19,6 +19,11 @@ public final class StrokeHistory {
   private final Deque<BrushStroke> done = new ArrayDeque<>();
   private final Deque<BrushStroke> undone = new ArrayDeque<>();
 
+  /**
+   * Creates an empty history for a stack.
+   *
+   * @param spacingMm edge lengths of a voxel
+   */
   public StrokeHistory(StackVolume volume, Vec3 spacingMm) {
     this.volume = volume;
     this.spacingMm = spacingMm;
@@ -29,46 +34,48 @@ public final class StrokeHistory {
     return Prefs.get(RADIUS_PREFERENCE, DEFAULT_RADIUS_MM);
   }
 
-  /** Keeps the brush radius in ImageJ's preferences, mm. */
+  /** Stores the brush radius in ImageJ's preferences, mm. */
   public static void keepRadiusMm(double radiusMm) {
     Prefs.set(RADIUS_PREFERENCE, radiusMm);
   }
 
   /**
-   * Adds a ball to a segment, or takes it away.
+   * Adds a ball to a segment, or removes it.
    *
-   * @param centreGrid grid coordinates
-   * @return the voxels that changed
-   * @throws TouchRefusedException where there is no value to take voxels away with
+   * @param centreGrid centre of the ball, grid coordinates
+   * @param range values of the segment
+   * @return the number of changed voxels
+   * @throws TouchRefusedException if there is no value outside the segment to remove voxels with
    */
-  public synchronized int paint(Vec3 centreGrid, double radiusMm, SegmentRange rule, boolean add)
+  public synchronized int paint(Vec3 centreGrid, double radiusMm, SegmentRange range, boolean add)
       throws TouchRefusedException {
-    float value = (float) (add ? rule.lower() : outside(rule));
-    BrushStroke stroke = BrushStroke.paint(volume, centreGrid, spacingMm, radiusMm, value, rule);
+    float value = (float) (add ? range.lower() : outside(range));
+    BrushStroke stroke = BrushStroke.paint(volume, centreGrid, spacingMm, radiusMm, value, range);
     done.push(stroke);
     undone.clear();
-    if (done.size() > KEPT_STROKES) {
+    if (done.size() > MAX_STROKES) {
       done.removeLast();
     }
     return stroke.size();
   }
 
-  /** A value that does not belong to the segment: background where that does not. */
-  private static double outside(SegmentRange rule) throws TouchRefusedException {
-    if (!rule.holds(0)) {
+  /** Returns a value outside the segment: the background 0 if possible. */
+  private static double outside(SegmentRange range) throws TouchRefusedException {
+    if (!range.contains(0)) {
       return 0;
     }
-    if (rule.upper() < 255) {
-      return rule.upper() + 1;
+    if (range.upper() < 255) {
+      return range.upper() + 1;
     }
     throw new TouchRefusedException(
-        "The segment holds the value 0 too: there is no value to remove voxels with.");
+        "The segment contains every value from 0 to 255: no value is left to remove voxels with.");
   }
 
   /**
-   * Undoes the last stroke; the voxels that changed.
+   * Undoes the last stroke.
    *
-   * @throws TouchRefusedException where there is none
+   * @return the number of changed voxels
+   * @throws TouchRefusedException if there is none
    */
   public synchronized int undo() throws TouchRefusedException {
     if (done.isEmpty()) {
@@ -81,9 +88,10 @@ public final class StrokeHistory {
   }
 
   /**
-   * Does again what was undone last; the voxels that changed.
+   * Redoes the stroke that was undone last.
    *
-   * @throws TouchRefusedException where there is nothing
+   * @return the number of changed voxels
+   * @throws TouchRefusedException if there is none
    */
   public synchronized int redo() throws TouchRefusedException {
     if (undone.isEmpty()) {

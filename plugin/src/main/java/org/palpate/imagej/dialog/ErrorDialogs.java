@@ -5,13 +5,13 @@ import ij.Macro;
 import org.palpate.imagej.stack.TouchRefusedException;
 
 /**
- * Says what went wrong in a dialog, in plain words. The stack trace is shown where ImageJ's debug
- * mode is on (Edit &gt; Options &gt; Misc).
+ * Shows errors in dialogs, in plain words. The stack trace is shown if ImageJ's debug mode is on
+ * (Edit &gt; Options &gt; Misc). Any thread.
  */
 public final class ErrorDialogs {
   private ErrorDialogs() {}
 
-  /** Shows a refusal, or a failure that no one foresaw. Any thread. */
+  /** Shows a refusal or an unexpected failure. */
   public static void show(String title, Exception failure) {
     clearStatus();
     if (failure instanceof TouchRefusedException) {
@@ -25,10 +25,11 @@ public final class ErrorDialogs {
         title,
         "Palpate failed ("
             + failure
-            + ").\nTick \"Debug mode\" in Edit > Options > Misc, try again, and report what is shown.");
+            + ").\n"
+            + "Tick \"Debug mode\" in Edit > Options > Misc, try again, and report the output.");
   }
 
-  /** Says that the memory does not suffice. Any thread. */
+  /** Reports that the memory is too small. */
   public static void showOutOfMemory(String title) {
     clearStatus();
     IJ.error(
@@ -36,13 +37,13 @@ public final class ErrorDialogs {
         "There is not enough memory: give ImageJ more by Edit > Options > Memory & Threads...");
   }
 
-  /** What was being done is done no more. */
+  /** Clears ImageJ's progress bar and status line. */
   private static void clearStatus() {
     IJ.showProgress(1);
     IJ.showStatus("");
   }
 
-  /** Whether this is how ImageJ ends a macro. */
+  /** Whether ImageJ ends a macro with this exception. */
   public static boolean endsMacro(RuntimeException e) {
     return Macro.MACRO_CANCELED.equals(e.getMessage());
   }

@@ -4,24 +4,24 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import org.palpate.imagej.stack.TouchRefusedException;
 
-/** Paths as people write them into dialogs. */
+/** Parses the paths that users write into dialogs. */
 public final class FilePaths {
   private FilePaths() {}
 
   /**
-   * The path that a text names.
+   * Parses a path.
    *
-   * @param what it is to be, for people
-   * @throws TouchRefusedException where it is empty, or no name for a file on this system
+   * @param what the kind of file, for the error message
+   * @throws TouchRefusedException if the text is empty or not a valid path
    */
   public static Path of(String what, String text) throws TouchRefusedException {
     if (text.isBlank()) {
-      throw new TouchRefusedException("It is not said which " + what + " is meant.");
+      throw new TouchRefusedException("The " + what + " is missing: enter its path.");
     }
     try {
       return Path.of(text.strip());
     } catch (InvalidPathException e) {
-      throw new TouchRefusedException("This names no " + what + ": " + text);
+      throw new TouchRefusedException("This is not a valid path of a " + what + ": " + text);
     }
   }
 }

@@ -6,18 +6,18 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 
-/** What the help button of every dialog shows; needs no network. */
+/** The help page of every dialog. It needs no network. */
 public final class HelpText {
   private static final String FILE = "help.html";
 
   private HelpText() {}
 
-  /** Gives a dialog its help button. */
+  /** Adds a help button to a dialog. */
   public static void addTo(GenericDialog dialog) {
     dialog.addHelp(html());
   }
 
-  /** A page that ImageJ shows in a window of its own. */
+  /** Returns the page, which ImageJ shows in its own window. */
   static String html() {
     try (InputStream page = HelpText.class.getResourceAsStream(FILE)) {
       return new String(page.readAllBytes(), StandardCharsets.UTF_8).strip();

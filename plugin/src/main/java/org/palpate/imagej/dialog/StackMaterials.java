@@ -8,23 +8,23 @@ import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.volume.Segment;
 
 /**
- * What of some segments feels otherwise than the rest, as it is written in the dialog and in
- * macros: {@code bone=stiffness:0.8,friction:0.3; skin=damping:0.001}.
+ * Materials of single segments, as the user writes them in the dialog and in macros: {@code
+ * bone=stiffness:0.8,friction:0.3; skin=damping:0.001}.
  *
- * @param text as it was written
- * @param choices by the name of a segment
+ * @param text the text as the user wrote it
+ * @param choices overrides by the name of a segment
  */
 public record StackMaterials(String text, Map<String, MaterialOverride> choices) {
 
-  /** Keeps a copy of the map. */
+  /** Copies the map. */
   public StackMaterials {
     choices = Map.copyOf(choices);
   }
 
   /**
-   * Reads segments parted by semicolons; nothing where the text is blank.
+   * Parses materials that are separated by semicolons; none if the text is blank.
    *
-   * @throws TouchRefusedException where it is not that, or names a segment twice
+   * @throws TouchRefusedException if the text has another form or names a segment twice
    */
   static StackMaterials parse(String text) throws TouchRefusedException {
     Map<String, MaterialOverride> choices = new LinkedHashMap<>();
@@ -38,7 +38,7 @@ public record StackMaterials(String text, Map<String, MaterialOverride> choices)
 
   private static void add(String part, Map<String, MaterialOverride> choices)
       throws TouchRefusedException {
-    int equals = part.lastIndexOf('='); // a label may be named with one, a material is not
+    int equals = part.lastIndexOf('='); // a segment's name may contain '=', a material may not
     String name = part.substring(0, Math.max(0, equals)).strip();
     MaterialOverride choice =
         MaterialOverride.parse(part.substring(equals + 1).replaceAll("\\s", "")).orElse(null);
@@ -46,8 +46,9 @@ public record StackMaterials(String text, Map<String, MaterialOverride> choices)
       throw new TouchRefusedException(
           "\""
               + part
-              + "\" is not a material: write it as in bone=stiffness:0.8,friction:0.3,damping:0, "
-              + "numbers from 0 up, sliding at most friction, segments parted by semicolons.");
+              + "\" is not a material: write for example bone=stiffness:0.8,friction:0.3,damping:0,"
+              + " with numbers of at least 0, sliding at most friction, and semicolons between"
+              + " segments.");
     }
     if (choices.put(name, choice) != null) {
       throw new TouchRefusedException("There are two materials for the segment \"" + name + "\".");
@@ -55,9 +56,9 @@ public record StackMaterials(String text, Map<String, MaterialOverride> choices)
   }
 
   /**
-   * Sees to it that each is a material of a segment that there is.
+   * Checks that every named segment exists.
    *
-   * @throws TouchRefusedException where one is not
+   * @throws TouchRefusedException if one does not
    */
   public void checkNamed(List<Segment> segments) throws TouchRefusedException {
     List<String> names = segments.stream().map(Segment::name).toList();
@@ -66,7 +67,7 @@ public record StackMaterials(String text, Map<String, MaterialOverride> choices)
         throw new TouchRefusedException(
             "There is no segment \""
                 + name
-                + "\" to have a material: choose one of "
+                + "\" for this material: choose one of "
                 + String.join(", ", names)
                 + ".");
       }

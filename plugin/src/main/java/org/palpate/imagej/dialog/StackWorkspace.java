@@ -9,20 +9,20 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * How the reach of a real device is laid over the stack. Devices that are not real need none: their
+ * Maps the workspace of a real device to the stack. Other devices need no mapping, because their
  * positions are the stack's own.
  *
- * @param kind what is fitted
- * @param scale mm of the stack per mm of the hand, where nothing is fitted
+ * @param kind the way of fitting
+ * @param scale mm of the stack per mm of the hand, if {@code kind} is {@link Kind#SCALE}
  */
 public record StackWorkspace(Kind kind, double scale) {
-  /** What is fitted to the box of all segments. */
+  /** The ways of fitting the workspace to the box of all segments. */
   enum Kind {
-    /** One scale, so that shapes keep their proportions and all of the box is in reach. */
+    /** One scale: shapes keep their proportions, and the whole box is in reach. */
     FIT("fit"),
-    /** A scale for each axis, so that the whole reach is used along all. */
+    /** One scale for each axis: the whole workspace is used along every axis. */
     FIT_EACH("fit each axis"),
-    /** The middle alone; the scale is given. */
+    /** A given scale about the middle of the box. */
     SCALE("by scale");
 
     private final String words;
@@ -31,7 +31,7 @@ public record StackWorkspace(Kind kind, double scale) {
       this.words = words;
     }
 
-    /** As in the dialog. */
+    /** Returns the word in the dialog. */
     @Override
     public String toString() {
       return words;
@@ -54,9 +54,10 @@ public record StackWorkspace(Kind kind, double scale) {
   }
 
   /**
-   * The workspace of a device over what is to be touched.
+   * Returns the workspace of a device over the touched region.
    *
-   * @param target box of the segments, world mm
+   * @param device the specification, which gives the reach
+   * @param target the box of the segments, world mm
    */
   public Workspace of(DeviceSpecification device, HandTarget target) {
     RigidTransform axes = stackAxes();
@@ -75,8 +76,8 @@ public record StackWorkspace(Kind kind, double scale) {
   }
 
   /**
-   * As the stack is seen on the screen: right is right, up is against y, towards the person is
-   * against z.
+   * Returns the device's axes in the stack as it appears on the screen: right is right, up is -y,
+   * towards the user is -z.
    */
   private static RigidTransform stackAxes() {
     return new RigidTransform(

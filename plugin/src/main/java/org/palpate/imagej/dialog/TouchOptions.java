@@ -12,7 +12,6 @@ import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
-import org.palpate.imagej.session.StackDevice;
 import org.palpate.imagej.stack.SegmentColour;
 import org.palpate.imagej.stack.SegmentRange;
 import org.palpate.imagej.stack.StackSegments;
@@ -21,24 +20,25 @@ import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.io.volume.LabelTable;
 
 /**
- * What the user chose in the dialog of "Touch Volume...", which a macro gives by the first words of
- * its labels; kept in ImageJ's preferences.
+ * The user's choices in the dialog of "Touch Volume...". Macros give them by the first words of the
+ * labels; ImageJ's preferences keep them.
  *
- * @param name of the segment where there is one; labels have their values' names
- * @param colour of that one; labels have those of the image or of the table beside its file
- * @param labels whether the image is taken as labels, a segment a label; else the values from lower
- *     to upper are one segment
- * @param lower the least value of the segment, calibrated as ImageJ shows it
- * @param upper the largest
+ * @param name name of the segment if there is one; labels are named after their values
+ * @param colour colour of the one segment; labels have the colours of the image or of the table
+ *     beside its file
+ * @param labels whether each value of the image is a segment; otherwise the values from lower to
+ *     upper are one segment
+ * @param lower the smallest value of the segment, calibrated as ImageJ shows it
+ * @param upper the largest value of the segment
  * @param followsThreshold whether these are the thresholds that the image shows
- * @param solver what moves the interaction point
- * @param stiffnessNewtonPerMm force over distance; the device's own default where 0
- * @param friction coefficient
- * @param materials of segments that feel otherwise
- * @param device as {@link StackDevice} reads it
- * @param workspace how the reach of a real device is laid over the stack
- * @param seconds how long; until Escape or the image closes where 0
- * @param view whether a 3-D window is wanted
+ * @param solver moves the interaction point
+ * @param stiffnessNewtonPerMm force per distance, N/mm; 0 means the device's default
+ * @param friction friction coefficient
+ * @param materials materials of single segments
+ * @param device the device as {@link org.palpate.host.DeviceName} parses it
+ * @param workspace maps the workspace of a real device to the stack
+ * @param seconds length of the session, s; 0 means until Escape or the image closes
+ * @param view whether the 3-D window is wanted
  */
 public record TouchOptions(
     String name,
@@ -58,12 +58,13 @@ public record TouchOptions(
   private static final String PREFIX = "palpate.";
   private static final String SIMULATED = "simulated";
   private static final int THRESHOLD_COLUMNS = 10;
-  private static final double LARGEST_DEFAULT = 65535;
+  private static final double DEFAULT_UPPER = 65535;
 
   /**
-   * Asks the user, or takes what a macro says; null where it was cancelled.
+   * Asks the user, or takes the values that a macro gives.
    *
-   * @param live whether a device is to be held; a replay needs nothing that has to do with it
+   * @param live whether a device is used; a replay needs no device options
+   * @return the choices; null if the user cancelled
    */
   public static TouchOptions ask(String title, StackVolume volume, boolean live)
       throws TouchRefusedException {
@@ -75,10 +76,10 @@ public record TouchOptions(
     double upper =
         threshold
             ? values.getCValue(shown.getMaxThreshold())
-            : Prefs.get(PREFIX + "upper", LARGEST_DEFAULT);
+            : Prefs.get(PREFIX + "upper", DEFAULT_UPPER);
     GenericDialog dialog = new GenericDialog(title);
     addSegment(dialog, lower, upper);
-    addFeel(dialog);
+    addContact(dialog);
     if (live) {
       addDevice(dialog);
     }
@@ -104,14 +105,14 @@ public record TouchOptions(
     dialog.addNumericField("Upper threshold", upper, 2, THRESHOLD_COLUMNS, "");
   }
 
-  private static void addFeel(GenericDialog dialog) {
+  private static void addContact(GenericDialog dialog) {
     dialog.addChoice(
         "Solver", solvers(), Prefs.get(PREFIX + "solver", SolverKind.DEFAULT.toString()));
     dialog.addNumericField(
         "Stiffness (0: device default)", Prefs.get(PREFIX + "stiffness", 0), 3, 8, "N/mm");
     dialog.addNumericField(
         "Friction", Prefs.get(PREFIX + "friction", ForceSettings.DEFAULT_FRICTION), 2);
-    // A macro that says nothing of them means none, whatever was chosen in a dialog before.
+    // In a macro without materials there are none, whatever a dialog chose before.
     String materials = Macro.getOptions() == null ? Prefs.get(PREFIX + "materials", "") : "";
     dialog.addStringField("Materials (bone=stiffness:0.8,friction:0.3; ...)", materials, 24);
   }
@@ -135,7 +136,7 @@ public record TouchOptions(
   /**
    * Reads every field in its order, so that the recorder writes each.
    *
-   * @param shownLower the lower threshold that the image shows; NaN where it shows none
+   * @param shownLower the lower threshold that the image shows; NaN if it shows none
    */
   private static TouchOptions read(
       GenericDialog dialog, double shownLower, double shownUpper, boolean live)
@@ -156,7 +157,7 @@ public record TouchOptions(
     boolean view = live && dialog.getNextBoolean();
     if (dialog.invalidNumber()) {
       throw new TouchRefusedException(
-          "A field does not hold a number: " + dialog.getErrorMessage());
+          "A field does not contain a number: " + dialog.getErrorMessage());
     }
     boolean asShown = isShown(lower, shownLower) && isShown(upper, shownUpper);
     return new TouchOptions(
@@ -186,7 +187,7 @@ public record TouchOptions(
     return new StackWorkspace(kind, scale);
   }
 
-  /** What a macro may have written as it likes. */
+  /** Returns a parsed word, which a macro may have misspelt. */
   private static <T> T known(String what, String word, Optional<T> found, String[] all)
       throws TouchRefusedException {
     return found.orElseThrow(
@@ -201,7 +202,7 @@ public record TouchOptions(
                     + "."));
   }
 
-  /** Whether a field still says what it was given, which it showed with two digits. */
+  /** Whether a field still has the value that it showed with two digits. */
   private static boolean isShown(double value, double shown) {
     return Math.abs(value - shown) <= 0.005;
   }
@@ -213,7 +214,7 @@ public record TouchOptions(
   private void check() throws TouchRefusedException {
     if (!labels && !(lower <= upper)) {
       throw new TouchRefusedException(
-          "The lower threshold " + lower + " lies above the upper one, " + upper + ".");
+          "The lower threshold " + lower + " is above the upper threshold " + upper + ".");
     }
     if (!(stiffnessNewtonPerMm >= 0) || !(friction >= 0) || !(seconds >= 0)) {
       throw new TouchRefusedException("Stiffness, friction and time must be 0 or more.");
@@ -239,7 +240,7 @@ public record TouchOptions(
     }
   }
 
-  /** As the host wants them. */
+  /** Returns the contact settings. */
   public ContactSettings contactSettings() {
     OptionalDouble stiffness =
         stiffnessNewtonPerMm > 0 ? OptionalDouble.of(stiffnessNewtonPerMm) : OptionalDouble.empty();
@@ -255,11 +256,11 @@ public record TouchOptions(
   }
 
   /**
-   * What makes the segments of a stack, in its raw values.
+   * Returns the range of raw values of each segment of a stack.
    *
-   * @throws TouchRefusedException where the labels are none
+   * @throws TouchRefusedException if the image has no valid labels
    */
-  public List<SegmentRange> rules(StackVolume volume) throws TouchRefusedException {
+  public List<SegmentRange> ranges(StackVolume volume) throws TouchRefusedException {
     if (labels) {
       LabelTable table = volume.labelTable();
       return StackSegments.labels(volume).stream()

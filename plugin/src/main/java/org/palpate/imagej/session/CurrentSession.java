@@ -3,22 +3,22 @@ package org.palpate.imagej.session;
 import java.util.concurrent.atomic.AtomicReference;
 import org.palpate.imagej.stack.TouchRefusedException;
 
-/** The one session that runs in this ImageJ: there is one hand. Any thread. */
+/** The one session that runs in this ImageJ, because there is one hand. Any thread. */
 public final class CurrentSession {
-  /** The longest that a device takes to be sent zero force. */
-  private static final long PATIENCE_MILLIS = 10_000;
+  /** The longest time until zero force is sent. */
+  private static final long ZERO_FORCE_WAIT_MILLIS = 10_000;
 
-  /** A window that is just being opened is waited for, and has nothing to do with the force. */
-  private static final long WINDOW_MILLIS = 60_000;
+  /** The longest time until a window closes that is just opening; it does not affect the force. */
+  private static final long WINDOW_WAIT_MILLIS = 60_000;
 
   private static final AtomicReference<StackSessionRunner> CURRENT = new AtomicReference<>();
 
   private CurrentSession() {}
 
   /**
-   * Enters a session.
+   * Registers a session.
    *
-   * @throws TouchRefusedException where another one runs
+   * @throws TouchRefusedException if another one runs
    */
   static void begin(StackSessionRunner run) throws TouchRefusedException {
     if (!CURRENT.compareAndSet(null, run)) {
@@ -27,9 +27,9 @@ public final class CurrentSession {
   }
 
   /**
-   * Says before anything is set up what {@link #begin} would say.
+   * Checks that {@link #begin} would succeed, before anything is set up.
    *
-   * @throws TouchRefusedException where a session runs
+   * @throws TouchRefusedException if a session runs
    */
   public static void requireNoneRunning() throws TouchRefusedException {
     if (isRunning()) {
@@ -39,43 +39,49 @@ public final class CurrentSession {
 
   private static TouchRefusedException busy() {
     return new TouchRefusedException(
-        "A volume is being touched already: press Escape to end that first.");
+        "A volume is already being touched: press Escape to end that session first.");
   }
 
+  /** Whether a session runs. */
   public static boolean isRunning() {
     return CURRENT.get() != null;
   }
 
+  /** Unregisters a session. */
   static void end(StackSessionRunner run) {
     CURRENT.compareAndSet(run, null);
   }
 
-  /** Asks the session to end and waits for it; nothing where none runs. */
+  /**
+   * Ends the session and waits for it; does nothing if none runs.
+   *
+   * @throws TouchRefusedException if the session or its window does not end in time
+   */
   public static void stop() throws TouchRefusedException {
     StackSessionRunner run = CURRENT.get();
     if (run == null) {
       return;
     }
-    run.session().askToStop();
-    if (!run.session().awaitZeroForce(PATIENCE_MILLIS)) {
+    run.session().requestStop();
+    if (!run.session().awaitZeroForce(ZERO_FORCE_WAIT_MILLIS)) {
       throw new TouchRefusedException(
-          "The session does not end: look at the device's cable and driver.");
+          "The session does not end: check the device's cable and driver.");
     }
-    if (!run.await(WINDOW_MILLIS)) {
+    if (!run.await(WINDOW_WAIT_MILLIS)) {
       throw new TouchRefusedException("The session has ended, but its 3-D window does not close.");
     }
   }
 
   /**
-   * The session that runs.
+   * Returns the running session.
    *
-   * @throws TouchRefusedException where none does
+   * @throws TouchRefusedException if none runs
    */
   public static StackSession current() throws TouchRefusedException {
     StackSessionRunner run = CURRENT.get();
     if (run == null) {
       throw new TouchRefusedException(
-          "No volume is being touched: begin by Plugins > Palpate > Touch Volume...");
+          "No volume is being touched: start with Plugins > Palpate > Touch Volume...");
     }
     return run.session();
   }

@@ -5,16 +5,16 @@ import org.palpate.realtime.WaitKind;
 import org.palpate.realtime.os.RealtimeRequest;
 import org.palpate.realtime.os.SchedulingClass;
 
-/** What a haptic thread inside ImageJ asks of the system. */
+/** The real-time settings of a haptic thread inside ImageJ. */
 public final class StackRealtime {
   private StackRealtime() {}
 
   /**
-   * All that helps but locked memory: the heap is ImageJ's, as large as the user made it, and not
-   * ours to keep from being swapped.
+   * Returns every recommended request except locked memory: the user chose the size of ImageJ's
+   * heap, which may be too large to lock.
    */
   public static RealtimeThread thread() {
-    RealtimeRequest wish = new RealtimeRequest(SchedulingClass.FIFO, true, false, true, true);
-    return new RealtimeThread(wish, WaitKind.HYBRID);
+    RealtimeRequest request = new RealtimeRequest(SchedulingClass.FIFO, true, false, true, true);
+    return new RealtimeThread(request, WaitKind.HYBRID);
   }
 }

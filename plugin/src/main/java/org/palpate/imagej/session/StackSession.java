@@ -39,60 +39,60 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
 /**
- * A stack being touched, from "Touch Volume..." until Escape, "Stop Touching", the end of its time,
- * the device's end, or the image or the 3-D window closes.
+ * A stack that is being touched, until the user presses Escape or calls "Stop Touching", the time
+ * or the device ends, or the image or the 3-D window closes.
  *
- * <p>{@link #run} is the session's own thread's; other commands ask {@link #touchedPointGrid}, add
- * landmarks and brush strokes meanwhile, from their own threads.
+ * <p>The session's own thread calls {@link #run}. Other threads may meanwhile call {@link
+ * #touchedPointGrid}, and add landmarks and brush strokes.
  */
 public final class StackSession implements AutoCloseable {
   private static final double RATE_HZ = 1000;
-  private static final long TICK_NANOS = 33_333_333;
   private static final long STATUS_NANOS = 500_000_000;
-  private static final long FORCE_PATIENCE_SECONDS = 60;
+  private static final long FORCE_WAIT_SECONDS = 60;
   private static final double NANOS_PER_SECOND = 1e9;
 
   private final StackGeometry geometry;
-  private final List<SegmentRange> rules;
+  private final List<SegmentRange> ranges;
   private final List<Segment> segments;
   private final double seconds;
   private final RealtimeThread realtime = StackRealtime.thread();
   private final LandmarkButton button;
   private final TouchSession session;
-  private final StackSynchronizer watcher;
+  private final StackSynchronizer synchronizer;
   private final Optional<SessionView> view;
   private final LandmarkTable landmarks;
   private final StrokeHistory strokes;
-  private final Queue<ViewKeys.Action> asked = new ConcurrentLinkedQueue<>();
+  private final Queue<ViewKeys.Action> actions = new ConcurrentLinkedQueue<>();
   private final CountDownLatch forceOn = new CountDownLatch(1);
   private final CountDownLatch forceOff = new CountDownLatch(1);
-  private final Vec3 taken = new Vec3();
-  private volatile Vec3 tip = new Vec3(Double.NaN, Double.NaN, Double.NaN);
-  private volatile boolean stopAsked;
+  private final Vec3 point = new Vec3();
+  private volatile Vec3 pointGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
+  private volatile boolean stopRequested;
   private volatile Thread runner;
 
   /**
-   * Makes segments, opens the device and gets ready.
+   * Builds the segments, opens the device and prepares the session.
    *
-   * @throws TouchRefusedException where the stack, the device or the choice does not allow it
+   * @param recorder records what the device sends, if given
+   * @throws TouchRefusedException if the stack, the device or an option does not allow a session
    */
   StackSession(StackVolume volume, TouchOptions options, Optional<SampleRecorder> recorder)
       throws TouchRefusedException {
     geometry = StackGeometry.of(volume.image());
-    rules = options.rules(volume);
+    ranges = options.ranges(volume);
     seconds = options.seconds();
     IJ.showStatus("Palpate: making segments...");
     PixelSnapshot pixels = new PixelSnapshot(volume);
     segments =
         StackSegments.of(
-            volume, pixels::slice, rules, k -> IJ.showProgress(k + 1, volume.slices()));
-    refuseEmpty(options);
+            volume, pixels::slice, ranges, k -> IJ.showProgress(k + 1, volume.slices()));
+    requireVoxels(options);
     options.materials().checkNamed(segments);
     ContactScene scene =
         new ContactScene(
             new SegmentedVolume(geometry.grid(), segments),
             options.contactSettings(),
-            StackGreyValues.surface(pixels, volume.slices(), geometry.grid(), rules));
+            StackGreyValues.surface(pixels, volume.slices(), geometry.grid(), ranges));
     LoopSettings loop = LoopSettings.ofRate(RATE_HZ).with(realtime, realtime);
     StackDevice device =
         StackDevice.open(
@@ -100,8 +100,8 @@ public final class StackSession implements AutoCloseable {
     button = new LandmarkButton(device.device());
     session =
         new TouchSession(scene, button, device.defaultNewtonPerMm(), loop, recorder, end -> {});
-    watcher =
-        new StackSynchronizer(volume, pixels, rules, options.followsThreshold(), scene, changes());
+    synchronizer =
+        new StackSynchronizer(volume, pixels, ranges, options.followsThreshold(), scene, changes());
     strokes = new StrokeHistory(volume, geometry.grid().spacingMm());
     view =
         options.view() && GraphicsDriver.hasDisplay()
@@ -114,7 +114,7 @@ public final class StackSession implements AutoCloseable {
 
   private SessionView newView(StackDevice device) {
     List<Segment> drawn = new ArrayList<>();
-    List<BitCube> bits = watcher.mirrors();
+    List<BitCube> bits = synchronizer.mirrors();
     for (int n = 0; n < bits.size(); n++) {
       drawn.add(new Segment(segments.get(n).name(), bits.get(n), segments.get(n).rgb()));
     }
@@ -123,12 +123,12 @@ public final class StackSession implements AutoCloseable {
         new SegmentedVolume(geometry.grid(), drawn),
         WorldAxes.UNKNOWN,
         device.device(),
-        new ViewKeys(this, asked::add));
+        new ViewKeys(this, actions::add));
   }
 
-  private void refuseEmpty(TouchOptions options) throws TouchRefusedException {
-    long solids = segments.stream().mapToLong(segment -> segment.bits().solidCount()).sum();
-    if (solids == 0) {
+  private void requireVoxels(TouchOptions options) throws TouchRefusedException {
+    long voxels = segments.stream().mapToLong(segment -> segment.bits().solidCount()).sum();
+    if (voxels == 0) {
       throw new TouchRefusedException(
           "No voxel has a value from "
               + options.lower()
@@ -139,16 +139,17 @@ public final class StackSession implements AutoCloseable {
   }
 
   /**
-   * Runs to the end, zero force sent last. The session's own thread.
+   * Runs the session until it ends and zero force was sent. On the session's own thread.
    *
-   * @throws TouchRefusedException where the stack got another size or type meanwhile; stopped then
+   * @throws TouchRefusedException if the size or type of the stack changed; the session has ended
+   *     then
    */
   LoopEnd run() throws TouchRefusedException {
     IJ.resetEscape();
     session.start();
     view.ifPresent(SessionView::start);
     try {
-      watch();
+      superviseUntilEnd();
     } finally {
       forceOn.countDown();
       session.stop();
@@ -157,7 +158,7 @@ public final class StackSession implements AutoCloseable {
     return session.stop();
   }
 
-  private void watch() throws TouchRefusedException {
+  private void superviseUntilEnd() throws TouchRefusedException {
     runner = Thread.currentThread();
     long beganNanos = 0;
     long statusNanos = System.nanoTime();
@@ -166,22 +167,22 @@ public final class StackSession implements AutoCloseable {
         beganNanos = System.nanoTime();
       }
       if (beganNanos != 0) {
-        takeTip();
+        updatePoint();
       }
       for (int n = button.pollPresses(); n > 0; n--) {
-        asked.add(this::addLandmarkHere);
+        actions.add(this::addLandmarkHere);
       }
       runQueuedActions();
-      watcher.applyChanges();
+      synchronizer.applyChanges();
       if (System.nanoTime() - statusNanos >= STATUS_NANOS) {
         statusNanos = System.nanoTime();
         showStatus();
       }
-      LockSupport.parkNanos(this, TICK_NANOS);
+      LockSupport.parkNanos(this, TouchSession.SUPERVISION_PERIOD_NANOS);
     }
   }
 
-  /** The stack was updated: no need to wait for the tick. Any thread. */
+  /** Wakes the session's thread before its next tick, because the stack was updated. Any thread. */
   private void wake() {
     LockSupport.unpark(runner);
   }
@@ -191,24 +192,24 @@ public final class StackSession implements AutoCloseable {
         seconds > 0
             && beganNanos != 0
             && System.nanoTime() - beganNanos >= seconds * NANOS_PER_SECOND;
-    return late || stopAsked || watcher.isClosed() || IJ.escapePressed();
+    return late || stopRequested || synchronizer.isClosed() || IJ.escapePressed();
   }
 
-  private void takeTip() {
-    Vec3 now = view.map(SessionView::proxyGrid).orElseGet(this::takeUnseen);
+  private void updatePoint() {
+    Vec3 now = view.map(SessionView::proxyGrid).orElseGet(this::takeUpdates);
     if (now.isFinite()) {
-      tip = now;
+      pointGrid = now;
       forceOn.countDown();
     }
   }
 
-  private Vec3 takeUnseen() {
-    session.takeUnseen();
-    return new Vec3().set(session.properties().touch().interactionPoint(taken));
+  private Vec3 takeUpdates() {
+    session.takeUpdates();
+    return new Vec3().set(session.properties().touch().interactionPoint(point));
   }
 
   private void runQueuedActions() {
-    for (ViewKeys.Action action = asked.poll(); action != null; action = asked.poll()) {
+    for (ViewKeys.Action action = actions.poll(); action != null; action = actions.poll()) {
       try {
         action.run();
       } catch (TouchRefusedException e) {
@@ -226,14 +227,14 @@ public final class StackSession implements AutoCloseable {
 
       @Override
       public void changed(IntBox voxels, int segment) {
-        view.ifPresent(shown -> shown.edited(segment, voxels));
+        view.ifPresent(shown -> shown.remesh(segment, voxels));
       }
     };
   }
 
   private void showStatus() {
     LoopStatus status = session.status();
-    Vec3 at = geometry.gridToCalibrated(tip, new Vec3());
+    Vec3 at = geometry.gridToCalibrated(pointGrid, new Vec3());
     IJ.showStatus(
         String.format(
             Locale.ROOT,
@@ -246,24 +247,24 @@ public final class StackSession implements AutoCloseable {
             status.forceNewton()));
   }
 
-  /** Waits until force is on or the session has ended. */
+  /** Waits until the force is on or the session has ended. */
   void awaitForce() {
     try {
-      if (!forceOn.await(FORCE_PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-        askToStop();
+      if (!forceOn.await(FORCE_WAIT_SECONDS, TimeUnit.SECONDS)) {
+        requestStop();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      askToStop();
+      requestStop();
     }
   }
 
-  /** Puts the next landmark where the point is. */
+  /** Adds the next landmark at the interaction point. */
   void addLandmarkHere() throws TouchRefusedException {
     landmarks.add(landmarks.nextName(), touchedPointGrid());
   }
 
-  /** Waits until zero force was sent for good; whether it was. Any thread. */
+  /** Waits until zero force was sent for good; returns whether it was. Any thread. */
   boolean awaitZeroForce(long millis) {
     try {
       return forceOff.await(millis, TimeUnit.MILLISECONDS);
@@ -273,72 +274,86 @@ public final class StackSession implements AutoCloseable {
     }
   }
 
-  /** Asks the session to end. Any thread. */
-  void askToStop() {
-    stopAsked = true;
+  /** Requests the end of the session. Any thread. */
+  void requestStop() {
+    stopRequested = true;
     wake();
   }
 
   /**
-   * Where the interaction point is, grid coordinates. Any thread.
+   * Returns the interaction point in grid coordinates. Any thread.
    *
    * @throws TouchRefusedException before the first frame
    */
   public Vec3 touchedPointGrid() throws TouchRefusedException {
-    Vec3 now = tip;
+    Vec3 now = pointGrid;
     if (!now.isFinite()) {
-      throw new TouchRefusedException("The first frame has not run yet: touch the volume first.");
+      throw new TouchRefusedException("The first frame has not run yet: try again in a moment.");
     }
     return new Vec3().set(now);
   }
 
-  /** The landmarks so far. */
+  /** Returns the landmarks. */
   public LandmarkTable landmarks() {
     return landmarks;
   }
 
-  /** Paints at the interaction point, into the first segment; the voxels that changed. */
+  /**
+   * Paints a ball at the interaction point into the first segment.
+   *
+   * @return the number of changed voxels
+   */
   public int paint(double radiusMm, boolean add) throws TouchRefusedException {
-    int changed = strokes.paint(touchedPointGrid(), radiusMm, rules.get(0), add);
-    watcher.markUpdated();
+    int changed = strokes.paint(touchedPointGrid(), radiusMm, ranges.get(0), add);
+    synchronizer.markUpdated();
     return changed;
   }
 
-  /** Undoes the last stroke; the voxels that changed. */
+  /**
+   * Undoes the last brush stroke.
+   *
+   * @return the number of changed voxels
+   */
   public int undo() throws TouchRefusedException {
     int changed = strokes.undo();
-    watcher.markUpdated();
+    synchronizer.markUpdated();
     return changed;
   }
 
-  /** Does the last undone stroke again; the voxels that changed. */
+  /**
+   * Redoes the last undone brush stroke.
+   *
+   * @return the number of changed voxels
+   */
   public int redo() throws TouchRefusedException {
     int changed = strokes.redo();
-    watcher.markUpdated();
+    synchronizer.markUpdated();
     return changed;
   }
 
-  /** The segments as they were made: names and, at the beginning, voxels. */
+  /** Returns the segments as they were built, with their voxels at the start. */
   public List<Segment> segments() {
     return segments;
   }
 
-  /** The voxels of a segment by now. Any thread; of the last tick. */
+  /** Returns the number of voxels of a segment at the last tick. Any thread. */
   public long voxels(int segment) {
-    return watcher.solids(segment);
+    return synchronizer.solidCount(segment);
   }
 
+  /** Returns the present state of the haptic loop. Any thread. */
   public LoopStatus status() {
     return session.status();
   }
 
+  /** Returns the 3-D view, if there is one. */
   public Optional<SessionView> view() {
     return view;
   }
 
   @Override
   public void close() {
-    watcher.close();
+    synchronizer.close();
     view.ifPresent(SessionView::close);
     session.close();
     forceOff.countDown();

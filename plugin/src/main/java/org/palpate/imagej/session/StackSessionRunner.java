@@ -1,9 +1,12 @@
 package org.palpate.imagej.session;
 
 import ij.IJ;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import org.palpate.host.SessionWorker;
+import org.palpate.host.TrajectoryRecording;
 import org.palpate.imagej.dialog.ErrorDialogs;
 import org.palpate.imagej.dialog.TouchOptions;
 import org.palpate.imagej.stack.StackVolume;
@@ -11,46 +14,47 @@ import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.loop.LoopEnd;
 
 /**
- * A session from start to end in a thread of its own, so that the command that began it returns and
- * others can work meanwhile, in a macro line by line.
+ * Runs a session from start to end in a thread of its own, so that the command that started it
+ * returns and macros can continue.
  */
 public final class StackSessionRunner {
   private static final String TITLE = "Touch Volume";
 
   private final StackSession session;
-  private final Optional<StackRecording> recording;
+  private final Optional<TrajectoryRecording> recording;
   private final SessionWorker worker;
 
-  private StackSessionRunner(StackSession session, Optional<StackRecording> recording) {
+  private StackSessionRunner(StackSession session, Optional<TrajectoryRecording> recording) {
     this.session = session;
     this.recording = recording;
-    worker = new SessionWorker(this::work, session::askToStop);
+    worker = new SessionWorker(this::work, session::requestStop);
   }
 
   /**
-   * Begins a session and waits until force is on.
+   * Starts a session and waits until the force is on.
    *
-   * @param recording where one is given, closed with the session or with the refusal
-   * @throws TouchRefusedException where it cannot begin
+   * @param recording records what the device sends, if given; closed with the session, also if it
+   *     cannot start
+   * @throws TouchRefusedException if the session cannot start
    */
   public static void begin(
-      StackVolume volume, TouchOptions options, Optional<StackRecording> recording)
+      StackVolume volume, TouchOptions options, Optional<TrajectoryRecording> recording)
       throws TouchRefusedException {
-    boolean begun = false;
+    boolean started = false;
     StackSession session = null;
     try {
       CurrentSession.requireNoneRunning();
-      session = new StackSession(volume, options, recording.map(StackRecording::recorder));
+      session = new StackSession(volume, options, recording.map(TrajectoryRecording::recorder));
       StackSessionRunner run = new StackSessionRunner(session, recording);
       CurrentSession.begin(run);
-      begun = true;
+      started = true;
       run.worker.start();
       session.awaitForce();
     } finally {
-      if (!begun) {
-        recording.ifPresent(StackRecording::close);
+      if (!started) {
+        recording.ifPresent(TrajectoryRecording::close);
       }
-      if (!begun && session != null) {
+      if (!started && session != null) {
         session.close();
       }
     }
@@ -60,14 +64,14 @@ public final class StackSessionRunner {
     return session;
   }
 
-  /** Waits for the end; whether it came. */
+  /** Waits for the end; returns whether it came in time. */
   boolean await(long millis) {
     return worker.await(millis);
   }
 
   private void work() {
     try {
-      tell(touch());
+      report(touch());
     } catch (TouchRefusedException | RuntimeException e) {
       if (!SessionWorker.isProcessEnding()) {
         ErrorDialogs.show(TITLE, e);
@@ -77,21 +81,35 @@ public final class StackSessionRunner {
     }
   }
 
-  /** Everything is closed when this returns, and another session may begin. */
+  /** Runs the session and closes everything, so that another session may start. */
   private LoopEnd touch() throws TouchRefusedException {
     try (StackSession touched = session) {
       LoopEnd end = touched.run();
       if (recording.isPresent()) {
-        recording.get().finish();
+        finish(recording.get());
       }
       return end;
     } finally {
-      recording.ifPresent(StackRecording::close);
+      recording.ifPresent(TrajectoryRecording::close);
       CurrentSession.end(this);
     }
   }
 
-  private void tell(LoopEnd end) throws TouchRefusedException {
+  private static void finish(TrajectoryRecording recording) throws TouchRefusedException {
+    try {
+      recording.finish();
+    } catch (IOException e) {
+      throw notWritten(recording.target(), e);
+    }
+  }
+
+  /** Returns the refusal for a trajectory file that cannot be written. */
+  public static TouchRefusedException notWritten(Path target, IOException cause) {
+    return new TouchRefusedException(
+        "The trajectory cannot be written to " + target + ": " + cause.getMessage());
+  }
+
+  private void report(LoopEnd end) throws TouchRefusedException {
     IJ.showProgress(1);
     IJ.showStatus(
         String.format(
@@ -99,7 +117,7 @@ public final class StackSessionRunner {
             "Palpate: ended after %d frames, zero force sent",
             session.status().frames()));
     if (end.failure() != null) {
-      throw new TouchRefusedException("Touching ended by a failure: " + end.failure().getMessage());
+      throw new TouchRefusedException("The session failed: " + end.failure().getMessage());
     }
   }
 }

@@ -8,14 +8,14 @@ import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.scene.window.SceneWindow;
 
 /**
- * What the keys of the 3-D window do to the stack. Called on the window's threads; everything is
- * handed to the session's own.
+ * The keys of the 3-D window that change the stack. The window's threads call it; it queues every
+ * action for the session's thread.
  */
 final class ViewKeys implements SessionView.Listener {
-  /** Something to be done by the session's thread. */
+  /** An action for the session's thread. */
   @FunctionalInterface
   interface Action {
-    /** Does it; a refusal is shown in the status bar. */
+    /** Executes the action; the status bar shows a refusal. */
     void run() throws TouchRefusedException;
   }
 
@@ -29,7 +29,7 @@ final class ViewKeys implements SessionView.Listener {
 
   @Override
   public void opening(SceneWindow window) {
-    onKey(window, 'm', "landmark here", session::addLandmarkHere);
+    onKey(window, 'm', "add a landmark here", session::addLandmarkHere);
     onKey(window, 'a', "add voxels here", () -> session.paint(radiusMm(), true));
     onKey(window, 'x', "remove voxels here", () -> session.paint(radiusMm(), false));
     onKey(window, 'z', "undo", session::undo);
@@ -45,12 +45,12 @@ final class ViewKeys implements SessionView.Listener {
   }
 
   @Override
-  public void tell(String line) {
+  public void print(String line) {
     IJ.log("Palpate: " + line);
   }
 
   @Override
   public void stop() {
-    session.askToStop();
+    session.requestStop();
   }
 }

@@ -5,17 +5,17 @@ import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * A copy of a stack's pixels, to find out which slices and pixels have changed since. As large as
- * the stack; one thread.
+ * A copy of a stack's pixels that finds the pixels that have changed. As large as the stack; one
+ * thread.
  */
 public final class PixelSnapshot {
   private final StackVolume volume;
   private final Object[] slices;
 
   /**
-   * Copies the stack as it is now.
+   * Copies the stack.
    *
-   * @throws TouchRefusedException where it is no grey stack of its former size any more
+   * @throws TouchRefusedException if the size or type of the stack has changed
    */
   public PixelSnapshot(StackVolume volume) throws TouchRefusedException {
     this.volume = volume;
@@ -25,43 +25,44 @@ public final class PixelSnapshot {
     }
   }
 
-  /** The copied pixels of slice k, from 0; not to be changed. */
+  /** Returns the copied pixels of slice k, counted from 0. Read-only. */
   public Object slice(int k) {
     return slices[k];
   }
 
   /**
-   * The copied values as a volume over a grid of the stack's size; later changes do not reach it.
+   * Returns the copied values as a volume over a grid of the stack's size. Later changes do not
+   * reach it.
    */
   ScalarVolume values(VoxelGrid grid) {
     return ScalarVolume.over(grid, slices);
   }
 
-  /** Takes pixels that differ from the copy. */
+  /** Receives the changed pixels. */
   @FunctionalInterface
   interface Sink {
-    /** Pixel n of slice k, from 0, has another raw value now. */
+    /** Receives the new raw value of pixel n of slice k, both counted from 0. */
     void accept(int n, int k, float value);
   }
 
   /**
-   * Tells of every pixel that changed since it was asked last, slice by slice.
+   * Reports every pixel that changed after the last call, slice by slice.
    *
-   * @throws TouchRefusedException where the stack got another size or type
+   * @throws TouchRefusedException if the size or type of the stack has changed
    */
   void changes(Sink sink) throws TouchRefusedException {
     for (int k = 0; k < slices.length; k++) {
       Object now = volume.pixels(k);
       if (!same(slices[k], now)) {
-        // The stack goes on changing: what is told and what is kept are the same copy.
+        // The stack may go on changing, so the reported and the kept pixels are the same copy.
         Object fresh = copy(now);
-        tell(k, slices[k], fresh, sink);
+        reportChanges(k, slices[k], fresh, sink);
         slices[k] = fresh;
       }
     }
   }
 
-  private static void tell(int k, Object before, Object after, Sink sink) {
+  private static void reportChanges(int k, Object before, Object after, Sink sink) {
     int pixels = StackVolume.pixelCount(after);
     for (int n = 0; n < pixels; n++) {
       float fresh = StackVolume.value(after, n);

@@ -1,21 +1,25 @@
 package org.palpate.imagej.stack;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
+import org.palpate.scene.Palette;
 
 /**
- * Colours for segments that colour-blind people can tell apart. Source: M. Okabe and K. Ito, Color
- * universal design, 2008; with one of bone in the place of black.
+ * Colours of segments that people with any colour vision can distinguish.
+ *
+ * <p>Source: Okabe and Ito, Color universal design (2008), see {@link Palette}; the colour of bone
+ * replaces black.
  */
 public enum SegmentColour {
   BONE(0xE6C99F),
-  SKY(0x56B4E9),
-  ORANGE(0xE69F00),
-  GREEN(0x009E73),
-  PURPLE(0xCC79A7),
-  YELLOW(0xF0E442),
-  BLUE(0x0072B2),
-  RED(0xD55E00);
+  SKY(Palette.SKY_BLUE),
+  ORANGE(Palette.ORANGE),
+  GREEN(Palette.BLUISH_GREEN),
+  PURPLE(Palette.REDDISH_PURPLE),
+  YELLOW(Palette.YELLOW),
+  BLUE(Palette.BLUE),
+  RED(Palette.VERMILION);
 
   private final int rgb;
 
@@ -23,26 +27,28 @@ public enum SegmentColour {
     this.rgb = rgb;
   }
 
-  /** 0xRRGGBB. */
+  /** Returns the colour as 0xRRGGBB. */
   public int rgb() {
     return rgb;
   }
 
-  /** The colour of one of many, in turn. */
+  /** Returns the colour of a segment by its number; the colours repeat. */
   static SegmentColour byNumber(int number) {
     return values()[Math.floorMod(number, values().length)];
   }
 
-  /** As in the dialog. */
+  /** Returns the word in the dialog. */
   @Override
   public String toString() {
-    return name().toLowerCase(java.util.Locale.ROOT);
+    return name().toLowerCase(Locale.ROOT);
   }
 
+  /** Parses a word of the dialog; empty if there is no such colour. */
   public static Optional<SegmentColour> parse(String word) {
     return Arrays.stream(values()).filter(colour -> colour.toString().equals(word)).findFirst();
   }
 
+  /** Returns the words of all colours. */
   public static String[] words() {
     return Arrays.stream(values()).map(SegmentColour::toString).toArray(String[]::new);
   }

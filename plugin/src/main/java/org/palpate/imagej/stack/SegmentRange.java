@@ -7,26 +7,27 @@ import java.util.Locale;
 import org.palpate.io.volume.LabelTable;
 
 /**
- * Which values of a stack belong to a segment. Values are raw, as ImageJ keeps them.
+ * The range of values of a stack that belong to a segment. Values are raw, as ImageJ stores them.
  *
- * @param name of the segment
- * @param lower the least value that belongs to it
- * @param upper the largest
+ * @param name name of the segment
+ * @param lower the smallest value of the segment
+ * @param upper the largest value of the segment
  * @param rgb colour for drawing, 0xRRGGBB
  */
 public record SegmentRange(String name, double lower, double upper, int rgb) {
   private static final int LUT_SIZE = 256;
 
+  /** Returns the range between two thresholds, which belong to it. */
   public static SegmentRange threshold(
       String name, double lower, double upper, SegmentColour colour) {
     return new SegmentRange(name, lower, upper, colour.rgb());
   }
 
   /**
-   * The segment of one value of a label image: in the colour in which a colour image shows it, else
-   * in that of the table.
+   * Returns the segment of one value of a label image. Its colour is the one that a colour image
+   * shows, otherwise that of the table.
    *
-   * @param table names and colours, as a file beside the image has them
+   * @param table names and colours from a file beside the image
    */
   public static SegmentRange label(int value, ImagePlus image, LabelTable table) {
     ImageProcessor shown = image.getProcessor();
@@ -39,7 +40,7 @@ public record SegmentRange(String name, double lower, double upper, int rgb) {
     return new SegmentRange(name, value, value, rgb);
   }
 
-  /** The same with the thresholds that an image shows; itself where it shows none. */
+  /** Returns a copy with the thresholds that an image shows; this range if it shows none. */
   SegmentRange withThresholdOf(ImagePlus image) {
     ImageProcessor shown = image.getProcessor();
     return shown == null || shown.getMinThreshold() == ImageProcessor.NO_THRESHOLD
@@ -47,7 +48,8 @@ public record SegmentRange(String name, double lower, double upper, int rgb) {
         : new SegmentRange(name, shown.getMinThreshold(), shown.getMaxThreshold(), rgb);
   }
 
-  public boolean holds(float value) {
+  /** Whether a value belongs to the segment. */
+  public boolean contains(float value) {
     return value >= lower && value <= upper;
   }
 }

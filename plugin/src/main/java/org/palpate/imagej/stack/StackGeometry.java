@@ -9,15 +9,15 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Where the voxels of a stack lie, by its calibration: voxel edges in millimetres whatever the
- * unit, and ImageJ's own calibrated coordinates as the world, in millimetres.
+ * The position and size of a stack's voxels by its calibration. Voxel edges are in millimetres
+ * whatever the unit; the world is ImageJ's calibrated coordinates in millimetres.
  *
- * <p>ImageJ counts from the corner of a pixel and from its origin; slice s (from 1) spans s-1 to s
- * in z.
+ * <p>ImageJ counts from the corner of a pixel and from its origin; slice s, counted from 1, spans
+ * s-1 to s in z.
  *
- * @param grid sizes, spacing in mm, place
+ * @param grid sizes, spacing in mm and position
  * @param unit the stack's unit of length, as ImageJ names it
- * @param mmPerUnit what one of it is in mm; 1 where the unit is no length
+ * @param mmPerUnit the length of one unit in mm; 1 if the unit is not a length
  */
 public record StackGeometry(VoxelGrid grid, String unit, double mmPerUnit) {
   private static final Map<String, Double> MM_PER_UNIT =
@@ -43,7 +43,7 @@ public record StackGeometry(VoxelGrid grid, String unit, double mmPerUnit) {
   /**
    * Reads a stack's calibration.
    *
-   * @throws TouchRefusedException where a voxel's edge is not positive and finite
+   * @throws TouchRefusedException if a voxel edge is not positive and finite
    */
   public static StackGeometry of(ImagePlus image) throws TouchRefusedException {
     Calibration calibration = image.getCalibration();
@@ -71,12 +71,11 @@ public record StackGeometry(VoxelGrid grid, String unit, double mmPerUnit) {
     return new StackGeometry(grid, unit, mmPerUnit);
   }
 
-  /** Whether the unit is a length, so that millimetres mean what they say. */
-  boolean isMetric() {
-    return MM_PER_UNIT.containsKey(unit.toLowerCase(Locale.ROOT));
-  }
-
-  /** Writes the place in ImageJ's calibrated units into {@code dest}. */
+  /**
+   * Writes a point in ImageJ's calibrated units into {@code dest} and returns it.
+   *
+   * @param point grid coordinates
+   */
   public Vec3 gridToCalibrated(Vec3 point, Vec3 dest) {
     return grid.gridToWorld(point, dest).mul(1 / mmPerUnit, dest);
   }

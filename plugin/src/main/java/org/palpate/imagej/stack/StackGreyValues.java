@@ -8,49 +8,50 @@ import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * The grey values that the solver smooth goes by, kept as the stack has them. One thread, that
- * which carries over.
+ * Keeps the grey values of the smooth solver equal to the stack's. One thread: the one that applies
+ * changes.
  */
 public final class StackGreyValues {
-  /** Where more of the voxels than this changed the contrast is measured anew. */
+  /** Fraction of changed voxels above which the contrast is measured again. */
   private static final double CONTRAST_UPDATE_FRACTION = 0.01;
 
   private final ContactScene scene;
   private final PixelSnapshot pixels;
-  private boolean waits;
+  private boolean isPending;
 
-  /** Over a scene that was made of {@link #surface}. */
+  /** Creates a keeper for a scene that was built with {@link #surface}. */
   StackGreyValues(ContactScene scene, PixelSnapshot pixels) {
     this.scene = scene;
     this.pixels = pixels;
   }
 
   /**
-   * The surface of the one segment, where a threshold made it of grey values: no value lies above
-   * the upper end, some lie below the lower one, and there are more than two of them, so that it is
-   * no mask. Two passes over the pixels.
+   * Returns the isosurface of the one segment if a threshold of grey values makes it.
+   *
+   * <p>This holds if no value is above the upper end, some are below the lower end, and there are
+   * more than two values, so that the stack is not a mask. Two passes over the pixels.
    */
   public static Optional<GreyIsosurface> surface(
-      PixelSnapshot pixels, int slices, VoxelGrid grid, List<SegmentRange> rules) {
-    if (rules.size() != 1 || !isThreshold(pixels, slices, rules.get(0))) {
+      PixelSnapshot pixels, int slices, VoxelGrid grid, List<SegmentRange> ranges) {
+    if (ranges.size() != 1 || !isThreshold(pixels, slices, ranges.get(0))) {
       return Optional.empty();
     }
-    return Optional.of(GreyIsosurface.ofThreshold(pixels.values(grid), rules.get(0).lower()));
+    return Optional.of(GreyIsosurface.ofThreshold(pixels.values(grid), ranges.get(0).lower()));
   }
 
-  private static boolean isThreshold(PixelSnapshot pixels, int slices, SegmentRange rule) {
+  private static boolean isThreshold(PixelSnapshot pixels, int slices, SegmentRange range) {
     Values values = new Values();
     for (int k = 0; k < slices; k++) {
       values.add(pixels.slice(k));
     }
-    return values.several && values.least < rule.lower() && values.largest <= rule.upper();
+    return values.moreThanTwo && values.smallest < range.lower() && values.largest <= range.upper();
   }
 
-  /** What values there are. */
+  /** The values that occur. */
   private static final class Values {
-    private float least = Float.POSITIVE_INFINITY;
+    private float smallest = Float.POSITIVE_INFINITY;
     private float largest = Float.NEGATIVE_INFINITY;
-    private boolean several;
+    private boolean moreThanTwo;
 
     private void add(Object slice) {
       float last = Float.NaN;
@@ -58,44 +59,44 @@ public final class StackGreyValues {
         float value = StackVolume.value(slice, n);
         if (value != last) {
           last = value;
-          several |= (least < value && value < largest) || widens(value);
-          least = Math.min(least, value);
+          moreThanTwo |= (smallest < value && value < largest) || widens(value);
+          smallest = Math.min(smallest, value);
           largest = Math.max(largest, value);
         }
       }
     }
 
-    /** Whether there were two values, and this is a third beyond them. */
+    /** Whether two values are known and this is a third outside them. */
     private boolean widens(float value) {
-      return least < largest && (value < least || value > largest);
+      return smallest < largest && (value < smallest || value > largest);
     }
   }
 
   /**
-   * Hands the values over as they are in the copy by now.
+   * Queues the values of the copy if they or the threshold changed.
    *
-   * @param rule what makes the segment by now
-   * @param changed how many of all voxels have other values
-   * @param all voxels
+   * @param range the present values of the segment
+   * @param changed number of voxels whose value changed
+   * @param all number of all voxels
    */
-  void carryOver(SegmentRange rule, long changed, long all) {
+  void applyChanges(SegmentRange range, long changed, long all) {
     Optional<GreyIsosurface> before = scene.grey();
     if (before.isEmpty()) {
       return;
     }
-    boolean moved = rule.lower() != before.get().threshold();
-    if (changed > 0 || moved || waits) {
+    boolean moved = range.lower() != before.get().threshold();
+    if (changed > 0 || moved || isPending) {
       boolean measure = moved || changed > CONTRAST_UPDATE_FRACTION * all;
-      waits = !scene.offerGrey(fresh(before.get(), rule.lower(), measure));
+      isPending = !scene.offerGrey(updated(before.get(), range.lower(), measure));
     }
   }
 
-  /** Whether the queue of edits was full, so that the values go the next time. */
-  boolean waits() {
-    return waits;
+  /** Whether the queue of edits was full, so that the values must be queued again. */
+  boolean isPending() {
+    return isPending;
   }
 
-  private GreyIsosurface fresh(GreyIsosurface before, double threshold, boolean measure) {
+  private GreyIsosurface updated(GreyIsosurface before, double threshold, boolean measure) {
     ScalarVolume values = pixels.values(before.volume().grid());
     return measure
         ? GreyIsosurface.ofThreshold(values, threshold)

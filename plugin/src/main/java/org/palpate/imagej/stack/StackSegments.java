@@ -8,57 +8,60 @@ import java.util.function.IntConsumer;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 
-/** Makes bit cubes of a stack, slice by slice. Any one thread; the stack is only read. */
+/** Builds bit cubes from a stack, slice by slice. Any one thread; the stack is only read. */
 public final class StackSegments {
-  /** More labels than this are no labels but grey values. */
-  static final int MOST_LABELS = 256;
+  /** The most values of a label image; more are grey values. */
+  static final int MAX_LABELS = 256;
 
   private StackSegments() {}
 
-  /** Where slices come from: a stack, or a copy of it. */
+  /** Provides slices: a stack, or a copy of it. */
   @FunctionalInterface
   public interface Slices {
-    /** The pixels of slice k, from 0, as {@link StackVolume#pixels} has them. */
+    /** Returns the pixels of slice k, counted from 0, as {@link StackVolume#pixels} does. */
     Object slice(int k) throws TouchRefusedException;
   }
 
   /**
-   * One segment a rule, in the rules' order.
+   * Builds one segment for each range, in the order of the ranges.
    *
-   * @param progress told of each slice that is done, from 0
+   * @param progress receives the number of each finished slice, from 0
    */
   public static List<Segment> of(
-      StackVolume volume, Slices slices, List<SegmentRange> rules, IntConsumer progress)
+      StackVolume volume, Slices slices, List<SegmentRange> ranges, IntConsumer progress)
       throws TouchRefusedException {
     List<BitCube> cubes = new ArrayList<>();
-    for (int n = 0; n < rules.size(); n++) {
+    for (int n = 0; n < ranges.size(); n++) {
       cubes.add(new BitCube(volume.width(), volume.height(), volume.slices()));
     }
-    Filler filler = new Filler(rules, cubes, volume.width());
+    Filler filler = new Filler(ranges, cubes, volume.width());
     for (int k = 0; k < volume.slices(); k++) {
       filler.fill(slices.slice(k), k);
       progress.accept(k);
     }
     List<Segment> segments = new ArrayList<>();
-    for (int n = 0; n < rules.size(); n++) {
-      segments.add(new Segment(rules.get(n).name(), cubes.get(n), rules.get(n).rgb()));
+    for (int n = 0; n < ranges.size(); n++) {
+      segments.add(new Segment(ranges.get(n).name(), cubes.get(n), ranges.get(n).rgb()));
     }
     return segments;
   }
 
-  /** Looks up which rules hold once for a run of pixels of one value: labels come in long runs. */
+  /**
+   * Sets the bits of a slice. Looks up the matching ranges once for each run of equal values,
+   * because labels come in long runs.
+   */
   private static final class Filler {
-    private final List<SegmentRange> rules;
+    private final List<SegmentRange> ranges;
     private final List<BitCube> cubes;
     private final int width;
-    private final int[] holding;
-    private int held;
+    private final int[] matching;
+    private int matchCount;
 
-    private Filler(List<SegmentRange> rules, List<BitCube> cubes, int width) {
-      this.rules = rules;
+    private Filler(List<SegmentRange> ranges, List<BitCube> cubes, int width) {
+      this.ranges = ranges;
       this.cubes = cubes;
       this.width = width;
-      holding = new int[rules.size()];
+      matching = new int[ranges.size()];
     }
 
     private void fill(Object pixels, int k) {
@@ -70,27 +73,27 @@ public final class StackSegments {
           last = value;
           lookUp(value);
         }
-        for (int h = 0; h < held; h++) {
-          cubes.get(holding[h]).set(n % width, n / width, k);
+        for (int h = 0; h < matchCount; h++) {
+          cubes.get(matching[h]).set(n % width, n / width, k);
         }
       }
     }
 
     private void lookUp(float value) {
-      held = 0;
-      for (int n = 0; n < rules.size(); n++) {
-        if (rules.get(n).holds(value)) {
-          holding[held++] = n;
+      matchCount = 0;
+      for (int n = 0; n < ranges.size(); n++) {
+        if (ranges.get(n).contains(value)) {
+          matching[matchCount++] = n;
         }
       }
     }
   }
 
   /**
-   * The values other than 0 of a label image.
+   * Returns the values other than 0 of a label image.
    *
-   * @throws TouchRefusedException where a value is no whole number from 0, or there are more than
-   *     {@link #MOST_LABELS}, or none
+   * @throws TouchRefusedException if a value is not a whole number of at least 0, or there are none
+   *     or more than {@link #MAX_LABELS}
    */
   public static SortedSet<Integer> labels(StackVolume volume) throws TouchRefusedException {
     SortedSet<Integer> labels = new TreeSet<>();
@@ -118,16 +121,16 @@ public final class StackSegments {
       throw new TouchRefusedException(
           "The value "
               + value
-              + " is no label: labels are whole numbers from 0. Use a threshold instead.");
+              + " is not a label: labels are whole numbers from 0. Use a threshold instead.");
     }
     if (value > 0) {
       labels.add((int) value);
     }
-    if (labels.size() > MOST_LABELS) {
+    if (labels.size() > MAX_LABELS) {
       throw new TouchRefusedException(
           "There are more than "
-              + MOST_LABELS
-              + " values: these are grey values, no labels. Use a threshold instead.");
+              + MAX_LABELS
+              + " values: these are grey values, not labels. Use a threshold instead.");
     }
   }
 }

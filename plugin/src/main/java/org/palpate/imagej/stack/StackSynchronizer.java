@@ -12,20 +12,20 @@ import org.palpate.host.ContactScene;
 import org.palpate.volume.BitCube;
 
 /**
- * Carries what changes in the stack (paint, macro, filter, threshold) over to what is touched and
- * seen.
+ * Applies changes of the stack (paint, macro, filter, threshold) to the touched segments and to the
+ * drawn ones.
  *
- * <p>ImageJ tells that an image was updated, for scrolling too, and not where. So the listener only
- * sets a flag, and {@link #applyChanges} compares every slice with a copy and queues what differs:
- * voxel by voxel, or, where there is much, a cube made aside. One thread carries over; any may set
- * the flag.
+ * <p>ImageJ reports that an image was updated, also after scrolling, but not where. The listener
+ * therefore only sets a flag, and {@link #applyChanges} compares every slice with a copy. It queues
+ * the differences voxel by voxel or, if there are many, as a whole cube. One thread applies
+ * changes; any thread may set the flag.
  */
 public final class StackSynchronizer implements ImageListener, AutoCloseable {
-  /** More changed voxels than this are handed over as a whole cube. */
+  /** The most changed voxels that are queued one by one; more are queued as a whole cube. */
   private static final int MAX_SINGLE_EDITS = 256;
 
   private final StackVolume volume;
-  private final List<SegmentRange> rules;
+  private final List<SegmentRange> ranges;
   private final boolean followsThreshold;
   private final EditQueue edits;
   private final PixelSnapshot pixels;
@@ -36,27 +36,29 @@ public final class StackSynchronizer implements ImageListener, AutoCloseable {
   private volatile boolean updated;
   private volatile boolean closed;
 
-  /** Whom a watcher tells. */
+  /** Receives the changes. */
   public interface Listener {
-    /** The image was updated or closed: there may be something to carry over. Any thread. */
+    /** Reports that the image was updated or closed. Any thread. */
     void updated();
 
-    /** Voxels of a segment changed inside a box. The thread that carries over. */
+    /**
+     * Reports that voxels of a segment changed inside a box. On the thread that applies changes.
+     */
     void changed(IntBox voxels, int segment);
   }
 
-  /** What changed of a segment since the last time. */
+  /** The changes of a segment after the last call. */
   private static final class Changes {
     private final BitCube mirror;
-    private final List<VoxelEdit> single = new ArrayList<>();
+    private final List<VoxelEdit> singleEdits = new ArrayList<>();
     private final IntBox box = new IntBox();
     private int count;
-    private volatile long solidsTold;
-    private boolean waits;
+    private volatile long solidCount;
+    private boolean isPending;
 
     private Changes(BitCube mirror) {
       this.mirror = mirror;
-      solidsTold = mirror.solidCount();
+      solidCount = mirror.solidCount();
     }
 
     private void put(int segment, int i, int j, int k, boolean solid) {
@@ -70,36 +72,36 @@ public final class StackSynchronizer implements ImageListener, AutoCloseable {
       }
       count++;
       box.include(i, j, k);
-      if (single.size() < MAX_SINGLE_EDITS) {
-        single.add(new VoxelEdit(segment, i, j, k, solid));
+      if (singleEdits.size() < MAX_SINGLE_EDITS) {
+        singleEdits.add(new VoxelEdit(segment, i, j, k, solid));
       }
     }
 
     private void clear() {
-      solidsTold = mirror.solidCount();
-      single.clear();
+      solidCount = mirror.solidCount();
+      singleEdits.clear();
       box.clear();
       count = 0;
     }
   }
 
   /**
-   * Watches from now on.
+   * Starts to listen for updates of the image.
    *
-   * @param rules what makes the segments, in their order
-   * @param pixels the stack as the segments were made of it
-   * @param followsThreshold whether the one segment is what the image's threshold marks
-   * @param scene what is touched, as it was made of the stack
+   * @param pixels copy of the stack from which the segments were built
+   * @param ranges values of the segments, in their order
+   * @param followsThreshold whether the one segment follows the image's threshold
+   * @param scene the touched scene, built from the stack
    */
   public StackSynchronizer(
       StackVolume volume,
       PixelSnapshot pixels,
-      List<SegmentRange> rules,
+      List<SegmentRange> ranges,
       boolean followsThreshold,
       ContactScene scene,
       Listener listener) {
     this.volume = volume;
-    this.rules = new ArrayList<>(rules);
+    this.ranges = new ArrayList<>(ranges);
     this.followsThreshold = followsThreshold;
     this.listener = listener;
     this.pixels = pixels;
@@ -109,7 +111,10 @@ public final class StackSynchronizer implements ImageListener, AutoCloseable {
     ImagePlus.addImageListener(this);
   }
 
-  /** The bits of each segment as the stack had them last, for drawing. This watcher's own. */
+  /**
+   * Returns the bits of each segment after the last change, for drawing. Owned by this
+   * synchronizer.
+   */
   public List<BitCube> mirrors() {
     return segments.stream().map(segment -> segment.mirror).toList();
   }
@@ -132,9 +137,9 @@ public final class StackSynchronizer implements ImageListener, AutoCloseable {
     }
   }
 
-  /** The solid voxels of a segment, of the last time that all was carried over. Any thread. */
-  public long solids(int segment) {
-    return segments.get(segment).solidsTold;
+  /** Returns the number of solid voxels of a segment after the last applied change. Any thread. */
+  public long solidCount(int segment) {
+    return segments.get(segment).solidCount;
   }
 
   /** Whether the image was closed. */
@@ -142,17 +147,17 @@ public final class StackSynchronizer implements ImageListener, AutoCloseable {
     return closed;
   }
 
-  /** Says that the stack was written to. Any thread. */
+  /** Records that the stack was written to. Any thread. */
   public void markUpdated() {
     updated = true;
     listener.updated();
   }
 
   /**
-   * Carries over what changed since the last call, where there was an update.
+   * Applies the changes after the last call, if there was an update.
    *
-   * @return the voxels that changed, over all segments
-   * @throws TouchRefusedException where the stack got another size or type
+   * @return number of changed voxels over all segments
+   * @throws TouchRefusedException if the size or type of the stack has changed
    */
   public int applyChanges() throws TouchRefusedException {
     if (!updated) {
@@ -161,34 +166,34 @@ public final class StackSynchronizer implements ImageListener, AutoCloseable {
     updated = false;
     compared = 0;
     pixels.changes(this::compare);
-    if (followsThreshold && thresholdMoved()) {
+    if (followsThreshold && updateThreshold()) {
       recompute();
     }
     int changed = 0;
     for (int n = 0; n < segments.size(); n++) {
-      changed += handOver(n);
+      changed += queueEdits(n);
     }
     long all = (long) volume.width() * volume.height() * volume.slices();
-    grey.carryOver(rules.get(0), compared, all);
-    updated |= grey.waits();
+    grey.applyChanges(ranges.get(0), compared, all);
+    updated |= grey.isPending();
     return changed;
   }
 
-  private boolean thresholdMoved() {
-    SegmentRange before = rules.get(0);
+  private boolean updateThreshold() {
+    SegmentRange before = ranges.get(0);
     SegmentRange now = before.withThresholdOf(volume.image());
-    rules.set(0, now);
+    ranges.set(0, now);
     return !now.equals(before);
   }
 
-  /** Compares every voxel, for another rule. */
+  /** Compares every voxel with the new range. */
   private void recompute() {
-    SegmentRange rule = rules.get(0);
+    SegmentRange range = ranges.get(0);
     for (int k = 0; k < volume.slices(); k++) {
       Object slice = pixels.slice(k);
       int count = StackVolume.pixelCount(slice);
       for (int n = 0; n < count; n++) {
-        boolean solid = rule.holds(StackVolume.value(slice, n));
+        boolean solid = range.contains(StackVolume.value(slice, n));
         segments.get(0).put(0, n % volume.width(), n / volume.width(), k, solid);
       }
     }
@@ -199,20 +204,20 @@ public final class StackSynchronizer implements ImageListener, AutoCloseable {
     int i = n % volume.width();
     int j = n / volume.width();
     for (int s = 0; s < segments.size(); s++) {
-      segments.get(s).put(s, i, j, k, rules.get(s).holds(value));
+      segments.get(s).put(s, i, j, k, ranges.get(s).contains(value));
     }
   }
 
-  private int handOver(int n) {
+  private int queueEdits(int n) {
     Changes segment = segments.get(n);
     int count = segment.count;
-    if (count == 0 && !segment.waits) {
+    if (count == 0 && !segment.isPending) {
       return 0;
     }
     boolean whole =
-        segment.waits
+        segment.isPending
             || count > MAX_SINGLE_EDITS
-            || !segment.single.stream().allMatch(edits::offer);
+            || !segment.singleEdits.stream().allMatch(edits::offer);
     if (whole) {
       offerWhole(n, segment);
     }
@@ -223,12 +228,12 @@ public final class StackSynchronizer implements ImageListener, AutoCloseable {
     return count;
   }
 
-  /** A queue that is full leaves it for the next time. */
+  /** Queues the whole cube; if the queue is full, it is queued with the next call. */
   private void offerWhole(int n, Changes segment) {
-    BitCube fresh = segment.mirror.copy();
-    fresh.tightenBounds();
-    segment.waits = !edits.offer(new SwapEdit(n, fresh));
-    updated |= segment.waits;
+    BitCube cube = segment.mirror.copy();
+    cube.tightenBounds();
+    segment.isPending = !edits.offer(new SwapEdit(n, cube));
+    updated |= segment.isPending;
   }
 
   @Override

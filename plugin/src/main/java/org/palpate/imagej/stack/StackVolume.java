@@ -13,26 +13,30 @@ import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.ReadOptions;
 
 /**
- * The z-stack of an image that is touched: one channel at one time, grey values of 8, 16 or 32 bit.
- * Reads and writes single slices; the stack's pixels belong to ImageJ and may change at any time.
+ * The touched z-stack of an image: one channel at one time, grey values of 8, 16 or 32 bits.
  *
- * @param image what the user sees
- * @param channel which of its channels, from 1
- * @param frame which of its times, from 1
- * @param width of a slice when it was taken up, pixels; height and slices likewise
+ * <p>Reads and writes single slices. The pixels belong to ImageJ and may change at any time.
+ *
+ * @param image the image that the user sees
+ * @param channel channel, counted from 1
+ * @param frame time, counted from 1
+ * @param width width of a slice when the volume was created, pixels
+ * @param height height of a slice, pixels
+ * @param slices number of slices
  */
 public record StackVolume(
     ImagePlus image, int channel, int frame, int width, int height, int slices) {
 
   /**
-   * The volume of an image at the channel and time that it shows.
+   * Returns the volume of an image at the channel and time that it shows.
    *
-   * @throws TouchRefusedException where it is no grey stack
+   * @throws TouchRefusedException if the image is not a stack of grey values
    */
   public static StackVolume shownIn(ImagePlus image) throws TouchRefusedException {
     if (image.getType() == ImagePlus.COLOR_RGB) {
       throw new TouchRefusedException(
-          "Palpate touches grey values and labels, and this is a colour image: convert it by Image > Type > 8-bit first.");
+          "Palpate touches grey values and labels, but this is a colour image: convert it with"
+              + " Image > Type > 8-bit first.");
     }
     if (image.getNSlices() == 1 && image.getStackSize() > 1) {
       throw new TouchRefusedException(
@@ -40,27 +44,30 @@ public record StackVolume(
               + image.getNChannels()
               + " channels and "
               + image.getNFrames()
-              + " times but one slice: if its images are slices, say so by Image > Properties...");
+              + " times but one slice: if its images are slices, change this in Image >"
+              + " Properties...");
     }
     if (image.getNSlices() < 2) {
       throw new TouchRefusedException(
-          "Palpate needs a stack of slices, and this is a single image.");
+          "Palpate needs a stack of slices, but this is a single image.");
     }
     if (image.getStack().isVirtual()) {
       throw new TouchRefusedException(
-          "This is a virtual stack, whose slices are read from disk each time: make it a real one by Image > Duplicate... first.");
+          "This is a virtual stack, whose slices are read from disk each time: copy it with Image >"
+              + " Duplicate... first.");
     }
     return new StackVolume(
         image, image.getC(), image.getT(), image.getWidth(), image.getHeight(), image.getNSlices());
   }
 
-  /** Whether the image has more channels or times than the one that is touched. */
+  /** Whether the image has channels or times besides the touched one. */
   public boolean hasMoreChannelsOrTimes() {
     return image.getNChannels() > 1 || image.getNFrames() > 1;
   }
 
   /**
-   * Names and colours of labels, from a table beside the image's file; none where there is none.
+   * Returns names and colours of labels from a table beside the image's file; empty if there is
+   * none.
    */
   public LabelTable labelTable() {
     FileInfo file = image.getOriginalFileInfo();
@@ -76,15 +83,15 @@ public record StackVolume(
               .orElse(LabelTable.EMPTY)
           : LabelTable.EMPTY;
     } catch (InvalidPathException | IOException e) {
-      // the image is open: what its file is like does not matter
+      // the image is open, so the state of its file does not matter
       return LabelTable.EMPTY;
     }
   }
 
   /**
-   * The stack's own pixels of slice k, from 0: bytes, shorts or floats, row by row.
+   * Returns the stack's own pixels of slice k, counted from 0: bytes, shorts or floats, row by row.
    *
-   * @throws TouchRefusedException where the image is no such stack any more
+   * @throws TouchRefusedException if the size or type of the stack has changed
    */
   Object pixels(int k) throws TouchRefusedException {
     ImageStack stack = image.getStack();
@@ -95,11 +102,12 @@ public record StackVolume(
     boolean same = grey && pixelCount(pixels) == width * height && stack.getWidth() == width;
     if (!same || image.getNSlices() != slices) {
       throw new TouchRefusedException(
-          "The stack got another size or type while it was touched: touch it again.");
+          "The size or type of the stack changed while it was touched: start again.");
     }
     return pixels;
   }
 
+  /** Returns the number of pixels of a slice. */
   static int pixelCount(Object pixels) {
     if (pixels instanceof byte[] bytes) {
       return bytes.length;
@@ -107,7 +115,7 @@ public record StackVolume(
     return pixels instanceof short[] shorts ? shorts.length : ((float[]) pixels).length;
   }
 
-  /** The raw value of a pixel of {@link #pixels}. */
+  /** Returns the raw value of a pixel of a slice. */
   static float value(Object pixels, int n) {
     if (pixels instanceof byte[] bytes) {
       return bytes[n] & 0xFF;
@@ -115,7 +123,7 @@ public record StackVolume(
     return pixels instanceof short[] shorts ? shorts[n] & 0xFFFF : ((float[]) pixels)[n];
   }
 
-  /** The pixels of slice k, from 0; written pixels are the stack's own. */
+  /** Returns a processor of slice k, counted from 0. It writes into the stack's own pixels. */
   public ImageProcessor slice(int k) {
     ImageStack stack = image.getStack();
     return stack.getProcessor(image.getStackIndex(channel, k + 1, frame));

@@ -4,25 +4,28 @@ import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
 
-/** A colour and a depth texture to draw into. */
+/** A framebuffer with a colour and a depth texture. */
 final class GlFramebuffer {
   private final int[] framebuffer = new int[1];
   private final int[] textures = new int[2];
   private int width;
   private int height;
 
+  /** Returns the colour texture. */
   int colour() {
     return textures[0];
   }
 
+  /** Returns the framebuffer's name; 0 before the first {@link #resize}. */
   int framebuffer() {
     return framebuffer[0];
   }
 
   /**
-   * Makes it this large, and says whether it was not.
+   * Sets the size.
    *
-   * @throws IllegalStateException where the driver has no memory for it or refuses the formats
+   * @return whether the size changed, so that the contents are lost
+   * @throws IllegalStateException if the driver has no memory for it or refuses the formats
    */
   boolean resize(GL3 gl, int newWidth, int newHeight) {
     if (framebuffer[0] != 0 && newWidth == width && newHeight == height) {
@@ -63,12 +66,13 @@ final class GlFramebuffer {
     gl.glFramebufferTexture2D(GL.GL_FRAMEBUFFER, attachment, GL.GL_TEXTURE_2D, texture, 0);
   }
 
+  /** Makes this the target of drawing. */
   void bind(GL3 gl) {
     gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, framebuffer[0]);
     gl.glViewport(0, 0, width, height);
   }
 
-  /** Copies colour and depth from another of the same size. */
+  /** Copies colour and depth from a framebuffer of the same size. */
   void copyFrom(GL3 gl, GlFramebuffer other) {
     gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, other.framebuffer());
     gl.glBindFramebuffer(GL2ES2.GL_DRAW_FRAMEBUFFER, framebuffer[0]);
@@ -85,6 +89,7 @@ final class GlFramebuffer {
         GL.GL_NEAREST);
   }
 
+  /** Releases the textures. */
   void dispose(GL3 gl) {
     if (framebuffer[0] != 0) {
       gl.glDeleteFramebuffers(1, framebuffer, 0);

@@ -8,7 +8,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.scene.Matrix4;
 import org.palpate.scene.surface.SurfaceBrick;
 
-/** A brick in the memory of the graphics card, with its box. */
+/** A surface brick in the memory of the graphics card, with its bounding box. */
 final class GlMesh {
   private static final int VERTEX_BYTES = 20;
   private static final int NORMAL_OFFSET = 12;
@@ -47,10 +47,10 @@ final class GlMesh {
     ByteBuffer bytes = Buffers.newDirectByteBuffer(brick.vertexCount() * VERTEX_BYTES);
     for (int v = 0; v < brick.vertexCount(); v++) {
       for (int axis = 0; axis < 3; axis++) {
-        float place = positions[3 * v + axis];
-        bytes.putFloat(place);
-        low.set(axis, Math.min(low.get(axis), place));
-        high.set(axis, Math.max(high.get(axis), place));
+        float coordinate = positions[3 * v + axis];
+        bytes.putFloat(coordinate);
+        low.set(axis, Math.min(low.get(axis), coordinate));
+        high.set(axis, Math.max(high.get(axis), coordinate));
       }
       for (int part = 0; part < 4; part++) {
         bytes.putShort(normals[4 * v + part]);
@@ -72,19 +72,20 @@ final class GlMesh {
     return bytes.flip();
   }
 
-  /** Whether this still shows the given brick. */
+  /** Whether this mesh was made from the given brick. */
   boolean shows(SurfaceBrick other) {
     return brick == other;
   }
 
+  /** Returns the number of triangles. */
   int triangleCount() {
     return brick.triangleCount();
   }
 
   /**
-   * Whether the box is wholly outside one plane of the view.
+   * Whether the bounding box lies completely outside one plane of the view frustum.
    *
-   * @param toClip from grid mm to clip coordinates
+   * @param toClip transform from grid mm to clip coordinates
    */
   boolean isOutside(Matrix4 toClip) {
     for (int plane = 0; plane < 6; plane++) {
@@ -102,12 +103,14 @@ final class GlMesh {
     return false;
   }
 
+  /** Draws the triangles. */
   void draw(GL3 gl) {
     gl.glBindVertexArray(vertexArray[0]);
     int type = shortIndices ? GL.GL_UNSIGNED_SHORT : GL.GL_UNSIGNED_INT;
     gl.glDrawElements(GL.GL_TRIANGLES, brick.triangles().length, type, 0);
   }
 
+  /** Releases the buffers. */
   void dispose(GL3 gl) {
     gl.glDeleteVertexArrays(1, vertexArray, 0);
     gl.glDeleteBuffers(2, buffers, 0);

@@ -13,12 +13,12 @@ final class GlProgram {
   private static final int LOG_BYTES = 4096;
 
   private final int id;
-  private final Map<String, Integer> places = new HashMap<>();
+  private final Map<String, Integer> locations = new HashMap<>();
 
   /**
-   * Compiles and links.
+   * Compiles and links the program.
    *
-   * @throws IllegalStateException with the driver's words where it refuses
+   * @throws IllegalStateException with the driver's message if it refuses
    */
   GlProgram(GL3 gl, String vertexSource, String fragmentSource) {
     id = gl.glCreateProgram();
@@ -30,7 +30,7 @@ final class GlProgram {
     int[] status = new int[1];
     gl.glGetProgramiv(id, GL2ES2.GL_LINK_STATUS, status, 0);
     if (status[0] == GL.GL_FALSE) {
-      throw new IllegalStateException("the driver does not link a shader program");
+      throw new IllegalStateException("the driver cannot link a shader program");
     }
     gl.glDeleteShader(vertex);
     gl.glDeleteShader(fragment);
@@ -52,39 +52,46 @@ final class GlProgram {
     return shader;
   }
 
+  /** Makes this the current program. */
   void use(GL3 gl) {
     gl.glUseProgram(id);
   }
 
-  private int place(GL3 gl, String name) {
-    return places.computeIfAbsent(name, key -> gl.glGetUniformLocation(id, key));
+  private int location(GL3 gl, String name) {
+    return locations.computeIfAbsent(name, key -> gl.glGetUniformLocation(id, key));
   }
 
+  /** Sets a matrix uniform. */
   void set(GL3 gl, String name, Matrix4 matrix) {
-    gl.glUniformMatrix4fv(place(gl, name), 1, false, matrix.toFloats(), 0);
+    gl.glUniformMatrix4fv(location(gl, name), 1, false, matrix.toFloats(), 0);
   }
 
+  /** Sets an integer uniform. */
   void set(GL3 gl, String name, int value) {
-    gl.glUniform1i(place(gl, name), value);
+    gl.glUniform1i(location(gl, name), value);
   }
 
+  /** Sets a scalar uniform. */
   void set(GL3 gl, String name, double value) {
-    gl.glUniform1f(place(gl, name), (float) value);
+    gl.glUniform1f(location(gl, name), (float) value);
   }
 
+  /** Sets a two-component uniform. */
   void set(GL3 gl, String name, double x, double y) {
-    gl.glUniform2f(place(gl, name), (float) x, (float) y);
+    gl.glUniform2f(location(gl, name), (float) x, (float) y);
   }
 
+  /** Sets a three-component uniform. */
   void set(GL3 gl, String name, double x, double y, double z) {
-    gl.glUniform3f(place(gl, name), (float) x, (float) y, (float) z);
+    gl.glUniform3f(location(gl, name), (float) x, (float) y, (float) z);
   }
 
-  /** Sets a colour: 0xRRGGBB as the shader's red, green and blue, 0 to 1. */
+  /** Sets a colour uniform from 0xRRGGBB, as red, green and blue from 0 to 1. */
   void setRgb(GL3 gl, String name, int rgb) {
     set(gl, name, ((rgb >> 16) & 255) / 255.0, ((rgb >> 8) & 255) / 255.0, (rgb & 255) / 255.0);
   }
 
+  /** Releases the program. */
   void dispose(GL3 gl) {
     gl.glDeleteProgram(id);
   }

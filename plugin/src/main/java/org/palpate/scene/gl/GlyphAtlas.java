@@ -12,7 +12,7 @@ import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.nio.ByteBuffer;
 
-/** The letters of one size in one texture. */
+/** The glyphs of one text size in one texture. */
 final class GlyphAtlas {
   private static final String EXTRA = "°·×µ–—±→←↑↓≥≤";
   private static final int FIRST = 32;
@@ -27,7 +27,7 @@ final class GlyphAtlas {
   private final int width;
   private final int height;
 
-  /** Draws the letters of a size in pixels. */
+  /** Draws the glyphs of a size in pixels. */
   GlyphAtlas(GL3 gl, int sizePixels) {
     Font font = new Font(Font.SANS_SERIF, Font.PLAIN, sizePixels);
     BufferedImage probe = new BufferedImage(1, 1, BufferedImage.TYPE_BYTE_GRAY);
@@ -96,19 +96,27 @@ final class GlyphAtlas {
         bytes);
   }
 
+  /** Returns the texture. */
   int texture() {
     return texture[0];
   }
 
+  /** Returns the height of a line, pixels. */
   int lineHeight() {
     return cellHeight;
   }
 
+  /** Returns the width of a text, pixels. */
   int width(String text) {
     return text.chars().map(c -> advance[index((char) c)]).sum();
   }
 
-  /** Adds a line to a batch; x and y are its upper left corner, pixels from the upper left. */
+  /**
+   * Adds a line of text to a batch.
+   *
+   * @param x left edge, pixels from the left
+   * @param y upper edge, pixels from the top
+   */
   void add(OverlayBatch batch, String text, double x, double y) {
     double at = x;
     for (int i = 0; i < text.length(); i++) {
@@ -128,6 +136,7 @@ final class GlyphAtlas {
     }
   }
 
+  /** Releases the texture. */
   void dispose(GL3 gl) {
     gl.glDeleteTextures(1, texture, 0);
   }

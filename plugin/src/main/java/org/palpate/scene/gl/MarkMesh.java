@@ -6,9 +6,9 @@ import java.util.Arrays;
 import java.util.List;
 import org.palpate.geometry.Vec3;
 
-/** Triangles of balls, tubes and cones, made anew for each picture. Scene frame, mm. */
+/** Triangles of balls, tubes and cones, rebuilt for each picture. Scene frame, mm. */
 final class MarkMesh {
-  private static final int FLOATS_A_VERTEX = 10;
+  private static final int FLOATS_PER_VERTEX = 10;
 
   private static final int AROUND = 14;
   private static final int BALL_RINGS = 10;
@@ -21,20 +21,24 @@ final class MarkMesh {
   private float blue;
   private float alpha;
 
+  /** Removes all triangles. */
   void clear() {
     used = 0;
   }
 
+  /** Returns the number of vertices. */
   int vertexCount() {
-    return used / FLOATS_A_VERTEX;
+    return used / FLOATS_PER_VERTEX;
   }
 
+  /** Returns the vertices: position, normal and colour. */
   FloatBuffer buffer() {
     FloatBuffer buffer = Buffers.newDirectFloatBuffer(used);
     buffer.put(floats, 0, used);
     return buffer.flip();
   }
 
+  /** Sets the colour of the following shapes, 0xRRGGBB, and their opacity. */
   MarkMesh colour(int rgb, double opacity) {
     red = ((rgb >> 16) & 255) / 255f;
     green = ((rgb >> 8) & 255) / 255f;
@@ -43,6 +47,7 @@ final class MarkMesh {
     return this;
   }
 
+  /** Adds a ball. */
   void ball(Vec3 middle, double radius) {
     for (int ring = 0; ring < BALL_RINGS; ring++) {
       for (int i = 0; i < BALL_AROUND; i++) {
@@ -51,7 +56,7 @@ final class MarkMesh {
         Vec3 c = onBall(ring + 1, i + 1);
         Vec3 d = onBall(ring, i + 1);
         for (Vec3 n : new Vec3[] {a, b, c, a, c, d}) {
-          vertex(along(middle, n, radius), n);
+          vertex(offset(middle, n, radius), n);
         }
       }
     }
@@ -64,26 +69,26 @@ final class MarkMesh {
         Math.sin(polar) * Math.cos(turn), Math.sin(polar) * Math.sin(turn), Math.cos(polar));
   }
 
-  /** A round bar; with two radii a cone. */
-  void bar(Vec3 from, Vec3 to, double fromRadius, double toRadius) {
+  /** Adds a round bar, or a cone if the radii differ. */
+  private void bar(Vec3 from, Vec3 to, double fromRadius, double toRadius) {
     Vec3 axis = to.sub(from, new Vec3());
     double length = axis.length();
     if (!(length > 0)) {
       return;
     }
     axis.mul(1 / length, axis);
-    Vec3 u = across(axis);
+    Vec3 u = perpendicularTo(axis);
     Vec3 v = cross(axis, u);
     double lean = (fromRadius - toRadius) / length;
     for (int i = 0; i < AROUND; i++) {
-      Vec3 side = around(u, v, i);
-      Vec3 next = around(u, v, i + 1);
-      Vec3 n = along(side, axis, lean);
-      Vec3 m = along(next, axis, lean);
-      Vec3 a = along(from, side, fromRadius);
-      Vec3 b = along(from, next, fromRadius);
-      Vec3 c = along(to, next, toRadius);
-      Vec3 d = along(to, side, toRadius);
+      Vec3 side = onCircle(u, v, i);
+      Vec3 next = onCircle(u, v, i + 1);
+      Vec3 n = offset(side, axis, lean);
+      Vec3 m = offset(next, axis, lean);
+      Vec3 a = offset(from, side, fromRadius);
+      Vec3 b = offset(from, next, fromRadius);
+      Vec3 c = offset(to, next, toRadius);
+      Vec3 d = offset(to, side, toRadius);
       vertex(a, n);
       vertex(b, m);
       vertex(c, m);
@@ -96,36 +101,36 @@ final class MarkMesh {
     }
   }
 
-  /** A tube through points, bar by bar. */
+  /** Adds a tube through points. */
   void tube(List<Vec3> points, double radius) {
     for (int i = 0; i + 1 < points.size(); i++) {
       bar(points.get(i), points.get(i + 1), radius, radius);
     }
   }
 
-  /** A spring with a number of turns. */
+  /** Adds a spring with a number of turns. */
   void spring(Vec3 from, Vec3 to, int turns, double coilRadius, double wireRadius) {
     Vec3 axis = to.sub(from, new Vec3());
     double length = axis.length();
     if (!(length > 0)) {
       return;
     }
-    Vec3 u = across(axis.mul(1 / length, axis));
+    Vec3 u = perpendicularTo(axis.mul(1 / length, axis));
     Vec3 v = cross(axis, u);
     int steps = 12 * turns;
     Vec3 last = from;
     for (int i = 1; i <= steps; i++) {
-      double share = (double) i / steps;
-      double swell = Math.min(1, 6 * Math.min(share, 1 - share)) * coilRadius;
-      double angle = 2 * Math.PI * turns * share;
-      Vec3 at = along(from, axis, share * length);
-      at = along(along(at, u, swell * Math.cos(angle)), v, swell * Math.sin(angle));
+      double fraction = (double) i / steps;
+      double swell = Math.min(1, 6 * Math.min(fraction, 1 - fraction)) * coilRadius;
+      double angle = 2 * Math.PI * turns * fraction;
+      Vec3 at = offset(from, axis, fraction * length);
+      at = offset(offset(at, u, swell * Math.cos(angle)), v, swell * Math.sin(angle));
       bar(last, at, wireRadius, wireRadius);
       last = at;
     }
   }
 
-  /** An arrow whose head takes at most half of it. */
+  /** Adds an arrow. Its head takes at most half of its length. */
   void arrow(Vec3 from, Vec3 to, double radius) {
     Vec3 axis = to.sub(from, new Vec3());
     double length = axis.length();
@@ -133,17 +138,17 @@ final class MarkMesh {
       return;
     }
     double head = Math.min(length / 2, 6 * radius);
-    Vec3 neck = along(from, axis, (length - head) / length);
+    Vec3 neck = offset(from, axis, (length - head) / length);
     bar(from, neck, radius, radius);
     bar(neck, to, 2.6 * radius, 0);
   }
 
-  private static Vec3 around(Vec3 u, Vec3 v, int i) {
+  private static Vec3 onCircle(Vec3 u, Vec3 v, int i) {
     double angle = 2 * Math.PI * i / AROUND;
-    return along(u.mul(Math.cos(angle), new Vec3()), v, Math.sin(angle));
+    return offset(u.mul(Math.cos(angle), new Vec3()), v, Math.sin(angle));
   }
 
-  private static Vec3 across(Vec3 axis) {
+  private static Vec3 perpendicularTo(Vec3 axis) {
     Vec3 helper = Math.abs(axis.x) < 0.7 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0);
     Vec3 u = cross(axis, helper);
     return u.mul(1 / u.length(), u);
@@ -157,7 +162,7 @@ final class MarkMesh {
     return axis.mul(-1, new Vec3());
   }
 
-  private static Vec3 along(Vec3 from, Vec3 direction, double distance) {
+  private static Vec3 offset(Vec3 from, Vec3 direction, double distance) {
     return new Vec3(
         from.x + direction.x * distance,
         from.y + direction.y * distance,
@@ -165,7 +170,7 @@ final class MarkMesh {
   }
 
   private void vertex(Vec3 at, Vec3 normal) {
-    if (used + FLOATS_A_VERTEX > floats.length) {
+    if (used + FLOATS_PER_VERTEX > floats.length) {
       floats = Arrays.copyOf(floats, 2 * floats.length);
     }
     floats[used++] = (float) at.x;

@@ -7,7 +7,7 @@ import org.palpate.scene.Palette;
 import org.palpate.scene.SceneState;
 import org.palpate.scene.TouchMarks;
 
-/** The device, the interaction point, the spring between them, the force and the trail. */
+/** Draws the device, the interaction point, the spring between them, the force and the trail. */
 final class MarkPainter {
   /** Radius of the interaction point's ball over the camera's distance. */
   private static final double POINT_SIZE = 0.0055;
@@ -15,9 +15,9 @@ final class MarkPainter {
   /** Length of the arrow of one newton over the camera's distance. */
   private static final double ARROW_SIZE = 0.035;
 
-  private static final double LONGEST_ARROW = 0.2;
+  private static final double MAX_ARROW_SIZE = 0.2;
 
-  /** How much of a mark shows through what hides it. */
+  /** Opacity of a mark behind a surface. */
   private static final double HIDDEN_OPACITY = 0.42;
 
   private final MarkProgram program;
@@ -25,14 +25,18 @@ final class MarkPainter {
   /** The device and the spring. */
   private final MarkMesh device = new MarkMesh();
 
-  /** The interaction point, its trail and the force: on the surface, so never behind it. */
+  /**
+   * The interaction point, its trail and the force. They lie on the surface, so it never hides
+   * them.
+   */
   private final MarkMesh point = new MarkMesh();
 
+  /** Compiles the program. */
   MarkPainter(GL3 gl) {
     program = new MarkProgram(gl);
   }
 
-  /** Draws the marks over a picture whose depth is there; what is hidden shows faintly. */
+  /** Draws the marks over a picture with its depth; hidden parts are faint. */
   void draw(GL3 gl, SceneState state, TouchMarks shown, Matrix4 toEye, Matrix4 projection) {
     double size = POINT_SIZE * state.camera().distanceMm();
     buildDevice(shown, size);
@@ -60,13 +64,14 @@ final class MarkPainter {
     point.colour(Palette.POINT, 1).ball(shown.point(), size);
     double newton = shown.forceNewton().length();
     if (newton > 0) {
-      double length = Math.min(ARROW_SIZE * newton, LONGEST_ARROW) * distance;
+      double length = Math.min(ARROW_SIZE * newton, MAX_ARROW_SIZE) * distance;
       Vec3 along = shown.forceNewton().mul(length / newton, new Vec3());
       Vec3 tip = along.add(shown.point(), along);
       point.colour(Palette.FORCE, 1).arrow(shown.point(), tip, 0.4 * size);
     }
   }
 
+  /** Releases the program. */
   void dispose(GL3 gl) {
     program.dispose(gl);
   }

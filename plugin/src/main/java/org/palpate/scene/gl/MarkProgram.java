@@ -5,17 +5,18 @@ import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
 import org.palpate.scene.Matrix4;
 
-/** Draws marks over a picture whose depth is there; what is hidden shows faintly. */
+/** Draws marks over a picture with its depth; hidden parts are faint. */
 final class MarkProgram {
   private final GlProgram program;
   private final StreamBuffer buffer;
 
+  /** Compiles the program. */
   MarkProgram(GL3 gl) {
     program = new GlProgram(gl, Shaders.MARK_VERTEX, Shaders.MARK_FRAGMENT);
     buffer = new StreamBuffer(gl, 3, 3, 4);
   }
 
-  /** Says from where the next marks are seen. */
+  /** Sets the camera of the following marks. */
   void use(GL3 gl, Matrix4 toEye, Matrix4 projection) {
     program.use(gl);
     program.set(gl, "toEye", toEye);
@@ -25,10 +26,10 @@ final class MarkProgram {
   }
 
   /**
-   * Draws some marks.
+   * Draws marks.
    *
-   * @param nearerMm how much nearer to the eye they count as
-   * @param hiddenOpacity how much of them shows through what hides them
+   * @param nearerMm distance by which they move towards the eye in the depth test
+   * @param hiddenOpacity opacity of their hidden parts
    */
   void draw(GL3 gl, MarkMesh marks, double nearerMm, double hiddenOpacity) {
     FloatBuffer vertices = marks.buffer();
@@ -46,6 +47,7 @@ final class MarkProgram {
     buffer.draw(gl, vertices, marks.vertexCount());
   }
 
+  /** Releases the program. */
   void dispose(GL3 gl) {
     program.dispose(gl);
     buffer.dispose(gl);

@@ -16,46 +16,53 @@ import org.palpate.scene.SceneState.DrawnObject;
 import org.palpate.scene.surface.SurfaceBrick;
 import org.palpate.scene.surface.SurfaceFile;
 
-/** Surfaces: uploads bricks that came or changed, draws those that are seen. */
+/** Draws surfaces: uploads new and changed bricks, and draws those in view. */
 final class ObjectPainter {
-  /** More triangles than this are drawn coarser while the camera moves. */
-  private static final long TRIANGLES_WHILE_MOVING = 400_000;
+  /** The most triangles that are drawn at full resolution while the camera moves. */
+  private static final long MAX_MOVING_TRIANGLES = 400_000;
 
   private final GlProgram program;
+  private final boolean cullsOutsideView;
   private final Map<SceneObject, List<Map<Integer, GlMesh>>> meshes = new HashMap<>();
   private long drawnTriangles;
   private long allTriangles;
   private long culledMeshes;
-  private boolean skipsUnseen = true;
 
-  ObjectPainter(GL3 gl) {
+  /**
+   * Compiles the program.
+   *
+   * @param cullsOutsideView whether bricks outside the view are not drawn
+   */
+  ObjectPainter(GL3 gl, boolean cullsOutsideView) {
+    this.cullsOutsideView = cullsOutsideView;
     program = new GlProgram(gl, Shaders.MESH_VERTEX, Shaders.MESH_FRAGMENT);
   }
 
-  /** Triangles of the last picture that were sent to be drawn; those of glass are sent twice. */
+  /**
+   * Returns the number of triangles drawn in the last picture. Transparent ones count once,
+   * although they are sent twice.
+   */
   long drawnTriangles() {
     return drawnTriangles;
   }
 
-  /** Whether bricks outside the view are left out; they are at first. */
-  void skipUnseen(boolean skips) {
-    skipsUnseen = skips;
-  }
-
-  /** How many bricks were left out so far, since they were outside the view. */
+  /** Returns how many bricks were not drawn so far because they were outside the view. */
   long culledMeshes() {
     return culledMeshes;
   }
 
-  /** Triangles of the visible segments at the finest level of each that is whole. */
+  /** Returns the number of triangles of the visible segments, each at its finest complete level. */
   long allTriangles() {
     return allTriangles;
   }
 
-  /** Draws the opaque segments, then the transparent ones, the nearest surface of each. */
+  /**
+   * Draws the opaque segments, then the transparent ones from back to front, of each its nearest
+   * surface.
+   */
   void draw(GL3 gl, SceneState state, Matrix4 toEye, Matrix4 projection) {
     drawnTriangles = 0;
-    allTriangles = state.objects().stream().mapToLong(o -> wholeTriangles(o.object())).sum();
+    allTriangles = state.objects().stream().mapToLong(o -> finestTriangles(o.object())).sum();
     program.use(gl);
     program.set(gl, "projection", projection);
     gl.glEnable(GL.GL_DEPTH_TEST);
@@ -73,7 +80,7 @@ final class ObjectPainter {
     transparent.forEach(object -> drawTransparent(gl, state, object, toEye, projection));
   }
 
-  private static long wholeTriangles(SceneObject object) {
+  private static long finestTriangles(SceneObject object) {
     int finest = object.finestComplete();
     return finest < 0 ? 0 : object.triangleCount(finest);
   }
@@ -89,13 +96,13 @@ final class ObjectPainter {
   private void drawTransparent(
       GL3 gl, SceneState state, DrawnObject object, Matrix4 toEye, Matrix4 projection) {
     long drawnBefore = drawnTriangles;
-    long skippedBefore = culledMeshes;
+    long culledBefore = culledMeshes;
     gl.glColorMask(false, false, false, false);
     drawObject(gl, state, object, toEye, projection);
     gl.glColorMask(true, true, true, true);
-    // The same once more, in colour: counted once.
+    // The second pass draws the same in colour, so the first is not counted.
     drawnTriangles = drawnBefore;
-    culledMeshes = skippedBefore;
+    culledMeshes = culledBefore;
     gl.glEnable(GL.GL_BLEND);
     gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
     gl.glDepthFunc(GL.GL_EQUAL);
@@ -118,7 +125,7 @@ final class ObjectPainter {
     program.set(gl, "opacity", object.opacity());
     gl.glFrontFace(SurfaceFile.isMirrored(object.pose()) ? GL.GL_CW : GL.GL_CCW);
     for (GlMesh mesh : uploaded.values()) {
-      if (skipsUnseen && mesh.isOutside(toClip)) {
+      if (cullsOutsideView && mesh.isOutside(toClip)) {
         culledMeshes++;
       } else {
         mesh.draw(gl);
@@ -135,7 +142,7 @@ final class ObjectPainter {
       return finest;
     }
     int level = finest;
-    while (allTriangles >> (2 * level) > TRIANGLES_WHILE_MOVING
+    while (allTriangles >> (2 * level) > MAX_MOVING_TRIANGLES
         && level + 1 < SceneObject.LEVELS
         && object.isComplete(level + 1)) {
       level++;
@@ -149,25 +156,26 @@ final class ObjectPainter {
             .computeIfAbsent(
                 object, key -> List.of(new HashMap<>(), new HashMap<>(), new HashMap<>()))
             .get(level);
-    Map<Integer, SurfaceBrick> wanted = object.bricks(level);
-    dropStale(gl, uploaded, wanted);
-    wanted.forEach(
+    Map<Integer, SurfaceBrick> current = object.bricks(level);
+    dropStale(gl, uploaded, current);
+    current.forEach(
         (number, brick) -> uploaded.computeIfAbsent(number, key -> new GlMesh(gl, brick)));
     return uploaded;
   }
 
   private static void dropStale(
-      GL3 gl, Map<Integer, GlMesh> uploaded, Map<Integer, SurfaceBrick> wanted) {
+      GL3 gl, Map<Integer, GlMesh> uploaded, Map<Integer, SurfaceBrick> current) {
     for (Iterator<Map.Entry<Integer, GlMesh>> all = uploaded.entrySet().iterator();
         all.hasNext(); ) {
       Map.Entry<Integer, GlMesh> entry = all.next();
-      if (!entry.getValue().shows(wanted.get(entry.getKey()))) {
+      if (!entry.getValue().shows(current.get(entry.getKey()))) {
         entry.getValue().dispose(gl);
         all.remove();
       }
     }
   }
 
+  /** Releases all meshes and the program. */
   void dispose(GL3 gl) {
     for (List<Map<Integer, GlMesh>> levels : meshes.values()) {
       levels.forEach(level -> level.values().forEach(mesh -> mesh.dispose(gl)));

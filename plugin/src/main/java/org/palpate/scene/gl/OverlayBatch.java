@@ -4,11 +4,11 @@ import com.jogamp.common.nio.Buffers;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
 
-/** Rectangles and lines in pixels from the upper left corner, drawn at once. */
+/** Collects rectangles and lines that are drawn together. Pixels from the upper left corner. */
 final class OverlayBatch {
-  private static final int FLOATS_A_VERTEX = 8;
+  private static final int FLOATS_PER_VERTEX = 8;
 
-  /** The place in the texture that means a plain area. */
+  /** Texture coordinate that stands for a plain area. */
   private static final float PLAIN = -1;
 
   private float[] floats = new float[1 << 13];
@@ -18,10 +18,12 @@ final class OverlayBatch {
   private float blue;
   private float alpha;
 
+  /** Removes all shapes. */
   void clear() {
     used = 0;
   }
 
+  /** Sets the colour of the following shapes, 0xRRGGBB, and their opacity. */
   OverlayBatch colour(int rgb, double opacity) {
     red = ((rgb >> 16) & 255) / 255f;
     green = ((rgb >> 8) & 255) / 255f;
@@ -30,7 +32,7 @@ final class OverlayBatch {
     return this;
   }
 
-  /** A rectangle with a part of the texture. */
+  /** Adds a rectangle with a part of the texture. */
   void rectangle(
       double left,
       double top,
@@ -48,12 +50,12 @@ final class OverlayBatch {
     vertex(right, top, textureRight, textureTop);
   }
 
-  /** A plain rectangle. */
+  /** Adds a plain rectangle. */
   void panel(double left, double top, double right, double bottom) {
     rectangle(left, top, right, bottom, PLAIN, PLAIN, PLAIN, PLAIN);
   }
 
-  /** A line of a width. */
+  /** Adds a line with a width. */
   void line(double x, double y, double toX, double toY, double width) {
     double dx = toX - x;
     double dy = toY - y;
@@ -70,10 +72,12 @@ final class OverlayBatch {
     }
   }
 
+  /** Returns the number of vertices. */
   int vertexCount() {
-    return used / FLOATS_A_VERTEX;
+    return used / FLOATS_PER_VERTEX;
   }
 
+  /** Returns the vertices: position, texture coordinates and colour. */
   FloatBuffer buffer() {
     FloatBuffer buffer = Buffers.newDirectFloatBuffer(used);
     buffer.put(floats, 0, used);
@@ -81,7 +85,7 @@ final class OverlayBatch {
   }
 
   private void vertex(double x, double y, double textureX, double textureY) {
-    if (used + FLOATS_A_VERTEX > floats.length) {
+    if (used + FLOATS_PER_VERTEX > floats.length) {
       floats = Arrays.copyOf(floats, 2 * floats.length);
     }
     floats[used++] = (float) x;

@@ -11,13 +11,16 @@ import org.palpate.scene.SceneState;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
 
-/** Text in the corner, help in the middle, the letters of the patient's directions. */
+/**
+ * Draws the text in the corner, the help in the middle, the names of landmarks and the letters of
+ * the patient's directions.
+ */
 final class OverlayPainter {
   private static final int TEXT_PIXELS = 14;
-  private static final int HALF_PIXELS_OF_TRIAD = 34;
+  private static final int TRIAD_HALF_PIXELS = 34;
 
-  /** A letter this close to the line of sight would lie on the others. */
-  private static final double TOO_STEEP = 0.28;
+  /** Least length of a projected axis; a letter on a shorter one would cover the others. */
+  private static final double MIN_AXIS_LENGTH = 0.28;
 
   private final GlProgram program;
   private final StreamBuffer buffer;
@@ -25,6 +28,7 @@ final class OverlayPainter {
   private GlyphAtlas atlas;
   private int atlasPixels;
 
+  /** Compiles the program. */
   OverlayPainter(GL3 gl) {
     program = new GlProgram(gl, Shaders.FLAT_VERTEX, Shaders.FLAT_FRAGMENT);
     buffer = new StreamBuffer(gl, 2, 2, 4);
@@ -33,8 +37,8 @@ final class OverlayPainter {
   /**
    * Draws all text.
    *
-   * @param toPicture from the scene to the picture, -1 to 1 each way
-   * @param scale pixels of the picture for one of the text
+   * @param toPicture transform from the scene to the picture, -1 to 1 in both directions
+   * @param scale pixels of the picture for one pixel of the text
    */
   void draw(GL3 gl, SceneState state, Matrix4 toPicture, int width, int height, double scale) {
     prepareAtlas(gl, (int) Math.round(TEXT_PIXELS * scale));
@@ -67,11 +71,11 @@ final class OverlayPainter {
     }
   }
 
-  /** The name of each landmark beside it. */
+  /** Adds the name of each landmark beside it. */
   private void names(SceneState state, Matrix4 toPicture, int width, int height, double scale) {
     Vec3 at = new Vec3();
     for (NamedPoint mark : state.landmarks()) {
-      if (toPicture.project(mark.place(), at) > 0) {
+      if (toPicture.project(mark.position(), at) > 0) {
         double x = (1 + at.x) / 2 * width + 10 * scale;
         double y = (1 - at.y) / 2 * height - atlas.lineHeight() / 2.0;
         batch.colour(state.look().theme().below(), 0.7);
@@ -102,9 +106,12 @@ final class OverlayPainter {
     }
   }
 
-  /** Both ends of each axis as seen by the camera, with their letters, the nearer ends bright. */
+  /**
+   * Adds both ends of each axis as the camera sees them, with their letters. Nearer ends are
+   * brighter.
+   */
   private void triad(Camera camera, Theme theme, double x, double y, double scale) {
-    double half = HALF_PIXELS_OF_TRIAD * scale;
+    double half = TRIAD_HALF_PIXELS * scale;
     for (int i = 0; i < 6; i++) {
       int axis = i >> 1;
       boolean positive = (i & 1) == 0;
@@ -114,7 +121,7 @@ final class OverlayPainter {
       double up = direction.dot(camera.up());
       double near = direction.dot(camera.back());
       double length = Math.hypot(right, up);
-      if (length > TOO_STEEP) {
+      if (length > MIN_AXIS_LENGTH) {
         double strength = 0.75 + 0.25 * near;
         batch.colour(theme.quiet(), 0.8 * strength);
         batch.line(x, y, x + half * right, y - half * up, 1.6 * scale);
@@ -142,6 +149,7 @@ final class OverlayPainter {
     gl.glEnable(GL.GL_DEPTH_TEST);
   }
 
+  /** Releases the program and the glyphs. */
   void dispose(GL3 gl) {
     if (atlas != null) {
       atlas.dispose(gl);

@@ -13,14 +13,18 @@ import org.palpate.scene.SceneState;
 import org.palpate.scene.Stereo;
 
 /**
- * Draws a scene's state. What stands still (surfaces, slices, background) is drawn into a picture
- * of its own and kept, with its depth, until it changes; a frame in which only the hand moved
- * copies it and draws a few hundred triangles. One thread, with the context current.
+ * Draws a scene state. One thread, with the context current.
+ *
+ * <p>The static parts (surfaces, slices, background) are drawn into a picture of their own. It is
+ * reused with its depth until they change. If only the device moved, a frame copies that picture
+ * and draws a few hundred triangles.
  */
 public final class SceneRenderer {
   private static final int EYES = 2;
 
-  private final GlFramebuffer[] still = new GlFramebuffer[EYES];
+  private final boolean cullsOutsideView;
+  private final boolean reusesStatic;
+  private final GlFramebuffer[] staticPictures = new GlFramebuffer[EYES];
   private final long[] staticRevision = {-1, -1};
   private GlFramebuffer composed;
   private GlProgram background;
@@ -31,17 +35,32 @@ public final class SceneRenderer {
   private OverlayPainter overlay;
   private SlicePainter slices;
   private int[] emptyArray;
-  private long stillDrawn;
-  private long stillKept;
-  private boolean skipsUnseen = true;
-  private boolean skipsUnchanged = true;
+  private long staticReused;
 
-  /** Makes what a context needs; again for a new context after {@link #dispose} or its loss. */
+  /** Creates a renderer; {@link #init} prepares its context. */
+  public SceneRenderer() {
+    this(true, true);
+  }
+
+  /**
+   * Creates a renderer without some of its skips, to measure them.
+   *
+   * @param cullsOutsideView whether bricks outside the view are not drawn
+   * @param reusesStatic whether the picture of the static parts is reused
+   */
+  SceneRenderer(boolean cullsOutsideView, boolean reusesStatic) {
+    this.cullsOutsideView = cullsOutsideView;
+    this.reusesStatic = reusesStatic;
+  }
+
+  /**
+   * Creates the resources of a context. Called again for a new context, after {@link #dispose} or
+   * the loss of the old one.
+   */
   public void init(GL3 gl) {
     background = new GlProgram(gl, Shaders.SCREEN_VERTEX, Shaders.BACKGROUND_FRAGMENT);
     present = new GlProgram(gl, Shaders.SCREEN_VERTEX, Shaders.PRESENT_FRAGMENT);
-    objects = new ObjectPainter(gl);
-    objects.skipUnseen(skipsUnseen);
+    objects = new ObjectPainter(gl, cullsOutsideView);
     marks = new MarkPainter(gl);
     landmarks = new LandmarkPainter(gl);
     overlay = new OverlayPainter(gl);
@@ -50,76 +69,58 @@ public final class SceneRenderer {
     emptyArray = new int[1];
     gl.glGenVertexArrays(1, emptyArray, 0);
     for (int eye = 0; eye < EYES; eye++) {
-      still[eye] = new GlFramebuffer();
+      staticPictures[eye] = new GlFramebuffer();
       staticRevision[eye] = -1;
     }
   }
 
-  /**
-   * What is left out, all of it at first; pictures are the same. With the context's thread.
-   *
-   * @param unseen whether bricks of surfaces outside the view are not sent to be drawn
-   * @param unchanged whether what stands still is kept from the last picture
-   */
-  public void skip(boolean unseen, boolean unchanged) {
-    skipsUnseen = unseen;
-    skipsUnchanged = unchanged;
-    if (objects != null) {
-      objects.skipUnseen(unseen);
-    }
-  }
-
-  /** Bricks that were left out so far, since they were outside the view. */
-  public long skippedBricks() {
+  /** Returns how many surface bricks were not drawn so far because they were outside the view. */
+  public long culledBricks() {
     return objects == null ? 0 : objects.culledMeshes();
   }
 
-  /** How often what stands still was kept. */
-  public long stillKept() {
-    return stillKept;
+  /** Returns how often the picture of the static parts was reused. */
+  public long staticReused() {
+    return staticReused;
   }
 
-  /** How often what stands still was drawn anew. */
-  public long stillDrawn() {
-    return stillDrawn;
-  }
-
-  /** Triangles in the last picture of what stands still. */
+  /** Returns the number of triangles in the last picture of the static parts. */
   public long drawnTriangles() {
     return objects.drawnTriangles();
   }
 
-  /** Triangles of the visible segments at the finest level of each that is whole. */
+  /** Returns the number of triangles of the visible segments, each at its finest complete level. */
   public long allTriangles() {
     return objects.allTriangles();
   }
 
   /**
-   * Draws a picture into the framebuffer that is bound.
+   * Draws a picture.
    *
-   * @param framebuffer where to, 0 for a window
-   * @param width of it, pixels
-   * @param scale each pixel is the mean of this many squared
-   * @throws IllegalStateException where the driver has no memory for it
+   * @param framebuffer the target, 0 for a window
+   * @param width its width, pixels
+   * @param height its height, pixels
+   * @param scale edge of the square of samples that each pixel averages
+   * @throws IllegalStateException if the graphics card has no memory left
    */
   public void draw(GL3 gl, SceneState state, int framebuffer, int width, int height, int scale) {
     Stereo stereo = state.look().stereo();
     int[] eyes = stereo == Stereo.OFF ? new int[] {0} : new int[] {-1, 1};
     for (int eye : eyes) {
-      int wide = stereo == Stereo.SIDE_BY_SIDE ? width / 2 : width;
-      if (wide > 0 && height > 0) {
-        compose(gl, state, eye, wide * scale, height * scale, scale);
+      int eyeWidth = stereo == Stereo.SIDE_BY_SIDE ? width / 2 : width;
+      if (eyeWidth > 0 && height > 0) {
+        compose(gl, state, eye, eyeWidth * scale, height * scale, scale);
         gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, framebuffer);
-        show(gl, stereo, eye, wide, height, scale);
+        show(gl, stereo, eye, eyeWidth, height, scale);
       }
     }
     gl.glBindVertexArray(0);
     gl.glUseProgram(0);
-    refuse(gl.glGetError());
+    checkMemory(gl.glGetError());
   }
 
-  /** Ends drawing where an error says that what is seen is not all of it. */
-  static void refuse(int error) {
+  /** Ends drawing if an error means that the picture is incomplete. */
+  static void checkMemory(int error) {
     if (error == GL.GL_OUT_OF_MEMORY) {
       throw new IllegalStateException("the graphics card has no memory left");
     }
@@ -130,13 +131,13 @@ public final class SceneRenderer {
     Matrix4 toEye = camera.view(eye);
     double aspect = (double) width / height;
     Matrix4 projection = camera.perspective(eye, aspect, state.middle(), state.radiusMm());
-    GlFramebuffer target = still[Math.max(0, eye)];
+    GlFramebuffer target = staticPictures[Math.max(0, eye)];
     boolean resized = target.resize(gl, width, height);
     boolean changed = resized || staticRevision[Math.max(0, eye)] != state.staticRevision();
-    if (!changed && skipsUnchanged) {
-      stillKept++;
+    if (!changed && reusesStatic) {
+      staticReused++;
     } else {
-      drawStill(gl, state, target, toEye, projection);
+      drawStatic(gl, state, target, toEye, projection);
       staticRevision[Math.max(0, eye)] = state.staticRevision();
     }
     composed.resize(gl, width, height);
@@ -147,7 +148,7 @@ public final class SceneRenderer {
     overlay.draw(gl, state, projection.times(toEye), width, height, scale);
   }
 
-  private void drawStill(
+  private void drawStatic(
       GL3 gl, SceneState state, GlFramebuffer target, Matrix4 toEye, Matrix4 projection) {
     target.bind(gl);
     gl.glDepthMask(true);
@@ -160,7 +161,6 @@ public final class SceneRenderer {
     gl.glEnable(GL.GL_DEPTH_TEST);
     state.look().slices().ifPresent(planes -> slices.draw(gl, planes, toEye, projection));
     objects.draw(gl, state, toEye, projection);
-    stillDrawn++;
   }
 
   private void show(GL3 gl, Stereo stereo, int eye, int width, int height, int scale) {
@@ -192,17 +192,17 @@ public final class SceneRenderer {
   }
 
   /**
-   * Reads how deep the still picture is at a pixel, counted from the upper left of the window.
+   * Finds the point that a pixel shows, counted from the upper left of the window.
    *
-   * @param at receives the place in the scene frame
+   * @param dest receives the point in the scene frame
    * @return whether there is a surface
    */
   public boolean pick(
-      GL3 gl, SceneState state, double x, double y, int width, int height, int scale, Vec3 at) {
-    if (still[0].framebuffer() == 0) {
+      GL3 gl, SceneState state, double x, double y, int width, int height, int scale, Vec3 dest) {
+    if (staticPictures[0].framebuffer() == 0) {
       return false;
     }
-    gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, still[0].framebuffer());
+    gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, staticPictures[0].framebuffer());
     FloatBuffer depth = Buffers.newDirectFloatBuffer(1);
     int column = (int) (x * scale);
     int row = (int) ((height - 1 - y) * scale);
@@ -213,11 +213,11 @@ public final class SceneRenderer {
       return false;
     }
     Unprojection.toScene(
-        state, (double) width / height, 2 * x / width - 1, 1 - 2 * y / height, found, at);
+        state, (double) width / height, 2 * x / width - 1, 1 - 2 * y / height, found, dest);
     return true;
   }
 
-  /** Gives everything back. */
+  /** Releases all resources. */
   public void dispose(GL3 gl) {
     background.dispose(gl);
     present.dispose(gl);
@@ -227,7 +227,7 @@ public final class SceneRenderer {
     overlay.dispose(gl);
     slices.dispose(gl);
     composed.dispose(gl);
-    for (GlFramebuffer target : still) {
+    for (GlFramebuffer target : staticPictures) {
       target.dispose(gl);
     }
     gl.glDeleteVertexArrays(1, emptyArray, 0);

@@ -4,7 +4,10 @@ package org.palpate.scene.gl;
 final class Shaders {
   private Shaders() {}
 
-  /** Light in the camera's frame: a key from the upper left, a fill, a rim, the sky above. */
+  /**
+   * Light in the camera's frame: a key light from the upper left, a fill light, a rim and the sky
+   * above.
+   */
   private static final String LIGHT =
       """
       vec3 linear(vec3 c) { return pow(c, vec3(2.2)); }
@@ -30,17 +33,17 @@ final class Shaders {
   static final String MESH_VERTEX =
       """
       layout(location = 0) in vec3 position;
-      layout(location = 1) in vec4 normalAndOpenness;
+      layout(location = 1) in vec4 normalAndVisibility;
       uniform mat4 toEye;
       uniform mat4 projection;
       out vec3 eyePosition;
       out vec3 eyeNormal;
-      out float openness;
+      out float visibility;
       void main() {
         vec4 p = toEye * vec4(position, 1);
         eyePosition = p.xyz;
-        eyeNormal = mat3(toEye) * normalAndOpenness.xyz;
-        openness = normalAndOpenness.w;
+        eyeNormal = mat3(toEye) * normalAndVisibility.xyz;
+        visibility = normalAndVisibility.w;
         gl_Position = projection * p;
       }
       """;
@@ -50,7 +53,7 @@ final class Shaders {
           + """
           in vec3 eyePosition;
           in vec3 eyeNormal;
-          in float openness;
+          in float visibility;
           uniform vec3 colour;
           uniform float opacity;
           out vec4 result;
@@ -59,9 +62,9 @@ final class Shaders {
             vec3 n = normalize(eyeNormal);
             bool inside = !gl_FrontFacing;
             if (inside) n = -n;
-            vec3 c = lit(linear(colour), n, toEye, clamp(openness, 0.0, 1.0), inside ? 0.0 : 0.16);
+            vec3 c = lit(linear(colour), n, toEye, clamp(visibility, 0.0, 1.0), inside ? 0.0 : 0.16);
             if (inside) c *= 0.6;
-            // Glass shows most at its rim; what is opaque stays so.
+            // Transparent surfaces are most visible at their rim.
             float rim = pow(1.0 - max(dot(n, toEye), 0.0), 2.0);
             float cover = opacity < 1.0 ? min(1.0, opacity * mix(0.5, 2.0, rim)) : 1.0;
             result = vec4(shown(c), cover);
@@ -84,7 +87,7 @@ final class Shaders {
         eyePosition = p.xyz;
         eyeNormal = mat3(toEye) * normal;
         tint = colour;
-        // Towards the eye, which stands in the origin: the same place of the picture.
+        // A shift towards the eye, which is the origin, keeps the position in the picture.
         vec3 place = p.xyz * (1.0 - nearer / max(length(p.xyz), 2.0 * nearer + 1e-9));
         gl_Position = projection * vec4(place, 1);
       }
@@ -128,7 +131,7 @@ final class Shaders {
       }
       """;
 
-  /** Shows a drawn picture, each pixel the mean of {@code scale} squared drawn ones. */
+  /** Shows a drawn picture; each pixel is the mean of {@code scale} squared samples. */
   static final String PRESENT_FRAGMENT =
       """
       in vec2 place;
@@ -165,7 +168,7 @@ final class Shaders {
       }
       """;
 
-  /** Letters and panels; a texture place below 0 is a panel. */
+  /** Letters and panels; a negative texture coordinate stands for a panel. */
   static final String FLAT_FRAGMENT =
       """
       in vec2 at;

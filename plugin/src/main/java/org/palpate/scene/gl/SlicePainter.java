@@ -11,7 +11,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.scene.Matrix4;
 import org.palpate.scene.SlicePlanes;
 
-/** Up to three planes of grey values. */
+/** Draws up to three planes of grey values. */
 final class SlicePainter {
   private static final int[][] CORNERS = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
 
@@ -21,12 +21,14 @@ final class SlicePainter {
   private final int[] shown = {-1, -1, -1};
   private SlicePlanes.Grey source;
 
+  /** Compiles the program. */
   SlicePainter(GL3 gl) {
     program = new GlProgram(gl, Shaders.SLICE_VERTEX, Shaders.SLICE_FRAGMENT);
     buffer = new StreamBuffer(gl, 3, 2);
     gl.glGenTextures(3, textures, 0);
   }
 
+  /** Draws the planes. Uploads a plane only if it changed. */
   void draw(GL3 gl, SlicePlanes slices, Matrix4 toEye, Matrix4 projection) {
     if (source != slices.grey()) {
       source = slices.grey();
@@ -103,6 +105,7 @@ final class SlicePainter {
     return floats.flip();
   }
 
+  /** Releases the textures and the program. */
   void dispose(GL3 gl) {
     gl.glDeleteTextures(3, textures, 0);
     program.dispose(gl);

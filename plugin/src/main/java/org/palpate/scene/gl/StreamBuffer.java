@@ -6,14 +6,15 @@ import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
 
-/** Vertices of floats that are sent anew for each picture. */
+/** A vertex buffer whose floats are sent anew for each picture. */
 final class StreamBuffer {
   private final int[] vertexArray = new int[1];
   private final int[] buffer = new int[1];
 
   /**
-   * Makes a buffer whose vertices have attributes of the given numbers of floats, one after the
-   * other.
+   * Creates a buffer.
+   *
+   * @param attributes number of floats of each vertex attribute, in their order
    */
   StreamBuffer(GL3 gl, int... attributes) {
     gl.glGenVertexArrays(1, vertexArray, 0);
@@ -41,6 +42,7 @@ final class StreamBuffer {
     gl.glBindVertexArray(0);
   }
 
+  /** Releases the buffer. */
   void dispose(GL3 gl) {
     gl.glDeleteVertexArrays(1, vertexArray, 0);
     gl.glDeleteBuffers(1, buffer, 0);

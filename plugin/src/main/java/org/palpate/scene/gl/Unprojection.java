@@ -5,18 +5,18 @@ import org.palpate.scene.Camera;
 import org.palpate.scene.Matrix4;
 import org.palpate.scene.SceneState;
 
-/** From a place on the picture and its depth back to the scene. */
-public final class Unprojection {
+/** Converts a position in the picture and its depth to a point of the scene. */
+final class Unprojection {
   private Unprojection() {}
 
   /**
-   * Writes the point that is shown at a place into {@code dest}.
+   * Writes the point that the picture shows at a position into {@code dest}.
    *
-   * @param x -1 at the left edge, 1 at the right
-   * @param y -1 at the lower edge, 1 at the upper
-   * @param depth as the depth buffer has it, 0 to 1
+   * @param x -1 at the left edge, 1 at the right edge
+   * @param y -1 at the lower edge, 1 at the upper edge
+   * @param depth value of the depth buffer, 0 to 1
    */
-  public static Vec3 toScene(
+  static Vec3 toScene(
       SceneState state, double aspect, double x, double y, double depth, Vec3 dest) {
     Camera camera = state.camera();
     Matrix4 p = camera.perspective(0, aspect, state.middle(), state.radiusMm());
@@ -25,8 +25,11 @@ public final class Unprojection {
     return toScene(camera, aspect, x, y, -z, dest);
   }
 
-  /** Writes the point at a place and a distance along the line of sight into {@code dest}. */
-  public static Vec3 toScene(
+  /**
+   * Writes the point at a position of the picture and a distance along the line of sight into
+   * {@code dest}.
+   */
+  static Vec3 toScene(
       Camera camera, double aspect, double x, double y, double distanceMm, Vec3 dest) {
     double half = Camera.HEIGHT_PER_DISTANCE / 2 * distanceMm;
     Vec3 eye = camera.eye();

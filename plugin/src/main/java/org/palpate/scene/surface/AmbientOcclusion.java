@@ -1,16 +1,22 @@
 package org.palpate.scene.surface;
 
-/** How open to light a place of a surface is. Read by several threads at once. */
+/**
+ * Ambient occlusion of a surface: how much of the sky a point sees. Several threads read it at
+ * once.
+ */
 @FunctionalInterface
 public interface AmbientOcclusion {
-  /** Wholly open everywhere: no shading of hollows. */
-  AmbientOcclusion EVERYWHERE = (x, y, z, nx, ny, nz) -> 1;
+  /** No occlusion anywhere: every point has the value 1. */
+  AmbientOcclusion NONE = (x, y, z, nx, ny, nz) -> 1;
 
   /**
-   * 0 for a place in the depth of a hole, 1 for one that sees half the sky.
+   * Returns the ambient light that reaches a point: 1 if nothing occludes it, near 0 deep in a
+   * hole.
    *
-   * @param x grid coordinates of the place
-   * @param nx unit normal there, along the grid's axes
+   * <p>This is the convention of glTF's occlusion texture.
+   *
+   * @param x grid coordinates of the point
+   * @param nx unit normal of the surface there, along the grid's axes
    */
   float at(float x, float y, float z, float nx, float ny, float nz);
 }

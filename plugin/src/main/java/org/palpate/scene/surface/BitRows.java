@@ -3,16 +3,19 @@ package org.palpate.scene.surface;
 import java.util.Arrays;
 import org.palpate.volume.BitCube;
 
-/** A cube of up to 64 voxels an edge cut out of a bit cube, a row along x to a word. Scratch. */
+/**
+ * A cube of up to 64 voxels an edge, cut out of a bit cube; each row along x is one word. Scratch
+ * memory of one thread.
+ */
 final class BitRows {
   static final int MAX_EDGE = Long.SIZE;
 
   private final long[] rows = new long[MAX_EDGE * MAX_EDGE];
   private int edge;
 
-  /** Fills the rows with the voxels from (x,y,z) on; what lies outside the cube is empty. */
-  void load(BitCube bits, int x, int y, int z, int newEdge) {
-    edge = newEdge;
+  /** Fills the rows with the voxels from (x,y,z) on; voxels outside the bit cube are empty. */
+  void load(BitCube bits, int x, int y, int z, int edgeVoxels) {
+    edge = edgeVoxels;
     Arrays.fill(rows, 0, edge * edge, 0);
     for (int bz = z >> 2; bz <= (z + edge - 1) >> 2; bz++) {
       for (int by = y >> 2; by <= (y + edge - 1) >> 2; by++) {
@@ -38,8 +41,8 @@ final class BitRows {
   }
 
   /**
-   * Which cells of a row of cells have both solid and empty corners: bit x for the cell between
-   * voxels x and x+1. Bits from {@code edge - 1} on mean nothing.
+   * Returns the cells of a row that have both solid and empty corners. Bit x is the cell between
+   * voxels x and x+1; bits from {@code edge - 1} on are undefined.
    */
   long mixedCells(int y, int z) {
     long a = row(y, z);
@@ -51,7 +54,7 @@ final class BitRows {
     return (any | (any >>> 1)) & ~(all & (all >>> 1));
   }
 
-  /** The corners of cell (x,y,z), as {@link CellCaseTable} numbers them. */
+  /** Returns the corner bits of cell (x,y,z), as {@link CellCaseTable} numbers them. */
   int corners(int x, int y, int z) {
     return (int)
         (two(x, y, z)

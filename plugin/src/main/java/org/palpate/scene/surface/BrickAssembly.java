@@ -3,7 +3,7 @@ package org.palpate.scene.surface;
 import java.util.Arrays;
 import org.palpate.geometry.Vec3;
 
-/** Turns quads between relaxed vertices into the arrays of a {@link SurfaceBrick}. */
+/** Converts quads between smoothed vertices to the arrays of a {@link SurfaceBrick}. */
 final class BrickAssembly {
   private static final int UNUSED = -1;
 
@@ -12,7 +12,7 @@ final class BrickAssembly {
   private final SheetVertices vertices;
   private final QuadList quads;
   private final float[] edgeMm;
-  private final int[] number;
+  private final int[] numberOfVertex;
   private int used;
 
   BrickAssembly(SurfaceSource source, CellGrid cells, SheetVertices vertices, QuadList quads) {
@@ -22,15 +22,16 @@ final class BrickAssembly {
     this.quads = quads;
     Vec3 spacing = source.spacingMm();
     edgeMm = new float[] {(float) spacing.x, (float) spacing.y, (float) spacing.z};
-    number = new int[vertices.count];
+    numberOfVertex = new int[vertices.count];
   }
 
   /**
-   * The brick.
+   * Returns the brick, or null if it has no triangles.
    *
-   * @param low the padded brick's first cell
+   * @param low first cell of the padded brick
+   * @param occlusion ambient occlusion at each vertex
    */
-  SurfaceBrick assemble(int[] low, AmbientOcclusion openness) {
+  SurfaceBrick assemble(int[] low, AmbientOcclusion occlusion) {
     int[] triangles = triangles();
     if (triangles.length == 0) {
       return null;
@@ -41,15 +42,15 @@ final class BrickAssembly {
     SurfaceBrick brick =
         new SurfaceBrick(new float[3 * used], new short[4 * used], triangles, new long[used]);
     for (int vertex = 0; vertex < vertices.count; vertex++) {
-      if (number[vertex] != UNUSED) {
-        write(vertex, number[vertex], low, smooth, openness, brick);
+      if (numberOfVertex[vertex] != UNUSED) {
+        write(vertex, numberOfVertex[vertex], low, smooth, occlusion, brick);
       }
     }
     return brick;
   }
 
   private int[] triangles() {
-    Arrays.fill(number, UNUSED);
+    Arrays.fill(numberOfVertex, UNUSED);
     int[] triangles = new int[6 * quads.count];
     int at = 0;
     for (int quad = 0; quad < quads.count; quad++) {
@@ -61,15 +62,15 @@ final class BrickAssembly {
     return at == triangles.length ? triangles : Arrays.copyOf(triangles, at);
   }
 
-  /** Cuts a quad along its shorter diagonal. */
+  /** Splits a quad along its shorter diagonal into two triangles. */
   private void split(int quad, int[] triangles, int at) {
     boolean firstDiagonal = diagonalSquared(quad, 0) <= diagonalSquared(quad, 1);
     int start = firstDiagonal ? 0 : 1;
     int turn = quads.isOutward(quad) ? 1 : 3;
-    int a = numberOf(quad, start);
-    int b = numberOf(quad, start + turn);
-    int c = numberOf(quad, start + 2);
-    int d = numberOf(quad, start + 2 + turn);
+    int a = numberFor(quad, start);
+    int b = numberFor(quad, start + turn);
+    int c = numberFor(quad, start + 2);
+    int d = numberFor(quad, start + 2 + turn);
     triangles[at] = a;
     triangles[at + 1] = b;
     triangles[at + 2] = c;
@@ -78,12 +79,12 @@ final class BrickAssembly {
     triangles[at + 5] = d;
   }
 
-  private int numberOf(int quad, int corner) {
+  private int numberFor(int quad, int corner) {
     int vertex = quads.corner[4 * quad + (corner & 3)];
-    if (number[vertex] == UNUSED) {
-      number[vertex] = used++;
+    if (numberOfVertex[vertex] == UNUSED) {
+      numberOfVertex[vertex] = used++;
     }
-    return number[vertex];
+    return numberOfVertex[vertex];
   }
 
   private float diagonalSquared(int quad, int diagonal) {
@@ -95,13 +96,16 @@ final class BrickAssembly {
     return sum;
   }
 
-  /** From corner {@code diagonal} to the one opposite; computed alike in every brick. */
+  /**
+   * Returns one component of the vector from corner {@code diagonal} to the opposite one. Every
+   * brick computes the same bits.
+   */
   private float alongDiagonalMm(float[] offset, int quad, int diagonal, int axis) {
     int from = quads.corner[4 * quad + diagonal];
     int to = quads.corner[4 * quad + diagonal + 2];
     int u = (quads.axis(quad) + 1) % 3;
     int v = (quads.axis(quad) + 2) % 3;
-    // Corners 0 to 3 lie at (0,0), (-1,0), (-1,-1), (0,-1) along u and v, in cells.
+    // Corners 0 to 3 are at (0,0), (-1,0), (-1,-1), (0,-1) along u and v, in cells.
     int step = axis == u ? (diagonal == 0 ? -1 : 1) : axis == v ? -1 : 0;
     return (offset[3 * to + axis] - offset[3 * from + axis] + step) * edgeMm[axis];
   }
@@ -134,7 +138,7 @@ final class BrickAssembly {
       int to,
       int[] low,
       float[] normals,
-      AmbientOcclusion openness,
+      AmbientOcclusion occlusion,
       SurfaceBrick brick) {
     int cell = vertices.cell[vertex];
     int cellX = low[0] + cells.x(cell);
@@ -152,7 +156,7 @@ final class BrickAssembly {
     brick.normals()[4 * to] = toShort(nx);
     brick.normals()[4 * to + 1] = toShort(ny);
     brick.normals()[4 * to + 2] = toShort(nz);
-    brick.normals()[4 * to + 3] = toShort(openness.at(x, y, z, nx, ny, nz));
+    brick.normals()[4 * to + 3] = toShort(occlusion.at(x, y, z, nx, ny, nz));
     brick.cells()[to] = key(cellX, cellY, cellZ, vertices.sheet[vertex]);
   }
 

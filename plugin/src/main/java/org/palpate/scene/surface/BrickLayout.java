@@ -4,19 +4,20 @@ import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 
 /**
- * How the cells of a grid are cut into bricks.
+ * Divides the cells of a grid into bricks.
  *
- * <p>Cell (a,b,c) lies between the centres of voxels (a-1,b-1,c-1) and (a,b,c); its middle has grid
- * coordinates (a,b,c). Cells run from 0 to the grid's size, so that a surface closes at the border.
+ * <p>Cell (a,b,c) lies between the centres of voxels (a-1,b-1,c-1) and (a,b,c), so its middle has
+ * grid coordinates (a,b,c). Cells run from 0 to the grid's size, so that a surface closes at the
+ * border.
  *
  * @param edge cells along an edge of a brick
- * @param bricksX bricks along x
- * @param bricksY bricks along y
- * @param bricksZ bricks along z
+ * @param bricksX number of bricks along x
+ * @param bricksY number of bricks along y
+ * @param bricksZ number of bricks along z
  */
 public record BrickLayout(int edge, int bricksX, int bricksY, int bricksZ) {
 
-  /** The bricks that cover a cube. */
+  /** Returns the layout of the bricks that cover a cube. */
   public static BrickLayout of(BitCube bits, int edge) {
     return new BrickLayout(
         edge, bricks(bits.sizeX(), edge), bricks(bits.sizeY(), edge), bricks(bits.sizeZ(), edge));
@@ -26,32 +27,38 @@ public record BrickLayout(int edge, int bricksX, int bricksY, int bricksZ) {
     return size / edge + 1;
   }
 
+  /** Returns the number of bricks. */
   public int count() {
     return bricksX * bricksY * bricksZ;
   }
 
+  /** Returns the position of a brick along x, in bricks. */
   public int x(int brick) {
     return brick % bricksX;
   }
 
+  /** Returns the position of a brick along y, in bricks. */
   public int y(int brick) {
     return brick / bricksX % bricksY;
   }
 
+  /** Returns the position of a brick along z, in bricks. */
   public int z(int brick) {
     return brick / bricksX / bricksY;
   }
 
-  /** The brick at a place, counted in bricks. */
+  /** Returns the number of the brick at a position in bricks. */
   public int brick(int x, int y, int z) {
     return (z * bricksY + y) * bricksX + x;
   }
 
   /**
-   * Writes the bricks whose triangles can change when the voxels do into {@code dest}, counted in
-   * bricks; empty where the voxels are.
+   * Writes the box of bricks whose triangles may change with the given voxels into {@code dest}, in
+   * bricks. It is empty if the voxels are.
    *
-   * @param reachCells how far the place of one voxel is felt, see {@link SurfaceExtractor#reach}
+   * @param voxels a box around the changed voxels
+   * @param reachCells distance over which a voxel changes the surface, see {@link
+   *     SurfaceExtractor#reach}
    */
   public IntBox touchedBy(IntBox voxels, int reachCells, IntBox dest) {
     if (voxels.isEmpty()) {

@@ -5,21 +5,24 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * How the surface passes through a cell whose eight corners are voxel centres, for each of the 256
- * ways to fill the corners; derived from two rules, not listed.
+ * A table of how the surface passes through a cell whose eight corners are voxel centres. It has
+ * all 256 cases, and derives them from two rules.
  *
- * <p>Rule for a face whose solid corners are opposite: the solids hang together and each empty
- * corner is cut off, because a point cannot pass between two closed voxels that share an edge. Rule
- * for a cell whose only solid corners are opposite ones of the cell: they touch in one point. So
- * the surface tells empty from solid as the ray cast does.
+ * <p>Rule for a face whose solid corners are opposite: the solid corners are connected and each
+ * empty corner is cut off, because a point cannot pass between two closed voxels that share an
+ * edge. Rule for a cell whose only solid corners are opposite corners of the cell: they touch in
+ * one point, so they are connected. Hence the surface separates empty from solid as the ray cast
+ * does.
  *
  * <p>Corner bits: 1 for +x, 2 for +y, 4 for +z. An edge is {@code axis * 4 + u + 2 * v}, where u
- * and v are its places (0 or 1) along the next two axes. A face is {@code axis * 2 + side}.
+ * and v are its positions (0 or 1) along the next two axes. A face is {@code axis * 2 + side}.
+ *
+ * <p>Reference: Nielson, Dual marching cubes (2004), which calls a sheet a patch.
  */
 final class CellCaseTable {
   static final int EDGES = 12;
 
-  /** The most separate sheets that a cell can hold. */
+  /** The most separate sheets of a cell. */
   static final int MAX_SHEETS = 4;
 
   private static final byte NONE = -1;
@@ -36,31 +39,33 @@ final class CellCaseTable {
 
   private CellCaseTable() {}
 
-  /** The number of sheets, 0 where all corners are alike. */
+  /** Returns the number of sheets; 0 if all corners are alike. */
   static int count(int corners) {
     return COUNT[corners];
   }
 
-  /** The sheet that crosses an edge; -1 where none does. */
+  /** Returns the sheet that crosses an edge; -1 if none does. */
   static int sheetOfEdge(int corners, int edge) {
     return SHEET_OF_EDGE[corners * EDGES + edge];
   }
 
   /**
-   * Where a sheet goes on: one entry for each piece of its rim, {@code face * 16 + edge}, the edge
-   * as the cell beyond the face numbers it. Shared; not to be changed.
+   * Returns the continuations of a sheet into neighbouring cells, one for each piece of its rim.
+   *
+   * <p>An entry is {@code face * 16 + edge}, with the edge as the cell beyond the face numbers it.
+   * The array is shared and read-only.
    */
   static byte[] neighbours(int corners, int sheet) {
     return NEIGHBOURS[corners * MAX_SHEETS + sheet];
   }
 
-  /** The corner at an edge's low end; the other end has the bit of the edge's axis too. */
+  /** Returns the corner at an edge's low end. The other end also has the bit of the edge's axis. */
   static int lowCorner(int edge) {
     int axis = edge >> 2;
     return ((edge & 1) << ((axis + 1) % 3)) | (((edge >> 1) & 1) << ((axis + 2) % 3));
   }
 
-  static boolean crosses(int corners, int edge) {
+  private static boolean crosses(int corners, int edge) {
     int low = lowCorner(edge);
     int high = low | (1 << (edge >> 2));
     return ((corners >> low) & 1) != ((corners >> high) & 1);
@@ -82,7 +87,7 @@ final class CellCaseTable {
     }
   }
 
-  /** The corners opposite to those that are set. */
+  /** Returns the corners opposite to those that are set. */
   private static int mirrored(int corners) {
     return Integer.reverse(corners) >>> 24;
   }
@@ -125,7 +130,7 @@ final class CellCaseTable {
     List<Byte> found = new ArrayList<>();
     for (int[] rim : rims) {
       if (sheetOfEdge(corners, rim[1]) == sheet) {
-        found.add((byte) ((rim[0] << 4) | asSeenFromBeyond(rim[0], rim[1])));
+        found.add((byte) ((rim[0] << 4) | asNeighbourNumbersIt(rim[0], rim[1])));
       }
     }
     byte[] packed = new byte[found.size()];
@@ -135,12 +140,12 @@ final class CellCaseTable {
     return packed;
   }
 
-  private static int asSeenFromBeyond(int face, int edge) {
+  private static int asNeighbourNumbersIt(int face, int edge) {
     boolean faceIsAlongU = (face >> 1) == ((edge >> 2) + 1) % 3;
     return edge ^ (faceIsAlongU ? 1 : 2);
   }
 
-  /** Face, edge, edge for each line in which the surface meets a face. */
+  /** Returns {face, edge, edge} for each line in which the surface meets a face. */
   private static List<int[]> rims(int corners) {
     List<int[]> rims = new ArrayList<>();
     for (int face = 0; face < 6; face++) {

@@ -5,12 +5,14 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
- * A cube at half, a quarter, an eighth of its resolution, for the first picture and for large
- * meshes: a coarse voxel is solid where any of its voxels is, so thin bone does not vanish, and how
- * many are tells where the surface runs. A copy, which {@link #update} brings up to date.
+ * A copy of a bit cube at a half or a quarter of its resolution, for the first picture and for
+ * large meshes.
+ *
+ * <p>A coarse voxel is solid if any of its voxels is, so that thin bone does not vanish. The number
+ * of its solid voxels determines the position of the surface. {@link #update} applies changes.
  */
 public final class CoarseVolume implements EdgeCrossings {
-  // Less full than this, a coarse voxel still keeps its two walls apart.
+  // Keeps the two sides of an almost empty coarse voxel apart.
   private static final float MIN_FRACTION = 0.05f;
 
   private static final int BRICK = BitCube.BRICK_SHIFT;
@@ -35,9 +37,10 @@ public final class CoarseVolume implements EdgeCrossings {
   }
 
   /**
-   * A coarser copy of a cube.
+   * Returns a coarser copy of a cube.
    *
-   * @param shift 1 for half the resolution, 2 for a quarter; more than 2 is refused
+   * @param shift 1 for half the resolution, 2 for a quarter
+   * @throws IllegalArgumentException if {@code shift} is neither
    */
   public static CoarseVolume of(BitCube fine, int shift) {
     if (shift < 1 || shift > 2) {
@@ -47,7 +50,7 @@ public final class CoarseVolume implements EdgeCrossings {
   }
 
   /**
-   * What its surface is made from; positions are the fine cube's grid millimetres.
+   * Returns the source of its surface. Positions are grid mm of the fine cube.
    *
    * @param fineSpacingMm edge lengths of a fine voxel
    */
@@ -60,9 +63,11 @@ public final class CoarseVolume implements EdgeCrossings {
   }
 
   /**
-   * Takes over what changed. One thread at a time; who makes a surface meanwhile makes it anew.
+   * Applies changes of the fine cube. One thread at a time; a surface that is being built meanwhile
+   * must be built again.
    *
-   * @param voxels a box about the changed voxels of the fine cube; outside it there may be none
+   * @param voxels a box around the changed voxels of the fine cube; nothing may have changed
+   *     outside it
    */
   public void update(IntBox voxels) {
     if (voxels.isEmpty()) {
@@ -94,22 +99,22 @@ public final class CoarseVolume implements EdgeCrossings {
       int i = part % perBrick;
       int j = part / perBrick % perBrick;
       int k = part / perBrick / perBrick;
-      long share = word & (mask() << BitCube.bit(i * factor, j * factor, k * factor));
-      setVoxel(brickX * perBrick + i, brickY * perBrick + j, brickZ * perBrick + k, share);
+      long solidBits = word & (mask() << BitCube.bit(i * factor, j * factor, k * factor));
+      setVoxel(brickX * perBrick + i, brickY * perBrick + j, brickZ * perBrick + k, solidBits);
     }
   }
 
-  private void setVoxel(int i, int j, int k, long share) {
-    if (share != 0) {
+  private void setVoxel(int i, int j, int k, long solidBits) {
+    if (solidBits != 0) {
       bits.set(i, j, k);
-      fullness[index(i, j, k)] = (byte) Long.bitCount(share);
+      fullness[index(i, j, k)] = (byte) Long.bitCount(solidBits);
     } else if (bits.get(i, j, k)) {
       bits.clear(i, j, k);
       fullness[index(i, j, k)] = 0;
     }
   }
 
-  /** A box of the fine cube's voxels, in its own. */
+  /** Converts a box of the fine cube's voxels to coarse voxels, in {@code dest}. */
   public IntBox toCoarse(IntBox fineVoxels, IntBox dest) {
     dest.set(fineVoxels);
     if (!fineVoxels.isEmpty()) {
@@ -123,7 +128,7 @@ public final class CoarseVolume implements EdgeCrossings {
     return dest;
   }
 
-  /** The voxels of a brick's first coarse voxel. */
+  /** Returns the bits of a brick's first coarse voxel. */
   private long mask() {
     // 2x2x2 voxels are two of x, two of y (4 bits on), two of z (16 bits on); 4x4x4 are all.
     return factor == 2 ? 0x0033_0033L : -1L;
@@ -133,7 +138,10 @@ public final class CoarseVolume implements EdgeCrossings {
     return (k * bits.sizeY() + j) * bits.sizeX() + i;
   }
 
-  /** A full voxel ends at its face, half way; an emptier one nearer to its middle. */
+  /**
+   * Returns the crossing: at the face of a full coarse voxel, nearer to the middle of an emptier
+   * one.
+   */
   @Override
   public float fraction(int i, int j, int k, int axis) {
     boolean lowIsSolid = bits.get(i, j, k);
@@ -141,7 +149,7 @@ public final class CoarseVolume implements EdgeCrossings {
     int solidY = j + (axis == 1 && !lowIsSolid ? 1 : 0);
     int solidZ = k + (axis == 2 && !lowIsSolid ? 1 : 0);
     if (!isInside(solidX, solidY, solidZ)) {
-      return 0.5f; // it was emptied meanwhile, and is asked for anew
+      return 0.5f; // an edit emptied the voxel meanwhile; the brick is built again
     }
     float full = (float) fullness[index(solidX, solidY, solidZ)] / (factor * factor * factor);
     float fromSolid = Math.max(MIN_FRACTION, full - 0.5f);

@@ -4,16 +4,16 @@ import java.util.List;
 import org.palpate.volume.BitCube;
 
 /**
- * Openness from how full the bricks in front of a place are: five directions about the normal, each
- * looked along at three distances, the further the coarser.
+ * Ambient occlusion from the density of the bricks in front of a point. It looks in five directions
+ * around the normal at three distances, the farther the coarser.
  *
- * <p>Made from the counts of 4x4x4 bricks, so that it costs one byte for 64 voxels and is made in
- * the time of one pass over the words. A copy: edits do not reach it.
+ * <p>It uses the voxel counts of 4x4x4 bricks, so it needs one byte for 64 voxels and one pass over
+ * the words. It is a copy: later edits do not change it.
  */
 public final class DensityAmbientOcclusion implements AmbientOcclusion {
   private static final int LEVELS = 3;
 
-  /** How fast light goes with what stands in the way; chosen by eye on a skull. */
+  /** Attenuation of the light by the density; chosen by eye on a skull. */
   private static final float STRENGTH = 2.0f;
 
   private static final float TILT_COS = 0.57f;
@@ -22,7 +22,7 @@ public final class DensityAmbientOcclusion implements AmbientOcclusion {
 
   private final DensityLevel[] levels = new DensityLevel[LEVELS];
 
-  /** The openness among cubes of one size. */
+  /** Creates the ambient occlusion among cubes of equal size. */
   public DensityAmbientOcclusion(List<BitCube> cubes) {
     levels[0] = DensityLevel.ofBricks(cubes);
     for (int level = 1; level < LEVELS; level++) {
@@ -32,7 +32,7 @@ public final class DensityAmbientOcclusion implements AmbientOcclusion {
 
   @Override
   public float at(float x, float y, float z, float nx, float ny, float nz) {
-    // Two directions across the normal: its cross products with the axis it leans on least.
+    // Two directions perpendicular to the normal, by cross products with the axis farthest from it.
     boolean alongX = Math.abs(nx) < 0.6f;
     float ux = alongX ? 0 : nz;
     float uy = alongX ? nz : 0;

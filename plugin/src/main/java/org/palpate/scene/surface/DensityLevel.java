@@ -3,7 +3,7 @@ package org.palpate.scene.surface;
 import java.util.List;
 import org.palpate.volume.BitCube;
 
-/** How full the cells of a coarse grid are, 0 to 1, interpolated between their middles. */
+/** The density of the cells of a coarse grid, 0 to 1, interpolated between their middles. */
 final class DensityLevel {
   private static final int FULL = 255;
 
@@ -11,17 +11,17 @@ final class DensityLevel {
   private final int sizeY;
   private final int sizeZ;
   private final int shift;
-  private final byte[] fullness;
+  private final byte[] density;
 
   private DensityLevel(int sizeX, int sizeY, int sizeZ, int shift) {
     this.sizeX = sizeX;
     this.sizeY = sizeY;
     this.sizeZ = sizeZ;
     this.shift = shift;
-    fullness = new byte[Math.multiplyExact(Math.multiplyExact(sizeX, sizeY), sizeZ)];
+    density = new byte[Math.multiplyExact(Math.multiplyExact(sizeX, sizeY), sizeZ)];
   }
 
-  /** The bricks of cubes of one size, taken together. */
+  /** Returns the density of the bricks of cubes of equal size, taken together. */
   static DensityLevel ofBricks(List<BitCube> cubes) {
     BitCube first = cubes.get(0);
     DensityLevel level =
@@ -33,21 +33,21 @@ final class DensityLevel {
           for (BitCube cube : cubes) {
             together |= cube.brick(x, y, z);
           }
-          level.fullness[level.index(x, y, z)] = (byte) (Long.bitCount(together) * FULL / 64);
+          level.density[level.index(x, y, z)] = (byte) (Long.bitCount(together) * FULL / 64);
         }
       }
     }
     return level;
   }
 
-  /** The same with cells twice as large. */
+  /** Returns the level with cells of twice the size. */
   DensityLevel half() {
     DensityLevel half =
         new DensityLevel((sizeX + 1) / 2, (sizeY + 1) / 2, (sizeZ + 1) / 2, shift + 1);
     for (int z = 0; z < half.sizeZ; z++) {
       for (int y = 0; y < half.sizeY; y++) {
         for (int x = 0; x < half.sizeX; x++) {
-          half.fullness[half.index(x, y, z)] = (byte) meanOfEight(2 * x, 2 * y, 2 * z);
+          half.density[half.index(x, y, z)] = (byte) meanOfEight(2 * x, 2 * y, 2 * z);
         }
       }
     }
@@ -62,7 +62,7 @@ final class DensityLevel {
     return sum / 8;
   }
 
-  /** The fullness around a point in grid coordinates; outside the grid it is 0. */
+  /** Returns the density at a point in grid coordinates; 0 outside the grid. */
   float at(float x, float y, float z) {
     float cell = 1f / (1 << shift);
     float u = x * cell - 0.5f;
@@ -84,7 +84,7 @@ final class DensityLevel {
     return value < towardsZero ? towardsZero - 1 : towardsZero;
   }
 
-  /** Between eight cells of which none is outside the grid, the first of them at an index. */
+  /** Interpolates between eight cells inside the grid; {@code at} is the index of the first. */
   private float within(int at, float u, float v, float w) {
     int plane = sizeX * sizeY;
     float low = mix(row(at, u), row(at + sizeX, u), v);
@@ -93,7 +93,7 @@ final class DensityLevel {
   }
 
   private float row(int at, float u) {
-    return mix(fullness[at] & 255, fullness[at + 1] & 255, u);
+    return mix(density[at] & 255, density[at + 1] & 255, u);
   }
 
   private float atBorder(int i, int j, int k, float u, float v, float w) {
@@ -106,13 +106,13 @@ final class DensityLevel {
     return mix(cell(i, j, k), cell(i + 1, j, k), u);
   }
 
-  private static float mix(float a, float b, float share) {
-    return a + (b - a) * share;
+  private static float mix(float a, float b, float fraction) {
+    return a + (b - a) * fraction;
   }
 
   private int cell(int x, int y, int z) {
     boolean inside = x >= 0 && x < sizeX && y >= 0 && y < sizeY && z >= 0 && z < sizeZ;
-    return inside ? fullness[index(x, y, z)] & 255 : 0;
+    return inside ? density[index(x, y, z)] & 255 : 0;
   }
 
   private int index(int x, int y, int z) {

@@ -5,17 +5,17 @@ import org.palpate.volume.ScalarVolume.Storage;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * The grey values that a segment was made of: where between its voxels the surface runs.
+ * The range of grey values from which a segment was made.
  *
- * @param volume over the segment's grid; read by several threads, not changed
- * @param low the least value of a voxel of the segment
- * @param high the greatest, infinite where there is none
+ * @param volume the values over the segment's grid; several threads read them
+ * @param low the smallest value of the segment's voxels
+ * @param high the largest value of the segment's voxels, infinite if there is no limit
  */
 public record GreyRange(ScalarVolume volume, double low, double high) {
-  /** Whole numbers pass from one to the next half way. */
+  /** Between two whole numbers the threshold lies in the middle. */
   private static final double HALF_STEP = 0.5;
 
-  /** Where between solid and empty voxels the surface runs. */
+  /** Returns the crossings of the surface. */
   EdgeCrossings crossings() {
     double margin = volume.storage() == Storage.FLOAT32 ? 0 : HALF_STEP;
     return new GreyEdgeCrossings(this::value, (float) (low - margin), (float) (high + margin));

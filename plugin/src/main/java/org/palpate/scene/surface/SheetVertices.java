@@ -3,38 +3,41 @@ package org.palpate.scene.surface;
 import java.util.Arrays;
 
 /**
- * One vertex for each sheet of each cell of a padded brick, its place relative to its cell's
- * middle, and its neighbours. Scratch of one {@link SurfaceExtractor}.
+ * The vertices of a padded brick: one for each sheet of each cell, with its position relative to
+ * the cell's middle and its neighbours. Scratch memory of one {@link SurfaceExtractor}.
  *
- * <p>What a vertex in the padding becomes is found only as long as it is felt in the brick: each
- * pass reaches one cell less deep into the padding than the one before.
+ * <p>A vertex in the padding is smoothed only as long as it affects the brick: each pass reaches
+ * one cell less far into the padding than the pass before.
  *
- * <p>Places are relative and sums run in a fixed order, so a vertex gets the same bits whatever
- * brick it is computed in.
+ * <p>Positions are relative and sums run in a fixed order, so a vertex gets the same bits in every
+ * brick.
  */
 final class SheetVertices {
-  // Keeps vertices of neighbouring cells, and so the two sides of a thin wall, apart.
+  // Keeps vertices of neighbouring cells apart, and so the two sides of a thin wall.
   private static final float MAX_OFFSET = 0.49f;
 
-  /** A neighbour is its first coordinate's place in an array of vectors, and the face between. */
+  /**
+   * A neighbour is stored as the index of its first coordinate in an array of vectors, and the face
+   * between.
+   */
   private static final int FACE_BITS = 3;
 
   private static final int FACE_MASK = (1 << FACE_BITS) - 1;
 
-  /** From a cell to the one beyond a face, by axis and face. */
+  /** Step from a cell to the one beyond a face, by face. */
   private static final float[] STEP_X = {-1, 1, 0, 0, 0, 0, 0, 0};
 
   private static final float[] STEP_Y = {0, 0, -1, 1, 0, 0, 0, 0};
   private static final float[] STEP_Z = {0, 0, 0, 0, -1, 1, 0, 0};
 
-  /** Depth in the padding of the vertices that the brick's triangles use. */
+  /** Depth in the padding of vertices that the brick's triangles use. */
   private static final int USED_DEPTH = 1;
 
-  /** Depth of those whose normals are added to the normals of the ones used. */
+  /** Depth of vertices whose normals are added to the normals of used ones. */
   private static final int NORMALS_DEPTH = USED_DEPTH + 1;
 
-  /** Depth of those that the quads about them reach: from their places normals are taken. */
-  static final int PLACES_DEPTH = NORMALS_DEPTH + 1;
+  /** Depth of vertices whose positions determine those normals. */
+  static final int POSITIONS_DEPTH = NORMALS_DEPTH + 1;
 
   int count;
   int[] cell = new int[1 << 12];
@@ -42,7 +45,7 @@ final class SheetVertices {
   private byte[] depth = new byte[1 << 12];
   float[] offset = new float[3 << 12];
 
-  /** Smoother places, to take normals from. */
+  /** Smoother positions, from which normals are computed. */
   float[] forNormals = offset;
 
   private float[] moved = new float[3 << 12];
@@ -50,14 +53,15 @@ final class SheetVertices {
   private int[] neighbour = new int[1 << 14];
   private int neighbourCount;
 
+  /** Removes all vertices. */
   void clear() {
     count = 0;
   }
 
   /**
-   * Adds a vertex and returns its number; its offset is the caller's to set.
+   * Adds a vertex and returns its number. The caller sets its offset.
    *
-   * @param newDepth cells from the brick's own to this one, 0 for its own
+   * @param newDepth distance from the brick in cells, 0 inside
    */
   int add(int newCell, int newSheet, int newDepth) {
     if (count == cell.length) {
@@ -79,13 +83,14 @@ final class SheetVertices {
     neighbourStart = Arrays.copyOf(neighbourStart, capacity + 1);
   }
 
+  /** Sets the position of a vertex relative to its cell's middle. */
   void setOffset(int vertex, float x, float y, float z) {
     offset[3 * vertex] = x;
     offset[3 * vertex + 1] = y;
     offset[3 * vertex + 2] = z;
   }
 
-  /** Finds each vertex's neighbours; those beyond the padding are left out. */
+  /** Finds the neighbours of each vertex, except those beyond the padding. */
   void link(CellGrid cells) {
     neighbourCount = 0;
     for (int vertex = 0; vertex < count; vertex++) {
@@ -97,33 +102,33 @@ final class SheetVertices {
 
   private void linkOne(int vertex, CellGrid cells) {
     int at = cell[vertex];
-    byte[] ways = CellCaseTable.neighbours(cells.corners[at] & 255, sheet[vertex]);
-    if (neighbourCount + ways.length > neighbour.length) {
+    byte[] rim = CellCaseTable.neighbours(cells.corners[at] & 255, sheet[vertex]);
+    if (neighbourCount + rim.length > neighbour.length) {
       neighbour = Arrays.copyOf(neighbour, 2 * neighbour.length);
     }
-    for (byte way : ways) {
-      int face = way >> 4;
+    for (byte piece : rim) {
+      int face = piece >> 4;
       int beyond = cells.beyond(at, face);
       if (beyond >= 0) {
-        int other = 3 * cells.vertexAt(beyond, way & 15);
+        int other = 3 * cells.vertexAt(beyond, piece & 15);
         neighbour[neighbourCount++] = (other << FACE_BITS) | face;
       }
     }
   }
 
   /**
-   * Smooths by means of neighbours, {@code passes} times, then takes back what the same smoothing
-   * leaves of the displacement, so that round things do not shrink; every vertex stays in its cell.
-   * {@link #forNormals} goes on smoothing instead.
+   * Smooths by averaging neighbours {@code passes} times, then takes back what the same smoothing
+   * leaves of the displacement, so that round shapes do not shrink. Every vertex stays in its cell.
+   * {@link #forNormals} continues to smooth instead.
    *
-   * <p>With S for one pass the places become 2 S^n - S^2n of what they were, and those for normals
-   * S^2n. Source: twicing, Tukey 1977; the like for meshes in Vollmer, Mencl, Mueller, Improved
+   * <p>With S for one pass, the positions become 2 S^n - S^2n of the original ones, and those for
+   * normals S^2n. Source: twicing, Tukey 1977; for meshes see Vollmer, Mencl, Mueller, Improved
    * Laplacian smoothing of noisy surface meshes (1999).
    */
   void smooth(int passes) {
     float[] before = Arrays.copyOf(offset, 3 * count);
     for (int left = 2 * passes - 1; left >= passes; left--) {
-      relax(PLACES_DEPTH + left);
+      relax(POSITIONS_DEPTH + left);
     }
     float[] smooth = Arrays.copyOf(offset, 3 * count);
     float[] displaced = new float[3 * count];
@@ -131,7 +136,7 @@ final class SheetVertices {
       displaced[i] = smooth[i] - before[i];
     }
     for (int left = passes - 1; left >= 0; left--) {
-      relax(PLACES_DEPTH + left);
+      relax(POSITIONS_DEPTH + left);
       means(displaced, before, USED_DEPTH + left);
       float[] old = displaced;
       displaced = before;
@@ -145,10 +150,12 @@ final class SheetVertices {
     moved = new float[offset.length];
   }
 
-  /** Writes the mean of each vertex's neighbours into {@code dest}, down to a depth. */
-  private void means(float[] vectors, float[] dest, int deepest) {
+  /**
+   * Writes the mean of each vertex's neighbours into {@code dest}, up to a depth in the padding.
+   */
+  private void means(float[] vectors, float[] dest, int maxDepth) {
     for (int vertex = 0; vertex < count; vertex++) {
-      if (depth[vertex] <= deepest) {
+      if (depth[vertex] <= maxDepth) {
         meanOne(vertex, vectors, dest);
       }
     }
@@ -166,16 +173,18 @@ final class SheetVertices {
       y += vectors[other + 1];
       z += vectors[other + 2];
     }
-    float share = 1f / Math.max(1, to - from);
-    dest[3 * vertex] = x * share;
-    dest[3 * vertex + 1] = y * share;
-    dest[3 * vertex + 2] = z * share;
+    float factor = 1f / Math.max(1, to - from);
+    dest[3 * vertex] = x * factor;
+    dest[3 * vertex + 1] = y * factor;
+    dest[3 * vertex + 2] = z * factor;
   }
 
-  /** Moves every vertex to the mean of its neighbours, within its cell, down to a depth. */
-  private void relax(int deepest) {
+  /**
+   * Moves every vertex to the mean of its neighbours within its cell, up to a depth in the padding.
+   */
+  private void relax(int maxDepth) {
     for (int vertex = 0; vertex < count; vertex++) {
-      if (depth[vertex] <= deepest) {
+      if (depth[vertex] <= maxDepth) {
         relaxOne(vertex);
       }
     }
@@ -197,10 +206,10 @@ final class SheetVertices {
       y += offset[other + 1] + STEP_Y[face];
       z += offset[other + 2] + STEP_Z[face];
     }
-    float share = 1f / Math.max(1, to - from);
-    moved[3 * vertex] = clamp(x * share);
-    moved[3 * vertex + 1] = clamp(y * share);
-    moved[3 * vertex + 2] = clamp(z * share);
+    float factor = 1f / Math.max(1, to - from);
+    moved[3 * vertex] = clamp(x * factor);
+    moved[3 * vertex + 1] = clamp(y * factor);
+    moved[3 * vertex + 2] = clamp(z * factor);
   }
 
   private static float clamp(float value) {
@@ -208,8 +217,8 @@ final class SheetVertices {
   }
 
   /**
-   * Adds to the normal of each vertex that the brick uses those of its neighbours; all are made
-   * unit vectors first.
+   * Adds the normals of the neighbours to the normal of each vertex that the brick uses; all are
+   * unit vectors.
    */
   void smoothNormals(float[] normals, float[] dest) {
     for (int vertex = 0; vertex < count; vertex++) {

@@ -1,10 +1,8 @@
 package org.palpate.scene.surface;
 
-/**
- * The triangles of one brick of cells. Immutable by convention: its arrays are not to be changed.
- */
+/** The triangles of one brick of cells. Immutable by convention: its arrays are read-only. */
 public final class SurfaceBrick {
-  /** The most that a component of a normal, and openness, can be. */
+  /** Value that stands for 1 in a normal's component and in the ambient light. */
   public static final int FULL_SCALE = Short.MAX_VALUE;
 
   private final float[] positionsMm;
@@ -20,40 +18,42 @@ public final class SurfaceBrick {
   }
 
   /**
-   * x, y, z of each vertex, grid millimetres; a vertex on a brick border has the same bits in every
-   * brick that holds it.
+   * Returns x, y, z of each vertex in grid mm. A vertex on the border of a brick has the same bits
+   * in every brick that contains it.
    */
   public float[] positionsMm() {
     return positionsMm;
   }
 
   /**
-   * x, y, z of each normal times {@link #FULL_SCALE}, and how open the place is to light, {@link
-   * #FULL_SCALE} for wholly.
+   * Returns x, y, z of each normal and the ambient light, 1 if unoccluded, each times {@link
+   * #FULL_SCALE}.
    */
   public short[] normals() {
     return normals;
   }
 
-  /** Three vertices each, counter-clockwise seen from the empty side. */
+  /** Returns three vertices for each triangle, counter-clockwise seen from the empty side. */
   public int[] triangles() {
     return triangles;
   }
 
-  /** Which vertex of the whole surface each one is, equal in every brick that holds it. */
+  /** Returns a key for each vertex, equal in every brick that contains it. */
   long[] cells() {
     return cells;
   }
 
+  /** Returns the number of vertices. */
   public int vertexCount() {
     return positionsMm.length / 3;
   }
 
+  /** Returns the number of triangles. */
   public int triangleCount() {
     return triangles.length / 3;
   }
 
-  /** Memory held, bytes. */
+  /** Returns the size of the arrays, bytes. */
   public long bytes() {
     return 4L * positionsMm.length
         + 2L * normals.length

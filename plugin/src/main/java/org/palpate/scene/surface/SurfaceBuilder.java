@@ -8,41 +8,41 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 
 /**
- * Extracts bricks in the background, on threads of low priority so that the haptic thread is not
- * disturbed. Any thread may ask.
+ * Extracts surface bricks in the background, on threads of low priority so that the haptic thread
+ * is not disturbed. Any thread may request bricks.
  */
 public final class SurfaceBuilder implements AutoCloseable {
-  /** Where bricks go, called from the builder's threads, several at once. */
+  /** Receives bricks. Several threads of the builder call it at once. */
   @FunctionalInterface
   public interface Sink {
     /**
-     * Takes a brick; null where it has no triangles (any more).
+     * Receives a brick; null if it has no triangles (any more).
      *
-     * @param begun when it was begun, in an order of the builder's: of two meshes of a brick the
-     *     one that was begun later is the newer, whichever comes first
+     * @param started order of the start among all extractions: of two meshes of a brick, the one
+     *     that started later is newer, whichever arrives first
      */
-    void accept(int brick, long begun, SurfaceBrick mesh);
+    void accept(int brick, long started, SurfaceBrick mesh);
   }
 
-  /** Urgency of a brick that was edited and is being looked at. */
+  /** Urgency of a brick that was edited and is visible. */
   public static final int EDITED = 0;
 
   /** Urgency of the first coarse picture. */
   public static final int COARSE = 1;
 
-  /** Urgency of the rest. */
+  /** Urgency of everything else. */
   public static final int FINE = 2;
 
   private final ThreadPoolExecutor threads;
   private final ThreadLocal<SurfaceExtractor> extractor =
       ThreadLocal.withInitial(SurfaceExtractor::new);
   private final AtomicLong order = new AtomicLong();
-  private final AtomicLong beginnings = new AtomicLong();
+  private final AtomicLong starts = new AtomicLong();
 
   /**
-   * A builder with so many threads.
+   * Creates a builder.
    *
-   * @param threadCount at least 1
+   * @param threadCount number of threads, at least 1
    */
   public SurfaceBuilder(int threadCount) {
     AtomicInteger number = new AtomicInteger();
@@ -56,7 +56,7 @@ public final class SurfaceBuilder implements AutoCloseable {
             work -> thread(work, number.incrementAndGet()));
   }
 
-  // Nothing depends on the priority; where the system heeds it, the hand is disturbed less.
+  // Correctness does not depend on the priority; it only reduces the load if the system heeds it.
   @SuppressWarnings("ThreadPriorityCheck")
   private static Thread thread(Runnable work, int number) {
     Thread thread = new Thread(work, "palpate-surface-" + number);
@@ -65,42 +65,42 @@ public final class SurfaceBuilder implements AutoCloseable {
     return thread;
   }
 
-  /** Extracts every brick of a source; {@code whenDone} runs after the last, where none failed. */
+  /** Extracts every brick of a source. {@code whenDone} runs after the last one if none failed. */
   public SurfaceJob build(
-      SurfaceSource source, AmbientOcclusion openness, int urgency, Sink sink, Runnable whenDone) {
+      SurfaceSource source, AmbientOcclusion occlusion, int urgency, Sink sink, Runnable whenDone) {
     int count = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE).count();
-    return build(source, openness, urgency, IntStream.range(0, count).toArray(), sink, whenDone);
+    return build(source, occlusion, urgency, IntStream.range(0, count).toArray(), sink, whenDone);
   }
 
   /**
-   * Extracts some bricks of a source, the more urgent ones before those already waiting.
+   * Extracts some bricks of a source, before less urgent ones that wait.
    *
-   * @return how far it is; a failure in the extraction or the sink is reported there
+   * @return the job, which reports progress and failures
    */
   public SurfaceJob build(
       SurfaceSource source,
-      AmbientOcclusion openness,
+      AmbientOcclusion occlusion,
       int urgency,
       int[] bricks,
       Sink sink,
       Runnable whenDone) {
-    SurfaceJob build = new SurfaceJob(bricks.length, whenDone);
+    SurfaceJob job = new SurfaceJob(bricks.length, whenDone);
     for (int brick : bricks) {
       threads.execute(
           new BrickTask(
               urgency,
               order.getAndIncrement(),
-              () -> build.run(() -> extract(source, openness, brick, sink))));
+              () -> job.run(() -> extract(source, occlusion, brick, sink))));
     }
-    return build;
+    return job;
   }
 
-  private void extract(SurfaceSource source, AmbientOcclusion openness, int brick, Sink sink) {
-    long begun = beginnings.getAndIncrement();
-    sink.accept(brick, begun, extractor.get().extract(source, openness, brick));
+  private void extract(SurfaceSource source, AmbientOcclusion occlusion, int brick, Sink sink) {
+    long started = starts.getAndIncrement();
+    sink.accept(brick, started, extractor.get().extract(source, occlusion, brick));
   }
 
-  /** Drops what waits; bricks in work are finished but no one is told. */
+  /** Drops waiting bricks. Bricks in progress are finished, but nobody is told. */
   @Override
   public void close() {
     threads.shutdownNow();

@@ -1,29 +1,32 @@
 package org.palpate.scene.surface;
 
 /**
- * Makes the triangles of one brick at a time: dual surface nets with a vertex for each sheet of
+ * Extracts the triangles of one brick at a time: dual surface nets with a vertex for each sheet of
  * each cell and a quad for each pair of neighbouring voxels of which one is solid.
  *
- * <p>Closed always; manifold wherever the solid voxels, as closed cells, are. Every vertex stays in
- * its cell, so no voxel centre changes sides. Bricks fit together bit for bit. Owns its scratch
- * (about 3 MB): one thread at a time.
+ * <p>The surface is always closed, and manifold wherever the solid voxels, as closed cells, are.
+ * Every vertex stays in its cell, so no voxel centre changes sides. Bricks fit together bit for
+ * bit.
  *
- * <p>Source: Gibson, Constrained elastic surface nets (1998), for the smoothing within the cell;
- * one vertex a sheet as in Nielson, Dual marching cubes (2004).
+ * <p>Owns about 3 MB of scratch memory; one thread at a time.
+ *
+ * <p>Reference: Gibson, Constrained elastic surface nets (1998), for the smoothing within the cell;
+ * Nielson, Dual marching cubes (2004), for one vertex a sheet.
  */
 public final class SurfaceExtractor {
-  /** Cells along an edge of a brick, unless told otherwise. */
+  /** Cells along an edge of a brick. */
   public static final int BRICK_EDGE = 40;
 
-  /** The most smoothing that a brick of {@link #BRICK_EDGE} has padding for. */
+  /** The largest smoothing for which a brick of {@link #BRICK_EDGE} has padding. */
   public static final int MAX_SMOOTHING = 4;
 
   /**
-   * A brick's quads reach one cell back, their normals' neighbours one on, their quads one more.
+   * Padding in cells: a brick's quads reach one cell back, their normals' neighbours one more, and
+   * the quads of those one more.
    */
-  private static final int CELLS_FOR_NORMALS = SheetVertices.PLACES_DEPTH;
+  private static final int CELLS_FOR_NORMALS = SheetVertices.POSITIONS_DEPTH;
 
-  /** Cells of the padding whose quads lie about a vertex whose normal counts. */
+  /** Padding in cells of the quads around vertices whose normals count. */
   private static final int CELLS_FOR_QUADS = CELLS_FOR_NORMALS - 1;
 
   private final int brickEdge;
@@ -38,16 +41,17 @@ public final class SurfaceExtractor {
   private int lowY;
   private int lowZ;
 
+  /** Creates an extractor for bricks of {@link #BRICK_EDGE}. */
   public SurfaceExtractor() {
     this(BRICK_EDGE);
   }
 
   /**
-   * An extractor for bricks of another size.
+   * Creates an extractor for bricks of another size, to compare.
    *
-   * @param brickEdge 1 to {@link #BRICK_EDGE}
+   * @param brickEdge edge in cells, 1 to {@link #BRICK_EDGE}
    */
-  public SurfaceExtractor(int brickEdge) {
+  SurfaceExtractor(int brickEdge) {
     if (brickEdge < 1 || brickEdge > BRICK_EDGE) {
       throw new IllegalArgumentException(
           "brickEdge must be 1 to " + BRICK_EDGE + ": brickEdge=" + brickEdge);
@@ -55,24 +59,24 @@ public final class SurfaceExtractor {
     this.brickEdge = brickEdge;
   }
 
-  /** How many cells away a voxel still moves a vertex or a normal. */
+  /** Returns the distance in cells over which a voxel changes a vertex or a normal. */
   public static int reach(int smoothing) {
     return 2 * smoothing + CELLS_FOR_NORMALS + 1;
   }
 
-  /** The bricks that this makes of a source. */
+  /** Returns the layout of the bricks of a source. */
   public BrickLayout layout(SurfaceSource of) {
     return BrickLayout.of(of.bits(), brickEdge);
   }
 
   /**
-   * The triangles of a brick; null where it has none.
+   * Returns the triangles of a brick; null if it has none.
    *
-   * @param from what the surface is made from
-   * @param openness how open to light a place is
-   * @param brick a number of the {@link #layout}
+   * @param from the source of the surface
+   * @param occlusion the ambient occlusion
+   * @param brick a brick number of the {@link #layout}
    */
-  public SurfaceBrick extract(SurfaceSource from, AmbientOcclusion openness, int brick) {
+  public SurfaceBrick extract(SurfaceSource from, AmbientOcclusion occlusion, int brick) {
     BrickLayout layout = layout(from);
     source = from;
     pad = 2 * from.smoothing() + CELLS_FOR_NORMALS;
@@ -91,7 +95,7 @@ public final class SurfaceExtractor {
     return quads.count == 0
         ? null
         : new BrickAssembly(from, cells, vertices, quads)
-            .assemble(new int[] {lowX, lowY, lowZ}, openness);
+            .assemble(new int[] {lowX, lowY, lowZ}, occlusion);
   }
 
   private boolean isCoreMixed() {
@@ -131,9 +135,9 @@ public final class SurfaceExtractor {
     }
   }
 
-  /** How many cells outside the brick a place is along an axis; 0 within it. */
-  private int depth(int place) {
-    return Math.max(0, Math.max(pad - place, place - (pad + brickEdge - 1)));
+  /** Returns the distance of a cell outside the brick along one axis; 0 inside. */
+  private int depth(int position) {
+    return Math.max(0, Math.max(pad - position, position - (pad + brickEdge - 1)));
   }
 
   private void meanCrossing(int x, int y, int z, int corners, int sheet) {
@@ -186,8 +190,8 @@ public final class SurfaceExtractor {
     }
   }
 
-  private boolean isCore(int place) {
-    return depth(place) == 0;
+  private boolean isCore(int position) {
+    return depth(position) == 0;
   }
 
   private void addQuads(int cell, boolean core) {
@@ -201,7 +205,7 @@ public final class SurfaceExtractor {
     }
   }
 
-  /** The four cells around the edge from a cell's corner 0 along an axis. */
+  /** Adds the quad between the four cells around the edge from a cell's corner 0 along an axis. */
   private void addQuad(int cell, int axis, boolean solid, boolean core) {
     int u = cells.stride((axis + 1) % 3);
     int v = cells.stride((axis + 2) % 3);

@@ -11,8 +11,8 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * Surfaces as binary STL or PLY files, in world millimetres, outward side counter-clockwise even
- * where the transform mirrors.
+ * Writes surfaces to binary STL or PLY files in world mm. Triangles are counter-clockwise seen from
+ * outside, even if the transform mirrors.
  */
 public final class SurfaceFile {
   private static final int STL_HEADER_BYTES = 80;
@@ -30,7 +30,7 @@ public final class SurfaceFile {
   /**
    * Writes a surface as binary STL, or as binary little-endian PLY with normals.
    *
-   * @param gridMmToWorld where the surface stands
+   * @param gridMmToWorld pose of the surface
    */
   public static void write(
       WeldedSurface surface, RigidTransform gridMmToWorld, boolean stl, OutputStream out)
@@ -142,7 +142,7 @@ public final class SurfaceFile {
     return world;
   }
 
-  /** Whether a transform turns a right hand into a left one. */
+  /** Whether a transform mirrors, so that it turns right-handed axes into left-handed ones. */
   public static boolean isMirrored(RigidTransform transform) {
     Vec3 x = transform.axisX();
     Vec3 y = transform.axisY();

@@ -4,13 +4,13 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
- * What a surface is made from.
+ * The source of a surface.
  *
  * @param bits the solid voxels
- * @param crossings where between two voxels the surface runs
+ * @param crossings position of the surface between two voxels
  * @param spacingMm edge lengths of a voxel
- * @param smoothing how far the stairs of voxels are smoothed, each vertex within its cell: most for
- *     bits alone, little for grey values; 0 to {@link SurfaceExtractor#MAX_SMOOTHING}
+ * @param smoothing passes that smooth the steps of the voxels, each vertex within its cell, 0 to
+ *     {@link SurfaceExtractor#MAX_SMOOTHING}: most for bits, few for grey values
  */
 public record SurfaceSource(BitCube bits, EdgeCrossings crossings, Vec3 spacingMm, int smoothing) {
   /** Checks the smoothing. */
@@ -21,19 +21,13 @@ public record SurfaceSource(BitCube bits, EdgeCrossings crossings, Vec3 spacingM
     }
   }
 
-  /** The surface of bits alone. */
+  /** Returns the surface of bits alone. */
   public static SurfaceSource ofBits(BitCube bits, Vec3 spacingMm) {
     return new SurfaceSource(
         bits, EdgeCrossings.MIDPOINT, spacingMm, SurfaceExtractor.MAX_SMOOTHING);
   }
 
-  /** The surface of a segment that came from grey values by a threshold. */
-  public static SurfaceSource ofGrey(
-      BitCube bits, GreyEdgeCrossings.Values values, float threshold, Vec3 spacingMm) {
-    return new SurfaceSource(bits, new GreyEdgeCrossings(values, threshold), spacingMm, 1);
-  }
-
-  /** The surface of a segment that came from grey values by a threshold or a range. */
+  /** Returns the surface of a segment that a threshold or a range of grey values made. */
   public static SurfaceSource ofGrey(BitCube bits, GreyRange grey, Vec3 spacingMm) {
     return new SurfaceSource(bits, grey.crossings(), spacingMm, 1);
   }

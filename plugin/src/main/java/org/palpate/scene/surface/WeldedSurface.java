@@ -5,7 +5,8 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * Bricks made one: every vertex once. Immutable by convention: its arrays are not to be changed.
+ * A surface without duplicate vertices, welded from bricks. Immutable by convention: its arrays are
+ * read-only.
  */
 public final class WeldedSurface {
   private final float[] positionsMm;
@@ -31,7 +32,7 @@ public final class WeldedSurface {
     return welder.welded();
   }
 
-  /** Several surfaces side by side, not welded to each other. */
+  /** Combines several surfaces without welding them to each other. */
   public static WeldedSurface together(List<WeldedSurface> parts) {
     WeldedSurface all =
         new WeldedSurface(
@@ -51,76 +52,32 @@ public final class WeldedSurface {
     return all;
   }
 
-  /** x, y, z of each vertex, grid millimetres. */
+  /** Returns x, y, z of each vertex in grid mm. */
   public float[] positionsMm() {
     return positionsMm;
   }
 
-  /** As in {@link SurfaceBrick#normals}. */
+  /** Returns normals and ambient light as {@link SurfaceBrick#normals} does. */
   public short[] normals() {
     return normals;
   }
 
-  /** Three vertices each, counter-clockwise seen from the empty side. */
+  /** Returns three vertices for each triangle, counter-clockwise seen from the empty side. */
   public int[] triangles() {
     return triangles;
   }
 
+  /** Returns the number of vertices. */
   public int vertexCount() {
     return positionsMm.length / 3;
   }
 
+  /** Returns the number of triangles. */
   public int triangleCount() {
     return triangles.length / 3;
   }
 
-  /** The volume within, cubic millimetres. */
-  public double volumeMm3() {
-    double sum = 0;
-    for (int t = 0; t < triangles.length; t += 3) {
-      double ax = x(t);
-      double ay = y(t);
-      double az = z(t);
-      double cx = y(t + 1) * z(t + 2) - z(t + 1) * y(t + 2);
-      double cy = z(t + 1) * x(t + 2) - x(t + 1) * z(t + 2);
-      double cz = x(t + 1) * y(t + 2) - y(t + 1) * x(t + 2);
-      sum += ax * cx + ay * cy + az * cz;
-    }
-    return sum / 6;
-  }
-
-  /** The area, square millimetres. */
-  public double areaMm2() {
-    double sum = 0;
-    for (int t = 0; t < triangles.length; t += 3) {
-      double ux = x(t + 1) - x(t);
-      double uy = y(t + 1) - y(t);
-      double uz = z(t + 1) - z(t);
-      double vx = x(t + 2) - x(t);
-      double vy = y(t + 2) - y(t);
-      double vz = z(t + 2) - z(t);
-      double cx = uy * vz - uz * vy;
-      double cy = uz * vx - ux * vz;
-      double cz = ux * vy - uy * vx;
-      sum += Math.sqrt(cx * cx + cy * cy + cz * cz);
-    }
-    return sum / 2;
-  }
-
-  /** x of a triangle corner, by its place in {@link #triangles}. */
-  double x(int corner) {
-    return positionsMm[3 * triangles[corner]];
-  }
-
-  double y(int corner) {
-    return positionsMm[3 * triangles[corner] + 1];
-  }
-
-  double z(int corner) {
-    return positionsMm[3 * triangles[corner] + 2];
-  }
-
-  /** Numbers vertices by their cells in a hash table with open addressing. */
+  /** Numbers vertices by their keys in a hash table with open addressing. */
   private static final class Welder {
     private static final long FREE = -1;
 

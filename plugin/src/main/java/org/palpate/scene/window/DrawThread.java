@@ -6,33 +6,42 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 
 /**
- * Draws when asked and only then; requests that come while it draws make one more picture. When
- * drawing fails it says so once and ends; who asked is never disturbed. Any thread asks.
+ * Draws on request only, on a thread of its own. Requests during a picture cause one more picture.
+ *
+ * <p>A failure of drawing is reported once and ends the thread; it never disturbs the requesting
+ * thread. Any thread requests.
  */
 final class DrawThread implements AutoCloseable {
   private static final long JOIN_MILLIS = 2000;
 
   private final Runnable draw;
-  private final Consumer<Throwable> trouble;
+  private final Consumer<Throwable> onFailure;
   private final Thread thread;
-  private final AtomicBoolean wanted = new AtomicBoolean();
+  private final AtomicBoolean requested = new AtomicBoolean();
   private final AtomicLong drawn = new AtomicLong();
   private volatile boolean closed;
 
-  DrawThread(Runnable draw, Consumer<Throwable> trouble) {
+  /**
+   * Creates a thread.
+   *
+   * @param draw draws one picture, on this thread
+   * @param onFailure receives what drawing threw, once, on this thread
+   */
+  DrawThread(Runnable draw, Consumer<Throwable> onFailure) {
     this.draw = draw;
-    this.trouble = trouble;
+    this.onFailure = onFailure;
     thread = new Thread(this::run, "palpate-draw");
     thread.setDaemon(true);
   }
 
+  /** Starts the thread. Call it once. */
   void start() {
     thread.start();
   }
 
-  /** Asks for a picture. Never waits. */
+  /** Requests a picture. Never waits. */
   void request() {
-    if (!wanted.getAndSet(true)) {
+    if (!requested.getAndSet(true)) {
       LockSupport.unpark(thread);
     }
   }
@@ -40,7 +49,7 @@ final class DrawThread implements AutoCloseable {
   private void run() {
     try {
       while (!closed) {
-        if (wanted.getAndSet(false)) {
+        if (requested.getAndSet(false)) {
           draw.run();
           drawn.incrementAndGet();
         } else {
@@ -49,22 +58,23 @@ final class DrawThread implements AutoCloseable {
       }
     } catch (RuntimeException | Error e) {
       if (!closed) {
-        trouble.accept(e);
+        onFailure.accept(e);
       }
     }
   }
 
+  /** Returns the number of pictures drawn. */
   long drawn() {
     return drawn.get();
   }
 
-  /** Ends after the picture in work, and does not wait for that. */
+  /** Ends the thread after the present picture, without waiting. */
   void abandon() {
     closed = true;
     LockSupport.unpark(thread);
   }
 
-  /** Ends after the picture in work; does not wait long for one that hangs. */
+  /** Ends the thread after the present picture, and waits for a limited time. */
   @Override
   public void close() {
     abandon();

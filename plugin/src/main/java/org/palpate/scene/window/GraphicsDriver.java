@@ -2,19 +2,22 @@ package org.palpate.scene.window;
 
 import com.jogamp.opengl.GLProfile;
 
-/** Whether this machine can draw. */
+/** Finds and loads the graphics driver. Any thread. */
 public final class GraphicsDriver {
   private static final String PACKAGES =
       "libgl1 libglx-mesa0 libgl1-mesa-dri libx11-6 libxxf86vm1 libxrender1 libxrandr2 libxcursor1"
           + " libxi6";
 
-  /** JOGL gives a lock up after five seconds, which a busy machine may need to load a driver. */
+  /**
+   * JOGL's locks time out after five seconds by default; a busy machine may need longer to load a
+   * driver.
+   */
   private static final String LOCK_TIMEOUT = "jogamp.common.utils.locks.Lock.timeout";
 
   private static final String LOCK_TIMEOUT_MILLIS = "60000";
 
-  /** Loads the driver, where that was begun early. */
-  private static Thread preparing;
+  /** The thread that loads the driver, if it was started. */
+  private static Thread loading;
 
   static {
     if (System.getProperty(LOCK_TIMEOUT) == null) {
@@ -24,7 +27,7 @@ public final class GraphicsDriver {
 
   private GraphicsDriver() {}
 
-  /** Whether a display is named here; always so where windows do not need one to be named. */
+  /** Whether the environment names a display; always true on systems that do not need one. */
   public static boolean hasDisplay() {
     String system = System.getProperty("os.name", "");
     boolean isX11 = !system.startsWith("Windows") && !system.startsWith("Mac");
@@ -33,37 +36,37 @@ public final class GraphicsDriver {
   }
 
   /**
-   * Begins to load the driver in the background, so that a window opens sooner; what is wrong with
-   * it is told where the window is opened.
+   * Starts to load the driver in the background, so that a window opens sooner. A failure is
+   * reported when the window is opened.
    */
   public static synchronized void prepare() {
-    preparing = new Thread(GraphicsDriver::load, "palpate-graphics");
-    preparing.setDaemon(true);
-    preparing.start();
+    loading = new Thread(GraphicsDriver::load, "palpate-graphics");
+    loading.setDaemon(true);
+    loading.start();
   }
 
   private static void load() {
     try {
       loadProfile();
     } catch (GraphicsException e) {
-      // Told when the window is opened, with what to do.
+      // Opening the window reports it, with the remedy.
     }
   }
 
   /**
-   * The profile to draw with, OpenGL 3.3 core or later.
+   * Returns the profile, OpenGL 3.3 core or later.
    *
-   * @throws GraphicsException where there is none, with the reason
+   * @throws GraphicsException if there is none, with the reason
    */
   static GLProfile profile() throws GraphicsException {
-    awaitPreparation();
+    awaitLoading();
     return loadProfile();
   }
 
-  private static void awaitPreparation() {
+  private static void awaitLoading() {
     Thread thread;
     synchronized (GraphicsDriver.class) {
-      thread = preparing;
+      thread = loading;
     }
     if (thread != null) {
       try {
@@ -77,7 +80,7 @@ public final class GraphicsDriver {
   private static GLProfile loadProfile() throws GraphicsException {
     if (!hasDisplay()) {
       throw new GraphicsException(
-          "there is no display", "set DISPLAY, or install xvfb and start it by xvfb-run", null);
+          "there is no display", "set DISPLAY, or install xvfb and use xvfb-run", null);
     }
     try {
       if (!GLProfile.isAvailable(GLProfile.GL3)) {
@@ -93,7 +96,7 @@ public final class GraphicsDriver {
     }
   }
 
-  /** What a driver's refusal means for a person. */
+  /** Returns the error for a refusal of the driver, in words for the user. */
   static GraphicsException refused(Throwable cause) {
     String reason = cause.getMessage() == null ? cause.toString() : cause.getMessage();
     return new GraphicsException(

@@ -1,6 +1,6 @@
 package org.palpate.scene.window;
 
-/** Nothing can be drawn here: no display, no driver, too old a driver. */
+/** Drawing is impossible on this machine: no display, no driver, or a driver that is too old. */
 public final class GraphicsException extends Exception {
   private static final long serialVersionUID = 1L;
 
@@ -13,12 +13,12 @@ public final class GraphicsException extends Exception {
     this.remedy = remedy;
   }
 
-  /** What is wrong, in a few words. */
+  /** Returns what is wrong, in a few words. */
   public String what() {
     return what;
   }
 
-  /** What to do about it. */
+  /** Returns the remedy. */
   public String remedy() {
     return remedy;
   }

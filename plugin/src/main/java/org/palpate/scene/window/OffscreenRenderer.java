@@ -11,42 +11,51 @@ import org.palpate.scene.SceneState;
 import org.palpate.scene.gl.SceneRenderer;
 
 /**
- * Draws a scene into memory; needs a display to reach the driver, but opens no window. One thread.
+ * Draws a scene into memory. It needs a display to reach the driver, but opens no window. One
+ * thread.
  */
 public final class OffscreenRenderer implements AutoCloseable {
   private final int width;
   private final int height;
   private final int scale;
   private final GLOffscreenAutoDrawable drawable;
-  private final SceneRenderer renderer = new SceneRenderer();
+  private final SceneRenderer renderer;
 
   /**
-   * Opens a picture to draw into.
+   * Creates a picture to draw into.
    *
-   * @param scale each pixel is the mean of this many squared, 1 to 4
-   * @throws GraphicsException where there is no display, no driver or no memory, with what to do
+   * @param width width in pixels
+   * @param height height in pixels
+   * @param scale edge of the square of samples that each pixel averages, 1 to 4
+   * @throws GraphicsException if there is no display, no driver or no memory, with the remedy
    */
   public OffscreenRenderer(int width, int height, int scale) throws GraphicsException {
+    this(width, height, scale, new SceneRenderer());
+  }
+
+  OffscreenRenderer(int width, int height, int scale, SceneRenderer renderer)
+      throws GraphicsException {
+    this.renderer = renderer;
     this.width = width;
     this.height = height;
     this.scale = scale;
     GLProfile profile = GraphicsDriver.profile();
-    GLOffscreenAutoDrawable made = null;
+    GLOffscreenAutoDrawable created = null;
     try {
       GLCapabilities capabilities = new GLCapabilities(profile);
       capabilities.setOnscreen(false);
       capabilities.setDoubleBuffered(false);
       capabilities.setFBO(true);
-      made =
+      created =
           GLDrawableFactory.getFactory(profile)
               .createOffscreenAutoDrawable(null, capabilities, null, width, height);
-      made.setRealized(true);
-      made.display();
-      drawable = made;
+      created.setRealized(true);
+      created.display();
+      drawable = created;
       withContext(renderer::init);
     } catch (GLException | IllegalStateException e) {
-      if (made != null) {
-        made.destroy();
+      if (created != null) {
+        created.destroy();
       }
       throw GraphicsDriver.refused(e);
     }
@@ -73,7 +82,7 @@ public final class OffscreenRenderer implements AutoCloseable {
     }
   }
 
-  /** Draws a state and reads it back. */
+  /** Draws a state and returns the picture. */
   public Picture draw(SceneState state) {
     Picture[] picture = new Picture[1];
     withContext(
@@ -84,21 +93,19 @@ public final class OffscreenRenderer implements AutoCloseable {
     return picture[0];
   }
 
-  /** Writes the place that a pixel of the last picture shows into {@code at}. */
-  public boolean pick(SceneState state, double x, double y, Vec3 at) {
+  /**
+   * Writes the point that a pixel of the last picture shows into {@code dest}; returns whether
+   * there is a surface.
+   */
+  boolean pick(SceneState state, double x, double y, Vec3 dest) {
     boolean[] found = new boolean[1];
-    withContext(gl -> found[0] = renderer.pick(gl, state, x, y, width, height, scale, at));
+    withContext(gl -> found[0] = renderer.pick(gl, state, x, y, width, height, scale, dest));
     return found[0];
   }
 
-  /** What is left out; see {@link SceneRenderer#skip}. */
-  public void skip(boolean unseen, boolean unchanged) {
-    renderer.skip(unseen, unchanged);
-  }
-
-  /** How often what stands still was drawn anew. */
-  public long stillDrawn() {
-    return renderer.stillDrawn();
+  /** Returns how often the picture of the static parts was reused. */
+  long staticReused() {
+    return renderer.staticReused();
   }
 
   @Override

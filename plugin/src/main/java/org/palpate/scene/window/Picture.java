@@ -2,7 +2,7 @@ package org.palpate.scene.window;
 
 import java.awt.image.BufferedImage;
 
-/** Pixels of a drawn scene, opaque, row by row from the top. Not to be changed. */
+/** The pixels of a drawn scene, opaque, row by row from the top. Read-only. */
 public final class Picture {
   private final int width;
   private final int height;
@@ -14,20 +14,22 @@ public final class Picture {
     this.rgb = rgb;
   }
 
+  /** Returns the width in pixels. */
   public int width() {
     return width;
   }
 
+  /** Returns the height in pixels. */
   public int height() {
     return height;
   }
 
-  /** A pixel as 0xRRGGBB. */
+  /** Returns a pixel as 0xRRGGBB. */
   public int rgb(int x, int y) {
     return rgb[y * width + x];
   }
 
-  /** The same as an image that can be written to a file. */
+  /** Returns the picture as an image that can be written to a file. */
   public BufferedImage toImage() {
     BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
     image.setRGB(0, 0, width, height, rgb, 0, width);

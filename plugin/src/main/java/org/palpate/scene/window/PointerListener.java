@@ -2,13 +2,13 @@ package org.palpate.scene.window;
 
 import org.palpate.geometry.Vec3;
 
-/** Takes the mouse as a hand. Called on the thread that draws. */
+/** Receives the mouse as a device. Called on the thread that draws. */
 @FunctionalInterface
 public interface PointerListener {
   /**
-   * The mouse is held down.
+   * Receives a position while the mouse button is held down.
    *
-   * @param worldMm where the hand wants to be, a little below the surface under the mouse
+   * @param worldMm the target of the device, slightly below the surface under the mouse, world mm
    */
   void moved(Vec3 worldMm);
 }

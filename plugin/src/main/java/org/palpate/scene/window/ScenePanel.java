@@ -11,36 +11,35 @@ import java.util.concurrent.TimeUnit;
 import javax.swing.JPanel;
 
 /**
- * A place in another program's AWT or Swing window where scenes are shown, one after the other,
- * with mouse and keys as in a window of their own.
+ * A component for another program's AWT or Swing window that shows one scene after another, with
+ * mouse and keys as in a window of their own.
  *
- * <p>A NEWT window inside an AWT canvas: it draws on the scene's own thread, so a busy event thread
- * of the other program neither delays a picture nor is delayed by one, as it is with JOGL's
- * GLCanvas and GLJPanel. It is a heavyweight component: menus and tips over it must be heavyweight
- * too. Any thread.
+ * <p>It is a NEWT window inside an AWT canvas. It draws on the scene's own thread, so a busy event
+ * thread of the other program delays no picture, as it would with JOGL's GLCanvas and GLJPanel. It
+ * is a heavyweight component: menus and tool tips over it must be heavyweight too. Any thread.
  */
 public final class ScenePanel {
-  private static final long PATIENCE_S = 2;
-  private static final Dimension PREFERRED = new Dimension(640, 480);
-  private static final Dimension LEAST = new Dimension(1, 1);
+  private static final long REMOVAL_WAIT_SECONDS = 2;
+  private static final Dimension PREFERRED_SIZE = new Dimension(640, 480);
+  private static final Dimension MIN_SIZE = new Dimension(1, 1);
 
   private final JPanel panel = new JPanel(new BorderLayout());
 
-  /** Touched by the event thread alone. */
+  /** Used by the event thread alone. */
   private NewtCanvasAWT canvas;
 
-  /** An empty place. */
+  /** Creates an empty component. */
   public ScenePanel() {
-    panel.setPreferredSize(PREFERRED);
-    panel.setMinimumSize(LEAST);
+    panel.setPreferredSize(PREFERRED_SIZE);
+    panel.setMinimumSize(MIN_SIZE);
   }
 
-  /** What the other program adds to its window; stays the same. */
+  /** Returns the component to add to a window. It stays the same. */
   public Component component() {
     return panel;
   }
 
-  /** Puts a window that is not shown yet into the place. Does not wait for the event thread. */
+  /** Adds a window that is not shown yet. Does not wait for the event thread. */
   void put(GLWindow window) {
     EventQueue.invokeLater(
         () -> {
@@ -51,7 +50,7 @@ public final class ScenePanel {
         });
   }
 
-  /** Takes the window out again; waits a little for the event thread, but not for ever. */
+  /** Removes the window. Waits for the event thread for a limited time. */
   void clear() {
     if (EventQueue.isDispatchThread()) {
       remove();
@@ -64,8 +63,8 @@ public final class ScenePanel {
           removed.countDown();
         });
     try {
-      // Where the event thread is busy or gone, whoever ends the session must not hang with it.
-      boolean unused = removed.await(PATIENCE_S, TimeUnit.SECONDS);
+      // If the event thread is busy or gone, the end of the session must not hang.
+      boolean unused = removed.await(REMOVAL_WAIT_SECONDS, TimeUnit.SECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -23,21 +23,23 @@ import org.palpate.scene.SceneState;
 import org.palpate.scene.gl.SceneRenderer;
 
 /**
- * A window on a scene: it draws when the scene asks for it, on a thread of its own, and turns mouse
- * and keys into moves of the camera, of the hand, and into what the keys were given to do.
+ * A window on a scene. It draws when the scene requests it, on a thread of its own. Mouse and keys
+ * move the camera and the device, and call actions.
  *
- * <p>Opened and closed by any thread. Whatever befalls it (closed, context lost, driver failing) it
- * tells its owner once and disturbs no one else.
+ * <p>Any thread opens and closes it. If it is closed, loses its context or its driver fails, it
+ * tells its owner once and disturbs nothing else.
  */
 public final class SceneWindow implements AutoCloseable {
-  /** Why a window is no more. */
+  /** Reasons for the end of a window. */
   public enum End {
+    /** The user closed the window. */
     CLOSED_BY_USER,
+    /** Drawing failed; see {@link #failure}. */
     FAILED
   }
 
-  /** The longest that a window is waited for which does not close, as where its display is gone. */
-  private static final long CLOSE_MILLIS = 10_000;
+  /** The longest time to wait for a window to close; it may hang if its display is gone. */
+  private static final long CLOSE_WAIT_MILLIS = 10_000;
 
   private final SceneModel model;
   private final Optional<ScenePanel> panel;
@@ -57,10 +59,10 @@ public final class SceneWindow implements AutoCloseable {
   private volatile boolean displayLost;
 
   /**
-   * A window that is not yet shown.
+   * Creates a window that is not shown yet.
    *
-   * @param onEnd told once when the window is gone and was not closed by {@link #close}
-   * @throws GraphicsException where there is no display or no driver, with what to do
+   * @param onEnd receives the reason if the window ends other than by {@link #close}
+   * @throws GraphicsException if there is no display or no driver, with the remedy
    */
   public SceneWindow(SceneModel model, String title, int width, int height, Consumer<End> onEnd)
       throws GraphicsException {
@@ -69,7 +71,7 @@ public final class SceneWindow implements AutoCloseable {
     window.setSize(width, height);
   }
 
-  /** The same inside another program's window. */
+  /** Creates a window inside another program's window; otherwise as the other constructor. */
   public SceneWindow(SceneModel model, ScenePanel panel, Consumer<End> onEnd)
       throws GraphicsException {
     this(model, Optional.of(panel), onEnd);
@@ -85,8 +87,8 @@ public final class SceneWindow implements AutoCloseable {
     try {
       window = GLWindow.create(capabilities(profile));
       input = new WindowInput(model, window::getSurfaceWidth, window::getSurfaceHeight);
-      window.addGLEventListener(new AnatomyVoxelizer());
-      window.addWindowListener(new Ending());
+      window.addGLEventListener(new Drawing());
+      window.addWindowListener(new WindowEvents());
       window.addMouseListener(input);
       window.addKeyListener(input.keys());
     } catch (GLException | NativeWindowException e) {
@@ -95,13 +97,13 @@ public final class SceneWindow implements AutoCloseable {
   }
 
   /**
-   * Shows the window and begins to draw; once, when the input is set up.
+   * Shows the window and starts to draw. Call it once, after the input is set up.
    *
-   * @throws GraphicsException where the driver refuses
+   * @throws GraphicsException if the driver refuses
    */
   public void show() throws GraphicsException {
     try {
-      panel.ifPresentOrElse(place -> place.put(window), () -> window.setVisible(true));
+      panel.ifPresentOrElse(shown -> shown.put(window), () -> window.setVisible(true));
     } catch (GLException | NativeWindowException e) {
       throw GraphicsDriver.refused(e);
     }
@@ -117,7 +119,10 @@ public final class SceneWindow implements AutoCloseable {
     return capabilities;
   }
 
-  /** Whether the driver has two back buffers; asking for them where it has not gives a poor one. */
+  /**
+   * Whether the driver has two back buffers. Requesting them from another driver gives a poor
+   * configuration.
+   */
   private static boolean hasStereo(GLProfile profile) {
     GLDrawableFactory factory = GLDrawableFactory.getFactory(profile);
     for (GLCapabilitiesImmutable available :
@@ -129,21 +134,16 @@ public final class SceneWindow implements AutoCloseable {
     return false;
   }
 
-  /** Whether quad-buffered stereo can be had. */
-  public boolean hasQuadBuffer() {
-    return window.getChosenGLCapabilities() != null && window.getChosenGLCapabilities().getStereo();
-  }
-
   private void draw() {
     boolean shown = window.isNativeValid() && window.getSurfaceWidth() > 0;
     if (shown && window.getSurfaceHeight() > 0) {
       window.display();
-      noteSurface();
+      recordFirstSurface();
       onPicture.run();
     }
   }
 
-  private void noteSurface() {
+  private void recordFirstSurface() {
     if (firstSurfaceMillis == 0 && drawnTriangles > 0) {
       firstSurfaceMillis = System.currentTimeMillis();
     }
@@ -154,85 +154,86 @@ public final class SceneWindow implements AutoCloseable {
     end(End.FAILED);
   }
 
-  private void end(End why) {
-    boolean tell;
+  private void end(End reason) {
+    boolean isFirst;
     synchronized (this) {
-      tell = !ended;
+      isFirst = !ended;
       ended = true;
     }
-    if (tell) {
-      onEnd.accept(why);
+    if (isFirst) {
+      onEnd.accept(reason);
     }
   }
 
-  /** What made drawing fail; empty where it did not. */
+  /** Returns the reason why drawing failed; empty if it did not. */
   public Optional<Throwable> failure() {
     return Optional.ofNullable(failure);
   }
 
-  /** For tests that do to it what a person or a driver does. */
+  /** Returns NEWT's window. Tests act on it as users and drivers do. */
   GLWindow glWindow() {
     return window;
   }
 
-  /** What mouse and keys do. */
+  /** Returns the actions of mouse and keys. */
   public WindowInput input() {
     return input;
   }
 
-  /** Pictures drawn so far. */
+  /** Returns the number of pictures drawn. */
   public long redraws() {
     return drawing.drawn();
   }
 
-  /** When a surface was first shown, as the system counts milliseconds; 0 before. */
+  /** Returns when a surface was first shown, in milliseconds of the system clock; 0 before. */
   public long firstSurfaceMillis() {
     return firstSurfaceMillis;
   }
 
-  /** How often what stands still was kept; right once drawing has ended. */
-  public long stillKept() {
-    return renderer.stillKept();
+  /** Returns how often the picture of the static parts was reused; exact once drawing has ended. */
+  public long staticReused() {
+    return renderer.staticReused();
   }
 
-  /** Bricks of surfaces left out, outside the view; right once drawing has ended. */
-  public long skippedBricks() {
-    return renderer.skippedBricks();
+  /**
+   * Returns how many surface bricks were not drawn because they were outside the view; exact once
+   * drawing has ended.
+   */
+  public long culledBricks() {
+    return renderer.culledBricks();
   }
 
-  /** How often what stands still was drawn anew. */
-  public long stillDrawn() {
-    return renderer.stillDrawn();
-  }
-
-  /** Triangles drawn of all, for the overlay; empty before the first picture. */
+  /**
+   * Returns the number of drawn and of all triangles for the overlay; empty before the first
+   * picture.
+   */
   public String drawnTriangleText() {
     return initialized
         ? String.format(Locale.ROOT, "%,d of %,d triangles drawn", drawnTriangles, allTriangles)
         : "";
   }
 
-  /** Gives those something to do who want to know of each picture shown; on the drawing thread. */
-  public void onPicture(Runnable told) {
-    onPicture = told;
+  /** Sets an action that runs after each picture, on the drawing thread. */
+  public void onPicture(Runnable action) {
+    onPicture = action;
   }
 
-  /** Reads the next picture back and gives it to {@code taker} on the thread that draws. */
+  /** Reads the next picture and passes it to {@code taker} on the drawing thread. */
   public void takeSnapshot(Consumer<Picture> taker) {
     snapshot.set(taker);
     drawing.request();
   }
 
   /**
-   * Says that the display went away: the owner is told, and nothing of the window is touched any
-   * more, for whoever touches it hangs. Any thread.
+   * Reports that the display is gone. The owner is told, and nothing of the window is used any
+   * more, because any use would hang. Any thread.
    */
   public void displayLost() {
     displayLost = true;
     fail(new IllegalStateException("the display is gone"));
   }
 
-  /** Closes the window; the owner is not told. May be called twice and by any thread. */
+  /** Closes the window without telling the owner. Any thread, any number of times. */
   @Override
   public void close() {
     synchronized (this) {
@@ -248,7 +249,7 @@ public final class SceneWindow implements AutoCloseable {
     closing.setDaemon(true);
     closing.start();
     try {
-      closing.join(CLOSE_MILLIS);
+      closing.join(CLOSE_WAIT_MILLIS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
@@ -262,7 +263,7 @@ public final class SceneWindow implements AutoCloseable {
     }
   }
 
-  private final class Ending extends WindowAdapter {
+  private final class WindowEvents extends WindowAdapter {
     @Override
     public void windowDestroyNotify(WindowEvent event) {
       end(End.CLOSED_BY_USER);
@@ -279,10 +280,10 @@ public final class SceneWindow implements AutoCloseable {
     }
   }
 
-  private final class AnatomyVoxelizer implements GLEventListener {
+  private final class Drawing implements GLEventListener {
     @Override
     public void init(GLAutoDrawable drawable) {
-      // Comes again where the context was lost: all that was uploaded is uploaded anew.
+      // Called again if the context was lost; then everything is uploaded again.
       GL3 gl = drawable.getGL().getGL3();
       gl.setSwapInterval(0);
       renderer.init(gl);
@@ -306,9 +307,9 @@ public final class SceneWindow implements AutoCloseable {
     }
 
     private Optional<Vec3> pick(GL3 gl, SceneState state, int width, int height, double[] at) {
-      Vec3 place = new Vec3();
-      return renderer.pick(gl, state, at[0], at[1], width, height, 1, place)
-          ? Optional.of(place)
+      Vec3 shown = new Vec3();
+      return renderer.pick(gl, state, at[0], at[1], width, height, 1, shown)
+          ? Optional.of(shown)
           : Optional.empty();
     }
 

@@ -20,9 +20,11 @@ import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
 
 /**
- * What mouse and keys do. Left drag touches where the mouse is the hand, else turns; right drag
- * turns; middle drag, or left with Shift, moves; the wheel goes nearer and further, or, while
- * touching, presses more and less.
+ * The actions of mouse and keys.
+ *
+ * <p>Left drag touches if the mouse is the device, otherwise it turns the scene. Right drag turns;
+ * middle drag, or left drag with Shift, moves. The wheel zooms or, while touching, changes the
+ * pressure.
  */
 public final class WindowInput extends MouseAdapter {
   private static final double RADIANS_PER_HEIGHT = Math.PI;
@@ -34,7 +36,7 @@ public final class WindowInput extends MouseAdapter {
   private final IntSupplier width;
   private final IntSupplier height;
   private final Map<Character, Key> keys = new LinkedHashMap<>();
-  private final AtomicReference<double[]> wantedPick = new AtomicReference<>();
+  private final AtomicReference<double[]> requestedPick = new AtomicReference<>();
   private volatile Optional<PointerListener> pointer = Optional.empty();
   private volatile double pressFraction = 0.02;
   private boolean helpShown;
@@ -42,8 +44,8 @@ public final class WindowInput extends MouseAdapter {
   private int lastX;
   private int lastY;
 
-  /** What a key does; {@code held} whether again and again while it is held down. */
-  private record Key(String help, Runnable action, boolean held) {}
+  /** The action of a key; {@code repeats} means that it repeats while the key is held down. */
+  private record Key(String help, Runnable action, boolean repeats) {}
 
   WindowInput(SceneModel model, IntSupplier width, IntSupplier height) {
     this.model = model;
@@ -81,36 +83,39 @@ public final class WindowInput extends MouseAdapter {
     model.look(view, (double) Math.max(1, width.getAsInt()) / Math.max(1, height.getAsInt()));
   }
 
-  /** Gives a key something to do; {@code help} says what, in a few words. Any thread, early. */
+  /**
+   * Assigns an action to a key. {@code help} describes it in a few words. Any thread, before the
+   * window is shown.
+   */
   public void onKey(char key, String help, Runnable action) {
     synchronized (keys) {
       keys.put(key, new Key(help, action, false));
     }
   }
 
-  /** The same for a key that does it again and again while it is held down. */
+  /** Assigns an action that repeats while the key is held down. */
   public void onHeldKey(char key, String help, Runnable action) {
     synchronized (keys) {
       keys.put(key, new Key(help, action, true));
     }
   }
 
-  /** Makes the mouse the hand. */
+  /** Makes the mouse the device. */
   public void setPointer(PointerListener listener) {
     pointer = Optional.of(listener);
   }
 
-  /** Does what a key is there for; nothing where it has nothing to do. */
+  /** Runs the action of a key, if it has one. */
   void press(char key) {
     press(key, false);
   }
 
-  private void press(char key, boolean again) {
+  private void press(char key, boolean isRepeat) {
     Key found;
     synchronized (keys) {
       found = keys.get(Character.toLowerCase(key));
     }
-    if (found != null && (found.held || !again)) {
+    if (found != null && (found.repeats || !isRepeat)) {
       found.action.run();
     }
   }
@@ -131,7 +136,7 @@ public final class WindowInput extends MouseAdapter {
             ? "wheel: nearer, or press harder while touching"
             : "wheel: nearer or further");
     synchronized (keys) {
-      keys.forEach((key, does) -> lines.add(name(key) + "   " + does.help));
+      keys.forEach((key, action) -> lines.add(name(key) + "   " + action.help));
     }
     return lines;
   }
@@ -201,23 +206,23 @@ public final class WindowInput extends MouseAdapter {
 
   private void touch(MouseEvent event) {
     if (touching) {
-      wantedPick.set(new double[] {event.getX(), event.getY()});
+      requestedPick.set(new double[] {event.getX(), event.getY()});
       model.requestRedraw();
     }
   }
 
-  /** Called by the thread that draws: finds the place under the mouse, where one is wanted. */
+  /** Finds the point under the mouse if one was requested. Called by the drawing thread. */
   void pick(Function<double[], Optional<Vec3>> finder) {
-    double[] at = wantedPick.getAndSet(null);
+    double[] at = requestedPick.getAndSet(null);
     if (at != null) {
-      finder.apply(at).ifPresent(this::tellPointer);
+      finder.apply(at).ifPresent(this::movePointer);
     }
   }
 
-  private void tellPointer(Vec3 onSurface) {
+  private void movePointer(Vec3 onSurface) {
     SceneState state = model.state();
     Vec3 pressed = state.camera().back().mul(-pressFraction * state.radiusMm(), new Vec3());
-    Vec3 world = model.axes().swap(onSurface.add(pressed, pressed), pressed);
+    Vec3 world = model.axes().toSceneOrBack(onSurface.add(pressed, pressed), pressed);
     pointer.ifPresent(listener -> listener.moved(world));
   }
 }

@@ -10,7 +10,7 @@ import org.palpate.device.ReadStatus;
 import org.palpate.device.ReplayDevice;
 import org.palpate.device.Trajectory;
 
-/** The first button of a device marks places. */
+/** The first button of a device adds landmarks. */
 class LandmarkButtonTest {
   private int buttons;
   private ReadStatus status = ReadStatus.FRESH;
@@ -30,7 +30,7 @@ class LandmarkButtonTest {
   }
 
   @Test
-  void aButtonThatIsHeldMarksOnceAndOthersDoNot() {
+  void countsAHeldButtonOnceAndIgnoresOtherButtons() {
     for (int pressed : List.of(0, 1, 1, 1, 0, 2, 6, 7, 0)) {
       read(pressed, ReadStatus.FRESH);
     }
@@ -39,7 +39,7 @@ class LandmarkButtonTest {
   }
 
   @Test
-  void whatIsNoSampleMarksNothing() {
+  void ignoresReadsWithoutAFreshSample() {
     read(1, ReadStatus.REPEATED);
     assertEquals(0, button.pollPresses());
     read(1, ReadStatus.FRESH);

@@ -14,7 +14,7 @@ import org.palpate.volume.Segment;
 
 class StackMaterialsTest {
   @Test
-  void readsWhatTheCommandLineReadsSegmentBySegment() throws TouchRefusedException {
+  void parsesTheFormOfTheCommandLineForEachSegment() throws TouchRefusedException {
     StackMaterials read =
         StackMaterials.parse(" bone=stiffness:0.8, friction:0.3; left eye=damping:0.001 ;");
     assertEquals(
@@ -24,28 +24,28 @@ class StackMaterialsTest {
   }
 
   @Test
-  void aNameMayHoldTheSignThatEndsIt() throws TouchRefusedException {
+  void aNameMayContainAnEqualsSign() throws TouchRefusedException {
     assertEquals(
         Map.of("CT = 3", material("friction:0")),
         StackMaterials.parse("CT = 3=friction:0").choices());
   }
 
   @Test
-  void nothingIsNoMaterial() throws TouchRefusedException {
+  void aBlankTextHasNoMaterials() throws TouchRefusedException {
     assertEquals(Map.of(), StackMaterials.parse("  ").choices());
   }
 
   @Test
-  void saysWhatIsWrong() {
+  void refusesWrongMaterials() {
     for (String text :
         List.of("bone", "=friction:1", "bone=", "bone=hardness:1", "bone=friction:-1", "a=b=c")) {
-      assertTrue(refusal(text).contains("is not a material: write it as in"), text);
+      assertTrue(refusal(text).contains("is not a material: write for example"), text);
     }
     assertTrue(refusal("a=friction:1;a=friction:2").contains("two materials for the segment"));
   }
 
   @Test
-  void refusesAMaterialOfASegmentThatIsNotThere() throws TouchRefusedException {
+  void refusesAMaterialOfAnUnknownSegment() throws TouchRefusedException {
     List<Segment> segments = List.of(segment("bone"), segment("skin"));
     StackMaterials.parse("skin=friction:1").checkNamed(segments);
     StackMaterials other = StackMaterials.parse("skull=friction:1");

@@ -11,7 +11,7 @@ import org.palpate.device.Workspace;
 import org.palpate.geometry.Vec3;
 import org.palpate.imagej.dialog.StackWorkspace.Kind;
 
-/** How the hand's own millimetres become those of the stack. */
+/** The mapping from the hand's millimetres to those of the stack. */
 class StackWorkspaceTest {
   private static final DeviceSpecification HAND =
       new DeviceSpecification("hand", "", 3, 0.5, 50, 1_000_000);
@@ -19,35 +19,35 @@ class StackWorkspaceTest {
       new HandTarget(new Vec3(0, 0, 0), new Vec3(100, 200, 400), 1, List.of());
 
   @Test
-  void oneScaleFitsTheLongestSideOfTheBox() {
+  void fitsTheLongestSideOfTheBoxWithOneScale() {
     assertEquals("(250.0, 100.0, 200.0)", reached(Kind.FIT, 0, 1));
   }
 
   @Test
-  void aScaleEachFitsEverySide() {
+  void fitsEverySideWithAScaleForEachAxis() {
     assertEquals("(100.0, 100.0, 200.0)", reached(Kind.FIT_EACH, 0, 1));
     assertEquals("(50.0, 0.0, 200.0)", reached(Kind.FIT_EACH, 1, 1));
   }
 
   @Test
-  void aGivenScaleIsLaidAboutTheMiddle() {
+  void appliesAGivenScaleAboutTheMiddle() {
     assertEquals("(75.0, 100.0, 200.0)", reached(Kind.SCALE, 0, 0.5));
   }
 
   @Test
-  void upIsUpOnTheScreenAndTowardsThePersonIsAgainstZ() {
+  void upIsUpOnTheScreenAndTowardsTheUserIsMinusZ() {
     assertEquals("(50.0, 75.0, 200.0)", reached(Kind.SCALE, 1, 0.5));
     assertEquals("(50.0, 100.0, 175.0)", reached(Kind.SCALE, 2, 0.5));
   }
 
   @Test
-  void aScaleThatIsNoneIsRefused() {
+  void refusesAnInvalidScale() {
     for (double scale : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
       assertThrows(IllegalArgumentException.class, () -> new StackWorkspace(Kind.SCALE, scale));
     }
   }
 
-  /** Where the hand goes that is 50 mm out along one of its axes. */
+  /** Returns where the device position is after moving the hand 50 mm along one of its axes. */
   private static String reached(Kind kind, int axis, double scale) {
     Workspace workspace = new StackWorkspace(kind, scale).of(HAND, BOX);
     Vec3 hand = new Vec3();

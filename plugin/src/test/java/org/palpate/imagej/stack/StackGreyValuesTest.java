@@ -27,7 +27,7 @@ import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
-/** The grey values of a stack reach the solver smooth, and so do their changes. */
+/** The grey values of a stack and their changes reach the smooth solver. */
 class StackGreyValuesTest {
   private static final int EDGE = 32;
   private static final int TOP = 16;
@@ -38,7 +38,7 @@ class StackGreyValuesTest {
   private final Vec3 point = new Vec3();
 
   @Test
-  void aThresholdOfGreyValuesHasTheSurfaceOfTheCommandLine() throws TouchRefusedException {
+  void aThresholdGivesTheIsosurfaceOfTheCommandLine() throws TouchRefusedException {
     GreyIsosurface found = surface(BONE).orElseThrow();
     VoxelGrid grid = StackGeometry.of(image).grid();
     ScalarVolume read = ScalarVolume.of(grid, ScalarVolume.Storage.UINT16);
@@ -55,7 +55,7 @@ class StackGreyValuesTest {
   }
 
   @Test
-  void bandsMasksAndLabelsGoByTheirVoxels() throws TouchRefusedException {
+  void bandsMasksAndLabelsHaveNoIsosurface() throws TouchRefusedException {
     assertEquals(
         Optional.empty(), surface(SegmentRange.threshold("band", 500, 1500, SegmentColour.BONE)));
     assertEquals(
@@ -66,40 +66,40 @@ class StackGreyValuesTest {
   }
 
   @Test
-  void whatIsPaintedBelowTheThresholdMovesTheSurfaceUnderTheHand() throws TouchRefusedException {
-    Risen risen =
-        risen(
+  void paintingBelowTheThresholdMovesTheTouchedSurface() throws TouchRefusedException {
+    Rise riseAfter =
+        riseAfter(
             false,
-            watcher -> {
+            synchronizer -> {
               ImageProcessor slice = image.getStack().getProcessor(TOP + 1);
               slice.setRoi(8, 8, 16, 16);
-              slice.setValue(950); // empty as before, but nearly solid
+              slice.setValue(950); // still empty, but nearly solid
               slice.fill();
-              watcher.markUpdated();
+              synchronizer.markUpdated();
             });
-    assertEquals(0, risen.voxels());
-    assertEquals(950, risen.surface().volume().value(16, 15, TOP));
-    assertTrue(risen.after() > risen.before() + 0.1, risen::toString);
+    assertEquals(0, riseAfter.voxels());
+    assertEquals(950, riseAfter.surface().volume().value(16, 15, TOP));
+    assertTrue(riseAfter.after() > riseAfter.before() + 0.1, riseAfter::toString);
   }
 
   @Test
-  void theSurfaceFollowsTheThresholdThatTheImageShows() throws TouchRefusedException {
-    Risen risen =
-        risen(
+  void theSurfaceFollowsTheShownThreshold() throws TouchRefusedException {
+    Rise riseAfter =
+        riseAfter(
             true,
-            watcher -> {
+            synchronizer -> {
               image.getProcessor().setThreshold(500, 65535, ImageProcessor.NO_LUT_UPDATE);
-              watcher.imageUpdated(image);
+              synchronizer.imageUpdated(image);
             });
-    assertEquals(EDGE * EDGE, risen.voxels());
-    assertEquals(500, risen.surface().threshold());
-    assertTrue(risen.after() > risen.before() + 0.1, risen::toString);
+    assertEquals(EDGE * EDGE, riseAfter.voxels());
+    assertEquals(500, riseAfter.surface().threshold());
+    assertTrue(riseAfter.after() > riseAfter.before() + 0.1, riseAfter::toString);
   }
 
-  /** How high the pressed point was before the image changed and after; what changed with it. */
-  private record Risen(double before, double after, int voxels, GreyIsosurface surface) {}
+  /** The height of the pressed point before and after a change, and what changed. */
+  private record Rise(double before, double after, int voxels, GreyIsosurface surface) {}
 
-  private Risen risen(boolean followsThreshold, Consumer<StackSynchronizer> change)
+  private Rise riseAfter(boolean followsThreshold, Consumer<StackSynchronizer> change)
       throws TouchRefusedException {
     StackVolume volume = StackVolume.shownIn(image);
     PixelSnapshot pixels = new PixelSnapshot(volume);
@@ -108,18 +108,18 @@ class StackGreyValuesTest {
     int n = run(frame, 1);
     double before = point.z;
     int voxels;
-    try (StackSynchronizer watcher = watcher(volume, pixels, scene, followsThreshold)) {
-      change.accept(watcher);
-      voxels = watcher.applyChanges();
+    try (StackSynchronizer synchronizer = synchronizer(volume, pixels, scene, followsThreshold)) {
+      change.accept(synchronizer);
+      voxels = synchronizer.applyChanges();
       run(frame, n);
     }
-    return new Risen(before, point.z, voxels, scene.grey().orElseThrow());
+    return new Rise(before, point.z, voxels, scene.grey().orElseThrow());
   }
 
-  private Optional<GreyIsosurface> surface(SegmentRange... rules) throws TouchRefusedException {
+  private Optional<GreyIsosurface> surface(SegmentRange... ranges) throws TouchRefusedException {
     StackVolume volume = StackVolume.shownIn(image);
     VoxelGrid grid = StackGeometry.of(image).grid();
-    return StackGreyValues.surface(new PixelSnapshot(volume), EDGE, grid, List.of(rules));
+    return StackGreyValues.surface(new PixelSnapshot(volume), EDGE, grid, List.of(ranges));
   }
 
   private ContactScene scene(PixelSnapshot pixels) throws TouchRefusedException {
@@ -132,7 +132,7 @@ class StackGreyValuesTest {
         StackGreyValues.surface(pixels, EDGE, grid, List.of(BONE)));
   }
 
-  private static StackSynchronizer watcher(
+  private static StackSynchronizer synchronizer(
       StackVolume volume, PixelSnapshot pixels, ContactScene scene, boolean followsThreshold) {
     return new StackSynchronizer(
         volume,
@@ -149,7 +149,7 @@ class StackGreyValuesTest {
         });
   }
 
-  /** A frame of a hand that comes down on the plane and stays two voxels below it. */
+  /** Returns a frame whose device descends onto the plane and stays two voxels below it. */
   private HapticFrame pressed(ContactScene scene) {
     Trajectory down = new Trajectory();
     for (int n = 0; n < 20_000; n++) {
@@ -162,7 +162,7 @@ class StackGreyValuesTest {
         (deviceGrid, pointGrid, force, contact, counts) -> point.set(pointGrid));
   }
 
-  /** Runs a thousand frames from one number on; gives the next number. */
+  /** Runs a thousand frames from a number on; returns the next number. */
   private static int run(HapticFrame frame, int from) {
     for (int n = from; n < from + 1000; n++) {
       frame.run(n * 1_000_000L);
@@ -176,7 +176,7 @@ class StackGreyValuesTest {
     slice.fill();
   }
 
-  /** Bone up to a plane, half a voxel of it in the next slice, nothing above. */
+  /** Returns bone up to a plane, half a voxel of it in the next slice, and nothing above. */
   private static ImagePlus plane() {
     ImageStack slices = new ImageStack(EDGE, EDGE);
     for (int k = 0; k < EDGE; k++) {

@@ -36,7 +36,6 @@ import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.GridDevice;
 import org.palpate.host.SolverKind;
-import org.palpate.imagej.annotation.BrushStroke;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
@@ -47,7 +46,7 @@ class StackTouchTest {
       SegmentRange.threshold("bright", 100, 255, SegmentColour.BONE);
 
   @Test
-  void aSegmentHoldsTheVoxelsBetweenItsThresholds() throws TouchRefusedException {
+  void aSegmentContainsTheVoxelsBetweenItsThresholds() throws TouchRefusedException {
     ImagePlus image = stack();
     paint(image, 3, 4, 5, 100);
     paint(image, 0, 0, 0, 255);
@@ -56,10 +55,11 @@ class StackTouchTest {
     assertEquals(2, bits.solidCount());
     assertTrue(bits.get(3, 4, 5));
     assertTrue(bits.get(0, 0, 0));
+    assertFalse(BRIGHT.contains(99));
   }
 
   @Test
-  void labelsAreTheValuesOtherThanBackground() throws TouchRefusedException {
+  void labelsAreTheValuesExceptBackground() throws TouchRefusedException {
     ImagePlus image = stack();
     paint(image, 1, 1, 1, 7);
     paint(image, 2, 1, 1, 3);
@@ -67,13 +67,13 @@ class StackTouchTest {
   }
 
   @Test
-  void anImageWithoutLabelsIsRefused() {
+  void refusesAnImageWithoutLabels() {
     assertThrows(
         TouchRefusedException.class, () -> StackSegments.labels(StackVolume.shownIn(stack())));
   }
 
   @Test
-  void aColourImageAndASingleSliceAreRefusedInWords() {
+  void refusesAColourImageAndASingleSlice() {
     ImagePlus colour = new ImagePlus("c", new ColorProcessor(4, 4));
     ImagePlus single = new ImagePlus("s", new ByteProcessor(4, 4));
     assertTrue(refusal(colour).contains("colour"));
@@ -85,7 +85,7 @@ class StackTouchTest {
   }
 
   @Test
-  void calibrationGivesMillimetresWhateverTheUnit() throws TouchRefusedException {
+  void convertsEveryUnitToMillimetres() throws TouchRefusedException {
     ImagePlus image = stack();
     image.getCalibration().setUnit("micron");
     image.getCalibration().pixelWidth = 500;
@@ -99,7 +99,7 @@ class StackTouchTest {
   }
 
   @Test
-  void whatIsPaintedInTheStackIsCarriedOverVoxelByVoxelAndInBulk() throws TouchRefusedException {
+  void appliesPaintedVoxelsOneByOneAndInBulk() throws TouchRefusedException {
     ImagePlus image = stack();
     StackVolume volume = StackVolume.shownIn(image);
     List<Segment> segments = segments(image);
@@ -108,12 +108,12 @@ class StackTouchTest {
     BitCube bits = segments.get(0).bits();
     HapticFrame frame = frame(scene);
     List<String> seen = new ArrayList<>();
-    try (StackSynchronizer watcher = watcher(volume, scene, false, seen)) {
-      assertEquals(0, watcher.applyChanges());
+    try (StackSynchronizer synchronizer = synchronizer(volume, scene, false, seen)) {
+      assertEquals(0, synchronizer.applyChanges());
       paint(image, 3, 4, 5, 200);
       image.updateAndDraw();
-      watcher.imageUpdated(image);
-      assertEquals(1, watcher.applyChanges());
+      synchronizer.imageUpdated(image);
+      assertEquals(1, synchronizer.applyChanges());
       frame.run(1_000_000);
       assertTrue(bits.get(3, 4, 5));
       for (int k = 0; k < volume.slices(); k++) {
@@ -121,55 +121,55 @@ class StackTouchTest {
         slice.setValue(255);
         slice.fill();
       }
-      watcher.markUpdated();
-      assertEquals(1, watcher.solids(0));
-      assertEquals(10 * 8 * 6 - 1, watcher.applyChanges());
-      assertEquals(10 * 8 * 6, watcher.solids(0));
-      assertEquals(0, watcher.applyChanges());
+      synchronizer.markUpdated();
+      assertEquals(1, synchronizer.solidCount(0));
+      assertEquals(10 * 8 * 6 - 1, synchronizer.applyChanges());
+      assertEquals(10 * 8 * 6, synchronizer.solidCount(0));
+      assertEquals(0, synchronizer.applyChanges());
       for (int n = 2; !edits.isIdle(); n++) {
         frame.run(n * 1_000_000L);
       }
-      assertTrue(frame.statistics().freed() > 0, "the point was inside what came");
+      assertTrue(frame.statistics().freed() > 0, "the point was inside the new solid");
     }
     assertEquals(List.of("0: x 3-3, y 4-4, z 5-5", "0: x 0-9, y 0-7, z 0-5"), seen);
   }
 
   @Test
-  void whatTheThresholdMarksIsFollowed() throws TouchRefusedException {
+  void followsTheShownThreshold() throws TouchRefusedException {
     ImagePlus image = stack();
     paint(image, 3, 4, 5, 50);
     paint(image, 4, 4, 5, 150);
     List<Segment> segments = segments(image);
     ContactScene scene = scene(StackGeometry.of(image), segments);
     StackVolume volume = StackVolume.shownIn(image);
-    try (StackSynchronizer watcher = watcher(volume, scene, true, new ArrayList<>())) {
-      assertEquals(1, watcher.mirrors().get(0).solidCount());
+    try (StackSynchronizer synchronizer = synchronizer(volume, scene, true, new ArrayList<>())) {
+      assertEquals(1, synchronizer.mirrors().get(0).solidCount());
       image.getProcessor().setThreshold(40, 255, ImageProcessor.NO_LUT_UPDATE);
-      watcher.imageUpdated(image);
-      assertEquals(1, watcher.applyChanges());
-      assertEquals(2, watcher.mirrors().get(0).solidCount());
+      synchronizer.imageUpdated(image);
+      assertEquals(1, synchronizer.applyChanges());
+      assertEquals(2, synchronizer.mirrors().get(0).solidCount());
     }
   }
 
   @Test
-  void aStackThatLosesASliceIsRefusedInWords() throws TouchRefusedException {
+  void refusesAStackThatLosesASlice() throws TouchRefusedException {
     ImagePlus image = stack();
     List<Segment> segments = segments(image);
     ContactScene scene = scene(StackGeometry.of(image), segments);
     StackVolume volume = StackVolume.shownIn(image);
-    try (StackSynchronizer watcher = watcher(volume, scene, false, new ArrayList<>())) {
+    try (StackSynchronizer synchronizer = synchronizer(volume, scene, false, new ArrayList<>())) {
       ImageStack slices = image.getStack();
       slices.deleteLastSlice();
       image.setStack(slices);
-      watcher.imageUpdated(image);
+      synchronizer.imageUpdated(image);
       TouchRefusedException refusal =
-          assertThrows(TouchRefusedException.class, () -> watcher.applyChanges());
-      assertTrue(refusal.getMessage().contains("another size"));
+          assertThrows(TouchRefusedException.class, () -> synchronizer.applyChanges());
+      assertTrue(refusal.getMessage().contains("size or type of the stack changed"));
     }
   }
 
   @Test
-  void aLabelImageWithAColourTableIsTakenWithItsColours() throws TouchRefusedException {
+  void labelsHaveTheColoursThatTheImageShows() throws TouchRefusedException {
     ImagePlus image = stack();
     paint(image, 1, 1, 1, 3);
     byte[] ramp = new byte[256];
@@ -180,7 +180,7 @@ class StackTouchTest {
     assertEquals(40 << 16, SegmentRange.label(3, image, LabelTable.EMPTY).rgb());
   }
 
-  private static StackSynchronizer watcher(
+  private static StackSynchronizer synchronizer(
       StackVolume volume, ContactScene scene, boolean followsThreshold, List<String> seen)
       throws TouchRefusedException {
     return new StackSynchronizer(
@@ -212,7 +212,7 @@ class StackTouchTest {
     return new ContactScene(new SegmentedVolume(geometry.grid(), segments), settings);
   }
 
-  /** A frame of a device that rests in the middle of the stack. */
+  /** Returns a frame whose device rests in the middle of the stack. */
   private static HapticFrame frame(ContactScene scene) {
     Trajectory rest = new Trajectory();
     for (int n = 0; n < 10_000; n++) {
@@ -223,22 +223,6 @@ class StackTouchTest {
         new GridDevice(device, scene.grid()),
         scene.liveFrame(device.specification(), 0.5),
         FramePublisher.NONE);
-  }
-
-  @Test
-  void aBrushStrokeIsUndoneAndDoneAgainToTheVoxel() throws TouchRefusedException {
-    ImagePlus image = stack();
-    StackVolume volume = StackVolume.shownIn(image);
-    Vec3 spacing = new Vec3(1, 1, 2);
-    BrushStroke stroke =
-        BrushStroke.paint(volume, new Vec3(4.5, 4.5, 2.5), spacing, 1.5, 100, BRIGHT);
-    assertEquals(9, stroke.size()); // a disc of nine voxels; the next slices are 2 mm off
-    assertEquals(9, segments(image).get(0).bits().solidCount());
-    stroke.undo();
-    assertEquals(0, segments(image).get(0).bits().solidCount());
-    stroke.redo();
-    assertEquals(9, segments(image).get(0).bits().solidCount());
-    assertFalse(BRIGHT.holds(99));
   }
 
   private static List<Segment> segments(ImagePlus image) throws TouchRefusedException {
@@ -259,7 +243,7 @@ class StackTouchTest {
   }
 
   @Test
-  void labelsHaveTheNamesAndColoursOfTheTableBesideTheFile(@TempDir Path folder) throws Exception {
+  void labelsHaveTheNamesAndColoursOfATableBesideTheFile(@TempDir Path folder) throws Exception {
     ImagePlus image = stack();
     paint(image, 1, 1, 1, 7);
     paint(image, 2, 1, 1, 9);
@@ -274,7 +258,7 @@ class StackTouchTest {
   }
 
   @Test
-  void floatsAndSixteenBitsAreTakenAsTheyAre() throws TouchRefusedException {
+  void readsFloatsAndSixteenBitsUnchanged() throws TouchRefusedException {
     ImageStack floats = new ImageStack(4, 4);
     ImageStack shorts = new ImageStack(4, 4);
     for (int k = 0; k < 3; k++) {
@@ -291,8 +275,8 @@ class StackTouchTest {
   private static String found(ImagePlus image, double lower, double upper)
       throws TouchRefusedException {
     StackVolume volume = StackVolume.shownIn(image);
-    SegmentRange rule = SegmentRange.threshold("found", lower, upper, SegmentColour.BONE);
-    BitCube bits = StackSegments.of(volume, volume::pixels, List.of(rule), k -> {}).get(0).bits();
+    SegmentRange range = SegmentRange.threshold("found", lower, upper, SegmentColour.BONE);
+    BitCube bits = StackSegments.of(volume, volume::pixels, List.of(range), k -> {}).get(0).bits();
     return bits.solidCount() + " at z " + bits.bounds().lowZ;
   }
 }

@@ -9,10 +9,11 @@ import org.junit.jupiter.api.Test;
 
 class SceneRendererTest {
   @Test
-  void aCardWithoutMemoryEndsTheDrawingInWords() {
+  void reportsAGraphicsCardWithoutMemory() {
     IllegalStateException thrown =
-        assertThrows(IllegalStateException.class, () -> SceneRenderer.refuse(GL.GL_OUT_OF_MEMORY));
+        assertThrows(
+            IllegalStateException.class, () -> SceneRenderer.checkMemory(GL.GL_OUT_OF_MEMORY));
     assertTrue(thrown.getMessage().contains("no memory"), thrown.getMessage());
-    assertDoesNotThrow(() -> SceneRenderer.refuse(GL.GL_NO_ERROR));
+    assertDoesNotThrow(() -> SceneRenderer.checkMemory(GL.GL_NO_ERROR));
   }
 }

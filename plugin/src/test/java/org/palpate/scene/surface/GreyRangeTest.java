@@ -19,27 +19,27 @@ class GreyRangeTest {
   }
 
   @Test
-  void aMaskOfZeroAndOneIsCutHalfWay() {
+  void aMaskHasCrossingsAtTheMidpoint() {
     EdgeCrossings mask = of(ScalarVolume.Storage.UINT8, 1, NONE, 0, 1, 0);
     assertEquals(0.5, mask.fraction(0, 0, 0, 0));
     assertEquals(0.5, mask.fraction(1, 0, 0, 0));
   }
 
   @Test
-  void theSurfaceRunsWhereTheValuesPassTheThreshold() {
+  void theSurfaceIsWhereTheValuesCrossTheThreshold() {
     EdgeCrossings bone = of(ScalarVolume.Storage.FLOAT32, 100, NONE, 0, 400);
     assertEquals(0.25, bone.fraction(0, 0, 0, 0), 1e-6);
   }
 
   @Test
-  void aRangeIsLeftAtEitherEnd() {
+  void aRangeHasCrossingsAtBothEnds() {
     EdgeCrossings soft = of(ScalarVolume.Storage.FLOAT32, 100, 200, 0, 150, 350);
     assertEquals(100.0 / 150, soft.fraction(0, 0, 0, 0), 1e-6);
     assertEquals(0.25, soft.fraction(1, 0, 0, 0), 1e-6);
   }
 
   @Test
-  void theBorderOfTheGridAndAnEditedVoxelAreCutHalfWay() {
+  void theBorderAndEditedVoxelsHaveCrossingsAtTheMidpoint() {
     EdgeCrossings bone = of(ScalarVolume.Storage.FLOAT32, 100, NONE, 300, 400);
     assertEquals(0.5, bone.fraction(1, 0, 0, 0), "beyond the grid");
     assertEquals(0.5, bone.fraction(0, 0, 0, 0), "one of two solid voxels was emptied");

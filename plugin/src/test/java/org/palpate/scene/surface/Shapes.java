@@ -6,13 +6,13 @@ import java.util.Random;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
-/** Shapes and whole surfaces for tests. */
+/** Shapes and complete surfaces for tests. */
 final class Shapes {
   static final Vec3 UNIT = new Vec3(1, 1, 1);
 
   private Shapes() {}
 
-  /** Which points are solid, by grid coordinates of a voxel's middle. */
+  /** The solid points, by grid coordinates of a voxel's middle. */
   interface Solid {
     boolean contains(double x, double y, double z);
   }
@@ -41,8 +41,8 @@ final class Shapes {
             square(x - middle) + square(y - middle) + square(z - middle) <= radius * radius);
   }
 
-  static BitCube random(int sizeX, int sizeY, int sizeZ, double share, Random random) {
-    return cube(sizeX, sizeY, sizeZ, (x, y, z) -> random.nextDouble() < share);
+  static BitCube random(int sizeX, int sizeY, int sizeZ, double fraction, Random random) {
+    return cube(sizeX, sizeY, sizeZ, (x, y, z) -> random.nextDouble() < fraction);
   }
 
   static double square(double value) {
@@ -53,7 +53,7 @@ final class Shapes {
     SurfaceExtractor extractor = new SurfaceExtractor(brickEdge);
     List<SurfaceBrick> bricks = new ArrayList<>();
     for (int brick = 0; brick < extractor.layout(source).count(); brick++) {
-      SurfaceBrick mesh = extractor.extract(source, AmbientOcclusion.EVERYWHERE, brick);
+      SurfaceBrick mesh = extractor.extract(source, AmbientOcclusion.NONE, brick);
       if (mesh != null) {
         bricks.add(mesh);
       }

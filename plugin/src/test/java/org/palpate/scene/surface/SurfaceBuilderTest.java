@@ -20,13 +20,13 @@ class SurfaceBuilderTest {
   private final Random random = new Random(Shapes.seed());
 
   @Test
-  void severalThreadsMakeTheSameBricksAsOne() throws Exception {
+  void severalThreadsBuildTheSameBricksAsOne() throws Exception {
     SurfaceSource source = SurfaceSource.ofBits(blobs(), Shapes.UNIT);
     assertSameBricks(buildAll(source, 1), buildAll(source, 4));
   }
 
   @Test
-  void remeshingTheTouchedBricksAloneGivesTheWholeSurfaceAnew() throws Exception {
+  void rebuildingTheTouchedBricksGivesTheSurfaceOfAFullBuild() throws Exception {
     BitCube bits = blobs();
     SurfaceSource source = SurfaceSource.ofBits(bits, Shapes.UNIT);
     Map<Integer, SurfaceBrick> bricks = buildAll(source, 2);
@@ -43,7 +43,7 @@ class SurfaceBuilderTest {
       builder
           .build(
               source,
-              AmbientOcclusion.EVERYWHERE,
+              AmbientOcclusion.NONE,
               SurfaceBuilder.EDITED,
               touched,
               (brick, begun, mesh) -> put(bricks, brick, mesh),
@@ -54,13 +54,13 @@ class SurfaceBuilderTest {
   }
 
   @Test
-  void aFailingSinkIsReportedToTheOneWhoWaits() {
+  void aFailingSinkIsReportedToTheWaitingThread() {
     SurfaceSource source = SurfaceSource.ofBits(Shapes.sphere(20, 5), Shapes.UNIT);
     try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
       SurfaceJob build =
           builder.build(
               source,
-              AmbientOcclusion.EVERYWHERE,
+              AmbientOcclusion.NONE,
               SurfaceBuilder.FINE,
               (brick, begun, mesh) -> {
                 throw new IllegalStateException("sink is full");
@@ -73,7 +73,7 @@ class SurfaceBuilderTest {
   }
 
   @Test
-  void aCoarseVolumeThatTookAnEditOverIsTheOneMadeAnew() throws Exception {
+  void anUpdatedCoarseVolumeEqualsANewOne() throws Exception {
     BitCube bits = blobs();
     for (int shift = 1; shift <= 2; shift++) {
       CoarseVolume followed = CoarseVolume.of(bits, shift);
@@ -118,20 +118,26 @@ class SurfaceBuilderTest {
     WeldedSurface fine = Shapes.surface(SurfaceSource.ofBits(bits, Shapes.UNIT));
     for (int shift = 1; shift <= 2; shift++) {
       WeldedSurface coarse = Shapes.surface(CoarseVolume.of(bits, shift).source(Shapes.UNIT));
-      assertEquals(1, coarse.volumeMm3() / fine.volumeMm3(), 0.08 * shift, "shift " + shift);
+      assertEquals(
+          1,
+          SurfaceMeasures.of(coarse).volumeMm3() / SurfaceMeasures.of(fine).volumeMm3(),
+          0.08 * shift,
+          "shift " + shift);
       assertTrue(coarse.triangleCount() < fine.triangleCount() / (3 * shift));
     }
   }
 
   @Test
-  void aThinWallDoesNotVanishWhenSeenCoarse() {
+  void aThinWallDoesNotVanishAtCoarseResolution() {
     BitCube wall = Shapes.cube(40, 40, 40, (x, y, z) -> Math.floor(x) == 17);
     WeldedSurface coarse = Shapes.surface(CoarseVolume.of(wall, 2).source(Shapes.UNIT));
-    assertTrue(coarse.areaMm2() > 2 * 35 * 35, "area " + coarse.areaMm2());
+    assertTrue(
+        SurfaceMeasures.of(coarse).areaMm2() > 2 * 35 * 35,
+        "area " + SurfaceMeasures.of(coarse).areaMm2());
   }
 
   @Test
-  void aHollowIsLessOpenToLightThanAnOutside() {
+  void aHollowHasLessAmbientLightThanTheOutside() {
     BitCube shell =
         Shapes.cube(
             64,
@@ -179,7 +185,7 @@ class SurfaceBuilderTest {
       SurfaceJob build =
           builder.build(
               source,
-              AmbientOcclusion.EVERYWHERE,
+              AmbientOcclusion.NONE,
               SurfaceBuilder.FINE,
               (brick, begun, mesh) -> put(bricks, brick, mesh),
               () -> {});

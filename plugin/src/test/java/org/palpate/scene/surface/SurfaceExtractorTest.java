@@ -27,7 +27,7 @@ class SurfaceExtractorTest {
     }
   }
 
-  /** A twin that is obviously right: the winding number at a voxel's centre is 1 or 0. */
+  /** Compares with a plain reference: the winding number at a voxel's centre is 1 or 0. */
   @Test
   void everySolidVoxelCentreIsInsideAndEveryEmptyOneOutside() {
     for (int round = 0; round < 12; round++) {
@@ -96,8 +96,8 @@ class SurfaceExtractorTest {
         Shapes.surface(SurfaceSource.ofBits(Shapes.sphere(48, radius), Shapes.UNIT));
     double volume = 4.0 / 3 * Math.PI * Math.pow(radius, 3);
     double area = 4 * Math.PI * radius * radius;
-    assertEquals(1, surface.volumeMm3() / volume, 0.01);
-    assertEquals(1, surface.areaMm2() / area, 0.01);
+    assertEquals(1, SurfaceMeasures.of(surface).volumeMm3() / volume, 0.01);
+    assertEquals(1, SurfaceMeasures.of(surface).areaMm2() / area, 0.01);
   }
 
   @Test
@@ -114,25 +114,38 @@ class SurfaceExtractorTest {
                 Shapes.square(Math.hypot(x - 40, 0.75 * y - 39) - ring) + Shapes.square(2 * z - 16)
                     <= tube * tube);
     WeldedSurface surface = Shapes.surface(SurfaceSource.ofBits(bits, spacing));
-    assertEquals(1, surface.volumeMm3() / (2 * Math.PI * Math.PI * ring * tube * tube), 0.02);
-    assertEquals(1, surface.areaMm2() / (4 * Math.PI * Math.PI * ring * tube), 0.02);
+    assertEquals(
+        1,
+        SurfaceMeasures.of(surface).volumeMm3() / (2 * Math.PI * Math.PI * ring * tube * tube),
+        0.02);
+    assertEquals(
+        1, SurfaceMeasures.of(surface).areaMm2() / (4 * Math.PI * Math.PI * ring * tube), 0.02);
   }
 
   @Test
-  void greyValuesPlaceASphereToAThirdOfAPercent() {
+  void volumeAndAreaOfASphereOfGreyValuesAreRightToAThirdOfAPercent() {
     double radius = 20;
     BitCube bits = Shapes.sphere(48, radius);
     SurfaceSource source =
-        SurfaceSource.ofGrey(
-            bits, (i, j, k) -> (float) -distance(i, j, k, 24), (float) -radius, Shapes.UNIT);
+        new SurfaceSource(
+            bits,
+            new GreyEdgeCrossings(
+                (i, j, k) -> (float) -distance(i, j, k, 24),
+                (float) -radius,
+                Float.POSITIVE_INFINITY),
+            Shapes.UNIT,
+            1);
     WeldedSurface surface = Shapes.surface(source);
-    assertEquals(1, surface.volumeMm3() / (4.0 / 3 * Math.PI * Math.pow(radius, 3)), 0.003);
-    assertEquals(1, surface.areaMm2() / (4 * Math.PI * radius * radius), 0.003);
+    assertEquals(
+        1,
+        SurfaceMeasures.of(surface).volumeMm3() / (4.0 / 3 * Math.PI * Math.pow(radius, 3)),
+        0.003);
+    assertEquals(1, SurfaceMeasures.of(surface).areaMm2() / (4 * Math.PI * radius * radius), 0.003);
     assertTrue(rmsNormalErrorDegrees(surface, 24) < 1, "normals off by " + said());
   }
 
   @Test
-  void normalsOfASphereOfBitsAreOffByLessThanThreeDegreesRms() {
+  void normalsOfASphereOfBitsDeviateByLessThanThreeDegreesRms() {
     WeldedSurface surface =
         Shapes.surface(SurfaceSource.ofBits(Shapes.sphere(64, 25), Shapes.UNIT));
     double error = rmsNormalErrorDegrees(surface, 32);
@@ -140,7 +153,7 @@ class SurfaceExtractorTest {
   }
 
   @Test
-  void bricksOfAnySizeMakeTheSameSurface() {
+  void bricksOfEverySizeGiveTheSameSurface() {
     BitCube bits = Shapes.random(17, 19, 13, 0.4, random);
     SurfaceSource source = SurfaceSource.ofBits(bits, new Vec3(0.977, 0.977, 1.4));
     Set<List<Float>> expected = triangles(Shapes.bricks(source, 40));
@@ -170,23 +183,25 @@ class SurfaceExtractorTest {
   }
 
   @Test
-  void thinWallsKeepTwoSidesThatDoNotMeet() {
+  void theSidesOfAThinWallDoNotMeet() {
     BitCube bits = Shapes.cube(30, 30, 30, (x, y, z) -> Math.floor(x + 0.4 * y) == 20);
     WeldedSurface surface = Shapes.surface(SurfaceSource.ofBits(bits, Shapes.UNIT));
     assertClosed(surface);
-    assertTrue(surface.volumeMm3() > 0.5 * bits.solidCount(), "volume " + surface.volumeMm3());
+    assertTrue(
+        SurfaceMeasures.of(surface).volumeMm3() > 0.5 * bits.solidCount(),
+        "volume " + SurfaceMeasures.of(surface).volumeMm3());
   }
 
   @Test
-  void anEmptyAndABrickWithinASolidHaveNoTriangles() {
+  void emptyBricksAndBricksInsideASolidHaveNoTriangles() {
     BitCube empty = new BitCube(90, 90, 90);
     SurfaceExtractor extractor = new SurfaceExtractor();
     SurfaceSource source = SurfaceSource.ofBits(empty, Shapes.UNIT);
-    assertNull(extractor.extract(source, AmbientOcclusion.EVERYWHERE, 0));
+    assertNull(extractor.extract(source, AmbientOcclusion.NONE, 0));
     BitCube full = Shapes.cube(130, 130, 130, (x, y, z) -> true);
     SurfaceSource solid = SurfaceSource.ofBits(full, Shapes.UNIT);
     BrickLayout layout = extractor.layout(solid);
-    assertNull(extractor.extract(solid, AmbientOcclusion.EVERYWHERE, layout.brick(1, 1, 1)));
+    assertNull(extractor.extract(solid, AmbientOcclusion.NONE, layout.brick(1, 1, 1)));
   }
 
   private String said() {
@@ -239,7 +254,7 @@ class SurfaceExtractorTest {
     return false;
   }
 
-  /** How often each edge is used, in its two directions. */
+  /** Counts the uses of each edge in its two directions. */
   private static Map<Long, int[]> edges(WeldedSurface surface) {
     Map<Long, int[]> edges = new HashMap<>();
     int[] t = surface.triangles();
@@ -305,13 +320,14 @@ class SurfaceExtractorTest {
         brick.normals()[4 * v + 2]);
   }
 
-  /** Solid angles by the formula of van Oosterom and Strackee (1983), over 4 pi. */
+  /** Sums solid angles by the formula of van Oosterom and Strackee (1983), over 4 pi. */
   private static double windingNumber(WeldedSurface s, double x, double y, double z) {
+    SurfaceMeasures corners = SurfaceMeasures.of(s);
     double sum = 0;
     for (int t = 0; t < s.triangles().length; t += 3) {
       double[][] r = new double[3][];
       for (int c = 0; c < 3; c++) {
-        r[c] = new double[] {s.x(t + c) - x, s.y(t + c) - y, s.z(t + c) - z};
+        r[c] = new double[] {corners.x(t + c) - x, corners.y(t + c) - y, corners.z(t + c) - z};
       }
       double la = Math.sqrt(dot(r[0], r[0]));
       double lb = Math.sqrt(dot(r[1], r[1]));

@@ -21,7 +21,7 @@ class SurfaceFileTest {
       Shapes.surface(SurfaceSource.ofBits(Shapes.sphere(20, 7), Shapes.UNIT));
 
   @Test
-  void stlHoldsEveryTriangleWithItsNormalOutwardEvenWhenMirrored() throws Exception {
+  void stlContainsEveryTriangleWithItsNormalOutwardEvenIfMirrored() throws Exception {
     for (RigidTransform place : new RigidTransform[] {RigidTransform.identity(), MIRRORED}) {
       ByteArrayOutputStream out = new ByteArrayOutputStream();
       SurfaceFile.write(sphere, place, true, out);
@@ -29,12 +29,12 @@ class SurfaceFileTest {
       assertEquals(84 + 50 * sphere.triangleCount(), stl.capacity());
       assertEquals(sphere.triangleCount(), stl.getInt(80));
       Vec3 middle = place.transform(new Vec3(10, 10, 10), new Vec3());
-      assertEquals(sphere.volumeMm3(), stlVolume(stl, middle), 0.1);
+      assertEquals(SurfaceMeasures.of(sphere).volumeMm3(), stlVolume(stl, middle), 0.1);
     }
   }
 
   @Test
-  void plyHoldsEveryVertexOnceWithItsNormalOutward() throws Exception {
+  void plyContainsEveryVertexOnceWithItsNormalOutward() throws Exception {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     SurfaceFile.write(sphere, MIRRORED, false, out);
     byte[] bytes = out.toByteArray();
@@ -55,13 +55,14 @@ class SurfaceFileTest {
   }
 
   @Test
-  void surfacesTogetherKeepTheirTriangles() {
+  void combinedSurfacesKeepTheirTriangles() {
     WeldedSurface two = WeldedSurface.together(List.of(sphere, sphere));
     assertEquals(2 * sphere.triangleCount(), two.triangleCount());
-    assertEquals(2 * sphere.volumeMm3(), two.volumeMm3(), 1e-6);
+    assertEquals(
+        2 * SurfaceMeasures.of(sphere).volumeMm3(), SurfaceMeasures.of(two).volumeMm3(), 1e-6);
   }
 
-  /** Sum of signed tetrahedra; also checks that each normal fits its corners. */
+  /** Returns the sum of signed tetrahedra, and checks that each normal fits its corners. */
   private static double stlVolume(ByteBuffer stl, Vec3 middle) {
     double sum = 0;
     for (int t = 84; t < stl.capacity(); t += 50) {

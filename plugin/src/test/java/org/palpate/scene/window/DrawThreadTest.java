@@ -10,7 +10,7 @@ class DrawThreadTest {
   private static final long PATIENCE_S = 60;
 
   @Test
-  void aPictureIsDrawnForRequestsThatCameWhileDrawing() throws Exception {
+  void requestsDuringAPictureCauseOneMorePicture() throws Exception {
     CountDownLatch drawing = new CountDownLatch(1);
     CountDownLatch goOn = new CountDownLatch(1);
     CountDownLatch twice = new CountDownLatch(2);
@@ -33,7 +33,7 @@ class DrawThreadTest {
   }
 
   @Test
-  void closingDoesNotWaitForADrawingThatHangs() {
+  void closingDoesNotWaitForAHangingPicture() {
     CountDownLatch never = new CountDownLatch(1);
     CountDownLatch drawing = new CountDownLatch(1);
     DrawThread thread =

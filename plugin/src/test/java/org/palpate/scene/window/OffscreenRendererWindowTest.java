@@ -30,7 +30,7 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
-/** Pictures, by the pixels that must be there. */
+/** Checks pictures by characteristic pixels. */
 class OffscreenRendererWindowTest {
   private static final int WIDTH = 320;
   private static final int HEIGHT = 240;
@@ -54,7 +54,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void aSegmentIsSeenInItsColourBeforeTheBackground() throws Exception {
+  void drawsASegmentInItsColourInFrontOfTheBackground() throws Exception {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     Picture picture = scene.draw(model.state());
@@ -64,7 +64,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void aMirroredTransformShowsMirroredAndIsLitFromTheSameSide() throws Exception {
+  void aMirroringTransformMirrorsTheSegmentButNotTheLight() throws Exception {
     RigidTransform mirror =
         new RigidTransform(
             new Vec3(-1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3(EDGE, 0, 0));
@@ -79,7 +79,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void theFrontViewHasThePatientsRightOnTheLeftWhateverTheWorldsAxes() throws Exception {
+  void theFrontViewHasThePatientsRightOnTheLeftForEveryWorld() throws Exception {
     for (WorldAxes axes : WorldAxes.values()) {
       SceneModel model = model(axes, RigidTransform.identity());
       model.look(StandardView.FRONT, 4.0 / 3);
@@ -101,7 +101,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void slicesShowGreyValuesWhereTheyLie() throws Exception {
+  void slicesShowTheGreyValuesOfTheirVoxels() throws Exception {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     model.objects().forEach(object -> model.setVisible(object, false));
@@ -122,7 +122,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void whatStandsStillIsDrawnOnceWhileTheHandMoves() throws Exception {
+  void staticPartsAreDrawnOnceWhileTheDeviceMoves() throws Exception {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     scene.draw(model.state());
@@ -130,14 +130,14 @@ class OffscreenRendererWindowTest {
       model.setMarks(Optional.of(marksAt(new Vec3(i, -4, 12))));
       scene.draw(model.state());
     }
-    assertEquals(1, scene.stillDrawn());
+    assertEquals(5, scene.staticReused());
     model.moveCamera(camera -> camera.orbit(0.1, 0), false);
     scene.draw(model.state());
-    assertEquals(2, scene.stillDrawn());
+    assertEquals(5, scene.staticReused());
   }
 
   @Test
-  void theInteractionPointIsSeenWhereItIs() throws Exception {
+  void drawsTheInteractionPointAtItsPosition() throws Exception {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     model.setMarks(Optional.of(marksAt(new Vec3(12, -2, 12))));
@@ -146,7 +146,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void aLandmarkIsSeenWhereItIsWithItsNameBesideIt() throws Exception {
+  void drawsALandmarkAtItsPositionWithItsNameBesideIt() throws Exception {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     Picture without = scene.draw(model.state());
@@ -164,8 +164,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void aPointLessThanAVoxelBehindTheDrawnSurfaceIsSeenAndOneFurtherBehindIsFaint()
-      throws Exception {
+  void aPointLessThanAVoxelBehindTheSurfaceIsVisibleAndOneFartherBehindIsFaint() throws Exception {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     scene.draw(model.state());
@@ -176,7 +175,7 @@ class OffscreenRendererWindowTest {
     assertTrue(justBehind > farBehind + 30, justBehind + " " + farBehind);
   }
 
-  /** How orange the middle of the point's ball is. */
+  /** Returns how orange the middle of the interaction point's ball is. */
   private int orange(SceneModel model, Vec3 point) {
     model.setMarks(Optional.of(marksAt(point)));
     int rgb = scene.draw(model.state()).rgb(WIDTH / 2 - 60, HEIGHT / 2);
@@ -184,7 +183,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void aPickedPixelIsAPlaceOnTheSurface() throws Exception {
+  void aPickedPixelIsAPointOfTheSurface() throws Exception {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     scene.draw(model.state());
@@ -196,7 +195,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void lettersAreShownWhereTheAxesAreKnown() throws Exception {
+  void lettersAreShownIfTheAxesAreKnown() throws Exception {
     Picture with = lettered(WorldAxes.LPS);
     Picture without = lettered(WorldAxes.UNKNOWN);
     assertTrue(differing(with, without, 0, HEIGHT / 2, WIDTH / 2, HEIGHT) > 30);
@@ -227,7 +226,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void aTranslucentSegmentLetsTheOneBehindThrough() throws Exception {
+  void aTranslucentSegmentShowsTheOneBehindIt() throws Exception {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.LEFT, 4.0 / 3);
     int before = scene.draw(model.state()).rgb(WIDTH / 2, HEIGHT / 2);
@@ -238,7 +237,7 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void anEditAppearsAtOnce() throws Exception {
+  void anEditAppearsInTheNextPicture() throws Exception {
     SegmentedVolume volume = volume(RigidTransform.identity());
     SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
     try (SceneLoader loader = new SceneLoader(model, volume, 1)) {
@@ -255,7 +254,7 @@ class OffscreenRendererWindowTest {
           }
         }
       }
-      for (SurfaceJob level : loader.edited(0, edited)) {
+      for (SurfaceJob level : loader.remesh(0, edited)) {
         level.await(60_000);
       }
     }
@@ -287,7 +286,7 @@ class OffscreenRendererWindowTest {
     return model;
   }
 
-  /** Two boxes beside each other: red at low x, blue at high x. */
+  /** Returns two boxes side by side: red at low x, blue at high x. */
   private static SegmentedVolume volume(RigidTransform pose) {
     VoxelGrid grid = new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(1, 1, 1), pose);
     return new SegmentedVolume(

@@ -4,12 +4,12 @@ import java.awt.EventQueue;
 import java.lang.reflect.InvocationTargetException;
 import javax.swing.JFrame;
 
-/** Another program with a window, a panel of ours in it. By the test's thread. */
+/** Another program with a window that contains a panel of Palpate. Used by the test's thread. */
 public final class ProgramWithPanel {
   private ScenePanel panel;
   private JFrame frame;
 
-  /** Opens it, or skips the test where there is no display. */
+  /** Opens the window, or skips the test without a display. */
   public ProgramWithPanel() throws InterruptedException, InvocationTargetException {
     TestDisplay.require();
     EventQueue.invokeAndWait(
@@ -26,12 +26,12 @@ public final class ProgramWithPanel {
     return panel;
   }
 
-  /** Its window; by the event thread. */
+  /** Returns the window. On the event thread. */
   JFrame frame() {
     return frame;
   }
 
-  /** Closes its window, and waits until it is. */
+  /** Closes the window and waits until it is closed. */
   public void close() throws InterruptedException, InvocationTargetException {
     EventQueue.invokeAndWait(frame::dispose);
   }

@@ -19,7 +19,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.scene.Palette;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
@@ -36,7 +35,7 @@ class ScenePanelWindowTest {
   void open() throws Exception {
     program = new ProgramWithPanel();
     panel = program.panel();
-    model.add("none", Palette.BONE, RigidTransform.identity(), new Vec3(), new Vec3(9, 9, 9));
+    model.add("none", 0xe9dcc0, RigidTransform.identity(), new Vec3(), new Vec3(9, 9, 9));
   }
 
   @AfterEach
@@ -53,7 +52,7 @@ class ScenePanelWindowTest {
   }
 
   @Test
-  void aSceneFillsThePlaceThatItWasGiven() throws Exception {
+  void aSceneFillsItsPanel() throws Exception {
     try (SceneWindow window = new SceneWindow(model, panel, end -> {})) {
       window.show();
       Picture taken = picture(window);
@@ -119,7 +118,7 @@ class ScenePanelWindowTest {
   }
 
   @Test
-  void aPlaceThatIsTakenOutAndPutBackShowsTheSceneAgain() throws Exception {
+  void aPanelThatIsRemovedAndAddedAgainShowsTheScene() throws Exception {
     try (SceneWindow window = new SceneWindow(model, panel, end -> {})) {
       window.show();
       picture(window);
@@ -135,7 +134,7 @@ class ScenePanelWindowTest {
   }
 
   @Test
-  void tenScenesOneAfterTheOtherLeaveNoThreadAndAnEmptyPlace() throws Exception {
+  void tenSuccessiveScenesLeaveNoThreadAndAnEmptyPanel() throws Exception {
     showOnce();
     List<String> before = threads();
     for (int round = 0; round < 10; round++) {
@@ -143,7 +142,7 @@ class ScenePanelWindowTest {
     }
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
     while (!before.equals(threads()) && System.nanoTime() < end) {
-      Thread.onSpinWait(); // NEWT's own thread ends a little later
+      Thread.onSpinWait(); // NEWT's own thread ends slightly later
     }
     assertEquals(before, threads());
     EventQueue.invokeAndWait(() -> {});
@@ -159,7 +158,7 @@ class ScenePanelWindowTest {
     }
   }
 
-  /** Names without numbers, as often as there are threads of that name. */
+  /** Returns the names of threads without their numbers, once for each thread. */
   private static List<String> threads() {
     return Thread.getAllStackTraces().keySet().stream()
         .map(thread -> thread.getName().replaceAll("[0-9a-fx]{4,}|[0-9]+", "#"))

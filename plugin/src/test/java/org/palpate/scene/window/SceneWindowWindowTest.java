@@ -15,7 +15,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.scene.Palette;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.SceneObject;
@@ -33,11 +32,11 @@ class SceneWindowWindowTest {
   @BeforeEach
   void display() {
     TestDisplay.require();
-    model.add("none", Palette.BONE, RigidTransform.identity(), new Vec3(), new Vec3(9, 9, 9));
+    model.add("none", 0xe9dcc0, RigidTransform.identity(), new Vec3(), new Vec3(9, 9, 9));
   }
 
   @Test
-  void drawsWhenAskedAndGivesASnapshot() throws Exception {
+  void drawsOnRequestAndTakesASnapshot() throws Exception {
     try (SceneWindow window = new SceneWindow(model, "test", 200, 150, end -> {})) {
       window.show();
       CompletableFuture<Picture> picture = new CompletableFuture<>();
@@ -49,7 +48,7 @@ class SceneWindowWindowTest {
   }
 
   @Test
-  void trianglesOfGlassAreSentTwiceAndCountedOnce() throws Exception {
+  void transparentTrianglesAreCountedOnce() throws Exception {
     try (SceneLoader loader = new SceneLoader(model, Phantom.parse("sphere:32").segments(), 1);
         SceneWindow window = new SceneWindow(model, "test", 200, 150, end -> {})) {
       loader.await(TimeUnit.SECONDS.toMillis(PATIENCE_S));
@@ -64,7 +63,7 @@ class SceneWindowWindowTest {
   }
 
   @Test
-  void aDrawingThatFailsIsToldOnceAndTheModelGoesOn() throws Exception {
+  void aFailingDrawingIsReportedOnceAndTheModelContinues() throws Exception {
     CompletableFuture<SceneWindow.End> told = new CompletableFuture<>();
     try (SceneWindow window = new SceneWindow(model, "test", 200, 150, told::complete)) {
       window.show();
@@ -82,7 +81,7 @@ class SceneWindowWindowTest {
   }
 
   @Test
-  void closingTwiceDoesNoHarmAndTellsNoOne() throws Exception {
+  void closingTwiceIsHarmlessAndReportsNothing() throws Exception {
     CompletableFuture<SceneWindow.End> told = new CompletableFuture<>();
     SceneWindow window = new SceneWindow(model, "test", 200, 150, told::complete);
     window.show();
@@ -96,11 +95,11 @@ class SceneWindowWindowTest {
     SceneWindow first = new SceneWindow(model, "first", 100, 100, end -> {});
     first.show();
     first.close();
-    drawsWhenAskedAndGivesASnapshot();
+    drawsOnRequestAndTakesASnapshot();
   }
 
   @Test
-  void aWindowThatItsUserClosesTellsItsOwnerOnce() throws Exception {
+  void aWindowClosedByItsUserTellsItsOwnerOnce() throws Exception {
     AtomicInteger told = new AtomicInteger();
     CompletableFuture<SceneWindow.End> end = new CompletableFuture<>();
     SceneWindow window =
@@ -139,7 +138,7 @@ class SceneWindowWindowTest {
   }
 
   @Test
-  void aContextThatIsLostIsReplacedAndTheSceneUploadedAnew() throws Exception {
+  void aLostContextIsReplacedAndTheSceneUploadedAgain() throws Exception {
     try (SceneWindow window = new SceneWindow(model, "test", 200, 150, end -> {})) {
       window.show();
       Picture before = picture(window);
@@ -152,7 +151,7 @@ class SceneWindowWindowTest {
   }
 
   @Test
-  void anErrorOfTheJvmWhileDrawingIsToldToo() throws Exception {
+  void anErrorOfTheJvmDuringDrawingIsReported() throws Exception {
     CompletableFuture<SceneWindow.End> told = new CompletableFuture<>();
     try (SceneWindow window = new SceneWindow(model, "test", 200, 150, told::complete)) {
       window.show();

@@ -12,15 +12,15 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Assumptions;
 
 /**
- * A display for tests: the one that is there, or Xvfb on the number that the build put into the
- * environment, started by the first test that needs it.
+ * A display for tests: the present one, or Xvfb on the number that the build sets in the
+ * environment. The first test that needs Xvfb starts it.
  */
 public final class TestDisplay {
   private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(20);
 
   /**
-   * The server is ended by a shell that waits until this process is gone: ended any earlier it
-   * would take its clients' process with it.
+   * A shell ends the server after this process has ended. An earlier end would kill this process,
+   * which is its client.
    */
   private static final String SERVE =
       "Xvfb \"$1\" -screen 0 1280x1024x24 +extension GLX -nolisten tcp & server=$!;"
@@ -29,7 +29,7 @@ public final class TestDisplay {
 
   private TestDisplay() {}
 
-  /** Skips the test where there is no display and no Xvfb. */
+  /** Skips the test if there is no display and no Xvfb. */
   public static synchronized void require() {
     String display = System.getenv("DISPLAY");
     Assumptions.assumeTrue(

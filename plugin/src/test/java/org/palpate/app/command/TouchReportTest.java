@@ -10,48 +10,48 @@ import org.palpate.app.process.PalpateException;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopEnd.Cause;
 
-/** However a session ends, it is told in one line that says what, where and what to do. */
-class TouchEndingTest {
+/** Every ending is reported in one line with what, where and what to do. */
+class TouchReportTest {
   private static final DeviceChoice REAL = DeviceChoice.parse("hid");
 
   @Test
-  void aDeviceOrSolverThatThrewIsToldInOneLineWithExitCodeOne() {
+  void reportsAFailedDeviceOrSolverInOneLineWithExitCodeOne() {
     LoopEnd end = new LoopEnd(Cause.FAILED, new IllegalStateException("the cable"));
-    assertTold(
+    assertReports(
         "the session failed (java.lang.IllegalStateException: the cable): device hid: run it again"
-            + " with --debug and report what it shows",
+            + " with --debug and report the output",
         end,
         "");
   }
 
   @Test
-  void aFrameThatDidNotComeBackIsToldInOneLineWithExitCodeOne() {
-    assertTold(
-        "a frame did not come back: device hid: force was ended by closing the device; look at its"
+  void reportsAFrameThatDidNotReturnInOneLineWithExitCodeOne() {
+    assertReports(
+        "a frame did not return: device hid: the force was ended by closing the device; check its"
             + " cable and driver",
         new LoopEnd(Cause.HUNG, null),
         "");
   }
 
   @Test
-  void aDeviceThatWentAwayIsToldInOneLineWithExitCodeOne() {
-    assertTold(
-        "the device went away (no report for 1 s): device hid: look at its cable and power; what it"
-            + " still holds its own watchdog ends",
+  void reportsADisconnectedDeviceInOneLineWithExitCodeOne() {
+    assertReports(
+        "the device disconnected (no report for 1 s): device hid: check its cable and power; its"
+            + " own watchdog ends any remaining force",
         new LoopEnd(Cause.DEVICE_GONE, null),
         "no report for 1 s");
   }
 
   @Test
-  void aSessionThatWasStoppedEndsWithExitCodeZero() {
+  void aStoppedSessionHasExitCodeZero() {
     assertEquals(0, TouchReport.exitCode(new LoopEnd(Cause.STOPPED, null), REAL, ""));
   }
 
-  private static void assertTold(String line, LoopEnd end, String ending) {
-    PalpateException told =
+  private static void assertReports(String line, LoopEnd end, String ending) {
+    PalpateException error =
         assertThrows(PalpateException.class, () -> TouchReport.exitCode(end, REAL, ending));
-    assertEquals(line, told.getMessage());
-    assertFalse(told.getMessage().contains("\n"));
-    assertEquals(PalpateException.FAILED, told.exitCode());
+    assertEquals(line, error.getMessage());
+    assertFalse(error.getMessage().contains("\n"));
+    assertEquals(PalpateException.FAILED, error.exitCode());
   }
 }

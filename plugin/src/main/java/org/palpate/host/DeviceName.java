@@ -1,0 +1,128 @@
+package org.palpate.host;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.function.Function;
+import org.palpate.device.DeviceSpecification;
+import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.ReplayDevice;
+import org.palpate.device.SimulatedDevice;
+import org.palpate.device.Trajectory;
+import org.palpate.device.Workspace;
+import org.palpate.device.WorkspaceDevice;
+import org.palpate.device.jni.DeviceCatalog;
+import org.palpate.device.jni.DeviceException;
+import org.palpate.force.ForceSettings;
+import org.palpate.io.table.TrajectoryCsvReader;
+
+/**
+ * Names a device as users write it, {@code NAME} or {@code NAME:ID}, and opens it.
+ *
+ * <p>Any thread. Opening a real device blocks for up to some seconds.
+ *
+ * @param name the back end, for example {@code simulated} or {@code hid}
+ * @param id the seed, file, serial number, name or host; empty if none is given
+ */
+public record DeviceName(String name, String id) {
+  private static final String SIMULATED = "simulated";
+  private static final String MOUSE = "mouse";
+  private static final String REPLAY = "replay";
+  private static final long DEFAULT_SEED = 1;
+
+  /** Fraction of the stiffness that a real device can render at most, so that contact is stable. */
+  private static final double STIFFNESS_FRACTION = 0.5;
+
+  /** Splits a text at its first colon. Every text is accepted; see {@link #isKnown}. */
+  public static DeviceName parse(String text) {
+    int colon = text.indexOf(':');
+    return colon < 0
+        ? new DeviceName(text, "")
+        : new DeviceName(text.substring(0, colon), text.substring(colon + 1));
+  }
+
+  /** Returns the name of a replay of a recorded trajectory. */
+  public static DeviceName ofReplay(Path trajectory) {
+    return new DeviceName(REPLAY, trajectory.toString());
+  }
+
+  /** Whether there is a back end of this name. */
+  public boolean isKnown() {
+    return isSimulated() || isMouse() || isReplay() || DeviceCatalog.isNative(name);
+  }
+
+  /** Whether the device is a simulated hand. */
+  public boolean isSimulated() {
+    return name.equals(SIMULATED);
+  }
+
+  /** Whether the device is the mouse in the 3-D window. */
+  public boolean isMouse() {
+    return name.equals(MOUSE);
+  }
+
+  /** Whether the device replays a recorded trajectory. */
+  public boolean isReplay() {
+    return name.equals(REPLAY);
+  }
+
+  /** Whether a hand holds the device and feels its force. */
+  public boolean isReal() {
+    return !isSimulated() && !isMouse() && !isReplay();
+  }
+
+  /**
+   * Returns the seed of a simulated hand.
+   *
+   * @throws NumberFormatException if the id is not a whole number
+   */
+  public long seed() {
+    return id.isEmpty() ? DEFAULT_SEED : Long.parseLong(id);
+  }
+
+  /**
+   * Opens the device. Its positions are in world mm.
+   *
+   * @param target the region that must be in reach
+   * @param periodNanos time between two samples of a simulated hand or the mouse
+   * @param fit maps the workspace of a real device to the world
+   * @throws DeviceException if a real device cannot be opened; the message gives the remedy
+   * @throws IOException if the recorded trajectory cannot be read
+   */
+  public HapticDevice open(
+      HandTarget target, long periodNanos, Function<DeviceSpecification, Workspace> fit)
+      throws IOException, DeviceException {
+    return switch (name) {
+      case SIMULATED -> new SimulatedDevice(seed(), target, periodNanos);
+      case MOUSE -> new MouseDevice(target, periodNanos);
+      case REPLAY -> openReplay();
+      default -> openReal(fit);
+    };
+  }
+
+  private HapticDevice openReplay() throws IOException {
+    Trajectory trajectory = new Trajectory();
+    TrajectoryCsvReader.read(Path.of(id), false, trajectory::add);
+    return new ReplayDevice(toString(), trajectory);
+  }
+
+  private HapticDevice openReal(Function<DeviceSpecification, Workspace> fit)
+      throws DeviceException {
+    HapticDevice device = DeviceCatalog.open(name, id);
+    Workspace workspace = fit.apply(device.specification());
+    return new WorkspaceDevice(device, workspace, WorkspaceDevice.Controls.standard());
+  }
+
+  /** Returns the stiffness to use if the user gives none, N per mm of scan. */
+  public double defaultStiffnessNewtonPerMm(HapticDevice opened) {
+    return isReal()
+        ? STIFFNESS_FRACTION * opened.specification().maxStiffnessNewtonPerMm()
+        : ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM;
+  }
+
+  /** Returns the text that {@link #parse} reads. */
+  @Override
+  public String toString() {
+    return id.isEmpty() ? name : name + ":" + id;
+  }
+}
