@@ -1,13 +1,11 @@
 package org.palpate.host;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
-import org.palpate.loop.LoopStatus;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.NamedPoint;
 import org.palpate.scene.SceneLoader;
@@ -46,7 +44,6 @@ public final class SessionView implements AutoCloseable {
 
   private static final int WIDTH = 1024;
   private static final int HEIGHT = 768;
-  private static final long OVERLAY_NANOS = 500_000_000;
 
   /** The longest time that an ending session waits for a window that is opening. */
   private static final long OPENING_WAIT_MILLIS = 10_000;
@@ -60,6 +57,7 @@ public final class SessionView implements AutoCloseable {
   private final ViewOptions options;
   private final Optional<MovableSlices> slices;
   private final SceneModel model;
+  private final SessionOverlay overlay;
   private final SceneSynchronizer synchronizer;
   private final SynchronizationThread synchronization;
   private final Thread opening;
@@ -67,13 +65,7 @@ public final class SessionView implements AutoCloseable {
   private volatile Vec3 proxyGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
   private volatile SceneLoader loader;
   private volatile SceneWindow window;
-  private volatile boolean overlayOutdated;
   private boolean closed;
-  private List<String> lines = List.of();
-  private long linesNanos;
-  private long linesFrames;
-  private long linesApplications;
-  private double linesProgress;
 
   /**
    * Creates a view of surfaces made of bits, which is not open yet. From now on the view is the one
@@ -108,11 +100,13 @@ public final class SessionView implements AutoCloseable {
     this.device = device;
     this.listener = listener;
     model = new SceneModel(axes, Theme.DARK);
-    synchronizer = new SceneSynchronizer(session.properties(), volume.grid(), model, this::overlay);
+    slices = options.slices().map(start -> new MovableSlices(model, start));
+    overlay = new SessionOverlay(session, device, slices);
+    synchronizer =
+        new SceneSynchronizer(session.properties(), volume.grid(), model, this::overlayLines);
     synchronization = new SynchronizationThread(this::tick, this::synchronizationFailed);
     opening = new Thread(this::open, "palpate-open-view");
     opening.setDaemon(true);
-    slices = options.slices().map(start -> new MovableSlices(model, start));
   }
 
   /** Starts the synchronization, and opens the window in the background. */
@@ -131,7 +125,7 @@ public final class SessionView implements AutoCloseable {
   }
 
   private void open() {
-    SceneLoader started = begin();
+    SceneLoader started = startLoading();
     try {
       SceneWindow opened = newWindow();
       opened.onPicture(started::pictureDrawn);
@@ -189,14 +183,14 @@ public final class SessionView implements AutoCloseable {
 
   private void applyAndShow(Runnable change) {
     change.run();
-    overlayOutdated = true;
+    overlay.invalidate();
   }
 
   private synchronized boolean isClosed() {
     return closed;
   }
 
-  private SceneLoader begin() {
+  private SceneLoader startLoading() {
     SceneLoader started = SceneLoader.forWindow(model, volume, options.greys(), 1);
     model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
     loader = started;
@@ -264,65 +258,18 @@ public final class SessionView implements AutoCloseable {
     listener.print(line);
   }
 
-  /**
-   * Returns new numbers twice a second while something moves, otherwise the same lines, which cause
-   * no redraw.
-   */
-  private List<String> overlay() {
-    long now = System.nanoTime();
-    double progress = surfaceProgress();
-    boolean moved = synchronizer.applications() != linesApplications || progress != linesProgress;
-    if (overlayOutdated || (moved && now - linesNanos >= OVERLAY_NANOS)) {
-      overlayOutdated = false;
-      LoopStatus status = session.status();
-      double rate = (status.frames() - linesFrames) * 1e9 / (now - linesNanos);
-      lines = lines(status, linesNanos == 0 ? "" : String.format(Locale.ROOT, "%.0f Hz   ", rate));
-      linesNanos = now;
-      linesFrames = status.frames();
-      linesApplications = synchronizer.applications();
-      linesProgress = progress;
-    }
-    return lines;
-  }
-
-  private List<String> lines(LoopStatus status, String rate) {
+  private List<String> overlayLines() {
     SceneWindow shown = window;
-    return List.of(
-        String.format(Locale.ROOT, "%slate %.0f µs", rate, status.latestLatenessNanos() / 1e3),
-        String.format(
-            Locale.ROOT,
-            "%.2f N   %s",
-            status.forceNewton(),
-            status.contact() ? "contact" : "free"),
-        tuningLine(),
-        slices.map(MovableSlices::line).orElse(""),
-        shown == null ? "" : shown.drawnTriangleText() + pendingSurfaceText(),
-        "h: help");
+    return overlay.update(
+        synchronizer.applications(),
+        surfaceProgress(),
+        shown == null ? "" : shown.drawnTriangleText());
   }
 
   /** Returns the fraction of the surfaces that is complete; 1 if there are none. */
   private double surfaceProgress() {
     SceneLoader meshes = loader;
     return meshes == null ? 1 : meshes.progress();
-  }
-
-  private String pendingSurfaceText() {
-    double progress = surfaceProgress();
-    return progress == 1
-        ? ""
-        : String.format(Locale.ROOT, "   surfaces %.0f %%", Math.floor(100 * progress));
-  }
-
-  private String tuningLine() {
-    ContactTuning tuning = session.tuning();
-    boolean clutched = device instanceof WorkspaceDevice mapped && mapped.isClutchRequested();
-    return String.format(
-        Locale.ROOT,
-        "%s   %.2f N/mm   friction %.2f%s",
-        tuning.solver(),
-        tuning.force().stiffnessNewtonPerMm(),
-        tuning.force().friction(),
-        clutched ? "   clutch held" : "");
   }
 
   /** Returns the rate of the synchronization, Hz. */

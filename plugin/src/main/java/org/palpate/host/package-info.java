@@ -1,8 +1,8 @@
 /**
- * The port to a volume platform: contact scene, session, and the change from world to grid
- * coordinates.
+ * The port to a volume platform: contact scene, live session, replay, view and devices, and the
+ * change from world to grid coordinates.
  *
- * <p>Uses {@code frame}, {@code loop}, {@code scene} and {@code device}. Each class states its
- * thread. World millimetres outside, grid coordinates inside.
+ * <p>Uses {@code loop}, {@code proxy}, {@code scene.window}, {@code device.jni} and {@code
+ * io.table}. Each class states its thread. World millimetres outside, grid coordinates inside.
  */
 package org.palpate.host;

@@ -14,8 +14,8 @@ import org.scijava.plugin.Parameter;
 import org.scijava.plugin.Plugin;
 
 /**
- * "Replay Volume File...": replays a recorded trajectory over a volume file as the command line's
- * {@code replay} does, with or without a screen, and gives the same bytes.
+ * "Replay Volume File...": replays a recorded trajectory over a volume file as the command {@code
+ * palpate replay} does, with or without a screen, and writes the same bytes.
  *
  * <p>SciJava finds it by the index in {@code META-INF/json}, and writes and reads its fields.
  */
@@ -34,7 +34,7 @@ public final class ReplayFile implements Command {
 
   @Parameter(
       label = "Segment",
-      description = "NAME=SPEC, as in bone=>=1500 or jaw=label:7; empty for a label volume",
+      description = "NAME=SPEC, for example bone=>=1500 or jaw=label:7; empty for a label volume",
       required = false)
   private String segment = "";
 
@@ -53,15 +53,19 @@ public final class ReplayFile implements Command {
       required = false)
   private String solver = "smooth";
 
-  @Parameter(label = "Frames", style = "save", description = "CSV with a row a frame")
+  @Parameter(label = "Frames", style = "save", description = "CSV with one row for each frame")
   private File frames;
 
-  @Parameter(type = ItemIO.OUTPUT, label = "Done", description = "Whether the frames are there")
+  @Parameter(type = ItemIO.OUTPUT, label = "Done", description = "Whether the frames were written")
   private boolean done;
 
-  @Parameter(type = ItemIO.OUTPUT, label = "Message", description = "Why not; empty where done")
+  @Parameter(
+      type = ItemIO.OUTPUT,
+      label = "Message",
+      description = "The error; empty if there was none")
   private String message = "";
 
+  /** Runs the command and stores its outcome in the outputs. */
   @Override
   public void run() {
     ByteArrayOutputStream out = new ByteArrayOutputStream();

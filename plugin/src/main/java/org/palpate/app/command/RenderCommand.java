@@ -147,8 +147,8 @@ public final class RenderCommand implements Callable<Integer> {
       names = "--opacity",
       paramLabel = "NAME=OPACITY",
       description = {
-        "Opacity of a segment, 0 (hidden) to 1; may be repeated. Default: 1, but 0.3 for a",
-        "segment that encloses all others."
+        "Opacity of a segment, 0 (hidden) to 1; may be repeated. Default: 1, but 0.3 for a"
+            + " segment that encloses all others."
       })
   private Map<String, Double> opacities = new LinkedHashMap<>();
 

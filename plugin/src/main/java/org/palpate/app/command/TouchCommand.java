@@ -78,8 +78,8 @@ public final class TouchCommand implements Callable<Integer> {
       paramLabel = "NAME[:ID]",
       defaultValue = "simulated",
       description = {
-        "simulated[:SEED], replay:T.csv, hid[:SERIAL], openhaptics[:NAME],",
-        "forcedimension[:SERIAL], virtuose:HOST, or mouse (in the window).",
+        "The device: simulated[:SEED], replay:T.csv, hid[:SERIAL], openhaptics[:NAME],"
+            + " forcedimension[:SERIAL], virtuose:HOST, or mouse (in the window).",
         "Default: ${DEFAULT-VALUE}."
       })
   private String device;
@@ -87,8 +87,8 @@ public final class TouchCommand implements Callable<Integer> {
   @Option(
       names = "--fit-each-axis",
       description = {
-        "Stretches the workspace of a real device over the segments along each axis separately;",
-        "shapes then lose their proportions."
+        "Stretches the workspace of a real device over the segments along each axis separately;"
+            + " shapes then lose their proportions."
       })
   private boolean fitEachAxis;
 

@@ -24,8 +24,8 @@ public final class ContactOptions {
       paramLabel = "NAME",
       description = {
         "Solver of the interaction point: smooth (along the surface), guarded (along voxels),"
-            + " paper",
-        "or dot (baselines without the guarantee), or none (collision alone).",
+            + " paper"
+            + " or dot (baselines without the guarantee), or none (collision alone).",
         "Default: ${DEFAULT-VALUE}."
       },
       defaultValue = "smooth")
@@ -59,8 +59,8 @@ public final class ContactOptions {
       names = "--friction-form",
       paramLabel = "FORM",
       description = {
-        "Friction model: equation4 (the paper's), shorter (its shorter form, for",
-        "comparison) or cone (static and sliding). Default: ${DEFAULT-VALUE}."
+        "Friction model: equation4 (the paper's), shorter (its shorter form, for"
+            + " comparison) or cone (static and sliding). Default: ${DEFAULT-VALUE}."
       },
       defaultValue = "equation4")
   private String frictionForm;
@@ -69,10 +69,11 @@ public final class ContactOptions {
       names = "--material",
       paramLabel = "NAME=WHAT",
       description = {
-        "Material of one segment, if it differs from the others; may be repeated. WHAT is any",
-        "of stiffness:N/MM, friction:MU, sliding:MU and damping:N*S/MM, separated by commas, as in",
-        "--material bone=stiffness:0.8,friction:0.3 --material skin=stiffness:0.2,damping:0.002.",
-        "If segments share a voxel, the first of them counts."
+        "Material of one segment, if it differs from the others; may be repeated. WHAT is any of"
+            + " stiffness:N/MM, friction:MU, sliding:MU and damping:N*S/MM, separated by commas, as"
+            + " in --material bone=stiffness:0.8,friction:0.3 --material"
+            + " skin=stiffness:0.2,damping:0.002. If segments share a voxel, the first of them"
+            + " counts."
       })
   private Map<String, String> materials = new LinkedHashMap<>();
 
@@ -80,8 +81,8 @@ public final class ContactOptions {
       names = "--smooth-from",
       paramLabel = "WHAT",
       description = {
-        "Source of the surface for the solver smooth: grey (grey values; needs one segment by a",
-        "threshold, NAME=>=VALUE) or bits (its voxels). Default: grey if possible."
+        "Source of the surface for the solver smooth: grey (grey values; needs one segment by a"
+            + " threshold, NAME=>=VALUE) or bits (its voxels). Default: grey if possible."
       })
   private String smoothFrom;
 

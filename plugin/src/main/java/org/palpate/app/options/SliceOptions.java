@@ -18,8 +18,8 @@ public final class SliceOptions {
       names = "--slices",
       paramLabel = "I,J,K",
       description = {
-        "Shows the grey values on three planes: through a voxel (-1 for no plane), through the",
-        "middle, or through the interaction point (point)."
+        "Shows the grey values on three planes: through a voxel (-1 for no plane), through the"
+            + " middle, or through the interaction point (point)."
       })
   private String slices;
 

@@ -25,9 +25,9 @@ public final class SurfaceOptions {
       names = "--surface",
       paramLabel = "WHAT",
       description = {
-        "Source of the drawn surfaces: grey (grey values, if a segment is a threshold or a range)",
-        "or bits (the voxels that are touched). Default: grey if possible; in a window only",
-        "if the grey values are read anyway."
+        "Source of the drawn surfaces: grey (grey values, if a segment is a threshold or a range)"
+            + " or bits (the voxels that are touched). Default: grey if possible; in a window only"
+            + " if the grey values are read anyway."
       })
   private String surface;
 

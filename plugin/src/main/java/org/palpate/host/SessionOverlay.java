@@ -1,0 +1,98 @@
+package org.palpate.host;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.WorkspaceDevice;
+import org.palpate.loop.LoopStatus;
+import org.palpate.scene.MovableSlices;
+
+/**
+ * The lines of text in the corner of a session's view. The synchronization thread updates them; any
+ * thread invalidates them.
+ */
+final class SessionOverlay {
+  private static final long UPDATE_NANOS = 500_000_000;
+
+  private final TouchSession session;
+  private final HapticDevice device;
+  private final Optional<MovableSlices> slices;
+  private volatile boolean invalid;
+  private List<String> lines = List.of();
+  private long updateNanos;
+  private long lastFrames;
+  private long lastApplications;
+  private double lastProgress;
+
+  SessionOverlay(TouchSession session, HapticDevice device, Optional<MovableSlices> slices) {
+    this.session = session;
+    this.device = device;
+    this.slices = slices;
+  }
+
+  /** Requests new lines at the next tick. */
+  void invalidate() {
+    invalid = true;
+  }
+
+  /**
+   * Returns new lines twice a second while something changes, otherwise the same lines, which cause
+   * no redraw.
+   *
+   * @param applications number of ticks that applied a change
+   * @param progress fraction of the surfaces that is complete
+   * @param triangles text about the drawn triangles
+   */
+  List<String> update(long applications, double progress, String triangles) {
+    long now = System.nanoTime();
+    boolean changed = applications != lastApplications || progress != lastProgress;
+    if (invalid || (changed && now - updateNanos >= UPDATE_NANOS)) {
+      invalid = false;
+      LoopStatus status = session.status();
+      lines = lines(status, rateText(status, now), triangles + progressText(triangles, progress));
+      updateNanos = now;
+      lastFrames = status.frames();
+      lastApplications = applications;
+      lastProgress = progress;
+    }
+    return lines;
+  }
+
+  private String rateText(LoopStatus status, long now) {
+    return updateNanos == 0
+        ? ""
+        : format("%.0f Hz   ", (status.frames() - lastFrames) * 1e9 / (now - updateNanos));
+  }
+
+  private static String progressText(String triangles, double progress) {
+    return triangles.isEmpty() || progress == 1
+        ? ""
+        : format("   surfaces %.0f %%", Math.floor(100 * progress));
+  }
+
+  private List<String> lines(LoopStatus status, String rate, String surfaces) {
+    return List.of(
+        format("%slate %.0f µs", rate, status.latestLatenessNanos() / 1e3),
+        format("%.2f N   %s", status.forceNewton(), status.contact() ? "contact" : "free"),
+        tuningLine(),
+        slices.map(MovableSlices::line).orElse(""),
+        surfaces,
+        "h: help");
+  }
+
+  private String tuningLine() {
+    ContactTuning tuning = session.tuning();
+    boolean clutched = device instanceof WorkspaceDevice mapped && mapped.isClutchRequested();
+    return format(
+        "%s   %.2f N/mm   friction %.2f%s",
+        tuning.solver(),
+        tuning.force().stiffnessNewtonPerMm(),
+        tuning.force().friction(),
+        clutched ? "   clutch held" : "");
+  }
+
+  private static String format(String pattern, Object... values) {
+    return String.format(Locale.ROOT, pattern, values);
+  }
+}
