@@ -228,11 +228,6 @@ public final class SessionView implements AutoCloseable {
     return new Vec3().set(proxyGrid);
   }
 
-  /** Returns the window once it is shown; null before, or if none could be opened. */
-  public SceneWindow window() {
-    return window;
-  }
-
   private void windowEnded(SceneWindow.End end) {
     if (end == SceneWindow.End.CLOSED_BY_USER) {
       listener.stop();

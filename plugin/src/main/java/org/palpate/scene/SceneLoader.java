@@ -72,7 +72,7 @@ public final class SceneLoader implements AutoCloseable {
       SegmentedVolume volume,
       List<Optional<GreyRange>> greys,
       int threads,
-      boolean waits) {
+      boolean waitsForPicture) {
     this.model = model;
     this.greys = List.copyOf(greys);
     grid = volume.grid();
@@ -87,7 +87,7 @@ public final class SceneLoader implements AutoCloseable {
     segments.forEach(this::add);
     makeEnclosingTranslucent();
     start(COARSEST_LEVEL);
-    if (!waits) {
+    if (!waitsForPicture) {
       refine();
     }
   }
@@ -219,8 +219,8 @@ public final class SceneLoader implements AutoCloseable {
    * @throws TimeoutException if it takes longer
    */
   public void await(long timeoutMillis) throws InterruptedException, TimeoutException {
-    for (SurfaceJob build : jobs) {
-      build.await(timeoutMillis);
+    for (SurfaceJob job : jobs) {
+      job.await(timeoutMillis);
     }
   }
 

@@ -18,7 +18,7 @@ public final class HelpText {
   }
 
   /** Returns the page, which ImageJ shows in its own window. */
-  static String html() {
+  private static String html() {
     try (InputStream page = HelpText.class.getResourceAsStream(FILE)) {
       return new String(page.readAllBytes(), StandardCharsets.UTF_8).strip();
     } catch (IOException e) {

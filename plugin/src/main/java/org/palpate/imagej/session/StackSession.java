@@ -65,7 +65,7 @@ public final class StackSession implements AutoCloseable {
   private final Queue<ViewKeys.Action> actions = new ConcurrentLinkedQueue<>();
   private final CountDownLatch forceOn = new CountDownLatch(1);
   private final CountDownLatch forceOff = new CountDownLatch(1);
-  private final Vec3 point = new Vec3();
+  private final Vec3 latestPoint = new Vec3();
   private volatile Vec3 pointGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
   private volatile boolean stopRequested;
   private volatile Thread runner;
@@ -160,13 +160,13 @@ public final class StackSession implements AutoCloseable {
 
   private void superviseUntilEnd() throws TouchRefusedException {
     runner = Thread.currentThread();
-    long beganNanos = 0;
+    long startNanos = 0;
     long statusNanos = System.nanoTime();
-    while (!session.supervise() && !isOver(beganNanos)) {
-      if (beganNanos == 0 && session.status().frames() > 0) {
-        beganNanos = System.nanoTime();
+    while (!session.supervise() && !isOver(startNanos)) {
+      if (startNanos == 0 && session.status().frames() > 0) {
+        startNanos = System.nanoTime();
       }
-      if (beganNanos != 0) {
+      if (startNanos != 0) {
         updatePoint();
       }
       for (int n = button.pollPresses(); n > 0; n--) {
@@ -187,12 +187,12 @@ public final class StackSession implements AutoCloseable {
     LockSupport.unpark(runner);
   }
 
-  private boolean isOver(long beganNanos) {
-    boolean late =
+  private boolean isOver(long startNanos) {
+    boolean timeIsOver =
         seconds > 0
-            && beganNanos != 0
-            && System.nanoTime() - beganNanos >= seconds * NANOS_PER_SECOND;
-    return late || stopRequested || synchronizer.isClosed() || IJ.escapePressed();
+            && startNanos != 0
+            && System.nanoTime() - startNanos >= seconds * NANOS_PER_SECOND;
+    return timeIsOver || stopRequested || synchronizer.isClosed() || IJ.escapePressed();
   }
 
   private void updatePoint() {
@@ -205,7 +205,7 @@ public final class StackSession implements AutoCloseable {
 
   private Vec3 takeUpdates() {
     session.takeUpdates();
-    return new Vec3().set(session.properties().touch().interactionPoint(point));
+    return new Vec3().set(session.properties().touch().interactionPoint(latestPoint));
   }
 
   private void runQueuedActions() {

@@ -48,7 +48,7 @@ public record BrickLayout(int edge, int bricksX, int bricksY, int bricksZ) {
   }
 
   /** Returns the number of the brick at a position in bricks. */
-  public int brick(int x, int y, int z) {
+  int brick(int x, int y, int z) {
     return (z * bricksY + y) * bricksX + x;
   }
 

@@ -19,7 +19,7 @@ final class QuadList {
   int[] corner = new int[1 << 14];
 
   /** The axis times 4, plus flags. */
-  byte[] kind = new byte[1 << 12];
+  private byte[] kind = new byte[1 << 12];
 
   /** Removes all quads. */
   void clear() {

@@ -145,6 +145,7 @@ public final class WindowInput extends MouseAdapter {
     return key == KeyEvent.VK_ESCAPE ? "Esc" : key == ' ' ? "Space" : String.valueOf(key);
   }
 
+  /** Returns the listener for NEWT's key events. */
   KeyListener keys() {
     return new KeyAdapter() {
       @Override
