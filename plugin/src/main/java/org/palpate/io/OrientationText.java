@@ -5,7 +5,7 @@ import java.math.MathContext;
 import java.util.List;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeHeader.World;
 
@@ -51,7 +51,7 @@ public final class OrientationText {
   /** A length for a person: to four decimals, below 1 mm to five digits. */
   public static String number(double mm) {
     if (!(Math.abs(mm) < 1) || Math.abs(mm) < ROUNDING_MM) {
-      return NumberParser.text(Math.rint(mm * 1e4) / 1e4 + 0.0);
+      return NumberText.display(Math.rint(mm * 1e4) / 1e4 + 0.0);
     }
     return new BigDecimal(mm).round(new MathContext(5)).stripTrailingZeros().toPlainString();
   }

@@ -99,7 +99,7 @@ public final class CppComparison {
               kind.length,
               RAY_COUNT,
               SEED);
-      String name = "a ray, " + kind.place + ", length " + NumberText.people(kind.length);
+      String name = "a ray, " + kind.place + ", length " + NumberText.display(kind.length);
       report(name, port.cast(bits, rays, RAY_PASSES), castInJava(bits, rays));
     }
   }

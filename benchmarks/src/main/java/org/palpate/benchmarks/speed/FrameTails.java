@@ -49,7 +49,7 @@ final class FrameTails {
     for (double speed : SLIDE_SPEEDS) {
       rows.addAll(
           percentiles(
-              "slide on a ball at " + NumberText.people(speed),
+              "slide on a ball at " + NumberText.display(speed),
               ball,
               Trajectories.slide(
                   ball.truth().orElseThrow(), ball.edge(), SLIDE_DEPTH, speed, FRAMES, SEED)));

@@ -178,7 +178,7 @@ public final class SyncRun {
     chart.getStyler().setOverlapped(true);
     List<String> labels = new ArrayList<>();
     for (double percentile : PERCENTILES) {
-      labels.add(percentile == 100 ? "all" : NumberText.people(percentile) + " %");
+      labels.add(percentile == 100 ? "all" : NumberText.display(percentile) + " %");
     }
     for (SyncMethod method : SyncMethod.values()) {
       List<Double> values = new ArrayList<>();

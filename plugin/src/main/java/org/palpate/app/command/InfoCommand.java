@@ -140,7 +140,7 @@ public final class InfoCommand implements Callable<Integer> {
   }
 
   private void printValues(ValueStatistics.Found found) {
-    String range = NumberText.people(found.low()) + " to " + NumberText.people(found.high());
+    String range = NumberText.display(found.low()) + " to " + NumberText.display(found.high());
     String odd =
         found.notFinite() == 0
             ? ""

@@ -189,7 +189,7 @@ public final class TouchCommand implements Callable<Integer> {
     if (!(rateHz > 0) || rateHz > MAX_RATE_HZ) {
       throw PalpateException.wrongUse(
           "the rate must be above 0 and at most 100,000 Hz",
-          "--rate " + NumberText.people(rateHz),
+          "--rate " + NumberText.display(rateHz),
           "try --rate 1000");
     }
     if (seconds != null && (!(seconds > 0) || seconds.isInfinite())) {

@@ -243,9 +243,9 @@ public final class VolumeSource {
   private PalpateException noSegmentChosen(ValueStatistics.Found found) {
     return PalpateException.wrongUse(
         "no segment is chosen, and the values are intensities from "
-            + NumberText.people(found.low())
+            + NumberText.display(found.low())
             + " to "
-            + NumberText.people(found.high()),
+            + NumberText.display(found.high()),
         name,
         "choose with --segment, for example " + suggestion(found));
   }
@@ -266,7 +266,7 @@ public final class VolumeSource {
 
   private static String argument(String name, double atLeast) {
     return String.format(
-        Locale.ROOT, "--segment '%s=>=%s'", name, NumberText.people(rounded(atLeast)));
+        Locale.ROOT, "--segment '%s=>=%s'", name, NumberText.display(rounded(atLeast)));
   }
 
   /** Rounds to three digits, because a threshold is only a suggestion. */

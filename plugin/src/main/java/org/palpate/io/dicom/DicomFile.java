@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.palpate.io.dicom.DicomParser.PixelDataItem;
 import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
@@ -185,7 +186,7 @@ public record DicomFile(
     if (plain && pieces.get(0).length() < needed) {
       throw wrong(
           "its header promises "
-              + NumberParser.text(needed)
+              + NumberText.display(needed)
               + " bytes of pixels, it has "
               + pieces.get(0).length(),
           "the file was cut short; copy or export it again");
@@ -215,9 +216,9 @@ public record DicomFile(
     if (needed > stored * most) {
       throw wrong(
           "its header promises "
-              + NumberParser.text(needed)
+              + NumberText.display(needed)
               + " bytes of pixels, it has "
-              + NumberParser.text(stored)
+              + NumberText.display(stored)
               + " compressed",
           "the file was cut short; copy or export it again");
     }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.dicom.DicomFrame.Place;
-import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.format.Grids;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.VoxelGrid;
@@ -247,6 +247,6 @@ final class DicomSeriesGeometry {
   }
 
   private static String mm(double value) {
-    return NumberParser.text(Math.rint(value * 1e3) / 1e3 + 0.0);
+    return NumberText.display(Math.rint(value * 1e3) / 1e3 + 0.0);
   }
 }

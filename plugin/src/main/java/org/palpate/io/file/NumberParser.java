@@ -1,12 +1,16 @@
 package org.palpate.io.file;
 
 import java.util.Locale;
+import java.util.regex.Pattern;
 
-/** Parses numbers as file headers write them, and formats them for messages. */
+/** Parses numbers as file headers write them. */
 public final class NumberParser {
+  private static final Pattern DECIMAL =
+      Pattern.compile("[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?");
+
   private NumberParser() {}
 
-  /** A whole number from 1 to 2^31-1, or 0 where the text is none. */
+  /** Returns an integer from 1 to 2^31-1, or 0 if the text is not one. */
   public static int positiveInt(String text) {
     try {
       return Math.max(0, Integer.parseInt(text.strip()));
@@ -15,14 +19,11 @@ public final class NumberParser {
     }
   }
 
-  /** A number with a dot; NaN where the text is none. */
+  /** Returns a number with a decimal point, or NaN if the text is not one. */
   public static double number(String text) {
     String word = text.strip();
-    // Java takes 1d, 1f and hexadecimal too; no header means those
-    if (word.isEmpty() || !word.matches("[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?")) {
-      return specialNumber(word);
-    }
-    return Double.parseDouble(word);
+    // Double.parseDouble also accepts 1d, 1f and hexadecimal, which no header means
+    return DECIMAL.matcher(word).matches() ? Double.parseDouble(word) : specialNumber(word);
   }
 
   private static double specialNumber(String word) {
@@ -31,24 +32,5 @@ public final class NumberParser {
       case "-inf", "-infinity" -> Double.NEGATIVE_INFINITY;
       default -> Double.NaN;
     };
-  }
-
-  /** For a person: whole numbers without a dot, others as short as they can be. */
-  public static String text(double value) {
-    return NumberText.people(value);
-  }
-
-  /** Bytes in words, as in "4.3 GB". */
-  public static String bytes(double count) {
-    String[] units = {"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
-    int unit = 0;
-    double rest = count;
-    while (rest >= 1000 && unit < units.length - 1) {
-      rest /= 1000;
-      unit++;
-    }
-    return unit == 0
-        ? (long) count + " bytes"
-        : String.format(Locale.ROOT, rest < 10 ? "%.1f %s" : "%.0f %s", rest, units[unit]);
   }
 }

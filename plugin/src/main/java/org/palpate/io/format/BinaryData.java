@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.InflaterInputStream;
-import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VoxelType;
 
@@ -59,7 +59,7 @@ public record BinaryData(
       if (each > most) {
         throw new VolumeFormatException(
             "its header promises "
-                + NumberParser.text(each)
+                + NumberText.display(each)
                 + " bytes of data at "
                 + start.offset()
                 + ", but the file has "

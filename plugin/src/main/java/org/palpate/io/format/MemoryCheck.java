@@ -1,6 +1,6 @@
 package org.palpate.io.format;
 
-import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VoxelSlice;
 import org.palpate.volume.VoxelGrid;
@@ -34,9 +34,9 @@ public final class MemoryCheck {
       throw new VolumeFormatException(
           purpose
               + " needs "
-              + NumberParser.bytes(bytes)
+              + NumberText.bytes(bytes)
               + " of memory, "
-              + NumberParser.bytes(Math.max(0, availableBytes()))
+              + NumberText.bytes(Math.max(0, availableBytes()))
               + " are free",
           place,
           "give Java more (JAVA_TOOL_OPTIONS=-Xmx...) or crop or halve the volume");

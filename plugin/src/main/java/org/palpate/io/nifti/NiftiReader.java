@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.palpate.geometry.Vec3;
-import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
 import org.palpate.io.format.Grids;
 import org.palpate.io.format.InputFiles;
@@ -114,7 +114,7 @@ public final class NiftiReader {
       steps *= Math.max(1, header.dim(axis));
     }
     if (steps > Integer.MAX_VALUE) {
-      throw header.wrong("it has " + NumberParser.text(steps) + " time steps");
+      throw header.wrong("it has " + NumberText.display(steps) + " time steps");
     }
     return new NonSpatialAxis(
         3, (int) steps, ReadOptionChecks.step((int) steps, options, header.file(), notes));
@@ -135,7 +135,7 @@ public final class NiftiReader {
     long least = header.isPair() ? 0 : header.length() + 4;
     if (!(offset >= least) || offset > 0x1p53 || offset != Math.rint(offset)) {
       throw header.wrong(
-          "its data begin at " + NumberParser.text(offset) + ", inside the header or nowhere");
+          "its data begin at " + NumberText.display(offset) + ", inside the header or nowhere");
     }
     return (long) offset;
   }

@@ -3,7 +3,7 @@ package org.palpate.io.tiff;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Set;
-import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VoxelType;
@@ -98,7 +98,7 @@ final class TiffPage {
     int bits = (int) value(258, 1);
     int format = (int) value(339, 1);
     if (value(277, 1) != 1) {
-      throw wrong("it holds colours, " + NumberParser.text(value(277, 1)) + " samples a pixel");
+      throw wrong("it holds colours, " + NumberText.display(value(277, 1)) + " samples a pixel");
     }
     String name = (format == 2 ? "int" : format == 3 ? "float" : "uint") + bits;
     return switch (name) {
@@ -130,12 +130,12 @@ final class TiffPage {
     double pieces =
         Math.ceil((double) width() / tileWidth()) * Math.ceil((double) height() / tileHeight());
     if (offsets().length < pieces || byteCounts().length < pieces) {
-      throw wrong("it has " + offsets().length + " pieces, not " + NumberParser.text(pieces));
+      throw wrong("it has " + offsets().length + " pieces, not " + NumberText.display(pieces));
     }
     for (int n = 0; n < pieces; n++) {
       double end = offsets()[n] + byteCounts()[n];
       if (!(offsets()[n] >= 0 && byteCounts()[n] >= 0 && end <= tiff.length())) {
-        throw wrong("its data end at byte " + NumberParser.text(end) + " of " + tiff.length());
+        throw wrong("its data end at byte " + NumberText.display(end) + " of " + tiff.length());
       }
     }
     double bytes = (double) width() * height() * type().bytes();
@@ -173,7 +173,7 @@ final class TiffPage {
   private int size(int tag, String name) throws VolumeFormatException {
     double size = value(tag, 0);
     if (!(size >= 1 && size <= Integer.MAX_VALUE)) {
-      throw wrong("its " + name + " is " + NumberParser.text(size));
+      throw wrong("its " + name + " is " + NumberText.display(size));
     }
     return (int) size;
   }
