@@ -6,8 +6,8 @@ import java.util.List;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberText;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeHeader;
-import org.palpate.io.volume.VolumeHeader.World;
 
 /** Says in a radiographer's words how a volume lies in the patient. */
 public final class OrientationText {
@@ -30,7 +30,7 @@ public final class OrientationText {
             + ", "
             + number(first.z)
             + " mm";
-    if (header.world() == World.UNKNOWN) {
+    if (header.coordinateSystem() == CoordinateSystem.UNKNOWN) {
       return List.of(centre);
     }
     RigidTransform axes = header.grid().gridMmToWorld();
@@ -39,12 +39,12 @@ public final class OrientationText {
             + " slices, "
             + number(header.grid().spacingMm().z)
             + " mm apart, running to the patient's "
-            + towards(axes.axisZ(), header.world());
+            + towards(axes.axisZ(), header.coordinateSystem());
     String pixels =
         "in a slice x runs to the patient's "
-            + towards(axes.axisX(), header.world())
+            + towards(axes.axisX(), header.coordinateSystem())
             + ", y to the "
-            + towards(axes.axisY(), header.world());
+            + towards(axes.axisY(), header.coordinateSystem());
     return List.of(slices, pixels, centre);
   }
 
@@ -70,13 +70,13 @@ public final class OrientationText {
     return along;
   }
 
-  private static String towards(Vec3 axis, World world) {
+  private static String towards(Vec3 axis, CoordinateSystem system) {
     int along = longest(axis);
     boolean positive = axis.get(along) > 0;
     String name =
         switch (along) {
-          case 0 -> positive == (world != World.RAS) ? "left" : "right";
-          case 1 -> positive == (world == World.LPS) ? "back" : "front";
+          case 0 -> positive == (system != CoordinateSystem.RAS) ? "left" : "right";
+          case 1 -> positive == (system == CoordinateSystem.LPS) ? "back" : "front";
           default -> positive ? "head" : "feet";
         };
     return Math.abs(axis.get(along)) >= ALONG_AN_AXIS ? name : name + " (obliquely)";

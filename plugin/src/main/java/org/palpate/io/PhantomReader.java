@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.SliceSink;
 import org.palpate.io.volume.VolumeFormatException;
@@ -31,7 +32,7 @@ public final class PhantomReader implements VolumeReader {
         phantom.grid(),
         VoxelType.UINT16,
         new VolumeHeader.ValueRange(0, Phantom.SOLID_GREY, true),
-        VolumeHeader.World.UNKNOWN,
+        CoordinateSystem.UNKNOWN,
         phantom.grey() ? Optional.empty() : Optional.of(labelTable()),
         List.of("made by formula, not read from a file"));
   }

@@ -16,13 +16,13 @@ import org.palpate.geometry.Vec3;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.label.SegmentsAsLabels;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.SliceSink;
 import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
-import org.palpate.io.volume.VolumeHeader.World;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelCrc;
 import org.palpate.io.volume.VoxelSlice;
@@ -75,13 +75,16 @@ class VolumeWriterTest {
 
   private static Vec3 asRas(VolumeReader reader, Vec3 grid) {
     Vec3 world = reader.header().grid().gridToWorld(grid, new Vec3());
-    return reader.header().world() == World.LPS ? new Vec3(-world.x, -world.y, world.z) : world;
+    return reader.header().coordinateSystem() == CoordinateSystem.LPS
+        ? new Vec3(-world.x, -world.y, world.z)
+        : world;
   }
 
   @Test
   void segmentsReadBackWithTheirNamesAndColours() throws Exception {
     SegmentedVolume volume = Phantom.parse("head:48").segments();
-    VolumeReader read = writtenAndOpened(new SegmentsAsLabels(volume, World.LPS), "a.nrrd");
+    VolumeReader read =
+        writtenAndOpened(new SegmentsAsLabels(volume, CoordinateSystem.LPS), "a.nrrd");
     for (int n = 0; n < volume.segments().size(); n++) {
       Segment segment = volume.segments().get(n);
       LabelTable.Label label = read.header().labels().get().labels().get(n + 1L);

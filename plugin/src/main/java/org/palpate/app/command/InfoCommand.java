@@ -126,7 +126,7 @@ public final class InfoCommand implements Callable<Integer> {
         triple(grid.sizeX() * spacing.x, grid.sizeY() * spacing.y, grid.sizeZ() * spacing.z)
             + " mm");
     line("type", header.type().description());
-    line("world", header.world().description());
+    line("world", header.coordinateSystem().description());
     OrientationText.place(header).forEach(words -> line("", words));
     header.notes().forEach(note -> line("note", note));
   }
@@ -166,7 +166,8 @@ public final class InfoCommand implements Callable<Integer> {
     VolumeReader written =
         source.requested().isEmpty()
             ? source.reader()
-            : new SegmentsAsLabels(new SegmentedVolume(header.grid(), segments), header.world());
+            : new SegmentsAsLabels(
+                new SegmentedVolume(header.grid(), segments), header.coordinateSystem());
     VolumeWriter.write(written, export);
     line("written", export.toString());
   }

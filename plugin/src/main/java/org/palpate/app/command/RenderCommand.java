@@ -25,7 +25,7 @@ import org.palpate.app.process.VirtualDisplay;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.io.file.AtomicFile;
-import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
@@ -179,7 +179,7 @@ public final class RenderCommand implements Callable<Integer> {
     }
     Report report = new Report("render", output.report(), inputs);
     SegmentedVolume segments = source.segments(spec.commandLine().getErr());
-    SceneModel model = new SceneModel(axes(source.header().world()), theme);
+    SceneModel model = new SceneModel(axes(source.header().coordinateSystem()), theme);
     Optional<MovableSlices.Start> planes = slices.start(source);
     showMarks(model, source, segments);
     showSlices(model, segments.grid(), planes);
@@ -257,7 +257,7 @@ public final class RenderCommand implements Callable<Integer> {
   }
 
   /** Returns the scene's orientation of the world's axes. */
-  static WorldAxes axes(VolumeHeader.World world) {
+  static WorldAxes axes(CoordinateSystem world) {
     return switch (world) {
       case LPS -> WorldAxes.LPS;
       case RAS -> WorldAxes.RAS;

@@ -145,9 +145,10 @@ public final class TouchCommand implements Callable<Integer> {
     ContactScene scene = contact.scene(source, segments);
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
-    try (HapticDevice opened = choice.open(target, source.header().world(), loop.periodNanos())) {
+    try (HapticDevice opened =
+        choice.open(target, source.header().coordinateSystem(), loop.periodNanos())) {
       Optional<ViewOptions> view = view(source);
-      WorldAxes axes = RenderCommand.axes(source.header().world());
+      WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
       TouchReport measured = run(scene, opened, choice, loop, record, view, axes);
       measured.print(out);
       if (report.isWanted()) {

@@ -13,7 +13,7 @@ import org.palpate.device.jni.DeviceException;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.DeviceName;
-import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.CoordinateSystem;
 
 /**
  * The device that {@code --device NAME[:ID]} asks for. Immutable.
@@ -93,7 +93,7 @@ public record DeviceChoice(DeviceName device, boolean fitEachAxis) {
    * @throws PalpateException exit code 1, if a real device cannot be opened
    * @throws IOException if the recorded trajectory cannot be read
    */
-  public HapticDevice open(HandTarget target, VolumeHeader.World world, long periodNanos)
+  public HapticDevice open(HandTarget target, CoordinateSystem world, long periodNanos)
       throws IOException {
     try {
       return device.open(target, periodNanos, reach -> workspace(reach, target, world));
@@ -113,8 +113,8 @@ public record DeviceChoice(DeviceName device, boolean fitEachAxis) {
    * Returns the device's axes in the world: the user faces the patient, so the hand's right is the
    * patient's left, up is towards the head, and towards the user is anterior.
    */
-  private static RigidTransform axes(VolumeHeader.World world) {
-    boolean ras = world == VolumeHeader.World.RAS;
+  private static RigidTransform axes(CoordinateSystem world) {
+    boolean ras = world == CoordinateSystem.RAS;
     Vec3 right = new Vec3(ras ? -1 : 1, 0, 0);
     Vec3 up = new Vec3(0, 0, 1);
     Vec3 towardsUser = new Vec3(0, ras ? 1 : -1, 0);

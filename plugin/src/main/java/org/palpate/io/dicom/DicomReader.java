@@ -9,13 +9,13 @@ import org.palpate.io.dicom.DicomSeriesGeometry.SliceInterpolation;
 import org.palpate.io.dicom.DicomSeriesGeometry.SortedSeries;
 import org.palpate.io.format.MemoryCheck;
 import org.palpate.io.format.ReadOptionChecks;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.ReadProgress;
 import org.palpate.io.volume.SliceSink;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeHeader.ValueRange;
-import org.palpate.io.volume.VolumeHeader.World;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
 import org.palpate.io.volume.VoxelType;
@@ -58,7 +58,7 @@ public final class DicomReader implements VolumeReader {
             series.grid(),
             type(first),
             values(series.frames()),
-            series.known() ? World.LPS : World.UNKNOWN,
+            series.known() ? CoordinateSystem.LPS : CoordinateSystem.UNKNOWN,
             Optional.empty(),
             notes);
     return new DicomReader(series, place, header, options.progress());

@@ -6,13 +6,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.LabelTable.Label;
 import org.palpate.io.volume.SliceSink;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeHeader.ValueRange;
-import org.palpate.io.volume.VolumeHeader.World;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
 import org.palpate.io.volume.VoxelType;
@@ -30,7 +30,7 @@ public final class SegmentsAsLabels implements VolumeReader {
   private final VolumeHeader header;
 
   /** A reader of segments whose world is as given. */
-  public SegmentsAsLabels(SegmentedVolume volume, World world) {
+  public SegmentsAsLabels(SegmentedVolume volume, CoordinateSystem coordinateSystem) {
     this.volume = volume;
     Map<Long, Label> labels = new TreeMap<>();
     for (Segment segment : volume.segments()) {
@@ -43,7 +43,7 @@ public final class SegmentsAsLabels implements VolumeReader {
             volume.grid(),
             type,
             ValueRange.of(type),
-            world,
+            coordinateSystem,
             Optional.of(new LabelTable(labels)),
             List.of());
   }

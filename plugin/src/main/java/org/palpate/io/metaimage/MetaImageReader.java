@@ -19,11 +19,11 @@ import org.palpate.io.format.SampleStream;
 import org.palpate.io.format.Scaling;
 import org.palpate.io.format.StreamVolumeReader;
 import org.palpate.io.format.TextSampleStream;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeHeader.ValueRange;
-import org.palpate.io.volume.VolumeHeader.World;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
@@ -69,7 +69,7 @@ public final class MetaImageReader {
             grid,
             type,
             ValueRange.of(type),
-            World.LPS,
+            CoordinateSystem.LPS,
             Optional.empty(),
             notes);
     return new StreamVolumeReader(described, files(dataFiles), opener, extra, options.progress());

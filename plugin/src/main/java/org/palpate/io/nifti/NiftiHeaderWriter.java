@@ -5,6 +5,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.nrrd.NrrdHeaderWriter;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
@@ -44,11 +45,11 @@ public final class NiftiHeaderWriter {
     VoxelGrid grid = header.grid();
     Vec3 centre = grid.gridToWorld(new Vec3(0.5, 0.5, 0.5), new Vec3());
     double signX =
-        switch (header.world()) {
+        switch (header.coordinateSystem()) {
           case LPS, LAS -> -1;
           case RAS, UNKNOWN -> 1;
         };
-    double signY = header.world() == VolumeHeader.World.LPS ? -1 : 1;
+    double signY = header.coordinateSystem() == CoordinateSystem.LPS ? -1 : 1;
     double[] sign = {signX, signY, 1};
     double[] affine = new double[12];
     for (int row = 0; row < 3; row++) {
@@ -107,7 +108,7 @@ public final class NiftiHeaderWriter {
   }
 
   private static int sformCode(VolumeHeader header) {
-    return header.world() == VolumeHeader.World.UNKNOWN ? ALIGNED : SCANNER;
+    return header.coordinateSystem() == CoordinateSystem.UNKNOWN ? ALIGNED : SCANNER;
   }
 
   private static int datatype(VoxelType type) {

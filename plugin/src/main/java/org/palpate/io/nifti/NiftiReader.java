@@ -15,11 +15,11 @@ import org.palpate.io.format.NonSpatialAxis;
 import org.palpate.io.format.ReadOptionChecks;
 import org.palpate.io.format.Scaling;
 import org.palpate.io.format.StreamVolumeReader;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
-import org.palpate.io.volume.VolumeHeader.World;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
@@ -60,7 +60,7 @@ public final class NiftiReader {
             grid,
             type,
             scaling.range(type),
-            place.isKnown() ? World.RAS : World.UNKNOWN,
+            place.isKnown() ? CoordinateSystem.RAS : CoordinateSystem.UNKNOWN,
             header.isLabels() ? Optional.of(LabelTable.EMPTY) : Optional.empty(),
             notes);
     List<Path> files = header.isPair() ? List.of(headerFile, dataFile) : List.of(headerFile);

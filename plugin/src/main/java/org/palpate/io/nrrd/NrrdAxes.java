@@ -11,9 +11,9 @@ import org.palpate.io.file.NumberParser;
 import org.palpate.io.format.Grids;
 import org.palpate.io.format.NonSpatialAxis;
 import org.palpate.io.format.ReadOptionChecks;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
-import org.palpate.io.volume.VolumeHeader.World;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -21,12 +21,16 @@ import org.palpate.volume.VoxelGrid;
  *
  * @param grid the three of space
  * @param extra one that is not of space
- * @param world the way the world's axes point
+ * @param coordinateSystem directions of the world axes in the patient
  * @param sampleCount samples over all axes
  * @param notes what had to be assumed
  */
 record NrrdAxes(
-    VoxelGrid grid, NonSpatialAxis extra, World world, long sampleCount, List<String> notes) {
+    VoxelGrid grid,
+    NonSpatialAxis extra,
+    CoordinateSystem coordinateSystem,
+    long sampleCount,
+    List<String> notes) {
   private static final int MOST_AXES = 16;
   private static final Set<String> SPACE_KINDS = Set.of("domain", "space", "???", "none");
   private static final Pattern VECTOR = Pattern.compile("\\(([^()]*)\\)|(none)");
@@ -60,7 +64,7 @@ record NrrdAxes(
       List<Integer> space = spaceAxes(dimension);
       NonSpatialAxis extra = extraAxis(space);
       VoxelGrid grid = grid(space);
-      return new NrrdAxes(grid, extra, world(), samples, notes);
+      return new NrrdAxes(grid, extra, coordinateSystem(), samples, notes);
     }
 
     private int[] sizes(int dimension) throws VolumeFormatException {
@@ -252,13 +256,13 @@ record NrrdAxes(
       };
     }
 
-    private World world() throws VolumeFormatException {
+    private CoordinateSystem coordinateSystem() throws VolumeFormatException {
       String space = header.fields().getOrDefault("space", "").toLowerCase(Locale.ROOT);
       return switch (space) {
-        case "left-posterior-superior", "lps" -> World.LPS;
-        case "right-anterior-superior", "ras" -> World.RAS;
-        case "left-anterior-superior", "las" -> World.LAS;
-        case "", "scanner-xyz", "3d-right-handed", "3d-left-handed" -> World.UNKNOWN;
+        case "left-posterior-superior", "lps" -> CoordinateSystem.LPS;
+        case "right-anterior-superior", "ras" -> CoordinateSystem.RAS;
+        case "left-anterior-superior", "las" -> CoordinateSystem.LAS;
+        case "", "scanner-xyz", "3d-right-handed", "3d-left-handed" -> CoordinateSystem.UNKNOWN;
         default -> throw header.wrong("its space '" + space + "' has not three axes of space");
       };
     }

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberText;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.LabelTable.Label;
 import org.palpate.io.volume.VolumeHeader;
@@ -46,11 +47,11 @@ public final class NrrdHeaderWriter {
   }
 
   private static String spaceField(VolumeHeader header) {
-    return header.world() == VolumeHeader.World.UNKNOWN ? "space dimension" : "space";
+    return header.coordinateSystem() == CoordinateSystem.UNKNOWN ? "space dimension" : "space";
   }
 
   private static String space(VolumeHeader header) {
-    return switch (header.world()) {
+    return switch (header.coordinateSystem()) {
       case LPS -> "left-posterior-superior";
       case RAS -> "right-anterior-superior";
       case LAS -> "left-anterior-superior";

@@ -30,7 +30,7 @@ public final class NrrdReader {
             axes.grid(),
             type,
             ValueRange.of(type),
-            axes.world(),
+            axes.coordinateSystem(),
             SlicerLabels.of(header),
             axes.notes());
     return new StreamVolumeReader(

@@ -11,12 +11,12 @@ import org.palpate.io.format.NonSpatialAxis;
 import org.palpate.io.format.ReadOptionChecks;
 import org.palpate.io.format.Scaling;
 import org.palpate.io.format.StreamVolumeReader;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.RawLayout;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeHeader.ValueRange;
-import org.palpate.io.volume.VolumeHeader.World;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
@@ -55,7 +55,7 @@ public final class RawReader {
             grid,
             type,
             ValueRange.of(type),
-            World.UNKNOWN,
+            CoordinateSystem.UNKNOWN,
             java.util.Optional.empty(),
             List.of());
     BinaryData data =

@@ -16,11 +16,11 @@ import org.palpate.io.format.NonSpatialAxis;
 import org.palpate.io.format.ReadOptionChecks;
 import org.palpate.io.format.Scaling;
 import org.palpate.io.format.StreamVolumeReader;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.SliceSink;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
-import org.palpate.io.volume.VolumeHeader.World;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
 import org.palpate.volume.VoxelGrid;
@@ -102,7 +102,7 @@ public final class TiffReader implements VolumeReader {
         grid,
         first.type(),
         scaling.range(first.type()),
-        World.UNKNOWN,
+        CoordinateSystem.UNKNOWN,
         Optional.empty(),
         notes);
   }

@@ -8,10 +8,10 @@ import org.palpate.volume.VoxelGrid;
  * What a file says of its volume; nothing that names a patient.
  *
  * @param format in words, as in "NRRD, gzip"
- * @param grid sizes, spacing and place; the world is the file's own, see {@code world}
+ * @param grid sizes, spacing and place; the world is the file's own, see {@code coordinateSystem}
  * @param type the type of number stored
  * @param values what the numbers can be once slope and intercept are applied
- * @param world the way the world's axes point
+ * @param coordinateSystem directions of the world axes in the patient
  * @param labels names and colours, where the file or a table beside it gives some
  * @param notes what a person should know of how the file was understood, a sentence each
  */
@@ -20,7 +20,7 @@ public record VolumeHeader(
     VoxelGrid grid,
     VoxelType type,
     ValueRange values,
-    World world,
+    CoordinateSystem coordinateSystem,
     Optional<LabelTable> labels,
     List<String> notes) {
 
@@ -31,7 +31,8 @@ public record VolumeHeader(
 
   /** The same with a table of labels. */
   public VolumeHeader withLabels(LabelTable table) {
-    return new VolumeHeader(format, grid, type, values, world, Optional.of(table), notes);
+    return new VolumeHeader(
+        format, grid, type, values, coordinateSystem, Optional.of(table), notes);
   }
 
   /**
@@ -43,25 +44,6 @@ public record VolumeHeader(
     /** The range of a type whose values are taken as they are. */
     public static ValueRange of(VoxelType type) {
       return new ValueRange(type.low(), type.high(), type.fitsInt());
-    }
-  }
-
-  /** Which way the axes of the file's world point. */
-  public enum World {
-    LPS("x to the left, y to the back, z to the head (LPS)"),
-    RAS("x to the right, y to the front, z to the head (RAS)"),
-    LAS("x to the left, y to the front, z to the head (LAS)"),
-    UNKNOWN("axes not named by the file");
-
-    private final String description;
-
-    World(String description) {
-      this.description = description;
-    }
-
-    /** In words, of the patient's body. */
-    public String description() {
-      return description;
     }
   }
 }
