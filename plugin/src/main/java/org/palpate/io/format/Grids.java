@@ -64,6 +64,13 @@ public final class Grids {
     };
   }
 
+  /** Returns the step from a voxel to the next along an axis of the grid, in world millimetres. */
+  public static Vec3 stepMm(VoxelGrid grid, int axis) {
+    Vec3 step = new Vec3();
+    step.set(axis, grid.spacingMm().get(axis));
+    return grid.gridMmToWorld().rotate(step, step);
+  }
+
   private static void requireSizes(int[] sizes, Path file) throws VolumeFormatException {
     String text = sizes[0] + "x" + sizes[1] + "x" + sizes[2];
     if (sizes[0] < 1 || sizes[1] < 1 || sizes[2] < 1) {

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import org.palpate.geometry.Vec3;
-import org.palpate.io.nrrd.NrrdHeaderWriter;
+import org.palpate.io.format.Grids;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VoxelType;
@@ -54,7 +54,7 @@ public final class NiftiHeaderWriter {
     double[] affine = new double[12];
     for (int row = 0; row < 3; row++) {
       for (int axis = 0; axis < 3; axis++) {
-        affine[4 * row + axis] = sign[row] * NrrdHeaderWriter.step(grid, axis).get(row) + 0.0;
+        affine[4 * row + axis] = sign[row] * Grids.stepMm(grid, axis).get(row) + 0.0;
       }
       affine[4 * row + 3] = sign[row] * centre.get(row) + 0.0;
     }

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberText;
+import org.palpate.io.format.Grids;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.LabelTable.Label;
@@ -26,20 +27,17 @@ public final class NrrdHeaderWriter {
     line(
         text,
         "space directions",
-        vector(step(grid, 0)) + " " + vector(step(grid, 1)) + " " + vector(step(grid, 2)));
+        vector(Grids.stepMm(grid, 0))
+            + " "
+            + vector(Grids.stepMm(grid, 1))
+            + " "
+            + vector(Grids.stepMm(grid, 2)));
     line(text, "kinds", "domain domain domain");
     line(text, "endian", "little");
     line(text, "encoding", "gzip");
     line(text, "space origin", vector(grid.gridToWorld(new Vec3(0.5, 0.5, 0.5), new Vec3())));
     header.labels().ifPresent(table -> labels(table, text));
     return text.append('\n').toString().getBytes(StandardCharsets.UTF_8);
-  }
-
-  /** From a voxel to the next along an axis, world mm. */
-  public static Vec3 step(VoxelGrid grid, int axis) {
-    Vec3 step = new Vec3();
-    step.set(axis, grid.spacingMm().get(axis));
-    return grid.gridMmToWorld().rotate(step, step);
   }
 
   private static void line(StringBuilder text, String field, String value) {
