@@ -10,6 +10,7 @@ import org.palpate.io.format.InputFiles;
 import org.palpate.io.format.NonSpatialAxis;
 import org.palpate.io.format.ReadOptionChecks;
 import org.palpate.io.format.Scaling;
+import org.palpate.io.format.SliceFiles;
 import org.palpate.io.format.StreamVolumeReader;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.RawLayout;
@@ -32,7 +33,7 @@ public final class RawReader {
         Grids.ofSpacing(
             new int[] {layout.sizeX(), layout.sizeY(), layout.sizeZ()}, layout.spacingMm(), file);
     VoxelType type = layout.type();
-    List<Path> files = Files.isDirectory(file) ? RawSliceFiles.files(file) : List.of(file);
+    List<Path> files = Files.isDirectory(file) ? SliceFiles.of(file) : List.of(file);
     double needed = (double) grid.voxelCount() * type.bytes();
     long length = 0;
     for (Path part : files) {

@@ -1,4 +1,4 @@
-package org.palpate.io.raw;
+package org.palpate.io.format;
 
 import java.io.IOException;
 import java.nio.file.DirectoryStream;
@@ -9,17 +9,20 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.VolumeFormatException;
 
-/** Finds the slices of a raw volume that is a folder of files, in the order of their numbers. */
-final class RawSliceFiles {
+/** Finds the slices of a volume that is a folder of numbered files. */
+public final class SliceFiles {
   private static final Pattern LAST_NUMBER = Pattern.compile("(\\d{1,9})\\D*$");
 
-  private RawSliceFiles() {}
+  private SliceFiles() {}
 
-  /** The files that have a number in their names, by the last of it. */
-  static List<Path> files(Path folder) throws VolumeFormatException {
+  /**
+   * Returns the files with a number in their names, sorted by the last number of each name.
+   *
+   * @throws VolumeFormatException if the folder has no such file or cannot be read
+   */
+  public static List<Path> of(Path folder) throws VolumeFormatException {
     List<Path> files = new ArrayList<>();
     try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
       for (Path entry : entries) {
@@ -32,10 +35,10 @@ final class RawSliceFiles {
     }
     if (files.isEmpty()) {
       throw new VolumeFormatException(
-          "it holds no numbered files", folder, "number the slices, as in slice.1, slice.2");
+          "the folder has no numbered files", folder, "number the slices, as in slice.1, slice.2");
     }
     files.sort(
-        Comparator.comparingInt(RawSliceFiles::number).thenComparing(Comparator.naturalOrder()));
+        Comparator.comparingInt(SliceFiles::number).thenComparing(Comparator.naturalOrder()));
     return files;
   }
 
