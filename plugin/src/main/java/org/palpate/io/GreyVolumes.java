@@ -23,7 +23,7 @@ public final class GreyVolumes {
     VoxelGrid grid = reader.header().grid();
     Storage storage = storage(reader.header().values());
     MemoryCheck.require(
-        ScalarVolume.bytesFor(grid, storage), "keeping its grey values", reader.place());
+        ScalarVolume.bytesFor(grid, storage), "keeping its grey values", reader.sourceName());
     ScalarVolume volume = ScalarVolume.of(grid, storage);
     reader.read((k, slice) -> store(k, slice, volume));
     return volume;
@@ -35,7 +35,9 @@ public final class GreyVolumes {
   }
 
   private static Storage storage(ValueRange values) {
-    return values.whole() ? Storage.forWholeNumbers(values.low(), values.high()) : Storage.FLOAT32;
+    return values.isInteger()
+        ? Storage.forWholeNumbers(values.low(), values.high())
+        : Storage.FLOAT32;
   }
 
   private static void store(int k, VoxelSlice slice, ScalarVolume volume) {

@@ -20,7 +20,7 @@ public final class OrientationText {
    * How the slices lie and which way rows and columns run, and where the first voxel is; only the
    * last where the file does not name its axes.
    */
-  public static List<String> place(VolumeHeader header) {
+  public static List<String> describe(VolumeHeader header) {
     Vec3 first = header.grid().gridToWorld(new Vec3(0.5, 0.5, 0.5), new Vec3());
     String centre =
         "first voxel's centre at "
@@ -39,12 +39,12 @@ public final class OrientationText {
             + " slices, "
             + number(header.grid().spacingMm().z)
             + " mm apart, running to the patient's "
-            + towards(axes.axisZ(), header.coordinateSystem());
+            + anatomicalDirection(axes.axisZ(), header.coordinateSystem());
     String pixels =
         "in a slice x runs to the patient's "
-            + towards(axes.axisX(), header.coordinateSystem())
+            + anatomicalDirection(axes.axisX(), header.coordinateSystem())
             + ", y to the "
-            + towards(axes.axisY(), header.coordinateSystem());
+            + anatomicalDirection(axes.axisY(), header.coordinateSystem());
     return List.of(slices, pixels, centre);
   }
 
@@ -70,7 +70,7 @@ public final class OrientationText {
     return along;
   }
 
-  private static String towards(Vec3 axis, CoordinateSystem system) {
+  private static String anatomicalDirection(Vec3 axis, CoordinateSystem system) {
     int along = longest(axis);
     boolean positive = axis.get(along) > 0;
     String name =

@@ -59,7 +59,7 @@ public final class PhantomReader implements VolumeReader {
   }
 
   @Override
-  public String place() {
+  public String sourceName() {
     return "phantom " + phantom.spec();
   }
 

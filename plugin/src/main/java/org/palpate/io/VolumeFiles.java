@@ -53,7 +53,7 @@ public final class VolumeFiles {
     if (InputFiles.length(file) == 0) {
       throw new VolumeFormatException("it is empty", file, "copy or export it again");
     }
-    byte[] start = InputFiles.start(file, START_BYTES);
+    byte[] start = InputFiles.firstBytes(file, START_BYTES);
     if (startsWith(start, NrrdHeader.MAGIC)) {
       return NrrdReader.open(file, options);
     }

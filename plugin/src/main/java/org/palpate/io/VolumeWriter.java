@@ -106,7 +106,7 @@ public final class VolumeWriter {
       } catch (VolumeFormatException e) {
         throw e;
       } catch (IOException e) {
-        throw InputFiles.unreadable(target, e);
+        throw InputFiles.unreadableFile(target, e);
       }
     }
   }
@@ -115,7 +115,7 @@ public final class VolumeWriter {
   private static VoxelType type(VolumeHeader header) {
     VolumeHeader.ValueRange values = header.values();
     boolean asStored = values.low() >= header.type().low() && values.high() <= header.type().high();
-    if (values.whole()) {
+    if (values.isInteger()) {
       return asStored
           ? header.type()
           : values.low() >= VoxelType.INT16.low() && values.high() <= VoxelType.INT16.high()
@@ -131,7 +131,7 @@ public final class VolumeWriter {
   private static void writeSamples(VolumeReader volume, VoxelType type, OutputStream out)
       throws VolumeFormatException {
     int count = volume.header().grid().sizeX() * volume.header().grid().sizeY();
-    MemoryCheck.require((double) count * type.bytes(), "one slice", volume.place());
+    MemoryCheck.require((double) count * type.bytes(), "one slice", volume.sourceName());
     ByteBuffer bytes =
         ByteBuffer.allocate(Math.multiplyExact(count, type.bytes())).order(ByteOrder.LITTLE_ENDIAN);
     volume.read(

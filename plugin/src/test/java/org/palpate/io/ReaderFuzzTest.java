@@ -161,7 +161,7 @@ class ReaderFuzzTest {
     long thread = Thread.currentThread().getId();
     long before = threads.getThreadAllocatedBytes(thread);
     try {
-      VolumeFiles.open(file, ReadOptions.defaults().withTime(0)).read((k, slice) -> {});
+      VolumeFiles.open(file, ReadOptions.defaults().withTimeStep(0)).read((k, slice) -> {});
       read = true;
     } catch (VolumeFormatException refused) {
       assertTrue(refused.getMessage().lines().count() == 1, refused.getMessage());

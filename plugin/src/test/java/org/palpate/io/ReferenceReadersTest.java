@@ -151,6 +151,6 @@ class ReferenceReadersTest {
   private static VolumeReader open(String name, OptionalInt time) throws VolumeFormatException {
     ReadOptions options = ReadOptions.defaults();
     return VolumeFiles.open(
-        TestData.file(name), time.isPresent() ? options.withTime(time.getAsInt()) : options);
+        TestData.file(name), time.isPresent() ? options.withTimeStep(time.getAsInt()) : options);
   }
 }

@@ -69,7 +69,7 @@ class VolumeWriterTest {
 
   private static ReadOptions time(String name) {
     return name.contains("functional")
-        ? ReadOptions.defaults().withTime(1)
+        ? ReadOptions.defaults().withTimeStep(1)
         : ReadOptions.defaults();
   }
 
@@ -145,11 +145,11 @@ class VolumeWriterTest {
       @Override
       public void read(SliceSink sink) throws VolumeFormatException {
         sink.accept(0, new VoxelSlice(16, 16, true));
-        throw new VolumeFormatException("breaks off", place(), "is made to");
+        throw new VolumeFormatException("breaks off", sourceName(), "is made to");
       }
 
       @Override
-      public String place() {
+      public String sourceName() {
         return "test";
       }
 

@@ -97,7 +97,7 @@ public final class InfoCommand implements Callable<Integer> {
     }
   }
 
-  private static List<Segment> segments(VolumeSource source, ValueStatistics.Found found)
+  private static List<Segment> segments(VolumeSource source, ValueStatistics.Summary found)
       throws IOException {
     List<SegmentSpec> specs =
         source.requested().isEmpty() && !source.isIntensities(found)
@@ -127,7 +127,7 @@ public final class InfoCommand implements Callable<Integer> {
             + " mm");
     line("type", header.type().description());
     line("world", header.coordinateSystem().description());
-    OrientationText.place(header).forEach(words -> line("", words));
+    OrientationText.describe(header).forEach(words -> line("", words));
     header.notes().forEach(note -> line("note", note));
   }
 
@@ -139,7 +139,7 @@ public final class InfoCommand implements Callable<Integer> {
         + OrientationText.number(z);
   }
 
-  private void printValues(ValueStatistics.Found found) {
+  private void printValues(ValueStatistics.Summary found) {
     String range = NumberText.display(found.low()) + " to " + NumberText.display(found.high());
     String odd =
         found.notFinite() == 0
@@ -179,7 +179,7 @@ public final class InfoCommand implements Callable<Integer> {
   private static void writeReport(
       Report report,
       VolumeSource source,
-      ValueStatistics.Found found,
+      ValueStatistics.Summary found,
       List<Segment> segments,
       double bytes)
       throws IOException {

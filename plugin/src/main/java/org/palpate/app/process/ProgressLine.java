@@ -22,7 +22,7 @@ public final class ProgressLine implements ReadProgress {
   }
 
   @Override
-  public void read(int done, int total) {
+  public void slicesRead(int done, int total) {
     if (!shown || (drawn < 0 && System.nanoTime() - startNanos < SECOND_NANOS)) {
       return;
     }

@@ -9,7 +9,7 @@ import javax.imageio.stream.ImageInputStreamImpl;
  */
 public final class EofLimitedImageStream extends ImageInputStreamImpl {
   /** It asks for the end once a packet, too, to know the length. */
-  private static final int MOST_ENDS = 1 << 20;
+  private static final int MAX_END_READS = 1 << 20;
 
   private final byte[] bytes;
   private int ends;
@@ -41,7 +41,7 @@ public final class EofLimitedImageStream extends ImageInputStreamImpl {
 
   /** An unchecked exception, for the library takes a checked one as one more end. */
   private int end() {
-    if (++ends > MOST_ENDS) {
+    if (++ends > MAX_END_READS) {
       throw new IllegalStateException("read on after the end");
     }
     return -1;

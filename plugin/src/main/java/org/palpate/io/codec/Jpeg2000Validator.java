@@ -22,19 +22,19 @@ public final class Jpeg2000Validator {
   private static final int TILE_DATA = 0xFF93;
   private static final int END = 0xFFD9;
   private static final int REVERSIBLE = 1;
-  private static final int MOST_LEVELS = 32;
-  private static final int MOST_LAYERS = 1024;
-  private static final int MOST_TILES = 65535;
+  private static final int MAX_LEVELS = 32;
+  private static final int MAX_LAYERS = 1024;
+  private static final int MAX_TILES = 65535;
   private static final int TILE_PART_BYTES = 12;
 
   /** Coded data never hold a larger word that begins with all ones. */
-  private static final int LARGEST_CODED = 0xFF8F;
+  private static final int MAX_CODED = 0xFF8F;
 
   /** Precincts of fewer pixels an edge cost more to know than to read. */
-  private static final int LEAST_PRECINCT_LOG = 4;
+  private static final int MIN_PRECINCT_LOG = 4;
 
   /** The library keeps a few numbers for each layer of each block. */
-  private static final long MOST_BLOCK_LAYERS = 1 << 22;
+  private static final long MAX_BLOCK_LAYERS = 1 << 22;
 
   private final byte[] bytes;
   private final int columns;
@@ -90,14 +90,14 @@ public final class Jpeg2000Validator {
     long across = (columns - 1) / Math.max(1, quad(at + 22)) + 1;
     long down = (rows - 1) / Math.max(1, quad(at + 26)) + 1;
     require(quad(at + 22) > 0 && quad(at + 26) > 0, "has empty tiles");
-    require(across * down <= MOST_TILES, "has too many tiles");
+    require(across * down <= MAX_TILES, "has too many tiles");
     tiles = (int) (across * down);
   }
 
   private void readCoding(int at) throws IOException {
     int layers = word(at + 6);
     int levels = octet(at + 9);
-    require(layers >= 1 && layers <= MOST_LAYERS && levels <= MOST_LEVELS, "is coded strangely");
+    require(layers >= 1 && layers <= MAX_LAYERS && levels <= MAX_LEVELS, "is coded strangely");
     boolean precincts = (octet(at + 4) & 1) != 0;
     require(segmentLength(at) == 12 + (precincts ? levels + 1 : 0), "is coded strangely");
     require(
@@ -106,11 +106,11 @@ public final class Jpeg2000Validator {
     for (int level = 0; precincts && level <= levels; level++) {
       int size = octet(at + 14 + level);
       require(
-          (size & 15) >= LEAST_PRECINCT_LOG && size >> 4 >= LEAST_PRECINCT_LOG,
+          (size & 15) >= MIN_PRECINCT_LOG && size >> 4 >= MIN_PRECINCT_LOG,
           "has precincts of a strange size");
     }
     long blocks = (((long) columns * rows) >> (octet(at + 10) + octet(at + 11) + 4)) + tiles + 1;
-    require(blocks * layers <= MOST_BLOCK_LAYERS, "has too many layers");
+    require(blocks * layers <= MAX_BLOCK_LAYERS, "has too many layers");
     reversible = octet(at + 13) == REVERSIBLE;
   }
 
@@ -168,7 +168,7 @@ public final class Jpeg2000Validator {
       }
       int pair = 0xFF00 | (bytes[at + 1] & 0xff);
       boolean marker = pair == PACKET || pair == PACKET_HEAD_END || pair == END;
-      require(pair <= LARGEST_CODED || marker || (at < dataFrom && pair != 0xFFFF), "is damaged");
+      require(pair <= MAX_CODED || marker || (at < dataFrom && pair != 0xFFFF), "is damaged");
     }
     require(end == bytes.length || bytes[end - 1] != -1, "is damaged");
   }

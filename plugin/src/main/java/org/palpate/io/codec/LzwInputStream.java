@@ -12,13 +12,13 @@ public final class LzwInputStream extends InputStream {
   private static final int CLEAR = 256;
   private static final int END = 257;
   private static final int FIRST_FREE = 258;
-  private static final int MOST_CODES = 4096;
+  private static final int MAX_CODES = 4096;
 
   private final InputStream in;
-  private final short[] prefix = new short[MOST_CODES];
-  private final byte[] last = new byte[MOST_CODES];
-  private final byte[] text = new byte[MOST_CODES];
-  private int textAt = MOST_CODES;
+  private final short[] prefix = new short[MAX_CODES];
+  private final byte[] last = new byte[MAX_CODES];
+  private final byte[] text = new byte[MAX_CODES];
+  private int textAt = MAX_CODES;
   private int bits;
   private int bitCount;
   private int width = 9;
@@ -35,10 +35,10 @@ public final class LzwInputStream extends InputStream {
 
   @Override
   public int read() throws IOException {
-    while (textAt == MOST_CODES && !ended) {
+    while (textAt == MAX_CODES && !ended) {
       decode();
     }
-    return textAt == MOST_CODES ? -1 : text[textAt++] & 0xff;
+    return textAt == MAX_CODES ? -1 : text[textAt++] & 0xff;
   }
 
   @Override
@@ -59,11 +59,11 @@ public final class LzwInputStream extends InputStream {
       free = FIRST_FREE;
       previous = -1;
     } else {
-      take(code);
+      expand(code);
     }
   }
 
-  private void take(int code) throws IOException {
+  private void expand(int code) throws IOException {
     if (code > free || (previous < 0 && code >= CLEAR) || code == END) {
       throw new IOException("LZW code " + code + " is not known yet");
     }
@@ -73,7 +73,7 @@ public final class LzwInputStream extends InputStream {
     if (isNew) {
       repeatFirst();
     }
-    if (previous >= 0 && free < MOST_CODES) {
+    if (previous >= 0 && free < MAX_CODES) {
       prefix[free] = (short) previous;
       last[free] = text[textAt];
       free++;
@@ -98,9 +98,9 @@ public final class LzwInputStream extends InputStream {
       throw new IOException("an LZW text is too long");
     }
     byte first = text[textAt];
-    System.arraycopy(text, textAt, text, textAt - 1, MOST_CODES - textAt);
+    System.arraycopy(text, textAt, text, textAt - 1, MAX_CODES - textAt);
     textAt--;
-    text[MOST_CODES - 1] = first;
+    text[MAX_CODES - 1] = first;
   }
 
   private int code() throws IOException {

@@ -19,7 +19,7 @@ import org.palpate.io.volume.VolumeFormatException;
  * @param syntax how it is written
  * @param deflatedFrom where the deflated data set begins, -1 where it is not deflated
  * @param order the order of bytes
- * @param pieces where pixels lie: one piece, or fragments
+ * @param pixelDataItems where pixels lie: one piece, or fragments
  * @param encapsulated whether the pieces are fragments
  */
 public record DicomFile(
@@ -28,7 +28,7 @@ public record DicomFile(
     TransferSyntax syntax,
     long deflatedFrom,
     ByteOrder order,
-    List<PixelDataItem> pieces,
+    List<PixelDataItem> pixelDataItems,
     boolean encapsulated) {
   private static final int PREAMBLE = 128;
   private static final String CONVERT = "convert it with gdcmconv --raw IN OUT (free, from GDCM)";
@@ -72,10 +72,10 @@ public record DicomFile(
               TransferSyntax.of(uid),
               deflated ? body : -1,
               order,
-              List.copyOf(parser.pieces()),
+              List.copyOf(parser.pixelDataItems()),
               parser.isEncapsulated());
       if (parser.isFloating()) {
-        throw dicom.wrong("its pixels are floating-point numbers", CONVERT);
+        throw dicom.refusal("its pixels are floating-point numbers", CONVERT);
       }
       return dicom;
     }
@@ -97,7 +97,7 @@ public record DicomFile(
   }
 
   boolean hasPixels() {
-    return !pieces.isEmpty();
+    return !pixelDataItems.isEmpty();
   }
 
   int rows() {
@@ -134,7 +134,7 @@ public record DicomFile(
     String text = attributes.text(DicomTag.FRAMES);
     int count = text.isEmpty() ? 1 : NumberParser.positiveInt(text);
     if (count < 1) {
-      throw wrong("its number of frames is '" + text + "'", "export the file again");
+      throw refusal("its number of frames is '" + text + "'", "export the file again");
     }
     return count;
   }
@@ -142,19 +142,19 @@ public record DicomFile(
   /** Refuses what is no grey picture, cannot be decoded, or is not all there. */
   void check() throws VolumeFormatException {
     if (!hasPixels()) {
-      throw wrong("it holds no picture", "give a file or folder of a picture series");
+      throw refusal("it holds no picture", "give a file or folder of a picture series");
     }
     if (syntax.coding() == TransferSyntax.Coding.UNREADABLE) {
-      throw wrong("it is compressed as " + syntax.name() + ", which cannot be read", CONVERT);
+      throw refusal("it is compressed as " + syntax.name() + ", which cannot be read", CONVERT);
     }
     if (attributes.number(DicomTag.SAMPLES, 1) != 1) {
-      throw wrong("its pixels are colours", "give a grey series");
+      throw refusal("its pixels are colours", "give a grey series");
     }
     if (attributes.text(DicomTag.MODALITY).equals("RTDOSE")) {
-      throw wrong("it is a dose grid, not a scan", "give the scan that it was planned on");
+      throw refusal("it is a dose grid, not a scan", "give the scan that it was planned on");
     }
     if (bitsAllocated() == 1) {
-      throw wrong(
+      throw refusal(
           "it is a DICOM segmentation of one bit a pixel",
           "save it as a label volume (NRRD or NIfTI), from 3D Slicer for one");
     }
@@ -162,7 +162,7 @@ public record DicomFile(
         bitsStored() >= 1 && highBit() >= bitsStored() - 1 && highBit() < bitsAllocated();
     if ((bitsAllocated() != 8 && bitsAllocated() != 16 && bitsAllocated() != 32)
         || !bitsMakeSense) {
-      throw wrong(
+      throw refusal(
           "its pixels have "
               + bitsStored()
               + " of "
@@ -172,7 +172,7 @@ public record DicomFile(
           CONVERT);
     }
     if (rows() < 1 || columns() < 1) {
-      throw wrong("its size is " + columns() + "x" + rows(), "export the file again");
+      throw refusal("its size is " + columns() + "x" + rows(), "export the file again");
     }
     checkPixelDataItems();
   }
@@ -180,30 +180,31 @@ public record DicomFile(
   private void checkPixelDataItems() throws VolumeFormatException {
     boolean plain = syntax.coding() == TransferSyntax.Coding.PLAIN;
     if (plain == encapsulated) {
-      throw wrong("its pixels are not written as " + syntax.name() + " would have them", CONVERT);
+      throw refusal("its pixels are not written as " + syntax.name() + " would have them", CONVERT);
     }
     double needed = (double) frameBytes() * frameCount();
-    if (plain && pieces.get(0).length() < needed) {
-      throw wrong(
+    if (plain && pixelDataItems.get(0).length() < needed) {
+      throw refusal(
           "its header promises "
               + NumberText.display(needed)
               + " bytes of pixels, it has "
-              + pieces.get(0).length(),
+              + pixelDataItems.get(0).length(),
           "the file was cut short; copy or export it again");
     }
     requireInflatable(needed);
-    if (!plain && pieces.size() < frameCount()) {
-      throw wrong("it has " + frameCount() + " frames in " + pieces.size() + " fragments", CONVERT);
+    if (!plain && pixelDataItems.size() < frameCount()) {
+      throw refusal(
+          "it has " + frameCount() + " frames in " + pixelDataItems.size() + " fragments", CONVERT);
     }
-    if (!plain && frameCount() > 1 && pieces.size() != frameCount()) {
-      throw wrong("its frames are split into fragments", CONVERT);
+    if (!plain && frameCount() > 1 && pixelDataItems.size() != frameCount()) {
+      throw refusal("its frames are split into fragments", CONVERT);
     }
   }
 
   /** Refuses more pixels than the compressed bytes can become. */
   private void requireInflatable(double needed) throws VolumeFormatException {
     double stored = 0;
-    for (PixelDataItem piece : pieces) {
+    for (PixelDataItem piece : pixelDataItems) {
       stored += piece.length();
     }
     double most =
@@ -214,7 +215,7 @@ public record DicomFile(
           default -> Double.POSITIVE_INFINITY;
         };
     if (needed > stored * most) {
-      throw wrong(
+      throw refusal(
           "its header promises "
               + NumberText.display(needed)
               + " bytes of pixels, it has "
@@ -224,7 +225,7 @@ public record DicomFile(
     }
   }
 
-  VolumeFormatException wrong(String what, String remedy) {
+  VolumeFormatException refusal(String what, String remedy) {
     return new VolumeFormatException(what, file, remedy);
   }
 }

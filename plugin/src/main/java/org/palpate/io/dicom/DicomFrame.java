@@ -11,29 +11,34 @@ import org.palpate.io.volume.VolumeFormatException;
  *
  * @param dicom the file
  * @param index the frame in it, from 0
- * @param place where it lies, where the file says
+ * @param plane where it lies, where the file says
  * @param scaling what makes values of stored numbers
  */
-record DicomFrame(DicomFile dicom, int index, Optional<Place> place, Scaling scaling) {
+record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scaling scaling) {
 
   /**
    * Where a frame lies, in the patient's coordinates (LPS).
    *
    * @param position centre of the first pixel, mm
-   * @param along direction in which columns are counted, a unit vector up to rounding
-   * @param down direction in which rows are counted
+   * @param rowDirection direction in which columns are counted, a unit vector up to rounding
+   * @param columnDirection direction in which rows are counted
    * @param columnSpacingMm from a column to the next
    * @param rowSpacingMm from a row to the next
    */
-  record Place(Vec3 position, Vec3 along, Vec3 down, double columnSpacingMm, double rowSpacingMm) {
+  record ImagePlane(
+      Vec3 position,
+      Vec3 rowDirection,
+      Vec3 columnDirection,
+      double columnSpacingMm,
+      double rowSpacingMm) {
 
     /** At right angles to the frame. */
     Vec3 normal() {
       Vec3 cross =
           new Vec3(
-              along.y * down.z - along.z * down.y,
-              along.z * down.x - along.x * down.z,
-              along.x * down.y - along.y * down.x);
+              rowDirection.y * columnDirection.z - rowDirection.z * columnDirection.y,
+              rowDirection.z * columnDirection.x - rowDirection.x * columnDirection.z,
+              rowDirection.x * columnDirection.y - rowDirection.y * columnDirection.x);
       return cross.mul(1 / cross.length(), cross);
     }
   }
@@ -42,9 +47,9 @@ record DicomFrame(DicomFile dicom, int index, Optional<Place> place, Scaling sca
   static List<DicomFrame> of(DicomFile dicom) throws VolumeFormatException {
     int count = dicom.frameCount();
     if (dicom.syntax().coding() == TransferSyntax.Coding.PLAIN
-        ? count > dicom.pieces().get(0).length()
-        : count > dicom.pieces().size()) {
-      throw dicom.wrong("it promises " + count + " frames", "export the file again");
+        ? count > dicom.pixelDataItems().get(0).length()
+        : count > dicom.pixelDataItems().size()) {
+      throw dicom.refusal("it promises " + count + " frames", "export the file again");
     }
     DicomFrame[] frames = new DicomFrame[count];
     List<DicomDataSet> groups = dicom.attributes().items(DicomTag.FRAME_GROUPS);
@@ -54,7 +59,7 @@ record DicomFrame(DicomFile dicom, int index, Optional<Place> place, Scaling sca
       DicomDataSet common = shared.isEmpty() ? new DicomDataSet() : shared.get(0);
       Lookup lookup = new Lookup(dicom, own, common);
       // only one frame may lie where the file as a whole says
-      frames[n] = new DicomFrame(dicom, n, lookup.place(count == 1), lookup.scaling());
+      frames[n] = new DicomFrame(dicom, n, lookup.plane(count == 1), lookup.scaling());
     }
     return List.of(frames);
   }
@@ -62,7 +67,7 @@ record DicomFrame(DicomFile dicom, int index, Optional<Place> place, Scaling sca
   /** Attributes of a frame: its own, those of all frames, those of the file. */
   private record Lookup(DicomFile dicom, DicomDataSet own, DicomDataSet shared) {
 
-    Optional<Place> place(boolean single) throws VolumeFormatException {
+    Optional<ImagePlane> plane(boolean single) throws VolumeFormatException {
       double[] position = decimals(DicomTag.PLANE_POSITION_SEQUENCE, DicomTag.POSITION, 3, single);
       double[] axes = decimals(DicomTag.PLANE_ORIENTATION_SEQUENCE, DicomTag.ORIENTATION, 6, true);
       double[] spacing =
@@ -70,19 +75,23 @@ record DicomFrame(DicomFile dicom, int index, Optional<Place> place, Scaling sca
       if (position == null || axes == null || spacing == null) {
         return Optional.empty();
       }
-      Vec3 along = new Vec3(axes[0], axes[1], axes[2]);
-      Vec3 down = new Vec3(axes[3], axes[4], axes[5]);
-      Place place =
-          new Place(
-              new Vec3(position[0], position[1], position[2]), along, down, spacing[1], spacing[0]);
-      if (!place.position().isFinite()
+      Vec3 rowDirection = new Vec3(axes[0], axes[1], axes[2]);
+      Vec3 columnDirection = new Vec3(axes[3], axes[4], axes[5]);
+      ImagePlane plane =
+          new ImagePlane(
+              new Vec3(position[0], position[1], position[2]),
+              rowDirection,
+              columnDirection,
+              spacing[1],
+              spacing[0]);
+      if (!plane.position().isFinite()
           || !(spacing[0] > 0 && spacing[1] > 0)
-          || !place.normal().isFinite()) {
-        throw dicom.wrong(
+          || !plane.normal().isFinite()) {
+        throw dicom.refusal(
             "its place is not understood (position, orientation or spacing)",
             "export the series again");
       }
-      return Optional.of(place);
+      return Optional.of(plane);
     }
 
     Scaling scaling() throws VolumeFormatException {
@@ -93,7 +102,8 @@ record DicomFrame(DicomFile dicom, int index, Optional<Place> place, Scaling sca
       if (!Double.isFinite(scaling.slope())
           || scaling.slope() == 0
           || !Double.isFinite(scaling.intercept())) {
-        throw dicom.wrong("its rescale slope or intercept is no number", "export the series again");
+        throw dicom.refusal(
+            "its rescale slope or intercept is no number", "export the series again");
       }
       return scaling;
     }

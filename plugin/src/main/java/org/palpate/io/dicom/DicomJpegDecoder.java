@@ -73,7 +73,7 @@ final class DicomJpegDecoder {
 
   private static void checkJpeg2000(DicomFile dicom, byte[] bytes) throws IOException {
     if (!Jpeg2000Validator.isReversible(bytes, dicom.columns(), dicom.rows())) {
-      throw dicom.wrong(
+      throw dicom.refusal(
           "it is compressed as JPEG 2000 with loss, which cannot be read pixel for pixel",
           "convert it with gdcmconv --raw IN OUT (free, from GDCM)");
     }

@@ -14,15 +14,15 @@ import java.util.List;
  */
 final class DicomParser {
   private static final long UNDEFINED = 0xffffffffL;
-  private static final int DEEPEST = 16;
-  private static final int LONGEST_VALUE = 1024;
-  private static final int MOST_FRAGMENTS = 1 << 20;
+  private static final int MAX_DEPTH = 16;
+  private static final int MAX_VALUE_BYTES = 1024;
+  private static final int MAX_FRAGMENTS = 1 << 20;
   private static final String LONG_VRS = "OB OW OF OD OL OV SQ SV UC UN UR UT UV";
 
   private final DicomBytes bytes;
   private final ByteOrder order;
   private long at;
-  private final List<PixelDataItem> pieces = new ArrayList<>();
+  private final List<PixelDataItem> pixelDataItems = new ArrayList<>();
   private boolean encapsulated;
   private boolean floating;
 
@@ -46,8 +46,8 @@ final class DicomParser {
   }
 
   /** Where the pixels lie: one piece, or the fragments after the offset table. */
-  List<PixelDataItem> pieces() {
-    return pieces;
+  List<PixelDataItem> pixelDataItems() {
+    return pixelDataItems;
   }
 
   boolean isEncapsulated() {
@@ -59,10 +59,10 @@ final class DicomParser {
   }
 
   private void parse(long end, boolean explicit, DicomDataSet into, int depth) throws IOException {
-    if (depth > DEEPEST) {
+    if (depth > MAX_DEPTH) {
       throw new IOException("its sequences are nested too deeply");
     }
-    while (at < end && pieces.isEmpty()) {
+    while (at < end && pixelDataItems.isEmpty()) {
       int tag = tag();
       if (tag == DicomTag.ITEM_END || tag == DicomTag.SEQUENCE_END) {
         at += 4;
@@ -84,13 +84,13 @@ final class DicomParser {
             || (vr.isEmpty() && DicomTag.SEQUENCES.contains(tag))
             || ((vr.isEmpty() || vr.equals("UN")) && length == UNDEFINED && tag != DicomTag.PIXELS);
     if (isPixels(tag) && depth == 0) {
-      takePixels(tag, length, end);
+      putPixelData(tag, length, end);
     } else if (sequence) {
       parseSequence(tag, length, explicit && !vr.equals("UN"), into, depth);
     } else if (length == UNDEFINED) {
       skipFragments(end);
     } else {
-      takeValue(tag, vr, (int) Math.min(length, Integer.MAX_VALUE), into);
+      putValue(tag, vr, (int) Math.min(length, Integer.MAX_VALUE), into);
       at += length;
     }
   }
@@ -122,8 +122,8 @@ final class DicomParser {
     }
   }
 
-  private void takeValue(int tag, String vr, int length, DicomDataSet into) throws IOException {
-    if (!DicomTag.VALUES.contains(tag) || length > LONGEST_VALUE) {
+  private void putValue(int tag, String vr, int length, DicomDataSet into) throws IOException {
+    if (!DicomTag.VALUES.contains(tag) || length > MAX_VALUE_BYTES) {
       return;
     }
     ByteBuffer value = bytes.at(at, length, order);
@@ -152,11 +152,11 @@ final class DicomParser {
     };
   }
 
-  private void takePixels(int tag, long length, long end) throws IOException {
+  private void putPixelData(int tag, long length, long end) throws IOException {
     floating = tag != DicomTag.PIXELS;
     encapsulated = length == UNDEFINED;
     if (!encapsulated) {
-      pieces.add(new PixelDataItem(at, length));
+      pixelDataItems.add(new PixelDataItem(at, length));
       at += length;
       return;
     }
@@ -164,7 +164,7 @@ final class DicomParser {
     if (all.size() < 2) {
       throw new IOException("its compressed pixels have no fragment");
     }
-    pieces.addAll(all.subList(1, all.size())); // the first is the offset table
+    pixelDataItems.addAll(all.subList(1, all.size())); // the first is the offset table
   }
 
   private void skipFragments(long end) throws IOException {
@@ -180,7 +180,7 @@ final class DicomParser {
       if (tag == DicomTag.SEQUENCE_END) {
         return found;
       }
-      if (tag != DicomTag.ITEM || length > end - at || found.size() > MOST_FRAGMENTS) {
+      if (tag != DicomTag.ITEM || length > end - at || found.size() > MAX_FRAGMENTS) {
         throw new IOException("its compressed pixels are damaged");
       }
       found.add(new PixelDataItem(at, length));

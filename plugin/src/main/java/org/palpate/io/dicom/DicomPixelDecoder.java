@@ -22,9 +22,11 @@ final class DicomPixelDecoder {
       stored = new int[count];
     }
     switch (dicom.syntax().coding()) {
-      case PLAIN -> unpack(plainBytes(frame), dicom.order(), dicom.bitsAllocated(), count);
+      case PLAIN ->
+          unpackStoredValues(plainBytes(frame), dicom.order(), dicom.bitsAllocated(), count);
       case RLE ->
-          unpack(decodeRunLengths(frame), ByteOrder.BIG_ENDIAN, dicom.bitsAllocated(), count);
+          unpackStoredValues(
+              decodeRunLengths(frame), ByteOrder.BIG_ENDIAN, dicom.bitsAllocated(), count);
       default -> DicomJpegDecoder.decode(dicom, fragmentBytes(frame), stored, count);
     }
     scale(dicom, frame.scaling(), dest);
@@ -33,7 +35,7 @@ final class DicomPixelDecoder {
   private static byte[] plainBytes(DicomFrame frame) throws IOException {
     DicomFile dicom = frame.dicom();
     int bytes = Math.toIntExact(dicom.frameBytes());
-    long place = dicom.pieces().get(0).place() + frame.index() * dicom.frameBytes();
+    long place = dicom.pixelDataItems().get(0).place() + frame.index() * dicom.frameBytes();
     try (DicomBytes source =
         dicom.deflatedFrom() < 0
             ? DicomBytes.open(dicom.file())
@@ -47,14 +49,14 @@ final class DicomPixelDecoder {
     DicomFile dicom = frame.dicom();
     boolean all = dicom.frameCount() == 1;
     long length = 0;
-    for (int n = 0; n < dicom.pieces().size(); n++) {
-      length += all || n == frame.index() ? dicom.pieces().get(n).length() : 0;
+    for (int n = 0; n < dicom.pixelDataItems().size(); n++) {
+      length += all || n == frame.index() ? dicom.pixelDataItems().get(n).length() : 0;
     }
     ByteBuffer bytes = ByteBuffer.allocate(Math.toIntExact(length));
     try (DicomBytes source = DicomBytes.open(dicom.file())) {
-      for (int n = 0; n < dicom.pieces().size(); n++) {
+      for (int n = 0; n < dicom.pixelDataItems().size(); n++) {
         if (all || n == frame.index()) {
-          PixelDataItem piece = dicom.pieces().get(n);
+          PixelDataItem piece = dicom.pixelDataItems().get(n);
           bytes.put(source.at(piece.place(), (int) piece.length(), dicom.order()));
         }
       }
@@ -106,7 +108,7 @@ final class DicomPixelDecoder {
     return result;
   }
 
-  private void unpack(byte[] bytes, ByteOrder order, int bits, int count) {
+  private void unpackStoredValues(byte[] bytes, ByteOrder order, int bits, int count) {
     ByteBuffer buffer = ByteBuffer.wrap(bytes).order(order);
     switch (bits) {
       case 8 -> {
@@ -131,7 +133,7 @@ final class DicomPixelDecoder {
     for (int n = 0; n < dest.count(); n++) {
       int high = stored[n] << up;
       long value = signed ? high >> down : (high >>> down) & 0xffffffffL;
-      if (dest.isWhole()) {
+      if (dest.isInteger()) {
         dest.integers()[n] = (int) (value * (long) scaling.slope() + (long) scaling.intercept());
       } else {
         dest.doubles()[n] = scaling.apply((double) value);

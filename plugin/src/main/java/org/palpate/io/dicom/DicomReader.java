@@ -45,11 +45,11 @@ public final class DicomReader implements VolumeReader {
     List<DicomFrame> frames = new ArrayList<>();
     for (DicomFile file : files) {
       file.check();
-      requireAlike(files.get(0), file);
+      requireSamePixels(files.get(0), file);
       frames.addAll(DicomFrame.of(file));
     }
     List<String> notes = new ArrayList<>();
-    ReadOptionChecks.step(1, options, Path.of(place), notes);
+    ReadOptionChecks.chosenStep(1, options, Path.of(place), notes);
     SortedSeries series = DicomSeriesGeometry.arrange(frames, place, options.resample(), notes);
     DicomFile first = files.get(0);
     VolumeHeader header =
@@ -64,11 +64,12 @@ public final class DicomReader implements VolumeReader {
     return new DicomReader(series, place, header, options.progress());
   }
 
-  private static void requireAlike(DicomFile first, DicomFile file) throws VolumeFormatException {
+  private static void requireSamePixels(DicomFile first, DicomFile file)
+      throws VolumeFormatException {
     if (file.rows() != first.rows()
         || file.columns() != first.columns()
         || type(file) != type(first)) {
-      throw file.wrong("it differs in size or type from the first of its series", "export again");
+      throw file.refusal("it differs in size or type from the first of its series", "export again");
     }
   }
 
@@ -84,7 +85,7 @@ public final class DicomReader implements VolumeReader {
   private static ValueRange values(List<DicomFrame> frames) {
     double low = Double.POSITIVE_INFINITY;
     double high = Double.NEGATIVE_INFINITY;
-    boolean whole = true;
+    boolean integer = true;
     for (DicomFrame frame : frames) {
       ValueRange range = frame.scaling().range(type(frame.dicom()));
       double bits = StrictMath.pow(2, frame.dicom().bitsStored());
@@ -92,9 +93,9 @@ public final class DicomReader implements VolumeReader {
       double most = frame.scaling().apply(frame.dicom().isSigned() ? bits / 2 - 1 : bits - 1);
       low = Math.min(low, Math.min(least, most));
       high = Math.max(high, Math.max(least, most));
-      whole &= range.whole();
+      integer &= range.isInteger();
     }
-    return new ValueRange(low, high, whole);
+    return new ValueRange(low, high, integer);
   }
 
   @Override
@@ -104,7 +105,7 @@ public final class DicomReader implements VolumeReader {
 
   @Override
   public void read(SliceSink sink) throws VolumeFormatException {
-    VoxelSlice slice = MemoryCheck.slice(header.grid(), header.values().whole(), place);
+    VoxelSlice slice = MemoryCheck.slice(header.grid(), header.values().isInteger(), place);
     MemoryCheck.require(8.0 * slice.count(), "one picture", place);
     VoxelSlice next = null;
     DicomPixelDecoder pixels = new DicomPixelDecoder();
@@ -112,12 +113,12 @@ public final class DicomReader implements VolumeReader {
       SliceInterpolation weight = series.slices().get(k);
       decode(pixels, weight.frame(), slice);
       if (weight.nextWeight() > 0) {
-        next = next == null ? MemoryCheck.slice(header.grid(), slice.isWhole(), place) : next;
+        next = next == null ? MemoryCheck.slice(header.grid(), slice.isInteger(), place) : next;
         decode(pixels, weight.frame() + 1, next);
-        mix(slice, next, weight.nextWeight());
+        interpolate(slice, next, weight.nextWeight());
       }
       sink.accept(k, slice);
-      progress.read(k + 1, series.slices().size());
+      progress.slicesRead(k + 1, series.slices().size());
     }
   }
 
@@ -137,10 +138,10 @@ public final class DicomReader implements VolumeReader {
   }
 
   /** Linear between two slices; whole numbers are rounded. */
-  private static void mix(VoxelSlice slice, VoxelSlice next, double nextWeight) {
+  private static void interpolate(VoxelSlice slice, VoxelSlice next, double nextWeight) {
     for (int n = 0; n < slice.count(); n++) {
       double value = slice.value(n) * (1 - nextWeight) + next.value(n) * nextWeight;
-      if (slice.isWhole()) {
+      if (slice.isInteger()) {
         slice.integers()[n] = (int) Math.rint(value);
       } else {
         slice.doubles()[n] = value;
@@ -149,7 +150,7 @@ public final class DicomReader implements VolumeReader {
   }
 
   @Override
-  public String place() {
+  public String sourceName() {
     return place;
   }
 

@@ -22,7 +22,7 @@ import org.palpate.io.volume.VolumeReader;
  */
 public final class DicomSeriesFinder {
   private static final int START_BYTES = 132;
-  private static final int MOST_LISTED = 6;
+  private static final int MAX_LISTED = 6;
 
   private DicomSeriesFinder() {}
 
@@ -46,12 +46,12 @@ public final class DicomSeriesFinder {
         }
       }
     } catch (IOException e) {
-      throw InputFiles.unreadable(folder, e);
+      throw InputFiles.unreadableFile(folder, e);
     }
     Collections.sort(paths); // so that all that follows is the same everywhere
     List<DicomFile> pictures = new ArrayList<>();
     for (Path path : paths) {
-      if (DicomFile.isDicom(InputFiles.start(path, START_BYTES))) {
+      if (DicomFile.isDicom(InputFiles.firstBytes(path, START_BYTES))) {
         DicomFile file = DicomFile.read(path);
         if (file.hasPixels()) {
           pictures.add(file);
@@ -116,7 +116,7 @@ public final class DicomSeriesFinder {
   /** Numbers, kinds and sizes: nothing that names a patient or a day. */
   private static String list(List<List<DicomFile>> series) {
     StringBuilder list = new StringBuilder();
-    for (int n = 0; n < Math.min(series.size(), MOST_LISTED); n++) {
+    for (int n = 0; n < Math.min(series.size(), MAX_LISTED); n++) {
       DicomFile first = series.get(n).get(0);
       String modality = first.attributes().text(DicomTag.MODALITY);
       list.append(n == 0 ? "" : "; ").append(n + 1).append(" ");
@@ -125,6 +125,6 @@ public final class DicomSeriesFinder {
       list.append(files).append(files == 1 ? " file of " : " files of ");
       list.append(first.columns()).append('x').append(first.rows());
     }
-    return series.size() > MOST_LISTED ? list + "; and more" : list.toString();
+    return series.size() > MAX_LISTED ? list + "; and more" : list.toString();
   }
 }

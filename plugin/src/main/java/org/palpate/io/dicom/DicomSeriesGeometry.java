@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import org.palpate.geometry.Vec3;
-import org.palpate.io.dicom.DicomFrame.Place;
+import org.palpate.io.dicom.DicomFrame.ImagePlane;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.format.Grids;
 import org.palpate.io.volume.VolumeFormatException;
@@ -22,7 +22,7 @@ final class DicomSeriesGeometry {
   /** Positions are written with a few decimals. */
   private static final double POSITION_ROUNDING_MM = 2e-3;
 
-  private static final double SAME_PLACE_MM = 1e-3;
+  private static final double SAME_POSITION_MM = 1e-3;
   private static final double SAME_DIRECTION = 1e-4;
 
   private final List<DicomFrame> frames;
@@ -67,14 +67,14 @@ final class DicomSeriesGeometry {
   }
 
   private SortedSeries arrange() throws VolumeFormatException {
-    if (frames.stream().anyMatch(frame -> frame.place().isEmpty())) {
+    if (frames.stream().anyMatch(frame -> frame.plane().isEmpty())) {
       return withoutPositions();
     }
     requireParallel();
-    Vec3 normal = place(0).normal();
-    frames.sort(Comparator.comparingDouble(frame -> frame.place().get().position().dot(normal)));
+    Vec3 normal = plane(0).normal();
+    frames.sort(Comparator.comparingDouble(frame -> frame.plane().get().position().dot(normal)));
     alongNormalMm =
-        frames.stream().mapToDouble(frame -> frame.place().get().position().dot(normal)).toArray();
+        frames.stream().mapToDouble(frame -> frame.plane().get().position().dot(normal)).toArray();
     Vec3 step = step(normal);
     requireDistinctPositions();
     requireNoGantryTilt(step, normal);
@@ -85,24 +85,24 @@ final class DicomSeriesGeometry {
       step.mul(stepMm / step.length(), step);
     }
     Vec3[] steps = {
-      place(0).along().mul(place(0).columnSpacingMm(), new Vec3()),
-      place(0).down().mul(place(0).rowSpacingMm(), new Vec3()),
+      plane(0).rowDirection().mul(plane(0).columnSpacingMm(), new Vec3()),
+      plane(0).columnDirection().mul(plane(0).rowSpacingMm(), new Vec3()),
       step
     };
     int[] sizes = {frames.get(0).dicom().columns(), frames.get(0).dicom().rows(), depth};
-    VoxelGrid grid = Grids.of(sizes, steps, place(0).position(), java.nio.file.Path.of(name));
+    VoxelGrid grid = Grids.of(sizes, steps, plane(0).position(), java.nio.file.Path.of(name));
     return new SortedSeries(frames, grid, weights(depth), true);
   }
 
-  private Place place(int n) {
-    return frames.get(n).place().orElseThrow();
+  private ImagePlane plane(int n) {
+    return frames.get(n).plane().orElseThrow();
   }
 
   /** Pictures that do not say where they are: frames of one file, in its order. */
   private SortedSeries withoutPositions() throws VolumeFormatException {
     DicomFile dicom = frames.get(0).dicom();
     if (frames.stream().anyMatch(frame -> !frame.dicom().file().equals(dicom.file()))) {
-      throw wrong(
+      throw refusal(
           "some of its pictures do not say where they lie",
           "name one file, or a folder with one series that has positions");
     }
@@ -124,18 +124,20 @@ final class DicomSeriesGeometry {
   }
 
   private void requireParallel() throws VolumeFormatException {
-    Place first = place(0);
+    ImagePlane first = plane(0);
     for (DicomFrame frame : frames) {
-      Place place = frame.place().orElseThrow();
+      ImagePlane plane = frame.plane().orElseThrow();
       boolean alike =
-          Math.abs(place.columnSpacingMm() - first.columnSpacingMm())
+          Math.abs(plane.columnSpacingMm() - first.columnSpacingMm())
                   <= UNEVEN * first.columnSpacingMm()
-              && Math.abs(place.rowSpacingMm() - first.rowSpacingMm())
+              && Math.abs(plane.rowSpacingMm() - first.rowSpacingMm())
                   <= UNEVEN * first.rowSpacingMm()
-              && place.along().sub(first.along(), new Vec3()).length() <= SAME_DIRECTION
-              && place.down().sub(first.down(), new Vec3()).length() <= SAME_DIRECTION;
+              && plane.rowDirection().sub(first.rowDirection(), new Vec3()).length()
+                  <= SAME_DIRECTION
+              && plane.columnDirection().sub(first.columnDirection(), new Vec3()).length()
+                  <= SAME_DIRECTION;
       if (!alike) {
-        throw wrong(
+        throw refusal(
             "its slices differ in direction or pixel spacing", "export one series of one kind");
       }
     }
@@ -145,22 +147,23 @@ final class DicomSeriesGeometry {
   private Vec3 step(Vec3 normal) {
     int count = frames.size();
     if (count > 1) {
-      Vec3 all = place(count - 1).position().sub(place(0).position(), new Vec3());
+      Vec3 all = plane(count - 1).position().sub(plane(0).position(), new Vec3());
       return all.mul(1.0 / (count - 1), all);
     }
-    double[] told = frames.get(0).dicom().attributes().decimals(DicomTag.SLICE_SPACING, 1);
-    boolean usable = told != null && told[0] > 0 && Double.isFinite(told[0]);
+    double[] headerSpacing = frames.get(0).dicom().attributes().decimals(DicomTag.SLICE_SPACING, 1);
+    boolean usable =
+        headerSpacing != null && headerSpacing[0] > 0 && Double.isFinite(headerSpacing[0]);
     notes.add(
         usable
             ? "a single slice: its spacing is what the header says"
             : "a single slice: taken to be as thick as its pixels are wide");
-    return normal.mul(usable ? told[0] : place(0).columnSpacingMm(), new Vec3());
+    return normal.mul(usable ? headerSpacing[0] : plane(0).columnSpacingMm(), new Vec3());
   }
 
   private void requireDistinctPositions() throws VolumeFormatException {
     for (int k = 1; k < frames.size(); k++) {
-      if (alongNormalMm[k] - alongNormalMm[k - 1] < SAME_PLACE_MM) {
-        throw wrong(
+      if (alongNormalMm[k] - alongNormalMm[k - 1] < SAME_POSITION_MM) {
+        throw refusal(
             "two of its slices lie in one place, at " + mm(alongNormalMm[k]) + " mm",
             "export each time step or echo as a series of its own");
       }
@@ -168,11 +171,11 @@ final class DicomSeriesGeometry {
   }
 
   private void requireNoGantryTilt(Vec3 step, Vec3 normal) throws VolumeFormatException {
-    double along = step.dot(normal);
-    double aside = step.sub(normal.mul(along, new Vec3()), new Vec3()).length();
-    if (frames.size() > 1 && aside > SAME_DIRECTION * along) {
-      double degrees = StrictMath.toDegrees(StrictMath.atan2(aside, along));
-      throw wrong(
+    double alongNormal = step.dot(normal);
+    double inPlane = step.sub(normal.mul(alongNormal, new Vec3()), new Vec3()).length();
+    if (frames.size() > 1 && inPlane > SAME_DIRECTION * alongNormal) {
+      double degrees = StrictMath.toDegrees(StrictMath.atan2(inPlane, alongNormal));
+      throw refusal(
           String.format(
               Locale.ROOT,
               "its slices are tilted by %.2f degrees against the way they are stacked",
@@ -217,7 +220,8 @@ final class DicomSeriesGeometry {
     String what =
         whole ? missing + " slice(s) missing: " + where : "its slices are uneven: " + where;
     if (!resample) {
-      throw wrong(what, "export the series whole, or accept slices made in between by --resample");
+      throw refusal(
+          what, "export the series whole, or accept slices made in between by --resample");
     }
     notes.add("resampled to slices " + mm(stepMm) + " mm apart, for " + what);
   }
@@ -235,14 +239,16 @@ final class DicomSeriesGeometry {
         frame++;
       }
       double gap = alongNormalMm[frame + 1] - alongNormalMm[frame];
-      double share = (at - alongNormalMm[frame]) / gap;
+      double weight = (at - alongNormalMm[frame]) / gap;
       weights.add(
-          share >= 1 ? new SliceInterpolation(frame + 1, 0) : new SliceInterpolation(frame, share));
+          weight >= 1
+              ? new SliceInterpolation(frame + 1, 0)
+              : new SliceInterpolation(frame, weight));
     }
     return weights;
   }
 
-  private VolumeFormatException wrong(String what, String remedy) {
+  private VolumeFormatException refusal(String what, String remedy) {
     return new VolumeFormatException(what, name, remedy);
   }
 

@@ -27,7 +27,7 @@ public record BinaryData(
     implements SampleStream.Opener {
 
   /** Deflate makes at most so many bytes of one. */
-  public static final int MOST_INFLATION = 1032;
+  public static final int MAX_DEFLATE_RATIO = 1032;
 
   /**
    * Where the data begin in a file.
@@ -41,7 +41,7 @@ public record BinaryData(
   }
 
   /** Refuses files that cannot hold their bytes, however well they are compressed. */
-  public void requireEnough() throws VolumeFormatException {
+  public void requireFileLengths() throws VolumeFormatException {
     double each = (double) byteCount / files.size();
     if (byteCount % files.size() != 0) {
       throw new VolumeFormatException(
@@ -54,7 +54,7 @@ public record BinaryData(
       double offset = Math.max(0, start.offset());
       double most = length - offset;
       if (start.deflated() || start.insideGzip()) {
-        most = (double) length * MOST_INFLATION - (start.insideGzip() ? offset : 0);
+        most = (double) length * MAX_DEFLATE_RATIO - (start.insideGzip() ? offset : 0);
       }
       if (each > most) {
         throw new VolumeFormatException(

@@ -36,7 +36,7 @@ public final class BinarySampleStream implements SampleStream {
   public void read(VoxelSlice dest, int at, int count) throws IOException {
     for (int done = 0; done < count; ) {
       int part = Math.min(count - done, available());
-      if (dest.isWhole()) {
+      if (dest.isInteger()) {
         decodeIntegers(dest.integers(), at + done, part);
       } else {
         decodeDoubles(dest.doubles(), at + done, part);

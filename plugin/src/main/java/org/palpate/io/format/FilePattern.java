@@ -8,7 +8,7 @@ import org.palpate.io.volume.VolumeFormatException;
 
 /** Names of data files by a pattern with a number, as NRRD and MetaImage headers give them. */
 public final class FilePattern {
-  private static final int MOST_FILES = 100_000;
+  private static final int MAX_FILES = 100_000;
 
   private FilePattern() {}
 
@@ -22,14 +22,14 @@ public final class FilePattern {
 
   private static List<String> expand(Path header, String[] words) throws VolumeFormatException {
     if (!words[0].matches("[^%]*%(0?[1-9])?[du][^%]*")) {
-      throw wrong(header, "the pattern '" + words[0] + "' has not one number like %03d");
+      throw refusal(header, "the pattern '" + words[0] + "' has not one number like %03d");
     }
     String format = words[0].replaceFirst("(%(0?[1-9])?)u", "$1d");
-    long first = whole(header, words[1]);
-    long last = whole(header, words[2]);
-    long step = whole(header, words[3]);
-    if (step == 0 || (last - first) / step < 0 || (last - first) / step >= MOST_FILES) {
-      throw wrong(header, "the numbers of its file pattern make no list of files");
+    long first = integer(header, words[1]);
+    long last = integer(header, words[2]);
+    long step = integer(header, words[3]);
+    if (step == 0 || (last - first) / step < 0 || (last - first) / step >= MAX_FILES) {
+      throw refusal(header, "the numbers of its file pattern make no list of files");
     }
     List<String> names = new ArrayList<>();
     for (long n = first; step > 0 ? n <= last : n >= last; n += step) {
@@ -38,15 +38,15 @@ public final class FilePattern {
     return names;
   }
 
-  private static long whole(Path header, String text) throws VolumeFormatException {
+  private static long integer(Path header, String text) throws VolumeFormatException {
     try {
       return Integer.parseInt(text);
     } catch (NumberFormatException e) {
-      throw wrong(header, "'" + text + "' in its file pattern is no whole number");
+      throw refusal(header, "'" + text + "' in its file pattern is no whole number");
     }
   }
 
-  private static VolumeFormatException wrong(Path header, String what) {
+  private static VolumeFormatException refusal(Path header, String what) {
     return new VolumeFormatException(what, header, "name the data files one by one (LIST)");
   }
 }

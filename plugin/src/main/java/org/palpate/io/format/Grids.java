@@ -10,7 +10,7 @@ import org.palpate.volume.VoxelGrid;
 /** Makes a grid of what a header says, or refuses it with the numbers. */
 public final class Grids {
   /** 2^31 bricks of 64 voxels: more than any bit cube can have. */
-  private static final double MOST_BRICKS = Integer.MAX_VALUE - 8;
+  private static final double MAX_BRICKS = Integer.MAX_VALUE - 8;
 
   private Grids() {}
 
@@ -79,7 +79,7 @@ public final class Grids {
     }
     double bricks =
         Math.ceil(sizes[0] / 4.0) * Math.ceil(sizes[1] / 4.0) * Math.ceil(sizes[2] / 4.0);
-    if (bricks > MOST_BRICKS || (double) sizes[0] * sizes[1] > MOST_BRICKS) {
+    if (bricks > MAX_BRICKS || (double) sizes[0] * sizes[1] > MAX_BRICKS) {
       throw new VolumeFormatException(
           "its size is " + text + " voxels, more than this can hold in any memory",
           file,

@@ -9,13 +9,13 @@ import org.palpate.io.volume.VolumeFormatException;
 
 /** Lines of text at the start of a file, with an end to how long they may be. */
 public final class HeaderLineReader {
-  private static final int LONGEST_LINE_BYTES = 1 << 20;
-  private static final int LONGEST_HEADER_BYTES = 1 << 24;
+  private static final int MAX_LINE_BYTES = 1 << 20;
+  private static final int MAX_HEADER_BYTES = 1 << 24;
 
   private final InputStream in;
   private final Path file;
   private byte[] line = new byte[256];
-  private long taken;
+  private long bytesRead;
 
   public HeaderLineReader(InputStream in, Path file) {
     this.in = in;
@@ -30,7 +30,7 @@ public final class HeaderLineReader {
       return null;
     }
     for (; c >= 0 && c != '\n'; c = in.read()) {
-      if (length == LONGEST_LINE_BYTES || taken + length > LONGEST_HEADER_BYTES) {
+      if (length == MAX_LINE_BYTES || bytesRead + length > MAX_HEADER_BYTES) {
         throw new VolumeFormatException(
             "a line of its header has no end", file, "write the file anew; its header is damaged");
       }
@@ -39,13 +39,13 @@ public final class HeaderLineReader {
       }
       line[length++] = (byte) c;
     }
-    taken += length + (c < 0 ? 0 : 1);
+    bytesRead += length + (c < 0 ? 0 : 1);
     int end = length > 0 && line[length - 1] == '\r' ? length - 1 : length;
     return new String(line, 0, end, StandardCharsets.UTF_8);
   }
 
   /** Bytes taken so far: where what follows the lines begins. */
-  public long taken() {
-    return taken;
+  public long bytesRead() {
+    return bytesRead;
   }
 }

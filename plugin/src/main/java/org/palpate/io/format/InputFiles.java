@@ -28,11 +28,11 @@ public final class InputFiles {
   }
 
   /** The first bytes of a file, fewer where it is shorter. */
-  public static byte[] start(Path file, int count) throws VolumeFormatException {
+  public static byte[] firstBytes(Path file, int count) throws VolumeFormatException {
     try (InputStream in = Files.newInputStream(file)) {
       return in.readNBytes(count);
     } catch (IOException e) {
-      throw unreadable(file, e);
+      throw unreadableFile(file, e);
     }
   }
 
@@ -49,12 +49,12 @@ public final class InputFiles {
     } catch (VolumeFormatException e) {
       throw e;
     } catch (IOException e) {
-      throw unreadable(file, e);
+      throw unreadableFile(file, e);
     }
   }
 
   /** Says that the system does not let the file be read. */
-  public static VolumeFormatException unreadable(Path file, IOException e) {
+  public static VolumeFormatException unreadableFile(Path file, IOException e) {
     String what = e instanceof NoSuchFileException ? "no such file" : "cannot be read";
     return new VolumeFormatException(
         what, file, "check that it exists and that you may read it", e);
@@ -65,7 +65,7 @@ public final class InputFiles {
    *
    * @param name as the header has it
    */
-  public static Path beside(Path header, String name) throws VolumeFormatException {
+  public static Path resolveBeside(Path header, String name) throws VolumeFormatException {
     Path folder = header.toAbsolutePath().getParent();
     Path file = resolve(header, folder, name);
     try {

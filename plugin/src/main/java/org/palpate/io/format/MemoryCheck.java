@@ -44,7 +44,7 @@ public final class MemoryCheck {
   }
 
   /** A slice of the grid, once it is known to fit. */
-  public static VoxelSlice slice(VoxelGrid grid, boolean whole, String place)
+  public static VoxelSlice slice(VoxelGrid grid, boolean integer, String place)
       throws VolumeFormatException {
     double count = (double) grid.sizeX() * grid.sizeY();
     if (count > Integer.MAX_VALUE - 8) {
@@ -53,7 +53,7 @@ public final class MemoryCheck {
           place,
           "crop the volume in the tool that wrote it");
     }
-    require(count * (whole ? 4 : 8), "one slice", place);
-    return new VoxelSlice(grid.sizeX(), grid.sizeY(), whole);
+    require(count * (integer ? 4 : 8), "one slice", place);
+    return new VoxelSlice(grid.sizeX(), grid.sizeY(), integer);
   }
 }

@@ -11,7 +11,7 @@ public record NonSpatialAxis(int position, int count, int chosen) {
   public static final NonSpatialAxis NONE = new NonSpatialAxis(3, 1, 0);
 
   /** Samples that lie together inside one step, in a slice of the given sizes. */
-  int run(int sizeX, int sizeY) {
+  int contiguousSamples(int sizeX, int sizeY) {
     return switch (position) {
       case 0 -> 1;
       case 1 -> sizeX;

@@ -17,9 +17,9 @@ public final class ReadOptionChecks {
    * @throws VolumeFormatException where there are several and none, or one that is not there, was
    *     chosen
    */
-  public static int step(int count, ReadOptions options, Path file, List<String> notes)
+  public static int chosenStep(int count, ReadOptions options, Path file, List<String> notes)
       throws VolumeFormatException {
-    OptionalInt chosen = options.time();
+    OptionalInt chosen = options.timeStep();
     if (count == 1 && chosen.orElse(0) == 0) {
       return 0;
     }

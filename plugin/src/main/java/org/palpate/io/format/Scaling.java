@@ -29,16 +29,16 @@ public record Scaling(double slope, double intercept) {
     double b = apply(type.high());
     double low = Math.min(a, b);
     double high = Math.max(a, b);
-    boolean whole =
+    boolean integer =
         type.fitsInt()
-            && isWhole(slope)
-            && isWhole(intercept)
+            && isInteger(slope)
+            && isInteger(intercept)
             && low >= Integer.MIN_VALUE
             && high <= Integer.MAX_VALUE;
-    return new ValueRange(low, high, whole);
+    return new ValueRange(low, high, integer);
   }
 
-  private static boolean isWhole(double number) {
+  private static boolean isInteger(double number) {
     return number == Math.rint(number) && Math.abs(number) <= Integer.MAX_VALUE;
   }
 }

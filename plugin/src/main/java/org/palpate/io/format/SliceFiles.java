@@ -31,7 +31,7 @@ public final class SliceFiles {
         }
       }
     } catch (IOException e) {
-      throw InputFiles.unreadable(folder, e);
+      throw InputFiles.unreadableFile(folder, e);
     }
     if (files.isEmpty()) {
       throw new VolumeFormatException(

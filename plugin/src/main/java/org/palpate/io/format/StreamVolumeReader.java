@@ -39,7 +39,7 @@ public final class StreamVolumeReader implements VolumeReader {
   }
 
   @Override
-  public String place() {
+  public String sourceName() {
     return files.get(0).toString();
   }
 
@@ -51,7 +51,7 @@ public final class StreamVolumeReader implements VolumeReader {
   @Override
   public void read(SliceSink sink) throws VolumeFormatException {
     VoxelGrid grid = header.grid();
-    VoxelSlice slice = MemoryCheck.slice(grid, header.values().whole(), place());
+    VoxelSlice slice = MemoryCheck.slice(grid, header.values().isInteger(), sourceName());
     int k = 0;
     try (SampleStream samples = opener.open()) {
       if (extra.position() == 3) {
@@ -60,14 +60,14 @@ public final class StreamVolumeReader implements VolumeReader {
       for (; k < grid.sizeZ(); k++) {
         readSlice(samples, slice);
         sink.accept(k, slice);
-        progress.read(k + 1, grid.sizeZ());
+        progress.slicesRead(k + 1, grid.sizeZ());
       }
     } catch (VolumeFormatException e) {
       throw e;
     } catch (EOFException e) {
       throw new VolumeFormatException(
           "data end after " + k + " of " + grid.sizeZ() + " slices",
-          place(),
+          sourceName(),
           "the file was cut short; copy or export it again",
           e);
     } catch (IOException e) {
@@ -78,7 +78,7 @@ public final class StreamVolumeReader implements VolumeReader {
   private VolumeFormatException unreadable(IOException e, int k) {
     return new VolumeFormatException(
         "data are damaged in slice " + k + " (" + e.getMessage() + ")",
-        place(),
+        sourceName(),
         "copy or export the file again",
         e);
   }
@@ -88,7 +88,7 @@ public final class StreamVolumeReader implements VolumeReader {
       samples.read(slice, 0, slice.count());
       return;
     }
-    int run = extra.run(slice.sizeX(), slice.sizeY());
+    int run = extra.contiguousSamples(slice.sizeX(), slice.sizeY());
     for (int at = 0; at < slice.count(); at += run) {
       samples.skip((long) extra.chosen() * run);
       samples.read(slice, at, run);

@@ -9,11 +9,11 @@ import org.palpate.io.volume.VoxelType;
 
 /** Samples written as words, from a stream that this owns. */
 public final class TextSampleStream implements SampleStream {
-  private static final int LONGEST_WORD = 64;
+  private static final int MAX_WORD = 64;
 
   private final InputStream text;
   private final VoxelType type;
-  private final char[] word = new char[LONGEST_WORD];
+  private final char[] word = new char[MAX_WORD];
 
   public TextSampleStream(InputStream text, VoxelType type) {
     this.text = text;
@@ -24,7 +24,7 @@ public final class TextSampleStream implements SampleStream {
   public void read(VoxelSlice dest, int at, int count) throws IOException {
     for (int n = at; n < at + count; n++) {
       double value = next();
-      if (dest.isWhole()) {
+      if (dest.isInteger()) {
         dest.integers()[n] = (int) value;
       } else {
         dest.doubles()[n] = value;
@@ -48,9 +48,9 @@ public final class TextSampleStream implements SampleStream {
     String token = token();
     double value = NumberParser.number(token);
     boolean isNan = token.equalsIgnoreCase("nan") || token.equalsIgnoreCase("-nan");
-    boolean whole = value == Math.rint(value);
+    boolean integer = value == Math.rint(value);
     boolean fits = value >= type.low() && value <= type.high();
-    if (type.isWhole() ? !(whole && fits) : Double.isNaN(value) && !isNan) {
+    if (type.isInteger() ? !(integer && fits) : Double.isNaN(value) && !isNan) {
       throw new IOException("'" + token + "' is no value of type " + type.description());
     }
     return value;
@@ -63,8 +63,8 @@ public final class TextSampleStream implements SampleStream {
     }
     int length = 0;
     for (; c >= 0 && !isGap(c); c = text.read()) {
-      if (length == LONGEST_WORD) {
-        throw new IOException("a number has more than " + LONGEST_WORD + " characters");
+      if (length == MAX_WORD) {
+        throw new IOException("a number has more than " + MAX_WORD + " characters");
       }
       word[length++] = (char) c;
     }

@@ -10,7 +10,7 @@ import org.palpate.io.volume.VoxelSlice;
  * than one. For rules that are all of labels, no label in two of them.
  */
 final class LabelLookup {
-  private static final int MOST_LABELS = 1 << 16;
+  private static final int MAX_LABELS = 1 << 16;
 
   private final SegmentAccumulator[] layerOfLabel;
 
@@ -20,13 +20,13 @@ final class LabelLookup {
 
   /** A dispatch for the rules, where they allow one. */
   static Optional<LabelLookup> of(List<SegmentSpec> specs, List<SegmentAccumulator> layers) {
-    SegmentAccumulator[] layerOfLabel = new SegmentAccumulator[MOST_LABELS];
+    SegmentAccumulator[] layerOfLabel = new SegmentAccumulator[MAX_LABELS];
     for (int n = 0; n < specs.size(); n++) {
       if (!(specs.get(n).rule() instanceof Labels labels)) {
         return Optional.empty();
       }
       for (long label : labels.sorted()) {
-        if (label < 0 || label >= MOST_LABELS || layerOfLabel[(int) label] != null) {
+        if (label < 0 || label >= MAX_LABELS || layerOfLabel[(int) label] != null) {
           return Optional.empty();
         }
         layerOfLabel[(int) label] = layers.get(n);
@@ -36,13 +36,13 @@ final class LabelLookup {
   }
 
   /** Takes slice k. */
-  void gather(int k, VoxelSlice slice) {
+  void addSlice(int k, VoxelSlice slice) {
     int[] values = slice.integers();
     for (int j = 0; j < slice.sizeY(); j++) {
       int row = j * slice.sizeX();
       for (int i = 0; i < slice.sizeX(); i++) {
         int value = values[row + i];
-        SegmentAccumulator layer = (value & -MOST_LABELS) == 0 ? layerOfLabel[value] : null;
+        SegmentAccumulator layer = (value & -MAX_LABELS) == 0 ? layerOfLabel[value] : null;
         if (layer != null) {
           layer.mark(i, j, k);
         }

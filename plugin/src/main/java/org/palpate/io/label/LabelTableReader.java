@@ -25,7 +25,7 @@ import org.palpate.io.volume.VolumeFormatException;
  */
 final class LabelTableReader {
   private static final List<String> ENDINGS = List.of(".ctbl", ".label", ".lut", ".txt");
-  private static final int MOST_LABELS = 1 << 16;
+  private static final int MAX_LABELS = 1 << 16;
 
   // value name red green blue, perhaps alpha
   private static final Pattern SLICER =
@@ -59,7 +59,7 @@ final class LabelTableReader {
         }
       }
     } catch (IOException e) {
-      throw InputFiles.unreadable(folder, e);
+      throw InputFiles.unreadableFile(folder, e);
     }
     return found == null ? Optional.empty() : read(found);
   }
@@ -82,20 +82,20 @@ final class LabelTableReader {
     try (InputStream in = InputFiles.open(file, 0)) {
       HeaderLineReader lines = new HeaderLineReader(in, file);
       for (String line = lines.next();
-          line != null && labels.size() < MOST_LABELS;
+          line != null && labels.size() < MAX_LABELS;
           line = lines.next()) {
-        take(line.strip(), labels);
+        parseLine(line.strip(), labels);
       }
     } catch (VolumeFormatException e) {
       throw e;
     } catch (IOException e) {
-      throw InputFiles.unreadable(file, e);
+      throw InputFiles.unreadableFile(file, e);
     }
     return labels.isEmpty() ? Optional.empty() : Optional.of(new LabelTable(labels));
   }
 
   /** Takes a line that is a label's; others are comments or another kind of text. */
-  private static void take(String line, Map<Long, Label> labels) {
+  private static void parseLine(String line, Map<Long, Label> labels) {
     Matcher slicer = SLICER.matcher(line);
     Matcher snap = SNAP.matcher(line);
     if (slicer.matches()) {

@@ -18,7 +18,7 @@ public record LabelledReader(VolumeReader volume, VolumeHeader header) implement
   public static VolumeReader of(VolumeReader volume, Path file) throws VolumeFormatException {
     VolumeHeader header = volume.header();
     boolean named = header.labels().isPresent() && !header.labels().get().labels().isEmpty();
-    if (named || !header.values().whole()) {
+    if (named || !header.values().isInteger()) {
       return volume;
     }
     return LabelTableReader.beside(file)
@@ -32,8 +32,8 @@ public record LabelledReader(VolumeReader volume, VolumeHeader header) implement
   }
 
   @Override
-  public String place() {
-    return volume.place();
+  public String sourceName() {
+    return volume.sourceName();
   }
 
   @Override

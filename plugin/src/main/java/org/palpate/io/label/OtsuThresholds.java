@@ -37,7 +37,9 @@ final class OtsuThresholds {
     for (int a = 1; a < groups.length - 1; a++) {
       for (int b = a + 1; b < groups.length; b++) {
         double between =
-            share(count, sum, 0, a) + share(count, sum, a, b) + share(count, sum, b, groups.length);
+            betweenVariance(count, sum, 0, a)
+                + betweenVariance(count, sum, a, b)
+                + betweenVariance(count, sum, b, groups.length);
         if (between > best) {
           best = between;
           first = a;
@@ -49,7 +51,7 @@ final class OtsuThresholds {
   }
 
   /** Of a class from group {@code from} to before {@code to}: its sum squared over its count. */
-  private static double share(double[] count, double[] sum, int from, int to) {
+  private static double betweenVariance(double[] count, double[] sum, int from, int to) {
     double n = count[to] - count[from];
     double s = sum[to] - sum[from];
     return n > 0 ? s * s / n : 0;

@@ -15,12 +15,12 @@ interface RowClassifier {
   void test(VoxelSlice slice, int from, int count, byte[] inside);
 
   /** The test for a rule over slices that hold whole numbers, or doubles. */
-  static RowClassifier of(Rule rule, boolean whole) {
+  static RowClassifier of(Rule rule, boolean integer) {
     if (rule instanceof Range range) {
-      return whole ? wholeRange(range.low(), range.high()) : range(range.low(), range.high());
+      return integer ? integerRange(range.low(), range.high()) : range(range.low(), range.high());
     }
     if (rule instanceof Nonzero) {
-      return whole ? RowClassifier::wholeNonzero : RowClassifier::nonzero;
+      return integer ? RowClassifier::integerNonzero : RowClassifier::nonzero;
     }
     return (slice, from, count, inside) -> {
       for (int n = 0; n < count; n++) {
@@ -29,7 +29,7 @@ interface RowClassifier {
     };
   }
 
-  private static RowClassifier wholeRange(double low, double high) {
+  private static RowClassifier integerRange(double low, double high) {
     double lowest = Math.max(Math.ceil(low), Integer.MIN_VALUE);
     double highest = Math.min(Math.floor(high), Integer.MAX_VALUE);
     if (!(lowest <= highest)) {
@@ -56,7 +56,7 @@ interface RowClassifier {
     };
   }
 
-  private static void wholeNonzero(VoxelSlice slice, int from, int count, byte[] inside) {
+  private static void integerNonzero(VoxelSlice slice, int from, int count, byte[] inside) {
     int[] values = slice.integers();
     for (int n = 0; n < count; n++) {
       inside[n] = (byte) (values[from + n] != 0 ? 1 : 0);

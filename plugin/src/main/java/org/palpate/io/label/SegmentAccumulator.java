@@ -24,10 +24,10 @@ final class SegmentAccumulator {
   private final byte[] inside;
   private boolean touched;
 
-  SegmentAccumulator(SegmentSpec spec, VoxelGrid grid, boolean whole, int rgb) {
+  SegmentAccumulator(SegmentSpec spec, VoxelGrid grid, boolean integer, int rgb) {
     bits = new BitCube(grid.sizeX(), grid.sizeY(), grid.sizeZ());
     segment = new Segment(spec.name(), bits, rgb);
-    test = RowClassifier.of(spec.rule(), whole);
+    test = RowClassifier.of(spec.rule(), integer);
     layer = new long[bits.bricksX() * bits.bricksY()];
     inside = new byte[4 * bits.bricksX()]; // what lies beyond the row stays 0
   }
@@ -37,15 +37,15 @@ final class SegmentAccumulator {
   }
 
   /** Takes slice k by the segment's own rule. */
-  void gather(int k, VoxelSlice slice) {
+  void addSlice(int k, VoxelSlice slice) {
     touched = true;
     for (int j = 0; j < slice.sizeY(); j++) {
       test.test(slice, j * slice.sizeX(), slice.sizeX(), inside);
-      gatherRow((j >> BitCube.BRICK_SHIFT) * bits.bricksX(), BitCube.bit(0, j, k));
+      addRow((j >> BitCube.BRICK_SHIFT) * bits.bricksX(), BitCube.bit(0, j, k));
     }
   }
 
-  private void gatherRow(int firstBrick, int shift) {
+  private void addRow(int firstBrick, int shift) {
     for (int brick = 0; brick < bits.bricksX(); brick++) {
       int four = (int) FOUR_BYTES.get(inside, 4 * brick);
       layer[firstBrick + brick] |= (((four * GATHER) >>> 24) & 15L) << shift;
@@ -60,7 +60,7 @@ final class SegmentAccumulator {
   }
 
   /** Stores the layer as bricks and begins the next. */
-  void store(int brickZ) {
+  void storeBrickLayer(int brickZ) {
     if (!touched) {
       return;
     }

@@ -29,15 +29,15 @@ public final class SegmentBuilder implements SliceSink {
   /**
    * Segments by the given rules.
    *
-   * @param whole whether slices will hold whole numbers, {@code header.values().whole()}
+   * @param integer whether slices will hold whole numbers, {@code header.values().whole()}
    */
-  public SegmentBuilder(VoxelGrid grid, List<SegmentSpec> specs, boolean whole) {
+  public SegmentBuilder(VoxelGrid grid, List<SegmentSpec> specs, boolean integer) {
     this.grid = grid;
     for (SegmentSpec spec : specs) {
       int rgb = spec.rgb() == SegmentSpec.ANY_COLOUR ? paletteColour(layers.size()) : spec.rgb();
-      layers.add(new SegmentAccumulator(spec, grid, whole, rgb));
+      layers.add(new SegmentAccumulator(spec, grid, integer, rgb));
     }
-    dispatch = whole ? LabelLookup.of(specs, layers) : Optional.empty();
+    dispatch = integer ? LabelLookup.of(specs, layers) : Optional.empty();
   }
 
   private static int paletteColour(int index) {
@@ -53,8 +53,8 @@ public final class SegmentBuilder implements SliceSink {
       throws VolumeFormatException {
     VoxelGrid grid = reader.header().grid();
     String purpose = specs.size() == 1 ? "one segment" : specs.size() + " segments";
-    MemoryCheck.require(bytesFor(grid, specs.size()), purpose, reader.place());
-    SegmentBuilder builder = new SegmentBuilder(grid, specs, reader.header().values().whole());
+    MemoryCheck.require(bytesFor(grid, specs.size()), purpose, reader.sourceName());
+    SegmentBuilder builder = new SegmentBuilder(grid, specs, reader.header().values().isInteger());
     reader.read(builder);
     return builder.build();
   }
@@ -67,12 +67,12 @@ public final class SegmentBuilder implements SliceSink {
   @Override
   public void accept(int k, VoxelSlice slice) {
     if (dispatch.isPresent()) {
-      dispatch.get().gather(k, slice);
+      dispatch.get().addSlice(k, slice);
     } else {
-      layers.forEach(layer -> layer.gather(k, slice));
+      layers.forEach(layer -> layer.addSlice(k, slice));
     }
     if ((k & 3) == 3 || k == grid.sizeZ() - 1) {
-      layers.forEach(layer -> layer.store(k >> BitCube.BRICK_SHIFT));
+      layers.forEach(layer -> layer.storeBrickLayer(k >> BitCube.BRICK_SHIFT));
     }
   }
 

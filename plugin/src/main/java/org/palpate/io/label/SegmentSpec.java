@@ -95,7 +95,7 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
     int equals = text.indexOf('=');
     String name = equals < 0 ? "" : text.substring(0, equals).strip();
     if (name.isEmpty()) {
-      throw wrong("a segment needs a name", text);
+      throw refusal("a segment needs a name", text);
     }
     String rule = text.substring(equals + 1).strip();
     if (rule.equals("nonzero")) {
@@ -114,7 +114,7 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
           .mapToLong(Long::parseLong)
           .toArray();
     } catch (NumberFormatException e) {
-      throw wrong("labels must be whole numbers", text);
+      throw refusal("labels must be whole numbers", text);
     }
   }
 
@@ -131,12 +131,12 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
       high = NumberParser.number(rule.substring(dots + 2));
     }
     if (!(low <= high)) {
-      throw wrong("the values of a segment are not understood", text);
+      throw refusal("the values of a segment are not understood", text);
     }
     return range(name, low, high);
   }
 
-  private static VolumeFormatException wrong(String what, String text) {
+  private static VolumeFormatException refusal(String what, String text) {
     return new VolumeFormatException(
         what,
         OPTION + text,

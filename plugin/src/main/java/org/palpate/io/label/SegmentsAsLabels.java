@@ -56,7 +56,7 @@ public final class SegmentsAsLabels implements VolumeReader {
   @Override
   public void read(SliceSink sink) throws VolumeFormatException {
     VoxelGrid grid = volume.grid();
-    VoxelSlice slice = MemoryCheck.slice(grid, true, place());
+    VoxelSlice slice = MemoryCheck.slice(grid, true, sourceName());
     for (int k = 0; k < grid.sizeZ(); k++) {
       java.util.Arrays.fill(slice.integers(), 0);
       for (int n = 0; n < volume.segments().size(); n++) {
@@ -82,7 +82,7 @@ public final class SegmentsAsLabels implements VolumeReader {
   }
 
   @Override
-  public String place() {
+  public String sourceName() {
     return "segments";
   }
 

@@ -16,13 +16,13 @@ import org.palpate.io.volume.VoxelSlice;
  */
 public final class ValueStatistics implements SliceSink {
   /** More different values than this are no labels. */
-  public static final int MOST_LABELS = 1024;
+  public static final int MAX_LABELS = 1024;
 
   /**
    * Of the voxels of a label, the share that is followed along x by one of the same: labels fill
    * regions, intensities vary inside them. Held by the label in the middle of all.
    */
-  private static final double LEAST_FLAT_SHARE = 0.4;
+  private static final double MIN_FLAT_FRACTION = 0.4;
 
   private static final int BINS = 1 << 16;
 
@@ -52,7 +52,7 @@ public final class ValueStatistics implements SliceSink {
   public ValueStatistics(VolumeHeader header) {
     VolumeHeader.ValueRange range = header.values();
     table = header.labels();
-    exact = range.whole() && range.high() - range.low() < BINS;
+    exact = range.isInteger() && range.high() - range.low() < BINS;
     exactLow = exact ? (int) range.low() : 0;
   }
 
@@ -99,7 +99,7 @@ public final class ValueStatistics implements SliceSink {
       lastValue = value;
       low = Math.min(low, value);
       high = Math.max(high, value);
-      if (counts.size() <= MOST_LABELS) {
+      if (counts.size() <= MAX_LABELS) {
         lastCount = counts.computeIfAbsent(value, any -> new Count());
       }
     }
@@ -121,11 +121,11 @@ public final class ValueStatistics implements SliceSink {
   }
 
   /** What was found, once every slice was taken. */
-  public Found found() {
+  public Summary summary() {
     if (exact) {
       collectExact();
     }
-    return new Found(low, high, notFinite, labels(), thresholds());
+    return new Summary(low, high, notFinite, labels(), thresholds());
   }
 
   private void collectExact() {
@@ -144,7 +144,8 @@ public final class ValueStatistics implements SliceSink {
 
   private List<Long> labels() {
     boolean mayBeLabels =
-        counts.size() <= MOST_LABELS && counts.keySet().stream().allMatch(ValueStatistics::isWhole);
+        counts.size() <= MAX_LABELS
+            && counts.keySet().stream().allMatch(ValueStatistics::isInteger);
     if (!mayBeLabels) {
       return List.of();
     }
@@ -168,18 +169,18 @@ public final class ValueStatistics implements SliceSink {
     return table.isPresent() && table.get().labels().keySet().containsAll(labels);
   }
 
-  private static boolean isWhole(double value) {
+  private static boolean isInteger(double value) {
     return value == Math.rint(value) && Math.abs(value) < 0x1p53;
   }
 
   private boolean isFlat() {
-    double[] shares =
+    double[] fractions =
         counts.entrySet().stream()
             .filter(entry -> entry.getKey() != 0)
             .mapToDouble(entry -> entry.getValue().flatFraction())
             .sorted()
             .toArray();
-    return shares[shares.length / 2] >= LEAST_FLAT_SHARE;
+    return fractions[fractions.length / 2] >= MIN_FLAT_FRACTION;
   }
 
   private List<Double> thresholds() {
@@ -202,10 +203,10 @@ public final class ValueStatistics implements SliceSink {
    * @param thresholds two values that part intensities well, rising; empty where there are fewer
    *     than three values
    */
-  public record Found(
+  public record Summary(
       double low, double high, long notFinite, List<Long> labels, List<Double> thresholds) {
     /** Copies the lists. */
-    public Found {
+    public Summary {
       labels = List.copyOf(labels);
       thresholds = List.copyOf(thresholds);
     }

@@ -41,13 +41,13 @@ public record MetaImageHeader(
       String line = lines.next();
       for (; line != null && !fields.containsKey(LAST_KEY); line = lines.next()) {
         if (!line.isBlank()) {
-          take(line, file, fields);
+          parseLine(line, file, fields);
         }
         if (fields.containsKey(LAST_KEY)) {
           break;
         }
       }
-      MetaImageHeader header = new MetaImageHeader(file, fields, list, lines.taken());
+      MetaImageHeader header = new MetaImageHeader(file, fields, list, lines.bytesRead());
       if (header.required(LAST_KEY).startsWith("LIST")) {
         for (line = lines.next(); line != null && !line.isBlank(); line = lines.next()) {
           list.add(line.strip());
@@ -57,11 +57,11 @@ public record MetaImageHeader(
     } catch (VolumeFormatException e) {
       throw e;
     } catch (IOException e) {
-      throw InputFiles.unreadable(file, e);
+      throw InputFiles.unreadableFile(file, e);
     }
   }
 
-  private static void take(String line, Path file, Map<String, String> fields)
+  private static void parseLine(String line, Path file, Map<String, String> fields)
       throws VolumeFormatException {
     int equals = line.indexOf('=');
     if (equals < 1) {
@@ -75,7 +75,7 @@ public record MetaImageHeader(
   String required(String key) throws VolumeFormatException {
     String value = fields.get(key);
     if (value == null) {
-      throw wrong("its header has no '" + key + "'");
+      throw refusal("its header has no '" + key + "'");
     }
     return value;
   }
@@ -96,7 +96,7 @@ public record MetaImageHeader(
     return value.startsWith("t") || value.startsWith("y") || value.equals("1");
   }
 
-  VolumeFormatException wrong(String what) {
+  VolumeFormatException refusal(String what) {
     return new VolumeFormatException(
         what, file, "correct the header, or write the file anew with the tool it came from");
   }

@@ -55,7 +55,7 @@ public final class MetaImageReader {
     sizes = sizes();
     channels = NumberParser.positiveInt(header.first("1", "ElementNumberOfChannels"));
     if (channels < 1) {
-      throw header.wrong("its ElementNumberOfChannels is no positive number");
+      throw header.refusal("its ElementNumberOfChannels is no positive number");
     }
     NonSpatialAxis extra = extra();
     VoxelGrid grid = grid();
@@ -97,14 +97,14 @@ public final class MetaImageReader {
   private int[] sizes() throws VolumeFormatException {
     int dimension = NumberParser.positiveInt(header.required("NDims"));
     if (dimension < 2 || dimension > 4) {
-      throw header.wrong("its NDims is '" + header.required("NDims") + "', not 2, 3 or 4");
+      throw header.refusal("its NDims is '" + header.required("NDims") + "', not 2, 3 or 4");
     }
     double[] numbers = numbers(header.required("DimSize"), dimension, "DimSize");
     int[] result = new int[dimension];
     for (int axis = 0; axis < dimension; axis++) {
       result[axis] = (int) numbers[axis];
       if (result[axis] < 1 || result[axis] != numbers[axis]) {
-        throw header.wrong("its DimSize is '" + header.required("DimSize") + "'");
+        throw header.refusal("its DimSize is '" + header.required("DimSize") + "'");
       }
     }
     return result;
@@ -113,10 +113,10 @@ public final class MetaImageReader {
   private NonSpatialAxis extra() throws VolumeFormatException {
     int steps = sizes.length > 3 ? sizes[3] : 1;
     if (steps > 1 && channels > 1) {
-      throw header.wrong("it has several time steps and several channels");
+      throw header.refusal("it has several time steps and several channels");
     }
     int count = Math.max(steps, channels);
-    int step = ReadOptionChecks.step(count, options, header.file(), notes);
+    int step = ReadOptionChecks.chosenStep(count, options, header.file(), notes);
     return count == 1 ? NonSpatialAxis.NONE : new NonSpatialAxis(channels > 1 ? 0 : 3, count, step);
   }
 
@@ -156,13 +156,13 @@ public final class MetaImageReader {
   private double[] numbers(String text, int count, String key) throws VolumeFormatException {
     String[] words = text.strip().split("\\s+", -1);
     if (words.length != count) {
-      throw header.wrong("its " + key + " has " + words.length + " numbers, not " + count);
+      throw header.refusal("its " + key + " has " + words.length + " numbers, not " + count);
     }
     double[] numbers = new double[count];
     for (int n = 0; n < count; n++) {
       numbers[n] = NumberParser.number(words[n]);
       if (!Double.isFinite(numbers[n])) {
-        throw header.wrong("'" + words[n] + "' in its " + key + " is no finite number");
+        throw header.refusal("'" + words[n] + "' in its " + key + " is no finite number");
       }
     }
     return numbers;
@@ -176,11 +176,11 @@ public final class MetaImageReader {
     List<String> names =
         value.startsWith("LIST") ? header.dataList() : FilePattern.names(header.file(), value);
     if (names.isEmpty()) {
-      throw header.wrong("its list of data files is empty");
+      throw header.refusal("its list of data files is empty");
     }
     List<Path> files = new ArrayList<>();
     for (String name : names) {
-      files.add(InputFiles.beside(header.file(), name));
+      files.add(InputFiles.resolveBeside(header.file(), name));
     }
     return files;
   }
@@ -194,7 +194,7 @@ public final class MetaImageReader {
       exact *= size;
     }
     if (bytes > 0x1p60) {
-      throw header.wrong("its sizes make more than 2^60 bytes");
+      throw header.refusal("its sizes make more than 2^60 bytes");
     }
     boolean msb = header.isTrue("BinaryDataByteOrderMSB", "ElementByteOrderMSB");
     BinaryData.Start start =
@@ -204,7 +204,7 @@ public final class MetaImageReader {
     if (text) {
       requireText(files, exact / type.bytes());
     } else {
-      data.requireEnough();
+      data.requireFileLengths();
     }
     return data;
   }
@@ -216,7 +216,7 @@ public final class MetaImageReader {
       length += InputFiles.length(file);
     }
     if (samples > length / 2 + 1) {
-      throw header.wrong("its header promises " + samples + " values in " + length + " bytes");
+      throw header.refusal("its header promises " + samples + " values in " + length + " bytes");
     }
   }
 
@@ -227,7 +227,7 @@ public final class MetaImageReader {
     String text = header.first("0", "HeaderSize");
     double skip = NumberParser.number(text);
     if (!(skip >= -1) || skip != Math.rint(skip) || skip > 0x1p53) {
-      throw header.wrong("its HeaderSize is '" + text + "'");
+      throw header.refusal("its HeaderSize is '" + text + "'");
     }
     return (long) skip;
   }
@@ -245,7 +245,7 @@ public final class MetaImageReader {
       case "MET_ULONG_LONG" -> VoxelType.UINT64;
       case "MET_FLOAT" -> VoxelType.FLOAT32;
       case "MET_DOUBLE" -> VoxelType.FLOAT64;
-      default -> throw header.wrong("the type '" + name + "' is not a number's");
+      default -> throw header.refusal("the type '" + name + "' is not a number's");
     };
   }
 }

@@ -68,7 +68,7 @@ record NiftiAffine(List<Vec3> stepsMm, Vec3 firstCentreMm, boolean isKnown) {
     double d = header.quatern(2);
     double rest = 1 - (b * b + c * c + d * d);
     if (!(rest >= -QUATERNION_TOLERANCE)) {
-      throw header.wrong("its quaternion (" + b + ", " + c + ", " + d + ") is no rotation");
+      throw header.refusal("its quaternion (" + b + ", " + c + ", " + d + ") is no rotation");
     }
     double a = rest < QUATERNION_TOLERANCE ? 0 : Math.sqrt(rest);
     double s = 2 / (a * a + b * b + c * c + d * d);

@@ -79,9 +79,9 @@ public final class NiftiHeader {
 
   /** The first bytes of the file, decompressed where it is gzip. */
   public static byte[] start(Path file) throws VolumeFormatException {
-    byte[] two = InputFiles.start(file, 2);
+    byte[] two = InputFiles.firstBytes(file, 2);
     if (!BinaryData.isGzip(two)) {
-      return InputFiles.start(file, LENGTH_2);
+      return InputFiles.firstBytes(file, LENGTH_2);
     }
     try (InputStream in = new GZIPInputStream(InputFiles.open(file, 0))) {
       return in.readNBytes(LENGTH_2);
@@ -174,7 +174,7 @@ public final class NiftiHeader {
     return real(280, 400, 4 * row + column);
   }
 
-  VolumeFormatException wrong(String what) {
+  VolumeFormatException refusal(String what) {
     return new VolumeFormatException(what, file, "write the file anew with the tool it came from");
   }
 

@@ -44,7 +44,7 @@ public final class NiftiReader {
     NiftiAffine place = NiftiAffine.of(header, notes);
     VoxelGrid grid =
         Grids.of(sizes, place.stepsMm().toArray(new Vec3[0]), place.firstCentreMm(), headerFile);
-    boolean gzip = BinaryData.isGzip(InputFiles.start(dataFile, 2));
+    boolean gzip = BinaryData.isGzip(InputFiles.firstBytes(dataFile, 2));
     BinaryData data =
         new BinaryData(
             List.of(dataFile),
@@ -53,7 +53,7 @@ public final class NiftiReader {
             header.order(),
             scaling,
             byteCount(header, grid, extra, type));
-    data.requireEnough();
+    data.requireFileLengths();
     VolumeHeader described =
         new VolumeHeader(
             header.formatName() + (gzip ? ", gzip" : ""),
@@ -81,7 +81,7 @@ public final class NiftiReader {
     for (String ending : List.of(to, to + ".gz", to.toUpperCase(Locale.ROOT))) {
       Path other = file.resolveSibling(stem + ending);
       if (Files.exists(other)) {
-        return InputFiles.beside(file, stem + ending);
+        return InputFiles.resolveBeside(file, stem + ending);
       }
     }
     throw new VolumeFormatException(
@@ -92,12 +92,12 @@ public final class NiftiReader {
     int[] sizes = {1, 1, 1};
     int dimension = (int) header.dim(0);
     if (dimension < 2 || dimension > 7) {
-      throw header.wrong("it has " + header.dim(0) + " axes");
+      throw header.refusal("it has " + header.dim(0) + " axes");
     }
     for (int axis = 0; axis < Math.min(3, dimension); axis++) {
       long size = header.dim(axis + 1);
       if (size < 1 || size > Integer.MAX_VALUE) {
-        throw header.wrong("its size along " + "xyz".charAt(axis) + " is " + size);
+        throw header.refusal("its size along " + "xyz".charAt(axis) + " is " + size);
       }
       sizes[axis] = (int) size;
     }
@@ -109,15 +109,15 @@ public final class NiftiReader {
     double steps = 1;
     for (int axis = 4; axis <= header.dim(0); axis++) {
       if (header.dim(axis) < 0) {
-        throw header.wrong("its size along axis " + axis + " is " + header.dim(axis));
+        throw header.refusal("its size along axis " + axis + " is " + header.dim(axis));
       }
       steps *= Math.max(1, header.dim(axis));
     }
     if (steps > Integer.MAX_VALUE) {
-      throw header.wrong("it has " + NumberText.display(steps) + " time steps");
+      throw header.refusal("it has " + NumberText.display(steps) + " time steps");
     }
     return new NonSpatialAxis(
-        3, (int) steps, ReadOptionChecks.step((int) steps, options, header.file(), notes));
+        3, (int) steps, ReadOptionChecks.chosenStep((int) steps, options, header.file(), notes));
   }
 
   private static long byteCount(
@@ -125,7 +125,7 @@ public final class NiftiReader {
       throws VolumeFormatException {
     double bytes = (double) grid.voxelCount() * extra.count() * type.bytes();
     if (bytes > 0x1p60) {
-      throw header.wrong("its sizes make more than 2^60 bytes");
+      throw header.refusal("its sizes make more than 2^60 bytes");
     }
     return grid.voxelCount() * extra.count() * type.bytes();
   }
@@ -134,7 +134,7 @@ public final class NiftiReader {
     double offset = header.voxOffset();
     long least = header.isPair() ? 0 : header.length() + 4;
     if (!(offset >= least) || offset > 0x1p53 || offset != Math.rint(offset)) {
-      throw header.wrong(
+      throw header.refusal(
           "its data begin at " + NumberText.display(offset) + ", inside the header or nowhere");
     }
     return (long) offset;
@@ -146,7 +146,7 @@ public final class NiftiReader {
       return Scaling.NONE;
     }
     if (!Double.isFinite(header.intercept())) {
-      throw header.wrong("its intercept is " + header.intercept());
+      throw header.refusal("its intercept is " + header.intercept());
     }
     return new Scaling(slope, header.intercept());
   }

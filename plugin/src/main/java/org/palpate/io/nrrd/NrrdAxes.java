@@ -31,7 +31,7 @@ record NrrdAxes(
     CoordinateSystem coordinateSystem,
     long sampleCount,
     List<String> notes) {
-  private static final int MOST_AXES = 16;
+  private static final int MAX_AXES = 16;
   private static final Set<String> SPACE_KINDS = Set.of("domain", "space", "???", "none");
   private static final Pattern VECTOR = Pattern.compile("\\(([^()]*)\\)|(none)");
   private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
@@ -55,8 +55,8 @@ record NrrdAxes(
 
     NrrdAxes read() throws VolumeFormatException {
       int dimension = NumberParser.positiveInt(header.required("dimension"));
-      if (dimension < 1 || dimension > MOST_AXES) {
-        throw header.wrong("its dimension is '" + header.required("dimension") + "'");
+      if (dimension < 1 || dimension > MAX_AXES) {
+        throw header.refusal("its dimension is '" + header.required("dimension") + "'");
       }
       sizes = sizes(dimension);
       long samples = sampleCount();
@@ -71,14 +71,14 @@ record NrrdAxes(
       header.required("sizes");
       String[] words = header.words("sizes");
       if (words.length != dimension) {
-        throw header.wrong(
+        throw header.refusal(
             "its dimension is " + dimension + " but it has " + words.length + " sizes");
       }
       int[] result = new int[dimension];
       for (int axis = 0; axis < dimension; axis++) {
         result[axis] = NumberParser.positiveInt(words[axis]);
         if (result[axis] < 1) {
-          throw header.wrong("its size along axis " + axis + " is '" + words[axis] + "'");
+          throw header.refusal("its size along axis " + axis + " is '" + words[axis] + "'");
         }
       }
       return result;
@@ -92,7 +92,7 @@ record NrrdAxes(
         }
         return count / 8;
       } catch (ArithmeticException e) {
-        throw header.wrong("its sizes make more than 2^60 voxels");
+        throw header.refusal("its sizes make more than 2^60 voxels");
       }
     }
 
@@ -109,7 +109,7 @@ record NrrdAxes(
         }
       }
       if (found != dimension) {
-        throw header.wrong(
+        throw header.refusal(
             "its dimension is " + dimension + " but it has " + found + " space directions");
       }
       return result;
@@ -118,7 +118,7 @@ record NrrdAxes(
     private Vec3 vector(String text) throws VolumeFormatException {
       String[] words = text.split(",", -1);
       if (words.length != 3) {
-        throw header.wrong("the vector (" + text + ") has " + words.length + " numbers, not 3");
+        throw header.refusal("the vector (" + text + ") has " + words.length + " numbers, not 3");
       }
       return new Vec3(
           NumberParser.number(words[0]),
@@ -153,7 +153,7 @@ record NrrdAxes(
         int here = axis;
         if (!space.contains(axis) && sizes[axis] > 1) {
           if (extra.count() > 1) {
-            throw header.wrong("it has more than one axis that is not of space");
+            throw header.refusal("it has more than one axis that is not of space");
           }
           int position = (int) space.stream().filter(other -> other < here).count();
           // with two axes of space the third is there in thought, one voxel thick, at the end
@@ -161,7 +161,7 @@ record NrrdAxes(
           extra = new NonSpatialAxis(place, sizes[axis], 0);
         }
       }
-      int step = ReadOptionChecks.step(extra.count(), options, header.file(), notes);
+      int step = ReadOptionChecks.chosenStep(extra.count(), options, header.file(), notes);
       return new NonSpatialAxis(extra.position(), extra.count(), step);
     }
 
@@ -203,7 +203,7 @@ record NrrdAxes(
       int intervals = node ? sizes[axis] - 1 : sizes[axis];
       double spacing = perAxis("spacings", axis);
       if (Double.isNaN(spacing) && header.field("spacings").isPresent()) {
-        throw header.wrong("its spacing along axis " + axis + " is no number");
+        throw header.refusal("its spacing along axis " + axis + " is no number");
       }
       if (Double.isNaN(spacing)) {
         spacing = (high - low) / intervals;
@@ -252,7 +252,7 @@ record NrrdAxes(
         case "m", "meter", "metre" -> 1000;
         case "um", "\u00b5m", "\u03bcm", "micron", "microns", "micrometer" -> 1e-3;
         case "nm" -> 1e-6;
-        default -> throw header.wrong("its unit of length '" + unit + "' is unknown");
+        default -> throw header.refusal("its unit of length '" + unit + "' is unknown");
       };
     }
 
@@ -263,7 +263,7 @@ record NrrdAxes(
         case "right-anterior-superior", "ras" -> CoordinateSystem.RAS;
         case "left-anterior-superior", "las" -> CoordinateSystem.LAS;
         case "", "scanner-xyz", "3d-right-handed", "3d-left-handed" -> CoordinateSystem.UNKNOWN;
-        default -> throw header.wrong("its space '" + space + "' has not three axes of space");
+        default -> throw header.refusal("its space '" + space + "' has not three axes of space");
       };
     }
   }

@@ -44,7 +44,7 @@ record NrrdData(
     implements SampleStream.Opener {
 
   /** How much a header before data found from their end may measure. */
-  private static final long MOST_BYTES_BEFORE_DATA = 1 << 24;
+  private static final long MAX_BYTES_BEFORE_DATA = 1 << 24;
 
   /** How bytes are written, and the most that one byte of it can become. */
   enum Encoding {
@@ -55,11 +55,11 @@ record NrrdData(
     BZIP2("bzip2", 2e6);
 
     private final String description;
-    private final double mostBytesFromOne;
+    private final double maxExpansion;
 
-    Encoding(String description, double mostBytesFromOne) {
+    Encoding(String description, double maxExpansion) {
       this.description = description;
-      this.mostBytesFromOne = mostBytesFromOne;
+      this.maxExpansion = maxExpansion;
     }
 
     String description() {
@@ -72,7 +72,7 @@ record NrrdData(
     List<Path> files = NrrdDataFiles.of(header);
     long bytes = samples * type.bytes();
     if (bytes % files.size() != 0) {
-      throw header.wrong(bytes + " bytes do not part evenly into " + files.size() + " files");
+      throw header.refusal(bytes + " bytes do not part evenly into " + files.size() + " files");
     }
     NrrdData data =
         new NrrdData(
@@ -85,8 +85,8 @@ record NrrdData(
             bytes / files.size(),
             files);
     for (Path file : files) {
-      data.requireEnough(file);
-      data.requireEnoughBzip2(file);
+      data.requireFileLength(file);
+      data.requireBzip2Length(file);
     }
     return data;
   }
@@ -149,7 +149,7 @@ record NrrdData(
       long count = 0;
       for (int got = in.read(buffer); got >= 0; got = in.read(buffer)) {
         count += got;
-        if (count - bytesPerFile > MOST_BYTES_BEFORE_DATA) {
+        if (count - bytesPerFile > MAX_BYTES_BEFORE_DATA) {
           throw new VolumeFormatException(
               "its data are far longer than its sizes say", file, "correct the sizes");
         }
@@ -159,9 +159,9 @@ record NrrdData(
   }
 
   /** Refuses a file that cannot hold its bytes however well they are compressed. */
-  private void requireEnough(Path file) throws VolumeFormatException {
+  private void requireFileLength(Path file) throws VolumeFormatException {
     long length = InputFiles.length(file) - (isAttached() ? header.dataOffset() : 0);
-    double most = Math.max(0, length) * encoding.mostBytesFromOne;
+    double most = Math.max(0, length) * encoding.maxExpansion;
     if (encoding == Encoding.TEXT) {
       most = (length + 1) / 2.0 * type.bytes();
     }
@@ -178,8 +178,8 @@ record NrrdData(
   }
 
   /** Bzip2 has no useful bound: where a file promises much, its bytes are counted first. */
-  private void requireEnoughBzip2(Path file) throws VolumeFormatException {
-    double plausible = (double) InputFiles.length(file) * BinaryData.MOST_INFLATION;
+  private void requireBzip2Length(Path file) throws VolumeFormatException {
+    double plausible = (double) InputFiles.length(file) * BinaryData.MAX_DEFLATE_RATIO;
     if (encoding != Encoding.BZIP2 || bytesPerFile <= plausible) {
       return;
     }
@@ -204,7 +204,7 @@ record NrrdData(
       case "hex" -> Encoding.HEX;
       case "gz", "gzip" -> Encoding.GZIP;
       case "bz2", "bzip2" -> Encoding.BZIP2;
-      default -> throw header.wrong("its encoding '" + name + "' is unknown");
+      default -> throw header.refusal("its encoding '" + name + "' is unknown");
     };
   }
 
@@ -215,8 +215,8 @@ record NrrdData(
     return switch (endian.toLowerCase(Locale.ROOT)) {
       case "little" -> ByteOrder.LITTLE_ENDIAN;
       case "big" -> ByteOrder.BIG_ENDIAN;
-      case "" -> throw header.wrong("its header does not say the byte order ('endian')");
-      default -> throw header.wrong("its endian '" + endian + "' is neither little nor big");
+      case "" -> throw header.refusal("its header does not say the byte order ('endian')");
+      default -> throw header.refusal("its endian '" + endian + "' is neither little nor big");
     };
   }
 
@@ -231,6 +231,6 @@ record NrrdData(
     } catch (NumberFormatException e) {
       // told below, like a number that is too low
     }
-    throw header.wrong("its '" + field + "' is '" + text + "'");
+    throw header.refusal("its '" + field + "' is '" + text + "'");
   }
 }

@@ -21,11 +21,11 @@ final class NrrdDataFiles {
     List<String> names =
         value.startsWith("LIST") ? header.dataList() : FilePattern.names(header.file(), value);
     if (names.isEmpty()) {
-      throw header.wrong("its list of data files is empty");
+      throw header.refusal("its list of data files is empty");
     }
     List<Path> files = new ArrayList<>();
     for (String name : names) {
-      files.add(InputFiles.beside(header.file(), name));
+      files.add(InputFiles.resolveBeside(header.file(), name));
     }
     requireData(header, files);
     return files;
@@ -37,7 +37,7 @@ final class NrrdDataFiles {
     for (Path file : files) {
       if (file.equals(header.file().toAbsolutePath().normalize())
           || file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(".nhdr")) {
-        throw header.wrong("its data file '" + file.getFileName() + "' is a header");
+        throw header.refusal("its data file '" + file.getFileName() + "' is a header");
       }
     }
   }

@@ -49,21 +49,22 @@ public record NrrdHeader(
       HeaderLineReader lines = new HeaderLineReader(in, file);
       String magic = lines.next();
       if (magic == null || !magic.matches("NRRD000[1-5]\\s*")) {
-        throw header.wrong("its first line is not NRRD0001 to NRRD0005");
+        throw header.refusal("its first line is not NRRD0001 to NRRD0005");
       }
       boolean listFollows = false;
       for (String line = lines.next(); line != null && !line.isEmpty(); line = lines.next()) {
         if (listFollows) {
           header.dataList.add(line.strip());
         } else {
-          listFollows = header.take(line);
+          listFollows = header.parseLine(line);
         }
       }
-      return new NrrdHeader(file, header.fields, header.keyValues, header.dataList, lines.taken());
+      return new NrrdHeader(
+          file, header.fields, header.keyValues, header.dataList, lines.bytesRead());
     } catch (VolumeFormatException e) {
       throw e;
     } catch (IOException e) {
-      throw InputFiles.unreadable(file, e);
+      throw InputFiles.unreadableFile(file, e);
     }
   }
 
@@ -74,7 +75,7 @@ public record NrrdHeader(
 
   /** The value of a field that must be there. */
   String required(String name) throws VolumeFormatException {
-    return field(name).orElseThrow(() -> wrong("its header has no '" + name + "'"));
+    return field(name).orElseThrow(() -> refusal("its header has no '" + name + "'"));
   }
 
   /** The words of a field, separated by white space; none where it is absent. */
@@ -84,13 +85,13 @@ public record NrrdHeader(
   }
 
   /** Says what is wrong with this header. */
-  VolumeFormatException wrong(String what) {
+  VolumeFormatException refusal(String what) {
     return new VolumeFormatException(
         what, file, "correct the header, or write the file anew with the tool it came from");
   }
 
   /** Takes a line; true where file names follow it. */
-  private boolean take(String line) throws VolumeFormatException {
+  private boolean parseLine(String line) throws VolumeFormatException {
     if (line.startsWith("#")) {
       return false;
     }
@@ -104,14 +105,14 @@ public record NrrdHeader(
       return false;
     }
     if (field < 1) {
-      throw wrong("the line '" + shortened(line) + "' of its header is no field");
+      throw refusal("the line '" + shortened(line) + "' of its header is no field");
     }
-    return takeField(fieldName(line.substring(0, field)), line.substring(field + 1).strip());
+    return putField(fieldName(line.substring(0, field)), line.substring(field + 1).strip());
   }
 
-  private boolean takeField(String name, String value) throws VolumeFormatException {
+  private boolean putField(String name, String value) throws VolumeFormatException {
     if (fields.put(name, value) != null) {
-      throw wrong("the field '" + shortened(name) + "' stands twice in its header");
+      throw refusal("the field '" + shortened(name) + "' stands twice in its header");
     }
     return name.equals("data file") && value.startsWith("LIST");
   }

@@ -69,7 +69,8 @@ public final class NrrdReader {
           VoxelType.UINT64;
       case "float" -> VoxelType.FLOAT32;
       case "double" -> VoxelType.FLOAT64;
-      default -> throw header.wrong("the type '" + header.required("type") + "' is not a number's");
+      default ->
+          throw header.refusal("the type '" + header.required("type") + "' is not a number's");
     };
   }
 }

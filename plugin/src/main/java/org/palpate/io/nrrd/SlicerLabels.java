@@ -9,7 +9,7 @@ import org.palpate.io.volume.LabelTable.Label;
 
 /** The segments that 3D Slicer describes in the key/value pairs of a {@code .seg.nrrd}. */
 final class SlicerLabels {
-  private static final int MOST_SEGMENTS = 100_000;
+  private static final int MAX_SEGMENTS = 100_000;
 
   private SlicerLabels() {}
 
@@ -17,7 +17,7 @@ final class SlicerLabels {
   static Optional<LabelTable> of(NrrdHeader header) {
     Map<Long, Label> labels = new TreeMap<>();
     Map<String, String> pairs = header.keyValues();
-    for (int n = 0; n < MOST_SEGMENTS && pairs.containsKey("Segment" + n + "_ID"); n++) {
+    for (int n = 0; n < MAX_SEGMENTS && pairs.containsKey("Segment" + n + "_ID"); n++) {
       String prefix = "Segment" + n + "_";
       int value = NumberParser.positiveInt(pairs.getOrDefault(prefix + "LabelValue", ""));
       if (value > 0) {

@@ -28,7 +28,7 @@ public final class RawReader {
 
   public static VolumeReader open(Path file, RawLayout layout, ReadOptions options)
       throws VolumeFormatException {
-    ReadOptionChecks.step(1, options, file, new ArrayList<>());
+    ReadOptionChecks.chosenStep(1, options, file, new ArrayList<>());
     VoxelGrid grid =
         Grids.ofSpacing(
             new int[] {layout.sizeX(), layout.sizeY(), layout.sizeZ()}, layout.spacingMm(), file);
@@ -67,7 +67,7 @@ public final class RawReader {
             layout.order(),
             Scaling.NONE,
             length);
-    data.requireEnough();
+    data.requireFileLengths();
     return new StreamVolumeReader(header, files, data, NonSpatialAxis.NONE, options.progress());
   }
 }

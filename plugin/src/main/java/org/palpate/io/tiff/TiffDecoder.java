@@ -60,7 +60,7 @@ final class TiffDecoder {
     int kept = Math.min(page.tileWidth(), page.width() - x) * sample;
     for (int row = 0; row < Math.min(rows, page.height() - y); row++) {
       if (page.predictor() == 2) {
-        addLeft(row * tileRow, page.tileWidth(), sample);
+        undoHorizontalPredictor(row * tileRow, page.tileWidth(), sample);
       }
       System.arraycopy(
           tileBytes, row * tileRow, pageBytes, ((y + row) * page.width() + x) * sample, kept);
@@ -78,7 +78,7 @@ final class TiffDecoder {
   }
 
   /** Undoes horizontal differencing: each sample was stored as its difference to the one left. */
-  private void addLeft(int from, int count, int sample) {
+  private void undoHorizontalPredictor(int from, int count, int sample) {
     ByteBuffer row = ByteBuffer.wrap(tileBytes).order(order);
     for (int n = 1; n < count; n++) {
       int at = from + n * sample;

@@ -21,9 +21,9 @@ import org.palpate.io.volume.VolumeFormatException;
  * <p>Source: TIFF Revision 6.0; the BigTIFF design of libtiff.
  */
 public final class TiffFile {
-  private static final int MOST_PAGES = 100_000;
-  private static final int MOST_TAGS = 4096;
-  private static final int MOST_VALUES = 1 << 22;
+  private static final int MAX_PAGES = 100_000;
+  private static final int MAX_TAGS = 4096;
+  private static final int MAX_VALUES = 1 << 22;
 
   private final Path file;
   private final long length;
@@ -55,7 +55,7 @@ public final class TiffFile {
       throw new VolumeFormatException(
           "its directory points outside the file", file, "copy or export the file again", e);
     } catch (IOException e) {
-      throw InputFiles.unreadable(file, e);
+      throw InputFiles.unreadableFile(file, e);
     }
     return tiff;
   }
@@ -88,7 +88,7 @@ public final class TiffFile {
     Set<Long> seen = new HashSet<>();
     long at = big ? head.getLong(8) : head.getInt(4) & 0xffffffffL;
     while (at != 0) {
-      if (!seen.add(at) || seen.size() > MOST_PAGES) {
+      if (!seen.add(at) || seen.size() > MAX_PAGES) {
         throw new VolumeFormatException(
             "its pages have no end", file, "write the file anew with the tool it came from");
       }
@@ -100,7 +100,7 @@ public final class TiffFile {
     int countBytes = big ? 8 : 2;
     ByteBuffer head = bytes(channel, at, countBytes);
     long count = big ? head.getLong(0) : head.getShort(0) & 0xffff;
-    if (count < 1 || count > MOST_TAGS) {
+    if (count < 1 || count > MAX_TAGS) {
       throw new VolumeFormatException(
           "a page of it has " + count + " tags", file, "write the file anew");
     }
@@ -124,7 +124,7 @@ public final class TiffFile {
     if (size == 0 || !TiffPage.KNOWN_TAGS.contains(tag)) {
       return;
     }
-    if (count < 0 || count > MOST_VALUES) {
+    if (count < 0 || count > MAX_VALUES) {
       throw new VolumeFormatException(
           "its tag " + tag + " has " + count + " values", file, "write the file anew");
     }

@@ -98,7 +98,7 @@ final class TiffPage {
     int bits = (int) value(258, 1);
     int format = (int) value(339, 1);
     if (value(277, 1) != 1) {
-      throw wrong("it holds colours, " + NumberText.display(value(277, 1)) + " samples a pixel");
+      throw refusal("it holds colours, " + NumberText.display(value(277, 1)) + " samples a pixel");
     }
     String name = (format == 2 ? "int" : format == 3 ? "float" : "uint") + bits;
     return switch (name) {
@@ -110,7 +110,7 @@ final class TiffPage {
       case "int32" -> VoxelType.INT32;
       case "float32" -> VoxelType.FLOAT32;
       case "float64" -> VoxelType.FLOAT64;
-      default -> throw wrong("its pixels are " + name + ", which cannot be read");
+      default -> throw refusal("its pixels are " + name + ", which cannot be read");
     };
   }
 
@@ -122,27 +122,27 @@ final class TiffPage {
         && compression != 8
         && compression != 32946
         && compression != 32773) {
-      throw wrong("its compression " + compression + " cannot be read");
+      throw refusal("its compression " + compression + " cannot be read");
     }
     if (predictor() < 1 || predictor() > 2) {
-      throw wrong("its predictor " + predictor() + " cannot be read");
+      throw refusal("its predictor " + predictor() + " cannot be read");
     }
     double pieces =
         Math.ceil((double) width() / tileWidth()) * Math.ceil((double) height() / tileHeight());
     if (offsets().length < pieces || byteCounts().length < pieces) {
-      throw wrong("it has " + offsets().length + " pieces, not " + NumberText.display(pieces));
+      throw refusal("it has " + offsets().length + " pieces, not " + NumberText.display(pieces));
     }
     for (int n = 0; n < pieces; n++) {
       double end = offsets()[n] + byteCounts()[n];
       if (!(offsets()[n] >= 0 && byteCounts()[n] >= 0 && end <= tiff.length())) {
-        throw wrong("its data end at byte " + NumberText.display(end) + " of " + tiff.length());
+        throw refusal("its data end at byte " + NumberText.display(end) + " of " + tiff.length());
       }
     }
     double bytes = (double) width() * height() * type().bytes();
     double tileBytes = (double) tileWidth() * tileHeight() * type().bytes();
-    double most = (double) tiff.length() * mostInflation(compression);
+    double most = (double) tiff.length() * maxExpansion(compression);
     if (bytes > most || tileBytes > most + 4096 || tileBytes > Integer.MAX_VALUE - 8) {
-      throw wrong(
+      throw refusal(
           "its size, "
               + width()
               + "x"
@@ -154,16 +154,16 @@ final class TiffPage {
   }
 
   /** Bytes that one byte can become. */
-  private static int mostInflation(int compression) {
+  private static int maxExpansion(int compression) {
     return switch (compression) {
       case 1 -> 1;
       case 5 -> 2800; // 4096 of 12 bits
       case 32773 -> 64; // 128 of 2 bytes
-      default -> BinaryData.MOST_INFLATION;
+      default -> BinaryData.MAX_DEFLATE_RATIO;
     };
   }
 
-  VolumeFormatException wrong(String what) {
+  VolumeFormatException refusal(String what) {
     return new VolumeFormatException(
         what,
         tiff.file(),
@@ -173,7 +173,7 @@ final class TiffPage {
   private int size(int tag, String name) throws VolumeFormatException {
     double size = value(tag, 0);
     if (!(size >= 1 && size <= Integer.MAX_VALUE)) {
-      throw wrong("its " + name + " is " + NumberText.display(size));
+      throw refusal("its " + name + " is " + NumberText.display(size));
     }
     return (int) size;
   }
@@ -181,7 +181,7 @@ final class TiffPage {
   private double[] required(int tag, String name) throws VolumeFormatException {
     double[] values = tags.get(tag);
     if (values == null) {
-      throw wrong("it has no " + name);
+      throw refusal("it has no " + name);
     }
     return values;
   }

@@ -57,7 +57,7 @@ public final class TiffReader implements VolumeReader {
     ImagejDescription imagej = ImagejDescription.of(first.description());
     chooseSlices(pages, imagej);
     for (TiffPage slice : slices) {
-      requireAlike(first, slice);
+      requireSamePixels(first, slice);
     }
     scaling = imagej.scaling();
     header = header(first, imagej);
@@ -72,7 +72,7 @@ public final class TiffReader implements VolumeReader {
       throws VolumeFormatException {
     int told = imagej.channels() * imagej.frames();
     int extra = told > 1 && pages.size() % told == 0 ? told : 1;
-    int step = ReadOptionChecks.step(extra, options, tiff.file(), notes);
+    int step = ReadOptionChecks.chosenStep(extra, options, tiff.file(), notes);
     int depth = pages.size() / extra;
     int channels = extra == 1 ? 1 : imagej.channels();
     int frame = step / channels;
@@ -82,12 +82,12 @@ public final class TiffReader implements VolumeReader {
     }
   }
 
-  private void requireAlike(TiffPage first, TiffPage page) throws VolumeFormatException {
+  private void requireSamePixels(TiffPage first, TiffPage page) throws VolumeFormatException {
     page.check();
     if (page.width() != first.width()
         || page.height() != first.height()
         || page.type() != first.type()) {
-      throw page.wrong("its pages differ in size or type");
+      throw page.refusal("its pages differ in size or type");
     }
   }
 
@@ -116,11 +116,11 @@ public final class TiffReader implements VolumeReader {
       return 1;
     }
     if (imagej.channels() * imagej.frames() > 1) {
-      throw first.wrong("it is a hyperstack without pages");
+      throw first.refusal("it is a hyperstack without pages");
     }
     double bytes = (double) first.width() * first.height() * first.type().bytes() * imagej.images();
     if (first.offsets()[0] + bytes > tiff.length()) {
-      throw first.wrong("it promises " + imagej.images() + " slices and ends before their end");
+      throw first.refusal("it promises " + imagej.images() + " slices and ends before their end");
     }
     return imagej.images();
   }
@@ -179,29 +179,29 @@ public final class TiffReader implements VolumeReader {
 
   @Override
   public void read(SliceSink sink) throws VolumeFormatException {
-    VoxelSlice slice = MemoryCheck.slice(header.grid(), header.values().whole(), place());
-    MemoryCheck.require(4.0 * slice.count() * header.type().bytes(), "one page", place());
+    VoxelSlice slice = MemoryCheck.slice(header.grid(), header.values().isInteger(), sourceName());
+    MemoryCheck.require(4.0 * slice.count() * header.type().bytes(), "one page", sourceName());
     int k = 0;
     try (FileChannel channel = FileChannel.open(tiff.file())) {
       TiffDecoder decoder = new TiffDecoder(channel, tiff.order(), scaling);
       for (; k < slices.size(); k++) {
         decoder.decode(slices.get(k), slice);
         sink.accept(k, slice);
-        options.progress().read(k + 1, slices.size());
+        options.progress().slicesRead(k + 1, slices.size());
       }
     } catch (VolumeFormatException e) {
       throw e;
     } catch (IOException e) {
       throw new VolumeFormatException(
           String.format(Locale.ROOT, "page %d is damaged (%s)", k + 1, e.getMessage()),
-          place(),
+          sourceName(),
           "copy or export the file again",
           e);
     }
   }
 
   @Override
-  public String place() {
+  public String sourceName() {
     return tiff.file().toString();
   }
 

@@ -41,7 +41,7 @@ public record RawLayout(
   public static RawLayout parse(String text) throws VolumeFormatException {
     String[] parts = text.strip().split(":", -1);
     if (parts.length != 3) {
-      throw wrong("three parts are needed", text);
+      throw refusal("three parts are needed", text);
     }
     int[] sizes = sizes(parts[0], text);
     return new RawLayout(
@@ -59,7 +59,7 @@ public record RawLayout(
     for (int axis = 0; axis < 3; axis++) {
       sizes[axis] = words.length == 3 ? NumberParser.positiveInt(words[axis]) : 0;
       if (sizes[axis] < 1) {
-        throw wrong("sizes must be three whole numbers from 1 to 2147483647", text);
+        throw refusal("sizes must be three whole numbers from 1 to 2147483647", text);
       }
     }
     return sizes;
@@ -69,7 +69,7 @@ public record RawLayout(
     String name = part.toLowerCase(Locale.ROOT).replaceFirst("[lb]e$", "");
     VoxelType type = TYPES.get(name);
     if (type == null || (type.bytes() > 1 && name.length() == part.length())) {
-      throw wrong("the type '" + part + "' is unknown or lacks its byte order", text);
+      throw refusal("the type '" + part + "' is unknown or lacks its byte order", text);
     }
     return type;
   }
@@ -86,14 +86,14 @@ public record RawLayout(
     for (int axis = 0; axis < 3; axis++) {
       double value = words.length == 3 ? NumberParser.number(words[axis]) : Double.NaN;
       if (!(value > 0) || Double.isInfinite(value)) {
-        throw wrong("the spacing must be three positive numbers of mm", text);
+        throw refusal("the spacing must be three positive numbers of mm", text);
       }
       spacing.set(axis, value);
     }
     return spacing;
   }
 
-  private static VolumeFormatException wrong(String what, String text) {
+  private static VolumeFormatException refusal(String what, String text) {
     return new VolumeFormatException(
         what,
         OPTION + " " + text,

@@ -7,7 +7,7 @@ import java.util.OptionalInt;
  * What a person may say about how to read.
  *
  * @param raw sizes, type and spacing of a raw file ({@code --raw})
- * @param time which time step or component of a file with several, from 0 ({@code --time})
+ * @param timeStep which time step or component of a file with several, from 0 ({@code --time})
  * @param series which series of a DICOM folder, a number from the list or its UID ({@code
  *     --series})
  * @param resample whether uneven slices may be brought to even spacing ({@code --resample})
@@ -15,7 +15,7 @@ import java.util.OptionalInt;
  */
 public record ReadOptions(
     Optional<RawLayout> raw,
-    OptionalInt time,
+    OptionalInt timeStep,
     Optional<String> series,
     boolean resample,
     ReadProgress progress) {
@@ -27,22 +27,22 @@ public record ReadOptions(
   }
 
   public ReadOptions withRaw(RawLayout layout) {
-    return new ReadOptions(Optional.of(layout), time, series, resample, progress);
+    return new ReadOptions(Optional.of(layout), timeStep, series, resample, progress);
   }
 
-  public ReadOptions withTime(int step) {
+  public ReadOptions withTimeStep(int step) {
     return new ReadOptions(raw, OptionalInt.of(step), series, resample, progress);
   }
 
   public ReadOptions withSeries(String wanted) {
-    return new ReadOptions(raw, time, Optional.of(wanted), resample, progress);
+    return new ReadOptions(raw, timeStep, Optional.of(wanted), resample, progress);
   }
 
   public ReadOptions withResample(boolean wanted) {
-    return new ReadOptions(raw, time, series, wanted, progress);
+    return new ReadOptions(raw, timeStep, series, wanted, progress);
   }
 
   public ReadOptions withProgress(ReadProgress listener) {
-    return new ReadOptions(raw, time, series, resample, listener);
+    return new ReadOptions(raw, timeStep, series, resample, listener);
   }
 }

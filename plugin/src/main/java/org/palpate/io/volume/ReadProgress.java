@@ -7,5 +7,5 @@ public interface ReadProgress {
   ReadProgress NONE = (done, total) -> {};
 
   /** {@code done} of {@code total} slices were read; called once a slice, on the reading thread. */
-  void read(int done, int total);
+  void slicesRead(int done, int total);
 }

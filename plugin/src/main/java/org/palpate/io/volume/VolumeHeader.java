@@ -38,9 +38,9 @@ public record VolumeHeader(
   /**
    * The values that the stored type allows, scaled: a bound, not what is there.
    *
-   * @param whole whether every value is a whole number that fits an {@code int}
+   * @param isInteger whether every value is a whole number that fits an {@code int}
    */
-  public record ValueRange(double low, double high, boolean whole) {
+  public record ValueRange(double low, double high, boolean isInteger) {
     /** The range of a type whose values are taken as they are. */
     public static ValueRange of(VoxelType type) {
       return new ValueRange(type.low(), type.high(), type.fitsInt());

@@ -21,7 +21,7 @@ public interface VolumeReader {
   void read(SliceSink sink) throws VolumeFormatException;
 
   /** Where it comes from, as messages name it: a path, or a phantom. */
-  String place();
+  String sourceName();
 
   /**
    * Every file that holds part of the volume, in the order in which they are read; none where it

@@ -2,8 +2,8 @@ package org.palpate.io.volume;
 
 /**
  * The values of one slice, x fastest, as the file means them: whole numbers where the file can only
- * hold such ({@link #isWhole}), doubles otherwise. The reader fills it again and again; whoever is
- * handed one must not keep it.
+ * hold such ({@link #isInteger}), doubles otherwise. The reader fills it again and again; whoever
+ * is handed one must not keep it.
  */
 public final class VoxelSlice {
   private final int sizeX;
@@ -12,12 +12,12 @@ public final class VoxelSlice {
   private final double[] doubles;
 
   /** A slice of zeros, of whole numbers or of doubles for all its life. */
-  public VoxelSlice(int sizeX, int sizeY, boolean whole) {
+  public VoxelSlice(int sizeX, int sizeY, boolean integer) {
     this.sizeX = sizeX;
     this.sizeY = sizeY;
     int count = Math.multiplyExact(sizeX, sizeY);
-    integers = whole ? new int[count] : new int[0];
-    doubles = whole ? new double[0] : new double[count];
+    integers = integer ? new int[count] : new int[0];
+    doubles = integer ? new double[0] : new double[count];
   }
 
   public int sizeX() {
@@ -33,22 +33,22 @@ public final class VoxelSlice {
   }
 
   /** Whether {@link #integers} holds the values; {@link #doubles} does otherwise. */
-  public boolean isWhole() {
+  public boolean isInteger() {
     return integers.length > 0;
   }
 
-  /** The values where {@link #isWhole}, else empty. */
+  /** The values where {@link #isInteger}, else empty. */
   public int[] integers() {
     return integers;
   }
 
-  /** The values where not {@link #isWhole}, else empty. */
+  /** The values where not {@link #isInteger}, else empty. */
   public double[] doubles() {
     return doubles;
   }
 
   /** The value at an index, {@code j * sizeX + i}. */
   public double value(int index) {
-    return isWhole() ? integers[index] : doubles[index];
+    return isInteger() ? integers[index] : doubles[index];
   }
 }

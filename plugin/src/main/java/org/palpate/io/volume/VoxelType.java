@@ -44,7 +44,7 @@ public enum VoxelType {
     return high;
   }
 
-  public boolean isWhole() {
+  public boolean isInteger() {
     return this != FLOAT32 && this != FLOAT64;
   }
 

@@ -129,7 +129,7 @@ class DicomReaderTest {
   void whatThereIsNothingToChooseFromIsSaid() {
     Path file = TestData.file("formats/dicom/CT_small.dcm");
     ReadOptions any = ReadOptions.defaults();
-    for (ReadOptions options : List.of(any.withTime(3), any.withSeries("2"))) {
+    for (ReadOptions options : List.of(any.withTimeStep(3), any.withSeries("2"))) {
       VolumeFormatException refused =
           assertThrows(VolumeFormatException.class, () -> VolumeFiles.open(file, options));
       assertTrue(refused.getMessage().contains("leave --"), refused.getMessage());
