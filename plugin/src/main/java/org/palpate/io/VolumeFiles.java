@@ -1,45 +1,57 @@
 package org.palpate.io;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.Locale;
-import org.palpate.io.dicom.DicomFile;
+import java.util.List;
 import org.palpate.io.dicom.DicomReader;
-import org.palpate.io.dicom.DicomSeriesFinder;
-import org.palpate.io.format.BinaryData;
 import org.palpate.io.format.InputFiles;
 import org.palpate.io.format.ReadOptionChecks;
 import org.palpate.io.label.LabelledReader;
-import org.palpate.io.metaimage.MetaImageHeader;
 import org.palpate.io.metaimage.MetaImageReader;
-import org.palpate.io.nifti.NiftiHeader;
 import org.palpate.io.nifti.NiftiReader;
-import org.palpate.io.nrrd.NrrdHeader;
 import org.palpate.io.nrrd.NrrdReader;
 import org.palpate.io.raw.RawReader;
-import org.palpate.io.tiff.TiffFile;
 import org.palpate.io.tiff.TiffReader;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
 
-/** Finds out what format a file has, and opens it. */
+/** Recognizes the format of a file and opens it. */
 public final class VolumeFiles {
   private static final int START_BYTES = 1024;
 
+  /** The formats in the order in which they are asked; a DICOM file may begin as a TIFF does. */
+  private static final List<Format> FORMATS =
+      List.of(
+          new Format(NrrdReader::accepts, NrrdReader::open),
+          new Format(DicomReader::accepts, DicomReader::open),
+          new Format(TiffReader::accepts, TiffReader::open),
+          new Format(NiftiReader::accepts, NiftiReader::open),
+          new Format(MetaImageReader::accepts, MetaImageReader::open));
+
   private VolumeFiles() {}
 
+  private record Format(Recognizer recognizer, Opener opener) {}
+
+  private interface Recognizer {
+    /** Returns whether the format reads a file with these first bytes and this name. */
+    boolean accepts(byte[] start, Path file) throws VolumeFormatException;
+  }
+
+  private interface Opener {
+    VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException;
+  }
+
   /**
-   * Opens a volume: understands its header and checks its sizes against what is there. Costs next
-   * to nothing, whatever the header claims.
+   * Opens a volume: reads its header and checks its sizes against the length of its files. Reads no
+   * voxel, and costs little memory whatever the header claims.
    *
-   * @throws VolumeFormatException where it is no volume, is damaged, or needs to be told more
+   * @param file a file, or a folder of DICOM files or of raw slices
+   * @throws VolumeFormatException if it is no volume, is damaged, or needs another option
    */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     if (Files.isDirectory(file) && options.raw().isEmpty()) {
-      return DicomSeriesFinder.open(file, options);
+      return DicomReader.openFolder(file, options);
     }
     ReadOptionChecks.refuseSeriesOption(options, file);
     if (options.raw().isPresent()) {
@@ -51,43 +63,27 @@ public final class VolumeFiles {
   private static VolumeReader openFile(Path file, ReadOptions options)
       throws VolumeFormatException {
     if (InputFiles.length(file) == 0) {
-      throw new VolumeFormatException("it is empty", file, "copy or export it again");
+      throw new VolumeFormatException("the file is empty", file, "copy or export it again");
     }
     byte[] start = InputFiles.firstBytes(file, START_BYTES);
-    if (startsWith(start, NrrdHeader.MAGIC)) {
-      return NrrdReader.open(file, options);
+    for (Format format : FORMATS) {
+      if (format.recognizer().accepts(start, file)) {
+        return format.opener().open(file, options);
+      }
     }
-    if (DicomFile.isDicom(start)) {
-      return DicomReader.open(file, options);
-    }
-    if (TiffFile.isTiff(start)) {
-      return TiffReader.open(file, options);
-    }
-    if (hasEnding(file, ".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz")
-        || NiftiHeader.isNifti(BinaryData.isGzip(start) ? NiftiHeader.start(file) : start)) {
-      return NiftiReader.open(file, options);
-    }
-    if (hasEnding(file, ".mha", ".mhd") || MetaImageHeader.isMeta(start)) {
-      return MetaImageReader.open(file, options);
-    }
-    if (hasEnding(file, ".dcm", ".ima")) {
-      throw new VolumeFormatException(
-          "it has not the beginning of a DICOM file (128 bytes, then DICM)",
+    throw unknownFormat(file);
+  }
+
+  private static VolumeFormatException unknownFormat(Path file) {
+    if (InputFiles.hasEnding(file, ".dcm", ".ima")) {
+      return new VolumeFormatException(
+          "the file is named like DICOM but lacks the letters DICM after its first 128 bytes",
           file,
           "export it again, or convert it with gdcmconv --raw IN OUT (free, from GDCM)");
     }
-    throw new VolumeFormatException(
-        "it is in no format that is known",
+    return new VolumeFormatException(
+        "the format of the file is unknown",
         file,
-        "give NRRD, NIfTI, MetaImage, TIFF or DICOM, or say with --raw what a raw file holds");
-  }
-
-  private static boolean hasEnding(Path file, String... endings) {
-    String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-    return Arrays.stream(endings).anyMatch(name::endsWith);
-  }
-
-  private static boolean startsWith(byte[] start, String text) {
-    return new String(start, StandardCharsets.ISO_8859_1).startsWith(text);
+        "give NRRD, NIfTI, MetaImage, TIFF or DICOM, or describe a raw file with --raw");
   }
 }

@@ -22,7 +22,7 @@ import org.palpate.io.volume.VolumeFormatException;
  * @param pixelDataItems where pixels lie: one piece, or fragments
  * @param encapsulated whether the pieces are fragments
  */
-public record DicomFile(
+record DicomFile(
     Path file,
     DicomDataSet attributes,
     TransferSyntax syntax,
@@ -34,7 +34,7 @@ public record DicomFile(
   private static final String CONVERT = "convert it with gdcmconv --raw IN OUT (free, from GDCM)";
 
   /** Whether bytes at the start of a file are a DICOM file's. */
-  public static boolean isDicom(byte[] start) {
+  static boolean isDicom(byte[] start) {
     return start.length >= PREAMBLE + 4
         && new String(start, PREAMBLE, 4, StandardCharsets.ISO_8859_1).equals("DICM");
   }

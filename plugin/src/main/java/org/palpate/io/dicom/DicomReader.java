@@ -35,12 +35,27 @@ public final class DicomReader implements VolumeReader {
     this.progress = progress;
   }
 
+  /** Returns whether a file with these first bytes is a DICOM file. */
+  public static boolean accepts(byte[] start, Path file) {
+    return DicomFile.isDicom(start);
+  }
+
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     return of(List.of(DicomFile.read(file)), file.toString(), options);
   }
 
+  /**
+   * Opens one series of a folder.
+   *
+   * @throws VolumeFormatException if the folder has no series, or several and none is chosen
+   */
+  public static VolumeReader openFolder(Path folder, ReadOptions options)
+      throws VolumeFormatException {
+    return of(DicomSeriesFinder.find(folder, options), folder.toString(), options);
+  }
+
   /** A reader of the frames of files, all of one series. */
-  static VolumeReader of(List<DicomFile> files, String place, ReadOptions options)
+  private static VolumeReader of(List<DicomFile> files, String place, ReadOptions options)
       throws VolumeFormatException {
     List<DicomFrame> frames = new ArrayList<>();
     for (DicomFile file : files) {

@@ -15,18 +15,22 @@ import org.palpate.io.file.NumberParser;
 import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
-import org.palpate.io.volume.VolumeReader;
 
 /**
  * Finds the series in a folder, its own files alone and in any order, and the one that is wanted.
  */
-public final class DicomSeriesFinder {
+final class DicomSeriesFinder {
   private static final int START_BYTES = 132;
   private static final int MAX_LISTED = 6;
 
   private DicomSeriesFinder() {}
 
-  public static VolumeReader open(Path folder, ReadOptions options) throws VolumeFormatException {
+  /**
+   * Returns the files of one series, the only one or the one that the options choose.
+   *
+   * @throws VolumeFormatException if the folder has no series, or several and none is chosen
+   */
+  static List<DicomFile> find(Path folder, ReadOptions options) throws VolumeFormatException {
     List<List<DicomFile>> series = series(pictures(folder));
     if (series.isEmpty()) {
       throw new VolumeFormatException(
@@ -34,7 +38,7 @@ public final class DicomSeriesFinder {
           folder,
           "name the folder that holds the files themselves, or a single file");
     }
-    return DicomReader.of(chosen(series, folder, options), folder.toString(), options);
+    return chosen(series, folder, options);
   }
 
   private static List<DicomFile> pictures(Path folder) throws VolumeFormatException {

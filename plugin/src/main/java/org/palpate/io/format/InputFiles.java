@@ -4,9 +4,10 @@ import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
 import org.palpate.io.volume.VolumeFormatException;
 
 /** Opens files, and finds those that a header names without leaving its folder. */
@@ -106,8 +107,9 @@ public final class InputFiles {
     return folder.resolve(relative);
   }
 
-  /** Whether the path is there without following a link at its end. */
-  static boolean exists(Path path) {
-    return Files.exists(path, LinkOption.NOFOLLOW_LINKS);
+  /** Returns whether the name of a file ends in one of some endings, in either case. */
+  public static boolean hasEnding(Path file, String... endings) {
+    String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+    return Arrays.stream(endings).anyMatch(name::endsWith);
   }
 }

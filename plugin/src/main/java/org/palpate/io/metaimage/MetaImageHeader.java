@@ -23,12 +23,12 @@ import org.palpate.io.volume.VolumeFormatException;
  * @param dataList file names that follow {@code ElementDataFile = LIST}
  * @param dataOffset where the data begin, were they LOCAL
  */
-public record MetaImageHeader(
+record MetaImageHeader(
     Path file, Map<String, String> fields, List<String> dataList, long dataOffset) {
   private static final String LAST_KEY = "ElementDataFile";
 
   /** Whether bytes at the start of a file are such a header's. */
-  public static boolean isMeta(byte[] start) {
+  static boolean isMetaImage(byte[] start) {
     String text = new String(start, StandardCharsets.ISO_8859_1);
     return text.matches("(?s)\\s*(ObjectType|NDims|Comment)\\s*=.*");
   }

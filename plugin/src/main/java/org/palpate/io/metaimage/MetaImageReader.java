@@ -46,6 +46,11 @@ public final class MetaImageReader {
     this.options = options;
   }
 
+  /** Returns whether a file with these first bytes or this name is a MetaImage file. */
+  public static boolean accepts(byte[] start, Path file) {
+    return InputFiles.hasEnding(file, ".mha", ".mhd") || MetaImageHeader.isMetaImage(start);
+  }
+
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     return new MetaImageReader(MetaImageHeader.read(file), options).open();
   }

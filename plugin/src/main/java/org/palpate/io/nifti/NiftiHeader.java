@@ -32,7 +32,7 @@ import org.palpate.io.volume.VolumeFormatException;
  *
  * <p>Source: nifti1.h and nifti2.h, nifti.nimh.nih.gov.
  */
-public final class NiftiHeader {
+final class NiftiHeader {
   private static final int LENGTH_1 = 348;
   private static final int LENGTH_2 = 540;
 
@@ -49,7 +49,7 @@ public final class NiftiHeader {
   }
 
   /** Whether bytes at the start of a file, decompressed, are such a header's. */
-  public static boolean isNifti(byte[] start) {
+  static boolean isNifti(byte[] start) {
     if (start.length < LENGTH_1) {
       return false;
     }
@@ -59,7 +59,7 @@ public final class NiftiHeader {
   }
 
   static NiftiHeader read(Path file) throws VolumeFormatException {
-    byte[] start = start(file);
+    byte[] start = firstBytes(file);
     if (start.length < LENGTH_1) {
       throw new VolumeFormatException(
           "it ends inside its header", file, "copy or export the file again");
@@ -78,7 +78,7 @@ public final class NiftiHeader {
   }
 
   /** The first bytes of the file, decompressed where it is gzip. */
-  public static byte[] start(Path file) throws VolumeFormatException {
+  static byte[] firstBytes(Path file) throws VolumeFormatException {
     byte[] two = InputFiles.firstBytes(file, 2);
     if (!BinaryData.isGzip(two)) {
       return InputFiles.firstBytes(file, LENGTH_2);

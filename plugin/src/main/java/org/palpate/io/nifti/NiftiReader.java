@@ -30,7 +30,15 @@ import org.palpate.volume.VoxelGrid;
  * <p>Source: nifti1.h and nifti2.h, nifti.nimh.nih.gov. World coordinates are the file's, RAS.
  */
 public final class NiftiReader {
+  private static final String[] ENDINGS = {".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz"};
+
   private NiftiReader() {}
+
+  /** Returns whether a file with these first bytes or this name is a NIfTI file, plain or gzip. */
+  public static boolean accepts(byte[] start, Path file) throws VolumeFormatException {
+    return InputFiles.hasEnding(file, ENDINGS)
+        || NiftiHeader.isNifti(BinaryData.isGzip(start) ? NiftiHeader.firstBytes(file) : start);
+  }
 
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     Path headerFile = pairedFile(file, ".img", ".hdr");

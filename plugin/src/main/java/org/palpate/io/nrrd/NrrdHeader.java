@@ -2,6 +2,7 @@ package org.palpate.io.nrrd;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -24,13 +25,13 @@ import org.palpate.io.volume.VolumeFormatException;
  * @param dataList file names that follow {@code data file: LIST}
  * @param dataOffset where the data begin, were they attached
  */
-public record NrrdHeader(
+record NrrdHeader(
     Path file,
     Map<String, String> fields,
     Map<String, String> keyValues,
     List<String> dataList,
     long dataOffset) {
-  public static final String MAGIC = "NRRD000";
+  private static final String MAGIC = "NRRD000";
 
   private static final Map<String, String> OTHER_NAMES =
       Map.of(
@@ -40,6 +41,11 @@ public record NrrdHeader(
           "centers", "centerings",
           "axismins", "axis mins",
           "axismaxs", "axis maxs");
+
+  /** Returns whether a file with these first bytes is a NRRD file. */
+  static boolean isNrrd(byte[] start) {
+    return new String(start, StandardCharsets.ISO_8859_1).startsWith(MAGIC);
+  }
 
   /** Reads the header at the start of a file. */
   static NrrdHeader read(Path file) throws VolumeFormatException {

@@ -19,6 +19,11 @@ import org.palpate.io.volume.VoxelType;
 public final class NrrdReader {
   private NrrdReader() {}
 
+  /** Returns whether a file with these first bytes is a NRRD file. */
+  public static boolean accepts(byte[] start, Path file) {
+    return NrrdHeader.isNrrd(start);
+  }
+
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     NrrdHeader header = NrrdHeader.read(file);
     VoxelType type = type(header);

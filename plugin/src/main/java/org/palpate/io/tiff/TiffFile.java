@@ -20,7 +20,7 @@ import org.palpate.io.volume.VolumeFormatException;
  *
  * <p>Source: TIFF Revision 6.0; the BigTIFF design of libtiff.
  */
-public final class TiffFile {
+final class TiffFile {
   private static final int MAX_PAGES = 100_000;
   private static final int MAX_TAGS = 4096;
   private static final int MAX_VALUES = 1 << 22;
@@ -37,7 +37,7 @@ public final class TiffFile {
   }
 
   /** Whether bytes at the start of a file are a TIFF's. */
-  public static boolean isTiff(byte[] start) {
+  static boolean isTiff(byte[] start) {
     if (start.length < 4 || start[0] != start[1] || (start[0] != 'I' && start[0] != 'M')) {
       return false;
     }

@@ -63,6 +63,11 @@ public final class TiffReader implements VolumeReader {
     header = header(first, imagej);
   }
 
+  /** Returns whether a file with these first bytes is a TIFF file. */
+  public static boolean accepts(byte[] start, Path file) {
+    return TiffFile.isTiff(start);
+  }
+
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     TiffReader reader = new TiffReader(TiffFile.read(file), options);
     return reader.isContiguousStack() ? reader.contiguousStack() : reader;
