@@ -10,14 +10,14 @@ import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.ScalarVolume.Storage;
 import org.palpate.volume.VoxelGrid;
 
-/** Keeps the grey values of a volume, for those who need more than bits. */
+/** Reads the grey values of a volume into memory. */
 public final class GreyVolumes {
   private GreyVolumes() {}
 
   /**
-   * Reads all values, as narrowly as the file's type allows.
+   * Reads all values into the narrowest storage that the header allows.
    *
-   * @throws VolumeFormatException where they cannot be read or do not fit in memory
+   * @throws VolumeFormatException if the values cannot be read or do not fit in memory
    */
   public static ScalarVolume read(VolumeReader reader) throws VolumeFormatException {
     VoxelGrid grid = reader.header().grid();
@@ -29,7 +29,7 @@ public final class GreyVolumes {
     return volume;
   }
 
-  /** Bytes that the values of such a volume take when kept. */
+  /** Returns the number of bytes that the grey values of a volume take in memory. */
   public static double bytesFor(VolumeHeader header) {
     return ScalarVolume.bytesFor(header.grid(), storage(header.values()));
   }

@@ -9,16 +9,16 @@ import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeHeader;
 
-/** Says in a radiographer's words how a volume lies in the patient. */
+/** Describes in anatomical terms how a volume is oriented and positioned. */
 public final class OrientationText {
-  private static final double ROUNDING_MM = 1e-9; // what rounding leaves of 0
+  private static final double ROUNDING_MM = 1e-9; // smaller numbers are a rounded 0
   private static final double ALONG_AN_AXIS = 0.999; // within 2.6 degrees
 
   private OrientationText() {}
 
   /**
-   * How the slices lie and which way rows and columns run, and where the first voxel is; only the
-   * last where the file does not name its axes.
+   * Returns the plane of the slices, the directions of rows and columns, and the centre of the
+   * first voxel. Only the last if the file does not name its axes.
    */
   public static List<String> describe(VolumeHeader header) {
     Vec3 first = header.grid().gridToWorld(new Vec3(0.5, 0.5, 0.5), new Vec3());
@@ -48,7 +48,7 @@ public final class OrientationText {
     return List.of(slices, pixels, centre);
   }
 
-  /** A length for a person: to four decimals, below 1 mm to five digits. */
+  /** Returns a length with four decimals, or with five digits below 1 mm. */
   public static String number(double mm) {
     if (!(Math.abs(mm) < 1) || Math.abs(mm) < ROUNDING_MM) {
       return NumberText.display(Math.rint(mm * 1e4) / 1e4 + 0.0);
@@ -56,7 +56,7 @@ public final class OrientationText {
     return new BigDecimal(mm).round(new MathContext(5)).stripTrailingZeros().toPlainString();
   }
 
-  /** The anatomical plane that slices across this axis lie in, or the nearest. */
+  /** Returns the anatomical plane perpendicular to an axis, or the nearest one. */
   private static String plane(Vec3 axis) {
     String name = List.of("sagittal", "coronal", "axial").get(longest(axis));
     return Math.abs(axis.get(longest(axis))) >= ALONG_AN_AXIS ? name : "oblique, nearly " + name;

@@ -17,10 +17,11 @@ import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.phantom.Phantom;
 import org.palpate.volume.phantom.PhantomSlices;
 
-/** Reads a phantom as if it were a file. No file holds it. */
+/** Reads a phantom as if it were a file. */
 public final class PhantomReader implements VolumeReader {
   private final Phantom phantom;
 
+  /** Creates a reader of a phantom, which no file holds. */
   public PhantomReader(Phantom phantom) {
     this.phantom = phantom;
   }

@@ -10,13 +10,13 @@ import java.util.HexFormat;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
 
-/** The SHA-256 by which a report says which volume it is about. */
+/** Computes the SHA-256 by which a report identifies its volume. */
 public final class VolumeDigest {
   private VolumeDigest() {}
 
   /**
-   * Of a volume's files, one after the other as they are read, hexadecimal; of a volume without
-   * files, its values as little-endian 32 bit whole numbers. Reads everything once.
+   * Returns the hexadecimal SHA-256 of all files of a volume in reading order. A volume without
+   * files is hashed as its values, little-endian 32-bit integers. Reads everything once.
    */
   public static String sha256(VolumeReader reader) throws IOException {
     MessageDigest digest = newDigest();

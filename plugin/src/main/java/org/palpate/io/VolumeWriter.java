@@ -19,18 +19,17 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
 
 /**
- * Writes a volume as NRRD or NIfTI, by the ending of its name, slice by slice. The file is written
- * beside its target and moved over it when whole; an input is never written over.
+ * Writes a volume as NRRD or NIfTI, chosen by the ending of the target's name, slice by slice. The
+ * target is replaced only when the file is complete, and an input is never overwritten.
  */
 public final class VolumeWriter {
   private VolumeWriter() {}
 
   /**
-   * Writes all values of a volume, in the narrowest type that holds what its header allows.
+   * Writes all values of a volume in the narrowest type that holds what its header allows.
    *
    * @param target ends in {@code .nrrd}, {@code .nii} or {@code .nii.gz}
-   * @throws VolumeFormatException where the volume cannot be read, or the target is no place to
-   *     write to
+   * @throws VolumeFormatException if the volume cannot be read or the target cannot be written
    */
   public static void write(VolumeReader volume, Path target) throws VolumeFormatException {
     checkName(target);
@@ -76,9 +75,9 @@ public final class VolumeWriter {
   }
 
   /**
-   * Looks at a target's name before any work is done.
+   * Checks the ending of a target's name before any work is done.
    *
-   * @throws VolumeFormatException where it does not end as {@link #write} wants it
+   * @throws VolumeFormatException if {@link #write} knows no format for it
    */
   public static void checkName(Path target) throws VolumeFormatException {
     String name = lowerCaseName(target);
@@ -111,7 +110,7 @@ public final class VolumeWriter {
     }
   }
 
-  /** The stored type where values are as stored, else one that holds every scaled value. */
+  /** Returns the stored type if it holds every value after scaling, else a type that does. */
   private static VoxelType type(VolumeHeader header) {
     VolumeHeader.ValueRange values = header.values();
     boolean asStored = values.low() >= header.type().low() && values.high() <= header.type().high();

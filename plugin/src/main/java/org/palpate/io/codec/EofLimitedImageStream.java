@@ -4,16 +4,17 @@ import java.io.IOException;
 import javax.imageio.stream.ImageInputStreamImpl;
 
 /**
- * Bytes for an image library that may be told of their end only so often. To JJ2000 the -1 there is
- * all ones, and where damaged data make it wait for a zero it would wait for ever.
+ * Feeds bytes to an image library and limits how often it may read past the end. JJ2000 takes the
+ * -1 at the end for bits of 1; in damaged data it can wait for a 0 bit for ever.
  */
 public final class EofLimitedImageStream extends ImageInputStreamImpl {
-  /** It asks for the end once a packet, too, to know the length. */
+  /** A limit that valid data stay below: the library reads past the end once for each packet. */
   private static final int MAX_END_READS = 1 << 20;
 
   private final byte[] bytes;
   private int ends;
 
+  /** Creates a stream of the bytes. */
   public EofLimitedImageStream(byte[] bytes) {
     this.bytes = bytes;
   }
@@ -39,7 +40,10 @@ public final class EofLimitedImageStream extends ImageInputStreamImpl {
     return got;
   }
 
-  /** An unchecked exception, for the library takes a checked one as one more end. */
+  /**
+   * Returns -1, or throws unchecked after too many reads; the library takes a checked exception as
+   * one more end.
+   */
   private int end() {
     if (++ends > MAX_END_READS) {
       throw new IllegalStateException("read on after the end");

@@ -3,10 +3,11 @@ package org.palpate.io.codec;
 import java.io.IOException;
 import java.io.InputStream;
 
-/** Bytes written as two hexadecimal digits each, white space between them passed over. */
+/** Decodes bytes written as two hexadecimal digits each, and skips the white space between them. */
 public final class HexInputStream extends InputStream {
   private final InputStream text;
 
+  /** Creates a decoder of the text. */
   public HexInputStream(InputStream text) {
     this.text = text;
   }

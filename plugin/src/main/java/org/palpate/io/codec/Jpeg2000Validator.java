@@ -3,11 +3,11 @@ package org.palpate.io.codec;
 import java.io.IOException;
 
 /**
- * Looks through a JPEG 2000 codestream before a library is given it. The library trusts what is
- * there: it would search without end for a tile that is missing, and two bytes of all ones in the
- * head of a packet, which no encoder writes, are ones without end to it.
+ * Checks a JPEG 2000 codestream before a library decodes it. The library trusts its input: it
+ * searches for ever for a missing tile, and two bytes of 0xFF in a packet header, which no encoder
+ * writes, are an endless run of ones to it.
  *
- * <p>Source: ITU-T T.800, annex A; for the bytes that coded data never holds, B.10.1 and C.2.
+ * <p>Source: ITU-T T.800, annex A; B.10.1 and C.2 for the bytes that never occur in coded data.
  */
 public final class Jpeg2000Validator {
   private static final int START = 0xFF4F;
@@ -27,13 +27,16 @@ public final class Jpeg2000Validator {
   private static final int MAX_TILES = 65535;
   private static final int TILE_PART_BYTES = 12;
 
-  /** Coded data never hold a larger word that begins with all ones. */
+  /** The largest word that begins with 0xFF in coded data. */
   private static final int MAX_CODED = 0xFF8F;
 
-  /** Precincts of fewer pixels an edge cost more to know than to read. */
+  /**
+   * The smallest precinct that is accepted, as the logarithm of its edge in pixels. Smaller ones
+   * make a header longer than its data.
+   */
   private static final int MIN_PRECINCT_LOG = 4;
 
-  /** The library keeps a few numbers for each layer of each block. */
+  /** A limit on memory: the library keeps a few numbers for each layer of each code block. */
   private static final long MAX_BLOCK_LAYERS = 1 << 22;
 
   private final byte[] bytes;
@@ -49,9 +52,9 @@ public final class Jpeg2000Validator {
   }
 
   /**
-   * Whether every pixel comes back as it was.
+   * Returns whether decoding restores every pixel exactly.
    *
-   * @throws IOException where the stream is not whole, or no grey picture of this size
+   * @throws IOException if the stream is incomplete or is no grey image of this size
    */
   public static boolean isReversible(byte[] bytes, int columns, int rows) throws IOException {
     Jpeg2000Validator stream = new Jpeg2000Validator(bytes, columns, rows);
@@ -60,7 +63,7 @@ public final class Jpeg2000Validator {
     return stream.reversible;
   }
 
-  /** Gives where the first tile part begins. */
+  /** Reads the main header and returns the offset of the first tile part. */
   private int readMainHeader() throws IOException {
     boolean coded = false;
     require(word(0) == START && word(2) == SIZE, "begins otherwise");
@@ -114,7 +117,7 @@ public final class Jpeg2000Validator {
     reversible = octet(at + 13) == REVERSIBLE;
   }
 
-  /** What says anew how the picture is coded, or sets the heads of packets apart. */
+  /** Refuses markers that override the coding of a component or move packet headers elsewhere. */
   private void requireReadable(int at) throws IOException {
     int marker = word(at);
     require(
@@ -122,7 +125,7 @@ public final class Jpeg2000Validator {
         "is coded in a rare way");
   }
 
-  /** Every tile is there, its parts in order and as many as they say. */
+  /** Checks that every tile is present, with its parts in order and as many as it declares. */
   private void readTileParts(int first) throws IOException {
     int[] parts = new int[tiles];
     int[] promised = new int[tiles];
@@ -148,7 +151,7 @@ public final class Jpeg2000Validator {
     require(at >= bytes.length - 2 || word(at) == END, "goes on after its tiles");
   }
 
-  /** The tile's own markers are short, do not change the coding, and end in data. */
+  /** Checks that the tile's own markers keep the coding and that data follow them. */
   private void requireTileData(int from, int end) throws IOException {
     int at = from;
     while (at + 2 <= end && word(at) != TILE_DATA) {
@@ -160,7 +163,10 @@ public final class Jpeg2000Validator {
     requireCoded(from - TILE_PART_BYTES, at + 2, end);
   }
 
-  /** Bytes as an encoder writes them: also before the data, for the library may run into them. */
+  /**
+   * Checks that only bytes occur which an encoder writes, also before the data, because the library
+   * may read into them.
+   */
   private void requireCoded(int from, int dataFrom, int end) throws IOException {
     for (int at = from; at + 1 < end; at++) {
       if (bytes[at] != -1) {

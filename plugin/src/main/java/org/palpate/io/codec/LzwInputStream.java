@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 
 /**
- * Decodes TIFF's LZW: codes of 9 to 12 bits, highest bit first, that widen one code early.
+ * Decodes the LZW of TIFF: codes of 9 to 12 bits, highest bit first, that widen one code early.
  *
  * <p>Source: TIFF Revision 6.0, section 13.
  */
@@ -26,6 +26,7 @@ public final class LzwInputStream extends InputStream {
   private int previous = -1;
   private boolean ended;
 
+  /** Creates a decoder of the compressed bytes. */
   public LzwInputStream(InputStream in) {
     this.in = in;
     for (int n = 0; n < 256; n++) {
@@ -67,7 +68,7 @@ public final class LzwInputStream extends InputStream {
     if (code > free || (previous < 0 && code >= CLEAR) || code == END) {
       throw new IOException("LZW code " + code + " is not known yet");
     }
-    // a code that is just being made is the text before, and its own first byte again
+    // the code being defined stands for the previous text followed by its own first byte
     boolean isNew = code == free;
     unroll(isNew ? previous : code);
     if (isNew) {

@@ -4,13 +4,14 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 
-/** Decodes PackBits runs, as TIFF and DICOM's RLE use them. */
+/** Decodes PackBits runs, which TIFF and the RLE of DICOM use. */
 public final class PackBitsInputStream extends InputStream {
   private final InputStream in;
   private int literals;
   private int repeats;
   private int repeated;
 
+  /** Creates a decoder of the compressed bytes. */
   public PackBitsInputStream(InputStream in) {
     this.in = in;
   }

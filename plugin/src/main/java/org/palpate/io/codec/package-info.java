@@ -1,6 +1,6 @@
 /**
  * Decodes compressed bytes, and checks compressed streams before a library reads them.
  *
- * <p>Knows no file format and uses nothing of Palpate. One thread an instance. Bytes.
+ * <p>Knows no file format and uses nothing of Palpate. An instance is for one thread. Bytes.
  */
 package org.palpate.io.codec;

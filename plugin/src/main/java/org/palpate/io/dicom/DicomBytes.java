@@ -14,11 +14,14 @@ import java.util.zip.InflaterInputStream;
 import org.palpate.io.format.InputFiles;
 import org.palpate.io.format.MemoryCheck;
 
-/** The bytes of a DICOM file at any place: from the file, or inflated in memory. */
+/**
+ * Gives random access to the bytes of a DICOM file, or of a deflated data set that it inflates in
+ * memory.
+ */
 final class DicomBytes implements Closeable {
   private static final int WINDOW_BYTES = 1 << 13;
 
-  private final FileChannel channel; // null where everything is in the window
+  private final FileChannel channel; // null if the window holds everything
   private final long length;
   private ByteBuffer window;
   private long windowAt;
@@ -29,12 +32,17 @@ final class DicomBytes implements Closeable {
     this.window = window;
   }
 
+  /** Opens a file. */
   static DicomBytes open(Path file) throws IOException {
     FileChannel channel = FileChannel.open(file);
     return new DicomBytes(channel, channel.size(), ByteBuffer.allocate(0));
   }
 
-  /** What lies from an offset on, inflated; refused where that does not fit in memory. */
+  /**
+   * Inflates everything from an offset on.
+   *
+   * @throws org.palpate.io.volume.VolumeFormatException if it does not fit in memory
+   */
   static DicomBytes inflated(Path file, long from) throws IOException {
     ByteArrayOutputStream all = new ByteArrayOutputStream();
     try (InputStream in =
@@ -51,11 +59,12 @@ final class DicomBytes implements Closeable {
     return new DicomBytes(null, bytes.length, ByteBuffer.wrap(bytes));
   }
 
+  /** Returns the number of bytes. */
   long length() {
     return length;
   }
 
-  /** Bytes from a place on, in an order; not to be kept over the next call. */
+  /** Returns bytes at an offset in a byte order; the buffer is valid until the next call. */
   ByteBuffer at(long place, int count, ByteOrder order) throws IOException {
     if (place < 0 || count < 0 || place > length - count) {
       throw new EOFException("the file ends inside an element");

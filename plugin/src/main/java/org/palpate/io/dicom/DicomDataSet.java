@@ -7,12 +7,13 @@ import java.util.List;
 import java.util.Map;
 import org.palpate.io.file.NumberParser;
 
-/** Attributes of a DICOM file, or of an item of a sequence: those of {@link DicomTag} alone. */
+/** The attributes of a DICOM file or of a sequence item, limited to those of {@link DicomTag}. */
 final class DicomDataSet {
   private final Map<Integer, String> texts = new HashMap<>();
   private final Map<Integer, Integer> numbers = new HashMap<>();
   private final Map<Integer, List<DicomDataSet>> sequences = new HashMap<>();
 
+  /** Stores a text attribute without its padding. */
   void put(int tag, byte[] text) {
     String value = new String(text, StandardCharsets.ISO_8859_1);
     int end = value.length();
@@ -22,34 +23,36 @@ final class DicomDataSet {
     texts.put(tag, value.substring(0, end).stripLeading());
   }
 
+  /** Stores a numeric attribute. */
   void put(int tag, int number) {
     numbers.put(tag, number);
   }
 
-  /** A new item at the end of a sequence. */
+  /** Appends a new item to a sequence and returns it. */
   DicomDataSet addItem(int tag) {
     DicomDataSet item = new DicomDataSet();
     sequences.computeIfAbsent(tag, unused -> new ArrayList<>()).add(item);
     return item;
   }
 
-  /** The items of a sequence, none where it is absent. */
+  /** Returns the items of a sequence; empty if it is absent. */
   List<DicomDataSet> items(int tag) {
     return sequences.getOrDefault(tag, List.of());
   }
 
-  /** The text of an attribute, empty where it is absent. */
+  /** Returns the text of an attribute; empty if it is absent. */
   String text(int tag) {
     return texts.getOrDefault(tag, "");
   }
 
-  /** The number of an attribute, or the fallback where it is absent. */
+  /** Returns the number of an attribute, or the fallback if it is absent. */
   int number(int tag, int fallback) {
     return numbers.getOrDefault(tag, fallback);
   }
 
   /**
-   * So many decimals, or null where the attribute is absent or empty; NaN where one is no number.
+   * Returns exactly {@code count} decimals, or null if the attribute is absent or empty. A word
+   * that is no number, or another count, gives NaN.
    */
   double[] decimals(int tag, int count) {
     String text = text(tag);

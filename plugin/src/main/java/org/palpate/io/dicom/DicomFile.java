@@ -12,15 +12,15 @@ import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * One DICOM file: its attributes, and where its pixels lie.
+ * A DICOM file: its attributes and the position of its pixel data.
  *
- * @param file where it is
- * @param attributes those of the data set
- * @param syntax how it is written
- * @param deflatedFrom where the deflated data set begins, -1 where it is not deflated
- * @param order the order of bytes
- * @param pixelDataItems where pixels lie: one piece, or fragments
- * @param encapsulated whether the pieces are fragments
+ * @param file its path
+ * @param attributes attributes of the data set
+ * @param syntax how the data set is encoded
+ * @param deflatedFrom offset of the deflated data set, -1 if it is not deflated
+ * @param order the byte order
+ * @param pixelDataItems one item of native pixel data, or the fragments of encapsulated ones
+ * @param encapsulated whether the items are fragments
  */
 record DicomFile(
     Path file,
@@ -33,12 +33,13 @@ record DicomFile(
   private static final int PREAMBLE = 128;
   private static final String CONVERT = "convert it with gdcmconv --raw IN OUT (free, from GDCM)";
 
-  /** Whether bytes at the start of a file are a DICOM file's. */
+  /** Returns whether a file with these first bytes is a DICOM file. */
   static boolean isDicom(byte[] start) {
     return start.length >= PREAMBLE + 4
         && new String(start, PREAMBLE, 4, StandardCharsets.ISO_8859_1).equals("DICM");
   }
 
+  /** Reads the attributes of a file, and no pixel. */
   static DicomFile read(Path file) throws VolumeFormatException {
     try (DicomBytes bytes = DicomBytes.open(file)) {
       return read(file, bytes);
@@ -81,7 +82,7 @@ record DicomFile(
     }
   }
 
-  /** Reads group 2, which is always explicit and little-endian; gives where the rest begins. */
+  /** Reads group 2, which is always explicit and little-endian, and returns the offset after it. */
   private static long readMeta(DicomBytes bytes, DicomDataSet meta) throws IOException {
     long at = PREAMBLE + 4;
     ByteBuffer first = bytes.at(at, 12, ByteOrder.LITTLE_ENDIAN);
@@ -96,40 +97,47 @@ record DicomFile(
     return end;
   }
 
+  /** Whether the file has pixel data. */
   boolean hasPixels() {
     return !pixelDataItems.isEmpty();
   }
 
+  /** Returns the rows of a frame, 0 if unknown. */
   int rows() {
     return attributes.number(DicomTag.ROWS, 0);
   }
 
+  /** Returns the columns of a frame, 0 if unknown. */
   int columns() {
     return attributes.number(DicomTag.COLUMNS, 0);
   }
 
+  /** Returns the bits that a pixel takes in the file. */
   int bitsAllocated() {
     return attributes.number(DicomTag.BITS_ALLOCATED, 0);
   }
 
+  /** Returns the bits of a pixel that carry its value. */
   int bitsStored() {
     return attributes.number(DicomTag.BITS_STORED, bitsAllocated());
   }
 
+  /** Returns the index of the highest bit that carries the value. */
   int highBit() {
     return attributes.number(DicomTag.HIGH_BIT, bitsStored() - 1);
   }
 
+  /** Whether pixels are signed. */
   boolean isSigned() {
     return attributes.number(DicomTag.SIGNED, 0) == 1;
   }
 
-  /** Bytes of one frame, decoded. */
+  /** Returns the size of one decoded frame in bytes. */
   long frameBytes() {
     return (long) rows() * columns() * (bitsAllocated() / 8);
   }
 
-  /** The number of frames, 1 where it does not say. */
+  /** Returns the number of frames, 1 if the file does not name it. */
   int frameCount() throws VolumeFormatException {
     String text = attributes.text(DicomTag.FRAMES);
     int count = text.isEmpty() ? 1 : NumberParser.positiveInt(text);
@@ -139,7 +147,11 @@ record DicomFile(
     return count;
   }
 
-  /** Refuses what is no grey picture, cannot be decoded, or is not all there. */
+  /**
+   * Checks that the pixels are grey, can be decoded, and are complete.
+   *
+   * @throws VolumeFormatException if they are not
+   */
   void check() throws VolumeFormatException {
     if (!hasPixels()) {
       throw refusal("it holds no picture", "give a file or folder of a picture series");
@@ -201,7 +213,7 @@ record DicomFile(
     }
   }
 
-  /** Refuses more pixels than the compressed bytes can become. */
+  /** Refuses more pixels than the compressed bytes can hold. */
   private void requireInflatable(double needed) throws VolumeFormatException {
     double stored = 0;
     for (PixelDataItem piece : pixelDataItems) {
@@ -209,9 +221,9 @@ record DicomFile(
     }
     double most =
         switch (syntax.coding()) {
-          case RLE -> 64; // 2 bytes for 128
-          case JPEG_LOSSLESS -> 8.0 * bitsAllocated() / 8; // a bit a pixel
-          case JPEG_2000 -> 20_000; // an even picture of 2000x2000 takes some 400 bytes
+          case RLE -> 64; // 128 bytes of 2
+          case JPEG_LOSSLESS -> 8.0 * bitsAllocated() / 8; // at least a bit for each pixel
+          case JPEG_2000 -> 20_000; // a uniform image of 2000x2000 takes about 400 bytes
           default -> Double.POSITIVE_INFINITY;
         };
     if (needed > stored * most) {
@@ -225,6 +237,7 @@ record DicomFile(
     }
   }
 
+  /** Returns an exception that names this file. */
   VolumeFormatException refusal(String what, String remedy) {
     return new VolumeFormatException(what, file, remedy);
   }

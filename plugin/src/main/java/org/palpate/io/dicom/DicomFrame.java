@@ -7,23 +7,23 @@ import org.palpate.io.format.Scaling;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * One frame of a DICOM file and where it lies.
+ * One frame of a DICOM file.
  *
  * @param dicom the file
- * @param index the frame in it, from 0
- * @param plane where it lies, where the file says
- * @param scaling what makes values of stored numbers
+ * @param index the frame in the file, from 0
+ * @param plane its position in the patient, if the file names it
+ * @param scaling maps stored numbers to values
  */
 record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scaling scaling) {
 
   /**
-   * Where a frame lies, in the patient's coordinates (LPS).
+   * The position of a frame in patient coordinates (LPS).
    *
    * @param position centre of the first pixel, mm
-   * @param rowDirection direction in which columns are counted, a unit vector up to rounding
-   * @param columnDirection direction in which rows are counted
-   * @param columnSpacingMm from a column to the next
-   * @param rowSpacingMm from a row to the next
+   * @param rowDirection direction along a row of pixels, a unit vector up to rounding
+   * @param columnDirection direction along a column of pixels
+   * @param columnSpacingMm distance between columns
+   * @param rowSpacingMm distance between rows
    */
   record ImagePlane(
       Vec3 position,
@@ -32,7 +32,7 @@ record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scalin
       double columnSpacingMm,
       double rowSpacingMm) {
 
-    /** At right angles to the frame. */
+    /** Returns the unit normal of the frame. */
     Vec3 normal() {
       Vec3 cross =
           new Vec3(
@@ -43,7 +43,7 @@ record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scalin
     }
   }
 
-  /** The frames of a file that was checked. */
+  /** Returns the frames of a file that passed {@link DicomFile#check}. */
   static List<DicomFrame> of(DicomFile dicom) throws VolumeFormatException {
     int count = dicom.frameCount();
     if (dicom.syntax().coding() == TransferSyntax.Coding.PLAIN
@@ -58,13 +58,16 @@ record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scalin
       DicomDataSet own = n < groups.size() ? groups.get(n) : new DicomDataSet();
       DicomDataSet common = shared.isEmpty() ? new DicomDataSet() : shared.get(0);
       Lookup lookup = new Lookup(dicom, own, common);
-      // only one frame may lie where the file as a whole says
+      // the position of the file is that of a frame only if there is one
       frames[n] = new DicomFrame(dicom, n, lookup.plane(count == 1), lookup.scaling());
     }
     return List.of(frames);
   }
 
-  /** Attributes of a frame: its own, those of all frames, those of the file. */
+  /**
+   * Looks up the attributes of a frame: first its own, then the shared ones, then those of the
+   * file.
+   */
   private record Lookup(DicomFile dicom, DicomDataSet own, DicomDataSet shared) {
 
     Optional<ImagePlane> plane(boolean single) throws VolumeFormatException {

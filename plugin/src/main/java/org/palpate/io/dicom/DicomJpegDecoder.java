@@ -12,8 +12,8 @@ import org.palpate.io.codec.EofLimitedImageStream;
 import org.palpate.io.codec.Jpeg2000Validator;
 
 /**
- * Decodes frames in lossless JPEG and in reversible JPEG 2000, by libraries that give back every
- * pixel as it was. Sizes are looked up in the stream before a library sees it.
+ * Decodes frames of lossless JPEG and reversible JPEG 2000 with libraries that restore every pixel.
+ * The size in the stream is checked before a library reads it.
  */
 final class DicomJpegDecoder {
   private static final int JPEG_LOSSLESS = 0xFFC3;
@@ -38,7 +38,7 @@ final class DicomJpegDecoder {
     raster.getSamples(0, 0, raster.getWidth(), raster.getHeight(), 0, stored);
   }
 
-  /** TwelveMonkeys' provider, which works only where it was registered. */
+  /** Returns the provider of TwelveMonkeys, which works only if it is registered. */
   private static ImageReaderSpi registeredJpeg() {
     IIORegistry registry = IIORegistry.getDefaultInstance();
     JPEGImageReaderSpi known = registry.getServiceProviderByClass(JPEGImageReaderSpi.class);
@@ -58,13 +58,13 @@ final class DicomJpegDecoder {
           ? reader.readRaster(0, null)
           : reader.read(0).getRaster();
     } catch (RuntimeException e) {
-      // the libraries meet damaged data with whatever exception comes up inside
+      // on damaged data the libraries throw any unchecked exception
       throw new IOException("a compressed picture is damaged", e);
     } catch (Error e) {
       if (e.getClass() != Error.class) {
         throw e;
       }
-      // JJ2000 throws a bare Error where a tile cannot be read
+      // JJ2000 throws a bare Error for a tile that cannot be read
       throw new IOException("a compressed picture is damaged", e);
     } finally {
       reader.dispose();

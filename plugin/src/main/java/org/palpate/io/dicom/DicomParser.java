@@ -7,8 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Finds the attributes of {@link DicomTag} and the pixels in a DICOM data set, and passes over all
- * others unread.
+ * Finds the attributes of {@link DicomTag} and the pixel data in a DICOM data set, and skips all
+ * other attributes unread.
  *
  * <p>Source: DICOM PS3.5, sections 7 and A.
  */
@@ -26,34 +26,42 @@ final class DicomParser {
   private boolean encapsulated;
   private boolean floating;
 
-  /** Where bytes of pixels lie. */
+  /**
+   * The position of pixel data in the file, in bytes.
+   *
+   * @param place offset of the first byte
+   * @param length number of bytes
+   */
   record PixelDataItem(long place, long length) {}
 
+  /** Creates a parser at an offset. */
   DicomParser(DicomBytes bytes, long from, ByteOrder order) {
     this.bytes = bytes;
     this.order = order;
     at = from;
   }
 
-  /** Parses up to an end; stops after the pixels. */
+  /** Parses up to an offset, or to the end of the pixel data. */
   void parse(long end, boolean explicit, DicomDataSet into) throws IOException {
     parse(end, explicit, into, 0);
   }
 
-  /** Where the parser stands. */
+  /** Returns the offset of the parser. */
   long place() {
     return at;
   }
 
-  /** Where the pixels lie: one piece, or the fragments after the offset table. */
+  /** Returns one item of native pixel data, or the fragments after the offset table. */
   List<PixelDataItem> pixelDataItems() {
     return pixelDataItems;
   }
 
+  /** Whether the pixel data are encapsulated. */
   boolean isEncapsulated() {
     return encapsulated;
   }
 
+  /** Whether pixels are floating-point numbers. */
   boolean isFloating() {
     return floating;
   }

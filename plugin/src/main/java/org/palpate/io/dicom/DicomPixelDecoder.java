@@ -14,7 +14,7 @@ import org.palpate.io.volume.VoxelSlice;
 final class DicomPixelDecoder {
   private int[] stored = new int[0];
 
-  /** Fills the slice with the values of a frame whose file was checked. */
+  /** Fills a slice with the values of a frame whose file passed {@link DicomFile#check}. */
   void decode(DicomFrame frame, VoxelSlice dest) throws IOException {
     DicomFile dicom = frame.dicom();
     int count = dest.count();
@@ -44,7 +44,9 @@ final class DicomPixelDecoder {
     }
   }
 
-  /** The compressed bytes of a frame: its fragment, or all of them where there is one frame. */
+  /**
+   * Returns the compressed bytes of a frame: its fragment, or all fragments if there is one frame.
+   */
   private static byte[] fragmentBytes(DicomFrame frame) throws IOException {
     DicomFile dicom = frame.dicom();
     boolean all = dicom.frameCount() == 1;
@@ -71,7 +73,7 @@ final class DicomPixelDecoder {
   }
 
   /**
-   * Undoes DICOM's RLE: a segment of PackBits for each byte of a pixel, the highest first.
+   * Decodes the RLE of DICOM: a PackBits segment for each byte of a pixel, the highest byte first.
    *
    * <p>Source: DICOM PS3.5 annex G.
    *
@@ -125,7 +127,7 @@ final class DicomPixelDecoder {
     }
   }
 
-  /** Takes the stored bits out of the allocated, with their sign, and scales them. */
+  /** Extracts the stored bits with their sign, and scales them. */
   private void scale(DicomFile dicom, Scaling scaling, VoxelSlice dest) {
     int up = 31 - dicom.highBit();
     int down = 32 - dicom.bitsStored();

@@ -20,7 +20,10 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
 import org.palpate.io.volume.VoxelType;
 
-/** Reads a DICOM series, a slice a frame; made between frames where it was resampled. */
+/**
+ * Reads a DICOM series, one frame a slice. A slice of a resampled series is interpolated between
+ * two frames.
+ */
 public final class DicomReader implements VolumeReader {
   private final SortedSeries series;
   private final String place;
@@ -40,6 +43,11 @@ public final class DicomReader implements VolumeReader {
     return DicomFile.isDicom(start);
   }
 
+  /**
+   * Opens a single file, which may have several frames.
+   *
+   * @throws VolumeFormatException if the file is no volume, is damaged, or needs another option
+   */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     return of(List.of(DicomFile.read(file)), file.toString(), options);
   }
@@ -54,7 +62,7 @@ public final class DicomReader implements VolumeReader {
     return of(DicomSeriesFinder.find(folder, options), folder.toString(), options);
   }
 
-  /** A reader of the frames of files, all of one series. */
+  /** Returns a reader of files that belong to one series. */
   private static VolumeReader of(List<DicomFile> files, String place, ReadOptions options)
       throws VolumeFormatException {
     List<DicomFrame> frames = new ArrayList<>();
@@ -96,7 +104,7 @@ public final class DicomReader implements VolumeReader {
     };
   }
 
-  /** The bound on values over all frames, each by its own slope and intercept. */
+  /** Returns the bounds on the values of all frames, each with its own slope and intercept. */
   private static ValueRange values(List<DicomFrame> frames) {
     double low = Double.POSITIVE_INFINITY;
     double high = Double.NEGATIVE_INFINITY;
@@ -152,7 +160,7 @@ public final class DicomReader implements VolumeReader {
     }
   }
 
-  /** Linear between two slices; whole numbers are rounded. */
+  /** Interpolates linearly between two slices, and rounds integers. */
   private static void interpolate(VoxelSlice slice, VoxelSlice next, double nextWeight) {
     for (int n = 0; n < slice.count(); n++) {
       double value = slice.value(n) * (1 - nextWeight) + next.value(n) * nextWeight;

@@ -17,7 +17,8 @@ import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * Finds the series in a folder, its own files alone and in any order, and the one that is wanted.
+ * Finds the DICOM series in a folder, without its sub-folders and in any order of files, and
+ * selects one.
  */
 final class DicomSeriesFinder {
   private static final int START_BYTES = 132;
@@ -52,7 +53,7 @@ final class DicomSeriesFinder {
     } catch (IOException e) {
       throw InputFiles.unreadableFile(folder, e);
     }
-    Collections.sort(paths); // so that all that follows is the same everywhere
+    Collections.sort(paths); // the order of the folder differs between systems
     List<DicomFile> pictures = new ArrayList<>();
     for (Path path : paths) {
       if (DicomFile.isDicom(InputFiles.firstBytes(path, START_BYTES))) {
@@ -65,7 +66,7 @@ final class DicomSeriesFinder {
     return pictures;
   }
 
-  /** By series, and by size and direction inside it: a survey picture is a series of its own. */
+  /** Groups files by series, size and orientation, so that a localizer is a series of its own. */
   private static List<List<DicomFile>> series(List<DicomFile> pictures) {
     Map<String, List<DicomFile>> byKey = new LinkedHashMap<>();
     for (DicomFile file : pictures) {
@@ -117,7 +118,7 @@ final class DicomSeriesFinder {
         "choose one with --series 1 to --series " + series.size());
   }
 
-  /** Numbers, kinds and sizes: nothing that names a patient or a day. */
+  /** Lists numbers, modalities and sizes, and nothing that identifies a patient or a date. */
   private static String list(List<List<DicomFile>> series) {
     StringBuilder list = new StringBuilder();
     for (int n = 0; n < Math.min(series.size(), MAX_LISTED); n++) {

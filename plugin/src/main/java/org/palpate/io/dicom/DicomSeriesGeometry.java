@@ -12,14 +12,14 @@ import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Frames in the order in which they lie, and the grid that they make: spacing and direction of
- * slices from their positions, never from their thickness.
+ * Sorts frames by position and derives their grid. The positions give spacing and direction of the
+ * slices; the slice thickness is not used.
  */
 final class DicomSeriesGeometry {
-  /** By how much of the usual gap a gap may differ before slices count as uneven. */
+  /** The fraction of the median gap by which a gap may differ before slices count as uneven. */
   private static final double UNEVEN = 0.01;
 
-  /** Positions are written with a few decimals. */
+  /** The rounding of positions that are written with a few decimals. */
   private static final double POSITION_ROUNDING_MM = 2e-3;
 
   private static final double SAME_POSITION_MM = 1e-3;
@@ -41,24 +41,28 @@ final class DicomSeriesGeometry {
     this.notes = notes;
   }
 
-  /** A series and its grid. */
+  /**
+   * A sorted series and its grid.
+   *
+   * @param known whether the positions in the patient are known
+   */
   record SortedSeries(
       List<DicomFrame> frames, VoxelGrid grid, List<SliceInterpolation> slices, boolean known) {}
 
   /**
-   * What makes a slice of the grid: a frame, and a share of the next.
+   * The frames that make a slice: one, and a part of the next.
    *
-   * @param frame which frame
-   * @param nextWeight from 0 to less than 1
+   * @param frame index of the frame
+   * @param nextWeight weight of the next frame, from 0 to less than 1
    */
   record SliceInterpolation(int frame, double nextWeight) {}
 
   /**
-   * Puts frames in order.
+   * Sorts frames and derives their grid.
    *
-   * @param name what messages call the series: its file or folder
-   * @param resample whether uneven slices may be brought to even spacing
-   * @param notes takes what a person should know
+   * @param name the file or folder, for messages
+   * @param resample whether unevenly spaced slices may be interpolated
+   * @param notes receives the assumptions that the user should know
    */
   static SortedSeries arrange(
       List<DicomFrame> frames, String name, boolean resample, List<String> notes)
@@ -98,7 +102,7 @@ final class DicomSeriesGeometry {
     return frames.get(n).plane().orElseThrow();
   }
 
-  /** Pictures that do not say where they are: frames of one file, in its order. */
+  /** Stacks frames without positions in file order; all must come from one file. */
   private SortedSeries withoutPositions() throws VolumeFormatException {
     DicomFile dicom = frames.get(0).dicom();
     if (frames.stream().anyMatch(frame -> !frame.dicom().file().equals(dicom.file()))) {
@@ -143,7 +147,9 @@ final class DicomSeriesGeometry {
     }
   }
 
-  /** From a slice to the next, on average; for a single slice at right angles to it. */
+  /**
+   * Returns the mean step from a slice to the next; for a single slice, a step along its normal.
+   */
   private Vec3 step(Vec3 normal) {
     int count = frames.size();
     if (count > 1) {

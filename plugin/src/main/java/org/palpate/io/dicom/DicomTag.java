@@ -3,8 +3,8 @@ package org.palpate.io.dicom;
 import java.util.Set;
 
 /**
- * The DICOM attributes that are read, group in the high 16 bits. None names a patient; no other is
- * ever looked at.
+ * The DICOM attributes that are read, with the group in the high 16 bits. None identifies a
+ * patient, and no other attribute is read.
  *
  * <p>Source: DICOM PS3.6.
  */

@@ -3,19 +3,19 @@ package org.palpate.io.dicom;
 import java.util.Map;
 
 /**
- * A transfer syntax: how a DICOM file is written.
+ * The encoding of a DICOM file.
  *
  * <p>Source: DICOM PS3.5 section 10 and annex A.
  *
- * @param name as the standard has it
- * @param coding how pixels are coded
+ * @param name the name in the standard
+ * @param coding the coding of the pixels
  */
 record TransferSyntax(String name, Coding coding) {
   static final String DEFLATED = "1.2.840.10008.1.2.1.99";
   static final String IMPLICIT = "1.2.840.10008.1.2";
   static final String BIG_ENDIAN = "1.2.840.10008.1.2.2";
 
-  /** How pixels are coded. */
+  /** The coding of pixels. */
   enum Coding {
     PLAIN,
     RLE,
@@ -54,7 +54,7 @@ record TransferSyntax(String name, Coding coding) {
           Map.entry(
               JPEG + "203", new TransferSyntax("High-Throughput JPEG 2000", Coding.UNREADABLE)));
 
-  /** The syntax of an identifier; one that is not known cannot be read. */
+  /** Returns the syntax of a UID; an unknown one is unreadable. */
   static TransferSyntax of(String uid) {
     String shown = uid.matches("[0-9.]{1,64}") ? uid : "without a name";
     return KNOWN.getOrDefault(

@@ -12,11 +12,11 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
 /**
- * A file that is written beside its target and moved over it when whole, so that a failure leaves
- * the target as it was. One thread.
+ * Writes a file under a temporary name beside its target and then moves it over the target. A
+ * failure leaves the target as it was. For one thread.
  *
- * <p>A target that is there and is no plain file (a pipe, a terminal) is written straight. Whatever
- * the disk refuses is a {@link WriteFailedException} that names the target.
+ * <p>A target that exists and is no regular file (a pipe, a terminal) is written directly. Any
+ * failure of the disk is a {@link WriteFailedException} that names the target.
  */
 public final class AtomicFile implements AutoCloseable {
   private final Path asked;
@@ -26,14 +26,14 @@ public final class AtomicFile implements AutoCloseable {
   private boolean closed;
 
   /**
-   * Opens the new file.
+   * Opens the temporary file.
    *
-   * @throws WriteFailedException where the folder is not there or may not be written to
+   * @throws WriteFailedException if the folder does not exist or may not be written to
    */
   public AtomicFile(Path target) throws IOException {
     asked = target;
     boolean isNoPlainFile = Files.exists(target) && !Files.isRegularFile(target);
-    // a link stays a link: what it points to is replaced
+    // a link stays; the file that it points to is replaced
     this.target = Files.isRegularFile(target) ? target.toRealPath() : target.toAbsolutePath();
     written = isNoPlainFile ? this.target : beside(this.target);
     try {
@@ -43,7 +43,7 @@ public final class AtomicFile implements AutoCloseable {
     }
   }
 
-  /** Replaces a file by a text, in UTF-8. */
+  /** Replaces a file by a text in UTF-8. */
   public static void write(Path target, CharSequence text) throws IOException {
     try (AtomicFile out = new AtomicFile(target)) {
       out.stream().write(text.toString().getBytes(StandardCharsets.UTF_8));
@@ -63,12 +63,12 @@ public final class AtomicFile implements AutoCloseable {
         : Files.newOutputStream(written, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
   }
 
-  /** Where to write; buffered. Closed by {@link #commit} or {@link #close}. */
+  /** Returns the buffered stream to write to, which {@link #commit} and {@link #close} close. */
   public OutputStream stream() {
     return stream;
   }
 
-  /** Ends the file and moves it over the target. */
+  /** Closes the file and moves it over the target. */
   public void commit() throws IOException {
     stream.close();
     if (!written.equals(target)) {
@@ -90,7 +90,7 @@ public final class AtomicFile implements AutoCloseable {
     }
   }
 
-  /** Forgets what was written, unless it was committed; the target is as it was. */
+  /** Discards what was written, unless it was committed. */
   @Override
   public void close() throws IOException {
     if (closed) {
@@ -106,7 +106,7 @@ public final class AtomicFile implements AutoCloseable {
     }
   }
 
-  /** Says which file it was that could not be written. */
+  /** Names the target in every failure. */
   private final class NamingStream extends FilterOutputStream {
     NamingStream(OutputStream file) {
       super(file);

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 
-/** A file could not be written; the message says why, {@link #target} which. */
+/** Reports that a file cannot be written: the message has the reason, {@link #target} the file. */
 public final class WriteFailedException extends IOException {
   private static final long serialVersionUID = 1;
 
@@ -15,7 +15,7 @@ public final class WriteFailedException extends IOException {
     this.target = target.toString();
   }
 
-  /** The system's own words, without the name of the file beside the target. */
+  /** Returns the system's own reason without the name of the temporary file. */
   private static String reason(IOException cause) {
     if (cause instanceof FileSystemException system) {
       String said = system.getReason();
@@ -24,7 +24,7 @@ public final class WriteFailedException extends IOException {
     return cause.getMessage();
   }
 
-  /** The file that was to be. */
+  /** Returns the file that was to be written. */
   public String target() {
     return target;
   }

@@ -1,6 +1,6 @@
 /**
- * Replaces files atomically, and reads and formats numbers in text.
+ * Replaces files atomically, and parses and formats numbers.
  *
- * <p>Uses nothing of Palpate. Static methods are for any thread; an instance is for one. No units.
+ * <p>Uses nothing of Palpate. Static methods are for any thread, an instance is for one. No units.
  */
 package org.palpate.io.file;

@@ -13,34 +13,39 @@ import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VoxelType;
 
 /**
- * Samples in one file or evenly in several, at an offset, perhaps compressed.
+ * The samples of a volume in one file, or split evenly over several, at an offset and perhaps
+ * compressed.
  *
  * @param files in the order of the samples
  * @param start where the data begin
  * @param type the type of a sample
- * @param order the order of a sample's bytes
- * @param scaling what makes values of samples
- * @param byteCount bytes over all files, decompressed
+ * @param order the byte order of a sample
+ * @param scaling maps stored numbers to values
+ * @param byteCount decompressed bytes over all files
  */
 public record BinaryData(
     List<Path> files, Start start, VoxelType type, ByteOrder order, Scaling scaling, long byteCount)
     implements SampleStream.Opener {
 
-  /** Deflate makes at most so many bytes of one. */
+  /** The most bytes that deflate makes of one byte. */
   public static final int MAX_DEFLATE_RATIO = 1032;
 
   /**
-   * Where the data begin in a file.
+   * The start of the data in a file.
    *
-   * @param offset bytes before them, {@link #AT_END} where they are the file's last
-   * @param deflated whether what follows the offset is a zlib or gzip stream
-   * @param insideGzip whether the whole file is gzip and the offset counts inside it
+   * @param offset bytes before the data, or {@link #AT_END} if the data are the last bytes
+   * @param deflated whether a zlib or gzip stream follows the offset
+   * @param insideGzip whether the whole file is gzip and the offset counts decompressed bytes
    */
   public record Start(long offset, boolean deflated, boolean insideGzip) {
     static final long AT_END = -1;
   }
 
-  /** Refuses files that cannot hold their bytes, however well they are compressed. */
+  /**
+   * Checks that the files are long enough for their data, however well these are compressed.
+   *
+   * @throws VolumeFormatException if a file is too short
+   */
   public void requireFileLengths() throws VolumeFormatException {
     double each = (double) byteCount / files.size();
     if (byteCount % files.size() != 0) {
@@ -103,7 +108,7 @@ public record BinaryData(
         : new InflaterInputStream(whole, new java.util.zip.Inflater(), InputFiles.BUFFER_BYTES);
   }
 
-  /** Whether bytes begin as gzip does. */
+  /** Whether some bytes begin as a gzip stream does. */
   public static boolean isGzip(byte[] bytes) {
     return bytes.length >= 2 && (bytes[0] & 0xff) == 0x1f && (bytes[1] & 0xff) == 0x8b;
   }

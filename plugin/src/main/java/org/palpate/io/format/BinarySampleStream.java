@@ -9,7 +9,7 @@ import java.nio.ShortBuffer;
 import org.palpate.io.volume.VoxelSlice;
 import org.palpate.io.volume.VoxelType;
 
-/** Samples of a fixed number of bytes, from a stream that this owns. */
+/** Reads samples of a fixed number of bytes from a stream, which it closes. */
 public final class BinarySampleStream implements SampleStream {
   private static final int BUFFER_BYTES = 1 << 16;
 
@@ -23,6 +23,7 @@ public final class BinarySampleStream implements SampleStream {
   private int next;
   private int limit;
 
+  /** Creates a stream of scaled samples. */
   public BinarySampleStream(InputStream bytes, VoxelType type, ByteOrder order, Scaling scaling) {
     this.bytes = bytes;
     this.type = type;
@@ -135,7 +136,7 @@ public final class BinarySampleStream implements SampleStream {
   }
 
   private static double unsigned(long value) {
-    // the lowest bit is kept in the shifted value, so that rounding is right
+    // keeping the lowest bit in the shifted value makes the rounding correct
     return value >= 0 ? value : ((value >>> 1) | (value & 1)) * 2.0;
   }
 }

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.List;
 
-/** The data of several files one after the other, the same number of bytes from each. */
+/** Joins the data of several files, the same number of bytes from each. */
 public final class ConcatenatedInputStream extends InputStream {
   private final Iterator<Path> rest;
   private final Opener opener;
@@ -18,14 +18,14 @@ public final class ConcatenatedInputStream extends InputStream {
   /** Opens the data of one file. */
   @FunctionalInterface
   public interface Opener {
-    /** A stream at the first byte of the file's data. */
+    /** Returns a stream at the first byte of the file's data. */
     InputStream open(Path file) throws IOException;
   }
 
   /**
-   * Opens each file when the one before has ended.
+   * Joins files; each is opened when the one before has ended.
    *
-   * @param bytesPerFile bytes taken from each, or {@code Long.MAX_VALUE} for all there are
+   * @param bytesPerFile bytes from each file, or {@code Long.MAX_VALUE} for all
    */
   public ConcatenatedInputStream(List<Path> files, Opener opener, long bytesPerFile) {
     rest = files.iterator();

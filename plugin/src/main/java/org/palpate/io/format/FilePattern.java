@@ -6,13 +6,16 @@ import java.util.List;
 import java.util.Locale;
 import org.palpate.io.volume.VolumeFormatException;
 
-/** Names of data files by a pattern with a number, as NRRD and MetaImage headers give them. */
+/** Expands the file patterns of NRRD and MetaImage headers. */
 public final class FilePattern {
   private static final int MAX_FILES = 100_000;
 
   private FilePattern() {}
 
-  /** A pattern is "name%03d.raw min max step", perhaps with a dimension; anything else a name. */
+  /**
+   * Returns the names that a pattern such as "name%03d.raw min max step" stands for. Any other
+   * value is a single name.
+   */
   public static List<String> names(Path header, String value) throws VolumeFormatException {
     String[] words = value.split("\\s+");
     boolean isPattern =

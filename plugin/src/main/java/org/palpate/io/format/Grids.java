@@ -7,18 +7,18 @@ import org.palpate.geometry.Vec3;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.VoxelGrid;
 
-/** Makes a grid of what a header says, or refuses it with the numbers. */
+/** Creates voxel grids from header values, or refuses them with the numbers. */
 public final class Grids {
-  /** 2^31 bricks of 64 voxels: more than any bit cube can have. */
+  /** More bricks of 64 voxels than any bit cube can have. */
   private static final double MAX_BRICKS = Integer.MAX_VALUE - 8;
 
   private Grids() {}
 
   /**
-   * A grid of sizes and of the steps from a voxel to the next along each axis.
+   * Returns the grid of a header.
    *
-   * @param sizes three, from 1 on
-   * @param stepsMm three vectors in the world, at right angles
+   * @param sizes three sizes of at least 1
+   * @param stepsMm the three steps to the next voxel, orthogonal vectors in the world
    * @param firstCentre the world position of the centre of voxel 0, mm
    */
   public static VoxelGrid of(int[] sizes, Vec3[] stepsMm, Vec3 firstCentre, Path file)
@@ -51,13 +51,13 @@ public final class Grids {
     return VoxelGrid.ofFirstCentre(sizes[0], sizes[1], sizes[2], spacing, place);
   }
 
-  /** Axes along the world's, the first centre at the origin. */
+  /** Returns a grid along the world axes with the centre of its first voxel at the origin. */
   public static VoxelGrid ofSpacing(int[] sizes, Vec3 spacingMm, Path file)
       throws VolumeFormatException {
     return of(sizes, steps(spacingMm), new Vec3(), file);
   }
 
-  /** Steps along the world's axes. */
+  /** Returns the three steps to the next voxel along the world axes. */
   public static Vec3[] steps(Vec3 spacingMm) {
     return new Vec3[] {
       new Vec3(spacingMm.x, 0, 0), new Vec3(0, spacingMm.y, 0), new Vec3(0, 0, spacingMm.z)

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import org.palpate.io.volume.VolumeFormatException;
 
-/** Lines of text at the start of a file, with an end to how long they may be. */
+/** Reads the text lines at the start of a file, and limits their length. */
 public final class HeaderLineReader {
   private static final int MAX_LINE_BYTES = 1 << 20;
   private static final int MAX_HEADER_BYTES = 1 << 24;
@@ -17,12 +17,13 @@ public final class HeaderLineReader {
   private byte[] line = new byte[256];
   private long bytesRead;
 
+  /** Creates a reader of lines; messages name the file. */
   public HeaderLineReader(InputStream in, Path file) {
     this.in = in;
     this.file = file;
   }
 
-  /** The next line without its end, or null after the last. */
+  /** Returns the next line without its end, or null after the last line. */
   public String next() throws IOException {
     int length = 0;
     int c = in.read();
@@ -44,7 +45,7 @@ public final class HeaderLineReader {
     return new String(line, 0, end, StandardCharsets.UTF_8);
   }
 
-  /** Bytes taken so far: where what follows the lines begins. */
+  /** Returns the number of bytes read, which is the offset of whatever follows the lines. */
   public long bytesRead() {
     return bytesRead;
   }

@@ -10,13 +10,15 @@ import java.util.Arrays;
 import java.util.Locale;
 import org.palpate.io.volume.VolumeFormatException;
 
-/** Opens files, and finds those that a header names without leaving its folder. */
+/**
+ * Opens input files, and finds the files that a header names without leaving the header's folder.
+ */
 public final class InputFiles {
   public static final int BUFFER_BYTES = 1 << 16;
 
   private InputFiles() {}
 
-  /** A stream over the file from an offset on. */
+  /** Opens a buffered stream at an offset of a file. */
   public static InputStream open(Path file, long offset) throws IOException {
     InputStream in = Files.newInputStream(file);
     try {
@@ -28,7 +30,7 @@ public final class InputFiles {
     }
   }
 
-  /** The first bytes of a file, fewer where it is shorter. */
+  /** Returns the first bytes of a file; fewer if the file is shorter. */
   public static byte[] firstBytes(Path file, int count) throws VolumeFormatException {
     try (InputStream in = Files.newInputStream(file)) {
       return in.readNBytes(count);
@@ -37,7 +39,11 @@ public final class InputFiles {
     }
   }
 
-  /** The file's length; it must be a plain file that can be read. */
+  /**
+   * Returns the length of a file in bytes.
+   *
+   * @throws VolumeFormatException if it is no regular file or cannot be read
+   */
   public static long length(Path file) throws VolumeFormatException {
     try {
       if (!Files.exists(file)) {
@@ -54,7 +60,7 @@ public final class InputFiles {
     }
   }
 
-  /** Says that the system does not let the file be read. */
+  /** Returns the exception for a file that the system does not let us read. */
   public static VolumeFormatException unreadableFile(Path file, IOException e) {
     String what = e instanceof NoSuchFileException ? "no such file" : "cannot be read";
     return new VolumeFormatException(
@@ -62,7 +68,8 @@ public final class InputFiles {
   }
 
   /**
-   * The file that a header names, which must lie in the header's folder or below, links followed.
+   * Returns the file that a header names. It must be in the header's folder or below, also after
+   * links are followed.
    *
    * @param name as the header has it
    */
@@ -96,7 +103,7 @@ public final class InputFiles {
       throw new VolumeFormatException(
           "its data file '" + name + "' is no file name", header, "name a file beside it", e);
     }
-    // both kinds of separator, whichever system this is
+    // both separators on every system
     boolean climbs = name.replace('\\', '/').matches("(.*/)?\\.\\.(/.*)?|/.*|[A-Za-z]:.*");
     if (relative.isAbsolute() || climbs || name.isBlank()) {
       throw new VolumeFormatException(
@@ -107,7 +114,7 @@ public final class InputFiles {
     return folder.resolve(relative);
   }
 
-  /** Returns whether the name of a file ends in one of some endings, in either case. */
+  /** Returns whether the name of a file ends in one of some endings, in upper or lower case. */
   public static boolean hasEnding(Path file, String... endings) {
     String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
     return Arrays.stream(endings).anyMatch(name::endsWith);

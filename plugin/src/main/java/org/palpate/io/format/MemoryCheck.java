@@ -5,14 +5,14 @@ import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VoxelSlice;
 import org.palpate.volume.VoxelGrid;
 
-/** Looks whether there is memory before any is asked for. */
+/** Checks that memory is free before it is allocated. */
 public final class MemoryCheck {
-  /** Left for everything else that runs while a volume is read. */
+  /** Memory left for everything else that runs while a volume is read. */
   private static final double RESERVE_BYTES = 32e6;
 
   private MemoryCheck() {}
 
-  /** Bytes that can still be had without the reserve. */
+  /** Returns the bytes that can still be allocated without touching the reserve. */
   static double availableBytes() {
     Runtime runtime = Runtime.getRuntime();
     double used = (double) runtime.totalMemory() - runtime.freeMemory();
@@ -20,14 +20,15 @@ public final class MemoryCheck {
   }
 
   /**
-   * Refuses in words what does not fit.
+   * Checks that so many bytes are free.
    *
-   * @param purpose what the bytes are for
+   * @param purpose what needs the bytes, the subject of the message
+   * @throws VolumeFormatException if they are not free, even after a garbage collection
    */
   public static void require(double bytes, String purpose, String place)
       throws VolumeFormatException {
     if (bytes > availableBytes()) {
-      // garbage counts as used until it is collected
+      // garbage counts as used memory until it is collected
       System.gc();
     }
     if (bytes > availableBytes()) {
@@ -43,7 +44,7 @@ public final class MemoryCheck {
     }
   }
 
-  /** A slice of the grid, once it is known to fit. */
+  /** Returns a slice for a grid after checking that it fits in memory. */
   public static VoxelSlice slice(VoxelGrid grid, boolean integer, String place)
       throws VolumeFormatException {
     double count = (double) grid.sizeX() * grid.sizeY();

@@ -6,15 +6,16 @@ import java.util.OptionalInt;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
 
-/** What a person may choose in a file, and refusals that ask for it. */
+/** Checks the read options against what a file has to choose from. */
 public final class ReadOptionChecks {
   private ReadOptionChecks() {}
 
   /**
-   * The time step or component to read, from 0; told in the notes where there are several.
+   * Returns the time step or component to read, from 0. If there are several, a note reports the
+   * choice.
    *
    * @param count how many there are, at least 1
-   * @throws VolumeFormatException where there are several and none, or one that is not there, was
+   * @throws VolumeFormatException if there are several and none, or one that does not exist, was
    *     chosen
    */
   public static int chosenStep(int count, ReadOptions options, Path file, List<String> notes)
@@ -45,9 +46,9 @@ public final class ReadOptionChecks {
   }
 
   /**
-   * A file has no series to choose from.
+   * Refuses the choice of a series for a single file.
    *
-   * @throws VolumeFormatException where one was chosen
+   * @throws VolumeFormatException if a series was chosen
    */
   public static void refuseSeriesOption(ReadOptions options, Path file)
       throws VolumeFormatException {

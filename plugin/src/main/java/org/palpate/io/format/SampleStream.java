@@ -4,26 +4,26 @@ import java.io.Closeable;
 import java.io.IOException;
 import org.palpate.io.volume.VoxelSlice;
 
-/** Samples of a volume in the file's order, taken or passed over. */
+/** Reads or skips the samples of a volume in file order. */
 public interface SampleStream extends Closeable {
   /**
-   * Fills {@code dest} from {@code at} with the next {@code count} samples, scaled.
+   * Reads the next {@code count} samples, scaled, into {@code dest} from index {@code at}.
    *
-   * @throws java.io.EOFException where there are fewer
+   * @throws java.io.EOFException if there are fewer
    */
   void read(VoxelSlice dest, int at, int count) throws IOException;
 
   /**
-   * Passes over samples.
+   * Skips samples.
    *
-   * @throws java.io.EOFException where there are fewer
+   * @throws java.io.EOFException if there are fewer
    */
   void skip(long count) throws IOException;
 
-  /** Begins reading at the first sample. */
+  /** Opens streams of samples. */
   @FunctionalInterface
   interface Opener {
-    /** A new stream at the first sample; the caller closes it. */
+    /** Returns a new stream at the first sample, which the caller closes. */
     SampleStream open() throws IOException;
   }
 }

@@ -4,7 +4,7 @@ import org.palpate.io.volume.VolumeHeader.ValueRange;
 import org.palpate.io.volume.VoxelType;
 
 /**
- * What makes a value of a stored number: {@code stored * slope + intercept}.
+ * Maps stored numbers to values: {@code stored * slope + intercept}.
  *
  * @param slope finite, not 0
  * @param intercept finite
@@ -12,15 +12,17 @@ import org.palpate.io.volume.VoxelType;
 public record Scaling(double slope, double intercept) {
   public static final Scaling NONE = new Scaling(1, 0);
 
+  /** Whether values are the stored numbers. */
   boolean isNone() {
     return slope == 1 && intercept == 0;
   }
 
+  /** Returns the value of a stored number. */
   public double apply(double stored) {
     return stored * slope + intercept;
   }
 
-  /** The bound on values of a type once scaled. */
+  /** Returns the bounds on the values of a type after scaling. */
   public ValueRange range(VoxelType type) {
     if (isNone()) {
       return ValueRange.of(type);

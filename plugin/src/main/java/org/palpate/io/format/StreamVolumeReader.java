@@ -12,7 +12,7 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
 import org.palpate.volume.VoxelGrid;
 
-/** A volume whose samples lie one after the other in a stream. */
+/** Reads a volume whose samples form one stream. */
 public final class StreamVolumeReader implements VolumeReader {
   private final VolumeHeader header;
   private final List<Path> files;
@@ -20,6 +20,7 @@ public final class StreamVolumeReader implements VolumeReader {
   private final NonSpatialAxis extra;
   private final ReadProgress progress;
 
+  /** Creates a reader; the first of the files names the volume in messages. */
   public StreamVolumeReader(
       VolumeHeader header,
       List<Path> files,

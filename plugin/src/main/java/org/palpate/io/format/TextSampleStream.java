@@ -7,7 +7,7 @@ import org.palpate.io.file.NumberParser;
 import org.palpate.io.volume.VoxelSlice;
 import org.palpate.io.volume.VoxelType;
 
-/** Samples written as words, from a stream that this owns. */
+/** Reads samples that are written as words of text from a stream, which it closes. */
 public final class TextSampleStream implements SampleStream {
   private static final int MAX_WORD = 64;
 
@@ -15,6 +15,7 @@ public final class TextSampleStream implements SampleStream {
   private final VoxelType type;
   private final char[] word = new char[MAX_WORD];
 
+  /** Creates a stream of samples without scaling. */
   public TextSampleStream(InputStream text, VoxelType type) {
     this.text = text;
     this.type = type;

@@ -1,7 +1,8 @@
 /**
- * What the format readers share: header lines, data files, sample streams, rescaling, grids and the
- * memory check.
+ * Shares between the format readers: header lines, data files, sample streams, rescaling, grids and
+ * the memory check.
  *
- * <p>Uses {@code io.volume} and {@code io.file}. One thread an instance. Millimetres and bytes.
+ * <p>Uses {@code io.volume} and {@code io.file}. An instance is for one thread. Millimetres and
+ * bytes.
  */
 package org.palpate.io.format;

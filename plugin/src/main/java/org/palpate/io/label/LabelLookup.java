@@ -6,8 +6,8 @@ import org.palpate.io.label.SegmentSpec.Labels;
 import org.palpate.io.volume.VoxelSlice;
 
 /**
- * Sends each voxel straight to the segment of its label, so that a hundred segments cost no more
- * than one. For rules that are all of labels, no label in two of them.
+ * Maps each label to its segment, so that a hundred segments cost no more than one. Works for rules
+ * that are lists of labels, with no label in two lists.
  */
 final class LabelLookup {
   private static final int MAX_LABELS = 1 << 16;
@@ -18,7 +18,7 @@ final class LabelLookup {
     this.layerOfLabel = layerOfLabel;
   }
 
-  /** A dispatch for the rules, where they allow one. */
+  /** Returns a lookup for the rules, if they allow one. */
   static Optional<LabelLookup> of(List<SegmentSpec> specs, List<SegmentAccumulator> layers) {
     SegmentAccumulator[] layerOfLabel = new SegmentAccumulator[MAX_LABELS];
     for (int n = 0; n < specs.size(); n++) {
@@ -35,7 +35,7 @@ final class LabelLookup {
     return Optional.of(new LabelLookup(layerOfLabel));
   }
 
-  /** Takes slice k. */
+  /** Adds slice k to the segments. */
   void addSlice(int k, VoxelSlice slice) {
     int[] values = slice.integers();
     for (int j = 0; j < slice.sizeY(); j++) {

@@ -19,15 +19,15 @@ import org.palpate.io.volume.LabelTable.Label;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * Finds the label table that lies beside a volume: of the same name, or the only one in the folder
- * whose first word is the volume's. Reads those of 3D Slicer ({@code .ctbl}) and FreeSurfer, which
- * are alike, and of ITK-SNAP, which quotes its names.
+ * Finds and reads the label table of a volume. The table has the same name as the volume, or is the
+ * only one in the folder with the same first word. Reads the tables of 3D Slicer ({@code .ctbl})
+ * and FreeSurfer, which have one form, and of ITK-SNAP, which quotes its names.
  */
 final class LabelTableReader {
   private static final List<String> ENDINGS = List.of(".ctbl", ".label", ".lut", ".txt");
   private static final int MAX_LABELS = 1 << 16;
 
-  // value name red green blue, perhaps alpha
+  // value name red green blue, optionally alpha
   private static final Pattern SLICER =
       Pattern.compile("(\\d{1,9})\\s+(\\S+)\\s+(\\d{1,3})\\s+(\\d{1,3})\\s+(\\d{1,3})(\\s+\\d+)?");
 
@@ -38,7 +38,7 @@ final class LabelTableReader {
 
   private LabelTableReader() {}
 
-  /** The table beside a volume, if there is one that is understood. */
+  /** Returns the table beside a volume, if there is one that is understood. */
   static Optional<LabelTable> beside(Path volume) throws VolumeFormatException {
     Path folder = volume.toAbsolutePath().getParent();
     String stem = stem(volume);
@@ -53,7 +53,7 @@ final class LabelTableReader {
         }
         if (firstWord(stem(entry)).equals(firstWord(stem))) {
           if (found != null) {
-            return Optional.empty(); // which of them is not for us to guess
+            return Optional.empty(); // ambiguous
           }
           found = entry;
         }
@@ -94,7 +94,7 @@ final class LabelTableReader {
     return labels.isEmpty() ? Optional.empty() : Optional.of(new LabelTable(labels));
   }
 
-  /** Takes a line that is a label's; others are comments or another kind of text. */
+  /** Parses a line; one that is no label is a comment or another kind of text. */
   private static void parseLine(String line, Map<Long, Label> labels) {
     Matcher slicer = SLICER.matcher(line);
     Matcher snap = SNAP.matcher(line);

@@ -8,13 +8,16 @@ import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeReader;
 
 /**
- * A volume with the label table that lies beside it.
+ * Adds the label table beside a file to a volume.
  *
  * @param volume the volume
  * @param header its header with the table
  */
 public record LabelledReader(VolumeReader volume, VolumeHeader header) implements VolumeReader {
-  /** The volume, with the table beside its file where it has no names of its own. */
+  /**
+   * Returns the volume with the table beside its file, or unchanged if it has names or no table is
+   * found.
+   */
   public static VolumeReader of(VolumeReader volume, Path file) throws VolumeFormatException {
     VolumeHeader header = volume.header();
     boolean named = header.labels().isPresent() && !header.labels().get().labels().isEmpty();

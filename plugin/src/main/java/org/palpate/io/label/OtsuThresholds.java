@@ -3,21 +3,21 @@ package org.palpate.io.label;
 import java.util.List;
 
 /**
- * The two thresholds that part a histogram into three classes of least variance.
+ * Computes the two thresholds that split a histogram into three classes of least variance.
  *
  * <p>Source: N. Otsu, "A threshold selection method from gray-level histograms", 1979, section IV.
  */
 final class OtsuThresholds {
-  /** Classes are sought among so many groups of neighbouring values. */
+  /** The number of groups of neighbouring values between which thresholds are sought. */
   private static final int GROUPS = 256;
 
   private OtsuThresholds() {}
 
   /**
-   * Finds them.
+   * Returns the thresholds.
    *
-   * @param histogram pairs of value and count, by rising value
-   * @return two rising values, each the least of its class; empty where there are fewer than three
+   * @param histogram pairs of value and count, ascending by value
+   * @return two ascending values, each the least of its class; empty if there are fewer than three
    *     values
    */
   static List<Double> of(List<double[]> histogram) {
@@ -50,14 +50,16 @@ final class OtsuThresholds {
     return List.of(groups[first][0], groups[second][0]);
   }
 
-  /** Of a class from group {@code from} to before {@code to}: its sum squared over its count. */
+  /**
+   * Returns the squared sum over the count of the groups from {@code from} to before {@code to}.
+   */
   private static double betweenVariance(double[] count, double[] sum, int from, int to) {
     double n = count[to] - count[from];
     double s = sum[to] - sum[from];
     return n > 0 ? s * s / n : 0;
   }
 
-  /** Least value, count and sum of values of at most {@link #GROUPS} equal ranges of values. */
+  /** Returns least value, count and sum for at most {@link #GROUPS} equal ranges of values. */
   private static double[][] group(List<double[]> histogram) {
     double low = histogram.get(0)[0];
     double high = histogram.get(histogram.size() - 1)[0];

@@ -6,15 +6,13 @@ import org.palpate.io.label.SegmentSpec.Range;
 import org.palpate.io.label.SegmentSpec.Rule;
 import org.palpate.io.volume.VoxelSlice;
 
-/** Says of each voxel of a row whether it is in a segment. */
+/** Classifies the voxels of a row as inside or outside a segment. */
 @FunctionalInterface
 interface RowClassifier {
-  /**
-   * Sets {@code inside[n]} to 1 or 0 for the voxels from {@code from} on, {@code count} of them.
-   */
+  /** Sets {@code inside[n]} to 1 or 0 for {@code count} voxels from index {@code from} on. */
   void test(VoxelSlice slice, int from, int count, byte[] inside);
 
-  /** The test for a rule over slices that hold whole numbers, or doubles. */
+  /** Returns the classifier of a rule for slices of integers or of doubles. */
   static RowClassifier of(Rule rule, boolean integer) {
     if (rule instanceof Range range) {
       return integer ? integerRange(range.low(), range.high()) : range(range.low(), range.high());

@@ -9,12 +9,12 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.VoxelGrid;
 
-/** One segment in the making, and the layer of its bricks that is being gathered. */
+/** Builds one segment: collects a layer of bricks and stores it when it is complete. */
 final class SegmentAccumulator {
   private static final VarHandle FOUR_BYTES =
       MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
 
-  /** Brings the low bits of four bytes together in bits 24 to 27. */
+  /** A factor that moves the low bits of four bytes together to bits 24 to 27. */
   private static final int GATHER = 1 << 24 | 1 << 17 | 1 << 10 | 1 << 3;
 
   private final Segment segment;
@@ -29,14 +29,15 @@ final class SegmentAccumulator {
     segment = new Segment(spec.name(), bits, rgb);
     test = RowClassifier.of(spec.rule(), integer);
     layer = new long[bits.bricksX() * bits.bricksY()];
-    inside = new byte[4 * bits.bricksX()]; // what lies beyond the row stays 0
+    inside = new byte[4 * bits.bricksX()]; // bytes beyond the row stay 0
   }
 
+  /** Returns the segment. */
   Segment segment() {
     return segment;
   }
 
-  /** Takes slice k by the segment's own rule. */
+  /** Adds slice k by the segment's own rule. */
   void addSlice(int k, VoxelSlice slice) {
     touched = true;
     for (int j = 0; j < slice.sizeY(); j++) {
@@ -52,14 +53,14 @@ final class SegmentAccumulator {
     }
   }
 
-  /** Marks one voxel of the layer solid. */
+  /** Marks one voxel of the layer as solid. */
   void mark(int i, int j, int k) {
     touched = true;
     layer[(j >> BitCube.BRICK_SHIFT) * bits.bricksX() + (i >> BitCube.BRICK_SHIFT)] |=
         1L << BitCube.bit(i, j, k);
   }
 
-  /** Stores the layer as bricks and begins the next. */
+  /** Stores the layer as bricks and clears it. */
   void storeBrickLayer(int brickZ) {
     if (!touched) {
       return;

@@ -13,8 +13,8 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Makes segments of a volume while it is read, in one pass and without keeping its values: a layer
- * of bricks, four slices high, is gathered and then stored brick by brick.
+ * Builds segments of a volume in one pass, without keeping its values. Four slices make a layer of
+ * bricks, which is then stored.
  */
 public final class SegmentBuilder implements SliceSink {
   private static final int[] PALETTE = {
@@ -27,9 +27,9 @@ public final class SegmentBuilder implements SliceSink {
   private final Optional<LabelLookup> dispatch;
 
   /**
-   * Segments by the given rules.
+   * Creates a builder of segments by rules.
    *
-   * @param integer whether slices will hold whole numbers, {@code header.values().whole()}
+   * @param integer whether the slices hold integers, {@code header.values().isInteger()}
    */
   public SegmentBuilder(VoxelGrid grid, List<SegmentSpec> specs, boolean integer) {
     this.grid = grid;
@@ -45,9 +45,9 @@ public final class SegmentBuilder implements SliceSink {
   }
 
   /**
-   * Reads a volume's segments.
+   * Reads the segments of a volume.
    *
-   * @throws VolumeFormatException where the volume cannot be read or its bits do not fit in memory
+   * @throws VolumeFormatException if the volume cannot be read or its bits do not fit in memory
    */
   public static SegmentedVolume read(VolumeReader reader, List<SegmentSpec> specs)
       throws VolumeFormatException {
@@ -59,7 +59,7 @@ public final class SegmentBuilder implements SliceSink {
     return builder.build();
   }
 
-  /** Bytes that so many segments of a grid take. */
+  /** Returns the number of bytes that segments of a grid take. */
   public static double bytesFor(VoxelGrid grid, int segments) {
     return segments * BitCube.bytesFor(grid.sizeX(), grid.sizeY(), grid.sizeZ());
   }
@@ -76,7 +76,7 @@ public final class SegmentBuilder implements SliceSink {
     }
   }
 
-  /** The segments, once every slice was taken. */
+  /** Returns the segments after the last slice. */
   public SegmentedVolume build() {
     return new SegmentedVolume(grid, layers.stream().map(SegmentAccumulator::segment).toList());
   }

@@ -5,25 +5,25 @@ import org.palpate.io.file.NumberParser;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * Which voxels make a segment: a name and a rule for values. NaN is in none.
+ * The specification of a segment: a name and a rule for voxel values. NaN is in no segment.
  *
- * @param name what the person calls it
- * @param rule how voxels are chosen
- * @param rgb colour for drawing, 0xRRGGBB, or {@link #ANY_COLOUR}
+ * @param name the name that the user gives
+ * @param rule selects voxels
+ * @param rgb colour, 0xRRGGBB, or {@link #ANY_COLOUR}
  */
 public record SegmentSpec(String name, Rule rule, int rgb) {
-  /** Whoever builds the segment chooses its colour. */
+  /** Leaves the choice of a colour to the builder of the segment. */
   public static final int ANY_COLOUR = -1;
 
   private static final String OPTION = "--segment ";
 
-  /** How voxels are chosen by their values. */
+  /** Selects voxels by their values. */
   public sealed interface Rule {
     /** Whether a voxel of this value is inside. */
     boolean selects(double value);
   }
 
-  /** Values from {@code low} to {@code high}, both inside. */
+  /** Selects values from {@code low} to {@code high}, both included. */
   public record Range(double low, double high) implements Rule {
     @Override
     public boolean selects(double value) {
@@ -31,7 +31,7 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
     }
   }
 
-  /** Values other than 0. */
+  /** Selects values other than 0. */
   public record Nonzero() implements Rule {
     @Override
     public boolean selects(double value) {
@@ -39,10 +39,11 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
     }
   }
 
-  /** Values that are one of some labels. */
+  /** Selects values that are in a list of labels. */
   public static final class Labels implements Rule {
     private final long[] sorted;
 
+    /** Creates the rule; copies the labels. */
     public Labels(long... labels) {
       sorted = labels.clone();
       Arrays.sort(sorted);
@@ -54,42 +55,42 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
       return label == value && Arrays.binarySearch(sorted, label) >= 0;
     }
 
-    /** A copy, in rising order. */
+    /** Returns a copy of the labels, ascending. */
     public long[] sorted() {
       return sorted.clone();
     }
   }
 
-  /** Values from {@code low} on. */
+  /** Returns a segment of the values from {@code low} on. */
   public static SegmentSpec atLeast(String name, double low) {
     return range(name, low, Double.POSITIVE_INFINITY);
   }
 
-  /** Values from {@code low} to {@code high}, both inside. */
+  /** Returns a segment of the values from {@code low} to {@code high}, both included. */
   public static SegmentSpec range(String name, double low, double high) {
     return new SegmentSpec(name, new Range(low, high), ANY_COLOUR);
   }
 
-  /** Values that are one of the labels. */
+  /** Returns a segment of the values in a list of labels. */
   public static SegmentSpec labels(String name, long... labels) {
     return new SegmentSpec(name, new Labels(labels), ANY_COLOUR);
   }
 
-  /** Values other than 0. */
+  /** Returns a segment of the values other than 0. */
   public static SegmentSpec nonzero(String name) {
     return new SegmentSpec(name, new Nonzero(), ANY_COLOUR);
   }
 
-  /** The same in a colour, 0xRRGGBB. */
+  /** Returns this specification with a colour, 0xRRGGBB. */
   public SegmentSpec withRgb(int colour) {
     return new SegmentSpec(name, rule, colour);
   }
 
   /**
-   * Reads {@code bone=>=1500}, {@code soft=300..900}, {@code jaw=label:7}, {@code
+   * Parses {@code bone=>=1500}, {@code soft=300..900}, {@code jaw=label:7}, {@code
    * jaws=label:7,8,12} or {@code all=nonzero}.
    *
-   * @throws VolumeFormatException where it says something else
+   * @throws VolumeFormatException if the text has another form
    */
   public static SegmentSpec parse(String text) throws VolumeFormatException {
     int equals = text.indexOf('=');

@@ -22,14 +22,14 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Segments read as if they were a label file: 0 is empty, 1 the first segment, and so on; where two
- * overlap the later one. For writing them; no one may edit them meanwhile.
+ * Reads segments as a label volume, so that they can be written: 0 is empty, 1 the first segment,
+ * and so on. If two overlap, the later one wins. Nobody may edit the segments meanwhile.
  */
 public final class SegmentsAsLabels implements VolumeReader {
   private final SegmentedVolume volume;
   private final VolumeHeader header;
 
-  /** A reader of segments whose world is as given. */
+  /** Creates a reader of segments in a coordinate system. */
   public SegmentsAsLabels(SegmentedVolume volume, CoordinateSystem coordinateSystem) {
     this.volume = volume;
     Map<Long, Label> labels = new TreeMap<>();

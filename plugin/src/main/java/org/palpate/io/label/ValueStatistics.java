@@ -11,16 +11,16 @@ import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VoxelSlice;
 
 /**
- * Looks at every value of a volume while it is read: the least and the largest, whether they are
- * labels or intensities, and which thresholds part them well. Keeps counts, never values.
+ * Surveys every value of a volume while it is read: the extremes, whether values are labels or
+ * intensities, and good thresholds. Keeps counts, no values.
  */
 public final class ValueStatistics implements SliceSink {
-  /** More different values than this are no labels. */
+  /** The most distinct values that labels can have. */
   public static final int MAX_LABELS = 1024;
 
   /**
-   * Of the voxels of a label, the share that is followed along x by one of the same: labels fill
-   * regions, intensities vary inside them. Held by the label in the middle of all.
+   * The least fraction of a label's voxels that the same label follows along x. Labels fill
+   * regions, while intensities vary inside them. The label with the median fraction must reach it.
    */
   private static final double MIN_FLAT_FRACTION = 0.4;
 
@@ -38,7 +38,7 @@ public final class ValueStatistics implements SliceSink {
   private double high = Double.NEGATIVE_INFINITY;
   private long notFinite;
 
-  /** How often a value came, and how often its like followed it along x. */
+  /** Counts the voxels of a value, and those whose successor along x has the same value. */
   private static final class Count {
     long voxels;
     long followed;
@@ -48,7 +48,7 @@ public final class ValueStatistics implements SliceSink {
     }
   }
 
-  /** A survey of a volume with this header. */
+  /** Creates a survey of the volume with this header. */
   public ValueStatistics(VolumeHeader header) {
     VolumeHeader.ValueRange range = header.values();
     table = header.labels();
@@ -83,7 +83,7 @@ public final class ValueStatistics implements SliceSink {
   private void countRow(VoxelSlice slice, int from) {
     double before = Double.NaN;
     for (int n = from; n < from + slice.sizeX(); n++) {
-      double value = slice.value(n) + 0.0; // -0.0 is 0
+      double value = slice.value(n) + 0.0; // turns -0.0 into 0
       if (Double.isFinite(value)) {
         bins[bin(value)]++;
         count(value, value == before);
@@ -108,7 +108,8 @@ public final class ValueStatistics implements SliceSink {
   }
 
   /**
-   * A bin for each of 65,536 ranges of doubles, in their order: sign, exponent, top of mantissa.
+   * Returns one of 65,536 bins, which preserve the order of doubles: sign, exponent and top of the
+   * mantissa.
    */
   private static int bin(double value) {
     int bits = Float.floatToRawIntBits((float) value) >>> 16;
@@ -120,7 +121,7 @@ public final class ValueStatistics implements SliceSink {
     return Float.intBitsToFloat(bits << 16);
   }
 
-  /** What was found, once every slice was taken. */
+  /** Returns the result after the last slice. */
   public Summary summary() {
     if (exact) {
       collectExact();
@@ -154,13 +155,13 @@ public final class ValueStatistics implements SliceSink {
         .filter(value -> value != 0)
         .forEach(value -> labels.add(value.longValue()));
     if (counts.size() <= 2 && !isNamed(labels)) {
-      // a mask without 0 has its lower value as background
+      // the background of a mask without 0 is its lower value
       return labels.subList(labels.size() == 2 ? 1 : 0, labels.size());
     }
     return isTableOf(labels) || (low >= 0 && isFlat()) ? labels : List.of();
   }
 
-  /** Whether the table has every label; one without names says that all values are labels. */
+  /** Whether the table names every label; a table without names declares all values labels. */
   private boolean isTableOf(List<Long> labels) {
     return table.isPresent() && (table.get().labels().isEmpty() || isNamed(labels));
   }
@@ -194,13 +195,13 @@ public final class ValueStatistics implements SliceSink {
   }
 
   /**
-   * What a survey found.
+   * The result of a survey.
    *
-   * @param low the least finite value; infinity where there is none
+   * @param low the least finite value; infinity if there is none
    * @param high the largest finite value
    * @param notFinite how many values are NaN or infinite
    * @param labels the labels of a mask or a label volume, without background; empty for intensities
-   * @param thresholds two values that part intensities well, rising; empty where there are fewer
+   * @param thresholds two values that separate intensities, ascending; empty if there are fewer
    *     than three values
    */
   public record Summary(

@@ -14,25 +14,26 @@ import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * The text of a MetaImage header, not yet understood.
+ * The fields of a MetaImage header as text.
  *
  * <p>Source: MetaIO documentation, itk.org/Wiki/MetaIO/Documentation.
  *
- * @param file where it stands
+ * @param file its path
  * @param fields values by key, keys as written
  * @param dataList file names that follow {@code ElementDataFile = LIST}
- * @param dataOffset where the data begin, were they LOCAL
+ * @param dataOffset offset of LOCAL data
  */
 record MetaImageHeader(
     Path file, Map<String, String> fields, List<String> dataList, long dataOffset) {
   private static final String LAST_KEY = "ElementDataFile";
 
-  /** Whether bytes at the start of a file are such a header's. */
+  /** Returns whether a file with these first bytes is a MetaImage file. */
   static boolean isMetaImage(byte[] start) {
     String text = new String(start, StandardCharsets.ISO_8859_1);
     return text.matches("(?s)\\s*(ObjectType|NDims|Comment)\\s*=.*");
   }
 
+  /** Reads the header at the start of a file. */
   static MetaImageHeader read(Path file) throws VolumeFormatException {
     Map<String, String> fields = new HashMap<>();
     List<String> list = new ArrayList<>();
@@ -72,6 +73,11 @@ record MetaImageHeader(
     fields.put(line.substring(0, equals).strip(), line.substring(equals + 1).strip());
   }
 
+  /**
+   * Returns the value of a key.
+   *
+   * @throws VolumeFormatException if it is absent
+   */
   String required(String key) throws VolumeFormatException {
     String value = fields.get(key);
     if (value == null) {
@@ -80,7 +86,7 @@ record MetaImageHeader(
     return value;
   }
 
-  /** The value of the first key that is there, or the fallback. */
+  /** Returns the value of the first key that is present, or the fallback. */
   String first(String fallback, String... keys) {
     for (String key : keys) {
       if (fields.containsKey(key)) {
@@ -90,12 +96,13 @@ record MetaImageHeader(
     return fallback;
   }
 
-  /** Whether a key says True; False where it is absent. */
+  /** Whether the first key that is present says True; false if all are absent. */
   boolean isTrue(String... keys) {
     String value = first("False", keys).toLowerCase(Locale.ROOT);
     return value.startsWith("t") || value.startsWith("y") || value.equals("1");
   }
 
+  /** Returns an exception that names the header. */
   VolumeFormatException refusal(String what) {
     return new VolumeFormatException(
         what, file, "correct the header, or write the file anew with the tool it came from");

@@ -29,10 +29,10 @@ import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Reads MetaImage: {@code .mha}, or {@code .mhd} with its data beside it.
+ * Reads MetaImage: {@code .mha}, or {@code .mhd} with its data in other files. World coordinates
+ * are LPS, as in ITK.
  *
- * <p>Source: MetaIO documentation, itk.org/Wiki/MetaIO/Documentation. World coordinates are LPS, as
- * in the toolkit that defines the format.
+ * <p>Source: MetaIO documentation, itk.org/Wiki/MetaIO/Documentation.
  */
 public final class MetaImageReader {
   private final MetaImageHeader header;
@@ -51,6 +51,12 @@ public final class MetaImageReader {
     return InputFiles.hasEnding(file, ".mha", ".mhd") || MetaImageHeader.isMetaImage(start);
   }
 
+  /**
+   * Opens a file.
+   *
+   * @throws VolumeFormatException if the file is damaged, cannot be decoded, or needs another
+   *     option
+   */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     return new MetaImageReader(MetaImageHeader.read(file), options).open();
   }
@@ -214,7 +220,7 @@ public final class MetaImageReader {
     return data;
   }
 
-  /** Every value takes a digit and, but for the last, a gap. */
+  /** Refuses text that is too short: each value takes a digit and, except the last, a separator. */
   private void requireText(List<Path> files, long samples) throws VolumeFormatException {
     long length = 0;
     for (Path file : files) {

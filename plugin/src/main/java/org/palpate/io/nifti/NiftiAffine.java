@@ -6,19 +6,20 @@ import org.palpate.io.format.Grids;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * Where a NIfTI's voxels lie: by its affine matrix (sform), else by its quaternion (qform), else
- * along the axes with voxel 0 at the origin.
+ * The position of a NIfTI's voxels: from its affine matrix (sform), else from its quaternion
+ * (qform), else along the stored axes with voxel 0 at the origin.
  *
  * <p>Source: nifti1.h, "3D image (volume) orientation and location in space".
  *
- * @param stepsMm from a voxel to the next along each axis
+ * @param stepsMm steps to the next voxel along each axis
  * @param firstCentreMm the centre of voxel 0
  * @param isKnown whether the axes are those of the patient, RAS
  */
 record NiftiAffine(List<Vec3> stepsMm, Vec3 firstCentreMm, boolean isKnown) {
-  /** How far above 1 the quaternion's parts may come out by single precision. */
+  /** How far the squared quaternion may exceed 1 because of single precision. */
   private static final double QUATERNION_TOLERANCE = 3 * 0x1p-23;
 
+  /** Returns the position that a header gives, and notes if it gives none. */
   static NiftiAffine of(NiftiHeader header, List<String> notes) throws VolumeFormatException {
     double mm = mmPerUnit(header);
     if (header.sformCode() > 0) {

@@ -12,7 +12,7 @@ import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * The bytes of a NIfTI header, by name.
+ * The fields of a NIfTI header, by their offsets in bytes.
  *
  * <pre>
  *              NIfTI-1        NIfTI-2
@@ -48,7 +48,7 @@ final class NiftiHeader {
     this.pair = pair;
   }
 
-  /** Whether bytes at the start of a file, decompressed, are such a header's. */
+  /** Returns whether a file with these first bytes, decompressed, is a NIfTI file. */
   static boolean isNifti(byte[] start) {
     if (start.length < LENGTH_1) {
       return false;
@@ -58,6 +58,7 @@ final class NiftiHeader {
     return magic.equals("n+1") || magic.equals("ni1") || magic.equals("n+2") || magic.equals("ni2");
   }
 
+  /** Reads a header. */
   static NiftiHeader read(Path file) throws VolumeFormatException {
     byte[] start = firstBytes(file);
     if (start.length < LENGTH_1) {
@@ -77,7 +78,7 @@ final class NiftiHeader {
     return new NiftiHeader(file, bytes, second, magic.charAt(1) == 'i');
   }
 
-  /** The first bytes of the file, decompressed where it is gzip. */
+  /** Returns the first bytes of a file, decompressed if it is gzip. */
   static byte[] firstBytes(Path file) throws VolumeFormatException {
     byte[] two = InputFiles.firstBytes(file, 2);
     if (!BinaryData.isGzip(two)) {
@@ -102,78 +103,92 @@ final class NiftiHeader {
     return new String(start, second ? 4 : 344, 3, StandardCharsets.ISO_8859_1);
   }
 
+  /** Returns the path of the header. */
   Path file() {
     return file;
   }
 
+  /** Returns the byte order of the file. */
   ByteOrder order() {
     return bytes.order();
   }
 
+  /** Whether the data are in a second file. */
   boolean isPair() {
     return pair;
   }
 
+  /** Returns the length of the header in bytes. */
   int length() {
     return second ? LENGTH_2 : LENGTH_1;
   }
 
+  /** Returns the name of the format, NIfTI-1 or NIfTI-2. */
   String formatName() {
     return second ? "NIfTI-2" : "NIfTI-1";
   }
 
+  /** Returns the number of axes for n = 0, else the size along axis n. */
   long dim(int n) {
     return second ? bytes.getLong(16 + 8 * n) : bytes.getShort(40 + 2 * n);
   }
 
+  /** Returns the code of the voxel type. */
   int datatype() {
     return bytes.getShort(second ? 12 : 70);
   }
 
+  /** Returns the handedness for n = 0, else the spacing along axis n. */
   double pixdim(int n) {
     return real(76, 104, n);
   }
 
+  /** Returns the offset of the data in bytes, which may be no integer in NIfTI-1. */
   double voxOffset() {
     return second ? bytes.getLong(168) : bytes.getFloat(108);
   }
 
+  /** Returns the slope, 0 for no scaling. */
   double slope() {
     return real(112, 176, 0);
   }
 
+  /** Returns the intercept. */
   double intercept() {
     return real(112, 176, 1);
   }
 
-  /** Whether the file says itself that its values are labels. */
+  /** Whether the file declares that its values are labels. */
   boolean isLabels() {
     return (second ? bytes.getInt(504) : bytes.getShort(68)) == 1002;
   }
 
-  /** The code of the unit of length: 1 metre, 2 mm, 3 micrometre, 0 unknown. */
+  /** Returns the unit of length: 1 metre, 2 millimetre, 3 micrometre, 0 unknown. */
   int lengthUnit() {
     return (second ? bytes.getInt(500) : bytes.get(123)) & 7;
   }
 
+  /** Returns the code of the quaternion's coordinate system, 0 for none. */
   int qformCode() {
     return second ? bytes.getInt(344) : bytes.getShort(252);
   }
 
+  /** Returns the code of the matrix's coordinate system, 0 for none. */
   int sformCode() {
     return second ? bytes.getInt(348) : bytes.getShort(254);
   }
 
-  /** Quaternion b, c, d and offset x, y, z. */
+  /** Returns quaternion b, c, d for n = 0 to 2 and offset x, y, z for n = 3 to 5. */
   double quatern(int n) {
     return real(256, 352, n);
   }
 
-  /** Row and column of the affine matrix. */
+  /** Returns an element of the affine matrix. */
   double srow(int row, int column) {
     return real(280, 400, 4 * row + column);
   }
 
+  /** Returns an exception that names the header. */
   VolumeFormatException refusal(String what) {
     return new VolumeFormatException(what, file, "write the file anew with the tool it came from");
   }

@@ -11,8 +11,8 @@ import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Writes the header of a NIfTI in one file: NIfTI-1 where its single precision holds the place
- * exactly and its sizes fit, else NIfTI-2. The world becomes RAS.
+ * Writes the header of a single-file NIfTI with RAS coordinates. The header is NIfTI-1 if its
+ * single precision holds the position exactly and the sizes fit, else NIfTI-2.
  */
 public final class NiftiHeaderWriter {
   private static final int LABEL_INTENT = 1002;
@@ -22,6 +22,7 @@ public final class NiftiHeaderWriter {
 
   private NiftiHeaderWriter() {}
 
+  /** Returns the bytes of the header, up to the data. */
   public static byte[] of(VolumeHeader header, VoxelType type) {
     double[] affine = affine(header);
     return fitsFirst(header.grid(), affine)
@@ -40,7 +41,7 @@ public final class NiftiHeaderWriter {
     return exact && Math.max(grid.sizeX(), Math.max(grid.sizeY(), grid.sizeZ())) <= Short.MAX_VALUE;
   }
 
-  /** Rows of the matrix from voxel numbers to RAS. */
+  /** Returns the rows of the matrix from voxel indices to RAS. */
   private static double[] affine(VolumeHeader header) {
     VoxelGrid grid = header.grid();
     Vec3 centre = grid.gridToWorld(new Vec3(0.5, 0.5, 0.5), new Vec3());

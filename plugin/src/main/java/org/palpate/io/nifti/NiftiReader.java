@@ -25,9 +25,9 @@ import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Reads NIfTI-1 and 2, in one file or as a pair, plain or gzip.
+ * Reads NIfTI-1 and NIfTI-2, in one file or as a pair, plain or gzip. World coordinates are RAS.
  *
- * <p>Source: nifti1.h and nifti2.h, nifti.nimh.nih.gov. World coordinates are the file's, RAS.
+ * <p>Source: nifti1.h and nifti2.h, nifti.nimh.nih.gov.
  */
 public final class NiftiReader {
   private static final String[] ENDINGS = {".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz"};
@@ -40,6 +40,12 @@ public final class NiftiReader {
         || NiftiHeader.isNifti(BinaryData.isGzip(start) ? NiftiHeader.firstBytes(file) : start);
   }
 
+  /**
+   * Opens a file, or the pair to which it belongs.
+   *
+   * @throws VolumeFormatException if the file is damaged, cannot be decoded, or needs another
+   *     option
+   */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     Path headerFile = pairedFile(file, ".img", ".hdr");
     NiftiHeader header = NiftiHeader.read(headerFile);
@@ -76,7 +82,8 @@ public final class NiftiReader {
   }
 
   /**
-   * The file beside it with the other ending, plain or gzip, where it has the first; else itself.
+   * Returns the file beside it with the other ending, plain or gzip; the file itself if it does not
+   * have the first ending.
    */
   private static Path pairedFile(Path file, String from, String to) throws VolumeFormatException {
     String name = file.getFileName().toString();

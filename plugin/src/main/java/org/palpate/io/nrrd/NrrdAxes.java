@@ -17,13 +17,13 @@ import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * What the axes of a NRRD mean.
+ * The meaning of the axes of a NRRD.
  *
- * @param grid the three of space
- * @param extra one that is not of space
+ * @param grid the three spatial axes
+ * @param extra the non-spatial axis
  * @param coordinateSystem directions of the world axes in the patient
  * @param sampleCount samples over all axes
- * @param notes what had to be assumed
+ * @param notes assumptions that the user should know
  */
 record NrrdAxes(
     VoxelGrid grid,
@@ -36,17 +36,18 @@ record NrrdAxes(
   private static final Pattern VECTOR = Pattern.compile("\\(([^()]*)\\)|(none)");
   private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
 
+  /** Interprets the axes of a header. */
   static NrrdAxes of(NrrdHeader header, ReadOptions options) throws VolumeFormatException {
     return new Reading(header, options).read();
   }
 
-  /** The state of reading one header. */
+  /** Holds the state while one header is interpreted. */
   private static final class Reading {
     private final NrrdHeader header;
     private final ReadOptions options;
     private final List<String> notes = new ArrayList<>();
     private int[] sizes;
-    private Vec3[] directions; // null where not of space, or where the header has none
+    private Vec3[] directions; // null for a non-spatial axis, or if the header has none
 
     Reading(NrrdHeader header, ReadOptions options) {
       this.header = header;
@@ -86,7 +87,7 @@ record NrrdAxes(
 
     private long sampleCount() throws VolumeFormatException {
       try {
-        long count = 8; // so that the bytes of the largest type can be counted, too
+        long count = 8; // the bytes of the largest type must be countable too
         for (int size : sizes) {
           count = Math.multiplyExact(count, (long) size);
         }
@@ -156,7 +157,7 @@ record NrrdAxes(
             throw header.refusal("it has more than one axis that is not of space");
           }
           int position = (int) space.stream().filter(other -> other < here).count();
-          // with two axes of space the third is there in thought, one voxel thick, at the end
+          // two spatial axes are followed by an implied third one of one voxel
           int place = position == space.size() ? 3 : position;
           extra = new NonSpatialAxis(place, sizes[axis], 0);
         }
@@ -185,13 +186,16 @@ record NrrdAxes(
       return Grids.of(three, steps, centre, header.file());
     }
 
-    /** At right angles to both, as long as the first. */
+    /** Returns a step perpendicular to two others, as long as the first. */
     private Vec3 thickness(Vec3 a, Vec3 b) {
       Vec3 normal = new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
       return normal.mul(a.length() / normal.length(), normal);
     }
 
-    /** The step along an axis of space, the n-th; may set where along it voxel 0 lies. */
+    /**
+     * Returns the step along the n-th spatial axis, and sets in {@code centre} where voxel 0 is
+     * along it.
+     */
     private Vec3 step(int n, int axis, Vec3 centre) throws VolumeFormatException {
       if (directions != null) {
         return directions[axis];
@@ -229,7 +233,7 @@ record NrrdAxes(
       return axis < words.length ? NumberParser.number(words[axis]) : Double.NaN;
     }
 
-    /** From the units of the header to mm. */
+    /** Converts steps and centre from the header's unit to millimetres. */
     private void scale(Vec3[] steps, Vec3 centre, int firstAxis) throws VolumeFormatException {
       boolean ofSpace = header.field("space units").isPresent();
       Matcher matcher =

@@ -21,16 +21,16 @@ import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VoxelType;
 
 /**
- * Where the samples of a NRRD are, and how they are written.
+ * The position and encoding of a NRRD's samples.
  *
  * @param header the header
  * @param type the type of a sample
- * @param order the order of a sample's bytes
- * @param encoding how the bytes are written
+ * @param order the byte order of a sample
+ * @param encoding the encoding of the bytes
  * @param lineSkip lines before the data of each file
- * @param byteSkip bytes after those, -1 where the data are the last bytes
- * @param bytesPerFile bytes that each file holds, decoded
- * @param files the files, the header's own where the data are attached
+ * @param byteSkip bytes after those lines, -1 if the data are the last bytes
+ * @param bytesPerFile decoded bytes in each file
+ * @param files the data files; the header's own if the data are attached
  */
 record NrrdData(
     NrrdHeader header,
@@ -43,15 +43,15 @@ record NrrdData(
     List<Path> files)
     implements SampleStream.Opener {
 
-  /** How much a header before data found from their end may measure. */
+  /** The most bytes before data that are found from the end of a file. */
   private static final long MAX_BYTES_BEFORE_DATA = 1 << 24;
 
-  /** How bytes are written, and the most that one byte of it can become. */
+  /** The encodings, each with the most bytes that one encoded byte can become. */
   enum Encoding {
     RAW("raw", 1),
     TEXT("text", 4.1), // "1 " is a float
     HEX("hexadecimal", 0.51),
-    GZIP("gzip", 1032), // deflate cannot do better
+    GZIP("gzip", 1032), // the limit of deflate
     BZIP2("bzip2", 2e6);
 
     private final String description;
@@ -62,11 +62,17 @@ record NrrdData(
       this.maxExpansion = maxExpansion;
     }
 
+    /** Returns the encoding in words. */
     String description() {
       return description;
     }
   }
 
+  /**
+   * Locates the data of a header, and checks that the files are long enough.
+   *
+   * @throws VolumeFormatException if a file is missing or too short
+   */
   static NrrdData of(NrrdHeader header, VoxelType type, long samples) throws VolumeFormatException {
     Encoding encoding = encoding(header);
     List<Path> files = NrrdDataFiles.of(header);
@@ -91,6 +97,7 @@ record NrrdData(
     return data;
   }
 
+  /** Whether the data follow the header in the same file. */
   boolean isAttached() {
     return header.field("data file").isEmpty();
   }
@@ -138,7 +145,7 @@ record NrrdData(
     return in;
   }
 
-  /** How many bytes lie before the last ones, by counting where they are compressed. */
+  /** Returns the number of bytes before the last ones; counts them if they are compressed. */
   private long bytesBeforeLast(Path file) throws IOException {
     if (encoding == Encoding.RAW) {
       return InputFiles.length(file) - (isAttached() ? header.dataOffset() : 0) - bytesPerFile;
@@ -158,7 +165,7 @@ record NrrdData(
     }
   }
 
-  /** Refuses a file that cannot hold its bytes however well they are compressed. */
+  /** Refuses a file that is too short for its data, however well these are compressed. */
   private void requireFileLength(Path file) throws VolumeFormatException {
     long length = InputFiles.length(file) - (isAttached() ? header.dataOffset() : 0);
     double most = Math.max(0, length) * encoding.maxExpansion;
@@ -177,7 +184,10 @@ record NrrdData(
     }
   }
 
-  /** Bzip2 has no useful bound: where a file promises much, its bytes are counted first. */
+  /**
+   * Counts the bytes of a bzip2 file that promises much, because its compression has no useful
+   * bound.
+   */
   private void requireBzip2Length(Path file) throws VolumeFormatException {
     double plausible = (double) InputFiles.length(file) * BinaryData.MAX_DEFLATE_RATIO;
     if (encoding != Encoding.BZIP2 || bytesPerFile <= plausible) {
@@ -229,7 +239,7 @@ record NrrdData(
         return value;
       }
     } catch (NumberFormatException e) {
-      // told below, like a number that is too low
+      // refused below, like a number that is too low
     }
     throw header.refusal("its '" + field + "' is '" + text + "'");
   }

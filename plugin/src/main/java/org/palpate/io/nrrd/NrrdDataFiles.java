@@ -12,7 +12,7 @@ import org.palpate.io.volume.VolumeFormatException;
 final class NrrdDataFiles {
   private NrrdDataFiles() {}
 
-  /** The files in order; the header's own where the data are attached. */
+  /** Returns the files in order; the header's own if the data are attached. */
   static List<Path> of(NrrdHeader header) throws VolumeFormatException {
     if (header.field("data file").isEmpty()) {
       return List.of(header.file());
@@ -31,7 +31,7 @@ final class NrrdDataFiles {
     return files;
   }
 
-  /** A data file must not be a header that names data in its turn. */
+  /** Refuses a data file that is a header itself. */
   private static void requireData(NrrdHeader header, List<Path> files)
       throws VolumeFormatException {
     for (Path file : files) {

@@ -15,15 +15,15 @@ import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * The text of a NRRD header, not yet understood.
+ * The fields of a NRRD header as text.
  *
  * <p>Source: Definition of NRRD File Format, teem.sourceforge.net/nrrd/format.html.
  *
- * @param file where it stands
+ * @param file its path
  * @param fields values by field name, in lower case and with single spaces
- * @param keyValues pairs that the format gives no meaning
+ * @param keyValues pairs to which the format gives no meaning
  * @param dataList file names that follow {@code data file: LIST}
- * @param dataOffset where the data begin, were they attached
+ * @param dataOffset offset of attached data
  */
 record NrrdHeader(
     Path file,
@@ -74,29 +74,33 @@ record NrrdHeader(
     }
   }
 
-  /** The value of a field. */
+  /** Returns the value of a field. */
   Optional<String> field(String name) {
     return Optional.ofNullable(fields.get(name));
   }
 
-  /** The value of a field that must be there. */
+  /**
+   * Returns the value of a field.
+   *
+   * @throws VolumeFormatException if it is absent
+   */
   String required(String name) throws VolumeFormatException {
     return field(name).orElseThrow(() -> refusal("its header has no '" + name + "'"));
   }
 
-  /** The words of a field, separated by white space; none where it is absent. */
+  /** Returns the words of a field, separated by white space; none if it is absent. */
   String[] words(String name) {
     String value = fields.getOrDefault(name, "").strip();
     return value.isEmpty() ? new String[0] : value.split("\\s+");
   }
 
-  /** Says what is wrong with this header. */
+  /** Returns an exception that names the header. */
   VolumeFormatException refusal(String what) {
     return new VolumeFormatException(
         what, file, "correct the header, or write the file anew with the tool it came from");
   }
 
-  /** Takes a line; true where file names follow it. */
+  /** Parses a line, and returns whether file names follow it. */
   private boolean parseLine(String line) throws VolumeFormatException {
     if (line.startsWith("#")) {
       return false;

@@ -13,10 +13,11 @@ import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
 
-/** Writes the header of a NRRD with its data attached, gzip; labels as 3D Slicer names them. */
+/** Writes the header of a NRRD with gzip data attached, and labels as 3D Slicer names them. */
 public final class NrrdHeaderWriter {
   private NrrdHeaderWriter() {}
 
+  /** Returns the bytes of the header, with the empty line that ends it. */
   public static byte[] of(VolumeHeader header, VoxelType type) {
     VoxelGrid grid = header.grid();
     StringBuilder text = new StringBuilder("NRRD0005\n");

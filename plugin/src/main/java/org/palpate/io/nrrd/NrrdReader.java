@@ -12,7 +12,7 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
 
 /**
- * Reads NRRD: what the header says of types and axes, put together with where the data are.
+ * Reads NRRD, attached or detached.
  *
  * <p>Source: Definition of NRRD File Format, teem.sourceforge.net/nrrd/format.html.
  */
@@ -24,6 +24,12 @@ public final class NrrdReader {
     return NrrdHeader.isNrrd(start);
   }
 
+  /**
+   * Opens a file.
+   *
+   * @throws VolumeFormatException if the file is damaged, cannot be decoded, or needs another
+   *     option
+   */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     NrrdHeader header = NrrdHeader.read(file);
     VoxelType type = type(header);

@@ -7,13 +7,15 @@ import org.palpate.io.file.NumberParser;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.LabelTable.Label;
 
-/** The segments that 3D Slicer describes in the key/value pairs of a {@code .seg.nrrd}. */
+/** Parses the segments that 3D Slicer describes in the key/value pairs of a {@code .seg.nrrd}. */
 final class SlicerLabels {
   private static final int MAX_SEGMENTS = 100_000;
 
   private SlicerLabels() {}
 
-  /** The table, where the header has one; a segment that is not understood is left out. */
+  /**
+   * Returns the label table, if the header has one; segments that are not understood are left out.
+   */
   static Optional<LabelTable> of(NrrdHeader header) {
     Map<Long, Label> labels = new TreeMap<>();
     Map<String, String> pairs = header.keyValues();
@@ -28,7 +30,7 @@ final class SlicerLabels {
     return labels.isEmpty() ? Optional.empty() : Optional.of(new LabelTable(labels));
   }
 
-  /** Three numbers from 0 to 1, white where they are not that. */
+  /** Parses three numbers from 0 to 1; white if they are not that. */
   private static int rgb(String color) {
     String[] words = color.strip().split("\\s+", -1);
     int rgb = 0;

@@ -22,10 +22,15 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
 
-/** Reads a raw file, whose layout a person gives. */
+/** Reads a raw file, or a folder of raw slices, with a layout that the user gives. */
 public final class RawReader {
   private RawReader() {}
 
+  /**
+   * Opens a file or folder.
+   *
+   * @throws VolumeFormatException if its length is not that of the layout
+   */
   public static VolumeReader open(Path file, RawLayout layout, ReadOptions options)
       throws VolumeFormatException {
     ReadOptionChecks.chosenStep(1, options, file, new ArrayList<>());

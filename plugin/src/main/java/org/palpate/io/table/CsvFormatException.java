@@ -3,7 +3,9 @@ package org.palpate.io.table;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** A table that cannot be read. The message is one line, {@code WHAT: WHERE: what to do}. */
+/**
+ * Reports a table that cannot be read. The message is one line, {@code WHAT: WHERE: what to do}.
+ */
 public final class CsvFormatException extends IOException {
   private static final long serialVersionUID = 1L;
 

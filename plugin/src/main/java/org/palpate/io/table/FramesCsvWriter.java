@@ -4,7 +4,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import org.palpate.geometry.Vec3;
 
-/** A table with a row a frame: device, interaction point, force, contact, path. One thread. */
+/**
+ * Writes a table with a row for each frame: device, interaction point, force, contact and path. For
+ * one thread.
+ */
 public final class FramesCsvWriter {
   private static final String HEADER = "frame,t_ms,dx,dy,dz,px,py,pz,fx,fy,fz,contact,path";
 
@@ -19,9 +22,10 @@ public final class FramesCsvWriter {
    * Adds a row.
    *
    * @param frame from 0
-   * @param device and {@code point} in the trajectory's coordinates
-   * @param forceNewton on the hand, along the same axes
-   * @param pathMm travelled in this frame
+   * @param device the device position in the trajectory's coordinates
+   * @param point the interaction point in the trajectory's coordinates
+   * @param forceNewton the force on the hand, along the same axes
+   * @param pathMm path of the interaction point in this frame
    */
   public void add(
       long frame,

@@ -5,7 +5,7 @@ import org.palpate.geometry.Vec3;
 /**
  * A named point on a scan.
  *
- * @param name as the user gave it
- * @param worldMm where it is, world mm
+ * @param name the name that the user gives
+ * @param worldMm its position, world mm
  */
 public record Landmark(String name, Vec3 worldMm) {}

@@ -10,24 +10,24 @@ import java.util.List;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
 
-/** Writes landmarks: as a table, and as the markups file that 3D Slicer opens. Any one thread. */
+/** Writes landmarks as a table and as a markups file for 3D Slicer. For one thread. */
 public final class LandmarkFiles {
   private LandmarkFiles() {}
 
   /**
    * Writes {@code name,x,y,z} with coordinates in world mm.
    *
-   * @throws IOException where the file cannot be written; the target is then as it was
+   * @throws IOException if the file cannot be written; the target is then unchanged
    */
   public static void writeCsv(Path target, List<Landmark> landmarks) throws IOException {
     write(target, landmarks, "name,x,y,z\n", LandmarkFiles::csvRow);
   }
 
   /**
-   * Writes 3D Slicer's fiducial format, version 4.11, in the LPS frame: x to the left, y to the
-   * back, z to the head, as DICOM has it and as world coordinates are where the scan gives them.
+   * Writes 3D Slicer's fiducial format, version 4.11, with LPS coordinates as in DICOM: x to the
+   * left, y to the back, z to the head. The world coordinates are taken to be LPS.
    *
-   * @throws IOException where the file cannot be written; the target is then as it was
+   * @throws IOException if the file cannot be written; the target is then unchanged
    */
   public static void writeFcsv(Path target, List<Landmark> landmarks) throws IOException {
     String head =
@@ -79,7 +79,7 @@ public final class LandmarkFiles {
         + NumberText.text(landmark.worldMm().z);
   }
 
-  /** As RFC 4180 quotes: only where a comma, a quote or a line end would break the row. */
+  /** Quotes a cell as RFC 4180 does, only if a comma, a quote or a line end would break the row. */
   private static String quoted(String text) {
     boolean plain = text.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
     return plain ? text : "\"" + text.replace("\"", "\"\"") + "\"";

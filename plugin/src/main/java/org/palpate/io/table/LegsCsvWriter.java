@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.io.OutputStream;
 import org.palpate.geometry.Vec3;
 
-/** A table with a row a leg that the interaction point travelled, in order. One thread. */
+/** Writes a table with a row for each leg of the interaction point, in order. For one thread. */
 public final class LegsCsvWriter {
-  /** The leg's number where the point was set free: a new chain begins. */
+  /** The number of a leg at which the interaction point is set free and a new chain begins. */
   private static final int RELEASED = -1;
 
   private static final String HEADER = "frame,leg,x0,y0,z0,x1,y1,z1";
@@ -18,15 +18,15 @@ public final class LegsCsvWriter {
     rows = new CsvWriter(stream, HEADER);
   }
 
-  /** Adds a leg of a frame, both from 0, in grid coordinates. */
+  /** Adds a leg of a frame, both counted from 0, in grid coordinates. */
   public void add(
       long frame, int leg, double x0, double y0, double z0, double x1, double y1, double z1)
       throws IOException {
     rows.cell(frame).cell(leg).cell(x0).cell(y0).cell(z0).cell(x1).cell(y1).cell(z1).end();
   }
 
-  /** Adds that the point was set free at {@code place}, grid coordinates. */
-  public void addRelease(long frame, Vec3 place) throws IOException {
-    add(frame, RELEASED, place.x, place.y, place.z, place.x, place.y, place.z);
+  /** Adds a release of the interaction point at {@code position}, in grid coordinates. */
+  public void addRelease(long frame, Vec3 position) throws IOException {
+    add(frame, RELEASED, position.x, position.y, position.z, position.x, position.y, position.z);
   }
 }

@@ -12,8 +12,8 @@ import java.util.Map;
 import org.palpate.io.file.NumberText;
 
 /**
- * Reports as JSON: UTF-8, two spaces of indent, line feeds, doubles as {@link NumberText} writes
- * them. A number that is not finite becomes null, for JSON has none.
+ * Writes reports as JSON: UTF-8, indented by two spaces, line feeds, doubles as {@link NumberText}
+ * writes them. A number that is not finite becomes null because JSON has no other.
  */
 public final class ReportJson {
   private static final JsonFactory FACTORY =
@@ -25,7 +25,7 @@ public final class ReportJson {
    * Writes one object and a line feed, and leaves the stream open.
    *
    * @param report fields in the map's order; values are strings, numbers, booleans, null, and maps
-   *     and lists of such
+   *     and lists of these
    */
   public static void write(Map<String, ?> report, OutputStream stream) throws IOException {
     try (JsonGenerator json = FACTORY.createGenerator(stream)) {

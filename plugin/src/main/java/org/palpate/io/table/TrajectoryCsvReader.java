@@ -14,19 +14,21 @@ import java.util.Locale;
 import org.palpate.io.file.NumberText;
 
 /**
- * Reads a trajectory: a header that names {@code t_ms,x,y,z} in any order, perhaps {@code
- * qx,qy,qz,qw} and more, then a line a sample. Lines that are empty or start with # are passed
- * over.
+ * Reads a trajectory: a header that names {@code t_ms,x,y,z} in any order, optionally {@code
+ * qx,qy,qz,qw} and other columns, then a line for each sample. Empty lines and lines that start
+ * with # are skipped.
  */
 public final class TrajectoryCsvReader {
   private static final List<String> NEEDED = List.of("t_ms", "x", "y", "z");
   private static final List<String> ROTATION = List.of("qx", "qy", "qz", "qw");
   private static final double[] NO_ROTATION = {0, 0, 0, 1};
 
-  /** Takes samples in order. */
+  /** Receives samples in order. */
   @FunctionalInterface
   public interface SampleSink {
-    /** A sample: time in ms, position, and a unit quaternion, (0,0,0,1) where there is none. */
+    /**
+     * Receives a sample: time in ms, position, and a unit quaternion, (0,0,0,1) if there is none.
+     */
     void add(
         double timeMs, double x, double y, double z, double qx, double qy, double qz, double qw);
   }
@@ -49,9 +51,9 @@ public final class TrajectoryCsvReader {
   /**
    * Reads a file to its end.
    *
-   * @param checked whether NaN, infinity and backward times are refused
+   * @param checked whether NaN, infinity and times that run backward are refused
    * @return the number of samples, at least 1
-   * @throws CsvFormatException where the file is not there or not understood, with the line
+   * @throws CsvFormatException if the file is missing or not understood; the message names the line
    */
   public static long read(Path file, boolean checked, SampleSink sink) throws IOException {
     if (Files.isDirectory(file)) {

@@ -1,7 +1,7 @@
 /**
  * Reads trajectories, and writes frames, legs, landmarks and JSON reports.
  *
- * <p>Uses {@code io.file}. One thread an instance. Distances in millimetres and times in
+ * <p>Uses {@code io.file}. An instance is for one thread. Distances in millimetres and times in
  * milliseconds, unless the name of a column says otherwise.
  */
 package org.palpate.io.table;

@@ -6,7 +6,7 @@ import java.util.Map;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.format.Scaling;
 
-/** What ImageJ writes into the description of a TIFF, as {@code key=value} lines. */
+/** The description that ImageJ writes into a TIFF, as {@code key=value} lines. */
 final class ImagejDescription {
   private final Map<String, String> values = new HashMap<>();
   private final boolean isImagej;
@@ -24,34 +24,39 @@ final class ImagejDescription {
     }
   }
 
+  /** Parses a description; one that is not from ImageJ has no values. */
   static ImagejDescription of(String text) {
     return new ImagejDescription(text);
   }
 
+  /** Whether ImageJ wrote the description. */
   boolean isImagej() {
     return isImagej;
   }
 
+  /** Returns the number of images, at least 1. */
   int images() {
     return Math.max(1, NumberParser.positiveInt(values.getOrDefault("images", "1")));
   }
 
+  /** Returns the number of channels, at least 1. */
   int channels() {
     return Math.max(
         1, Math.min(1 << 15, NumberParser.positiveInt(values.getOrDefault("channels", "1"))));
   }
 
+  /** Returns the number of time frames, at least 1. */
   int frames() {
     return Math.max(
         1, Math.min(1 << 15, NumberParser.positiveInt(values.getOrDefault("frames", "1"))));
   }
 
-  /** From a slice to the next in its unit; NaN where it does not say. */
+  /** Returns the distance between slices in its own unit, or NaN if it is absent. */
   double spacing() {
     return Math.abs(NumberParser.number(values.getOrDefault("spacing", "")));
   }
 
-  /** Millimetres in its unit of length; NaN where it has none. */
+  /** Returns the millimetres in its unit of length, or NaN if it has none. */
   double mmPerUnit() {
     return switch (values.getOrDefault("unit", "").toLowerCase(Locale.ROOT)) {
       case "mm", "millimeter", "millimetre" -> 1;
@@ -64,7 +69,10 @@ final class ImagejDescription {
     };
   }
 
-  /** Its linear calibration, as for signed 16 bit that it stores shifted by 32768. */
+  /**
+   * Returns the linear calibration, which ImageJ also uses for signed 16 bit stored with an offset
+   * of 32768.
+   */
   Scaling scaling() {
     double slope = NumberParser.number(values.getOrDefault("c1", ""));
     double intercept = NumberParser.number(values.getOrDefault("c0", ""));

@@ -16,7 +16,7 @@ import org.palpate.io.format.SampleStream;
 import org.palpate.io.format.Scaling;
 import org.palpate.io.volume.VoxelSlice;
 
-/** Decodes pages of a TIFF into slices, a strip or tile at a time. */
+/** Decodes pages of a TIFF into slices, strip by strip or tile by tile. */
 final class TiffDecoder {
   private final FileChannel channel;
   private final ByteOrder order;
@@ -30,7 +30,7 @@ final class TiffDecoder {
     this.scaling = scaling;
   }
 
-  /** Fills the slice with a page that was checked. */
+  /** Fills a slice with a page that passed {@link TiffPage#check}. */
   void decode(TiffPage page, VoxelSlice dest) throws IOException {
     int sample = page.type().bytes();
     int rowBytes = Math.multiplyExact(page.width(), sample);
@@ -77,7 +77,10 @@ final class TiffDecoder {
     };
   }
 
-  /** Undoes horizontal differencing: each sample was stored as its difference to the one left. */
+  /**
+   * Reverses horizontal differencing, in which a sample is stored as its difference from the left
+   * one.
+   */
   private void undoHorizontalPredictor(int from, int count, int sample) {
     ByteBuffer row = ByteBuffer.wrap(tileBytes).order(order);
     for (int n = 1; n < count; n++) {

@@ -16,7 +16,7 @@ import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * The directories of a TIFF or BigTIFF file: numbers by tag, a map for each page.
+ * The directories of a TIFF or BigTIFF file: for each page a map from tags to numbers.
  *
  * <p>Source: TIFF Revision 6.0; the BigTIFF design of libtiff.
  */
@@ -36,7 +36,7 @@ final class TiffFile {
     length = InputFiles.length(file);
   }
 
-  /** Whether bytes at the start of a file are a TIFF's. */
+  /** Returns whether a file with these first bytes is a TIFF file. */
   static boolean isTiff(byte[] start) {
     if (start.length < 4 || start[0] != start[1] || (start[0] != 'I' && start[0] != 'M')) {
       return false;
@@ -45,6 +45,7 @@ final class TiffFile {
     return version == 42 || version == 43;
   }
 
+  /** Reads the directories of a file, and no pixel. */
   static TiffFile read(Path file) throws VolumeFormatException {
     TiffFile tiff = new TiffFile(file);
     try (FileChannel channel = FileChannel.open(file)) {
@@ -60,19 +61,22 @@ final class TiffFile {
     return tiff;
   }
 
+  /** Returns the path of the file. */
   Path file() {
     return file;
   }
 
+  /** Returns the byte order. */
   ByteOrder order() {
     return order;
   }
 
+  /** Returns the length of the file in bytes. */
   long length() {
     return length;
   }
 
-  /** Values by tag, a map for each page; text is a value a byte. */
+  /** Returns for each page the values by tag; a text has one value for each byte. */
   List<Map<Integer, double[]>> pages() {
     return pages;
   }

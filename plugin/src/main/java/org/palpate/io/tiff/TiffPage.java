@@ -8,7 +8,7 @@ import org.palpate.io.format.BinaryData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VoxelType;
 
-/** One page of a TIFF: what its tags mean, checked against the file. */
+/** One page of a TIFF, with the meaning of its tags. */
 final class TiffPage {
   static final Set<Integer> KNOWN_TAGS =
       Set.of(
@@ -23,37 +23,42 @@ final class TiffPage {
     this.tags = tags;
   }
 
-  /** Whether it is a smaller copy of another page. */
+  /** Whether the page is a reduced copy of another page. */
   boolean isReduced() {
     return ((int) value(254, 0) & 1) != 0;
   }
 
+  /** Returns the width in pixels. */
   int width() throws VolumeFormatException {
     return size(256, "width");
   }
 
+  /** Returns the height in pixels. */
   int height() throws VolumeFormatException {
     return size(257, "height");
   }
 
+  /** Returns the code of the compression, 1 for none. */
   int compression() {
     return (int) value(259, 1);
   }
 
+  /** Returns the code of the predictor, 1 for none. */
   int predictor() {
     return (int) value(317, 1);
   }
 
+  /** Whether the page has tiles rather than strips. */
   boolean isTiled() {
     return tags.containsKey(324);
   }
 
-  /** Width of a tile, or of the page where it has strips. */
+  /** Returns the width of a tile, or of the page if it has strips. */
   int tileWidth() throws VolumeFormatException {
     return isTiled() ? size(322, "tile width") : width();
   }
 
-  /** Height of a tile or a strip. */
+  /** Returns the height of a tile or a strip. */
   int tileHeight() throws VolumeFormatException {
     if (isTiled()) {
       return size(323, "tile height");
@@ -62,10 +67,12 @@ final class TiffPage {
     return rows >= 1 && rows < height() ? (int) rows : height();
   }
 
+  /** Returns the file offset of each strip or tile. */
   double[] offsets() throws VolumeFormatException {
     return required(isTiled() ? 324 : 273, "offsets");
   }
 
+  /** Returns the compressed bytes of each strip or tile. */
   double[] byteCounts() throws VolumeFormatException {
     int tag = isTiled() ? 325 : 279;
     if (!tags.containsKey(tag) && compression() == 1 && offsets().length == 1) {
@@ -74,7 +81,7 @@ final class TiffPage {
     return required(tag, "byte counts");
   }
 
-  /** The text of its description; empty where there is none. */
+  /** Returns the text of the description; empty if there is none. */
   String description() {
     double[] characters = tags.getOrDefault(270, new double[0]);
     byte[] bytes = new byte[characters.length];
@@ -84,16 +91,24 @@ final class TiffPage {
     return new String(bytes, StandardCharsets.UTF_8);
   }
 
-  /** Pixels a unit of length along x (282) or y (283); NaN where it does not say. */
+  /**
+   * Returns the pixels in a unit of length along x (tag 282) or y (tag 283), or NaN if it is
+   * absent.
+   */
   double resolution(int tag) {
     return value(tag, Double.NaN);
   }
 
-  /** 1 none, 2 inch, 3 centimetre. */
+  /** Returns the unit of resolution: 1 none, 2 inch, 3 centimetre. */
   int resolutionUnit() {
     return (int) value(296, 2);
   }
 
+  /**
+   * Returns the type of a pixel.
+   *
+   * @throws VolumeFormatException if it is colour or cannot be read
+   */
   VoxelType type() throws VolumeFormatException {
     int bits = (int) value(258, 1);
     int format = (int) value(339, 1);
@@ -114,7 +129,11 @@ final class TiffPage {
     };
   }
 
-  /** Refuses what cannot be decoded, and offsets or sizes that the file cannot hold. */
+  /**
+   * Checks that the page can be decoded and that the file is long enough for its offsets and size.
+   *
+   * @throws VolumeFormatException if not
+   */
   void check() throws VolumeFormatException {
     int compression = compression();
     if (compression != 1
@@ -153,16 +172,17 @@ final class TiffPage {
     }
   }
 
-  /** Bytes that one byte can become. */
+  /** Returns the most bytes that one compressed byte can become. */
   private static int maxExpansion(int compression) {
     return switch (compression) {
       case 1 -> 1;
-      case 5 -> 2800; // 4096 of 12 bits
-      case 32773 -> 64; // 128 of 2 bytes
+      case 5 -> 2800; // 4096 bytes of 12 bits
+      case 32773 -> 64; // 128 bytes of 2
       default -> BinaryData.MAX_DEFLATE_RATIO;
     };
   }
 
+  /** Returns an exception that names the file. */
   VolumeFormatException refusal(String what) {
     return new VolumeFormatException(
         what,

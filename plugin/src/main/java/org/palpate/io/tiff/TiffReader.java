@@ -26,8 +26,8 @@ import org.palpate.io.volume.VoxelSlice;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Reads TIFF stacks, a slice a page; also those of ImageJ, with their spacing, calibration, time
- * and channels, and its large ones that have one page and slices behind it.
+ * Reads TIFF stacks, one page a slice. Understands the spacing, calibration, time frames and
+ * channels of ImageJ, and its large stacks with a single page.
  *
  * <p>Source: TIFF Revision 6.0; ImageJ's description tag as its TiffEncoder writes it.
  */
@@ -68,6 +68,12 @@ public final class TiffReader implements VolumeReader {
     return TiffFile.isTiff(start);
   }
 
+  /**
+   * Opens a stack.
+   *
+   * @throws VolumeFormatException if the file is damaged, cannot be decoded, or needs another
+   *     option
+   */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     TiffReader reader = new TiffReader(TiffFile.read(file), options);
     return reader.isContiguousStack() ? reader.contiguousStack() : reader;
@@ -112,7 +118,7 @@ public final class TiffReader implements VolumeReader {
         notes);
   }
 
-  /** Slices that ImageJ stored behind its only page; 1 where it did not. */
+  /** Returns the number of slices that ImageJ stored after its only page, or 1. */
   private int contiguousSliceCount(TiffPage first, ImagejDescription imagej)
       throws VolumeFormatException {
     boolean stacked =

@@ -7,10 +7,10 @@ import java.util.TreeMap;
 /**
  * Names and colours of label values.
  *
- * @param labels by value, in rising order
+ * @param labels by value, ascending
  */
 public record LabelTable(Map<Long, Label> labels) {
-  /** No names: says only that values are labels. */
+  /** The table without names, which says only that the values are labels. */
   public static final LabelTable EMPTY = new LabelTable(Map.of());
 
   /** Copies the labels. */
@@ -19,9 +19,9 @@ public record LabelTable(Map<Long, Label> labels) {
   }
 
   /**
-   * One label.
+   * A name and a colour.
    *
-   * @param name as the table has it
+   * @param name the name as the table has it
    * @param rgb 0xRRGGBB
    */
   public record Label(String name, int rgb) {}

@@ -7,13 +7,13 @@ import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberParser;
 
 /**
- * What a raw file does not say of itself, as in {@code 256x256x113:u16be:1,1,2}.
+ * The layout of a raw file, which the file itself does not hold: {@code 256x256x113:u16be:1,1,2}.
  *
  * @param sizeX voxels along x
  * @param sizeY voxels along y
  * @param sizeZ voxels along z
- * @param type the type of a value
- * @param order the order of its bytes
+ * @param type the type of a voxel
+ * @param order the byte order of a voxel
  * @param spacingMm edge lengths of a voxel
  */
 public record RawLayout(
@@ -33,10 +33,10 @@ public record RawLayout(
           "f64", VoxelType.FLOAT64);
 
   /**
-   * Reads {@code XxYxZ:TYPE:SX,SY,SZ}; the type is i, u or f with its bits and, for more than 8,
-   * {@code le} or {@code be}.
+   * Parses {@code XxYxZ:TYPE:SX,SY,SZ}. The type is i, u or f with its number of bits; a type of
+   * more than 8 bits ends in {@code le} or {@code be}.
    *
-   * @throws VolumeFormatException where it says something else
+   * @throws VolumeFormatException if the text has another form
    */
   public static RawLayout parse(String text) throws VolumeFormatException {
     String[] parts = text.strip().split(":", -1);

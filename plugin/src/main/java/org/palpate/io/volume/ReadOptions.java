@@ -4,14 +4,14 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * What a person may say about how to read.
+ * Options for reading a volume.
  *
- * @param raw sizes, type and spacing of a raw file ({@code --raw})
- * @param timeStep which time step or component of a file with several, from 0 ({@code --time})
- * @param series which series of a DICOM folder, a number from the list or its UID ({@code
+ * @param raw size, type and spacing of a raw file ({@code --raw})
+ * @param timeStep the time step or component of a file with several, from 0 ({@code --time})
+ * @param series the series of a DICOM folder, by its number in the list or by its UID ({@code
  *     --series})
- * @param resample whether uneven slices may be brought to even spacing ({@code --resample})
- * @param progress is told while reading
+ * @param resample whether unevenly spaced slices may be interpolated ({@code --resample})
+ * @param progress receives the progress of reading
  */
 public record ReadOptions(
     Optional<RawLayout> raw,
@@ -20,28 +20,33 @@ public record ReadOptions(
     boolean resample,
     ReadProgress progress) {
 
-  /** No wishes. */
+  /** Returns options that choose nothing. */
   public static ReadOptions defaults() {
     return new ReadOptions(
         Optional.empty(), OptionalInt.empty(), Optional.empty(), false, ReadProgress.NONE);
   }
 
+  /** Returns these options with a raw layout. */
   public ReadOptions withRaw(RawLayout layout) {
     return new ReadOptions(Optional.of(layout), timeStep, series, resample, progress);
   }
 
+  /** Returns these options with a time step, from 0. */
   public ReadOptions withTimeStep(int step) {
     return new ReadOptions(raw, OptionalInt.of(step), series, resample, progress);
   }
 
+  /** Returns these options with a DICOM series, by number or UID. */
   public ReadOptions withSeries(String wanted) {
     return new ReadOptions(raw, timeStep, Optional.of(wanted), resample, progress);
   }
 
+  /** Returns these options with interpolation of unevenly spaced slices allowed or not. */
   public ReadOptions withResample(boolean wanted) {
     return new ReadOptions(raw, timeStep, series, wanted, progress);
   }
 
+  /** Returns these options with a receiver of progress. */
   public ReadOptions withProgress(ReadProgress listener) {
     return new ReadOptions(raw, timeStep, series, resample, listener);
   }

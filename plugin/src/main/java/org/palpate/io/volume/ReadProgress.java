@@ -1,11 +1,14 @@
 package org.palpate.io.volume;
 
-/** Is told how far reading has come. */
+/** Receives the progress of reading. */
 @FunctionalInterface
 public interface ReadProgress {
-  /** Tells no one. */
+  /** Ignores the progress. */
   ReadProgress NONE = (done, total) -> {};
 
-  /** {@code done} of {@code total} slices were read; called once a slice, on the reading thread. */
+  /**
+   * Reports that {@code done} of {@code total} slices were read; called after each slice, on the
+   * reading thread.
+   */
   void slicesRead(int done, int total);
 }

@@ -5,15 +5,15 @@ import java.util.Optional;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * What a file says of its volume; nothing that names a patient.
+ * The header of a volume, without anything that identifies a patient.
  *
- * @param format in words, as in "NRRD, gzip"
- * @param grid sizes, spacing and place; the world is the file's own, see {@code coordinateSystem}
- * @param type the type of number stored
- * @param values what the numbers can be once slope and intercept are applied
+ * @param format the format in words, as in "NRRD, gzip"
+ * @param grid size, spacing and position; the world is the file's own, see {@code coordinateSystem}
+ * @param type the stored type of a voxel
+ * @param values the values that are possible after slope and intercept
  * @param coordinateSystem directions of the world axes in the patient
- * @param labels names and colours, where the file or a table beside it gives some
- * @param notes what a person should know of how the file was understood, a sentence each
+ * @param labels names and colours, if the file or a table beside it has them
+ * @param notes assumptions that the user should know, a sentence each
  */
 public record VolumeHeader(
     String format,
@@ -29,19 +29,20 @@ public record VolumeHeader(
     notes = List.copyOf(notes);
   }
 
-  /** The same with a table of labels. */
+  /** Returns this header with a label table. */
   public VolumeHeader withLabels(LabelTable table) {
     return new VolumeHeader(
         format, grid, type, values, coordinateSystem, Optional.of(table), notes);
   }
 
   /**
-   * The values that the stored type allows, scaled: a bound, not what is there.
+   * The values that the stored type allows after slope and intercept: bounds, not the extremes
+   * found in the file.
    *
-   * @param isInteger whether every value is a whole number that fits an {@code int}
+   * @param isInteger whether every value is an integer that fits an {@code int}
    */
   public record ValueRange(double low, double high, boolean isInteger) {
-    /** The range of a type whose values are taken as they are. */
+    /** Returns the range of a type without slope and intercept. */
     public static ValueRange of(VoxelType type) {
       return new ValueRange(type.low(), type.high(), type.fitsInt());
     }

@@ -1,9 +1,9 @@
 package org.palpate.io.volume;
 
 /**
- * The values of one slice, x fastest, as the file means them: whole numbers where the file can only
- * hold such ({@link #isInteger}), doubles otherwise. The reader fills it again and again; whoever
- * is handed one must not keep it.
+ * The values of one slice, x fastest, after slope and intercept. They are integers if the file can
+ * only hold integers ({@link #isInteger}), else doubles. A reader reuses its slice, so a receiver
+ * must not keep it.
  */
 public final class VoxelSlice {
   private final int sizeX;
@@ -11,7 +11,7 @@ public final class VoxelSlice {
   private final int[] integers;
   private final double[] doubles;
 
-  /** A slice of zeros, of whole numbers or of doubles for all its life. */
+  /** Creates a slice of zeros that holds integers or doubles for all its life. */
   public VoxelSlice(int sizeX, int sizeY, boolean integer) {
     this.sizeX = sizeX;
     this.sizeY = sizeY;
@@ -20,34 +20,37 @@ public final class VoxelSlice {
     doubles = integer ? new double[0] : new double[count];
   }
 
+  /** Returns the number of voxels along x. */
   public int sizeX() {
     return sizeX;
   }
 
+  /** Returns the number of voxels along y. */
   public int sizeY() {
     return sizeY;
   }
 
+  /** Returns the number of voxels. */
   public int count() {
     return sizeX * sizeY;
   }
 
-  /** Whether {@link #integers} holds the values; {@link #doubles} does otherwise. */
+  /** Whether {@link #integers} holds the values; otherwise {@link #doubles} does. */
   public boolean isInteger() {
     return integers.length > 0;
   }
 
-  /** The values where {@link #isInteger}, else empty. */
+  /** Returns the values if {@link #isInteger}, else an empty array. */
   public int[] integers() {
     return integers;
   }
 
-  /** The values where not {@link #isInteger}, else empty. */
+  /** Returns the values if not {@link #isInteger}, else an empty array. */
   public double[] doubles() {
     return doubles;
   }
 
-  /** The value at an index, {@code j * sizeX + i}. */
+  /** Returns the value at index {@code j * sizeX + i}. */
   public double value(int index) {
     return isInteger() ? integers[index] : doubles[index];
   }

@@ -1,6 +1,6 @@
 package org.palpate.io.volume;
 
-/** The type of number that a file holds for a voxel. */
+/** The type of number that a file stores for a voxel. */
 public enum VoxelType {
   INT8(1, "signed 8 bit", -128, 127),
   UINT8(1, "unsigned 8 bit", 0, 255),
@@ -25,30 +25,32 @@ public enum VoxelType {
     this.high = high;
   }
 
+  /** Returns the size of a voxel in bytes. */
   public int bytes() {
     return bytes;
   }
 
-  /** In words, as in "unsigned 16 bit". */
+  /** Returns the type in words, as in "unsigned 16 bit". */
   public String description() {
     return description;
   }
 
-  /** The lowest value it can hold. */
+  /** Returns the lowest value of the type. */
   public double low() {
     return low;
   }
 
-  /** The highest value it can hold; for 64-bit whole numbers the nearest double. */
+  /** Returns the highest value of the type; for 64-bit integers the nearest double. */
   public double high() {
     return high;
   }
 
+  /** Whether the type holds integers only. */
   public boolean isInteger() {
     return this != FLOAT32 && this != FLOAT64;
   }
 
-  /** Whether every value of the type is an {@code int}. */
+  /** Whether every value of the type fits an {@code int}. */
   public boolean fitsInt() {
     return low >= Integer.MIN_VALUE && high <= Integer.MAX_VALUE;
   }
