@@ -33,7 +33,7 @@ public final class VolumeDigest {
     try {
       return MessageDigest.getInstance("SHA-256");
     } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java platform has SHA-256", e);
+      throw new IllegalStateException("no SHA-256, which every Java platform has", e);
     }
   }
 

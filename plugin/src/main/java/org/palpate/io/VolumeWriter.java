@@ -58,7 +58,7 @@ public final class VolumeWriter {
       throw e;
     } catch (IOException e) {
       throw new VolumeFormatException(
-          "cannot be written (" + e.getMessage() + ")",
+          "the file cannot be written (" + e.getMessage() + ")",
           target,
           "choose a folder that exists, may be written to and has room",
           e);
@@ -83,7 +83,7 @@ public final class VolumeWriter {
     String name = lowerCaseName(target);
     if (!isNifti(name) && !name.endsWith(".nrrd")) {
       throw new VolumeFormatException(
-          "volumes are not written in this format", target, "name it .nrrd, .nii or .nii.gz");
+          "volumes cannot be written in this format", target, "name it .nrrd, .nii or .nii.gz");
     }
   }
 
@@ -100,7 +100,7 @@ public final class VolumeWriter {
       try {
         if (Files.exists(target) && Files.isSameFile(input, target)) {
           throw new VolumeFormatException(
-              "it is the volume that is read", target, "write to another file");
+              "the target is the volume that is read", target, "write to another file");
         }
       } catch (VolumeFormatException e) {
         throw e;
@@ -143,7 +143,7 @@ public final class VolumeWriter {
             out.write(bytes.array(), 0, bytes.position());
           } catch (IOException e) {
             throw new VolumeFormatException(
-                "cannot be written", "slice " + k, "look whether there is room on the disk", e);
+                "the file cannot be written", "slice " + k, "check that the disk has room", e);
           }
         });
   }

@@ -60,7 +60,7 @@ class ReadingOptionsTest {
     assertTrue(
         CommandRun.of("info", "--volume", folder)
             .mustRefuse()
-            .contains("it holds 2 series: 1 CT, 1 file of 128x128; 2 MR, 1 file of 64x64"));
+            .contains("the folder has 2 series: 1 CT, 1 file of 128x128; 2 MR, 1 file of 64x64"));
     String second = CommandRun.of("info", "--volume", folder, "--series", 2).mustSucceed().out();
     assertTrue(second.contains("64 x 64 x 1 voxels"), second);
     assertTrue(

@@ -46,7 +46,7 @@ public final class EofLimitedImageStream extends ImageInputStreamImpl {
    */
   private int end() {
     if (++ends > MAX_END_READS) {
-      throw new IllegalStateException("read on after the end");
+      throw new IllegalStateException("too many reads past the end");
     }
     return -1;
   }

@@ -20,7 +20,7 @@ public final class HexInputStream extends InputStream {
     }
     int low = digit();
     if (low < 0) {
-      throw new IOException("half a byte at the end");
+      throw new IOException("the last byte has a single hexadecimal digit");
     }
     return high << 4 | low;
   }
@@ -49,7 +49,7 @@ public final class HexInputStream extends InputStream {
     }
     int digit = Character.digit(c, 16);
     if (digit < 0) {
-      throw new IOException("a character that is no hexadecimal digit");
+      throw new IOException("a character is no hexadecimal digit");
     }
     return digit;
   }

@@ -66,28 +66,28 @@ public final class Jpeg2000Validator {
   /** Reads the main header and returns the offset of the first tile part. */
   private int readMainHeader() throws IOException {
     boolean coded = false;
-    require(word(0) == START && word(2) == SIZE, "begins otherwise");
+    require(word(0) == START && word(2) == SIZE, "does not begin with its size");
     int at = 2;
     for (; word(at) != TILE_PART; at += 2 + segmentLength(at)) {
       if (word(at) == SIZE) {
         require(tiles == 0, "has two sizes");
         readSize(at);
       } else if (word(at) == CODING) {
-        require(!coded, "has two ways of coding");
+        require(!coded, "declares its coding twice");
         coded = true;
         readCoding(at);
       } else {
         requireReadable(at);
       }
     }
-    require(coded, "does not say how it is coded");
+    require(coded, "does not declare its coding");
     return at;
   }
 
   private void readSize(int at) throws IOException {
     require(
-        quad(at + 6) == columns && quad(at + 10) == rows, "has another size than its header says");
-    require((quad(at + 14) | quad(at + 18) | quad(at + 30) | quad(at + 34)) == 0, "is shifted");
+        quad(at + 6) == columns && quad(at + 10) == rows, "has another size than the DICOM header");
+    require((quad(at + 14) | quad(at + 18) | quad(at + 30) | quad(at + 34)) == 0, "has an offset");
     require(word(at + 38) == 1 && segmentLength(at) == 41, "has several components");
     require(octet(at + 41) == 1 && octet(at + 42) == 1, "is subsampled");
     long across = (columns - 1) / Math.max(1, quad(at + 22)) + 1;
@@ -100,17 +100,21 @@ public final class Jpeg2000Validator {
   private void readCoding(int at) throws IOException {
     int layers = word(at + 6);
     int levels = octet(at + 9);
-    require(layers >= 1 && layers <= MAX_LAYERS && levels <= MAX_LEVELS, "is coded strangely");
+    require(
+        layers >= 1 && layers <= MAX_LAYERS && levels <= MAX_LEVELS,
+        "has too many layers or levels");
     boolean precincts = (octet(at + 4) & 1) != 0;
-    require(segmentLength(at) == 12 + (precincts ? levels + 1 : 0), "is coded strangely");
+    require(
+        segmentLength(at) == 12 + (precincts ? levels + 1 : 0),
+        "has a coding segment of a wrong length");
     require(
         octet(at + 10) <= 8 && octet(at + 11) <= 8 && octet(at + 10) + octet(at + 11) <= 8,
-        "has blocks of a strange size");
+        "has code blocks of an invalid size");
     for (int level = 0; precincts && level <= levels; level++) {
       int size = octet(at + 14 + level);
       require(
           (size & 15) >= MIN_PRECINCT_LOG && size >> 4 >= MIN_PRECINCT_LOG,
-          "has precincts of a strange size");
+          "has precincts that are too small");
     }
     long blocks = (((long) columns * rows) >> (octet(at + 10) + octet(at + 11) + 4)) + tiles + 1;
     require(blocks * layers <= MAX_BLOCK_LAYERS, "has too many layers");
@@ -122,7 +126,7 @@ public final class Jpeg2000Validator {
     int marker = word(at);
     require(
         marker != COMPONENT_CODING && marker != PACKED_HEADS && marker != PACKED_TILE_HEADS,
-        "is coded in a rare way");
+        "uses a coding that is not supported");
   }
 
   /** Checks that every tile is present, with its parts in order and as many as it declares. */
@@ -133,10 +137,12 @@ public final class Jpeg2000Validator {
     while (at + 2 <= bytes.length && word(at) == TILE_PART) {
       long length = quad(at + 6);
       int tile = word(at + 4);
-      require(segmentLength(at) == 10 && tile < tiles, "has a tile that is not in it");
+      require(segmentLength(at) == 10 && tile < tiles, "has a tile of an invalid number");
       require(octet(at + 10) == parts[tile]++, "has tile parts out of order");
       int told = octet(at + 11);
-      require(promised[tile] == 0 || told == 0 || told == promised[tile], "contradicts itself");
+      require(
+          promised[tile] == 0 || told == 0 || told == promised[tile],
+          "declares two numbers of tile parts");
       promised[tile] = Math.max(promised[tile], told);
       int end = length == 0 ? bytes.length : (int) Math.min(bytes.length, at + length);
       require(length == 0 || length == (long) end - at, "ends inside a tile");
@@ -146,16 +152,16 @@ public final class Jpeg2000Validator {
     for (int tile = 0; tile < tiles; tile++) {
       require(
           parts[tile] > 0 && (promised[tile] == 0 || promised[tile] == parts[tile]),
-          "lacks a tile");
+          "is missing a tile");
     }
-    require(at >= bytes.length - 2 || word(at) == END, "goes on after its tiles");
+    require(at >= bytes.length - 2 || word(at) == END, "continues after its tiles");
   }
 
   /** Checks that the tile's own markers keep the coding and that data follow them. */
   private void requireTileData(int from, int end) throws IOException {
     int at = from;
     while (at + 2 <= end && word(at) != TILE_DATA) {
-      require(word(at) != CODING && word(at) != SIZE, "changes inside a tile");
+      require(word(at) != CODING && word(at) != SIZE, "changes its coding inside a tile");
       requireReadable(at);
       at += 2 + segmentLength(at);
     }
@@ -185,7 +191,7 @@ public final class Jpeg2000Validator {
   }
 
   private int octet(int at) throws IOException {
-    require(at < bytes.length, "ends early");
+    require(at < bytes.length, "is incomplete");
     return bytes[at] & 0xff;
   }
 
@@ -199,7 +205,7 @@ public final class Jpeg2000Validator {
 
   private static void require(boolean holds, String otherwise) throws IOException {
     if (!holds) {
-      throw new IOException("a compressed picture " + otherwise);
+      throw new IOException("the JPEG 2000 stream " + otherwise);
     }
   }
 }

@@ -66,7 +66,7 @@ public final class LzwInputStream extends InputStream {
 
   private void expand(int code) throws IOException {
     if (code > free || (previous < 0 && code >= CLEAR) || code == END) {
-      throw new IOException("LZW code " + code + " is not known yet");
+      throw new IOException("LZW code " + code + " is not defined");
     }
     // the code being defined stands for the previous text followed by its own first byte
     boolean isNew = code == free;
@@ -96,7 +96,7 @@ public final class LzwInputStream extends InputStream {
 
   private void repeatFirst() throws IOException {
     if (textAt == 0) {
-      throw new IOException("an LZW text is too long");
+      throw new IOException("an LZW code stands for too many bytes");
     }
     byte first = text[textAt];
     System.arraycopy(text, textAt, text, textAt - 1, MAX_CODES - textAt);

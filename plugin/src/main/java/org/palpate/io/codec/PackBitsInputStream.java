@@ -50,7 +50,7 @@ public final class PackBitsInputStream extends InputStream {
   private int required() throws IOException {
     int c = in.read();
     if (c < 0) {
-      throw new EOFException("a run ends early");
+      throw new EOFException("a PackBits run is incomplete");
     }
     return c;
   }

@@ -50,7 +50,7 @@ final class DicomBytes implements Closeable {
       byte[] buffer = new byte[InputFiles.BUFFER_BYTES];
       for (int got = in.read(buffer); got >= 0; got = in.read(buffer)) {
         if ((all.size() & 0xfffff) < buffer.length) {
-          MemoryCheck.require(3.0 * all.size(), "inflating it", file.toString());
+          MemoryCheck.require(3.0 * all.size(), "inflating the data set", file.toString());
         }
         all.write(buffer, 0, got);
       }
@@ -67,7 +67,7 @@ final class DicomBytes implements Closeable {
   /** Returns bytes at an offset in a byte order; the buffer is valid until the next call. */
   ByteBuffer at(long place, int count, ByteOrder order) throws IOException {
     if (place < 0 || count < 0 || place > length - count) {
-      throw new EOFException("the file ends inside an element");
+      throw new EOFException("the file ends inside an attribute");
     }
     if (place < windowAt || place + count > windowAt + window.limit()) {
       fill(place, count);
@@ -80,7 +80,7 @@ final class DicomBytes implements Closeable {
     ByteBuffer fresh = ByteBuffer.allocate(wanted);
     while (fresh.hasRemaining()) {
       if (channel.read(fresh, place + fresh.position()) < 0) {
-        throw new EOFException("the file ends inside an element");
+        throw new EOFException("the file ends inside an attribute");
       }
     }
     window = fresh.flip();

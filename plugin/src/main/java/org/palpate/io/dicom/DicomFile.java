@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.palpate.io.dicom.DicomParser.PixelDataItem;
 import org.palpate.io.file.NumberParser;
-import org.palpate.io.file.NumberText;
+import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
@@ -47,7 +47,7 @@ record DicomFile(
       throw e;
     } catch (IOException e) {
       throw new VolumeFormatException(
-          "it is damaged (" + e.getMessage() + ")", file, "copy or export the file again", e);
+          "the file is damaged (" + e.getMessage() + ")", file, "copy or export it again", e);
     }
   }
 
@@ -57,7 +57,7 @@ record DicomFile(
     String uid = meta.text(DicomTag.TRANSFER_SYNTAX);
     if (uid.isEmpty()) {
       throw new VolumeFormatException(
-          "it does not say how it is written (no transfer syntax)", file, CONVERT);
+          "the file has no transfer syntax, so its encoding is unknown", file, CONVERT);
     }
     boolean deflated = uid.equals(TransferSyntax.DEFLATED);
     ByteOrder order =
@@ -76,7 +76,7 @@ record DicomFile(
               List.copyOf(parser.pixelDataItems()),
               parser.isEncapsulated());
       if (parser.isFloating()) {
-        throw dicom.refusal("its pixels are floating-point numbers", CONVERT);
+        throw dicom.refusal("the pixels are floating-point numbers", CONVERT);
       }
       return dicom;
     }
@@ -87,11 +87,11 @@ record DicomFile(
     long at = PREAMBLE + 4;
     ByteBuffer first = bytes.at(at, 12, ByteOrder.LITTLE_ENDIAN);
     if (first.getInt(0) != 0x0000_0002) {
-      throw new IOException("it has no group 2");
+      throw new IOException("group 2 is missing");
     }
     long end = at + 12 + (first.getInt(8) & 0xffffffffL);
     if (end > bytes.length()) {
-      throw new IOException("its group 2 is longer than the file");
+      throw new IOException("group 2 is longer than the file");
     }
     new DicomParser(bytes, at + 12, ByteOrder.LITTLE_ENDIAN).parse(end, true, meta);
     return end;
@@ -142,7 +142,7 @@ record DicomFile(
     String text = attributes.text(DicomTag.FRAMES);
     int count = text.isEmpty() ? 1 : NumberParser.positiveInt(text);
     if (count < 1) {
-      throw refusal("its number of frames is '" + text + "'", "export the file again");
+      throw refusal("the number of frames is '" + text + "'", "export the file again");
     }
     return count;
   }
@@ -154,37 +154,38 @@ record DicomFile(
    */
   void check() throws VolumeFormatException {
     if (!hasPixels()) {
-      throw refusal("it holds no picture", "give a file or folder of a picture series");
+      throw refusal("the file has no image", "give a file or folder of an image series");
     }
     if (syntax.coding() == TransferSyntax.Coding.UNREADABLE) {
-      throw refusal("it is compressed as " + syntax.name() + ", which cannot be read", CONVERT);
+      throw refusal(
+          "the image is compressed as " + syntax.name() + ", which cannot be read", CONVERT);
     }
     if (attributes.number(DicomTag.SAMPLES, 1) != 1) {
-      throw refusal("its pixels are colours", "give a grey series");
+      throw refusal("the pixels are colours, not grey values", "give a grey series");
     }
     if (attributes.text(DicomTag.MODALITY).equals("RTDOSE")) {
-      throw refusal("it is a dose grid, not a scan", "give the scan that it was planned on");
+      throw refusal("the file is a dose grid (RTDOSE), not a scan", "give the scan of the plan");
     }
     if (bitsAllocated() == 1) {
       throw refusal(
-          "it is a DICOM segmentation of one bit a pixel",
-          "save it as a label volume (NRRD or NIfTI), from 3D Slicer for one");
+          "the file is a DICOM segmentation of one bit a pixel, which cannot be read",
+          "save it as a label volume (NRRD or NIfTI), for example with 3D Slicer");
     }
     boolean bitsMakeSense =
         bitsStored() >= 1 && highBit() >= bitsStored() - 1 && highBit() < bitsAllocated();
     if ((bitsAllocated() != 8 && bitsAllocated() != 16 && bitsAllocated() != 32)
         || !bitsMakeSense) {
       throw refusal(
-          "its pixels have "
+          "the pixels use "
               + bitsStored()
               + " of "
               + bitsAllocated()
-              + " bits, the highest "
+              + " bits, of which the highest is bit "
               + highBit(),
           CONVERT);
     }
     if (rows() < 1 || columns() < 1) {
-      throw refusal("its size is " + columns() + "x" + rows(), "export the file again");
+      throw refusal("the size is " + columns() + "x" + rows(), "export the file again");
     }
     checkPixelDataItems();
   }
@@ -192,24 +193,26 @@ record DicomFile(
   private void checkPixelDataItems() throws VolumeFormatException {
     boolean plain = syntax.coding() == TransferSyntax.Coding.PLAIN;
     if (plain == encapsulated) {
-      throw refusal("its pixels are not written as " + syntax.name() + " would have them", CONVERT);
+      throw refusal(
+          "the pixels are not encoded as the transfer syntax " + syntax.name() + " requires",
+          CONVERT);
     }
     double needed = (double) frameBytes() * frameCount();
     if (plain && pixelDataItems.get(0).length() < needed) {
-      throw refusal(
-          "its header promises "
-              + NumberText.display(needed)
-              + " bytes of pixels, it has "
-              + pixelDataItems.get(0).length(),
-          "the file was cut short; copy or export it again");
+      throw InputFiles.truncatedFile(file, needed, (double) pixelDataItems.get(0).length(), "");
     }
     requireInflatable(needed);
     if (!plain && pixelDataItems.size() < frameCount()) {
       throw refusal(
-          "it has " + frameCount() + " frames in " + pixelDataItems.size() + " fragments", CONVERT);
+          "the header promises "
+              + frameCount()
+              + " frames but the file has "
+              + pixelDataItems.size()
+              + " fragments",
+          CONVERT);
     }
     if (!plain && frameCount() > 1 && pixelDataItems.size() != frameCount()) {
-      throw refusal("its frames are split into fragments", CONVERT);
+      throw refusal("a frame is split into several fragments", CONVERT);
     }
   }
 
@@ -227,13 +230,7 @@ record DicomFile(
           default -> Double.POSITIVE_INFINITY;
         };
     if (needed > stored * most) {
-      throw refusal(
-          "its header promises "
-              + NumberText.display(needed)
-              + " bytes of pixels, it has "
-              + NumberText.display(stored)
-              + " compressed",
-          "the file was cut short; copy or export it again");
+      throw InputFiles.truncatedFile(file, needed, stored, "compressed");
     }
   }
 

@@ -49,7 +49,9 @@ record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scalin
     if (dicom.syntax().coding() == TransferSyntax.Coding.PLAIN
         ? count > dicom.pixelDataItems().get(0).length()
         : count > dicom.pixelDataItems().size()) {
-      throw dicom.refusal("it promises " + count + " frames", "export the file again");
+      throw dicom.refusal(
+          "the header promises " + count + " frames, more than the file can have",
+          "export the file again");
     }
     DicomFrame[] frames = new DicomFrame[count];
     List<DicomDataSet> groups = dicom.attributes().items(DicomTag.FRAME_GROUPS);
@@ -91,8 +93,7 @@ record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scalin
           || !(spacing[0] > 0 && spacing[1] > 0)
           || !plane.normal().isFinite()) {
         throw dicom.refusal(
-            "its place is not understood (position, orientation or spacing)",
-            "export the series again");
+            "the position, orientation or pixel spacing is invalid", "export the series again");
       }
       return Optional.of(plane);
     }
@@ -105,8 +106,7 @@ record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scalin
       if (!Double.isFinite(scaling.slope())
           || scaling.slope() == 0
           || !Double.isFinite(scaling.intercept())) {
-        throw dicom.refusal(
-            "its rescale slope or intercept is no number", "export the series again");
+        throw dicom.refusal("the rescale slope or intercept is invalid", "export the series again");
       }
       return scaling;
     }

@@ -33,7 +33,7 @@ final class DicomJpegDecoder {
     if (raster.getWidth() != dicom.columns()
         || raster.getHeight() != dicom.rows()
         || raster.getNumBands() != 1) {
-      throw new IOException("a compressed picture has another size than its header says");
+      throw new IOException("the JPEG stream has another size than the DICOM header");
     }
     raster.getSamples(0, 0, raster.getWidth(), raster.getHeight(), 0, stored);
   }
@@ -59,13 +59,13 @@ final class DicomJpegDecoder {
           : reader.read(0).getRaster();
     } catch (RuntimeException e) {
       // on damaged data the libraries throw any unchecked exception
-      throw new IOException("a compressed picture is damaged", e);
+      throw new IOException("the JPEG stream is damaged", e);
     } catch (Error e) {
       if (e.getClass() != Error.class) {
         throw e;
       }
       // JJ2000 throws a bare Error for a tile that cannot be read
-      throw new IOException("a compressed picture is damaged", e);
+      throw new IOException("the JPEG stream is damaged", e);
     } finally {
       reader.dispose();
     }
@@ -74,7 +74,7 @@ final class DicomJpegDecoder {
   private static void checkJpeg2000(DicomFile dicom, byte[] bytes) throws IOException {
     if (!Jpeg2000Validator.isReversible(bytes, dicom.columns(), dicom.rows())) {
       throw dicom.refusal(
-          "it is compressed as JPEG 2000 with loss, which cannot be read pixel for pixel",
+          "the image is compressed as JPEG 2000 with loss, which cannot be read",
           "convert it with gdcmconv --raw IN OUT (free, from GDCM)");
     }
   }
@@ -90,18 +90,18 @@ final class DicomJpegDecoder {
         break;
       }
     }
-    throw new IOException("a compressed picture is no lossless JPEG");
+    throw new IOException("the JPEG stream is not lossless");
   }
 
   private static void requireSize(DicomFile dicom, int width, int height) throws IOException {
     if (width != dicom.columns() || height != dicom.rows()) {
-      throw new IOException("a compressed picture has another size than its header says");
+      throw new IOException("the JPEG stream has another size than the DICOM header");
     }
   }
 
   private static int word(byte[] bytes, int at) throws IOException {
     if (at + 2 > bytes.length) {
-      throw new IOException("a compressed picture ends early");
+      throw new IOException("the JPEG stream is incomplete");
     }
     return (bytes[at] & 0xff) << 8 | (bytes[at + 1] & 0xff);
   }

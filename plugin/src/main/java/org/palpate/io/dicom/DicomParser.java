@@ -68,7 +68,7 @@ final class DicomParser {
 
   private void parse(long end, boolean explicit, DicomDataSet into, int depth) throws IOException {
     if (depth > MAX_DEPTH) {
-      throw new IOException("its sequences are nested too deeply");
+      throw new IOException("too many nested sequences");
     }
     while (at < end && pixelDataItems.isEmpty()) {
       int tag = tag();
@@ -85,7 +85,7 @@ final class DicomParser {
     String vr = explicit && (tag >>> 16) != 0xFFFE ? vr() : "";
     long length = length(vr);
     if (length != UNDEFINED && length > end - at) {
-      throw new IOException("an element is longer than what holds it");
+      throw new IOException("an attribute is longer than its data set");
     }
     boolean sequence =
         vr.equals("SQ")
@@ -123,7 +123,7 @@ final class DicomParser {
         return;
       }
       if (item != DicomTag.ITEM || (itemLength != UNDEFINED && itemLength > end - at)) {
-        throw new IOException("a sequence holds something that is no item");
+        throw new IOException("a sequence has an invalid item");
       }
       DicomDataSet items = wanted ? into.addItem(tag) : new DicomDataSet();
       parse(itemLength == UNDEFINED ? end : at + itemLength, explicit, items, depth + 1);
@@ -170,7 +170,7 @@ final class DicomParser {
     }
     List<PixelDataItem> all = fragments(end);
     if (all.size() < 2) {
-      throw new IOException("its compressed pixels have no fragment");
+      throw new IOException("the compressed pixels have no fragment");
     }
     pixelDataItems.addAll(all.subList(1, all.size())); // the first is the offset table
   }
@@ -189,12 +189,12 @@ final class DicomParser {
         return found;
       }
       if (tag != DicomTag.ITEM || length > end - at || found.size() > MAX_FRAGMENTS) {
-        throw new IOException("its compressed pixels are damaged");
+        throw new IOException("the compressed pixels are damaged");
       }
       found.add(new PixelDataItem(at, length));
       at += length;
     }
-    throw new IOException("its compressed pixels have no end");
+    throw new IOException("the compressed pixels have no end");
   }
 
   private int tag() throws IOException {
@@ -208,7 +208,7 @@ final class DicomParser {
     at += 2;
     String vr = "" + (char) (two.get(0) & 0xff) + (char) (two.get(1) & 0xff);
     if (!vr.matches("[A-Z]{2}")) {
-      throw new IOException("an element has no type");
+      throw new IOException("an attribute has no value representation");
     }
     return vr;
   }

@@ -83,12 +83,12 @@ final class DicomPixelDecoder {
     DicomFile dicom = frame.dicom();
     byte[] bytes = fragmentBytes(frame);
     if (bytes.length < 64) {
-      throw new EOFException("a frame ends inside its header");
+      throw new EOFException("an RLE frame is shorter than its header");
     }
     ByteBuffer head = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     int planes = dicom.bitsAllocated() / 8;
     if (head.getInt(0) != planes) {
-      throw new IOException("a frame has " + head.getInt(0) + " segments, not " + planes);
+      throw new IOException("an RLE frame has " + head.getInt(0) + " segments, not " + planes);
     }
     int pixels = dicom.rows() * dicom.columns();
     byte[] result = new byte[Math.multiplyExact(pixels, planes)];
@@ -96,12 +96,12 @@ final class DicomPixelDecoder {
     for (int n = 0; n < planes; n++) {
       int from = head.getInt(4 + 4 * n);
       if (from < 64 || from > bytes.length) {
-        throw new EOFException("a segment lies outside its frame");
+        throw new EOFException("an RLE segment is outside its frame");
       }
       PackBitsInputStream in =
           new PackBitsInputStream(new ByteArrayInputStream(bytes, from, bytes.length - from));
       if (in.readNBytes(plane, 0, pixels) < pixels) {
-        throw new EOFException("a segment ends early");
+        throw new EOFException("an RLE segment is incomplete");
       }
       for (int p = 0; p < pixels; p++) {
         result[p * planes + n] = plane[p];

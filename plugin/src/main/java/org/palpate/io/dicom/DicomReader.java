@@ -92,7 +92,9 @@ public final class DicomReader implements VolumeReader {
     if (file.rows() != first.rows()
         || file.columns() != first.columns()
         || type(file) != type(first)) {
-      throw file.refusal("it differs in size or type from the first of its series", "export again");
+      throw file.refusal(
+          "the image differs in size or type from the first of its series",
+          "export the series again");
     }
   }
 
@@ -129,7 +131,7 @@ public final class DicomReader implements VolumeReader {
   @Override
   public void read(SliceSink sink) throws VolumeFormatException {
     VoxelSlice slice = MemoryCheck.slice(header.grid(), header.values().isInteger(), place);
-    MemoryCheck.require(8.0 * slice.count(), "one picture", place);
+    MemoryCheck.require(8.0 * slice.count(), "decoding one frame", place);
     VoxelSlice next = null;
     DicomPixelDecoder pixels = new DicomPixelDecoder();
     for (int k = 0; k < series.slices().size(); k++) {
@@ -153,7 +155,7 @@ public final class DicomReader implements VolumeReader {
       throw e;
     } catch (IOException | ArithmeticException e) {
       throw new VolumeFormatException(
-          "its pixels are damaged (" + e.getMessage() + ")",
+          "the pixels are damaged (" + e.getMessage() + ")",
           series.frames().get(frame).dicom().file(),
           "copy or export the file again",
           e);

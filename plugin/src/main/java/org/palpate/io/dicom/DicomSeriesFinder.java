@@ -35,9 +35,9 @@ final class DicomSeriesFinder {
     List<List<DicomFile>> series = series(pictures(folder));
     if (series.isEmpty()) {
       throw new VolumeFormatException(
-          "it holds no DICOM picture",
+          "the folder has no DICOM image",
           folder,
-          "name the folder that holds the files themselves, or a single file");
+          "name the folder that directly contains the files, or a single file");
     }
     return chosen(series, folder, options);
   }
@@ -112,8 +112,8 @@ final class DicomSeriesFinder {
     String list = list(series);
     throw new VolumeFormatException(
         wanted.isPresent()
-            ? "it has no series '" + wanted.get() + "', only " + list
-            : "it holds " + series.size() + " series: " + list,
+            ? "the folder has no series '" + wanted.get() + "', only " + list
+            : "the folder has " + series.size() + " series: " + list,
         folder,
         "choose one with --series 1 to --series " + series.size());
   }

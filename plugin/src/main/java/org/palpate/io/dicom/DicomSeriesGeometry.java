@@ -107,18 +107,18 @@ final class DicomSeriesGeometry {
     DicomFile dicom = frames.get(0).dicom();
     if (frames.stream().anyMatch(frame -> !frame.dicom().file().equals(dicom.file()))) {
       throw refusal(
-          "some of its pictures do not say where they lie",
+          "some of the images have no position",
           "name one file, or a folder with one series that has positions");
     }
     double[] spacing = dicom.attributes().decimals(DicomTag.PIXEL_SPACING, 2);
     double[] slices = dicom.attributes().decimals(DicomTag.SLICE_SPACING, 1);
-    notes.add("the file does not say where its pictures lie: in its order, at the origin");
+    notes.add("the images have no position: stacked in file order at the origin");
     if (spacing == null) {
-      notes.add("the file does not say how large its pixels are: 1 mm assumed");
+      notes.add("the pixel size is unknown: 1 mm assumed");
       spacing = new double[] {1, 1};
     }
     if (slices == null) {
-      notes.add("the file does not say how far apart its slices are: as far as its pixels");
+      notes.add("the slice spacing is unknown: taken to be the pixel spacing");
       slices = new double[] {spacing[1]};
     }
     int[] sizes = {dicom.columns(), dicom.rows(), frames.size()};
@@ -142,7 +142,7 @@ final class DicomSeriesGeometry {
                   <= SAME_DIRECTION;
       if (!alike) {
         throw refusal(
-            "its slices differ in direction or pixel spacing", "export one series of one kind");
+            "the slices differ in direction or pixel spacing", "export one series of one kind");
       }
     }
   }
@@ -161,8 +161,8 @@ final class DicomSeriesGeometry {
         headerSpacing != null && headerSpacing[0] > 0 && Double.isFinite(headerSpacing[0]);
     notes.add(
         usable
-            ? "a single slice: its spacing is what the header says"
-            : "a single slice: taken to be as thick as its pixels are wide");
+            ? "a single slice: the slice spacing is that of the header"
+            : "a single slice: the slice spacing is taken to be the pixel spacing");
     return normal.mul(usable ? headerSpacing[0] : plane(0).columnSpacingMm(), new Vec3());
   }
 
@@ -170,7 +170,7 @@ final class DicomSeriesGeometry {
     for (int k = 1; k < frames.size(); k++) {
       if (alongNormalMm[k] - alongNormalMm[k - 1] < SAME_POSITION_MM) {
         throw refusal(
-            "two of its slices lie in one place, at " + mm(alongNormalMm[k]) + " mm",
+            "two slices have the same position, at " + mm(alongNormalMm[k]) + " mm",
             "export each time step or echo as a series of its own");
       }
     }
@@ -184,9 +184,9 @@ final class DicomSeriesGeometry {
       throw refusal(
           String.format(
               Locale.ROOT,
-              "its slices are tilted by %.2f degrees against the way they are stacked",
+              "the slices are tilted by %.2f degrees against their normal (gantry tilt)",
               degrees),
-          "straighten it first, with gdcm2vtk or 3D Slicer for one (gantry tilt)");
+          "correct the tilt first, for example with 3D Slicer");
     }
   }
 
@@ -218,18 +218,17 @@ final class DicomSeriesGeometry {
             + mm(alongNormalMm[k + 1])
             + " mm the gap is "
             + mm(gap)
-            + " mm, elsewhere "
+            + " mm instead of "
             + mm(stepMm)
             + " mm";
     long missing = Math.round(gap / stepMm) - 1;
     boolean whole = missing > 0 && Math.abs(gap - (missing + 1) * stepMm) <= 2 * UNEVEN * stepMm;
     String what =
-        whole ? missing + " slice(s) missing: " + where : "its slices are uneven: " + where;
+        whole ? missing + " slice(s) missing: " + where : "the slice spacing is uneven: " + where;
     if (!resample) {
-      throw refusal(
-          what, "export the series whole, or accept slices made in between by --resample");
+      throw refusal(what, "export the whole series, or allow interpolated slices with --resample");
     }
-    notes.add("resampled to slices " + mm(stepMm) + " mm apart, for " + what);
+    notes.add("resampled to slices " + mm(stepMm) + " mm apart because " + what);
   }
 
   private List<SliceInterpolation> weights(int depth) {

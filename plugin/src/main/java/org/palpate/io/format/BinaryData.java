@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.InflaterInputStream;
-import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VoxelType;
 
@@ -50,7 +49,7 @@ public record BinaryData(
     double each = (double) byteCount / files.size();
     if (byteCount % files.size() != 0) {
       throw new VolumeFormatException(
-          byteCount + " bytes do not part evenly into " + files.size() + " files",
+          byteCount + " bytes of data cannot be split evenly over " + files.size() + " files",
           files.get(0),
           "correct the sizes or the list of files");
     }
@@ -58,22 +57,21 @@ public record BinaryData(
       long length = InputFiles.length(file);
       double offset = Math.max(0, start.offset());
       double most = length - offset;
-      if (start.deflated() || start.insideGzip()) {
+      if (isCompressed()) {
         most = (double) length * MAX_DEFLATE_RATIO - (start.insideGzip() ? offset : 0);
       }
       if (each > most) {
-        throw new VolumeFormatException(
-            "its header promises "
-                + NumberText.display(each)
-                + " bytes of data at "
-                + start.offset()
-                + ", but the file has "
-                + length
-                + (most > length ? " (compressed)" : ""),
+        throw InputFiles.truncatedFile(
             file,
-            "the file was cut short or its sizes are wrong; copy or export it again");
+            each,
+            length - (start.insideGzip() ? 0 : offset),
+            isCompressed() ? "compressed" : "");
       }
     }
+  }
+
+  private boolean isCompressed() {
+    return start.deflated() || start.insideGzip();
   }
 
   @Override

@@ -54,7 +54,7 @@ public final class BinarySampleStream implements SampleStream {
     try {
       bytes.skipNBytes((count - buffered) * type.bytes());
     } catch (EOFException e) {
-      throw new EOFException("data end inside what is passed over");
+      throw new EOFException("the data end among skipped samples");
     }
   }
 
@@ -68,7 +68,7 @@ public final class BinarySampleStream implements SampleStream {
       limit = bytes.readNBytes(buffer, 0, BUFFER_BYTES) / type.bytes();
       next = 0;
       if (limit == 0) {
-        throw new EOFException("data end");
+        throw new EOFException("the data end");
       }
     }
     return limit - next;

@@ -49,7 +49,7 @@ public final class ConcatenatedInputStream extends InputStream {
       got = part.read(dest, from, (int) Math.min(count, left));
     }
     if (got < 0 && left > 0 && bytesPerFile < Long.MAX_VALUE) {
-      throw new EOFException("a data file ends early");
+      throw new EOFException("a data file is too short");
     }
     left -= Math.max(got, 0);
     return got;

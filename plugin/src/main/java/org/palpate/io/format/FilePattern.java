@@ -25,14 +25,14 @@ public final class FilePattern {
 
   private static List<String> expand(Path header, String[] words) throws VolumeFormatException {
     if (!words[0].matches("[^%]*%(0?[1-9])?[du][^%]*")) {
-      throw refusal(header, "the pattern '" + words[0] + "' has not one number like %03d");
+      throw refusal(header, "the pattern '" + words[0] + "' needs exactly one number like %03d");
     }
     String format = words[0].replaceFirst("(%(0?[1-9])?)u", "$1d");
     long first = integer(header, words[1]);
     long last = integer(header, words[2]);
     long step = integer(header, words[3]);
     if (step == 0 || (last - first) / step < 0 || (last - first) / step >= MAX_FILES) {
-      throw refusal(header, "the numbers of its file pattern make no list of files");
+      throw refusal(header, "the numbers of its file pattern give no list of files");
     }
     List<String> names = new ArrayList<>();
     for (long n = first; step > 0 ? n <= last : n >= last; n += step) {
@@ -45,11 +45,12 @@ public final class FilePattern {
     try {
       return Integer.parseInt(text);
     } catch (NumberFormatException e) {
-      throw refusal(header, "'" + text + "' in its file pattern is no whole number");
+      throw refusal(header, "'" + text + "' in the file pattern is no integer");
     }
   }
 
   private static VolumeFormatException refusal(Path header, String what) {
-    return new VolumeFormatException(what, header, "name the data files one by one (LIST)");
+    return new VolumeFormatException(
+        what, header, "list the names of the data files instead (LIST)");
   }
 }

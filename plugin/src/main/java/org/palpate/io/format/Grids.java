@@ -39,12 +39,14 @@ public final class Grids {
     }
     if (!firstCentre.isFinite()) {
       throw new VolumeFormatException(
-          "the origin " + firstCentre + " is not finite", file, "write the file's origin anew");
+          "the origin " + firstCentre + " is not finite",
+          file,
+          "export the file again with an origin");
     }
     RigidTransform place = new RigidTransform(axes[0], axes[1], axes[2], firstCentre);
     if (!place.isOrthonormal()) {
       throw new VolumeFormatException(
-          "its axes are not at right angles (" + angles(axes) + " degrees)",
+          "the axes are not at right angles (" + angles(axes) + " degrees)",
           file,
           "resample it onto a rectangular grid in the tool that wrote it");
     }
@@ -75,13 +77,13 @@ public final class Grids {
     String text = sizes[0] + "x" + sizes[1] + "x" + sizes[2];
     if (sizes[0] < 1 || sizes[1] < 1 || sizes[2] < 1) {
       throw new VolumeFormatException(
-          "its size is " + text + " voxels", file, "write a volume with at least one voxel");
+          "the size is " + text + " voxels", file, "write a volume with at least one voxel");
     }
     double bricks =
         Math.ceil(sizes[0] / 4.0) * Math.ceil(sizes[1] / 4.0) * Math.ceil(sizes[2] / 4.0);
     if (bricks > MAX_BRICKS || (double) sizes[0] * sizes[1] > MAX_BRICKS) {
       throw new VolumeFormatException(
-          "its size is " + text + " voxels, more than this can hold in any memory",
+          "the size is " + text + " voxels, more than fit in any memory",
           file,
           "crop or halve the volume in the tool that wrote it");
     }

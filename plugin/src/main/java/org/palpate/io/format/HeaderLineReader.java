@@ -33,7 +33,9 @@ public final class HeaderLineReader {
     for (; c >= 0 && c != '\n'; c = in.read()) {
       if (length == MAX_LINE_BYTES || bytesRead + length > MAX_HEADER_BYTES) {
         throw new VolumeFormatException(
-            "a line of its header has no end", file, "write the file anew; its header is damaged");
+            "a line of the header has no end",
+            file,
+            "export the file again; its header is damaged");
       }
       if (length == line.length) {
         line = Arrays.copyOf(line, 2 * length);

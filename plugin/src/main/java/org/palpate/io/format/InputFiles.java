@@ -8,6 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
@@ -50,7 +51,7 @@ public final class InputFiles {
         throw new VolumeFormatException("no such file", file, "check the path");
       }
       if (!Files.isRegularFile(file)) {
-        throw new VolumeFormatException("not a plain file", file, "name a file");
+        throw new VolumeFormatException("not a regular file", file, "name a file");
       }
       return Files.size(file);
     } catch (VolumeFormatException e) {
@@ -58,6 +59,25 @@ public final class InputFiles {
     } catch (IOException e) {
       throw unreadableFile(file, e);
     }
+  }
+
+  /**
+   * Returns the exception for a file that is too short for its header.
+   *
+   * @param promised bytes of data that the header promises
+   * @param found bytes of data that the file has
+   * @param encoding the compression of the bytes found; empty if there is none
+   */
+  public static VolumeFormatException truncatedFile(
+      Path file, double promised, double found, String encoding) {
+    return new VolumeFormatException(
+        "the header promises "
+            + NumberText.count(promised)
+            + " bytes of data but the file has "
+            + NumberText.count(Math.max(0, found))
+            + (encoding.isEmpty() ? "" : " (" + encoding + ")"),
+        file,
+        "copy the file again; if that does not help, export it again");
   }
 
   /** Returns the exception for a file that the system does not let us read. */
@@ -81,9 +101,9 @@ public final class InputFiles {
       if (!file.normalize().startsWith(folder.normalize())
           || !real.startsWith(folder.toRealPath())) {
         throw new VolumeFormatException(
-            "its data file '" + name + "' lies outside its folder",
+            "the data file '" + name + "' is outside its folder",
             header,
-            "put the data beside the header and name it without a path");
+            "put the data file into the folder of the header and name it without a path");
       }
       length(real);
       return real;
@@ -91,7 +111,10 @@ public final class InputFiles {
       throw e;
     } catch (IOException e) {
       throw new VolumeFormatException(
-          "its data file '" + name + "' is not there", header, "put it beside the header", e);
+          "the data file '" + name + "' is missing",
+          header,
+          "put it into the folder of the header",
+          e);
     }
   }
 
@@ -101,15 +124,15 @@ public final class InputFiles {
       relative = Path.of(name);
     } catch (IllegalArgumentException e) {
       throw new VolumeFormatException(
-          "its data file '" + name + "' is no file name", header, "name a file beside it", e);
+          "the data file '" + name + "' is no valid file name", header, "correct the name", e);
     }
     // both separators on every system
     boolean climbs = name.replace('\\', '/').matches("(.*/)?\\.\\.(/.*)?|/.*|[A-Za-z]:.*");
     if (relative.isAbsolute() || climbs || name.isBlank()) {
       throw new VolumeFormatException(
-          "its data file '" + name + "' lies outside its folder",
+          "the data file '" + name + "' is outside its folder",
           header,
-          "put the data beside the header and name it without a path");
+          "put the data file into the folder of the header and name it without a path");
     }
     return folder.resolve(relative);
   }

@@ -36,11 +36,11 @@ public final class MemoryCheck {
           purpose
               + " needs "
               + NumberText.bytes(bytes)
-              + " of memory, "
+              + " of memory but "
               + NumberText.bytes(Math.max(0, availableBytes()))
               + " are free",
           place,
-          "give Java more (JAVA_TOOL_OPTIONS=-Xmx...) or crop or halve the volume");
+          "give Java more memory (JAVA_TOOL_OPTIONS=-Xmx...), or crop or halve the volume");
     }
   }
 

@@ -34,13 +34,15 @@ public final class ReadOptionChecks {
   private static VolumeFormatException refusal(int count, OptionalInt chosen, Path file) {
     if (count == 1) {
       return new VolumeFormatException(
-          "it has one time step alone, and no step " + chosen.getAsInt(), file, "leave --time out");
+          "the file has a single time step, no step " + chosen.getAsInt(),
+          file,
+          "leave --time out");
     }
     String last = Integer.toString(count - 1);
     return new VolumeFormatException(
         chosen.isEmpty()
-            ? "it holds " + count + " time steps or components a voxel"
-            : "it has no step " + chosen.getAsInt() + ", only 0 to " + last,
+            ? "the file has " + count + " time steps or components"
+            : "the file has no step " + chosen.getAsInt() + ", only 0 to " + last,
         file,
         "choose one with --time 0 to --time " + last);
   }
@@ -54,7 +56,7 @@ public final class ReadOptionChecks {
       throws VolumeFormatException {
     if (options.series().isPresent()) {
       throw new VolumeFormatException(
-          "it has no series to choose from, as a folder of DICOM files has",
+          "a single file has no series to choose from, unlike a folder of DICOM files",
           file,
           "leave --series out");
     }

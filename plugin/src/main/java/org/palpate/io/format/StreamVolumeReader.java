@@ -67,9 +67,9 @@ public final class StreamVolumeReader implements VolumeReader {
       throw e;
     } catch (EOFException e) {
       throw new VolumeFormatException(
-          "data end after " + k + " of " + grid.sizeZ() + " slices",
+          "the data end after " + k + " of " + grid.sizeZ() + " slices",
           sourceName(),
-          "the file was cut short; copy or export it again",
+          "copy the file again",
           e);
     } catch (IOException e) {
       throw unreadable(e, k);
@@ -78,7 +78,7 @@ public final class StreamVolumeReader implements VolumeReader {
 
   private VolumeFormatException unreadable(IOException e, int k) {
     return new VolumeFormatException(
-        "data are damaged in slice " + k + " (" + e.getMessage() + ")",
+        "the data are damaged in slice " + k + " (" + e.getMessage() + ")",
         sourceName(),
         "copy or export the file again",
         e);

@@ -70,7 +70,7 @@ public final class TextSampleStream implements SampleStream {
       word[length++] = (char) c;
     }
     if (length == 0) {
-      throw new EOFException("values end");
+      throw new EOFException("the values end");
     }
     return new String(word, 0, length);
   }

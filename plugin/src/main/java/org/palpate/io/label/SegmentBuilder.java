@@ -31,7 +31,7 @@ public final class SegmentBuilder implements SliceSink {
    *
    * @param integer whether the slices hold integers, {@code header.values().isInteger()}
    */
-  public SegmentBuilder(VoxelGrid grid, List<SegmentSpec> specs, boolean integer) {
+  private SegmentBuilder(VoxelGrid grid, List<SegmentSpec> specs, boolean integer) {
     this.grid = grid;
     for (SegmentSpec spec : specs) {
       int rgb = spec.rgb() == SegmentSpec.ANY_COLOUR ? paletteColour(layers.size()) : spec.rgb();
@@ -77,7 +77,7 @@ public final class SegmentBuilder implements SliceSink {
   }
 
   /** Returns the segments after the last slice. */
-  public SegmentedVolume build() {
+  private SegmentedVolume build() {
     return new SegmentedVolume(grid, layers.stream().map(SegmentAccumulator::segment).toList());
   }
 }

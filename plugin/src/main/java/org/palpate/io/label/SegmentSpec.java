@@ -115,7 +115,7 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
           .mapToLong(Long::parseLong)
           .toArray();
     } catch (NumberFormatException e) {
-      throw refusal("labels must be whole numbers", text);
+      throw refusal("labels must be integers", text);
     }
   }
 
@@ -132,7 +132,7 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
       high = NumberParser.number(rule.substring(dots + 2));
     }
     if (!(low <= high)) {
-      throw refusal("the values of a segment are not understood", text);
+      throw refusal("the values of the segment are not understood", text);
     }
     return range(name, low, high);
   }

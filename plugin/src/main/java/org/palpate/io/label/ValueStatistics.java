@@ -16,7 +16,7 @@ import org.palpate.io.volume.VoxelSlice;
  */
 public final class ValueStatistics implements SliceSink {
   /** The most distinct values that labels can have. */
-  public static final int MAX_LABELS = 1024;
+  private static final int MAX_LABELS = 1024;
 
   /**
    * The least fraction of a label's voxels that the same label follows along x. Labels fill

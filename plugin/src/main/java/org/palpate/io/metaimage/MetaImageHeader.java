@@ -68,7 +68,7 @@ record MetaImageHeader(
     if (equals < 1) {
       String shown = line.length() > 60 ? line.substring(0, 60) + "..." : line;
       throw new VolumeFormatException(
-          "the line '" + shown + "' of its header is no field", file, "write the file anew");
+          "the line '" + shown + "' of the header is no field", file, "export the file again");
     }
     fields.put(line.substring(0, equals).strip(), line.substring(equals + 1).strip());
   }
@@ -81,7 +81,7 @@ record MetaImageHeader(
   String required(String key) throws VolumeFormatException {
     String value = fields.get(key);
     if (value == null) {
-      throw refusal("its header has no '" + key + "'");
+      throw refusal("the header has no '" + key + "'");
     }
     return value;
   }
@@ -104,7 +104,6 @@ record MetaImageHeader(
 
   /** Returns an exception that names the header. */
   VolumeFormatException refusal(String what) {
-    return new VolumeFormatException(
-        what, file, "correct the header, or write the file anew with the tool it came from");
+    return new VolumeFormatException(what, file, "correct the header, or export the file again");
   }
 }

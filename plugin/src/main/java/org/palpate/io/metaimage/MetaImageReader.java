@@ -66,7 +66,7 @@ public final class MetaImageReader {
     sizes = sizes();
     channels = NumberParser.positiveInt(header.first("1", "ElementNumberOfChannels"));
     if (channels < 1) {
-      throw header.refusal("its ElementNumberOfChannels is no positive number");
+      throw header.refusal("the ElementNumberOfChannels is no positive number");
     }
     NonSpatialAxis extra = extra();
     VoxelGrid grid = grid();
@@ -108,14 +108,14 @@ public final class MetaImageReader {
   private int[] sizes() throws VolumeFormatException {
     int dimension = NumberParser.positiveInt(header.required("NDims"));
     if (dimension < 2 || dimension > 4) {
-      throw header.refusal("its NDims is '" + header.required("NDims") + "', not 2, 3 or 4");
+      throw header.refusal("the NDims is '" + header.required("NDims") + "', not 2, 3 or 4");
     }
     double[] numbers = numbers(header.required("DimSize"), dimension, "DimSize");
     int[] result = new int[dimension];
     for (int axis = 0; axis < dimension; axis++) {
       result[axis] = (int) numbers[axis];
       if (result[axis] < 1 || result[axis] != numbers[axis]) {
-        throw header.refusal("its DimSize is '" + header.required("DimSize") + "'");
+        throw header.refusal("the DimSize is '" + header.required("DimSize") + "'");
       }
     }
     return result;
@@ -124,7 +124,7 @@ public final class MetaImageReader {
   private NonSpatialAxis extra() throws VolumeFormatException {
     int steps = sizes.length > 3 ? sizes[3] : 1;
     if (steps > 1 && channels > 1) {
-      throw header.refusal("it has several time steps and several channels");
+      throw header.refusal("the file has both several time steps and several channels");
     }
     int count = Math.max(steps, channels);
     int step = ReadOptionChecks.chosenStep(count, options, header.file(), notes);
@@ -146,7 +146,7 @@ public final class MetaImageReader {
       steps[axis] = direction.mul(spacing[axis], direction);
     }
     if (n == 2) {
-      notes.add("a single picture: one slice, taken to be as thick as its pixels are wide");
+      notes.add("a single slice: the slice spacing is taken to be the pixel spacing");
     }
     int[] three = {sizes[0], sizes[1], n > 2 ? sizes[2] : 1};
     return Grids.of(
@@ -167,13 +167,13 @@ public final class MetaImageReader {
   private double[] numbers(String text, int count, String key) throws VolumeFormatException {
     String[] words = text.strip().split("\\s+", -1);
     if (words.length != count) {
-      throw header.refusal("its " + key + " has " + words.length + " numbers, not " + count);
+      throw header.refusal("the " + key + " has " + words.length + " numbers, not " + count);
     }
     double[] numbers = new double[count];
     for (int n = 0; n < count; n++) {
       numbers[n] = NumberParser.number(words[n]);
       if (!Double.isFinite(numbers[n])) {
-        throw header.refusal("'" + words[n] + "' in its " + key + " is no finite number");
+        throw header.refusal("'" + words[n] + "' in the field " + key + " is no finite number");
       }
     }
     return numbers;
@@ -187,7 +187,7 @@ public final class MetaImageReader {
     List<String> names =
         value.startsWith("LIST") ? header.dataList() : FilePattern.names(header.file(), value);
     if (names.isEmpty()) {
-      throw header.refusal("its list of data files is empty");
+      throw header.refusal("the list of data files is empty");
     }
     List<Path> files = new ArrayList<>();
     for (String name : names) {
@@ -205,7 +205,7 @@ public final class MetaImageReader {
       exact *= size;
     }
     if (bytes > 0x1p60) {
-      throw header.refusal("its sizes make more than 2^60 bytes");
+      throw header.refusal("the sizes make more than 2^60 bytes");
     }
     boolean msb = header.isTrue("BinaryDataByteOrderMSB", "ElementByteOrderMSB");
     BinaryData.Start start =
@@ -227,7 +227,7 @@ public final class MetaImageReader {
       length += InputFiles.length(file);
     }
     if (samples > length / 2 + 1) {
-      throw header.refusal("its header promises " + samples + " values in " + length + " bytes");
+      throw header.refusal("the header promises " + samples + " values in " + length + " bytes");
     }
   }
 
@@ -238,7 +238,7 @@ public final class MetaImageReader {
     String text = header.first("0", "HeaderSize");
     double skip = NumberParser.number(text);
     if (!(skip >= -1) || skip != Math.rint(skip) || skip > 0x1p53) {
-      throw header.refusal("its HeaderSize is '" + text + "'");
+      throw header.refusal("the HeaderSize is '" + text + "'");
     }
     return (long) skip;
   }
@@ -256,7 +256,7 @@ public final class MetaImageReader {
       case "MET_ULONG_LONG" -> VoxelType.UINT64;
       case "MET_FLOAT" -> VoxelType.FLOAT32;
       case "MET_DOUBLE" -> VoxelType.FLOAT64;
-      default -> throw header.refusal("the type '" + name + "' is not a number's");
+      default -> throw header.refusal("the type '" + name + "' is no type of number");
     };
   }
 }

@@ -28,7 +28,7 @@ record NiftiAffine(List<Vec3> stepsMm, Vec3 firstCentreMm, boolean isKnown) {
     if (header.qformCode() > 0) {
       return byQform(header).scaled(mm);
     }
-    notes.add("the file does not say where the patient lies: axes as stored");
+    notes.add("the orientation in the patient is unknown: axes as stored");
     Vec3[] steps =
         Grids.steps(
             new Vec3(
@@ -69,7 +69,7 @@ record NiftiAffine(List<Vec3> stepsMm, Vec3 firstCentreMm, boolean isKnown) {
     double d = header.quatern(2);
     double rest = 1 - (b * b + c * c + d * d);
     if (!(rest >= -QUATERNION_TOLERANCE)) {
-      throw header.refusal("its quaternion (" + b + ", " + c + ", " + d + ") is no rotation");
+      throw header.refusal("the quaternion (" + b + ", " + c + ", " + d + ") is no rotation");
     }
     double a = rest < QUATERNION_TOLERANCE ? 0 : Math.sqrt(rest);
     double s = 2 / (a * a + b * b + c * c + d * d);

@@ -63,7 +63,7 @@ final class NiftiHeader {
     byte[] start = firstBytes(file);
     if (start.length < LENGTH_1) {
       throw new VolumeFormatException(
-          "it ends inside its header", file, "copy or export the file again");
+          "the file ends inside its header", file, "copy or export the file again");
     }
     ByteBuffer bytes = ByteBuffer.wrap(start).order(order(start));
     boolean second = bytes.getInt(0) == LENGTH_2 && start.length >= LENGTH_2;
@@ -71,9 +71,9 @@ final class NiftiHeader {
     boolean known = second ? magic.matches("n[+i]2") : magic.matches("n[+i]1");
     if (!known || (!second && bytes.getInt(0) != LENGTH_1)) {
       throw new VolumeFormatException(
-          "it has not the header of a NIfTI file (an old Analyze file has none)",
+          "the file has no NIfTI header; it may be Analyze 7.5, which cannot be read",
           file,
-          "convert it to NIfTI with the tool it came from");
+          "convert it to NIfTI with the program that wrote it");
     }
     return new NiftiHeader(file, bytes, second, magic.charAt(1) == 'i');
   }
@@ -88,7 +88,7 @@ final class NiftiHeader {
       return in.readNBytes(LENGTH_2);
     } catch (IOException e) {
       throw new VolumeFormatException(
-          "its gzip data are damaged", file, "copy or export the file again", e);
+          "the gzip stream is damaged", file, "copy or export the file again", e);
     }
   }
 
@@ -190,7 +190,7 @@ final class NiftiHeader {
 
   /** Returns an exception that names the header. */
   VolumeFormatException refusal(String what) {
-    return new VolumeFormatException(what, file, "write the file anew with the tool it came from");
+    return new VolumeFormatException(what, file, "export the file again");
   }
 
   private double real(int first, int secondOffset, int n) {

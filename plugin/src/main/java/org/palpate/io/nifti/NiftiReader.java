@@ -100,19 +100,21 @@ public final class NiftiReader {
       }
     }
     throw new VolumeFormatException(
-        "its other half " + stem + to + " is not there", file, "put both files in one folder");
+        "the second file of the pair, " + stem + to + ", is missing",
+        file,
+        "put both files into one folder");
   }
 
   private static int[] sizes(NiftiHeader header) throws VolumeFormatException {
     int[] sizes = {1, 1, 1};
     int dimension = (int) header.dim(0);
     if (dimension < 2 || dimension > 7) {
-      throw header.refusal("it has " + header.dim(0) + " axes");
+      throw header.refusal("the header has " + header.dim(0) + " axes, not 2 to 7");
     }
     for (int axis = 0; axis < Math.min(3, dimension); axis++) {
       long size = header.dim(axis + 1);
       if (size < 1 || size > Integer.MAX_VALUE) {
-        throw header.refusal("its size along " + "xyz".charAt(axis) + " is " + size);
+        throw header.refusal("the size along " + "xyz".charAt(axis) + " is " + size);
       }
       sizes[axis] = (int) size;
     }
@@ -124,12 +126,12 @@ public final class NiftiReader {
     double steps = 1;
     for (int axis = 4; axis <= header.dim(0); axis++) {
       if (header.dim(axis) < 0) {
-        throw header.refusal("its size along axis " + axis + " is " + header.dim(axis));
+        throw header.refusal("the size along axis " + axis + " is " + header.dim(axis));
       }
       steps *= Math.max(1, header.dim(axis));
     }
     if (steps > Integer.MAX_VALUE) {
-      throw header.refusal("it has " + NumberText.display(steps) + " time steps");
+      throw header.refusal("the header has " + NumberText.display(steps) + " time steps");
     }
     return new NonSpatialAxis(
         3, (int) steps, ReadOptionChecks.chosenStep((int) steps, options, header.file(), notes));
@@ -140,7 +142,7 @@ public final class NiftiReader {
       throws VolumeFormatException {
     double bytes = (double) grid.voxelCount() * extra.count() * type.bytes();
     if (bytes > 0x1p60) {
-      throw header.refusal("its sizes make more than 2^60 bytes");
+      throw header.refusal("the sizes make more than 2^60 bytes");
     }
     return grid.voxelCount() * extra.count() * type.bytes();
   }
@@ -150,7 +152,9 @@ public final class NiftiReader {
     long least = header.isPair() ? 0 : header.length() + 4;
     if (!(offset >= least) || offset > 0x1p53 || offset != Math.rint(offset)) {
       throw header.refusal(
-          "its data begin at " + NumberText.display(offset) + ", inside the header or nowhere");
+          "the data begin at byte "
+              + NumberText.display(offset)
+              + ", which is not after the header");
     }
     return (long) offset;
   }
@@ -161,7 +165,7 @@ public final class NiftiReader {
       return Scaling.NONE;
     }
     if (!Double.isFinite(header.intercept())) {
-      throw header.refusal("its intercept is " + header.intercept());
+      throw header.refusal("the intercept is " + header.intercept());
     }
     return new Scaling(slope, header.intercept());
   }
@@ -179,15 +183,15 @@ public final class NiftiReader {
       case 1024 -> VoxelType.INT64;
       case 1280 -> VoxelType.UINT64;
       case 32, 1792, 2048 -> throw unusable(header, "complex numbers");
-      case 128, 2304 -> throw unusable(header, "colours");
-      default -> throw unusable(header, "data of type " + header.datatype());
+      case 128, 2304 -> throw unusable(header, "colours (RGB)");
+      default -> throw unusable(header, "of the unknown type " + header.datatype());
     };
   }
 
   private static VolumeFormatException unusable(NiftiHeader header, String what) {
     return new VolumeFormatException(
-        "it holds " + what + ", not one number a voxel",
+        "the voxels are " + what + ", not single numbers",
         header.file(),
-        "convert it to integers or floats first");
+        "convert the file to integers or floats first");
   }
 }

@@ -57,7 +57,7 @@ record NrrdAxes(
     NrrdAxes read() throws VolumeFormatException {
       int dimension = NumberParser.positiveInt(header.required("dimension"));
       if (dimension < 1 || dimension > MAX_AXES) {
-        throw header.refusal("its dimension is '" + header.required("dimension") + "'");
+        throw header.refusal("the dimension is '" + header.required("dimension") + "'");
       }
       sizes = sizes(dimension);
       long samples = sampleCount();
@@ -73,13 +73,13 @@ record NrrdAxes(
       String[] words = header.words("sizes");
       if (words.length != dimension) {
         throw header.refusal(
-            "its dimension is " + dimension + " but it has " + words.length + " sizes");
+            "the dimension is " + dimension + " but there are " + words.length + " sizes");
       }
       int[] result = new int[dimension];
       for (int axis = 0; axis < dimension; axis++) {
         result[axis] = NumberParser.positiveInt(words[axis]);
         if (result[axis] < 1) {
-          throw header.refusal("its size along axis " + axis + " is '" + words[axis] + "'");
+          throw header.refusal("the size along axis " + axis + " is '" + words[axis] + "'");
         }
       }
       return result;
@@ -93,7 +93,7 @@ record NrrdAxes(
         }
         return count / 8;
       } catch (ArithmeticException e) {
-        throw header.refusal("its sizes make more than 2^60 voxels");
+        throw header.refusal("the sizes make more than 2^60 voxels");
       }
     }
 
@@ -111,7 +111,7 @@ record NrrdAxes(
       }
       if (found != dimension) {
         throw header.refusal(
-            "its dimension is " + dimension + " but it has " + found + " space directions");
+            "the dimension is " + dimension + " but there are " + found + " space directions");
       }
       return result;
     }
@@ -141,9 +141,9 @@ record NrrdAxes(
       }
       if (space.size() < 2 || space.size() > 3) {
         throw new VolumeFormatException(
-            "it has " + space.size() + " axes of space",
+            "the file has " + space.size() + " spatial axes",
             header.file(),
-            "give a volume with three (kinds: domain domain domain)");
+            "give a volume with three spatial axes (kinds: domain domain domain)");
       }
       return space;
     }
@@ -154,7 +154,7 @@ record NrrdAxes(
         int here = axis;
         if (!space.contains(axis) && sizes[axis] > 1) {
           if (extra.count() > 1) {
-            throw header.refusal("it has more than one axis that is not of space");
+            throw header.refusal("the file has more than one non-spatial axis");
           }
           int position = (int) space.stream().filter(other -> other < here).count();
           // two spatial axes are followed by an implied third one of one voxel
@@ -175,7 +175,7 @@ record NrrdAxes(
         steps[n] = step(n, space.get(n), centre);
       }
       if (space.size() == 2) {
-        notes.add("a single picture: one slice, taken to be as thick as its pixels are wide");
+        notes.add("a single slice: the slice spacing is taken to be the pixel spacing");
         steps[2] = thickness(steps[0], steps[1]);
       }
       if (header.field("space origin").isPresent()) {
@@ -207,7 +207,7 @@ record NrrdAxes(
       int intervals = node ? sizes[axis] - 1 : sizes[axis];
       double spacing = perAxis("spacings", axis);
       if (Double.isNaN(spacing) && header.field("spacings").isPresent()) {
-        throw header.refusal("its spacing along axis " + axis + " is no number");
+        throw header.refusal("the spacing along axis " + axis + " is no number");
       }
       if (Double.isNaN(spacing)) {
         spacing = (high - low) / intervals;
@@ -256,7 +256,7 @@ record NrrdAxes(
         case "m", "meter", "metre" -> 1000;
         case "um", "\u00b5m", "\u03bcm", "micron", "microns", "micrometer" -> 1e-3;
         case "nm" -> 1e-6;
-        default -> throw header.refusal("its unit of length '" + unit + "' is unknown");
+        default -> throw header.refusal("the unit of length '" + unit + "' is unknown");
       };
     }
 
@@ -267,7 +267,8 @@ record NrrdAxes(
         case "right-anterior-superior", "ras" -> CoordinateSystem.RAS;
         case "left-anterior-superior", "las" -> CoordinateSystem.LAS;
         case "", "scanner-xyz", "3d-right-handed", "3d-left-handed" -> CoordinateSystem.UNKNOWN;
-        default -> throw header.refusal("its space '" + space + "' has not three axes of space");
+        default ->
+            throw header.refusal("the space '" + space + "' is unknown or has not three axes");
       };
     }
   }

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.zip.GZIPInputStream;
 import org.apache.commons.compress.compressors.bzip2.BZip2CompressorInputStream;
 import org.palpate.io.codec.HexInputStream;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
 import org.palpate.io.format.BinarySampleStream;
 import org.palpate.io.format.ConcatenatedInputStream;
@@ -78,7 +79,8 @@ record NrrdData(
     List<Path> files = NrrdDataFiles.of(header);
     long bytes = samples * type.bytes();
     if (bytes % files.size() != 0) {
-      throw header.refusal(bytes + " bytes do not part evenly into " + files.size() + " files");
+      throw header.refusal(
+          bytes + " bytes of data cannot be split evenly over " + files.size() + " files");
     }
     NrrdData data =
         new NrrdData(
@@ -121,7 +123,9 @@ record NrrdData(
       for (long n = 0; n < lineSkip; n++) {
         if (lines.next() == null) {
           throw new VolumeFormatException(
-              "it has fewer lines than the " + lineSkip + " to skip", file, "correct 'line skip'");
+              "the file has fewer than the " + lineSkip + " lines to skip",
+              file,
+              "correct 'line skip'");
         }
       }
       return skipBytes(decompressed(in), file);
@@ -158,7 +162,7 @@ record NrrdData(
         count += got;
         if (count - bytesPerFile > MAX_BYTES_BEFORE_DATA) {
           throw new VolumeFormatException(
-              "its data are far longer than its sizes say", file, "correct the sizes");
+              "the data are far longer than the sizes allow", file, "correct the sizes");
         }
       }
       return Math.max(0, count - bytesPerFile);
@@ -173,14 +177,11 @@ record NrrdData(
       most = (length + 1) / 2.0 * type.bytes();
     }
     if ((double) bytesPerFile + Math.max(0, byteSkip) > most) {
-      throw new VolumeFormatException(
-          "its header promises "
-              + bytesPerFile
-              + " bytes of data, but it holds "
-              + length
-              + (encoding == Encoding.RAW ? "" : " (" + encoding.description() + ")"),
+      throw InputFiles.truncatedFile(
           file,
-          "the file was cut short or its sizes are wrong; copy or export it again");
+          (double) bytesPerFile,
+          (double) length,
+          encoding == Encoding.RAW ? "" : encoding.description());
     }
   }
 
@@ -199,9 +200,11 @@ record NrrdData(
       throw e;
     } catch (IOException e) {
       throw new VolumeFormatException(
-          "its header promises " + bytesPerFile + " bytes of data and it holds fewer",
+          "the header promises "
+              + NumberText.count((double) bytesPerFile)
+              + " bytes of data but the file has fewer",
           file,
-          "the file was cut short or its sizes are wrong; copy or export it again",
+          "copy the file again",
           e);
     }
   }
@@ -214,7 +217,7 @@ record NrrdData(
       case "hex" -> Encoding.HEX;
       case "gz", "gzip" -> Encoding.GZIP;
       case "bz2", "bzip2" -> Encoding.BZIP2;
-      default -> throw header.refusal("its encoding '" + name + "' is unknown");
+      default -> throw header.refusal("the encoding '" + name + "' is unknown");
     };
   }
 
@@ -225,8 +228,8 @@ record NrrdData(
     return switch (endian.toLowerCase(Locale.ROOT)) {
       case "little" -> ByteOrder.LITTLE_ENDIAN;
       case "big" -> ByteOrder.BIG_ENDIAN;
-      case "" -> throw header.refusal("its header does not say the byte order ('endian')");
-      default -> throw header.refusal("its endian '" + endian + "' is neither little nor big");
+      case "" -> throw header.refusal("the header does not say the byte order ('endian')");
+      default -> throw header.refusal("the endian '" + endian + "' is neither little nor big");
     };
   }
 
@@ -241,6 +244,6 @@ record NrrdData(
     } catch (NumberFormatException e) {
       // refused below, like a number that is too low
     }
-    throw header.refusal("its '" + field + "' is '" + text + "'");
+    throw header.refusal("the '" + field + "' is '" + text + "'");
   }
 }

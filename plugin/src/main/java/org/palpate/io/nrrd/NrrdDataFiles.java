@@ -21,7 +21,7 @@ final class NrrdDataFiles {
     List<String> names =
         value.startsWith("LIST") ? header.dataList() : FilePattern.names(header.file(), value);
     if (names.isEmpty()) {
-      throw header.refusal("its list of data files is empty");
+      throw header.refusal("the list of data files is empty");
     }
     List<Path> files = new ArrayList<>();
     for (String name : names) {
@@ -37,7 +37,7 @@ final class NrrdDataFiles {
     for (Path file : files) {
       if (file.equals(header.file().toAbsolutePath().normalize())
           || file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(".nhdr")) {
-        throw header.refusal("its data file '" + file.getFileName() + "' is a header");
+        throw header.refusal("the data file '" + file.getFileName() + "' is a header");
       }
     }
   }

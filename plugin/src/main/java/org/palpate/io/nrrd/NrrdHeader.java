@@ -55,7 +55,7 @@ record NrrdHeader(
       HeaderLineReader lines = new HeaderLineReader(in, file);
       String magic = lines.next();
       if (magic == null || !magic.matches("NRRD000[1-5]\\s*")) {
-        throw header.refusal("its first line is not NRRD0001 to NRRD0005");
+        throw header.refusal("the first line is not NRRD0001 to NRRD0005");
       }
       boolean listFollows = false;
       for (String line = lines.next(); line != null && !line.isEmpty(); line = lines.next()) {
@@ -85,7 +85,7 @@ record NrrdHeader(
    * @throws VolumeFormatException if it is absent
    */
   String required(String name) throws VolumeFormatException {
-    return field(name).orElseThrow(() -> refusal("its header has no '" + name + "'"));
+    return field(name).orElseThrow(() -> refusal("the header has no '" + name + "'"));
   }
 
   /** Returns the words of a field, separated by white space; none if it is absent. */
@@ -96,8 +96,7 @@ record NrrdHeader(
 
   /** Returns an exception that names the header. */
   VolumeFormatException refusal(String what) {
-    return new VolumeFormatException(
-        what, file, "correct the header, or write the file anew with the tool it came from");
+    return new VolumeFormatException(what, file, "correct the header, or export the file again");
   }
 
   /** Parses a line, and returns whether file names follow it. */
@@ -115,14 +114,14 @@ record NrrdHeader(
       return false;
     }
     if (field < 1) {
-      throw refusal("the line '" + shortened(line) + "' of its header is no field");
+      throw refusal("the line '" + shortened(line) + "' of the header is no field");
     }
     return putField(fieldName(line.substring(0, field)), line.substring(field + 1).strip());
   }
 
   private boolean putField(String name, String value) throws VolumeFormatException {
     if (fields.put(name, value) != null) {
-      throw refusal("the field '" + shortened(name) + "' stands twice in its header");
+      throw refusal("the field '" + shortened(name) + "' occurs twice in the header");
     }
     return name.equals("data file") && value.startsWith("LIST");
   }

@@ -81,7 +81,7 @@ public final class NrrdReader {
       case "float" -> VoxelType.FLOAT32;
       case "double" -> VoxelType.FLOAT64;
       default ->
-          throw header.refusal("the type '" + header.required("type") + "' is not a number's");
+          throw header.refusal("the type '" + header.required("type") + "' is no type of number");
     };
   }
 }

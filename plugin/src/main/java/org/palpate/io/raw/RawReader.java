@@ -46,11 +46,11 @@ public final class RawReader {
     }
     if (needed != length) {
       throw new VolumeFormatException(
-          "its length is "
+          "the file has "
               + length
               + " bytes"
               + (files.size() > 1 ? " in " + files.size() + " files" : "")
-              + ", --raw asks for "
+              + " but --raw describes "
               + (long) needed,
           file,
           "correct the sizes or the type of --raw");

@@ -57,16 +57,16 @@ public final class TrajectoryCsvReader {
    */
   public static long read(Path file, boolean checked, SampleSink sink) throws IOException {
     if (Files.isDirectory(file)) {
-      throw new CsvFormatException("it is a folder", file, "give a table with t_ms,x,y,z");
+      throw new CsvFormatException("the path is a folder", file, "give a table with t_ms,x,y,z");
     }
     try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
       return new TrajectoryCsvReader(file, checked).read(reader, sink);
     } catch (NoSuchFileException e) {
       throw new CsvFormatException("no such file", file, "check the path");
     } catch (MalformedInputException e) {
-      throw new CsvFormatException("it is no text", file, "give a table with t_ms,x,y,z");
+      throw new CsvFormatException("the file is no text", file, "give a table with t_ms,x,y,z");
     } catch (FileSystemException e) {
-      throw new CsvFormatException("it cannot be read", file, "check that you may read it");
+      throw new CsvFormatException("the file cannot be read", file, "check that you may read it");
     }
   }
 
@@ -83,7 +83,8 @@ public final class TrajectoryCsvReader {
       }
     }
     if (samples == 0) {
-      throw new CsvFormatException("it holds no sample", file, "give a header t_ms,x,y,z and rows");
+      throw new CsvFormatException(
+          "the file has no sample", file, "give a header t_ms,x,y,z and rows");
     }
     return samples;
   }
@@ -117,7 +118,7 @@ public final class TrajectoryCsvReader {
               + NumberText.text(needed[0]),
           file,
           lineNumber,
-          "sort the rows, or meet it with --raw-device");
+          "sort the rows, or accept it with --raw-device");
     }
     lastMs = needed[0];
     samples++;
@@ -142,7 +143,7 @@ public final class TrajectoryCsvReader {
             names.get(n) + " is " + word,
             file,
             lineNumber,
-            "mend the row, or meet it with --raw-device");
+            "correct the row, or accept it with --raw-device");
       }
     }
   }

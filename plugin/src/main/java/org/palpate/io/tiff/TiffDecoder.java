@@ -54,7 +54,7 @@ final class TiffDecoder {
     byte[] stored = bytes((long) page.offsets()[n], (int) page.byteCounts()[n]);
     try (InputStream in = decompressed(stored, page.compression())) {
       if (in.readNBytes(tileBytes, 0, tileRow * rows) < tileRow * rows) {
-        throw new EOFException("a piece of a page ends early");
+        throw new EOFException("a strip or tile is incomplete");
       }
     }
     int kept = Math.min(page.tileWidth(), page.width() - x) * sample;
@@ -99,7 +99,7 @@ final class TiffDecoder {
     ByteBuffer buffer = ByteBuffer.allocate(count);
     while (buffer.hasRemaining()) {
       if (channel.read(buffer, at + buffer.position()) < 0) {
-        throw new EOFException("the file ends early");
+        throw new EOFException("the file is too short");
       }
     }
     return buffer.array();

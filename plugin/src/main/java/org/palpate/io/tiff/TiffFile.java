@@ -54,7 +54,7 @@ final class TiffFile {
       throw e;
     } catch (EOFException e) {
       throw new VolumeFormatException(
-          "its directory points outside the file", file, "copy or export the file again", e);
+          "a directory is outside the file", file, "copy or export the file again", e);
     } catch (IOException e) {
       throw InputFiles.unreadableFile(file, e);
     }
@@ -94,7 +94,7 @@ final class TiffFile {
     while (at != 0) {
       if (!seen.add(at) || seen.size() > MAX_PAGES) {
         throw new VolumeFormatException(
-            "its pages have no end", file, "write the file anew with the tool it came from");
+            "the list of pages has no end", file, "export the file again");
       }
       at = readDirectory(channel, at);
     }
@@ -106,7 +106,7 @@ final class TiffFile {
     long count = big ? head.getLong(0) : head.getShort(0) & 0xffff;
     if (count < 1 || count > MAX_TAGS) {
       throw new VolumeFormatException(
-          "a page of it has " + count + " tags", file, "write the file anew");
+          "a page has " + count + " tags", file, "export the file again");
     }
     int entryBytes = big ? 20 : 12;
     ByteBuffer body = bytes(channel, at + countBytes, (int) count * entryBytes + (big ? 8 : 4));
@@ -130,7 +130,7 @@ final class TiffFile {
     }
     if (count < 0 || count > MAX_VALUES) {
       throw new VolumeFormatException(
-          "its tag " + tag + " has " + count + " values", file, "write the file anew");
+          "the tag " + tag + " has " + count + " values", file, "export the file again");
     }
     int valueAt = big ? 12 : 8;
     ByteBuffer values =

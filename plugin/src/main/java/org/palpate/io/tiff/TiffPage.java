@@ -113,7 +113,8 @@ final class TiffPage {
     int bits = (int) value(258, 1);
     int format = (int) value(339, 1);
     if (value(277, 1) != 1) {
-      throw refusal("it holds colours, " + NumberText.display(value(277, 1)) + " samples a pixel");
+      throw refusal(
+          "the pixels are colours, " + NumberText.display(value(277, 1)) + " samples a pixel");
     }
     String name = (format == 2 ? "int" : format == 3 ? "float" : "uint") + bits;
     return switch (name) {
@@ -125,7 +126,7 @@ final class TiffPage {
       case "int32" -> VoxelType.INT32;
       case "float32" -> VoxelType.FLOAT32;
       case "float64" -> VoxelType.FLOAT64;
-      default -> throw refusal("its pixels are " + name + ", which cannot be read");
+      default -> throw refusal("the pixels are " + name + ", which cannot be read");
     };
   }
 
@@ -141,20 +142,24 @@ final class TiffPage {
         && compression != 8
         && compression != 32946
         && compression != 32773) {
-      throw refusal("its compression " + compression + " cannot be read");
+      throw refusal("the compression " + compression + " cannot be read");
     }
     if (predictor() < 1 || predictor() > 2) {
-      throw refusal("its predictor " + predictor() + " cannot be read");
+      throw refusal("the predictor " + predictor() + " cannot be read");
     }
     double pieces =
         Math.ceil((double) width() / tileWidth()) * Math.ceil((double) height() / tileHeight());
     if (offsets().length < pieces || byteCounts().length < pieces) {
-      throw refusal("it has " + offsets().length + " pieces, not " + NumberText.display(pieces));
+      throw refusal(
+          "the page has "
+              + offsets().length
+              + " strips or tiles instead of "
+              + NumberText.display(pieces));
     }
     for (int n = 0; n < pieces; n++) {
       double end = offsets()[n] + byteCounts()[n];
       if (!(offsets()[n] >= 0 && byteCounts()[n] >= 0 && end <= tiff.length())) {
-        throw refusal("its data end at byte " + NumberText.display(end) + " of " + tiff.length());
+        throw refusal("the data end at byte " + NumberText.display(end) + " of " + tiff.length());
       }
     }
     double bytes = (double) width() * height() * type().bytes();
@@ -162,11 +167,11 @@ final class TiffPage {
     double most = (double) tiff.length() * maxExpansion(compression);
     if (bytes > most || tileBytes > most + 4096 || tileBytes > Integer.MAX_VALUE - 8) {
       throw refusal(
-          "its size, "
+          "the size "
               + width()
               + "x"
               + height()
-              + ", is more than "
+              + " is more than "
               + tiff.length()
               + " bytes can hold");
     }
@@ -193,7 +198,7 @@ final class TiffPage {
   private int size(int tag, String name) throws VolumeFormatException {
     double size = value(tag, 0);
     if (!(size >= 1 && size <= Integer.MAX_VALUE)) {
-      throw refusal("its " + name + " is " + NumberText.display(size));
+      throw refusal("the " + name + " is " + NumberText.display(size));
     }
     return (int) size;
   }
@@ -201,7 +206,7 @@ final class TiffPage {
   private double[] required(int tag, String name) throws VolumeFormatException {
     double[] values = tags.get(tag);
     if (values == null) {
-      throw refusal("it has no " + name);
+      throw refusal("the page has no " + name);
     }
     return values;
   }

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
 import org.palpate.io.format.Grids;
 import org.palpate.io.format.MemoryCheck;
@@ -50,7 +51,7 @@ public final class TiffReader implements VolumeReader {
       }
     }
     if (pages.isEmpty()) {
-      throw new VolumeFormatException("it has no page", tiff.file(), "save the stack again");
+      throw new VolumeFormatException("the file has no page", tiff.file(), "save the stack again");
     }
     TiffPage first = pages.get(0);
     first.check();
@@ -98,7 +99,7 @@ public final class TiffReader implements VolumeReader {
     if (page.width() != first.width()
         || page.height() != first.height()
         || page.type() != first.type()) {
-      throw page.refusal("its pages differ in size or type");
+      throw page.refusal("the pages differ in size or type");
     }
   }
 
@@ -127,11 +128,16 @@ public final class TiffReader implements VolumeReader {
       return 1;
     }
     if (imagej.channels() * imagej.frames() > 1) {
-      throw first.refusal("it is a hyperstack without pages");
+      throw first.refusal("the file is a hyperstack without pages");
     }
-    double bytes = (double) first.width() * first.height() * first.type().bytes() * imagej.images();
-    if (first.offsets()[0] + bytes > tiff.length()) {
-      throw first.refusal("it promises " + imagej.images() + " slices and ends before their end");
+    double sliceBytes = (double) first.width() * first.height() * first.type().bytes();
+    double found = Math.floor((tiff.length() - first.offsets()[0]) / sliceBytes);
+    if (imagej.images() > found) {
+      throw first.refusal(
+          "the description promises "
+              + imagej.images()
+              + " slices but the file has "
+              + NumberText.display(found));
     }
     return imagej.images();
   }
@@ -161,14 +167,14 @@ public final class TiffReader implements VolumeReader {
     double x = mm / first.resolution(282);
     double y = mm / first.resolution(283);
     if (!(x > 0 && y > 0) || Double.isInfinite(x) || Double.isInfinite(y)) {
-      notes.add("the file does not say how large its pixels are: 1 mm assumed");
+      notes.add("the pixel size is unknown: 1 mm assumed");
       mm = 1;
       x = 1;
       y = 1;
     }
     double z = imagej.spacing() * mm;
     if (!(z > 0) || Double.isInfinite(z)) {
-      notes.add("the file does not say how far apart its slices are: as far as its pixels");
+      notes.add("the slice spacing is unknown: taken to be the pixel spacing");
       z = x;
     }
     return new Vec3(x, y, z);

@@ -41,7 +41,7 @@ public record RawLayout(
   public static RawLayout parse(String text) throws VolumeFormatException {
     String[] parts = text.strip().split(":", -1);
     if (parts.length != 3) {
-      throw refusal("three parts are needed", text);
+      throw refusal("the layout does not have three parts", text);
     }
     int[] sizes = sizes(parts[0], text);
     return new RawLayout(
@@ -59,7 +59,7 @@ public record RawLayout(
     for (int axis = 0; axis < 3; axis++) {
       sizes[axis] = words.length == 3 ? NumberParser.positiveInt(words[axis]) : 0;
       if (sizes[axis] < 1) {
-        throw refusal("sizes must be three whole numbers from 1 to 2147483647", text);
+        throw refusal("sizes must be three integers from 1 to 2147483647", text);
       }
     }
     return sizes;
@@ -69,7 +69,7 @@ public record RawLayout(
     String name = part.toLowerCase(Locale.ROOT).replaceFirst("[lb]e$", "");
     VoxelType type = TYPES.get(name);
     if (type == null || (type.bytes() > 1 && name.length() == part.length())) {
-      throw refusal("the type '" + part + "' is unknown or lacks its byte order", text);
+      throw refusal("the type '" + part + "' is unknown or has no byte order", text);
     }
     return type;
   }
@@ -86,7 +86,7 @@ public record RawLayout(
     for (int axis = 0; axis < 3; axis++) {
       double value = words.length == 3 ? NumberParser.number(words[axis]) : Double.NaN;
       if (!(value > 0) || Double.isInfinite(value)) {
-        throw refusal("the spacing must be three positive numbers of mm", text);
+        throw refusal("the spacing must be three positive numbers in mm", text);
       }
       spacing.set(axis, value);
     }
