@@ -7,7 +7,7 @@ import java.util.Random;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 
-/** Spoils a file in one to four ways. */
+/** Damages a file in one to four random ways. */
 final class FileMutator {
   private static final Pattern NUMBER = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
   private static final String[] NASTY_NUMBERS = {
@@ -49,27 +49,27 @@ final class FileMutator {
     return spoiled;
   }
 
-  /** Mostly in the header. */
-  private static int place(byte[] file, Random random) {
+  /** Returns a random offset, mostly in the header. */
+  private static int offset(byte[] file, Random random) {
     int end = random.nextInt(4) == 0 ? file.length : Math.min(HEADER_BYTES, file.length);
     return random.nextInt(end);
   }
 
   private static byte[] flipBit(byte[] file, Random random) {
-    file[place(file, random)] ^= (byte) (1 << random.nextInt(8));
+    file[offset(file, random)] ^= (byte) (1 << random.nextInt(8));
     return file;
   }
 
   private static byte[] setBytes(byte[] file, Random random) {
-    int at = place(file, random);
+    int at = offset(file, random);
     byte value = NASTY_BYTES[random.nextInt(NASTY_BYTES.length)];
     Arrays.fill(file, at, Math.min(file.length, at + 1 + random.nextInt(8)), value);
     return file;
   }
 
-  /** A length, a count or an offset in either byte order. */
+  /** Sets a length, a count or an offset in either byte order. */
   private static byte[] setWord(byte[] file, Random random) {
-    int at = place(file, random) & ~1;
+    int at = offset(file, random) & ~1;
     int[] words = {0, 1, 255, 4096, 65535, Integer.MAX_VALUE, -1, file.length, 1 << 24};
     int word = words[random.nextInt(words.length)];
     boolean big = random.nextBoolean();
@@ -94,7 +94,7 @@ final class FileMutator {
   }
 
   private static byte[] repeatPart(byte[] file, Random random) {
-    int from = place(file, random);
+    int from = offset(file, random);
     int to = Math.min(file.length, from + 1 + random.nextInt(64));
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     bytes.write(file, 0, to);
@@ -103,7 +103,7 @@ final class FileMutator {
   }
 
   private static byte[] removePart(byte[] file, Random random) {
-    int from = place(file, random);
+    int from = offset(file, random);
     int to = Math.min(file.length, from + 1 + random.nextInt(64));
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     bytes.write(file, 0, from);

@@ -26,17 +26,17 @@ import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * Whatever happens to a file, it is read or refused in one line: no other exception, no hang, no
- * memory out of proportion. Samples are spoiled at random, for {@value #SECONDS} s a format unless
- * {@code -Dpalpate.fuzz.seconds=60} says otherwise; {@code -Dpalpate.seed} repeats a run case by
- * case, and a file that fails is kept in {@code target}.
+ * Checks that any damaged file is read or refused in one line, without another exception, a hang,
+ * or memory out of proportion. Samples are damaged at random, for {@value #SECONDS} s a format,
+ * unless {@code -Dpalpate.fuzz.seconds=60} says otherwise; {@code -Dpalpate.seed} repeats a run
+ * case by case, and a file that fails is kept in {@code target}.
  */
 @Timeout(value = 30, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ReaderFuzzTest {
   private static final int SECONDS = 10;
   private static final long LARGEST_SAMPLE = 25_000;
 
-  /** A file may turn into a thousand times its size, and a byte of it into a double. */
+  /** Decompression multiplies by a thousand, and a byte can become a double. */
   private static final long BYTES_PER_BYTE = 10_000;
 
   private static final long BYTES_ANYWAY = 64_000_000;
@@ -108,7 +108,7 @@ class ReaderFuzzTest {
     return file;
   }
 
-  /** The given files, and the small ones of a folder of real data where it is there. */
+  /** Returns the given files and the small ones of a folder of real data, if that exists. */
   private static List<Path> samples(String name, Path... given) throws IOException {
     List<Path> samples = new ArrayList<>(List.of(given));
     Path data = Path.of(System.getProperty("palpate.data", "../shared/data")).resolve(name);
@@ -154,7 +154,7 @@ class ReaderFuzzTest {
         TimeUnit.NANOSECONDS.toMillis(longest));
   }
 
-  /** Whether it was read; else it was refused. */
+  /** Returns whether the file was read; otherwise it was refused. */
   private boolean isRead(Path file, byte[] bytes, String what) throws IOException {
     boolean read = false;
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();

@@ -16,8 +16,8 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelCrc;
 
 /**
- * Values and places agree with the formats' own readers: nibabel 5.4.2, pynrrd 1.1.3 and SimpleITK
- * 2.5.7, over numpy 2.4.6. Checksums as {@link VoxelCrc} tells.
+ * Values and positions agree with the formats' own readers: nibabel 5.4.2, pynrrd 1.1.3 and
+ * SimpleITK 2.5.7, over numpy 2.4.6. Checksums as {@link VoxelCrc} defines them.
  */
 class ReferenceReadersTest {
   private static final double WORLD_TOLERANCE_MM = 1e-9;
@@ -52,7 +52,7 @@ class ReferenceReadersTest {
     VolumeFormatException refused =
         assertThrows(
             VolumeFormatException.class, () -> open("formats/nrrd/" + name, OptionalInt.empty()));
-    assertTrue(refused.getMessage().contains("axes of space"), refused.getMessage());
+    assertTrue(refused.getMessage().contains("spatial axes"), refused.getMessage());
   }
 
   // SimpleITK: sitk.GetArrayFromImage(sitk.ReadImage(file)).transpose(2, 1, 0)

@@ -31,7 +31,7 @@ import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelCrc;
 
-/** One scan in each format: bone of CThead is counted to the voxel, its spacing is the same. */
+/** Checks that one scan gives the same voxels and spacing in every format. */
 class SameScanInEveryFormatTest {
   private static final long BONE_VOXELS = 336_108;
   private static final int EDGE = 256;
@@ -40,7 +40,7 @@ class SameScanInEveryFormatTest {
 
   private static VolumeReader scan;
 
-  /** Its values, two bytes each, lowest first. */
+  /** The values of the scan, 16 bits each, little-endian. */
   private static byte[] samples;
 
   @TempDir Path folder;

@@ -54,7 +54,7 @@ class VolumeWriterTest {
         "formats/nrrd/BallBinary30x30x30_gz.nrrd",
         "LIDC/dicom_10slices"
       })
-  void aScanReadsBackEqualAndInTheSamePlace(String name) throws Exception {
+  void aScanReadsBackEqualAndInTheSamePosition(String name) throws Exception {
     VolumeReader scan = VolumeFiles.open(TestData.file(name), time(name));
     for (String target : List.of("scan.nrrd", "scan.nii.gz")) {
       VolumeReader read = writtenAndOpened(scan, target);
@@ -111,7 +111,7 @@ class VolumeWriterTest {
   }
 
   @Test
-  void anInputIsNeverWrittenOver() throws Exception {
+  void anInputIsNeverOverwritten() throws Exception {
     Path file = folder.resolve("in.nrrd");
     VolumeWriter.write(new PhantomReader(Phantom.parse("sphere:16")), file);
     VolumeReader reader = VolumeFiles.open(file, ReadOptions.defaults());
@@ -133,7 +133,7 @@ class VolumeWriterTest {
     return VolumeFiles.open(file, ReadOptions.defaults());
   }
 
-  /** A volume that breaks off after its first slice. */
+  /** Returns a volume that fails after its first slice. */
   private static VolumeReader failing() {
     PhantomReader whole = new PhantomReader(Phantom.parse("sphere:16"));
     return new VolumeReader() {
@@ -145,7 +145,7 @@ class VolumeWriterTest {
       @Override
       public void read(SliceSink sink) throws VolumeFormatException {
         sink.accept(0, new VoxelSlice(16, 16, true));
-        throw new VolumeFormatException("breaks off", sourceName(), "is made to");
+        throw new VolumeFormatException("the volume fails", sourceName(), "nothing to do");
       }
 
       @Override

@@ -23,7 +23,7 @@ import org.palpate.io.volume.VoxelCrc;
 
 /**
  * Values agree with pydicom 3.0.2 (pixel_array times slope plus intercept, slices by the third
- * number of the position); checksums as {@link VoxelCrc} tells.
+ * number of the position); checksums as {@link VoxelCrc} defines them.
  */
 class DicomReaderTest {
   private static final double WORLD_TOLERANCE_MM = 1e-9;
@@ -60,7 +60,7 @@ class DicomReaderTest {
   }
 
   @Test
-  void spacingComesFromPositionsWhereThicknessSaysAnotherAndNoSeriesHasAName() throws Exception {
+  void takesSpacingFromPositionsNotFromThickness() throws Exception {
     // data/README.md: thickness 3, positions 2, empty series UID, JPEG 2000
     VolumeReader reader = open("totalseg/dicom_j2k");
     assertEquals("28052498", VoxelCrc.of(reader));
@@ -79,7 +79,7 @@ class DicomReaderTest {
     "formats/malformed/no_meta.dcm, DICM",
     "formats/malformed/rtplan_truncated.dcm, a",
   })
-  void whatCannotBeReadIsRefusedInOneLineThatSaysWhatToDo(String name, String says) {
+  void refusesUnreadableFilesInOneLineWithARemedy(String name, String says) {
     Path file = TestData.file(name);
     VolumeFormatException refused =
         assertThrows(
@@ -98,12 +98,12 @@ class DicomReaderTest {
     assertTrue(refused.getMessage().contains("--series 1 to --series"), refused.getMessage());
   }
 
-  /** JJ2000 would read two bytes of all ones in the head of a packet as ones without end. */
+  /** JJ2000 would take two bytes of 0xFF in a packet header for an endless run of ones. */
   @Test
-  void damageThatWouldHoldUpTheJpeg2000LibraryIsRefused(@TempDir Path folder) throws Exception {
+  void refusesDamageThatWouldHangTheJpeg2000Library(@TempDir Path folder) throws Exception {
     byte[] whole = Files.readAllBytes(TestData.file("formats/dicom/MR_small_jp2klossless.dcm"));
-    int from = place(whole, 0xFF93) + 2; // start of data
-    int to = place(whole, 0xFFD9) - 2; // end of the picture
+    int from = offset(whole, 0xFF93) + 2; // start of data
+    int to = offset(whole, 0xFFD9) - 2; // end of the picture
     for (int at = from; at < to; at++) {
       byte[] spoiled = whole.clone();
       spoiled[at] = -1;
@@ -117,7 +117,7 @@ class DicomReaderTest {
     }
   }
 
-  private static int place(byte[] bytes, int marker) {
+  private static int offset(byte[] bytes, int marker) {
     int at = 0;
     while (bytes[at] != (byte) (marker >> 8) || bytes[at + 1] != (byte) marker) {
       at++;
@@ -126,7 +126,7 @@ class DicomReaderTest {
   }
 
   @Test
-  void whatThereIsNothingToChooseFromIsSaid() {
+  void anOptionWithoutAChoiceIsRefused() {
     Path file = TestData.file("formats/dicom/CT_small.dcm");
     ReadOptions any = ReadOptions.defaults();
     for (ReadOptions options : List.of(any.withTimeStep(3), any.withSeries("2"))) {

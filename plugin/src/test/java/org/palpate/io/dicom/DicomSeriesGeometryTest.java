@@ -26,7 +26,7 @@ class DicomSeriesGeometryTest {
   @TempDir Path folder;
 
   @Test
-  void sagittalSlicesLieWherePositionsSay() throws Exception {
+  void sagittalSlicesFollowTheirPositions() throws Exception {
     slices("1.2", SAGITTAL, "30\\1\\2", "27\\1\\2", "33\\1\\2");
     VolumeReader reader = VolumeFiles.open(folder, ReadOptions.defaults());
     // the normal of (0,1,0) x (0,0,-1) is (-1,0,0): from x = 33 down
@@ -38,7 +38,7 @@ class DicomSeriesGeometryTest {
   }
 
   @Test
-  void missingSlicesAreRefusedWithTheGapAndMadeByResampling() throws Exception {
+  void missingSlicesAreRefusedWithTheGapAndInterpolatedOnRequest() throws Exception {
     slices("1.2", AXIAL, "0\\0\\0", "0\\0\\2", "0\\0\\4", "0\\0\\8");
     String message = refusal(ReadOptions.defaults());
     assertTrue(message.contains("1 slice(s) missing: between 4 and 8 mm"), message);
@@ -51,10 +51,12 @@ class DicomSeriesGeometryTest {
   }
 
   @Test
-  void unevenSlicesAreRefusedWithNumbers() throws Exception {
+  void unevenSpacingIsRefusedWithNumbers() throws Exception {
     slices("1.2", AXIAL, "0\\0\\0", "0\\0\\2", "0\\0\\4", "0\\0\\6.5");
     String message = refusal(ReadOptions.defaults());
-    assertTrue(message.contains("uneven: between 4 and 6.5 mm the gap is 2.5 mm"), message);
+    assertTrue(
+        message.contains("uneven: between 4 and 6.5 mm the gap is 2.5 mm instead of 2 mm"),
+        message);
   }
 
   @Test
@@ -67,13 +69,13 @@ class DicomSeriesGeometryTest {
   }
 
   @Test
-  void twoSlicesInOnePlaceAreRefused() throws Exception {
+  void twoSlicesWithOnePositionAreRefused() throws Exception {
     slices("1.2", AXIAL, "0\\0\\0", "0\\0\\2", "0\\0\\2");
-    assertTrue(refusal(ReadOptions.defaults()).contains("in one place, at 2 mm"));
+    assertTrue(refusal(ReadOptions.defaults()).contains("the same position, at 2 mm"));
   }
 
   @Test
-  void seriesAreListedByNumberAndChosenByNumberOrName() throws Exception {
+  void seriesAreListedByNumberAndChosenByNumberOrUid() throws Exception {
     slices("1.2", AXIAL, "0\\0\\0", "0\\0\\2");
     slices("1.3", AXIAL, "0\\0\\0", "0\\0\\3", "0\\0\\6");
     String message = refusal(ReadOptions.defaults());
@@ -88,7 +90,7 @@ class DicomSeriesGeometryTest {
   }
 
   @Test
-  void nothingOfThePatientReachesHeaderOrMessage() throws Exception {
+  void headerAndMessageDoNotIdentifyThePatient() throws Exception {
     slices("1.2", AXIAL, "0\\0\\0", "0\\0\\2");
     String header = VolumeFiles.open(folder, ReadOptions.defaults()).header().toString();
     assertFalse(header.contains("Secret"), header);
@@ -107,7 +109,10 @@ class DicomSeriesGeometryTest {
     assertEquals("e431c987", VoxelCrc.of(VolumeFiles.open(file, ReadOptions.defaults())));
   }
 
-  /** Slices of values 100, 101, ... whose names are in another order than their positions. */
+  /**
+   * Writes slices of values 100, 101, ... whose file names are in another order than their
+   * positions.
+   */
   private void slices(String uid, String orientation, String... positions) throws Exception {
     for (int n = 0; n < positions.length; n++) {
       Path file = folder.resolve(uid + "-" + (positions.length - n) + ".dcm");

@@ -17,7 +17,9 @@ public final class DicomSliceWriter {
 
   private DicomSliceWriter() {}
 
-  /** A slice with spacings 0.5 (columns) and 0.75 mm (rows) whose pixels all hold one value. */
+  /**
+   * Writes a slice with spacings 0.5 (columns) and 0.75 mm (rows) whose pixels all hold one value.
+   */
   public static Path slice(
       Path file, String seriesUid, String position, String orientation, int value)
       throws IOException {
@@ -26,36 +28,36 @@ public final class DicomSliceWriter {
       pixels[n] = (byte) value;
       pixels[n + 1] = (byte) (value >> 8);
     }
-    DicomSliceWriter maker = begun(seriesUid, position, orientation);
-    maker.picture(COLUMNS, ROWS, 12, "0.75\\0.5", pixels);
-    return Files.write(file, maker.bytes.toByteArray());
+    DicomSliceWriter writer = withHeader(seriesUid, position, orientation);
+    writer.picture(COLUMNS, ROWS, 12, "0.75\\0.5", pixels);
+    return Files.write(file, writer.bytes.toByteArray());
   }
 
-  /** A slice of whatever pixels, 1 mm apart, x to the left and y to the back. */
+  /** Writes an axial slice of given pixels with a spacing of 1 mm. */
   public static Path slice(Path file, double z, int columns, int rows, byte[] pixels)
       throws IOException {
-    DicomSliceWriter maker = begun("1.2.3", "0\\0\\" + z, "1\\0\\0\\0\\1\\0");
-    maker.picture(columns, rows, 16, "1\\1", pixels);
-    return Files.write(file, maker.bytes.toByteArray());
+    DicomSliceWriter writer = withHeader("1.2.3", "0\\0\\" + z, "1\\0\\0\\0\\1\\0");
+    writer.picture(columns, rows, 16, "1\\1", pixels);
+    return Files.write(file, writer.bytes.toByteArray());
   }
 
-  private static DicomSliceWriter begun(String seriesUid, String position, String orientation)
+  private static DicomSliceWriter withHeader(String seriesUid, String position, String orientation)
       throws IOException {
-    DicomSliceWriter maker = new DicomSliceWriter();
-    maker.bytes.write(new byte[128]);
-    maker.bytes.write("DICM".getBytes(StandardCharsets.ISO_8859_1));
-    maker.put(
+    DicomSliceWriter writer = new DicomSliceWriter();
+    writer.bytes.write(new byte[128]);
+    writer.bytes.write("DICM".getBytes(StandardCharsets.ISO_8859_1));
+    writer.put(
         0x0002_0000,
         "UL",
         ByteBuffer.allocate(4).order(ByteOrder.LITTLE_ENDIAN).putInt(28).array());
-    maker.text(0x0002_0010, "UI", "1.2.840.10008.1.2.1");
-    maker.text(0x0008_0060, "CS", "CT");
-    maker.text(0x0010_0010, "PN", "Nobody^Secret");
-    maker.text(0x0018_0050, "DS", "9");
-    maker.text(0x0020_000E, "UI", seriesUid);
-    maker.text(0x0020_0032, "DS", position);
-    maker.text(0x0020_0037, "DS", orientation);
-    return maker;
+    writer.text(0x0002_0010, "UI", "1.2.840.10008.1.2.1");
+    writer.text(0x0008_0060, "CS", "CT");
+    writer.text(0x0010_0010, "PN", "Nobody^Secret");
+    writer.text(0x0018_0050, "DS", "9");
+    writer.text(0x0020_000E, "UI", seriesUid);
+    writer.text(0x0020_0032, "DS", position);
+    writer.text(0x0020_0037, "DS", orientation);
+    return writer;
   }
 
   private void picture(int columns, int rows, int bits, String spacing, byte[] pixels)

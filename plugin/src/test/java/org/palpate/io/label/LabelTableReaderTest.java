@@ -18,7 +18,7 @@ class LabelTableReaderTest {
   @TempDir Path folder;
 
   @Test
-  void theAtlasIsNamedByTheTableBesideItAndTheSkullIsNot() throws Exception {
+  void namesTheAtlasByTheTableBesideItAndNotTheSkull() throws Exception {
     Optional<LabelTable> atlas =
         VolumeFiles.open(TestData.file("labels/HN-Atlas-labels.nrrd"), ReadOptions.defaults())
             .header()
@@ -57,7 +57,7 @@ class LabelTableReaderTest {
   }
 
   @Test
-  void whereTwoTablesMightBeMeantNeitherIsTaken() throws Exception {
+  void ignoresTablesThatAreAmbiguous() throws Exception {
     Files.writeString(folder.resolve("head-a.ctbl"), "1 one 1 2 3 255\n");
     Files.writeString(folder.resolve("head-b.ctbl"), "1 other 1 2 3 255\n");
     assertTrue(LabelTableReader.beside(folder.resolve("head-labels.nrrd")).isEmpty());

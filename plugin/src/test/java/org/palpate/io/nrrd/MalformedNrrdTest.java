@@ -37,12 +37,12 @@ class MalformedNrrdTest {
       encoding: raw
       """;
 
-  private static final long LITTLE_BYTES = 4_000_000;
+  private static final long MAX_ALLOCATED_BYTES = 4_000_000;
 
   @TempDir Path folder;
 
   @Test
-  void theHeaderThatTheOthersSpoilIsGood() throws Exception {
+  void readsTheUnchangedHeader() throws Exception {
     VolumeReader reader = VolumeFiles.open(file("good.nrrd", GOOD, 24), ReadOptions.defaults());
     int[] slices = {0};
     reader.read((k, slice) -> slices[0]++);
@@ -95,7 +95,7 @@ class MalformedNrrdTest {
         "space: lps|type: uint8",
         "NRRD0004|NRRD0009",
       })
-  void aLieInTheHeaderIsRefusedInOneLineAndCostsNothing(String change) throws Exception {
+  void refusesAWrongHeaderInOneLineAndAllocatesLittle(String change) throws Exception {
     String[] parts = change.split("\\|", -1);
     assertTrue(GOOD.contains(parts[0]), parts[0]);
     Path file = file("bad.nrrd", GOOD.replace(parts[0], parts[1]), 24);
@@ -104,7 +104,8 @@ class MalformedNrrdTest {
     VolumeFormatException refused =
         assertThrows(VolumeFormatException.class, () -> openAndRead(file));
     assertTrue(
-        allocatedBytes() - before < LITTLE_BYTES, "allocated " + (allocatedBytes() - before));
+        allocatedBytes() - before < MAX_ALLOCATED_BYTES,
+        "allocated " + (allocatedBytes() - before));
     assertEquals(1, refused.getMessage().lines().count());
     assertTrue(refused.getMessage().split(": ", -1).length >= 3, refused.getMessage());
   }
@@ -137,7 +138,7 @@ class MalformedNrrdTest {
   }
 
   @Test
-  void ofABombNoMoreIsInflatedThanTheSizesSay() throws Exception {
+  void inflatesNoMoreThanTheSizesPromise() throws Exception {
     ByteArrayOutputStream bomb = new ByteArrayOutputStream();
     try (GZIPOutputStream gzip = new GZIPOutputStream(bomb)) {
       for (int n = 0; n < 100; n++) {
@@ -149,8 +150,8 @@ class MalformedNrrdTest {
     Files.write(file, bomb.toByteArray(), java.nio.file.StandardOpenOption.APPEND);
     long before = allocatedBytes();
     openAndRead(file);
-    assertTrue(allocatedBytes() - before < LITTLE_BYTES);
-    // and from the end it is not looked for without end
+    assertTrue(allocatedBytes() - before < MAX_ALLOCATED_BYTES);
+    // the search for data from the end is bounded too
     Path fromEnd = folder.resolve("end.nrrd");
     Files.writeString(fromEnd, GOOD.replace("raw", "gzip") + "byte skip: -1\n\n");
     Files.write(fromEnd, bomb.toByteArray(), java.nio.file.StandardOpenOption.APPEND);
@@ -169,7 +170,7 @@ class MalformedNrrdTest {
   }
 
   @Test
-  void emptyAbsentAndStrangeFilesAreRefused() throws Exception {
+  void emptyMissingAndUnknownFilesAreRefused() throws Exception {
     Path empty = Files.createFile(folder.resolve("empty.nrrd"));
     assertThrows(VolumeFormatException.class, () -> openAndRead(empty));
     assertThrows(VolumeFormatException.class, () -> openAndRead(folder.resolve("absent.nrrd")));

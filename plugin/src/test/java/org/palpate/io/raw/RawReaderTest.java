@@ -24,7 +24,7 @@ class RawReaderTest {
   @TempDir Path folder;
 
   @Test
-  void aFolderOfSlicesIsReadInTheOrderOfItsNumbers() throws Exception {
+  void readsAFolderOfSlicesInTheOrderOfTheirNumbers() throws Exception {
     // data/README.md: >=1150 gives 34,295
     ReadOptions options =
         ReadOptions.defaults().withRaw(RawLayout.parse("64x64x93:u16le:3.2,3.2,1.5"));
@@ -40,12 +40,12 @@ class RawReaderTest {
   }
 
   @Test
-  void aLengthThatIsNotWhatWasSaidIsRefused() throws Exception {
+  void aLengthOtherThanTheLayoutIsRefused() throws Exception {
     Path file = Files.write(folder.resolve("a.raw"), new byte[23]);
     ReadOptions options = ReadOptions.defaults().withRaw(RawLayout.parse("2x3x2:u16be:1,1,1"));
     VolumeFormatException refused =
         assertThrows(VolumeFormatException.class, () -> VolumeFiles.open(file, options));
-    assertTrue(refused.getMessage().contains("23 bytes, --raw asks for 24"));
+    assertTrue(refused.getMessage().contains("23 bytes but --raw describes 24"));
   }
 
   @ParameterizedTest

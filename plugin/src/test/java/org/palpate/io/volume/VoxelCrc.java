@@ -5,14 +5,14 @@ import java.nio.ByteOrder;
 import java.util.zip.CRC32;
 
 /**
- * The CRC-32 of a volume's values as little-endian doubles, x fastest: the same as {@code
- * zlib.crc32(array.astype('<f8').tobytes(order='F'))} over what a reference reader gives.
+ * Computes the CRC-32 of a volume's values as little-endian doubles, x fastest. It equals {@code
+ * zlib.crc32(array.astype('<f8').tobytes(order='F'))} of the array that a reference reader gives.
  */
 public final class VoxelCrc implements SliceSink {
   private final CRC32 crc = new CRC32();
   private int slices;
 
-  /** Reads a volume's checksum, in hexadecimal. */
+  /** Reads a volume and returns its checksum in hexadecimal. */
   public static String of(VolumeReader reader) throws VolumeFormatException {
     VoxelCrc sum = new VoxelCrc();
     reader.read(sum);
