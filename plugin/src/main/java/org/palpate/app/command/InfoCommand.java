@@ -70,7 +70,7 @@ public final class InfoCommand implements Callable<Integer> {
     out.flush();
     ValueStatistics statistics = new ValueStatistics(source.header());
     source.reader().read(statistics);
-    ValueStatistics.Found found = statistics.found();
+    ValueStatistics.Summary found = statistics.summary();
     printValues(found);
     List<Segment> segments = segments(source, found);
     printSegments(segments);

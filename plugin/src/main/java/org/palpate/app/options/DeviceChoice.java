@@ -103,7 +103,7 @@ public record DeviceChoice(DeviceName device, boolean fitEachAxis) {
   }
 
   private Workspace workspace(
-      DeviceSpecification reach, HandTarget target, VolumeHeader.World world) {
+      DeviceSpecification reach, HandTarget target, CoordinateSystem world) {
     return fitEachAxis
         ? Workspace.fitEachAxis(reach, axes(world), target.lowMm(), target.highMm())
         : Workspace.fit(reach, axes(world), target.lowMm(), target.highMm());

@@ -76,7 +76,7 @@ public final class VolumeSource {
       readOptions = readOptions.withRaw(RawLayout.parse(options.raw().get()));
     }
     if (options.time().isPresent()) {
-      readOptions = readOptions.withTime(options.time().getAsInt());
+      readOptions = readOptions.withTimeStep(options.time().getAsInt());
     }
     return options.series().isPresent()
         ? readOptions.withSeries(options.series().get())
@@ -154,7 +154,7 @@ public final class VolumeSource {
     if (phantom.isPresent() && !phantom.get().grey()) {
       return phantom.get().segments();
     }
-    ValueStatistics.Found found = statistics();
+    ValueStatistics.Summary found = statistics();
     if (isIntensities(found)) {
       throw noSegmentChosen(found);
     }
@@ -201,10 +201,10 @@ public final class VolumeSource {
         + ": palpate info prints its values";
   }
 
-  private ValueStatistics.Found statistics() throws VolumeFormatException {
+  private ValueStatistics.Summary statistics() throws VolumeFormatException {
     ValueStatistics statistics = new ValueStatistics(header());
     reader.read(statistics);
-    return statistics.found();
+    return statistics.summary();
   }
 
   /** Whether the values are intensities rather than labels; one pass over them. */
@@ -213,7 +213,7 @@ public final class VolumeSource {
   }
 
   /** Whether the user must choose which values are solid. */
-  public boolean isIntensities(ValueStatistics.Found found) {
+  public boolean isIntensities(ValueStatistics.Summary found) {
     return found.labels().isEmpty() || phantom.map(Phantom::grey).orElse(false);
   }
 
@@ -240,7 +240,7 @@ public final class VolumeSource {
     return known == null ? SegmentSpec.ANY_COLOUR : known.rgb();
   }
 
-  private PalpateException noSegmentChosen(ValueStatistics.Found found) {
+  private PalpateException noSegmentChosen(ValueStatistics.Summary found) {
     return PalpateException.wrongUse(
         "no segment is chosen, and the values are intensities from "
             + NumberText.display(found.low())
@@ -251,7 +251,7 @@ public final class VolumeSource {
   }
 
   /** Returns arguments for the user to try. */
-  public String suggestion(ValueStatistics.Found found) {
+  public String suggestion(ValueStatistics.Summary found) {
     List<String> suggestions = new ArrayList<>();
     if (phantom.isPresent()) {
       phantom.get().thresholds().forEach(t -> suggestions.add(argument(t.name(), t.atLeast())));
