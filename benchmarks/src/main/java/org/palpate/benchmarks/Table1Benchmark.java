@@ -78,14 +78,14 @@ public class Table1Benchmark {
     if (solver.equals("twin")) {
       baseline = new PlainBaseline(bits, MAX_STEP_MM);
     } else {
-      follower = new TrajectoryFollower(solverOf(), scene, trajectory);
+      follower = new TrajectoryFollower(newSolver(), scene, trajectory);
     }
     if (baseline != null || scene.touches(start.x, start.y, start.z)) {
       new NearestFreeVoxel(metric).find(scene, start, start);
     }
   }
 
-  private ProxySolver solverOf() {
+  private ProxySolver newSolver() {
     return switch (solver) {
       case "none" -> new CollisionOnlySolver(new ExactRayCaster(), metric);
       case "guarded" -> new GuardedSolver(metric, MAX_STEP_MM);

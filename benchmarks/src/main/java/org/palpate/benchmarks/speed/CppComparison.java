@@ -121,8 +121,8 @@ public final class CppComparison {
     ratios.put(name, ratio);
     out.printf(
         Locale.ROOT,
-        "%-32s Java %7.1f ns  C++ %7.1f ns  %.2f of it, same bits%n",
         "%-32s Java %7.1f ns  C++ %7.1f ns  ratio %.2f, same bits%n",
+        name,
         warmMedian(java),
         warmMedian(cpp),
         ratio);

@@ -153,11 +153,11 @@ public final class LongRun {
   }
 
   private static long mix(long hash, Vec3 value) {
-    long mix = hash;
-    mix = (mix ^ Double.doubleToRawLongBits(value.x)) * HASH_FACTOR;
-    mix = (mix ^ Double.doubleToRawLongBits(value.y)) * HASH_FACTOR;
-    mix = (mix ^ Double.doubleToRawLongBits(value.z)) * HASH_FACTOR;
-    return mix ^ (mix >>> 29);
+    long mixed = hash;
+    mixed = (mixed ^ Double.doubleToRawLongBits(value.x)) * HASH_FACTOR;
+    mixed = (mixed ^ Double.doubleToRawLongBits(value.y)) * HASH_FACTOR;
+    mixed = (mixed ^ Double.doubleToRawLongBits(value.z)) * HASH_FACTOR;
+    return mixed ^ (mixed >>> 29);
   }
 
   private static double medianOfRounds(double[] nanos, int from) {

@@ -94,8 +94,8 @@ final class Plant implements HapticDevice {
 
   /** Advances by one period under the force that has arrived. */
   private void advance() {
-    Vec3 gripForce = pending[(int) (samples % pending.length)];
-    motion.setForce(gripForce);
+    Vec3 force = pending[(int) (samples % pending.length)];
+    motion.setForce(force);
     double x = state[HandleMotion.HANDLE];
     double y = state[HandleMotion.HANDLE + 1];
     double z = state[HandleMotion.HANDLE + 2];
@@ -104,9 +104,9 @@ final class Plant implements HapticDevice {
       seconds += stepSeconds;
     }
     energyJoule +=
-        gripForce.x * (state[HandleMotion.HANDLE] - x)
-            + gripForce.y * (state[HandleMotion.HANDLE + 1] - y)
-            + gripForce.z * (state[HandleMotion.HANDLE + 2] - z);
+        force.x * (state[HandleMotion.HANDLE] - x)
+            + force.y * (state[HandleMotion.HANDLE + 1] - y)
+            + force.z * (state[HandleMotion.HANDLE + 2] - z);
     maxEnergyJoule = Math.max(maxEnergyJoule, energyJoule);
     before.record(seconds, state);
     last.record(seconds, state);

@@ -87,10 +87,10 @@ final class StabilityPlots {
         margins.values().stream().map(margin -> Math.min(margin, MAX_MARGIN)).toList();
     List<String> names = List.copyOf(margins.keySet());
     chart.addSeries("margin", names, bars);
-    CategorySeries armForce =
+    CategorySeries wanted =
         chart.addSeries("wanted", names, Collections.nCopies(names.size(), WANTED_MARGIN));
-    armForce.setChartCategorySeriesRenderStyle(CategorySeriesRenderStyle.Line);
-    armForce.setMarker(SeriesMarkers.NONE);
+    wanted.setChartCategorySeriesRenderStyle(CategorySeriesRenderStyle.Line);
+    wanted.setMarker(SeriesMarkers.NONE);
     Figures.save(chart, file);
   }
 

@@ -101,11 +101,11 @@ public final class StabilityStudy {
       for (Grip grip : List.of(Grip.LIGHT, Grip.FIRM)) {
         for (int delay = 1; delay <= 2; delay++) {
           progress.accept("devices: " + device.name() + " grip=" + grip.name() + " delay=" + delay);
-          for (double fraction : massFactors) {
+          for (double massFactor : massFactors) {
             for (double dampingFactor : dampingFactors) {
               DeviceModel varied =
                   device
-                      .withHandleKg(device.handleKg() * fraction)
+                      .withHandleKg(device.handleKg() * massFactor)
                       .withDamping(device.dampingNewtonSecondPerM() * dampingFactor);
               rows.add(row(varied, grip, new Sampling(DEFAULT_SAMPLING.rateHz(), delay)));
             }

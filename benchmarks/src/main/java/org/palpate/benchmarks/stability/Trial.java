@@ -82,13 +82,13 @@ public record Trial(
       now += period;
     }
     return new Outcome(
-        stable(plant),
+        isStable(plant),
         plant.excursionMm(),
         plant.maxEnergyJoule() * 1e3,
         plant.steepestNewtonPerMs());
   }
 
-  private boolean stable(Plant plant) {
+  private boolean isStable(Plant plant) {
     double rest = REST_ENCODER_STEPS * device.encoderStepMm() + REST_MM;
     boolean settling = plant.excursionMm() <= SETTLING_FRACTION * plant.earlierExcursionMm();
     return plant.excursionMm() <= rest || (!isBare() && settling);
