@@ -75,7 +75,8 @@ public class PointShellBenchmark {
   public void prepare() {
     Phantom phantom = Phantom.parse("sphere:256");
     BitCube bits = phantom.segments().segments().get(0).bits();
-    double ballRadius = -phantom.truth().orElseThrow().signedDistance(new Vec3(128, 128, 128));
+    double ballRadius =
+        -phantom.analyticSurface().orElseThrow().signedDistance(new Vec3(128, 128, 128));
     orbitRadius = ballRadius + TOOL_RADIUS - DEPTH;
     views = new CollisionScene[threads];
     Arrays.setAll(views, thread -> new CollisionScene(List.of(bits)));

@@ -57,7 +57,7 @@ public class RayCastBenchmark {
   public void prepare() {
     Phantom phantom = Phantom.parse("sphere:" + EDGE);
     bits = phantom.segments().segments().get(0).bits();
-    rays = RaySet.of(phantom.truth().orElseThrow(), EDGE, place, length, RAYS, SEED);
+    rays = RaySet.of(phantom.analyticSurface().orElseThrow(), EDGE, place, length, RAYS, SEED);
     rayCaster = casterOf(caster, bits);
   }
 

@@ -90,7 +90,7 @@ public class ResponseBenchmark {
 
   private Trajectory trajectory(Phantom phantom) {
     int edge = phantom.edge();
-    AnalyticSurface truth = phantom.truth().orElse(null); // jumps need no surface
+    AnalyticSurface truth = phantom.analyticSurface().orElse(null); // jumps need no surface
     return switch (motion) {
       case "slide" -> Trajectories.slide(truth, edge, depth, speed, FRAMES, SEED);
       case "press" -> Trajectories.approach(truth, edge, depth, speed, FRAMES, SEED);

@@ -67,7 +67,12 @@ public class ScaleBenchmark {
     double scale = hand.equals("scaled") ? (double) edge / SCALED_FROM : 1;
     Trajectory trajectory =
         Trajectories.slide(
-            phantom.truth().orElseThrow(), edge, DEPTH * scale, SPEED * scale, FRAMES, SEED);
+            phantom.analyticSurface().orElseThrow(),
+            edge,
+            DEPTH * scale,
+            SPEED * scale,
+            FRAMES,
+            SEED);
     solver = new GuardedSolver(new GridMetric(1, 1, 1), 8 * scale);
     follower = new TrajectoryFollower(solver, scene, trajectory);
     computePositions(phantom);
@@ -76,7 +81,7 @@ public class ScaleBenchmark {
   /** Computes positions just above the surface, all over the ball, for the cold hand. */
   private void computePositions(Phantom phantom) {
     Trajectory all =
-        Trajectories.approach(phantom.truth().orElseThrow(), edge, 1, 14, FRAMES, SEED);
+        Trajectories.approach(phantom.analyticSurface().orElseThrow(), edge, 1, 14, FRAMES, SEED);
     positions = new double[3 * FRAMES];
     for (int frame = 0; frame < FRAMES; frame++) {
       all.position(frame, device);

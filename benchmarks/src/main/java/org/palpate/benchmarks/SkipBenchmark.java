@@ -97,7 +97,7 @@ public class SkipBenchmark {
     with = way.equals("with");
     helps = scene.equals("helps");
     Phantom phantom = Phantom.parse("sphere:" + EDGE);
-    AnalyticSurface truth = phantom.truth().orElseThrow();
+    AnalyticSurface truth = phantom.analyticSurface().orElseThrow();
     bits = phantom.segments().segments().get(0).bits();
     obstacles = new CollisionScene(List.of(bits));
     caster = new ExactRayCaster(with);

@@ -1,21 +1,25 @@
 package org.palpate.geometry;
 
 /**
- * Distances in mm between points in grid coordinates: the axes weigh as their spacing says.
+ * The metric of a voxel grid: distances in mm between points in grid coordinates.
  *
- * @param spacingX edge of a voxel along x, mm, as {@link #isValidSpacing} allows
- * @param spacingY edge of a voxel along y, mm, likewise
- * @param spacingZ edge of a voxel along z, mm, likewise
+ * @param spacingX the edge of a voxel along x, mm, valid by {@link #isValidSpacing}
+ * @param spacingY the edge of a voxel along y, mm, likewise
+ * @param spacingZ the edge of a voxel along z, mm, likewise
  */
 public record GridMetric(double spacingX, double spacingY, double spacingZ) {
 
-  /** The shortest permitted voxel edge: squares of distances stay far from subnormal numbers. */
+  /** The shortest valid voxel edge, mm: squared distances stay far from subnormal numbers. */
   public static final double MIN_SPACING_MM = 1e-12;
 
-  /** The longest permitted voxel edge: squares of distances stay far from infinity. */
+  /** The longest valid voxel edge, mm: squared distances stay far from infinity. */
   public static final double MAX_SPACING_MM = 1e12;
 
-  /** Checks the spacing. */
+  /**
+   * Checks the spacing.
+   *
+   * @throws IllegalArgumentException if a spacing is not valid
+   */
   public GridMetric {
     if (!isValidSpacing(spacingX) || !isValidSpacing(spacingY) || !isValidSpacing(spacingZ)) {
       throw new IllegalArgumentException(
@@ -29,19 +33,20 @@ public record GridMetric(double spacingX, double spacingY, double spacingZ) {
     }
   }
 
-  /** Whether a voxel edge may have this length in mm; false for NaN. */
+  /** Whether a voxel edge may have this length, mm; false for NaN. */
   public static boolean isValidSpacing(double mm) {
     return mm >= MIN_SPACING_MM && mm <= MAX_SPACING_MM;
   }
 
-  /** Returns the metric of a grid with this spacing in mm. */
+  /** Returns the metric of a grid with this spacing, mm. */
   public static GridMetric of(Vec3 spacingMm) {
     return new GridMetric(spacingMm.x, spacingMm.y, spacingMm.z);
   }
 
   /**
-   * The square of the distance, mm^2. The one formula by which solvers call a point strictly
-   * nearer: no fused multiply-add, same bits on every JDK.
+   * Returns the squared distance of two points, mm^2. Solvers decide by this formula alone whether
+   * a point is strictly nearer. It has no fused multiply-add, so that the bits are the same on
+   * every JDK.
    */
   public double squaredDistance(double x0, double y0, double z0, double x1, double y1, double z1) {
     double x = (x1 - x0) * spacingX;
@@ -50,12 +55,12 @@ public record GridMetric(double spacingX, double spacingY, double spacingZ) {
     return x * x + y * y + z * z;
   }
 
-  /** The distance, mm. */
+  /** Returns the distance of two points, mm. */
   public double distance(double x0, double y0, double z0, double x1, double y1, double z1) {
     return Math.sqrt(squaredDistance(x0, y0, z0, x1, y1, z1));
   }
 
-  /** The shortest edge of a voxel, mm. */
+  /** Returns the shortest edge of a voxel, mm. */
   public double shortestEdgeMm() {
     return Math.min(spacingX, Math.min(spacingY, spacingZ));
   }

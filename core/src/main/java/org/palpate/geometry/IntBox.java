@@ -1,8 +1,8 @@
 package org.palpate.geometry;
 
 /**
- * A box of whole cells, both ends included; empty while a low end lies above its high end. Mutable:
- * the one who owns it grows it.
+ * An axis-aligned box of whole cells, both ends included; empty if a low end lies above its high
+ * end. Mutable; one thread.
  */
 public final class IntBox {
   public int lowX;
@@ -12,6 +12,7 @@ public final class IntBox {
   public int highY;
   public int highZ;
 
+  /** Creates an empty box. */
   public IntBox() {
     clear();
   }
@@ -22,11 +23,12 @@ public final class IntBox {
     highX = highY = highZ = Integer.MIN_VALUE;
   }
 
+  /** Whether the box contains no cell. */
   public boolean isEmpty() {
     return lowX > highX;
   }
 
-  /** Grows the box so that it holds the cell. */
+  /** Grows the box so that it contains the cell. */
   public void include(int i, int j, int k) {
     lowX = Math.min(lowX, i);
     lowY = Math.min(lowY, j);
@@ -36,7 +38,7 @@ public final class IntBox {
     highZ = Math.max(highZ, k);
   }
 
-  /** Copies the other box. */
+  /** Copies {@code other} and returns this. */
   public IntBox set(IntBox other) {
     lowX = other.lowX;
     lowY = other.lowY;
@@ -47,11 +49,12 @@ public final class IntBox {
     return this;
   }
 
+  /** Whether the box contains the cell. */
   public boolean contains(int i, int j, int k) {
     return i >= lowX && i <= highX && j >= lowY && j <= highY && k >= lowZ && k <= highZ;
   }
 
-  /** Whether the two share a cell. */
+  /** Whether the two boxes share a cell. */
   public boolean meets(IntBox other) {
     return lowX <= other.highX
         && other.lowX <= highX
@@ -61,7 +64,10 @@ public final class IntBox {
         && other.lowZ <= highZ;
   }
 
-  /** Grows the box, which is not empty, by so many cells on each side, where there are so many. */
+  /**
+   * Grows the box, which must not be empty, by {@code cells} on each side and returns this. Stops
+   * at the ends of the int range.
+   */
   public IntBox grow(int cells) {
     lowX = (int) Math.max(Integer.MIN_VALUE, (long) lowX - cells);
     lowY = (int) Math.max(Integer.MIN_VALUE, (long) lowY - cells);

@@ -1,19 +1,22 @@
 package org.palpate.geometry;
 
 /**
- * A rotation (or rotation with mirroring) followed by a translation. Immutable; a name says from
- * where to where, as in {@code gridMmToWorld}.
+ * A rotation, perhaps with a reflection, followed by a translation. The name of a variable states
+ * from and to, as in {@code gridMmToWorld}.
  *
- * @param axisX where the unit x axis of the source goes, a unit vector
- * @param axisY where the unit y axis goes, a unit vector orthogonal to the others
- * @param axisZ where the unit z axis goes
- * @param origin where the source's origin goes
+ * <p>Not changed after construction, and not copied: the caller gives the vectors away.
+ *
+ * @param axisX the image of the x axis of the source, a unit vector
+ * @param axisY the image of its y axis, a unit vector orthogonal to the others
+ * @param axisZ the image of its z axis, a unit vector orthogonal to the others
+ * @param origin the image of its origin
  */
 public record RigidTransform(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
 
-  /** How far lengths and angles may be off before a file's axes count as not orthonormal. */
+  /** The largest error of a length or a dot product of axes that count as orthonormal. */
   public static final double ORTHONORMAL_TOLERANCE = 1e-4;
 
+  /** Returns a new identity transform. */
   public static RigidTransform identity() {
     return new RigidTransform(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3());
   }
@@ -52,7 +55,7 @@ public record RigidTransform(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
     return dest.set(axisX.dot(vector), axisY.dot(vector), axisZ.dot(vector));
   }
 
-  /** Whether the axes are unit vectors at right angles, to {@link #ORTHONORMAL_TOLERANCE}. */
+  /** Whether the axes are orthogonal unit vectors, to {@link #ORTHONORMAL_TOLERANCE}. */
   public boolean isOrthonormal() {
     return isUnit(axisX)
         && isUnit(axisY)

@@ -1,21 +1,23 @@
 package org.palpate.geometry;
 
 /**
- * A mutable triple of doubles; what it means (position, force, size) and its unit stand in the name
- * of the variable.
+ * A mutable triple of doubles. The name of a variable states its meaning and unit: a position, a
+ * force, a size. Methods that write a result take {@code dest} last and return it. One thread.
  */
 public final class Vec3 {
   public double x;
   public double y;
   public double z;
 
+  /** Creates a zero vector. */
   public Vec3() {}
 
+  /** Creates a vector with these components. */
   public Vec3(double x, double y, double z) {
     set(x, y, z);
   }
 
-  /** Sets all three. */
+  /** Sets all components and returns this. */
   public Vec3 set(double newX, double newY, double newZ) {
     x = newX;
     y = newY;
@@ -23,11 +25,12 @@ public final class Vec3 {
     return this;
   }
 
+  /** Copies {@code other} and returns this. */
   public Vec3 set(Vec3 other) {
     return set(other.x, other.y, other.z);
   }
 
-  /** The component along {@code axis}: 0 is x, 1 is y, 2 is z. */
+  /** Returns the component along {@code axis}: 0 is x, 1 is y, 2 is z. */
   public double get(int axis) {
     return axis == 0 ? x : axis == 1 ? y : z;
   }
@@ -58,10 +61,12 @@ public final class Vec3 {
     return dest.set(x * factor, y * factor, z * factor);
   }
 
+  /** Returns the dot product with {@code other}. */
   public double dot(Vec3 other) {
     return x * other.x + y * other.y + z * other.z;
   }
 
+  /** Returns the Euclidean length. */
   public double length() {
     return Math.sqrt(x * x + y * y + z * z);
   }
@@ -72,8 +77,8 @@ public final class Vec3 {
   }
 
   /**
-   * Whether both hold the same bits; unlike {@code ==} it tells -0.0 from 0.0 and finds NaN equal
-   * to itself.
+   * Whether both have the same bits. Unlike {@code ==} it distinguishes -0.0 from 0.0, and NaN
+   * equals itself.
    */
   public boolean sameBits(Vec3 other) {
     return Double.doubleToRawLongBits(x) == Double.doubleToRawLongBits(other.x)

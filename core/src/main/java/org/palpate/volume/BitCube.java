@@ -3,32 +3,33 @@ package org.palpate.volume;
 import org.palpate.geometry.IntBox;
 
 /**
- * One bit a voxel, in bricks of 4x4x4 voxels that are one {@code long} each, with a level of the
- * same shape above that says which bricks are not empty.
+ * A cube of bits, one a voxel: whether the voxel is solid. A brick of 4x4x4 voxels is one {@code
+ * long}. A second level of the same shape marks the bricks that are not empty.
  *
  * <pre>
  *   brick word    bit  z z y y x x     of the voxel inside its brick
  *   upper word    bit  Z Z Y Y X X     of the brick inside its block of 4x4x4 bricks, set where the brick is not empty
  * </pre>
  *
- * <p>Invariant: an upper bit is set exactly where its brick word is not 0. Invariant: padding bits,
- * beyond the size, are clear. Both hold under {@link #set} and {@link #clear}; nothing else is
- * precalculated, so an edit spoils nothing.
+ * <p>Invariant: an upper bit is set exactly if its brick word is not 0. Invariant: padding bits,
+ * beyond the size, are clear. Every edit keeps both. Nothing else is precalculated, so that no edit
+ * invalidates anything.
  *
- * <p>One thread writes. Reading is free of locks and needs no more than that the writer's changes
- * were published.
+ * <p>Frame: grid coordinates; outside the cube all is empty. Thread: one thread writes, the haptic
+ * thread while a session runs. Readers take no lock; they need a safe publication of the changes.
  *
- * <p>Every look at the solids is {@link #brick}, {@link #block} or {@link #window}: a subclass can
- * count them; where none is loaded the virtual machine binds calls as if this class were final.
+ * <p>All reading goes through {@link #brick}, {@link #block} or {@link #window}, so that a subclass
+ * can count it. As long as no subclass is loaded, the virtual machine binds calls as if this class
+ * were final.
  */
 public class BitCube {
-  /** Voxels along an edge of a brick, as a power of two. */
+  /** The binary logarithm of the voxels along an edge of a brick. */
   public static final int BRICK_SHIFT = 2;
 
-  /** So that the plane behind the last voxel, and the brick's behind it, still have numbers. */
-  public static final int LARGEST_SIZE = 1 << 30;
+  /** The largest size: the planes behind the last voxel and its brick still have int numbers. */
+  public static final int MAX_SIZE = 1 << 30;
 
-  /** Voxels along an edge of a block of 4x4x4 bricks, as a power of two. */
+  /** The binary logarithm of the voxels along an edge of a block of 4x4x4 bricks. */
   public static final int BLOCK_SHIFT = 4;
 
   private final int sizeX;
@@ -45,17 +46,17 @@ public class BitCube {
   private long solidCount;
 
   /**
-   * An empty cube.
+   * Creates an empty cube. Allocates {@link #bytesFor} bytes.
    *
-   * @throws IllegalArgumentException where a size is below 1 or above {@link #LARGEST_SIZE}, or
-   *     there are more than 2^31-1 bricks
+   * @throws IllegalArgumentException if a size is below 1 or above {@link #MAX_SIZE}, or there are
+   *     more than 2^31-1 bricks
    */
   public BitCube(int sizeX, int sizeY, int sizeZ) {
     if (sizeX < 1 || sizeY < 1 || sizeZ < 1) {
       throw new IllegalArgumentException(
           "sizes must be at least 1: sizes=" + sizeX + "x" + sizeY + "x" + sizeZ);
     }
-    if (Math.max(sizeX, Math.max(sizeY, sizeZ)) > LARGEST_SIZE) {
+    if (Math.max(sizeX, Math.max(sizeY, sizeZ)) > MAX_SIZE) {
       throw new IllegalArgumentException(
           "sizes must be at most 2^30: sizes=" + sizeX + "x" + sizeY + "x" + sizeZ);
     }
@@ -71,7 +72,7 @@ public class BitCube {
     blocks = new long[arrayLength(blocksX, blocksY, cellsFor(sizeZ, BLOCK_SHIFT))];
   }
 
-  /** Bytes that a cube of this size takes; may be far more than there is. */
+  /** Returns the memory of a cube of this size, bytes; may be far more than there is. */
   public static double bytesFor(int sizeX, int sizeY, int sizeZ) {
     return 8.0 * cells(sizeX, sizeY, sizeZ, BRICK_SHIFT)
         + 8.0 * cells(sizeX, sizeY, sizeZ, BLOCK_SHIFT);
@@ -93,37 +94,46 @@ public class BitCube {
     return x * y * z;
   }
 
+  /** Returns the number of voxels along x. */
   public int sizeX() {
     return sizeX;
   }
 
+  /** Returns the number of voxels along y. */
   public int sizeY() {
     return sizeY;
   }
 
+  /** Returns the number of voxels along z. */
   public int sizeZ() {
     return sizeZ;
   }
 
-  /** The number of solid voxels. Constant time. */
+  /** Returns the number of solid voxels. Constant time. */
   public long solidCount() {
     return solidCount;
   }
 
   /**
-   * A box that holds every solid voxel: tight as long as nothing was cleared, and made tight again
-   * by {@link #tightenBounds}. The cube's own; not to be changed.
+   * Returns a box that contains every solid voxel. It is tight as long as nothing was cleared, and
+   * {@link #tightenBounds} makes it tight again. Constant time.
+   *
+   * @return the cube's own box, which the caller must not change
    */
   public IntBox bounds() {
     return bounds;
   }
 
-  /** Whether voxel (i,j,k) is solid; outside the cube nothing is. */
+  /** Whether voxel (i,j,k) is solid; false outside the cube. */
   public boolean get(int i, int j, int k) {
     return (brick(i >> BRICK_SHIFT, j >> BRICK_SHIFT, k >> BRICK_SHIFT) >>> bit(i, j, k) & 1) != 0;
   }
 
-  /** Makes voxel (i,j,k) solid. */
+  /**
+   * Makes voxel (i,j,k) solid.
+   *
+   * @throws IndexOutOfBoundsException if the voxel lies outside the cube
+   */
   public void set(int i, int j, int k) {
     int index = checkedBrickIndex(i, j, k);
     long word = bricks[index];
@@ -134,7 +144,11 @@ public class BitCube {
     }
   }
 
-  /** Makes voxel (i,j,k) empty. */
+  /**
+   * Makes voxel (i,j,k) empty.
+   *
+   * @throws IndexOutOfBoundsException if the voxel lies outside the cube
+   */
   public void clear(int i, int j, int k) {
     int index = checkedBrickIndex(i, j, k);
     long word = bricks[index];
@@ -144,21 +158,23 @@ public class BitCube {
     }
   }
 
-  /** The bit of a voxel inside its brick's word: two bits of z, two of y, two of x. */
+  /** Returns the bit of a voxel in the word of its brick: two bits of z, two of y, two of x. */
   public static int bit(int i, int j, int k) {
     return ((k & 3) << 4) | ((j & 3) << 2) | (i & 3);
   }
 
   /**
-   * The word of a brick, by brick coordinates (voxel coordinates shifted right by 2); 0 outside.
+   * Returns the word of a brick; 0 outside the cube.
+   *
+   * @param brickX brick coordinates: voxel coordinates shifted right by {@link #BRICK_SHIFT}
    */
   public long brick(int brickX, int brickY, int brickZ) {
     return isBrick(brickX, brickY, brickZ) ? bricks[brickIndex(brickX, brickY, brickZ)] : 0;
   }
 
   /**
-   * The 4x4x4 voxels from (i,j,k) on, wherever the bricks lie, in the bits of a brick; outside the
-   * cube nothing is solid. Cost: eight loads, and no branch that is mispredicted.
+   * Returns the 4x4x4 voxels whose lowest is (i,j,k), across bricks, in the bit order of a brick.
+   * Voxels outside the cube are empty. Cost: eight loads and no mispredicted branch.
    */
   public long window(int i, int j, int k) {
     int x = i >> BRICK_SHIFT;
@@ -169,7 +185,7 @@ public class BitCube {
     return inside ? windowInside(i, j, k, brickIndex(x, y, z)) : windowAtRim(i, j, k);
   }
 
-  /** The window where all eight bricks are the cube's, of which the first is at an index. */
+  /** Returns a window whose eight bricks all lie in the cube, the lowest of them at an index. */
   private long windowInside(int i, int j, int k, int at) {
     int shift = (k & 3) << 4;
     int above = at + bricksX * bricksY;
@@ -195,7 +211,7 @@ public class BitCube {
     int shift = (k & 3) << 4;
     long near = slab(i, j, k >> BRICK_SHIFT) >>> shift;
     long far = slab(i, j, (k >> BRICK_SHIFT) + 1);
-    return near | far << (48 - shift) << 16; // in two shifts, since one by 64 is one by 0
+    return near | far << (48 - shift) << 16; // in two shifts, because a shift by 64 is one by 0
   }
 
   private long slab(int i, int j, int brickZ) {
@@ -215,8 +231,10 @@ public class BitCube {
   }
 
   /**
-   * The word of a block of 4x4x4 bricks, by block coordinates (voxel coordinates shifted right by
-   * 4); 0 outside.
+   * Returns the word of a block of 4x4x4 bricks; 0 outside the cube. A bit is set if its brick is
+   * not empty.
+   *
+   * @param blockX block coordinates: voxel coordinates shifted right by {@link #BLOCK_SHIFT}
    */
   public long block(int blockX, int blockY, int blockZ) {
     int index = (blockZ * blocksY + blockY) * blocksX + blockX;
@@ -231,9 +249,10 @@ public class BitCube {
   }
 
   /**
-   * Replaces a whole brick; bits beyond the cube's size must be clear.
+   * Replaces a whole brick.
    *
-   * @throws IllegalArgumentException where the word has a padding bit set
+   * @param word the new bits; those beyond the size of the cube must be clear
+   * @throws IllegalArgumentException if the brick lies outside or the word has a padding bit set
    */
   public void setBrick(int brickX, int brickY, int brickZ, long word) {
     if (!isBrick(brickX, brickY, brickZ) || (word & ~insideMask(brickX, brickY, brickZ)) != 0) {
@@ -251,19 +270,22 @@ public class BitCube {
     includeBrick(brickX, brickY, brickZ, word);
   }
 
+  /** Returns the number of bricks along x. */
   public int bricksX() {
     return bricksX;
   }
 
+  /** Returns the number of bricks along y. */
   public int bricksY() {
     return bricksY;
   }
 
+  /** Returns the number of bricks along z. */
   public int bricksZ() {
     return bricksZ;
   }
 
-  /** Makes {@link #bounds} tight again after voxels were cleared. Looks at every brick. */
+  /** Makes {@link #bounds} tight again after voxels were cleared. Cost: reads every brick. */
   public void tightenBounds() {
     bounds.clear();
     for (int z = 0; z < bricksZ; z++) {
@@ -275,7 +297,7 @@ public class BitCube {
     }
   }
 
-  /** A copy that shares nothing with this. */
+  /** Returns a copy that shares nothing with this cube. */
   public BitCube copy() {
     BitCube copy = new BitCube(sizeX, sizeY, sizeZ);
     System.arraycopy(bricks, 0, copy.bricks, 0, bricks.length);
@@ -296,8 +318,8 @@ public class BitCube {
       return;
     }
     long half = word | word >>> 32;
-    int layer = (int) (half | half >>> 16) & 0xffff; // all z in one
-    int row = (layer | layer >>> 4 | layer >>> 8 | layer >>> 12) & 0xf; // and all y
+    int layer = (int) (half | half >>> 16) & 0xffff; // all z layers in one
+    int row = (layer | layer >>> 4 | layer >>> 8 | layer >>> 12) & 0xf; // and all y rows
     bounds.include(
         i + lowest(row), j + (lowest(layer) >> 2), k + (Long.numberOfTrailingZeros(word) >> 4));
     bounds.include(

@@ -1,72 +1,79 @@
 package org.palpate.volume;
 
 /**
- * Grey values as levels of 0 to 255: 128 at {@code middle}, {@code levelsAUnit} more for each unit
- * of grey, rounded down and held to that range. From 128 on means {@code value >= middle}, exactly;
- * what is no number has level 0.
+ * Quantizes grey values to levels from 0 to 255: 128 at {@code middle}, and {@code levelsPerUnit}
+ * more for each unit of grey, rounded down and clamped. NaN has level 0.
  *
- * <p>Whole numbers, which most volumes hold, are weighed as such; that is twice as fast.
+ * <p>Invariant: a level is at least 128 exactly if {@code value >= middle}.
+ *
+ * <p>Integers, which most volumes hold, are quantized in fixed point, which is twice as fast.
+ * Immutable; any thread; allocates nothing.
  */
 public final class GreyQuantizer {
   private static final int MIDDLE = 128;
   private static final int TOP = 255;
 
-  /** Bits behind the point. */
+  /** The bits of the fraction in fixed point. */
   private static final int FRACTION_BITS = 16;
 
   private static final long ONE = 1L << FRACTION_BITS;
 
-  /** Beyond all whole values that a volume stores. */
-  private static final double FAR = 1 << 20;
+  /** Above all integers that a volume stores. */
+  private static final double MAX_INTEGER = 1 << 20;
 
-  /** A step of one unit leads from one end to the other: more of them change nothing. */
-  private static final double MOST_A_UNIT = 2 * TOP;
+  /** At this slope one unit spans the whole range, so that a steeper one changes nothing. */
+  private static final double MAX_LEVELS_PER_UNIT = 2 * TOP;
 
   private final double middle;
-  private final double levelsAUnit;
+  private final double levelsPerUnit;
 
-  /** The least whole value of level 128, how far above 128 it is, and what each unit adds. */
-  private final int wholeMiddle;
+  /** The smallest integer of level 128. */
+  private final int integerMiddle;
 
-  private final long beyondMiddle;
-  private final long perUnit;
+  /** The amount by which that integer is above 128, in fixed point. */
+  private final long aboveMiddle;
+
+  /** The levels that each unit adds, in fixed point. */
+  private final long fixedLevelsPerUnit;
 
   /**
-   * Levels for one surface.
+   * Creates a quantizer.
    *
-   * @param middle the least value of level 128
-   * @param levelsAUnit positive
+   * @param middle the smallest value of level 128
+   * @param levelsPerUnit the slope, positive
+   * @throws IllegalArgumentException if the slope is not positive
    */
-  public GreyQuantizer(double middle, double levelsAUnit) {
-    if (!(levelsAUnit > 0)) {
+  public GreyQuantizer(double middle, double levelsPerUnit) {
+    if (!(levelsPerUnit > 0)) {
       throw new IllegalArgumentException(
-          "levelsAUnit must be positive: levelsAUnit=" + levelsAUnit);
+          "levelsPerUnit must be positive: levelsPerUnit=" + levelsPerUnit);
     }
     this.middle = middle;
-    this.levelsAUnit = levelsAUnit;
-    double near = Math.max(-FAR, Math.min(FAR, middle));
-    wholeMiddle = (int) Math.ceil(near);
-    perUnit = Math.max(1, (long) (ONE * Math.min(MOST_A_UNIT, levelsAUnit)));
-    beyondMiddle = Math.min(perUnit - 1, (long) ((wholeMiddle - near) * perUnit));
+    this.levelsPerUnit = levelsPerUnit;
+    double near = Math.max(-MAX_INTEGER, Math.min(MAX_INTEGER, middle));
+    integerMiddle = (int) Math.ceil(near);
+    fixedLevelsPerUnit = Math.max(1, (long) (ONE * Math.min(MAX_LEVELS_PER_UNIT, levelsPerUnit)));
+    aboveMiddle =
+        Math.min(fixedLevelsPerUnit - 1, (long) ((integerMiddle - near) * fixedLevelsPerUnit));
   }
 
-  /** The level of a value. */
+  /** Returns the level of a value. */
   public int of(double value) {
-    int whole = (int) value;
-    if (whole == value && Math.abs(whole) < FAR) {
-      return ofWhole(whole);
+    int integer = (int) value;
+    if (integer == value && Math.abs(integer) < MAX_INTEGER) {
+      return ofInteger(integer);
     }
-    int level = hold((int) ((value - middle) * levelsAUnit + MIDDLE));
+    int level = clamp((int) ((value - middle) * levelsPerUnit + MIDDLE));
     return value >= middle ? Math.max(MIDDLE, level) : Math.min(MIDDLE - 1, level);
   }
 
-  /** The level of a whole value of less than 2^20. */
-  int ofWhole(int value) {
-    long over = (value - wholeMiddle) * perUnit + beyondMiddle;
-    return hold((int) (over >> FRACTION_BITS) + MIDDLE);
+  /** Returns the level of an integer of less than 2^20. */
+  int ofInteger(int value) {
+    long over = (value - integerMiddle) * fixedLevelsPerUnit + aboveMiddle;
+    return clamp((int) (over >> FRACTION_BITS) + MIDDLE);
   }
 
-  private static int hold(int level) {
+  private static int clamp(int level) {
     return Math.max(0, Math.min(TOP, level));
   }
 }

@@ -3,13 +3,13 @@ package org.palpate.volume;
 import java.lang.reflect.Array;
 
 /**
- * Grey values over a grid, each stored as narrowly as the values allow.
+ * Grey values over a grid, in the narrowest storage that the values allow.
  *
- * <p>One thread fills it slice by slice; any thread may read what no one changes. Values are as the
- * file means them (after slope and intercept); their unit is the file's, Hounsfield for CT.
+ * <p>Values are those of the file after slope and intercept, in the unit of the file: Hounsfield
+ * for CT. Thread: one thread fills the volume; any thread may read what no thread changes.
  */
 public abstract class ScalarVolume {
-  /** How a value is kept; floats hold every whole number up to 2^24 exactly. */
+  /** The storage of a value. Floats represent every integer up to 2^24 exactly. */
   public enum Storage {
     UINT8(1, 0, 255),
     INT16(2, Short.MIN_VALUE, Short.MAX_VALUE),
@@ -26,12 +26,13 @@ public abstract class ScalarVolume {
       this.high = high;
     }
 
+    /** Returns the size of a value, bytes. */
     public int bytes() {
       return bytes;
     }
 
-    /** The narrowest storage for whole numbers from {@code low} to {@code high}. */
-    public static Storage forWholeNumbers(double low, double high) {
+    /** Returns the narrowest storage for integers from {@code low} to {@code high}. */
+    public static Storage forIntegers(double low, double high) {
       for (Storage storage : values()) {
         if (low >= storage.low && high <= storage.high) {
           return storage;
@@ -41,7 +42,7 @@ public abstract class ScalarVolume {
     }
   }
 
-  /** How many voxels {@link #levels} reads. */
+  /** The number of voxels that {@link #levels} reads. */
   public static final int LEVELS = 8;
 
   private final VoxelGrid grid;
@@ -54,7 +55,11 @@ public abstract class ScalarVolume {
     sizeX = grid.sizeX();
   }
 
-  /** A volume of zeros; look at {@link #bytesFor} first. */
+  /**
+   * Returns a volume of zeros. Allocates {@link #bytesFor} bytes.
+   *
+   * @throws IllegalArgumentException if a slice has more voxels than an array can hold
+   */
   public static ScalarVolume of(VoxelGrid grid, Storage storage) {
     long slice = (long) grid.sizeX() * grid.sizeY();
     if (slice > Integer.MAX_VALUE - 8) {
@@ -71,10 +76,12 @@ public abstract class ScalarVolume {
   }
 
   /**
-   * A volume over slices that someone else keeps and no one changes as long as it is read.
+   * Returns a volume over the arrays of another program, which nobody may change as long as the
+   * volume is read.
    *
-   * @param slices each a {@code byte[]} of 0 to 255, a {@code short[]} of 0 to 65535 or a {@code
-   *     float[]}, all of one type, row by row; not copied
+   * @param slices one array a slice, all of one type, row by row: {@code byte[]} of 0 to 255,
+   *     {@code short[]} of 0 to 65535 or {@code float[]}; not copied
+   * @throws IllegalArgumentException if the slices differ in type or do not fit the grid
    */
   public static ScalarVolume over(VoxelGrid grid, Object[] slices) {
     if (slices.length != grid.sizeZ()) {
@@ -106,29 +113,34 @@ public abstract class ScalarVolume {
     return typed;
   }
 
-  /** Bytes that the values of such a volume take; may be far more than there is. */
+  /** Returns the memory of the values of a volume, bytes; may be far more than there is. */
   public static double bytesFor(VoxelGrid grid, Storage storage) {
     return (double) grid.sizeX() * grid.sizeY() * grid.sizeZ() * storage.bytes();
   }
 
+  /** Returns the grid. */
   public VoxelGrid grid() {
     return grid;
   }
 
+  /** Returns the storage of the values. */
   public Storage storage() {
     return storage;
   }
 
-  /** The value of voxel (i,j,k), which must lie in the grid. */
+  /** Returns the value of voxel (i,j,k), which must lie in the grid. */
   public abstract double value(int i, int j, int k);
 
   /**
-   * The levels of {@link #LEVELS} voxels from (i,j,k) on along a row, all in the grid: a byte each,
-   * the first in the lowest. For who reads many: several times as fast as {@link #value}.
+   * Returns the levels of {@link #LEVELS} voxels of a row, (i,j,k) and the next ones along x, one
+   * byte each, the first in the lowest byte. All must lie in the grid. Several times as fast as
+   * {@link #value}.
    */
-  public abstract long levels(int i, int j, int k, GreyQuantizer scale);
+  public abstract long levels(int i, int j, int k, GreyQuantizer quantizer);
 
-  /** Stores a value, rounded and held to the storage's range, at voxel (i,j,k) of the grid. */
+  /**
+   * Stores a value at voxel (i,j,k) of the grid, rounded and clamped to the range of the storage.
+   */
   public abstract void set(int i, int j, int k, double value);
 
   final int indexInSlice(int i, int j, int k) {
@@ -136,7 +148,7 @@ public abstract class ScalarVolume {
     return j * sizeX + i;
   }
 
-  private int nearestWhole(double value) {
+  private int nearestInteger(double value) {
     return (int) Math.rint(Math.max(storage.low, Math.min(storage.high, value)));
   }
 
@@ -154,19 +166,19 @@ public abstract class ScalarVolume {
     }
 
     @Override
-    public long levels(int i, int j, int k, GreyQuantizer scale) {
+    public long levels(int i, int j, int k, GreyQuantizer quantizer) {
       byte[] slice = slices[k];
       int from = indexInSlice(i, j, k);
       long levels = 0;
       for (int n = 0; n < LEVELS; n++) {
-        levels |= (long) scale.ofWhole(slice[from + n] & 0xff) << (8 * n);
+        levels |= (long) quantizer.ofInteger(slice[from + n] & 0xff) << (8 * n);
       }
       return levels;
     }
 
     @Override
     public void set(int i, int j, int k, double value) {
-      slices[k][indexInSlice(i, j, k)] = (byte) super.nearestWhole(value);
+      slices[k][indexInSlice(i, j, k)] = (byte) super.nearestInteger(value);
     }
   }
 
@@ -177,7 +189,7 @@ public abstract class ScalarVolume {
     OfShorts(VoxelGrid grid, Storage storage, short[][] slices) {
       super(grid, storage);
       this.slices = slices;
-      mask = storage == Storage.UINT16 ? 0xffff : -1; // all ones keeps the sign
+      mask = storage == Storage.UINT16 ? 0xffff : -1; // a mask of all ones keeps the sign
     }
 
     @Override
@@ -186,19 +198,19 @@ public abstract class ScalarVolume {
     }
 
     @Override
-    public long levels(int i, int j, int k, GreyQuantizer scale) {
+    public long levels(int i, int j, int k, GreyQuantizer quantizer) {
       short[] slice = slices[k];
       int from = indexInSlice(i, j, k);
       long levels = 0;
       for (int n = 0; n < LEVELS; n++) {
-        levels |= (long) scale.ofWhole(slice[from + n] & mask) << (8 * n);
+        levels |= (long) quantizer.ofInteger(slice[from + n] & mask) << (8 * n);
       }
       return levels;
     }
 
     @Override
     public void set(int i, int j, int k, double value) {
-      slices[k][indexInSlice(i, j, k)] = (short) super.nearestWhole(value);
+      slices[k][indexInSlice(i, j, k)] = (short) super.nearestInteger(value);
     }
   }
 
@@ -216,12 +228,12 @@ public abstract class ScalarVolume {
     }
 
     @Override
-    public long levels(int i, int j, int k, GreyQuantizer scale) {
+    public long levels(int i, int j, int k, GreyQuantizer quantizer) {
       float[] slice = slices[k];
       int from = indexInSlice(i, j, k);
       long levels = 0;
       for (int n = 0; n < LEVELS; n++) {
-        levels |= (long) scale.of(slice[from + n]) << (8 * n);
+        levels |= (long) quantizer.of(slice[from + n]) << (8 * n);
       }
       return levels;
     }

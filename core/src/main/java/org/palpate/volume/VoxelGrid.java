@@ -5,24 +5,29 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * How many voxels there are, how large they are and where they lie. Immutable.
+ * A voxel grid: the number of voxels, their size, and their position in the world. Immutable; any
+ * thread.
  *
- * <p>Three frames: <em>grid</em> (voxel (i,j,k) is the cell from (i,j,k) to (i+1,j+1,k+1)),
- * <em>grid millimetres</em> (grid times spacing, axes along the grid's) and <em>world</em>
- * (millimetres, as the file says).
+ * <p>There are three frames. In <em>grid</em> coordinates voxel (i,j,k) is the cell from (i,j,k) to
+ * (i+1,j+1,k+1). <em>Grid millimetres</em> are grid coordinates times the spacing. <em>World</em>
+ * coordinates are the millimetres of the file.
  *
- * @param sizeX voxels along x, at least 1
- * @param sizeY voxels along y, at least 1
- * @param sizeZ voxels along z, at least 1
- * @param spacingMm edge lengths of a voxel, from {@link GridMetric#MIN_SPACING_MM} to {@link
+ * @param sizeX the number of voxels along x, at least 1
+ * @param sizeY the number of voxels along y, at least 1
+ * @param sizeZ the number of voxels along z, at least 1
+ * @param spacingMm the edges of a voxel, from {@link GridMetric#MIN_SPACING_MM} to {@link
  *     GridMetric#MAX_SPACING_MM}
- * @param gridMmToWorld from grid millimetres to world; its origin is the world position of the
- *     corner (0,0,0) of voxel 0
+ * @param gridMmToWorld the transform from grid millimetres to world; its origin is the world
+ *     position of the corner (0,0,0) of voxel (0,0,0)
  */
 public record VoxelGrid(
     int sizeX, int sizeY, int sizeZ, Vec3 spacingMm, RigidTransform gridMmToWorld) {
 
-  /** Checks sizes and spacing. */
+  /**
+   * Checks sizes and spacing.
+   *
+   * @throws IllegalArgumentException if a size is below 1 or a spacing is not valid
+   */
   public VoxelGrid {
     if (sizeX < 1 || sizeY < 1 || sizeZ < 1) {
       throw new IllegalArgumentException(
@@ -36,16 +41,16 @@ public record VoxelGrid(
     }
   }
 
-  /** A grid of unit voxels whose grid coordinates are its world coordinates. */
+  /** Returns a grid of voxels of 1 mm whose grid coordinates equal its world coordinates. */
   public static VoxelGrid ofUnitVoxels(int sizeX, int sizeY, int sizeZ) {
     return new VoxelGrid(sizeX, sizeY, sizeZ, new Vec3(1, 1, 1), RigidTransform.identity());
   }
 
   /**
-   * A grid as files describe it: by the world position of the <em>centre</em> of voxel 0 and the
-   * directions of its axes.
+   * Returns a grid from the description that files use: the world position of the <em>centre</em>
+   * of voxel (0,0,0) and the directions of the axes.
    *
-   * @param axes orthonormal directions; its origin is the centre of voxel (0,0,0), world mm
+   * @param axes the directions, orthonormal; its origin is the centre of voxel (0,0,0), world mm
    */
   public static VoxelGrid ofFirstCentre(
       int sizeX, int sizeY, int sizeZ, Vec3 spacingMm, RigidTransform axes) {
@@ -59,18 +64,19 @@ public record VoxelGrid(
         new RigidTransform(axes.axisX(), axes.axisY(), axes.axisZ(), corner));
   }
 
-  /** The number of voxels. */
+  /** Returns the number of voxels. */
   public long voxelCount() {
     return (long) sizeX * sizeY * sizeZ;
   }
 
+  /** Whether voxel (i,j,k) lies in the grid. */
   public boolean contains(int i, int j, int k) {
     return i >= 0 && i < sizeX && j >= 0 && j < sizeY && k >= 0 && k < sizeZ;
   }
 
   /**
    * Writes the world position, mm, of a point in grid coordinates into {@code dest}, which may be
-   * the point.
+   * {@code grid}.
    */
   public Vec3 gridToWorld(Vec3 grid, Vec3 dest) {
     dest.set(grid.x * spacingMm.x, grid.y * spacingMm.y, grid.z * spacingMm.z);
@@ -78,8 +84,8 @@ public record VoxelGrid(
   }
 
   /**
-   * Writes the grid coordinates of a world position, mm, into {@code dest}, which may be the
-   * position.
+   * Writes the grid coordinates of a world position, mm, into {@code dest}, which may be {@code
+   * world}.
    */
   public Vec3 worldToGrid(Vec3 world, Vec3 dest) {
     gridMmToWorld.inverseTransform(world, dest);

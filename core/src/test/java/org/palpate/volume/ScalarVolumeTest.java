@@ -11,10 +11,10 @@ class ScalarVolumeTest {
 
   @Test
   void takesTheNarrowestStorageThatHoldsTheRange() {
-    assertEquals(Storage.UINT8, Storage.forWholeNumbers(0, 255));
-    assertEquals(Storage.INT16, Storage.forWholeNumbers(-1024, 3071));
-    assertEquals(Storage.UINT16, Storage.forWholeNumbers(0, 65535));
-    assertEquals(Storage.FLOAT32, Storage.forWholeNumbers(-1, 65535));
+    assertEquals(Storage.UINT8, Storage.forIntegers(0, 255));
+    assertEquals(Storage.INT16, Storage.forIntegers(-1024, 3071));
+    assertEquals(Storage.UINT16, Storage.forIntegers(0, 65535));
+    assertEquals(Storage.FLOAT32, Storage.forIntegers(-1, 65535));
   }
 
   @Test

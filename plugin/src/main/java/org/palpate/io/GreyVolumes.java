@@ -36,7 +36,7 @@ public final class GreyVolumes {
 
   private static Storage storage(ValueRange values) {
     return values.isInteger()
-        ? Storage.forWholeNumbers(values.low(), values.high())
+        ? Storage.forIntegers(values.low(), values.high())
         : Storage.FLOAT32;
   }
 

@@ -50,7 +50,7 @@ class DistanceBehindDeviceTest {
   private static void assertNoFarther(String spec, double depth, int slides, double... speeds) {
     Phantom phantom = Phantom.parse(spec);
     BitCube bits = phantom.segments().segments().get(0).bits();
-    AnalyticSurface truth = phantom.truth().orElseThrow();
+    AnalyticSurface truth = phantom.analyticSurface().orElseThrow();
     double guarded = 0;
     double baseline = 0;
     for (double speed : speeds) {

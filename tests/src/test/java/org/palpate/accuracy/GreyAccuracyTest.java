@@ -90,9 +90,10 @@ class GreyAccuracyTest {
     for (double[] row : rows) {
       for (double speed : new double[] {0.05, 0.3, 2}) {
         SlideTrajectory slide =
-            new SlideTrajectory(phantom.truth().orElseThrow(), EDGE, row[0], speed, FRAMES, SEED);
+            new SlideTrajectory(
+                phantom.analyticSurface().orElseThrow(), EDGE, row[0], speed, FRAMES, SEED);
         Accuracy accuracy =
-            new AccuracyMeter(phantom.truth().orElseThrow(), UNIT, slide, row[0])
+            new AccuracyMeter(phantom.analyticSurface().orElseThrow(), UNIT, slide, row[0])
                 .measure(solver(solids), new CollisionScene(List.of(solids.bits)));
         assertTrue(accuracy.angleRmsDegrees() <= row[1], accuracy::toString);
         assertTrue(accuracy.angleWorstDegrees() <= row[2], accuracy::toString);

@@ -62,7 +62,7 @@ class SmoothAccuracyTest {
   void aShellOfOneVoxelFeelsLikeASolidFromEitherSide() {
     Phantom shell = Phantom.parse("shell:" + EDGE);
     BitCube bits = shell.segments().segments().get(0).bits();
-    AnalyticSurface ball = Phantom.parse("sphere:" + EDGE).truth().orElseThrow();
+    AnalyticSurface ball = Phantom.parse("sphere:" + EDGE).analyticSurface().orElseThrow();
     check(measure(ball, CUBES, bits, 5, 0.3), 1.5, 6, 0.15, 0.05);
     check(measure(new Cavity(ball, 1), CUBES, bits, 5, 0.3), 1.5, 6, 0.15, 0.3);
   }
@@ -70,7 +70,7 @@ class SmoothAccuracyTest {
   @Test
   void tenPercentOfInvertedBorderVoxelsHardlyChangeTheForce() {
     for (String name : List.of("plane", "sphere", "torus")) {
-      AnalyticSurface truth = Phantom.parse(name + ":" + EDGE).truth().orElseThrow();
+      AnalyticSurface truth = Phantom.parse(name + ":" + EDGE).analyticSurface().orElseThrow();
       BitCube noisy = SampledSolids.flipped(SampledSolids.of(truth, EDGE, CUBES), 0.1, SEED);
       check(measure(truth, CUBES, noisy, 5, 0.3), 2.2, 8, 0.2, 0.03);
       check(measure(truth, CUBES, noisy, 5, 0.05), 2.2, 8, 0.2, 0.03);
@@ -87,7 +87,7 @@ class SmoothAccuracyTest {
 
   @Test
   void everyLegOfASlideIsDisjointFromAllSolids() {
-    AnalyticSurface truth = Phantom.parse("torus:96").truth().orElseThrow();
+    AnalyticSurface truth = Phantom.parse("torus:96").analyticSurface().orElseThrow();
     BitCube bits = SampledSolids.flipped(SampledSolids.of(truth, 96, CUBES), 0.1, SEED);
     SlideTrajectory slide = new SlideTrajectory(truth, 96, 4, 0.3, 1500, SEED);
     GridMetric metric = GridMetric.of(CUBES);
@@ -99,11 +99,11 @@ class SmoothAccuracyTest {
   private static Accuracy measure(String name, double depth, double speed) {
     Phantom phantom = Phantom.parse(name + ":" + EDGE);
     BitCube bits = phantom.segments().segments().get(0).bits();
-    return measure(phantom.truth().orElseThrow(), CUBES, bits, depth, speed);
+    return measure(phantom.analyticSurface().orElseThrow(), CUBES, bits, depth, speed);
   }
 
   private static Accuracy measureSampled(String name, Vec3 spacingMm, double depth) {
-    AnalyticSurface truth = Phantom.parse(name + ":" + EDGE).truth().orElseThrow();
+    AnalyticSurface truth = Phantom.parse(name + ":" + EDGE).analyticSurface().orElseThrow();
     return measure(truth, spacingMm, SampledSolids.of(truth, EDGE, spacingMm), depth, 0.3);
   }
 

@@ -26,7 +26,7 @@ final class AccuracyScene {
   /** Makes a phantom of a kind and an edge. */
   AccuracyScene(String kind, int edge) {
     phantom = Phantom.parse(kind + ":" + edge);
-    truth = phantom.truth().orElseThrow();
+    truth = phantom.analyticSurface().orElseThrow();
     bits = phantom.segments().segments().get(0).bits();
     collisionScene = new CollisionScene(List.of(bits));
     ScalarVolume volume = read(Phantom.parse(kind + ":" + edge + ":grey"));

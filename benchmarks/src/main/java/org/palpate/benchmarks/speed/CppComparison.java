@@ -93,7 +93,7 @@ public final class CppComparison {
     for (Rays kind : RAYS) {
       RaySet rays =
           RaySet.of(
-              phantom.truth().orElseThrow(),
+              phantom.analyticSurface().orElseThrow(),
               phantom.edge(),
               kind.place,
               kind.length,
@@ -109,7 +109,7 @@ public final class CppComparison {
     for (double speed : SPEEDS) {
       Trajectory slide =
           Trajectories.slide(
-              phantom.truth().orElseThrow(), phantom.edge(), DEPTH, speed, FRAMES, SEED);
+              phantom.analyticSurface().orElseThrow(), phantom.edge(), DEPTH, speed, FRAMES, SEED);
       String name = scene + ", " + speed + " voxel a frame";
       report(name, port.follow(bits, slide, MAX_STEP_VOXELS, PASSES), followInJava(bits, slide));
     }

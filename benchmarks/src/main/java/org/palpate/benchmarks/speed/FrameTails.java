@@ -52,7 +52,12 @@ final class FrameTails {
               "slide on a ball at " + NumberText.display(speed),
               ball,
               Trajectories.slide(
-                  ball.truth().orElseThrow(), ball.edge(), SLIDE_DEPTH, speed, FRAMES, SEED)));
+                  ball.analyticSurface().orElseThrow(),
+                  ball.edge(),
+                  SLIDE_DEPTH,
+                  speed,
+                  FRAMES,
+                  SEED)));
     }
     return rows;
   }

@@ -86,7 +86,12 @@ public final class WorkStudy {
     Phantom phantom = Phantom.parse(SLID_ON);
     Trajectory slide =
         Trajectories.slide(
-            phantom.truth().orElseThrow(), phantom.edge(), DEPTH_VOXELS, speed, SLIDE_FRAMES, seed);
+            phantom.analyticSurface().orElseThrow(),
+            phantom.edge(),
+            DEPTH_VOXELS,
+            speed,
+            SLIDE_FRAMES,
+            seed);
     return Row.of(name, follow(phantom.segments().segments().get(0).bits(), slide));
   }
 

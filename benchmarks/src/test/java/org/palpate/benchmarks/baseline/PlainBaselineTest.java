@@ -31,7 +31,7 @@ class PlainBaselineTest {
   void comesToRestOnSlopes(String spec) {
     Phantom phantom = Phantom.parse(spec);
     PlainBaseline baseline = new PlainBaseline(phantom.segments().segments().get(0).bits(), 8);
-    AnalyticSurface truth = phantom.truth().orElseThrow();
+    AnalyticSurface truth = phantom.analyticSurface().orElseThrow();
     Trajectory slide = Trajectories.slide(truth, phantom.edge(), 4, 0.7, 900, SEED);
     Vec3 device = slide.position(0, new Vec3());
     baseline.place(device.x, device.y, device.z);
@@ -57,7 +57,7 @@ class PlainBaselineTest {
   @Test
   void slidesKeepTheirDepthAndSpeed() {
     Phantom torus = Phantom.parse("torus:192");
-    AnalyticSurface truth = torus.truth().orElseThrow();
+    AnalyticSurface truth = torus.analyticSurface().orElseThrow();
     Trajectory slide = Trajectories.slide(truth, 192, 5, 0.3, 3000, SEED);
     Vec3 last = slide.position(100, new Vec3());
     for (int frame = 101; frame < slide.size(); frame++) {

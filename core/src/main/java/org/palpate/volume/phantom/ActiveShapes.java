@@ -1,58 +1,59 @@
 package org.palpate.volume.phantom;
 
 /**
- * Which shapes can change within a ball, and on which side of the others the ball lies. Narrowed
- * from blocks to bricks to voxels, so that most shapes are never looked at. Owned scratch.
+ * The shapes whose surface can pass through a ball, and the side of all others on which the ball
+ * lies. It is narrowed from rows to bricks to voxels, so that most shapes are never evaluated.
+ * Owned scratch.
  */
 final class ActiveShapes {
-  /** More than all rounding in a shape's value, whose sizes stay under 1e4 voxels. */
+  /** More than the rounding of a shape's value; all sizes are below 1e4 voxels. */
   private static final double ROUNDING_VOXELS = 1e-6;
 
   private final Shape[] shapes;
-  private final int[] changing;
-  private int changingCount;
+  private final int[] active;
+  private int activeCount;
   private long insideInactive;
 
   ActiveShapes(Shape[] shapes) {
     this.shapes = shapes;
-    changing = new int[shapes.length];
+    active = new int[shapes.length];
   }
 
-  /** Everything may change: the whole space. */
+  /** Resets this to the whole space, in which every shape is active. */
   void widen() {
-    changingCount = shapes.length;
+    activeCount = shapes.length;
     insideInactive = 0;
     for (int s = 0; s < shapes.length; s++) {
-      changing[s] = s;
+      active[s] = s;
     }
   }
 
-  /** Becomes the part of {@code parent} within {@code radius} of the point; may not be itself. */
+  /** Narrows {@code parent}, which must be another, to a ball of {@code radius} at the point. */
   void narrow(ActiveShapes parent, double x, double y, double z, double radius) {
-    changingCount = 0;
+    activeCount = 0;
     insideInactive = parent.insideInactive;
     double limit = radius + ROUNDING_VOXELS;
-    for (int n = 0; n < parent.changingCount; n++) {
-      int shape = parent.changing[n];
+    for (int n = 0; n < parent.activeCount; n++) {
+      int shape = parent.active[n];
       double value = shapes[shape].at(x, y, z);
       if (Math.abs(value) <= limit) {
-        changing[changingCount++] = shape;
+        active[activeCount++] = shape;
       } else if (value <= 0) {
         insideInactive |= 1L << shape;
       }
     }
   }
 
-  /** Whether no shape's surface comes within the ball. */
+  /** Whether no surface passes through the ball. */
   boolean isUniform() {
-    return changingCount == 0;
+    return activeCount == 0;
   }
 
-  /** A bit for each shape that the point, which must lie within the ball, is inside of. */
+  /** Returns a bit for each shape that contains the point, which must lie within the ball. */
   long insideShapes(double x, double y, double z) {
     long inside = insideInactive;
-    for (int n = 0; n < changingCount; n++) {
-      int shape = changing[n];
+    for (int n = 0; n < activeCount; n++) {
+      int shape = active[n];
       if (shapes[shape].at(x, y, z) <= 0) {
         inside |= 1L << shape;
       }
@@ -60,25 +61,27 @@ final class ActiveShapes {
     return inside;
   }
 
-  /** In how many ways a point within the ball may lie to the surfaces there, at most. */
-  long sides() {
-    return 1L << changingCount;
+  /**
+   * Returns the number of sign patterns: the sides of the active surfaces that a point can have.
+   */
+  long signPatternCount() {
+    return 1L << activeCount;
   }
 
-  /** On which of the {@link #sides} the point lies. */
-  int side(double x, double y, double z) {
-    int side = 0;
-    for (int n = 0; n < changingCount; n++) {
-      side |= (shapes[changing[n]].at(x, y, z) <= 0 ? 1 : 0) << n;
+  /** Returns the sign pattern of a point, below {@link #signPatternCount}. */
+  int signPattern(double x, double y, double z) {
+    int pattern = 0;
+    for (int n = 0; n < activeCount; n++) {
+      pattern |= (shapes[active[n]].at(x, y, z) <= 0 ? 1 : 0) << n;
     }
-    return side;
+    return pattern;
   }
 
-  /** A bit for each shape that a point on this side is inside of. */
-  long insideShapesAt(int side) {
+  /** Returns a bit for each shape that contains the points of a sign pattern. */
+  long insideShapesAt(int pattern) {
     long inside = insideInactive;
-    for (int n = 0; n < changingCount; n++) {
-      inside |= (side >> n & 1L) << changing[n];
+    for (int n = 0; n < activeCount; n++) {
+      inside |= (pattern >> n & 1L) << active[n];
     }
     return inside;
   }

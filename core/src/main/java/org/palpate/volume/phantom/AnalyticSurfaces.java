@@ -2,10 +2,11 @@ package org.palpate.volume.phantom;
 
 import org.palpate.geometry.Vec3;
 
-/** The surfaces of the phantoms that have a formula. */
+/** The analytic surfaces of the phantoms that have one. */
 final class AnalyticSurfaces {
   private AnalyticSurfaces() {}
 
+  /** A solid ball. */
   record Ball(Vec3 centre, double radius) implements AnalyticSurface {
     @Override
     public double signedDistance(Vec3 grid) {
@@ -19,7 +20,7 @@ final class AnalyticSurfaces {
     }
   }
 
-  /** A wall one voxel thick, whose outer side has the radius. */
+  /** A spherical wall one voxel thick, whose outer side has the radius. */
   record Wall(Vec3 centre, double radius) implements AnalyticSurface {
     private static final double HALF_THICKNESS = 0.5;
 
@@ -40,6 +41,7 @@ final class AnalyticSurfaces {
     }
   }
 
+  /** The half-space behind a plane. */
   record Plane(Vec3 point, Vec3 unitNormal) implements AnalyticSurface {
     @Override
     public double signedDistance(Vec3 grid) {
@@ -52,6 +54,7 @@ final class AnalyticSurfaces {
     }
   }
 
+  /** A solid torus around the z axis through the centre. */
   record Ring(Vec3 centre, double ringRadius, double tubeRadius) implements AnalyticSurface {
     @Override
     public double signedDistance(Vec3 grid) {
@@ -66,8 +69,8 @@ final class AnalyticSurfaces {
 
     private Vec3 fromRing(Vec3 grid, Vec3 dest) {
       grid.sub(centre, dest);
-      double share = 1 - ringRadius / Math.sqrt(dest.x * dest.x + dest.y * dest.y);
-      return dest.set(dest.x * share, dest.y * share, dest.z);
+      double fraction = 1 - ringRadius / Math.sqrt(dest.x * dest.x + dest.y * dest.y);
+      return dest.set(dest.x * fraction, dest.y * fraction, dest.z);
     }
   }
 }

@@ -1,33 +1,34 @@
 package org.palpate.volume.phantom;
 
 /**
- * What a phantom is made of: some shapes, the region that each combination of them stands for, and
- * the walls, one voxel thick, that part some regions from others.
+ * The composition of a phantom: shapes, the region that each combination of them stands for, and
+ * walls of one voxel between some regions.
  *
- * <p>Regions are small numbers of its own; {@link #OPEN} is the outside.
+ * <p>Regions are small numbers that each anatomy chooses; {@link #OPEN} is the outside.
  */
 interface Anatomy {
-  /** Empty and without walls of its own. */
+  /** The region that is empty and has no walls. */
   int OPEN = 0;
 
-  /** At most 64. */
+  /** Returns the shapes, at most 64. */
   Shape[] shapes();
 
-  /** The region of the points that are inside just the shapes whose bits are set. */
+  /** Returns the region of the points that lie in exactly the shapes whose bits are set. */
   int region(long insideShapes);
 
-  /** The label of all points of a region that is solid through and through, else 0. */
+  /** Returns the label of a region that is solid throughout, else 0. */
   int label(int region);
 
   /** Whether the region is hollow and may have walls along its inside. */
   boolean hasWalls(int region);
 
   /**
-   * The label of those points of {@code region} that have, one voxel off along an axis, a point of
-   * {@code neighbour}; 0 where there is no wall between the two.
+   * Returns the label of the wall that {@code region} has along {@code neighbour}; 0 if there is
+   * none. A point belongs to the wall if a point of the neighbour lies one voxel away along an
+   * axis.
    */
   int wall(int region, int neighbour);
 
-  /** Grey value of solid matter of a label. */
+  /** Returns the grey value of the solid matter of a label. */
   int greyValue(int label);
 }

@@ -1,29 +1,29 @@
 package org.palpate.volume.phantom;
 
 /**
- * Decides brick by brick what is where: labels by the centre of each voxel, grey values by 4x4x4
- * points in it, except for walls, which are whole voxels in both. Owned scratch: one thread.
+ * Voxelizes an anatomy brick by brick. The centre of a voxel decides its label, and 4x4x4 points in
+ * it decide its grey value. Walls are whole voxels in both. Owned scratch: one thread.
  */
 final class AnatomyVoxelizer implements BrickSource {
-  /** Of three surfaces. */
-  private static final int MOST_SIDES = 8;
+  /** The sign patterns of three surfaces. */
+  private static final int MAX_SIGN_PATTERNS = 8;
 
-  /** Of a voxel; and points in an octant. */
+  /** The octants of a voxel; also the points in an octant. */
   private static final int OCTANTS = 8;
 
-  /** From the centre of a voxel to the farthest of its points: 0.375 times the root of 3. */
+  /** The distance of the outermost points from the voxel centre: 0.375 times the root of 3. */
   private static final double POINTS_RADIUS = 0.6496;
 
-  /** From the centre of an octant to each of its points: 0.125 times the root of 3. */
+  /** The distance of each point from the centre of its octant: 0.125 times the root of 3. */
   private static final double OCTANT_RADIUS = 0.2166;
 
-  /** From the centre of a row of four bricks to the farthest voxel centre: (7.5, 1.5, 1.5). */
+  /** The distance of the outermost voxel centre from that of a row of four bricks. */
   private static final double ROW_RADIUS = 7.8;
 
-  /** From the centre of a brick to the farthest voxel centre: 1.5 times the root of 3. */
+  /** The distance of the outermost voxel centre from the brick centre: 1.5 times the root of 3. */
   private static final double BRICK_RADIUS = 2.6;
 
-  /** From a voxel's centre: walls look at points one voxel off, farther than its own points are. */
+  /** The distance from a voxel centre at which walls look for a neighbouring region. */
   private static final double WALL_REACH = 1;
 
   private final Anatomy anatomy;
@@ -33,7 +33,7 @@ final class AnatomyVoxelizer implements BrickSource {
   private final ActiveShapes voxel;
   private final ActiveShapes cell;
   private final ActiveShapes octant;
-  private final int[] greyOfSignPattern = new int[MOST_SIDES];
+  private final int[] greyOfSignPattern = new int[MAX_SIGN_PATTERNS];
 
   AnatomyVoxelizer(Anatomy anatomy) {
     this.anatomy = anatomy;
@@ -114,7 +114,7 @@ final class AnatomyVoxelizer implements BrickSource {
         : supersampled(i, j, k);
   }
 
-  /** Walls left out: a layer of voxels is not cut in parts. */
+  /** Returns the mean grey value of the points of a voxel that belongs to no wall. */
   private int supersampled(int i, int j, int k) {
     int sum = 0;
     for (int n = 0; n < OCTANTS; n++) {
@@ -123,7 +123,7 @@ final class AnatomyVoxelizer implements BrickSource {
     return (sum + OCTANTS * OCTANTS / 2) / (OCTANTS * OCTANTS);
   }
 
-  /** The sum of the grey values at the eight points of an octant. */
+  /** Returns the sum of the grey values at the eight points of an octant. */
   private int octant(double x, double y, double z) {
     octant.narrow(cell, x + 0.25, y + 0.25, z + 0.25, OCTANT_RADIUS);
     boolean known = fillGreyOfSignPattern(octant);
@@ -135,29 +135,32 @@ final class AnatomyVoxelizer implements BrickSource {
       double u = x + 0.125 + (n & 1) * 0.25;
       double v = y + 0.125 + (n >> 1 & 1) * 0.25;
       double w = z + 0.125 + (n >> 2) * 0.25;
-      sum += known ? greyOfSignPattern[octant.side(u, v, w)] : grey(octant.insideShapes(u, v, w));
+      sum +=
+          known
+              ? greyOfSignPattern[octant.signPattern(u, v, w)]
+              : grey(octant.insideShapes(u, v, w));
     }
     return sum;
   }
 
   /**
-   * Sets {@link #greyOfSignPattern}, once a place instead of once a point; false for too many
-   * sides.
+   * Sets {@link #greyOfSignPattern}, so that a grey value is looked up once a pattern and not once
+   * a point. Returns false if there are too many patterns.
    */
-  private boolean fillGreyOfSignPattern(ActiveShapes place) {
-    if (place.sides() > greyOfSignPattern.length) {
+  private boolean fillGreyOfSignPattern(ActiveShapes near) {
+    if (near.signPatternCount() > greyOfSignPattern.length) {
       return false;
     }
-    for (int n = 0; n < place.sides(); n++) {
-      greyOfSignPattern[n] = grey(place.insideShapesAt(n));
+    for (int n = 0; n < near.signPatternCount(); n++) {
+      greyOfSignPattern[n] = grey(near.insideShapesAt(n));
     }
     return true;
   }
 
-  /** Whether the surfaces in the place, if any, part nothing, as most do where bodies overlap. */
-  private boolean isOneGrey(ActiveShapes place) {
+  /** Whether all sign patterns have one grey value, as mostly where shapes of one body overlap. */
+  private boolean isOneGrey(ActiveShapes near) {
     boolean same = true;
-    for (int n = 1; same && n < place.sides(); n++) {
+    for (int n = 1; same && n < near.signPatternCount(); n++) {
       same = greyOfSignPattern[n] == greyOfSignPattern[0];
     }
     return same;

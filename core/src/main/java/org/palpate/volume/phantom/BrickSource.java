@@ -1,19 +1,22 @@
 package org.palpate.volume.phantom;
 
-/** Where the voxels of a phantom come from, brick by brick. Keeps scratch: one thread. */
+/** Generates the voxels of a phantom brick by brick. Keeps scratch: one thread. */
 interface BrickSource {
-  /** The brick is not of one kind: the answer stands in the array. */
+  /** The answer for a brick of several labels or grey values, which are in the array. */
   int MIXED = -1;
 
-  /** Turns to the four bricks from {@code brickX} on along x, before bricks of theirs are asked. */
+  /**
+   * Enters the row of four bricks from {@code brickX} on along x. Call this before asking for a
+   * brick of the row.
+   */
   void enterRow(int brickX, int brickY, int brickZ);
 
   /**
-   * The label of all voxels of a brick of the entered row, or {@link #MIXED} and each voxel's label
-   * in {@code dest}, in the order of the bits of a brick word.
+   * Returns the label of all voxels of a brick of the entered row. If they differ, returns {@link
+   * #MIXED} and writes the label of each voxel into {@code dest}, in the bit order of a brick word.
    */
   int labels(int brickX, int brickY, int brickZ, int[] dest);
 
-  /** As {@link #labels}, with grey values. */
+  /** Returns grey values in the way that {@link #labels} returns labels. */
   int greys(int brickX, int brickY, int brickZ, int[] dest);
 }

@@ -5,25 +5,25 @@ import java.util.List;
 import org.palpate.geometry.Vec3;
 
 /**
- * A head, looking towards y = 0 with z up: a skull with orbits, nasal bones, a nasal cavity with
- * its septum, and sinuses whose walls are one voxel thick; a jaw that touches nothing; a skin
- * around all of it. Lengths below are shares of the edge.
+ * A head that looks towards y = 0 with z up. The skull has orbits, nasal bones, a nasal cavity with
+ * its septum, and sinuses whose walls are one voxel thick. The jaw touches nothing, and a skin
+ * surrounds all. Lengths below are fractions of the edge.
  */
 final class HeadAnatomy implements Anatomy {
   static final int SKULL = 1;
   static final int JAW = 2;
   static final int SKIN = 3;
 
-  /** Grey value of skin; bone has {@link Phantom#SOLID_GREY}. */
+  /** The grey value of skin; that of bone is {@link Phantom#SOLID_GREY}. */
   static final int SKIN_GREY = 400;
 
   private static final double MIDDLE = 0.503;
   private static final double SKIN_THICKNESS = 0.012;
 
-  /** Thinner, a face step could pass the skin. */
-  private static final double LEAST_SKIN_VOXELS = 1.0;
+  /** A path through faces could pass a thinner skin. */
+  private static final double MIN_SKIN_VOXELS = 1.0;
 
-  // Regions. The nose has two halves, open but for a wall between them; the foramen is open too.
+  // Regions. The nose has two open halves with a wall between them; the foramen is open too.
   private static final int NOSE_LEFT = 1;
   private static final int NOSE_RIGHT = 2;
   private static final int SKULL_REGION = 3;
@@ -51,7 +51,7 @@ final class HeadAnatomy implements Anatomy {
     this.edge = edge;
     List<Shape> surface = surface();
     head = bits(surface);
-    double depth = Math.max(LEAST_SKIN_VOXELS, SKIN_THICKNESS * edge);
+    double depth = Math.max(MIN_SKIN_VOXELS, SKIN_THICKNESS * edge);
     belowSkin = bits(surface.stream().map(shape -> shape.shrunk(depth)).toList());
     open = pair(0.105, 0.190, 0.470, 0.068, 0.115, 0.060);
     foramen = bit(Shape.cylinder(at(0, 0.64, 0.2), 0.125 * edge, 0.035 * edge));
@@ -73,7 +73,10 @@ final class HeadAnatomy implements Anatomy {
         Shape.cylinder(at(0, 0.6, 0.035), 0.365 * edge, 0.165 * edge));
   }
 
-  /** In order of precedence: where two overlap the earlier has the room, the later the wall. */
+  /**
+   * Returns the cavities in order of precedence: where two overlap, the space belongs to the
+   * earlier one and the wall to the later one.
+   */
   private long[] cavities() {
     List<Long> all = new ArrayList<>();
     for (int side = -1; side <= 1; side += 2) {

@@ -1,25 +1,28 @@
 package org.palpate.volume.phantom;
 
 /**
- * Diagonal walls of which no two voxels share a face: they hold together by edges and corners
- * alone, and yet nothing passes that keeps to faces.
+ * Diagonal walls whose voxels share edges and corners but no face. Yet no path through faces passes
+ * them.
  *
- * <p>The walls are planes along the four diagonals of a cube, {@link #PERIOD} apart. A voxel with
- * the sums s0 = i+j+k, s1 = j+k-i, s2 = i+k-j, s3 = i+j-k is wall where one of them is a multiple
- * of the even period; all four have the parity of s0, so every wall voxel has s0 even, and face
- * neighbours differ in parity. Half of the pieces into which the planes cut one another are left
- * out, as doors, by a hash of the seed and the piece.
+ * <p>The walls are planes across the four diagonals of a cube, {@link #PERIOD} apart. A voxel has
+ * the sums s0 = i+j+k, s1 = j+k-i, s2 = i+k-j and s3 = i+j-k. It belongs to a wall if one of them
+ * is a multiple of the period, which is even. All four sums have the parity of s0, so that s0 is
+ * even in every wall voxel, while face neighbours differ in parity. A hash of the seed and the
+ * piece leaves out half of the pieces into which the planes cut one another, as doors.
+ *
+ * @param seed selects the doors
  */
 record Maze(long seed) implements BrickSource {
   private static final int PERIOD_SHIFT = 4;
   static final int PERIOD = 1 << PERIOD_SHIFT;
 
-  /** Grey value that an empty voxel gets from each wall voxel beside it; six stay under half. */
+  /** The grey value that each adjacent wall voxel adds to an empty voxel; six stay below half. */
   private static final int PARTIAL_VOLUME_GREY = 75;
 
   private static final int FAMILIES = 4;
   private static final int DOOR_ONE_IN = 2;
 
+  /** Whether voxel (i,j,k) belongs to a wall. */
   boolean isWall(int i, int j, int k) {
     int s0 = i + j + k;
     if ((s0 & 1) != 0) {
@@ -51,7 +54,7 @@ record Maze(long seed) implements BrickSource {
     return Long.remainderUnsigned(hash, DOOR_ONE_IN) == 0;
   }
 
-  /** Source: Steele, Lea, Flood 2014, the finalizer of SplitMix64. */
+  /** Mixes the bits of a value. Reference: Steele, Lea, Flood 2014, finalizer of SplitMix64. */
   private static long mix(long value) {
     long z = value + 0x9E3779B97F4A7C15L;
     z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;

@@ -10,33 +10,40 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * A cube of voxels made by formula, the same to the bit each time and everywhere. Immutable; any
- * thread. Voxels are cubes of 1 mm and grid coordinates are world coordinates.
+ * A synthetic cube of voxels, the same to the bit each time and on every machine. Immutable; any
+ * thread. Voxels are cubes of 1 mm, and grid coordinates equal world coordinates.
  *
- * <p>As labels, a voxel is solid where its centre is. As grey values it holds its share of {@link
- * #SOLID_GREY} that is solid, measured at 64 points, so that half of it, {@link #HALF_GREY}, is
- * where the surface lies; {@link #thresholds} tells which values to take. The one-voxel walls of a
- * head are whole voxels in both. A maze has no surface between voxels: its grey values are full at
- * the walls and stay under half beside them.
+ * <p>With labels, a voxel is solid if its centre is. With grey values, it has the fraction of
+ * {@link #SOLID_GREY} that is solid, measured at 64 points. So the surface lies at half of it,
+ * {@link #HALF_GREY}; {@link #thresholds} returns the values to segment at. The one-voxel walls of
+ * a head are whole voxels in both. A maze has no surface between voxels: its grey values are full
+ * in the walls and stay below half beside them.
  *
- * @param kind what it shows
- * @param edge voxels along each edge, {@link #LEAST_EDGE} to {@link #LARGEST_EDGE}
- * @param grey whether its voxels hold grey values rather than labels
- * @param seed which of all mazes; other kinds do not depend on it
+ * @param kind the content
+ * @param edge the voxels along each edge, {@link #MIN_EDGE} to {@link #MAX_EDGE}
+ * @param grey whether the voxels have grey values instead of labels
+ * @param seed selects the maze; the other kinds do not depend on it
  */
 public record Phantom(Kind kind, int edge, boolean grey, long seed) {
-  public static final int LEAST_EDGE = 16;
-  public static final int LARGEST_EDGE = 4096;
+  /** The smallest edge, voxels. */
+  public static final int MIN_EDGE = 16;
+
+  /** The largest edge, voxels. */
+  public static final int MAX_EDGE = 4096;
+
+  /** The edge of a phantom whose spec names none, voxels. */
   public static final int DEFAULT_EDGE = 256;
+
+  /** The seed of a phantom that {@link #parse} returns. */
   public static final long DEFAULT_SEED = 1;
 
-  /** Grey value of a voxel that is solid all through. */
+  /** The grey value of a voxel that is solid throughout. */
   public static final int SOLID_GREY = 1000;
 
-  /** Grey value of a voxel that is half solid: the threshold to segment at. */
+  /** The grey value of a voxel that is half solid: the threshold to segment at. */
   public static final int HALF_GREY = SOLID_GREY / 2;
 
-  /** What a phantom shows. */
+  /** The content of a phantom. */
   public enum Kind {
     /** Skull with one-voxel walls, a separate jaw, skin around it. */
     HEAD,
@@ -44,48 +51,47 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     SPHERE,
     /** A closed hollow ball with a wall of one voxel. */
     SHELL,
-    /** All that lies below a tilted plane. */
+    /** The half-space below a tilted plane. */
     PLANE,
-    /** A solid ring. */
+    /** A solid torus. */
     TORUS,
-    /** Diagonal walls that hold together by edges and corners alone. */
+    /** Diagonal walls whose voxels share edges and corners but no face. */
     MAZE
   }
 
   /**
-   * A label that occurs.
+   * A label of a phantom.
    *
-   * @param value from 1
-   * @param name of the segment
-   * @param rgb colour for drawing, 0xRRGGBB
+   * @param value the number of the label, from 1
+   * @param name the name of the segment
+   * @param rgb the colour for drawing, 0xRRGGBB
    */
   public record Label(int value, String name, int rgb) {}
 
   /**
-   * A segment that grey values can give.
+   * A segment that a threshold makes of the grey values.
    *
-   * @param name of the segment
-   * @param atLeast the least value of a voxel that belongs to it
+   * @param name the name of the segment
+   * @param atLeast the smallest grey value of its voxels
    */
   public record Threshold(String name, int atLeast) {}
 
-  /** Checks the edge. */
+  /**
+   * Checks the edge.
+   *
+   * @throws IllegalArgumentException if the edge is out of range
+   */
   public Phantom {
-    if (edge < LEAST_EDGE || edge > LARGEST_EDGE) {
+    if (edge < MIN_EDGE || edge > MAX_EDGE) {
       throw new IllegalArgumentException(
-          "phantom edge out of range: edge="
-              + edge
-              + ": choose "
-              + LEAST_EDGE
-              + " to "
-              + LARGEST_EDGE);
+          "phantom edge out of range: edge=" + edge + ": choose " + MIN_EDGE + " to " + MAX_EDGE);
     }
   }
 
   /**
    * Reads {@code NAME[:EDGE][:grey]}, as in {@code torus:192:grey}.
    *
-   * @throws IllegalArgumentException with what is wrong, where, and what to choose instead
+   * @throws IllegalArgumentException if the text is no phantom; the message names what to choose
    */
   public static Phantom parse(String spec) {
     String[] parts = spec.split(":", -1);
@@ -117,16 +123,17 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     return Integer.parseInt(edge);
   }
 
-  /** Its name as {@link #parse} reads it. */
+  /** Returns the text from which {@link #parse} makes this phantom, but for the seed. */
   public String spec() {
     return kind.name().toLowerCase(Locale.ROOT) + ":" + edge + (grey ? ":grey" : "");
   }
 
+  /** Returns the grid. */
   public VoxelGrid grid() {
     return VoxelGrid.ofUnitVoxels(edge, edge, edge);
   }
 
-  /** The labels that occur, in ascending order of value; alike with and without grey. */
+  /** Returns the labels in ascending order; the same with and without grey values. */
   public List<Label> labels() {
     if (kind == Kind.HEAD) {
       return List.of(
@@ -137,7 +144,7 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     return List.of(new Label(1, kind.name().toLowerCase(Locale.ROOT), 0xD8D0C0));
   }
 
-  /** What to segment grey values by: half way from empty to the matter in question. */
+  /** Returns the thresholds for grey values: half way between empty space and each matter. */
   public List<Threshold> thresholds() {
     if (kind == Kind.HEAD) {
       int betweenSkinAndBone = (HeadAnatomy.SKIN_GREY + SOLID_GREY) / 2;
@@ -149,8 +156,8 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
   }
 
   /**
-   * Makes a segment of each label, grey or not. At 256 voxels an edge it takes a fraction of a
-   * second and 2 MB a label.
+   * Returns a segment for each label, with or without grey values. At an edge of 256 voxels this
+   * takes a fraction of a second and 2 MB a label.
    */
   public SegmentedVolume segments() {
     List<Label> labels = labels();
@@ -166,14 +173,14 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     return new SegmentedVolume(grid(), segments);
   }
 
-  /** A reader of its voxels, labels or grey values, slice by slice. */
+  /** Returns a reader of the voxels, labels or grey values, slice by slice. */
   public PhantomSlices slices() {
     return new PhantomSlices(new PhantomBrickWriter(bricks(grey), edge), edge, grey);
   }
 
-  /** The surface by formula; none for a head or a maze. */
-  public Optional<AnalyticSurface> truth() {
-    return PhantomShapes.truth(kind, edge);
+  /** Returns the analytic surface; empty for a head or a maze. */
+  public Optional<AnalyticSurface> analyticSurface() {
+    return PhantomShapes.analyticSurface(kind, edge);
   }
 
   private BrickSource bricks(boolean asGrey) {

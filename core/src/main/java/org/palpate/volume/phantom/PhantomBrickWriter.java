@@ -2,7 +2,7 @@ package org.palpate.volume.phantom;
 
 import org.palpate.volume.BitCube;
 
-/** Carries bricks to where they are wanted: into bit cubes or into a layer of four slices. */
+/** Writes the bricks of a phantom into bit cubes or into a layer of four slices. */
 final class PhantomBrickWriter {
   private static final int BRICKS_A_ROW = 4;
 
@@ -17,7 +17,7 @@ final class PhantomBrickWriter {
     edgeBricks = (edge + 3) / 4;
   }
 
-  /** Sets the bits of label n+1 in cube n; the cubes are empty. */
+  /** Sets the bits of label n+1 in cube n; the cubes must be empty. */
   void writeLabels(BitCube[] cubes) {
     for (int z = 0; z < edgeBricks; z++) {
       for (int y = 0; y < edgeBricks; y++) {
@@ -70,9 +70,9 @@ final class PhantomBrickWriter {
   }
 
   /**
-   * Fills the four slices from {@code 4 * brickZ} on, x fastest; those beyond the edge are left.
+   * Writes the four slices from {@code 4 * brickZ} on, x fastest.
    *
-   * @param layer of 4 * edge * edge values
+   * @param layer receives 4 * edge * edge values; those of slices beyond the edge are undefined
    */
   void writeLayer(int brickZ, boolean grey, short[] layer) {
     for (int y = 0; y < edgeBricks; y++) {

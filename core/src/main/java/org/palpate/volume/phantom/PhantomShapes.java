@@ -3,9 +3,9 @@ package org.palpate.volume.phantom;
 import java.util.Optional;
 import org.palpate.geometry.Vec3;
 
-/** Sizes and places of the simple phantoms: off the grid, and alike in what fills and measures. */
+/** The sizes and positions of the simple phantoms, for their voxels and their analytic surfaces. */
 final class PhantomShapes {
-  /** So far from the middle of the cube along each axis, voxels: no symmetry with the grid. */
+  /** The offset from the centre of the cube, voxels, which avoids symmetry with the grid. */
   private static final Vec3 OFF_GRID_VOXELS = new Vec3(0.137, 0.291, -0.213);
 
   private static final double BALL_RADIUS_FRACTION = 63.6 / 192;
@@ -14,6 +14,7 @@ final class PhantomShapes {
 
   private PhantomShapes() {}
 
+  /** Returns the anatomy of a phantom that is no maze. */
   static Anatomy anatomy(Phantom.Kind kind, int edge, boolean grey) {
     Vec3 centre = centre(edge);
     double radius = BALL_RADIUS_FRACTION * edge;
@@ -30,11 +31,12 @@ final class PhantomShapes {
               Shape.torus(centre, RING_RADIUS_FRACTION * edge, TUBE_RADIUS_FRACTION * edge),
               SimpleAnatomy.Filling.SOLID);
       case HEAD -> new HeadAnatomy(edge);
-      case MAZE -> throw new IllegalArgumentException("a maze has no shapes");
+      case MAZE -> throw new IllegalArgumentException("a maze has no shapes: kind=MAZE");
     };
   }
 
-  static Optional<AnalyticSurface> truth(Phantom.Kind kind, int edge) {
+  /** Returns the analytic surface of a phantom; empty for a head or a maze. */
+  static Optional<AnalyticSurface> analyticSurface(Phantom.Kind kind, int edge) {
     Vec3 centre = centre(edge);
     double radius = BALL_RADIUS_FRACTION * edge;
     return switch (kind) {
@@ -54,7 +56,7 @@ final class PhantomShapes {
     return new Vec3(middle, middle, middle).add(OFF_GRID_VOXELS, new Vec3());
   }
 
-  /** Slopes that repeat nowhere soon. */
+  /** Returns a normal whose slopes repeat nowhere in the grid. */
   private static Vec3 planeNormal() {
     Vec3 normal = new Vec3(0.231, 0.377, 0.894);
     return normal.mul(1 / normal.length(), normal);

@@ -1,7 +1,7 @@
 package org.palpate.volume.phantom;
 
 /**
- * Reads a phantom slice by slice, as one would read a file. Four slices are made at a time, so
+ * Reads a phantom slice by slice, like a file. It generates four slices at a time, so that
  * ascending order is cheapest. Keeps scratch: one thread an instance.
  */
 public final class PhantomSlices {
@@ -24,8 +24,9 @@ public final class PhantomSlices {
   /**
    * Writes slice k into {@code dest}, x fastest.
    *
-   * @param k from 0 to the edge, not included
-   * @param dest of at least edge * edge values, all of them from 0 to {@link Phantom#SOLID_GREY}
+   * @param k the slice, from 0 to the edge, not included
+   * @param dest receives edge * edge values from 0 to {@link Phantom#SOLID_GREY}
+   * @throws IllegalArgumentException if there is no such slice, or {@code dest} is too short
    */
   public void read(int k, short[] dest) {
     if (k < 0 || k >= edge || dest.length < edge * edge) {

@@ -3,24 +3,26 @@ package org.palpate.volume.phantom;
 import org.palpate.geometry.Vec3;
 
 /**
- * A body as a function of the point, in grid coordinates: at most 0 inside, positive outside, and
- * never changing faster than the point moves. So its absolute value is at most the distance to the
- * surface, which lets whole bricks be decided at once.
+ * A body as a function of a point in grid coordinates: at most 0 inside and positive outside.
+ *
+ * <p>Invariant: the value changes no faster than the point moves. So its absolute value is at most
+ * the distance to the surface, and whole bricks can be decided at once.
  */
 interface Shape {
+  /** Returns the value at a point. */
   double at(double x, double y, double z);
 
-  /** The points at least {@code depth} below the surface, by this function's own measure. */
+  /** Returns the points whose value is at most {@code -depth}. */
   default Shape shrunk(double depth) {
     return (x, y, z) -> at(x, y, z) + depth;
   }
 
-  /** A ball; exact distance. */
+  /** Returns a ball; its value is the exact distance. */
   static Shape ball(Vec3 centre, double radius) {
     return (x, y, z) -> norm(x - centre.x, y - centre.y, z - centre.z) - radius;
   }
 
-  /** An ellipsoid along the axes; its value is no distance but bounded by it. */
+  /** Returns an ellipsoid along the axes; its value is at most the distance. */
   static Shape ellipsoid(Vec3 centre, Vec3 radii) {
     double least = Math.min(radii.x, Math.min(radii.y, radii.z));
     Vec3 scale = new Vec3(1 / radii.x, 1 / radii.y, 1 / radii.z);
@@ -32,13 +34,13 @@ interface Shape {
     };
   }
 
-  /** What lies behind the plane through {@code point} with the unit vector {@code normal}. */
+  /** Returns the half-space behind the plane through {@code point} with a unit normal. */
   static Shape halfSpace(Vec3 point, Vec3 normal) {
     double offset = normal.dot(point);
     return (x, y, z) -> normal.x * x + normal.y * y + normal.z * z - offset;
   }
 
-  /** A ring round the z axis through {@code centre}; exact distance. */
+  /** Returns a torus around the z axis through {@code centre}; its value is the exact distance. */
   static Shape torus(Vec3 centre, double ringRadius, double tubeRadius) {
     return (x, y, z) -> {
       double u = x - centre.x;
@@ -49,7 +51,7 @@ interface Shape {
     };
   }
 
-  /** All that is within {@code radius} of a straight line from {@code a} to {@code b}; exact. */
+  /** Returns all points within {@code radius} of the segment from a to b; the exact distance. */
   static Shape capsule(Vec3 a, Vec3 b, double radius) {
     Vec3 axis = b.sub(a, new Vec3());
     double squared = axis.dot(axis);
@@ -63,7 +65,7 @@ interface Shape {
     };
   }
 
-  /** An upright cylinder between two heights. */
+  /** Returns an upright cylinder on {@code bottom}; its value is at most the distance. */
   static Shape cylinder(Vec3 bottom, double height, double radius) {
     double half = height / 2;
     return (x, y, z) -> {

@@ -1,10 +1,10 @@
 package org.palpate.volume.phantom;
 
 /**
- * One body.
+ * The anatomy of a single body.
  *
- * @param shape its outside
- * @param filling what is inside it
+ * @param shape the outside of the body
+ * @param filling the inside of the body
  */
 record SimpleAnatomy(Shape shape, Filling filling) implements Anatomy {
   private static final int INSIDE = 1;
@@ -12,13 +12,13 @@ record SimpleAnatomy(Shape shape, Filling filling) implements Anatomy {
   private static final long CORE_BIT = 2;
   private static final double SHELL_VOXELS = 1.0;
 
-  /** What is inside. */
+  /** The inside of a body. */
   enum Filling {
-    /** Matter all through. */
+    /** Solid throughout. */
     SOLID,
-    /** Nothing but a wall of whole voxels along the inside: the thinnest that is closed. */
+    /** Hollow, with a wall of whole voxels along the inside: the thinnest that is closed. */
     VOXEL_WALL,
-    /** Nothing but a shell one voxel thick, wherever it lies. */
+    /** Hollow, with a shell one voxel thick that does not depend on the grid. */
     SHELL
   }
 

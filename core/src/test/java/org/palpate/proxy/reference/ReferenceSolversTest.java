@@ -118,7 +118,7 @@ class ReferenceSolversTest {
   @Test
   void paperDoesNotComeToRestOnASlope() {
     Phantom plane = Phantom.parse("plane:96");
-    AnalyticSurface truth = plane.truth().orElseThrow();
+    AnalyticSurface truth = plane.analyticSurface().orElseThrow();
     CollisionScene obstacles = obstacles(plane.segments().segments().get(0).bits());
     for (int n = 0; n < 20; n++) {
       Vec3 device = new Vec3(30 + 1.7 * n, 50 - 0.9 * n, 20);

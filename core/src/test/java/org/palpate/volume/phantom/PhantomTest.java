@@ -34,7 +34,7 @@ class PhantomTest {
   void fillsTheVoxelsWhoseCentresLieInside(String spec) {
     Phantom phantom = Phantom.parse(spec);
     BitCube bits = onlySegment(phantom);
-    AnalyticSurface truth = phantom.truth().orElseThrow();
+    AnalyticSurface truth = phantom.analyticSurface().orElseThrow();
     Vec3 centre = new Vec3();
     for (int k = 0; k < phantom.edge(); k++) {
       for (int j = 0; j < phantom.edge(); j++) {
@@ -49,7 +49,7 @@ class PhantomTest {
   @ParameterizedTest
   @ValueSource(strings = {"sphere:40", "plane:33", "torus:64", "shell:40"})
   void truthsNormalIsTheGradientOfItsDistance(String spec) {
-    AnalyticSurface truth = Phantom.parse(spec).truth().orElseThrow();
+    AnalyticSurface truth = Phantom.parse(spec).analyticSurface().orElseThrow();
     double step = 1e-4;
     Vec3 point = new Vec3(31.3, 12.7, 22.9);
     Vec3 normal = truth.normal(point, new Vec3());
