@@ -17,6 +17,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.palpate.collision.CollisionScene;
+import org.palpate.collision.CollisionSceneVariants;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
@@ -78,7 +79,10 @@ public class ManyObjectsBenchmark {
       }
       cubes.add(cube);
     }
-    scene = new CollisionScene(cubes, candidates.equals("tree"));
+    scene =
+        candidates.equals("tree")
+            ? CollisionSceneVariants.withBroadPhase(cubes)
+            : CollisionSceneVariants.withoutBroadPhase(cubes);
   }
 
   private static void fill(BitCube cube, int i, int j, int k, int x, int y, int z) {

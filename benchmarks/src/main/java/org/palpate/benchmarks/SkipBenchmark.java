@@ -25,10 +25,10 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.exact.GuardedSolver;
-import org.palpate.proxy.exact.SkipOptions;
+import org.palpate.proxy.exact.GuardedSolverVariants;
 import org.palpate.proxy.reference.CollisionOnlySolver;
 import org.palpate.raycast.ExactRayCaster;
+import org.palpate.raycast.ExactRayCasterVariants;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.TouchProperties;
 import org.palpate.volume.BitCube;
@@ -100,7 +100,7 @@ public class SkipBenchmark {
     AnalyticSurface truth = phantom.analyticSurface().orElseThrow();
     bits = phantom.segments().segments().get(0).bits();
     obstacles = new CollisionScene(List.of(bits));
-    caster = new ExactRayCaster(with);
+    caster = with ? new ExactRayCaster() : ExactRayCasterVariants.voxelByVoxel();
     rays = RaySet.of(truth, EDGE, helps ? "anywhere" : "near", helps ? 50 : 4, FRAMES, SEED);
     boolean touches = helps || !skip.equals("response");
     trajectory = Trajectories.slide(truth, EDGE, touches ? DEPTH : -DEPTH, speed(), FRAMES, SEED);
@@ -120,13 +120,12 @@ public class SkipBenchmark {
     if (skip.equals("response") && with) {
       return new CollisionOnlySolver(new ExactRayCaster(), METRIC);
     }
-    SkipOptions skips =
-        new SkipOptions(
-            true,
-            with || !skip.equals("neighbours"),
-            with || !skip.equals("climbs"),
-            with || !skip.equals("rest"));
-    return new GuardedSolver(METRIC, MAX_STEP_VOXELS, skips);
+    return GuardedSolverVariants.skippingOnly(
+        METRIC,
+        MAX_STEP_VOXELS,
+        with || !skip.equals("neighbours"),
+        with || !skip.equals("climbs"),
+        with || !skip.equals("rest"));
   }
 
   /** Runs frames, rays or publications. */

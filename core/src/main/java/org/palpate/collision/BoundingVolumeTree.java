@@ -5,31 +5,33 @@ import java.util.Comparator;
 import org.palpate.geometry.IntBox;
 
 /**
- * A tree over boxes that tells which of them a box meets, in time that hardly grows with their
- * number. Fixed once made; asking allocates nothing. Keeps scratch: one thread.
+ * A bounding-volume tree over integer boxes. Finds the boxes that a query box meets, in a time that
+ * grows with the logarithm of their number.
  *
- * <p>Halves the boxes by the longest side of what holds their middles. Boxes that are empty are in
- * no answer.
+ * <p>Each node splits its boxes in two halves along the longest side of the bounds of their
+ * centres. An empty box is never found. The tree is built once and stays as it is; a query
+ * allocates nothing. Keeps scratch: one thread.
  */
 final class BoundingVolumeTree {
-  private static final int LEAF = 4;
-  private static final int DEEPEST = 64;
+  private static final int BOXES_PER_LEAF = 4;
+  private static final int MAX_DEPTH = 64;
 
   private final IntBox[] boxes;
 
-  /** Numbers of the boxes, so ordered that each node's stand together. */
+  /** The indices of the boxes, in an order in which the boxes of each node are contiguous. */
   private final Integer[] order;
 
-  /** Nodes of a complete tree: the children of n are 2 n + 1 and 2 n + 2. */
+  /** The bounds of the nodes of a complete tree: the children of n are 2 n + 1 and 2 n + 2. */
   private final IntBox[] nodes;
 
-  private final int[] stack = new int[3 * DEEPEST];
+  private final int[] stack = new int[3 * MAX_DEPTH];
 
+  /** Builds the tree; the caller must not change the boxes afterwards. */
   BoundingVolumeTree(IntBox[] boxes) {
     this.boxes = boxes;
     order = new Integer[boxes.length];
     Arrays.setAll(order, n -> n);
-    int leaves = Integer.highestOneBit(Math.max(1, boxes.length / LEAF)) * 2;
+    int leaves = Integer.highestOneBit(Math.max(1, boxes.length / BOXES_PER_LEAF)) * 2;
     nodes = new IntBox[2 * leaves - 1];
     build(0, 0, boxes.length);
   }
@@ -48,12 +50,12 @@ final class BoundingVolumeTree {
         nodes[node].include(box.highX, box.highY, box.highZ);
       }
       for (int axis = 0; axis < 3; axis++) {
-        low[axis] = Math.min(low[axis], middle(box, axis));
-        high[axis] = Math.max(high[axis], middle(box, axis));
+        low[axis] = Math.min(low[axis], doubleCentre(box, axis));
+        high[axis] = Math.max(high[axis], doubleCentre(box, axis));
       }
     }
     int axis = longest(low, high);
-    Arrays.sort(order, from, to, Comparator.comparingDouble(n -> middle(boxes[n], axis)));
+    Arrays.sort(order, from, to, Comparator.comparingDouble(n -> doubleCentre(boxes[n], axis)));
     int half = (from + to) >>> 1;
     build(2 * node + 1, from, half);
     build(2 * node + 2, half, to);
@@ -64,8 +66,8 @@ final class BoundingVolumeTree {
     return high[2] - low[2] > high[axis] - low[axis] ? 2 : axis;
   }
 
-  /** Twice the middle of a box; 0 for an empty one. */
-  private static double middle(IntBox box, int axis) {
+  /** Returns twice the centre of a box along an axis; 0 for an empty box. */
+  private static double doubleCentre(IntBox box, int axis) {
     if (box.isEmpty()) {
       return 0;
     }
@@ -77,23 +79,23 @@ final class BoundingVolumeTree {
   }
 
   /**
-   * Writes the numbers of the boxes that share a cell with {@code asked} into {@code dest}, in no
-   * order.
+   * Finds the boxes that share a cell with {@code query}.
    *
-   * @return how many
+   * @param dest receives the indices of the boxes, in no particular order
+   * @return the number of boxes found
    */
-  int find(IntBox asked, int[] dest) {
+  int find(IntBox query, int[] dest) {
     int found = 0;
     int top = push(0, 0, 0, boxes.length);
     while (top > 0) {
       int to = stack[--top];
       int from = stack[--top];
       int node = stack[--top];
-      if (!nodes[node].meets(asked)) {
+      if (!nodes[node].meets(query)) {
         continue;
       }
       if (2 * node + 1 >= nodes.length) {
-        found = findInLeaf(asked, from, to, dest, found);
+        found = findInLeaf(query, from, to, dest, found);
       } else {
         int half = (from + to) >>> 1;
         top = push(top, 2 * node + 1, from, half);
@@ -110,10 +112,10 @@ final class BoundingVolumeTree {
     return top + 3;
   }
 
-  private int findInLeaf(IntBox asked, int from, int to, int[] dest, int foundBefore) {
+  private int findInLeaf(IntBox query, int from, int to, int[] dest, int foundBefore) {
     int found = foundBefore;
     for (int n = from; n < to; n++) {
-      if (boxes[order[n]].meets(asked)) {
+      if (boxes[order[n]].meets(query)) {
         dest[found++] = order[n];
       }
     }

@@ -5,116 +5,124 @@ import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 
 /**
- * Of many cubes those whose solids may lie where the interaction point is: found by a tree, with a
- * margin, and kept until a question leaves it. Haptic thread only; asking allocates nothing.
+ * Keeps the few of many cubes whose solids may lie near the interaction point. A bounding-volume
+ * tree finds these candidates with a margin; they stay valid until a query leaves the margin.
  *
- * <p>Cubes that were handed out, and so may be edited, are always among them, since their bounds
- * may have grown.
+ * <p>A cube that was handed out for editing is always a candidate, because its bounds may grow.
+ * Haptic thread only; a query allocates nothing.
  */
 final class BroadPhase {
-  /** What a point crosses in some frames. */
+  /** The distance that a point travels in a few frames. */
   private static final int MARGIN_VOXELS = 16;
 
   private final BitCube[] cubes;
   private final BoundingVolumeTree tree;
-  private final boolean[] loose;
-  private final int[] numbers;
-  private final BitCube[] near;
+  private final boolean[] alwaysCandidate;
+  private final int[] indices;
+  private final BitCube[] candidates;
   private final IntBox covered = new IntBox();
-  private final IntBox asked = new IntBox();
-  private int looseCount;
+  private final IntBox query = new IntBox();
+  private int alwaysCount;
   private int count;
   private long searches;
-  private long skipped;
+  private long skippedCubes;
 
-  /** Takes the cubes' bounds as they are now. */
+  /**
+   * Creates a broad phase from the present bounds of the cubes.
+   *
+   * @param cubes the scene's own array; a replaced cube must be reported by {@link #keep}
+   */
   BroadPhase(BitCube[] cubes) {
     this.cubes = cubes;
     IntBox[] boxes = new IntBox[cubes.length];
     Arrays.setAll(boxes, n -> new IntBox().set(cubes[n].bounds()));
     tree = new BoundingVolumeTree(boxes);
-    loose = new boolean[cubes.length];
-    numbers = new int[cubes.length];
-    near = new BitCube[cubes.length];
+    alwaysCandidate = new boolean[cubes.length];
+    indices = new int[cubes.length];
+    candidates = new BitCube[cubes.length];
   }
 
-  /** The same cubes by their bounds as they are now, those that were handed out among them. */
-  BroadPhase anew() {
+  /** Returns a broad phase from the present bounds that keeps the counts and kept candidates. */
+  BroadPhase rebuilt() {
     BroadPhase fresh = new BroadPhase(cubes);
-    System.arraycopy(loose, 0, fresh.loose, 0, loose.length);
-    fresh.looseCount = looseCount;
+    System.arraycopy(alwaysCandidate, 0, fresh.alwaysCandidate, 0, alwaysCandidate.length);
+    fresh.alwaysCount = alwaysCount;
     fresh.searches = searches;
-    fresh.skipped = skipped;
+    fresh.skippedCubes = skippedCubes;
     return fresh;
   }
 
-  /** From now on the cube is always among the near ones. */
-  void loosen(int number) {
-    if (!loose[number]) {
-      loose[number] = true;
-      looseCount++;
+  /** Makes a cube a candidate of every query from now on. */
+  void keep(int index) {
+    if (!alwaysCandidate[index]) {
+      alwaysCandidate[index] = true;
+      alwaysCount++;
     }
     covered.clear();
   }
 
-  /** How many cubes may have solids in a box of voxels; {@link #cube} gives them. */
+  /**
+   * Finds the cubes that may have solids in a box of voxels, both ends included.
+   *
+   * @return the number of candidates, which are the first elements of {@link #candidates}
+   */
   int find(int lowX, int lowY, int lowZ, int highX, int highY, int highZ) {
     if (!covered.contains(lowX, lowY, lowZ) || !covered.contains(highX, highY, highZ)) {
-      asked.clear();
-      asked.include(lowX, lowY, lowZ);
-      asked.include(highX, highY, highZ);
+      query.clear();
+      query.include(lowX, lowY, lowZ);
+      query.include(highX, highY, highZ);
       search();
     }
-    skipped += cubes.length - count;
+    skippedCubes += cubes.length - count;
     return count;
   }
 
-  /** One of the near cubes, in the order of all cubes. */
-  BitCube cube(int number) {
-    return near[number];
+  /** Returns the candidates in the order of the scene; always the same array. */
+  BitCube[] candidates() {
+    return candidates;
   }
 
-  /** The place of one of the near cubes among all. */
-  int place(int number) {
-    return numbers[number];
+  /** Returns the index in the scene of a candidate. */
+  int index(int candidate) {
+    return indices[candidate];
   }
 
-  /** How often a question left what was known. */
+  /** Returns the number of queries that had to search the tree. */
   long searches() {
     return searches;
   }
 
-  /** How many cubes were not looked at, over all questions. */
-  long skipped() {
-    return skipped;
+  /** Returns the number of cubes that were left out, summed over all queries. */
+  long skippedCubes() {
+    return skippedCubes;
   }
 
   private void search() {
     searches++;
-    covered.set(asked).grow(MARGIN_VOXELS);
-    count = tree.find(covered, numbers);
-    if (looseCount > 0) {
-      addLoose();
+    covered.set(query).grow(MARGIN_VOXELS);
+    count = tree.find(covered, indices);
+    if (alwaysCount > 0) {
+      addKept();
     }
-    // In the order of all cubes, so that the first of equal hits is the same.
-    Arrays.sort(numbers, 0, count);
+    // In the order of the scene, so that the first of equal hits does not depend on the search.
+    Arrays.sort(indices, 0, count);
     for (int n = 0; n < count; n++) {
-      near[n] = cubes[numbers[n]];
+      candidates[n] = cubes[indices[n]];
     }
   }
 
-  private void addLoose() {
-    int kept = 0;
+  private void addKept() {
+    int found = 0;
     for (int n = 0; n < count; n++) {
-      if (!loose[numbers[n]]) {
-        numbers[kept++] = numbers[n];
+      if (!alwaysCandidate[indices[n]]) {
+        indices[found++] = indices[n];
       }
     }
-    for (int number = 0; number < cubes.length; number++) {
-      if (loose[number]) {
-        numbers[kept++] = number;
+    for (int index = 0; index < cubes.length; index++) {
+      if (alwaysCandidate[index]) {
+        indices[found++] = index;
       }
     }
-    count = kept;
+    count = found;
   }
 }

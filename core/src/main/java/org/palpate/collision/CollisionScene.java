@@ -5,112 +5,129 @@ import org.palpate.geometry.IntBox;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayCaster;
 import org.palpate.raycast.RayHit;
+import org.palpate.statistics.SkipCounters;
+import org.palpate.statistics.SkipKind;
 import org.palpate.volume.BitCube;
 
 /**
- * The solids that stand in the way: the union of some bit cubes over one grid. What a solver sees
- * of the scene. Of many cubes only those are looked at whose bounds are near.
+ * The solids that a tool collides with: the union of bit cubes over one grid, one cube an object. A
+ * {@code ProxySolver} sees the scene through this class alone.
  *
- * <p>Belongs to the haptic thread.
+ * <p>Frame: grid coordinates. Voxel (i,j,k) is the closed cell from (i,j,k) to (i+1,j+1,k+1), and
+ * everything outside the grid is empty.
+ *
+ * <p>Thread: the haptic thread alone calls this class, and it alone changes the cubes, between
+ * frames. Any other thread queues its edits, see {@code org.palpate.edit.EditQueue}. After a change
+ * of the solids, call {@code ProxySolver.reset}; {@code org.palpate.frame.HapticFrame} does both.
+ *
+ * <p>Cost: a query looks at every cube of a scene of up to 8. A larger scene has a broad phase, so
+ * that a query looks only at the cubes whose bounds are near. Queries allocate nothing and throw no
+ * exception for any coordinates.
  */
 public final class CollisionScene {
-  /** With fewer, looking at each is as fast as knowing which are near. */
-  private static final int MANY = 8;
+  /** In a smaller scene a look at each cube is as fast as the broad phase. */
+  private static final int MIN_CUBES_FOR_BROAD_PHASE = 9;
+
+  private static final int NO_OBJECT = -1;
 
   private final BitCube[] cubes;
-  private final RayHit candidate = new RayHit();
+  private final RayHit candidateHit = new RayHit();
 
-  /** Null where all cubes are looked at. */
-  private BroadPhase nearCubes;
+  /** Null if every query looks at every cube. */
+  private BroadPhase broadPhase;
+
+  /** The cubes that a query looks at: all, or those that the broad phase found. */
+  private BitCube[] candidates;
 
   /**
-   * All of {@code cubes}, which stay the caller's and may change between frames: any of up to 8,
-   * and of more those that {@link #cube} or {@link #replace} gave; else say {@link #boundsChanged}.
+   * Creates a scene of {@code cubes}, which stay the caller's.
+   *
+   * <p>In a scene of up to 8 cubes any cube may change between frames. In a larger scene only those
+   * may change that {@link #cube} or {@link #replace} returned; after any other change call {@link
+   * #boundsChanged}.
+   *
+   * @param cubes one cube an object, all of the same sizes; their order numbers the objects
    */
   public CollisionScene(List<BitCube> cubes) {
-    this(cubes, cubes.size() > MANY);
+    this(cubes, cubes.size() >= MIN_CUBES_FOR_BROAD_PHASE);
   }
 
-  /**
-   * All of {@code cubes}, with the choice of how they are searched; answers are the same.
-   *
-   * @param byTree whether to look only at those whose bounds are near
-   */
-  public CollisionScene(List<BitCube> cubes, boolean byTree) {
+  private CollisionScene(List<BitCube> cubes, boolean hasBroadPhase) {
     this.cubes = cubes.toArray(new BitCube[0]);
-    nearCubes = byTree ? new BroadPhase(this.cubes) : null;
+    use(hasBroadPhase ? new BroadPhase(this.cubes) : null);
+  }
+
+  /** Returns a scene with a broad phase, whatever the number of cubes. Its answers are the same. */
+  static CollisionScene withBroadPhase(List<BitCube> cubes) {
+    return new CollisionScene(cubes, true);
+  }
+
+  /** Returns a scene whose queries look at every cube. Its answers are the same. */
+  static CollisionScene withoutBroadPhase(List<BitCube> cubes) {
+    return new CollisionScene(cubes, false);
+  }
+
+  private void use(BroadPhase newBroadPhase) {
+    broadPhase = newBroadPhase;
+    candidates = newBroadPhase == null ? cubes : newBroadPhase.candidates();
   }
 
   /**
-   * To be told where the bounds of a cube may have grown otherwise than through this. Allocates.
+   * Takes over the present bounds of all cubes. Needed only if a cube of a scene of more than 8
+   * grew without {@link #cube} or {@link #replace}. Allocates.
    */
   public void boundsChanged() {
-    nearCubes = nearCubes == null ? null : nearCubes.anew();
+    if (broadPhase != null) {
+      use(broadPhase.rebuilt());
+    }
   }
 
-  /** How often it was searched which cubes are near; 0 where all are looked at. */
-  public long searches() {
-    return nearCubes == null ? 0 : nearCubes.searches();
+  /** Returns how often the broad phase searched its tree; 0 without a broad phase. */
+  long searches() {
+    return broadPhase == null ? 0 : broadPhase.searches();
   }
 
-  /** How many cubes were left out, over all questions; 0 where all are looked at. */
-  public long skippedCubes() {
-    return nearCubes == null ? 0 : nearCubes.skipped();
+  /** Adds the number of cubes that queries left out to {@code dest}. */
+  public void addSkips(SkipCounters dest) {
+    dest.add(SkipKind.FAR_OBJECTS, broadPhase == null ? 0 : broadPhase.skippedCubes());
   }
 
-  /** Whether voxel (i,j,k) is solid in any cube; outside all is empty. */
+  /** Whether voxel (i,j,k) is solid in any cube. */
   public boolean isSolid(int i, int j, int k) {
-    if (nearCubes != null) {
-      return isSolidInNear(i, j, k);
-    }
-    for (BitCube cube : cubes) {
-      if (cube.get(i, j, k)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private boolean isSolidInNear(int i, int j, int k) {
-    int count = nearCubes.find(i, j, k, i, j, k);
+    int count = findCandidates(i, j, k, i, j, k);
     for (int n = 0; n < count; n++) {
-      if (nearCubes.cube(n).get(i, j, k)) {
+      if (candidates[n].get(i, j, k)) {
         return true;
       }
     }
     return false;
-  }
-
-  /** The first object in which voxel (i,j,k) is solid, by its place; -1 where it is in none. */
-  public int objectAt(int i, int j, int k) {
-    if (nearCubes != null) {
-      int count = nearCubes.find(i, j, k, i, j, k);
-      for (int n = 0; n < count; n++) {
-        if (nearCubes.cube(n).get(i, j, k)) {
-          return nearCubes.place(n);
-        }
-      }
-      return -1;
-    }
-    for (int n = 0; n < cubes.length; n++) {
-      if (cubes[n].get(i, j, k)) {
-        return n;
-      }
-    }
-    return -1;
   }
 
   /**
-   * Whether the point touches a closed solid voxel: one that it lies in, on a face, an edge or a
-   * corner of. Exact.
+   * Returns the index of the object whose voxel (i,j,k) is solid: the first of several, or -1 if
+   * there is none.
+   */
+  public int objectAt(int i, int j, int k) {
+    int count = findCandidates(i, j, k, i, j, k);
+    for (int n = 0; n < count; n++) {
+      if (candidates[n].get(i, j, k)) {
+        return broadPhase == null ? n : broadPhase.index(n);
+      }
+    }
+    return NO_OBJECT;
+  }
+
+  /**
+   * Whether a point touches a closed solid voxel: lies in it or on its face, edge or corner. Exact.
+   * False if a coordinate is NaN, infinite or beyond the numbers of voxels.
    */
   public boolean touches(double x, double y, double z) {
-    if (!(isNear(x) && isNear(y) && isNear(z))) {
+    if (!(hasCell(x) && hasCell(y) && hasCell(z))) {
       return false;
     }
-    int lowX = lowestCell(x);
-    int lowY = lowestCell(y);
-    int lowZ = lowestCell(z);
+    int lowX = lowestTouchedCell(x);
+    int lowY = lowestTouchedCell(y);
+    int lowZ = lowestTouchedCell(z);
     for (int k = lowZ; k <= z; k++) {
       for (int j = lowY; j <= y; j++) {
         for (int i = lowX; i <= x; i++) {
@@ -123,48 +140,100 @@ public final class CollisionScene {
     return false;
   }
 
-  /** Whether the cells around a coordinate have numbers at all. */
-  private static boolean isNear(double coordinate) {
+  /** Whether the cells around a coordinate have int numbers. */
+  private static boolean hasCell(double coordinate) {
     return Math.abs(coordinate) < Integer.MAX_VALUE - 1;
   }
 
-  private static int lowestCell(double coordinate) {
+  private static int lowestTouchedCell(double coordinate) {
     return (int) Math.ceil(coordinate) - 1;
   }
 
-  /** The solid voxels of a brick, by brick coordinates, as {@link BitCube#brick}. */
+  /**
+   * Returns the solid voxels of a brick as the bits of a word, see {@link BitCube#brick}.
+   *
+   * @param brickX brick coordinates: voxel coordinates shifted right by {@link BitCube#BRICK_SHIFT}
+   */
   public long brick(int brickX, int brickY, int brickZ) {
+    int count = findCandidatesOfWindow(brickX << 2, brickY << 2, brickZ << 2);
     long word = 0;
-    if (nearCubes != null) {
-      int count = findNear(brickX << 2, brickY << 2, brickZ << 2);
-      for (int n = 0; n < count; n++) {
-        word |= nearCubes.cube(n).brick(brickX, brickY, brickZ);
-      }
-      return word;
-    }
-    for (BitCube cube : cubes) {
-      word |= cube.brick(brickX, brickY, brickZ);
+    for (int n = 0; n < count; n++) {
+      word |= candidates[n].brick(brickX, brickY, brickZ);
     }
     return word;
   }
 
-  /** The solid voxels of the 4x4x4 from (i,j,k) on, as {@link BitCube#window}. */
+  /**
+   * Returns the solid voxels among the 4x4x4 whose lowest is (i,j,k) as the bits of a word, see
+   * {@link BitCube#window}.
+   */
   public long window(int i, int j, int k) {
+    int count = findCandidatesOfWindow(i, j, k);
     long word = 0;
-    if (nearCubes != null) {
-      int count = findNear(i, j, k);
-      for (int n = 0; n < count; n++) {
-        word |= nearCubes.cube(n).window(i, j, k);
-      }
-      return word;
-    }
-    for (BitCube cube : cubes) {
-      word |= cube.window(i, j, k);
+    for (int n = 0; n < count; n++) {
+      word |= candidates[n].window(i, j, k);
     }
     return word;
   }
 
-  /** A box that holds every solid voxel of all cubes. */
+  /**
+   * Finds the first solid voxel on a ray over all cubes. Of equal hits the first object's counts.
+   *
+   * @param caster the rule by which the ray meets a voxel; its scratch memory is used
+   * @param ray two finite points in grid coordinates
+   * @param hit receives the hit if the answer is true; undefined after a miss
+   * @return whether the ray meets a solid voxel, see {@link RayCaster#cast}
+   */
+  public boolean cast(RayCaster caster, Ray ray, RayHit hit) {
+    if (cubes.length == 1) {
+      return caster.cast(cubes[0], ray, hit);
+    }
+    int count = findCandidatesOf(ray);
+    boolean found = false;
+    for (int n = 0; n < count; n++) {
+      if (caster.cast(candidates[n], ray, candidateHit) && !(found && hit.t <= candidateHit.t)) {
+        hit.set(candidateHit);
+        found = true;
+      }
+    }
+    return found;
+  }
+
+  private int findCandidatesOf(Ray ray) {
+    if (broadPhase == null) {
+      return cubes.length;
+    }
+    return broadPhase.find(
+        cellBelow(ray.fromX, ray.toX),
+        cellBelow(ray.fromY, ray.toY),
+        cellBelow(ray.fromZ, ray.toZ),
+        cellAbove(ray.fromX, ray.toX),
+        cellAbove(ray.fromY, ray.toY),
+        cellAbove(ray.fromZ, ray.toZ));
+  }
+
+  /** Returns a cell below all that the ray touches; beyond the numbers of cells the lowest one. */
+  private static int cellBelow(double from, double to) {
+    return (int) (Math.floor(Math.min(from, to)) - 1);
+  }
+
+  private static int cellAbove(double from, double to) {
+    return (int) (Math.floor(Math.max(from, to)) + 1);
+  }
+
+  /** Finds the candidates of the 4x4x4 voxels from (i,j,k) on, whose numbers may overflow. */
+  private int findCandidatesOfWindow(int i, int j, int k) {
+    return findCandidates(i, j, k, Math.max(i, i + 3), Math.max(j, j + 3), Math.max(k, k + 3));
+  }
+
+  /** Finds the candidates of a box of voxels and returns their number. */
+  private int findCandidates(int lowX, int lowY, int lowZ, int highX, int highY, int highZ) {
+    return broadPhase == null
+        ? cubes.length
+        : broadPhase.find(lowX, lowY, lowZ, highX, highY, highZ);
+  }
+
+  /** Writes a box that holds every solid voxel of all cubes into {@code dest}. */
   void bounds(IntBox dest) {
     dest.clear();
     for (BitCube cube : cubes) {
@@ -176,77 +245,32 @@ public final class CollisionScene {
     }
   }
 
-  /** The cubes near 4x4x4 voxels, of which some may have numbers beyond all numbers. */
-  private int findNear(int i, int j, int k) {
-    return nearCubes.find(i, j, k, Math.max(i, i + 3), Math.max(j, j + 3), Math.max(k, k + 3));
-  }
-
-  /** Finds the first hit over all cubes; see {@link RayCaster#cast}. */
-  public boolean cast(RayCaster caster, Ray ray, RayHit hit) {
-    if (cubes.length == 1) {
-      return caster.cast(cubes[0], ray, hit);
-    }
-    if (nearCubes != null) {
-      return castAtNear(caster, ray, hit);
-    }
-    boolean found = false;
-    for (BitCube cube : cubes) {
-      if (caster.cast(cube, ray, candidate) && !(found && hit.t <= candidate.t)) {
-        hit.set(candidate);
-        found = true;
-      }
-    }
-    return found;
-  }
-
-  private boolean castAtNear(RayCaster caster, Ray ray, RayHit hit) {
-    int count =
-        nearCubes.find(
-            below(ray.fromX, ray.toX),
-            below(ray.fromY, ray.toY),
-            below(ray.fromZ, ray.toZ),
-            above(ray.fromX, ray.toX),
-            above(ray.fromY, ray.toY),
-            above(ray.fromZ, ray.toZ));
-    boolean found = false;
-    for (int n = 0; n < count; n++) {
-      if (caster.cast(nearCubes.cube(n), ray, candidate) && !(found && hit.t <= candidate.t)) {
-        hit.set(candidate);
-        found = true;
-      }
-    }
-    return found;
-  }
-
-  /** A cell below all that the way touches; the lowest number where that has none. */
-  private static int below(double from, double to) {
-    return (int) (Math.floor(Math.min(from, to)) - 1);
-  }
-
-  private static int above(double from, double to) {
-    return (int) (Math.floor(Math.max(from, to)) + 1);
-  }
-
   /**
-   * The cube at {@code index}, in the order in which they were given. It may be edited: from now on
-   * it is always looked at.
+   * Returns the cube of an object for editing. From now on every query looks at it, because its
+   * bounds may grow.
+   *
+   * @param index the object, in the order in which the cubes were given
    */
   public BitCube cube(int index) {
-    loosen(index);
+    keepCandidate(index);
     return cubes[index];
   }
 
-  /** Puts another cube of the same sizes in the place of one, and returns that. */
+  /**
+   * Replaces the cube of an object by one of the same sizes.
+   *
+   * @return the replaced cube, which is the caller's from now on
+   */
   public BitCube replace(int index, BitCube fresh) {
     BitCube replaced = cubes[index];
     cubes[index] = fresh;
-    loosen(index);
+    keepCandidate(index);
     return replaced;
   }
 
-  private void loosen(int index) {
-    if (nearCubes != null) {
-      nearCubes.loosen(index);
+  private void keepCandidate(int index) {
+    if (broadPhase != null) {
+      broadPhase.keep(index);
     }
   }
 }

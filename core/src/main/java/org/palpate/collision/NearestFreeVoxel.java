@@ -5,13 +5,14 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 
 /**
- * Finds where an interaction point is set free that starts in a solid, or to which a solid came:
- * the centre of the nearest empty voxel, by metric distance, of equals the one of lowest index (z
- * first, then y, then x). Voxels outside the grid are empty.
+ * Finds the place where an interaction point is set free that starts in a solid or that an edit has
+ * buried: the centre of the nearest empty voxel by metric distance. Of equally near voxels it takes
+ * the one of lowest index (z first, then y, then x). Voxels outside the grid are empty.
  *
- * <p>Keeps scratch: haptic thread only. Cost: looks at bricks in growing cubes around the point and
- * passes full ones with one comparison, those too far off with another; in a solid of r bricks'
- * depth some (2 r)^3 of them, never more than to the far side of all solids.
+ * <p>Keeps scratch: haptic thread only; allocates nothing. Cost: it looks at bricks in growing
+ * cubes around the point, and one comparison passes a full brick or one that is too far away. At a
+ * depth of r bricks in a solid these are about (2 r)^3, and never more than reach to the far side
+ * of all solids.
  */
 public final class NearestFreeVoxel {
   private static final int BRICK_EDGE = 4;
@@ -21,55 +22,56 @@ public final class NearestFreeVoxel {
   private final GridMetric metric;
   private final IntBox bounds = new IntBox();
   private final double shortestSpacing;
-  private CollisionScene obstacles;
+  private CollisionScene scene;
   private Vec3 from;
   private double leastSquare;
   private int bestI;
   private int bestJ;
   private int bestK;
 
-  /** Measures distances by {@code metric}. */
+  /** Creates a search that measures distances by {@code metric}. */
   public NearestFreeVoxel(GridMetric metric) {
     this.metric = metric;
     shortestSpacing = metric.shortestEdgeMm();
   }
 
   /**
-   * Writes the nearest free place into {@code dest}.
+   * Writes the centre of the nearest free voxel into {@code dest}.
    *
-   * @param solids the solids, of which one touches {@code point}
-   * @param point grid coordinates
+   * @param collisionScene a scene of which a solid touches {@code point}
+   * @param point grid coordinates, finite
    * @param dest may be {@code point}
+   * @return {@code dest}
    */
-  public Vec3 find(CollisionScene solids, Vec3 point, Vec3 dest) {
-    obstacles = solids;
+  public Vec3 find(CollisionScene collisionScene, Vec3 point, Vec3 dest) {
+    scene = collisionScene;
     from = point;
     leastSquare = Double.POSITIVE_INFINITY;
     int brickX = Math.floorDiv((int) Math.floor(point.x), BRICK_EDGE);
     int brickY = Math.floorDiv((int) Math.floor(point.y), BRICK_EDGE);
     int brickZ = Math.floorDiv((int) Math.floor(point.z), BRICK_EDGE);
     int last = lastRing(brickX, brickY, brickZ);
-    for (int ring = 0; ring <= last && mayHoldNearer(ring); ring++) {
+    for (int ring = 0; ring <= last && mayContainNearer(ring); ring++) {
       searchRing(brickX, brickY, brickZ, ring);
     }
     return dest.set(bestI + 0.5, bestJ + 0.5, bestK + 0.5);
   }
 
   /**
-   * A voxel's centre in a ring of bricks is at least this far along one axis; equals count, for the
-   * lower index.
+   * Whether a voxel centre in a ring of bricks may be nearer than the best so far, or as near with
+   * a lower index. Each such centre is at least {@code leastMm} away along one axis.
    */
-  private boolean mayHoldNearer(int ring) {
+  private boolean mayContainNearer(int ring) {
     double leastMm = ((double) BRICK_EDGE * (ring - 1) + 0.5) * shortestSpacing;
     return leastMm <= 0 || leastMm * leastMm <= leastSquare;
   }
 
   /**
-   * The last ring that may hold the nearest: beyond the solids all is empty, so it is no farther
-   * than the first voxel beyond them.
+   * Returns the last ring that may contain the nearest free voxel. Beyond the solids all is empty,
+   * so it is no farther away than the first voxel beyond them.
    */
   private int lastRing(int brickX, int brickY, int brickZ) {
-    obstacles.bounds(bounds);
+    scene.bounds(bounds);
     int last = 1;
     last = Math.max(last, farther(brickX, bounds.lowX, bounds.highX));
     last = Math.max(last, farther(brickY, bounds.lowY, bounds.highY));
@@ -101,19 +103,22 @@ public final class NearestFreeVoxel {
     }
   }
 
-  /** The place nearest to a coordinate between the centres of a brick's first and last voxel. */
+  /** Returns the coordinate nearest to {@code from} between the outer voxel centres of a brick. */
   private static double nearestCentre(double from, int brick) {
     double corner = (double) brick * BRICK_EDGE;
     return Math.max(corner + FIRST_CENTRE, Math.min(corner + LAST_CENTRE, from));
   }
 
-  /** By the formula that measures voxels, which only grows with each distance, rounded or not. */
+  /**
+   * Whether a position is farther away than the best voxel. Uses the same formula as {@link
+   * #consider}, which is monotonic in each component, rounded or not.
+   */
   private boolean isTooFar(double x, double y, double z) {
     return metric.squaredDistance(from.x, from.y, from.z, x, y, z) > leastSquare;
   }
 
   private void searchBrick(int brickX, int brickY, int brickZ) {
-    for (long empty = ~obstacles.brick(brickX, brickY, brickZ); empty != 0; empty &= empty - 1) {
+    for (long empty = ~scene.brick(brickX, brickY, brickZ); empty != 0; empty &= empty - 1) {
       int bit = Long.numberOfTrailingZeros(empty);
       consider(
           brickX * BRICK_EDGE + (bit & 3),

@@ -8,8 +8,8 @@ import org.palpate.force.ForceLimiter;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.SkipCounters;
-import org.palpate.proxy.SkipKind;
+import org.palpate.statistics.SkipCounters;
+import org.palpate.statistics.SkipKind;
 
 /**
  * Counts the frames of a session and what happened in them; {@link FrameStatistics} is a copy.
@@ -104,7 +104,7 @@ final class FrameCounters {
     all.add(skippedByFormer);
     solver.addSkips(all);
     all.subtract(skippedBeforeUse);
-    all.add(SkipKind.FAR_OBJECTS, scene.skippedCubes());
+    scene.addSkips(all);
     all.add(SkipKind.FRICTION, force.frictionSkipped());
     return all.byKey();
   }

@@ -9,7 +9,7 @@ import java.util.Map;
  * @param contactFrames frames that ended in contact
  * @param freed frames that set the point free, at the start or because a solid came to it
  * @param maxForceNewton length of the longest force that was written
- * @param skipped how often work was skipped, by {@link org.palpate.proxy.SkipKind#key}
+ * @param skipped how often work was skipped, by {@link org.palpate.statistics.SkipKind#key}
  * @param faults faults of device and clocks
  */
 public record FrameStatistics(

@@ -2,6 +2,7 @@ package org.palpate.proxy;
 
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
+import org.palpate.statistics.SkipCounters;
 
 /**
  * Moves the interaction point after the device, once a frame. Keeps scratch: haptic thread only.

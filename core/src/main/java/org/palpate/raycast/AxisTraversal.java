@@ -1,49 +1,46 @@
 package org.palpate.raycast;
 
 /**
- * The walk of a ray along one axis, from cell to cell, with the ray parameter of the next plane
- * that it crosses.
+ * The traversal of a ray along one axis, from cell to cell, with the ray parameter of the next grid
+ * plane that it crosses.
  *
- * <p>A crossing is computed anew from the plane, never by adding up, so its relative error is at
- * most 4 roundings wherever the walk is: {@link #DOUBT_RELATIVE} is far above it.
+ * <p>Invariant: each crossing is computed from its plane, never by accumulation. So its relative
+ * error is at most 4 roundings, far below {@link #DOUBT_RELATIVE}.
  */
 final class AxisTraversal {
   /**
-   * Two crossings that differ by less than this share of the later one may be in either order, or
+   * The order of two crossings is in doubt if they differ by less than this fraction of the later
    * one.
    */
   static final double DOUBT_RELATIVE = 0x1p-48;
 
-  /**
-   * What underflow can add to the error of a crossing, and far less than any parameter that
-   * matters.
-   */
+  /** Above the error that underflow can add to a crossing, and far below any relevant parameter. */
   static final double DOUBT_ABSOLUTE = 0x1p-1000;
 
   private double from;
   private double delta;
   private double inverse;
 
-  /** 1, -1, or 0 where the ray does not move along this axis. */
+  /** The direction: 1, -1, or 0 if the ray does not move along this axis. */
   int step;
 
-  /** The cell where the walk is. */
+  /** The present cell. */
   int cell;
 
   /**
-   * The ray parameter where it leaves the cell, to within {@link #doubt}; infinite where it never
-   * does.
+   * The ray parameter at which the ray leaves the present cell, to within {@link #doubt}; infinite
+   * if it never does.
    */
   double next;
 
-  /** How far a computed crossing at t may lie from the true one. */
+  /** Returns the largest possible distance of a crossing computed as t from the true one. */
   static double doubt(double t) {
     return t * DOUBT_RELATIVE + DOUBT_ABSOLUTE;
   }
 
   /**
-   * Sets the walk before the first plane that is crossed at 0 or later. A ray that starts on a
-   * plane starts in the cell behind it, so that the closed cells on both sides are visited.
+   * Starts before the first plane that the ray crosses at 0 or later. A ray that starts on a plane
+   * starts in the cell behind it, so that the closed cells on both sides are visited.
    *
    * @param layer the cell of a ray that does not move along this axis
    */
@@ -61,30 +58,30 @@ final class AxisTraversal {
     placeBefore(delta > 0 ? (int) Math.ceil(newFrom) : (int) Math.floor(newFrom));
   }
 
-  /** Where the ray, which moves along this axis, crosses a plane; may be negative. */
+  /** Returns the parameter at which a ray that moves along this axis crosses a plane, or would. */
   double crossing(int plane) {
     return (plane - from) * inverse;
   }
 
-  /** Whether the ray starts before the plane, seen along its direction. */
+  /** Whether the ray starts before the plane, in the direction of the ray. */
   boolean startsBefore(int plane) {
     return step > 0 ? from < plane : from > plane;
   }
 
-  /** Goes on to the next cell. */
+  /** Moves to the next cell. */
   void advance() {
     cell += step;
     next = crossing(plane());
   }
 
-  /** Where the walk leaves the cube of 2^shift voxels that its cell lies in. */
+  /** Returns the parameter at which the ray leaves the cube of 2^shift voxels of its cell. */
   double exit(int shift) {
     return step == 0 ? Double.POSITIVE_INFINITY : crossing(exitPlane(shift));
   }
 
   /**
-   * Goes on, inside the cube of 2^shift voxels, to the last cell whose far plane is not crossed
-   * surely before t.
+   * Moves within the cube of 2^shift voxels to the last cell whose far plane is not surely crossed
+   * before t.
    */
   void skipTo(double t, int shift) {
     if (step != 0) {
@@ -93,8 +90,8 @@ final class AxisTraversal {
   }
 
   /**
-   * Sets the walk before the first plane, from {@code first} to {@code last} in its direction, not
-   * crossed surely before t.
+   * Moves before the first plane that is not surely crossed before t, among the planes from {@code
+   * first} to {@code last} in the direction of the ray.
    */
   void skipTo(double t, int first, int last) {
     if (step != 0) {
@@ -103,7 +100,7 @@ final class AxisTraversal {
   }
 
   private int firstPlaneNotBefore(double t, int first, int last) {
-    double position = from + t * delta; // only a guess: it is mended by the crossings themselves
+    double position = from + t * delta; // only a guess: the crossings themselves correct it
     int guess = step > 0 ? (int) Math.ceil(position) : (int) Math.floor(position);
     int plane = Math.max(Math.min(first, last), Math.min(Math.max(first, last), guess));
     while (plane != first && crossing(plane - step) >= t) {

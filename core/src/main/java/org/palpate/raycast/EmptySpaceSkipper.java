@@ -1,17 +1,17 @@
 package org.palpate.raycast;
 
-/** Whether what is empty is passed in one step, and how often it was. One thread. */
+/** Holds whether a ray passes empty space in one step, and counts how often it did. One thread. */
 final class EmptySpaceSkipper {
-  /** The switch. */
-  final boolean on;
+  /** Whether empty bricks are passed in one step; false only in tests and benchmarks. */
+  final boolean enabled;
 
-  /** Bricks, blocks of bricks and boxes in a brick that were passed in one step. */
-  long bricks;
+  /** The number of bricks, blocks of bricks and boxes in a brick that were passed in one step. */
+  long skippedBricks;
 
-  /** Rays that lay beside the box of all solids. */
-  long beside;
+  /** The number of rays that lay beside the box of all solids. */
+  long raysBesideBounds;
 
-  EmptySpaceSkipper(boolean on) {
-    this.on = on;
+  EmptySpaceSkipper(boolean enabled) {
+    this.enabled = enabled;
   }
 }

@@ -1,17 +1,17 @@
 package org.palpate.raycast;
 
 /**
- * Whether a ray, as the exact segment between its two ends, touches a closed box of voxels. A
- * floating-point filter answers nearly always; where its error bound leaves a doubt the answer
- * comes from {@link ExactProductSum}. No tolerance.
+ * Decides whether a ray, as the exact segment between its two ends, touches a closed box of voxels.
+ * A floating-point filter answers nearly always; if its error bound leaves a doubt, {@link
+ * ExactProductSum} answers. There is no tolerance.
  *
- * <p>Keeps scratch: one thread an instance.
+ * <p>An instance keeps scratch memory and belongs to one thread.
  */
 public final class ExactPredicates {
   /**
-   * Relative error bound of a difference of two products of differences of doubles; (3 + 16 u) u
-   * with u = 2^-53, rounded up. Source: J. Shewchuk, Adaptive precision floating-point arithmetic,
-   * 1997, section 4.2.
+   * Relative error bound of a difference of two products of differences of doubles: (3 + 16 u) u
+   * with u = 2^-53, rounded up. Reference: J. Shewchuk, Adaptive precision floating-point
+   * arithmetic, 1997, section 4.2.
    */
   private static final double RELATIVE_ERROR = 4 * 0x1p-53;
 
@@ -20,16 +20,16 @@ public final class ExactPredicates {
 
   private final ExactProductSum sum = new ExactProductSum();
 
-  /** Whether the ray touches the closed voxel (i,j,k). */
+  /** Whether the ray touches the closed voxel (i,j,k). Exact for any six finite doubles. */
   public boolean touchesVoxel(Ray ray, int i, int j, int k) {
     return touchesBox(ray, i, j, k, 1);
   }
 
   /**
-   * Whether the ray touches the closed cube of {@code edge} voxels from corner (i,j,k) on.
+   * Whether the ray touches the closed cube of {@code edge} voxels whose lowest corner is (i,j,k).
    *
-   * <p>A segment and a box are disjoint exactly where one of six directions separates them: the
-   * three axes, and the three cross products of an axis with the segment, which are lines in the
+   * <p>A segment and a box are disjoint exactly if one of six directions separates them: the three
+   * axes, and the three cross products of an axis with the segment. The latter are lines in the
    * three coordinate planes.
    */
   boolean touchesBox(Ray r, int i, int j, int k, int edge) {
@@ -61,7 +61,7 @@ public final class ExactPredicates {
   }
 
   /**
-   * The sign of (c - a) x (b - a): on which side of the line from a to b the point c lies. Exact.
+   * Returns the sign of (c - a) x (b - a): the side of the line from a to b on which c lies. Exact.
    */
   int side(double ax, double ay, double bx, double by, double cx, double cy) {
     double left = (cx - ax) * (by - ay);

@@ -1,24 +1,24 @@
 package org.palpate.raycast;
 
 /**
- * A sum of products of doubles without any rounding, of which only the sign is asked: the last word
- * where floating-point arithmetic is in doubt. Holds for every finite double, subnormal ones too.
+ * A sum of products of doubles without any rounding, which returns only its sign. It decides if
+ * floating-point arithmetic is in doubt. Correct for all finite doubles, including subnormal ones.
  * Allocates nothing after construction.
  *
  * <pre>
  *   limb l stands for limb * 2^(32 l - 2148); 2^-2148 is the product of the two smallest doubles.
- *   While sums are taken limbs are signed and hold more than 32 bits; {@link #sign} carries.
+ *   While the sum grows, limbs are signed and may exceed 32 bits; {@link #sign} propagates carries.
  * </pre>
  *
- * <p>Source: U. Kulisch's long accumulator, here with limbs of 32 bits. Cost: some 10 ns a product,
- * 50-100 ns the sign.
+ * <p>Reference: U. Kulisch's long accumulator, here with limbs of 32 bits. Cost: about 10 ns a
+ * product and 50-100 ns for the sign.
  */
 final class ExactProductSum {
   private static final int LOWEST_EXPONENT = -2148;
   private static final int LIMB_BITS = 32;
   private static final long LIMB_MASK = 0xffff_ffffL;
 
-  /** 2^2048 above, 2^-2148 below, and room for carries. */
+  /** Limbs for 2^-2148 to 2^2048, and a few more for carries. */
   private static final int LIMBS = (2048 - LOWEST_EXPONENT) / LIMB_BITS + 4;
 
   private static final int MANTISSA_BITS = 52;
@@ -29,17 +29,17 @@ final class ExactProductSum {
   private int lowestUsed = LIMBS;
   private int highestUsed = -1;
 
-  /** Adds {@code a * b}; both finite. */
+  /** Adds {@code a * b}; both must be finite. */
   void add(double a, double b) {
     addProduct(a, b, 1);
   }
 
-  /** Subtracts {@code a * b}; both finite. */
+  /** Subtracts {@code a * b}; both must be finite. */
   void subtract(double a, double b) {
     addProduct(a, b, -1);
   }
 
-  /** The sign of the sum, -1, 0 or 1, and makes the sum zero again. */
+  /** Returns the sign of the sum, -1, 0 or 1, and resets the sum to zero. */
   int sign() {
     long carry = 0;
     boolean zero = true;
@@ -52,7 +52,7 @@ final class ExactProductSum {
     lowestUsed = LIMBS;
     highestUsed = -1;
     if (carry < 0) {
-      return -1; // the digits below are all positive and less than one unit of the carry
+      return -1; // the limbs below are all positive and sum up to less than one unit of the carry
     }
     return carry == 0 && zero ? 0 : 1;
   }

@@ -1,44 +1,46 @@
 package org.palpate.raycast;
 
 import org.palpate.geometry.IntBox;
+import org.palpate.statistics.SkipCounters;
+import org.palpate.statistics.SkipKind;
 import org.palpate.volume.BitCube;
 
 /**
- * Finds the first solid voxel that a ray touches, exactly: the ray is the segment between its two
- * ends as they are, voxels are closed, so that a ray that only touches a face, an edge or a corner
- * hits, and one that passes between two voxels which share an edge or a corner does too.
+ * Finds the first solid voxel that a ray touches, exactly. The ray is the segment between its two
+ * doubles, and voxels are closed: a ray that only touches a face, an edge or a corner hits, and so
+ * does a ray that passes between two voxels which share an edge or a corner.
  *
- * <p>How: a walk from cell to cell in floating point. Where two planes are crossed so near to each
- * other that rounding could hide their order, or a plane so near to the ray's end that it could lie
- * behind it, every cell that might be touched there is visited, and a solid one counts only where
- * {@link ExactPredicates} says that it is touched. All other cells of the walk are touched for
- * sure. Empty bricks, and empty blocks of bricks, are passed in one step.
+ * <p>A traversal in floating point visits the cells. If two planes are crossed so close together
+ * that rounding could swap them, every cell that the ray might touch there is visited. The same
+ * holds for a plane so close to the end of the ray that it could lie behind it. There a solid voxel
+ * counts only if {@link ExactPredicates} confirms it. All other cells of the traversal are touched
+ * for certain. Empty bricks, and empty blocks of bricks, are passed in one step.
  *
- * <p>Source: J. Amanatides and A. Woo, A fast voxel traversal algorithm for ray tracing, 1987; the
- * treatment of ties is ours.
+ * <p>Reference: J. Amanatides and A. Woo, A fast voxel traversal algorithm for ray tracing, 1987;
+ * the treatment of ties is our own.
  *
- * <p>{@link RayHit#t} is accurate to a few roundings. Six finite doubles are taken whatever their
- * size. Cost: some ten nanoseconds and one step for each voxel near a surface, each empty brick or
- * block farther off.
+ * <p>{@link RayHit#t} is accurate to a few roundings. Any six finite doubles are allowed. Cost: 10
+ * to 30 ns, plus one step for each voxel near a surface and for each empty brick or block.
  */
 public final class ExactRayCaster implements RayCaster {
-  /** Shorter along an axis, the reciprocal could overflow: the exhaustive way is taken. */
-  private static final double SHORTEST = 0x1p-900;
+  /** The reciprocal of a shorter component could overflow; the exhaustive caster takes over. */
+  private static final double MIN_COMPONENT = 0x1p-900;
 
   /**
-   * Longer along an axis, two planes of that axis could be crossed so near to each other that their
-   * order with a plane of another is in doubt for both: the exhaustive way is taken. Up to here
-   * they are crossed four doubts apart.
+   * The largest component of a traversed ray; the exhaustive caster takes longer ones. Up to here
+   * two planes of one axis are crossed at least four doubts apart, so that at most one plane of
+   * each axis takes part in a tie.
    */
-  private static final double LONGEST = 0x1p46;
+  private static final double MAX_COMPONENT = 0x1p46;
 
   private final EmptySpaceSkipper empty;
+  private final FarRayTraversal far;
   private final ExactPredicates exact = new ExactPredicates();
   private final ExhaustiveRayCaster exhaustive = new ExhaustiveRayCaster(exact);
   private final AxisTraversal x = new AxisTraversal();
   private final AxisTraversal y = new AxisTraversal();
   private final AxisTraversal z = new AxisTraversal();
-  private final RayHit other = new RayHit();
+  private final RayHit first = new RayHit();
 
   private BitCube bits;
   private Ray ray;
@@ -46,36 +48,32 @@ public final class ExactRayCaster implements RayCaster {
   private double start;
   private double end;
 
-  /** Passes empty bricks and blocks of bricks in one step. */
+  /** Creates a caster. */
   public ExactRayCaster() {
-    this(true);
+    this(new EmptySpaceSkipper(true));
   }
 
-  /**
-   * Answers are the same either way.
-   *
-   * @param skipsEmpty whether empty bricks and blocks of bricks are passed in one step, or voxel by
-   *     voxel, to see what that is worth
-   */
-  public ExactRayCaster(boolean skipsEmpty) {
-    empty = new EmptySpaceSkipper(skipsEmpty);
+  private ExactRayCaster(EmptySpaceSkipper empty) {
+    this.empty = empty;
+    far = new FarRayTraversal(empty);
   }
 
-  /** How often something empty was passed in one step: a brick, a block, a box in a brick. */
-  public long skippedBricks() {
-    return empty.bricks;
+  /** Returns a caster that passes no empty brick in one step. Its answers are the same. */
+  static ExactRayCaster voxelByVoxel() {
+    return new ExactRayCaster(new EmptySpaceSkipper(false));
   }
 
-  /** How many rays lay beside the box of all solids. */
-  public long skippedBeside() {
-    return empty.beside;
+  /** Adds the number of skipped empty bricks and of rays beside the bounds to {@code dest}. */
+  public void addSkips(SkipCounters dest) {
+    dest.add(SkipKind.EMPTY_BRICKS, empty.skippedBricks);
+    dest.add(SkipKind.BESIDE_BOUNDS, empty.raysBesideBounds);
   }
 
   @Override
   public boolean cast(BitCube cube, Ray newRay, RayHit newHit) {
     IntBox box = cube.bounds();
     if (misses(newRay, box)) {
-      empty.beside++;
+      empty.raysBesideBounds++;
       return false;
     }
     double dx = newRay.toX - newRay.fromX;
@@ -84,9 +82,9 @@ public final class ExactRayCaster implements RayCaster {
     if (!isOrdinary(dx) || !isOrdinary(dy) || !isOrdinary(dz)) {
       return exhaustive.cast(cube, newRay, newHit);
     }
-    int answer = walkWhereSure(cube, newRay, dx, dy, dz, newHit);
-    if (answer != NearRayTraversal.DOUBT) {
-      return answer == NearRayTraversal.HIT;
+    TraversalResult result = traverseInDoubles(cube, newRay, dx, dy, dz, newHit);
+    if (result != TraversalResult.IN_DOUBT) {
+      return result == TraversalResult.HIT;
     }
     bits = cube;
     ray = newRay;
@@ -94,16 +92,15 @@ public final class ExactRayCaster implements RayCaster {
     return castLayers(box);
   }
 
-  private int walkWhereSure(BitCube cube, Ray ray, double dx, double dy, double dz, RayHit hit) {
+  private TraversalResult traverseInDoubles(
+      BitCube cube, Ray r, double dx, double dy, double dz, RayHit dest) {
     if (NearRayTraversal.isNear(dx, dy, dz)) {
-      return NearRayTraversal.walk(cube, ray, empty, hit);
+      return NearRayTraversal.cast(cube, r, empty, dest);
     }
-    return FarRayTraversal.isWithinReach(ray)
-        ? FarRayTraversal.walk(cube, ray, empty, hit)
-        : NearRayTraversal.DOUBT;
+    return FarRayTraversal.isWithinReach(r) ? far.cast(cube, r, dest) : TraversalResult.IN_DOUBT;
   }
 
-  /** Whether the ray lies on one side of the box. Exact: only comparisons. */
+  /** Whether the ray lies wholly on one side of the box. Exact: comparisons alone. */
   private static boolean misses(Ray r, IntBox box) {
     return beside(r.fromX, r.toX, box.lowX, box.highX)
         || beside(r.fromY, r.toY, box.lowY, box.highY)
@@ -112,18 +109,18 @@ public final class ExactRayCaster implements RayCaster {
 
   private static boolean beside(double from, double to, int low, int high) {
     double end = (double) high + 1;
-    // compared one by one, since Math.max of doubles takes longer than both
+    // Math.max of doubles would take longer than both comparisons.
     return low > high || (from < low && to < low) || (from > end && to > end);
   }
 
   private static boolean isOrdinary(double delta) {
     double length = Math.abs(delta);
-    return (length >= SHORTEST && length <= LONGEST) || length == 0;
+    return (length >= MIN_COMPONENT && length <= MAX_COMPONENT) || length == 0;
   }
 
   /**
-   * A ray that runs within a grid plane touches the cells on both sides of it: walks each side and
-   * takes the first hit.
+   * Casts the ray and, if it runs within a grid plane, does so in the layers of cells on both sides
+   * of the plane; keeps the first hit.
    */
   private boolean castLayers(IntBox box) {
     int lastX = layersBelow(ray.fromX, ray.toX);
@@ -141,14 +138,14 @@ public final class ExactRayCaster implements RayCaster {
       }
     }
     if (found) {
-      hit.set(other);
+      hit.set(first);
     }
     return found;
   }
 
   private boolean keepFirst(boolean foundBefore, boolean foundNow) {
-    if (foundNow && !(foundBefore && other.t <= hit.t)) {
-      other.set(hit);
+    if (foundNow && !(foundBefore && first.t <= hit.t)) {
+      first.set(hit);
     }
     return foundBefore || foundNow;
   }
@@ -178,13 +175,13 @@ public final class ExactRayCaster implements RayCaster {
       hit.set(0, x.cell, y.cell, z.cell, RayHit.NO_AXIS);
       return true;
     }
-    if (empty.on && brick() == 0) {
+    if (empty.enabled && brick() == 0) {
       skipEmpty();
     }
-    return walk();
+    return traverse();
   }
 
-  /** Narrows the walk to the box that holds all solids. */
+  /** Narrows the traversal to the box that holds all solids. */
   private void clip(AxisTraversal axis, int low, int high) {
     if (axis.step == 0) {
       return;
@@ -197,7 +194,7 @@ public final class ExactRayCaster implements RayCaster {
     end = Math.min(end, axis.crossing(far));
   }
 
-  /** Sets the walk along an axis to where the ray reaches the box. */
+  /** Moves the traversal along an axis to the point where the ray enters the box. */
   private void enter(AxisTraversal axis, int low, int high) {
     boolean up = axis.step > 0;
     boolean outside = axis.startsBefore(up ? low : high + 1);
@@ -205,7 +202,7 @@ public final class ExactRayCaster implements RayCaster {
     axis.skipTo(start, first, up ? high + 1 : low);
   }
 
-  private boolean walk() {
+  private boolean traverse() {
     while (true) {
       double t = Math.min(x.next, Math.min(y.next, z.next));
       if (t > end) {
@@ -214,23 +211,24 @@ public final class ExactRayCaster implements RayCaster {
       double together = t + AxisTraversal.doubt(t);
       int crossed = crossedUntil(together);
       boolean sure = (crossed & (crossed - 1)) == 0 && together < 1;
-      if (sure ? crossOne(crossed, t) : crossSeveral(withNeighbours(crossed), t)) {
+      boolean hitsSolid = sure ? crossOne(crossed, t) : crossSeveral(withAdjacentTies(crossed), t);
+      if (hitsSolid) {
         return true;
       }
     }
   }
 
-  /** The axes whose next plane is crossed at t or before, a bit each. */
+  /** Returns the axes whose next plane is crossed at t or before, one bit each. */
   private int crossedUntil(double t) {
     return (x.next <= t ? 1 : 0) | (y.next <= t ? 2 : 0) | (z.next <= t ? 4 : 0);
   }
 
   /**
-   * Adds an axis whose order is in doubt with one of these, if not with the first: a chain of three
-   * crossings, each so near to the next, is crossed as one. One time suffices, for there are three
-   * axes, and two planes of one axis are never so near, see {@link #LONGEST}.
+   * Adds an axis whose crossing is in doubt with one of these, if not with the first. So a chain of
+   * three crossings, each close to the next, is crossed as one. One pass suffices: there are three
+   * axes, and two planes of one axis are never so close, see {@link #MAX_COMPONENT}.
    */
-  private int withNeighbours(int crossed) {
+  private int withAdjacentTies(int crossed) {
     double last = 0;
     last = (crossed & 1) != 0 ? Math.max(last, x.next) : last;
     last = (crossed & 2) != 0 ? Math.max(last, y.next) : last;
@@ -238,12 +236,12 @@ public final class ExactRayCaster implements RayCaster {
     return crossedUntil(last + AxisTraversal.doubt(last));
   }
 
-  /** Crosses one plane, with no doubt about it. */
+  /** Crosses one plane about which there is no doubt; returns whether its cell is solid. */
   private boolean crossOne(int crossed, double t) {
     AxisTraversal axis = crossed == 1 ? x : crossed == 2 ? y : z;
     axis.advance();
     long brick = brick();
-    if (empty.on && brick == 0) {
+    if (empty.enabled && brick == 0) {
       skipEmpty();
       return false;
     }
@@ -261,9 +259,9 @@ public final class ExactRayCaster implements RayCaster {
         z.cell >> BitCube.BRICK_SHIFT);
   }
 
-  /** Goes on to the last cells before the ray leaves the empty brick, or empty block of bricks. */
+  /** Moves to the last cells before the ray leaves the empty brick or the empty block. */
   private void skipEmpty() {
-    empty.bricks++;
+    empty.skippedBricks++;
     boolean emptyBlock =
         bits.block(
                 x.cell >> BitCube.BLOCK_SHIFT,
@@ -278,9 +276,9 @@ public final class ExactRayCaster implements RayCaster {
   }
 
   /**
-   * Crosses planes whose order is in doubt, or one that may lie behind the ray's end. The cells
-   * that can be touched are those reached by crossing any of them; fewer crossings first, so that
-   * the face that is named belongs to the cell.
+   * Crosses planes whose order is in doubt, or one that may lie behind the end of the ray. The ray
+   * can touch every cell that is reached by crossing a subset of them. Small subsets come first, so
+   * that the axis of the hit belongs to a face of the cell.
    */
   private boolean crossSeveral(int crossed, double t) {
     for (int count = 1; count <= 3; count++) {

@@ -3,31 +3,31 @@ package org.palpate.raycast;
 import org.palpate.volume.BitCube;
 
 /**
- * Samples once between each pair of consecutive intersections of the ray with grid planes, half way
- * between them, and at the ray's end. A baseline: it passes through edges and corners that solids
+ * Samples once between each two consecutive crossings of the ray with grid planes, half way between
+ * them, and once at the end of the ray. A baseline: it passes through edges and corners that solids
  * share, and rounding decides near them.
  *
- * <p>The hit lies at the sample that found it. Coordinates up to 1e100; costs a look-up a plane
- * crossed inside the box of the solid voxels, and nothing outside.
+ * <p>The hit lies at the sample that found it. Coordinates may be as large as 1e100. Cost: one
+ * look-up for each plane crossed inside the box of the solid voxels, and none outside.
  *
- * <p>Source: Vlasov, Friese, Wolter 2013, section 4.1, the proposal for higher precision.
+ * <p>Reference: Vlasov, Friese, Wolter 2013, section 4.1, the proposal for higher precision.
  */
 public final class GridPlanesRayCaster implements RayCaster {
-  private final RayClip near = new RayClip();
+  private final RayClip clip = new RayClip();
   private final PlaneCrossings crossingsX = new PlaneCrossings();
   private final PlaneCrossings crossingsY = new PlaneCrossings();
   private final PlaneCrossings crossingsZ = new PlaneCrossings();
 
   @Override
   public boolean cast(BitCube bits, Ray ray, RayHit hit) {
-    if (!near.clip(ray, bits.bounds())) {
+    if (!clip.clip(ray, bits.bounds())) {
       return false;
     }
-    crossingsX.start(ray.fromX, ray.toX - ray.fromX, near.from);
-    crossingsY.start(ray.fromY, ray.toY - ray.fromY, near.from);
-    crossingsZ.start(ray.fromZ, ray.toZ - ray.fromZ, near.from);
-    double last = near.from;
-    while (last < 1 && last <= near.to) {
+    crossingsX.start(ray.fromX, ray.toX - ray.fromX, clip.from);
+    crossingsY.start(ray.fromY, ray.toY - ray.fromY, clip.from);
+    crossingsZ.start(ray.fromZ, ray.toZ - ray.fromZ, clip.from);
+    double last = clip.from;
+    while (last < 1 && last <= clip.to) {
       double next = Math.min(Math.min(crossingsX.t, crossingsY.t), Math.min(crossingsZ.t, 1));
       if (next > last && sampleAt(bits, ray, (last + next) / 2, hit)) {
         return true;
@@ -47,13 +47,13 @@ public final class GridPlanesRayCaster implements RayCaster {
     return SampledRayCaster.sample(bits, x, y, z, t, hit);
   }
 
-  /** The crossings of one axis' planes, in order. */
+  /** The crossings of the ray with the grid planes of one axis, in order. */
   private static final class PlaneCrossings {
     private double from;
     private double delta;
     private double plane;
 
-    /** The next crossing; infinite where there is none. */
+    /** The ray parameter of the next crossing; infinite if there is none. */
     private double t;
 
     void start(double newFrom, double newDelta, double after) {

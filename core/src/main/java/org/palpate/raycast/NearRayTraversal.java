@@ -3,39 +3,35 @@ package org.palpate.raycast;
 import org.palpate.volume.BitCube;
 
 /**
- * The walk of a short ray from voxel to voxel where nothing is in doubt: no start on a grid plane,
- * no two planes crossed nearly together, none crossed nearly at the ray's end. Says so where
- * something is, and leaves it to the thorough walk.
+ * Traverses a short ray from voxel to voxel. The traversal ends {@link TraversalResult#IN_DOUBT} if
+ * the ray starts on a grid plane, if it crosses two planes nearly at once, or if it crosses one
+ * nearly at its end.
  *
- * <p>Most casts of a frame are a few voxels long and end here. It keeps all its state in locals,
- * which is what makes it fast; coarser levels would not help, since near a surface hardly a brick
- * is empty.
+ * <p>Most casts of a frame are a few voxels long and end here. All state is in local variables,
+ * which makes it fast. Coarser levels of the bit cube would not help, because near a surface hardly
+ * a brick is empty.
  */
 final class NearRayTraversal {
-  static final int MISS = 0;
-  static final int HIT = 1;
-  static final int DOUBT = 2;
-
-  /** Longer rays are better served by a walk that skips empty bricks. */
-  private static final double LONGEST_VOXELS = 10;
+  /** Longer rays are faster in a traversal that skips empty bricks. */
+  private static final double MAX_LENGTH_VOXELS = 10;
 
   private NearRayTraversal() {}
 
-  /** Whether the ray is of a length that this walk is for. */
+  /** Whether a ray with these components is short enough for this traversal. */
   static boolean isNear(double dx, double dy, double dz) {
-    return Math.abs(dx) <= LONGEST_VOXELS
-        && Math.abs(dy) <= LONGEST_VOXELS
-        && Math.abs(dz) <= LONGEST_VOXELS;
+    return Math.abs(dx) <= MAX_LENGTH_VOXELS
+        && Math.abs(dy) <= MAX_LENGTH_VOXELS
+        && Math.abs(dz) <= MAX_LENGTH_VOXELS;
   }
 
   /**
-   * Walks the ray.
+   * Traverses the ray.
    *
-   * @param ray of ordinary components, near
-   * @param empty whether a ray among empty voxels of one brick is not walked
-   * @param hit filled where the answer is {@link #HIT}
+   * @param ray a short ray whose components are ordinary, see {@link ExactRayCaster}
+   * @param empty whether a ray among the empty voxels of one brick ends at once
+   * @param hit receives the hit if the answer is {@link TraversalResult#HIT}
    */
-  static int walk(BitCube bits, Ray ray, EmptySpaceSkipper empty, RayHit hit) {
+  static TraversalResult cast(BitCube bits, Ray ray, EmptySpaceSkipper empty, RayHit hit) {
     final double fromX = ray.fromX;
     final double fromY = ray.fromY;
     final double fromZ = ray.fromZ;
@@ -43,21 +39,21 @@ final class NearRayTraversal {
     int j = (int) Math.floor(fromY);
     int k = (int) Math.floor(fromZ);
     if (i == fromX || j == fromY || k == fromZ) {
-      return DOUBT;
+      return TraversalResult.IN_DOUBT;
     }
     long brick = brickOf(bits, i, j, k);
     if (isSolid(brick, i, j, k)) {
       hit.set(0, i, j, k, RayHit.NO_AXIS);
-      return HIT;
-    } else if (empty.on && staysAmongEmpty(brick, i, j, k, ray)) {
-      empty.bricks++;
-      return MISS;
+      return TraversalResult.HIT;
+    } else if (empty.enabled && staysAmongEmpty(brick, i, j, k, ray)) {
+      empty.skippedBricks++;
+      return TraversalResult.MISS;
     }
-    // Of a component that is 0 the reciprocal is infinite, and the next plane crossed there: never.
+    // A component of 0 has an infinite reciprocal, so that its planes are never crossed.
     final double inverseX = 1 / (ray.toX - fromX);
     final double inverseY = 1 / (ray.toY - fromY);
     final double inverseZ = 1 / (ray.toZ - fromZ);
-    final int aheadX = inverseX < 0 ? 0 : 1; // from a cell's number to that of the plane ahead
+    final int aheadX = inverseX < 0 ? 0 : 1; // offset from a cell to the plane ahead
     final int aheadY = inverseY < 0 ? 0 : 1;
     final int aheadZ = inverseZ < 0 ? 0 : 1;
     double nextX = (i + aheadX - fromX) * inverseX;
@@ -67,10 +63,10 @@ final class NearRayTraversal {
       int axis = nextX < nextY ? (nextX < nextZ ? 0 : 2) : (nextY < nextZ ? 1 : 2);
       double t = axis == 0 ? nextX : axis == 1 ? nextY : nextZ;
       if (t > 1 + AxisTraversal.doubt(t)) {
-        return MISS;
+        return TraversalResult.MISS;
       }
       if (isInDoubt(t, median(nextX, nextY, nextZ))) {
-        return DOUBT;
+        return TraversalResult.IN_DOUBT;
       }
       int cellBefore;
       if (axis == 0) {
@@ -91,17 +87,18 @@ final class NearRayTraversal {
       }
       if (isSolid(brick, i, j, k)) {
         hit.set(t, i, j, k, axis);
-        return HIT;
+        return TraversalResult.HIT;
       }
     }
   }
 
-  /** Whether the next plane may be crossed before this one, or this one behind the ray's end. */
+  /** Whether the plane after this one may come first, or this one may lie behind the ray's end. */
   static boolean isInDoubt(double t, double nextT) {
     double doubt = AxisTraversal.doubt(t);
     return nextT - t <= doubt || t + doubt >= 1;
   }
 
+  /** Returns the median of three crossings: the one after the first. */
   static double median(double a, double b, double c) {
     double low = a < b ? a : b;
     double high = a < b ? b : a;
@@ -109,8 +106,8 @@ final class NearRayTraversal {
   }
 
   /**
-   * Whether the box from the ray's first cell to its last lies in one brick and holds no solid:
-   * then the ray, which starts and ends on no plane, touches none, and nothing is divided.
+   * Whether the box from the ray's first cell to its last lies in one brick and holds no solid. A
+   * ray that starts and ends on no plane then touches none, and no division is needed.
    */
   private static boolean staysAmongEmpty(long brick, int i, int j, int k, Ray ray) {
     int endI = (int) Math.floor(ray.toX);
@@ -124,7 +121,7 @@ final class NearRayTraversal {
             == 0;
   }
 
-  /** The voxels of a brick from one layer across x to another, both included, in either order. */
+  /** Returns a mask of the voxels between two x layers of a brick, both included, in any order. */
   private static long layersX(int one, int other) {
     return ((2 << Math.max(one, other)) - (1 << Math.min(one, other))) * 0x1111_1111_1111_1111L;
   }

@@ -1,8 +1,9 @@
 package org.palpate.raycast;
 
 /**
- * The straight way between two points in grid coordinates, exactly as its six doubles say. Mutable
- * carrier.
+ * A straight segment between two points in grid coordinates, exactly as its six doubles say.
+ *
+ * <p>Mutable, so that a frame can use one instance again and again. One thread.
  */
 public final class Ray {
   public double fromX;
@@ -12,7 +13,7 @@ public final class Ray {
   public double toY;
   public double toZ;
 
-  /** Sets where the ray starts. */
+  /** Sets the start of the ray and returns this. */
   public Ray from(double x, double y, double z) {
     fromX = x;
     fromY = y;
@@ -20,7 +21,7 @@ public final class Ray {
     return this;
   }
 
-  /** Sets where the ray ends. */
+  /** Sets the end of the ray and returns this. */
   public Ray to(double x, double y, double z) {
     toX = x;
     toY = y;

@@ -3,17 +3,18 @@ package org.palpate.raycast;
 import org.palpate.volume.BitCube;
 
 /**
- * A way to find where a ray first meets a solid voxel of a bit cube. Keeps scratch: one thread an
- * instance.
+ * A method to find the first solid voxel of a bit cube on a ray.
+ *
+ * <p>An instance keeps scratch memory and belongs to one thread. A cast allocates nothing.
  */
 public interface RayCaster {
   /**
-   * Casts a ray.
+   * Casts a ray through a bit cube. Voxels outside the cube are empty.
    *
-   * @param bits the voxels; outside them all is empty
-   * @param ray six finite doubles in grid coordinates
-   * @param hit filled where the answer is true
-   * @return whether the ray meets a solid voxel, as this caster understands it
+   * @param bits the voxels
+   * @param ray two points in grid coordinates, all finite; not changed
+   * @param hit receives the hit if the answer is true; undefined after a miss
+   * @return whether the ray meets a solid voxel by the rule of this caster
    */
   boolean cast(BitCube bits, Ray ray, RayHit hit);
 }

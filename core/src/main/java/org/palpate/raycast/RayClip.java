@@ -3,20 +3,20 @@ package org.palpate.raycast;
 import org.palpate.geometry.IntBox;
 
 /**
- * The part of a ray that passes near a box of voxels: what lies outside can be skipped. Generous by
- * {@link #MARGIN_VOXELS}, so that rounding never skips a voxel of the box. Owned scratch.
+ * Clips a ray to a box of voxels. The clipped part is longer than the exact one by {@link
+ * #MARGIN_VOXELS}, so that rounding never removes a voxel of the box. Owned scratch.
  */
 final class RayClip {
-  /** Far more than the rounding of positions that a grid can hold. */
+  /** Far more than the rounding of a position within a grid. */
   private static final double MARGIN_VOXELS = 2;
 
-  /** Where the part begins, 0 or more. */
+  /** The ray parameter at which the clipped part begins, 0 or more. */
   double from;
 
-  /** Where it ends, 1 or less. */
+  /** The ray parameter at which the clipped part ends, 1 or less. */
   double to;
 
-  /** Clips; false where no part of the ray passes near the box. */
+  /** Clips the ray and returns whether any part of it passes near the box. */
   boolean clip(Ray ray, IntBox box) {
     from = 0;
     to = 1;
@@ -33,10 +33,10 @@ final class RayClip {
     if (delta == 0) {
       return start >= low && start <= high;
     }
-    double towardsLow = (low - start) / delta;
-    double towardsHigh = (high - start) / delta;
-    from = Math.max(from, Math.min(towardsLow, towardsHigh));
-    to = Math.min(to, Math.max(towardsLow, towardsHigh));
+    double tLow = (low - start) / delta;
+    double tHigh = (high - start) / delta;
+    from = Math.max(from, Math.min(tLow, tHigh));
+    to = Math.min(to, Math.max(tLow, tHigh));
     return from <= to;
   }
 }

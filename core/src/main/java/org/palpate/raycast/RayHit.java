@@ -1,30 +1,35 @@
 package org.palpate.raycast;
 
 /**
- * Where a ray first met a solid voxel. An out-parameter: what it holds after a miss is not defined.
+ * The first solid voxel that a ray meets. An out-parameter of a cast: its contents after a miss are
+ * undefined.
  */
 public final class RayHit {
   /**
-   * Value of {@link #axis} where the ray's start already touches the voxel or a sample found it.
+   * The value of {@link #axis} if the start of the ray touches the voxel already, or if a sample
+   * found it.
    */
   public static final int NO_AXIS = -1;
 
-  /** How far along the ray, 0 at its start and 1 at its end. */
+  /** The ray parameter of the hit: 0 at the start of the ray, 1 at its end. */
   public double t;
 
-  /** The voxel. */
+  /** The x coordinate of the voxel. */
   public int i;
 
+  /** The y coordinate of the voxel. */
   public int j;
+
+  /** The z coordinate of the voxel. */
   public int k;
 
   /**
-   * The axis (0 is x, 1 is y, 2 is z) across whose grid plane the voxel was entered, or {@link
-   * #NO_AXIS}.
+   * The axis whose grid plane the ray crosses when it enters the voxel: 0 is x, 1 is y, 2 is z;
+   * else {@link #NO_AXIS}.
    */
   public int axis;
 
-  /** Sets all five. */
+  /** Sets all components. */
   public void set(double newT, int newI, int newJ, int newK, int newAxis) {
     t = newT;
     i = newI;
@@ -33,12 +38,17 @@ public final class RayHit {
     axis = newAxis;
   }
 
-  /** The voxel's coordinate along an axis. */
+  /** Copies all components of {@code other}. */
+  public void set(RayHit other) {
+    set(other.t, other.i, other.j, other.k, other.axis);
+  }
+
+  /** Returns the coordinate of the voxel along an axis: 0 is x, 1 is y, 2 is z. */
   public int cell(int ofAxis) {
     return ofAxis == 0 ? i : ofAxis == 1 ? j : k;
   }
 
-  /** Sets the voxel's coordinate along an axis. */
+  /** Sets the coordinate of the voxel along an axis: 0 is x, 1 is y, 2 is z. */
   public void setCell(int ofAxis, int cell) {
     if (ofAxis == 0) {
       i = cell;
@@ -47,9 +57,5 @@ public final class RayHit {
     } else {
       k = cell;
     }
-  }
-
-  public void set(RayHit other) {
-    set(other.t, other.i, other.j, other.k, other.axis);
   }
 }

@@ -3,20 +3,25 @@ package org.palpate.raycast;
 import org.palpate.volume.BitCube;
 
 /**
- * Samples the voxels under points a fixed step apart, from the ray's start until its end is
- * reached, the end included. A baseline: a solid that lies between two samples is missed.
+ * Samples the voxels at a fixed step along the ray, from its start to its end, both included. A
+ * baseline: it misses a solid that lies between two samples.
  *
- * <p>A point belongs to the voxel of its rounded-down coordinates. The hit lies at the sample that
- * found it. Coordinates up to 1e100; costs a look-up a step inside the box of the solid voxels, and
- * nothing outside.
+ * <p>A sample belongs to the voxel of its rounded-down coordinates. The hit lies at the sample that
+ * found it. Coordinates may be as large as 1e100. Cost: one look-up a step inside the box of the
+ * solid voxels, and none outside.
  *
- * <p>Source: Vlasov, Friese, Wolter 2013, section 4.1 and figure 3, with a step of 1 voxel.
+ * <p>Reference: Vlasov, Friese, Wolter 2013, section 4.1 and figure 3, with a step of 1 voxel.
  */
 public final class SampledRayCaster implements RayCaster {
   private final double stepVoxels;
-  private final RayClip near = new RayClip();
+  private final RayClip clip = new RayClip();
 
-  /** Samples {@code stepVoxels} apart in grid coordinates; the paper's step is 1. */
+  /**
+   * Creates a caster.
+   *
+   * @param stepVoxels the distance between two samples in grid coordinates; the paper's is 1
+   * @throws IllegalArgumentException if the step is not positive and finite
+   */
   public SampledRayCaster(double stepVoxels) {
     if (!(stepVoxels > 0) || stepVoxels == Double.POSITIVE_INFINITY) {
       throw new IllegalArgumentException(
@@ -27,16 +32,16 @@ public final class SampledRayCaster implements RayCaster {
 
   @Override
   public boolean cast(BitCube bits, Ray ray, RayHit hit) {
-    if (!near.clip(ray, bits.bounds())) {
+    if (!clip.clip(ray, bits.bounds())) {
       return false;
     }
     double dx = ray.toX - ray.fromX;
     double dy = ray.toY - ray.fromY;
     double dz = ray.toZ - ray.fromZ;
     double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    double lastAt = near.to * length;
+    double lastAt = clip.to * length;
     // Beyond 2^53 steps the next number is the next double, so that even there the samples go on.
-    for (double n = Math.floor(near.from * length / stepVoxels);
+    for (double n = Math.floor(clip.from * length / stepVoxels);
         ;
         n = Math.max(n + 1, Math.nextUp(n))) {
       double at = n * stepVoxels;
@@ -53,6 +58,7 @@ public final class SampledRayCaster implements RayCaster {
     }
   }
 
+  /** Whether the voxel under a sample is solid; if so, writes the hit. */
   static boolean sample(BitCube bits, double x, double y, double z, double t, RayHit hit) {
     int i = (int) Math.floor(x);
     int j = (int) Math.floor(y);

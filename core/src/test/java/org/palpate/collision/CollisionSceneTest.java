@@ -27,7 +27,7 @@ class CollisionSceneTest {
 
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3, 4, 7, 8, 9, 100, 1000})
-  void theTreeFindsWhatALookAtEachBoxFinds(int count) {
+  void treeFindsTheSameBoxesAsATestOfEachBox(int count) {
     IntBox[] boxes = new IntBox[count];
     for (int n = 0; n < count; n++) {
       boxes[n] = random.nextInt(20) == 0 ? new IntBox() : box();
@@ -35,40 +35,40 @@ class CollisionSceneTest {
     BoundingVolumeTree tree = new BoundingVolumeTree(boxes);
     int[] found = new int[count];
     for (int n = 0; n < 300; n++) {
-      IntBox asked = box();
-      List<Integer> numbers = new ArrayList<>();
-      int foundCount = tree.find(asked, found);
+      IntBox query = box();
+      List<Integer> indices = new ArrayList<>();
+      int foundCount = tree.find(query, found);
       for (int at = 0; at < foundCount; at++) {
-        numbers.add(found[at]);
+        indices.add(found[at]);
       }
-      numbers.sort(null);
-      assertEquals(naive(boxes, asked), numbers, "seed " + Seeds.seed());
+      indices.sort(null);
+      assertEquals(naive(boxes, query), indices, "seed " + Seeds.seed());
     }
   }
 
   @Test
-  void aCubeThatWasHandedOutIsLookedAtAfterBoundsChangedToo() {
+  void aCubeHandedOutForEditingStaysACandidateAfterBoundsChanged() {
     List<BitCube> cubes = new ArrayList<>();
     for (int n = 0; n < 12; n++) {
       BitCube cube = new BitCube(256, 16, 16);
       cube.set(20 * n, 1, 1);
       cubes.add(cube);
     }
-    CollisionScene obstacles = new CollisionScene(cubes);
-    BitCube edited = obstacles.cube(11);
-    obstacles.boundsChanged();
+    CollisionScene scene = new CollisionScene(cubes);
+    BitCube edited = scene.cube(11);
+    scene.boundsChanged();
     edited.set(10, 8, 8);
-    assertTrue(obstacles.isSolid(10, 8, 8));
+    assertTrue(scene.isSolid(10, 8, 8));
   }
 
-  private static List<Integer> naive(IntBox[] boxes, IntBox asked) {
-    List<Integer> numbers = new ArrayList<>();
+  private static List<Integer> naive(IntBox[] boxes, IntBox query) {
+    List<Integer> indices = new ArrayList<>();
     for (int n = 0; n < boxes.length; n++) {
-      if (shareACell(boxes[n], asked)) {
-        numbers.add(n);
+      if (shareACell(boxes[n], query)) {
+        indices.add(n);
       }
     }
-    return numbers;
+    return indices;
   }
 
   private static boolean shareACell(IntBox a, IntBox b) {
@@ -91,9 +91,9 @@ class CollisionSceneTest {
   }
 
   @Test
-  void answersAreThoseOfALookAtEveryCubeWhileTheyAreEdited() {
+  void broadPhaseChangesNoAnswerWhileCubesAreEdited() {
     List<BitCube> cubes = cubes(120);
-    CollisionScene all = new CollisionScene(cubes, false);
+    CollisionScene all = CollisionScene.withoutBroadPhase(cubes);
     CollisionScene near = new CollisionScene(cubes);
     ExactRayCaster caster = new ExactRayCaster();
     RayHit expected = new RayHit();
@@ -101,14 +101,15 @@ class CollisionSceneTest {
     int hits = 0;
     for (int n = 0; n < 20_000; n++) {
       String what = "seed " + Seeds.seed() + " n=" + n;
-      int i = place();
-      int j = place();
-      int k = place();
+      int i = coordinate();
+      int j = coordinate();
+      int k = coordinate();
       assertEquals(all.isSolid(i, j, k), near.isSolid(i, j, k), what);
+      assertEquals(all.objectAt(i, j, k), near.objectAt(i, j, k), what);
       assertEquals(all.window(i, j, k), near.window(i, j, k), what);
       assertEquals(all.brick(i >> 2, j >> 2, k >> 2), near.brick(i >> 2, j >> 2, k >> 2), what);
       Ray ray = new Ray().from(i + random.nextDouble(), j, k + 0.5);
-      ray.to(i + random.nextDouble(-30, 30), j + random.nextDouble(-3, 3), place());
+      ray.to(i + random.nextDouble(-30, 30), j + random.nextDouble(-3, 3), coordinate());
       boolean found = all.cast(caster, ray, expected);
       assertEquals(found, near.cast(caster, ray, hit), what);
       if (found) {
@@ -127,7 +128,7 @@ class CollisionSceneTest {
   }
 
   @Test
-  void aReplacedCubeIsSeen() {
+  void findsTheSolidsOfAReplacedCube() {
     List<BitCube> cubes = cubes(20);
     CollisionScene near = new CollisionScene(cubes);
     BitCube fresh = new BitCube(SIZE, SIZE, SIZE);
@@ -138,10 +139,12 @@ class CollisionSceneTest {
   }
 
   @Test
-  void aPointMovesAmongManyAsItDoesWhereAllAreLookedAt() {
+  void broadPhaseChangesNoPathOfAPoint() {
     List<BitCube> cubes = cubes(200);
     GridMetric metric = new GridMetric(1, 1, 1);
-    CollisionScene[] ways = {new CollisionScene(cubes, false), new CollisionScene(cubes, true)};
+    CollisionScene[] scenes = {
+      CollisionScene.withoutBroadPhase(cubes), CollisionScene.withBroadPhase(cubes)
+    };
     GuardedSolver[] solvers = {new GuardedSolver(metric, 8), new GuardedSolver(metric, 8)};
     InteractionPoint[] points = {new InteractionPoint(), new InteractionPoint()};
     Vec3 device = new Vec3(-2.5, -2.5, -2.5);
@@ -152,8 +155,8 @@ class CollisionSceneTest {
         device.set(axis, device.get(axis) + random.nextDouble(-0.9, 1));
         device.set(axis, device.get(axis) > SIZE ? -1.5 : device.get(axis));
       }
-      solvers[0].follow(ways[0], device, points[0]);
-      solvers[1].follow(ways[1], device, points[1]);
+      solvers[0].follow(scenes[0], device, points[0]);
+      solvers[1].follow(scenes[1], device, points[1]);
       assertTrue(points[0].position.sameBits(points[1].position), "seed " + Seeds.seed());
       assertEquals(points[0].contact, points[1].contact);
     }
@@ -175,7 +178,7 @@ class CollisionSceneTest {
     return cubes;
   }
 
-  private int place() {
+  private int coordinate() {
     return random.nextInt(-5, SIZE + 5);
   }
 

@@ -15,7 +15,7 @@ import org.palpate.volume.BitCube;
 class NearestFreeVoxelTest {
 
   @Test
-  void isTheNearestEmptyCentreOfAllOfLowestIndexAmongEquals() {
+  void findsTheNearestEmptyVoxelAndOfEquallyNearOnesTheLowestIndex() {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
     for (int scene = 0; scene < 300; scene++) {
@@ -40,25 +40,25 @@ class NearestFreeVoxelTest {
     }
   }
 
-  /** The way out along the long axis is as long as many voxels are wide. */
+  /** Along the long axis the nearest free voxel is as far away as many voxels are wide. */
   @Test
   void flatVoxelsCostNoSearchFarBeyondTheSolids() {
-    AtomicInteger looks = new AtomicInteger();
+    AtomicInteger reads = new AtomicInteger();
     BitCube bits =
         new BitCube(8, 8, 8) {
           @Override
           public long brick(int brickX, int brickY, int brickZ) {
-            looks.incrementAndGet();
+            reads.incrementAndGet();
             return super.brick(brickX, brickY, brickZ);
           }
         };
     bits.set(4, 4, 4);
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
+    CollisionScene scene = new CollisionScene(List.of(bits));
     for (double ratio : new double[] {1, 20, 1e3, 1e6, 1e24}) {
-      looks.set(0);
+      reads.set(0);
       GridMetric metric = new GridMetric(1e-12, 1e-12, 1e-12 * ratio);
-      new NearestFreeVoxel(metric).find(obstacles, new Vec3(4.5, 4.5, 4.95), new Vec3());
-      assertTrue(looks.get() <= 125, "1:1:" + ratio + " took " + looks + " looks");
+      new NearestFreeVoxel(metric).find(scene, new Vec3(4.5, 4.5, 4.95), new Vec3());
+      assertTrue(reads.get() <= 125, "1:1:" + ratio + " took " + reads + " reads");
     }
   }
 
@@ -74,9 +74,7 @@ class NearestFreeVoxelTest {
     }
   }
 
-  /**
-   * Looks at every voxel of the grid and of a margin wide enough, in the order of their indices.
-   */
+  /** Tests every voxel of the grid and of a sufficient margin, in the order of their indices. */
   private static Vec3 naive(BitCube bits, GridMetric metric, Vec3 from) {
     Vec3 best = new Vec3();
     double least = Double.POSITIVE_INFINITY;

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
@@ -19,7 +18,6 @@ import org.palpate.volume.BitCube;
 
 /** Touches a floor of two objects side by side: a soft left half and a right half of bone. */
 class MaterialTest {
-  private static final long SEED = Long.getLong("palpate.seed", 20130613);
   private static final int EDGE = 48;
   private static final int TOP = 16;
   private static final int SEAM = 24;
@@ -66,17 +64,6 @@ class MaterialTest {
     assertEquals(0, point.touched);
     touched.find(twice, device.set(10.5, 10.5, TOP + 3), point);
     assertEquals(InteractionPoint.NOTHING, point.touched);
-  }
-
-  @Test
-  void theTreeOfManyObjectsFindsTheSameObject() {
-    CollisionScene byTree = new CollisionScene(List.of(slab(0, SEAM), slab(SEAM, EDGE)), true);
-    SplittableRandom random = new SplittableRandom(SEED);
-    for (int n = 0; n < 2000; n++) {
-      int i = random.nextInt(-2, EDGE + 2);
-      int k = random.nextInt(-2, EDGE + 2);
-      assertEquals(floor.objectAt(i, 5, k), byTree.objectAt(i, 5, k), "seed=" + SEED);
-    }
   }
 
   /** The forces of the two materials differ by 3.5 N where the hand crosses the seam. */

@@ -134,7 +134,7 @@ class ExactRayCasterTest {
   void agreesWithTheExhaustiveWayOnLongRaysThroughEmptyBricks() {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
-    ExactRayCaster voxelByVoxel = new ExactRayCaster(false);
+    ExactRayCaster voxelByVoxel = ExactRayCaster.voxelByVoxel();
     ExhaustiveRayCaster exhaustive = new ExhaustiveRayCaster(new ExactPredicates());
     RayHit expected = new RayHit();
     int hits = 0;

@@ -6,11 +6,11 @@ import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.SkipCounters;
-import org.palpate.proxy.SkipKind;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
+import org.palpate.statistics.SkipCounters;
+import org.palpate.statistics.SkipKind;
 
 /**
  * The paper's path finding made exact: every leg, as the segment between its two doubles, is
@@ -77,7 +77,7 @@ public final class GuardedSolver implements ProxySolver {
   private final double maxStepMm;
   private final double farMm;
   private final boolean skipsRest;
-  private final ExactRayCaster caster;
+  private final ExactRayCaster caster = new ExactRayCaster();
   private final Ray ray = new Ray();
   private final RayHit hit = new RayHit();
   private final Vec3 target = new Vec3();
@@ -110,22 +110,20 @@ public final class GuardedSolver implements ProxySolver {
     this(metric, maxStepMm, SkipOptions.ALL);
   }
 
-  /**
-   * The same with a choice of what is skipped, to see what that is worth. Answers are the same, but
-   * that a climb may wait, see {@link FailedStepCache}.
-   *
-   * @param skips what may be left out
-   */
-  public GuardedSolver(GridMetric metric, double maxStepMm, SkipOptions skips) {
+  /** Returns a solver that skips only some of its work, to measure what the rest is worth. */
+  static GuardedSolver skippingOnly(SkipOptions skips, GridMetric metric, double maxStepMm) {
+    return new GuardedSolver(metric, maxStepMm, skips);
+  }
+
+  private GuardedSolver(GridMetric metric, double maxStepMm, SkipOptions skips) {
     if (!(maxStepMm > 0)) {
       throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);
     }
     this.metric = metric;
     this.maxStepMm = maxStepMm;
     farMm = FAR_VOXELS * metric.shortestEdgeMm();
-    caster = new ExactRayCaster(skips.emptyBricks());
-    voxel = new ProxyVoxel(skips.neighbours());
-    fruitless = new FailedStepCache(metric, skips.climbs());
+    voxel = new ProxyVoxel(skips.neighbourhoods());
+    fruitless = new FailedStepCache(metric, skips.failedSteps());
     skipsRest = skips.rest();
   }
 
@@ -138,8 +136,7 @@ public final class GuardedSolver implements ProxySolver {
 
   @Override
   public void addSkips(SkipCounters dest) {
-    dest.add(SkipKind.EMPTY_BRICKS, caster.skippedBricks());
-    dest.add(SkipKind.BESIDE_BOUNDS, caster.skippedBeside());
+    caster.addSkips(dest);
     dest.add(SkipKind.NEIGHBOURS, voxel.knownNeighbours());
     dest.add(SkipKind.CLIMBS, climbsSkipped);
     dest.add(SkipKind.REST, restsSkipped);

@@ -1,15 +1,14 @@
 package org.palpate.proxy.exact;
 
 /**
- * What a solver may skip; answers are the same either way, but that without {@code climbs} none
- * waits. All of it, unless a measurement is to show what one is worth.
+ * The work that a guarded solver may skip. The proxy ends at the same bits either way, except that
+ * without {@code failedSteps} no step up waits, see {@link FailedStepCache}.
  *
- * @param emptyBricks whether rays pass empty bricks in one step
- * @param neighbours whether neighbourhoods are kept from frame to frame
- * @param climbs whether climbs that were in vain are remembered
- * @param rest whether a frame in which device and point rest is left out
+ * @param neighbourhoods whether neighbourhoods are kept from frame to frame
+ * @param failedSteps whether searches for a step up that failed are remembered
+ * @param rest whether a frame is left out in which the device and the proxy are at rest
  */
-public record SkipOptions(boolean emptyBricks, boolean neighbours, boolean climbs, boolean rest) {
-  /** All of it. */
-  public static final SkipOptions ALL = new SkipOptions(true, true, true, true);
+record SkipOptions(boolean neighbourhoods, boolean failedSteps, boolean rest) {
+  /** Everything may be skipped, as in production. */
+  static final SkipOptions ALL = new SkipOptions(true, true, true);
 }

@@ -5,12 +5,12 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.SkipCounters;
-import org.palpate.proxy.SkipKind;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayCaster;
 import org.palpate.raycast.RayHit;
+import org.palpate.statistics.SkipCounters;
+import org.palpate.statistics.SkipKind;
 
 /**
  * Collision without response: p is the device, through whatever stands there, and the contact flag
@@ -33,8 +33,7 @@ public final class CollisionOnlySolver implements ProxySolver {
   public void addSkips(SkipCounters dest) {
     dest.add(SkipKind.RESPONSE, frames);
     if (caster instanceof ExactRayCaster exact) {
-      dest.add(SkipKind.EMPTY_BRICKS, exact.skippedBricks());
-      dest.add(SkipKind.BESIDE_BOUNDS, exact.skippedBeside());
+      exact.addSkips(dest);
     }
   }
 

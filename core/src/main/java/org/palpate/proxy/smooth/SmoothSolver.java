@@ -5,7 +5,7 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.SkipCounters;
+import org.palpate.statistics.SkipCounters;
 import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.proxy.smooth.field.BinaryCoefficientSource;
 import org.palpate.proxy.smooth.field.CoefficientSource;

@@ -5,11 +5,10 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
-import org.palpate.proxy.SkipCounters;
-import org.palpate.proxy.SkipKind;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
+import org.palpate.statistics.SkipCounters;
 
 /**
  * Moves the interaction point, and only by legs that touch no solid: each leg is cast exactly, as
@@ -147,7 +146,6 @@ final class VerifiedMotion {
 
   /** Adds what its rays skipped. */
   void addSkips(SkipCounters dest) {
-    dest.add(SkipKind.EMPTY_BRICKS, caster.skippedBricks());
-    dest.add(SkipKind.BESIDE_BOUNDS, caster.skippedBeside());
+    caster.addSkips(dest);
   }
 }

@@ -1,4 +1,4 @@
-package org.palpate.proxy;
+package org.palpate.statistics;
 
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
@@ -6,40 +6,42 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * How often what was skipped: a solver counts for itself and adds what it has when it is asked. One
- * thread; adding to a kind allocates nothing.
+ * The number of skips of each kind. Solvers, ray casters and collision scenes count for themselves
+ * and add their counts when a report asks for them.
+ *
+ * <p>One thread. Adding to one kind allocates nothing.
  */
 public final class SkipCounters {
   private final Map<SkipKind, AtomicLong> counts = new EnumMap<>(SkipKind.class);
 
-  /** Nothing was skipped yet. */
+  /** Creates counters that are all zero. */
   public SkipCounters() {
     for (SkipKind kind : SkipKind.values()) {
       counts.put(kind, new AtomicLong());
     }
   }
 
-  /** Adds to a kind. */
+  /** Adds {@code count} skips of one kind. */
   public void add(SkipKind kind, long count) {
     counts.get(kind).addAndGet(count);
   }
 
-  /** Adds all of another. */
+  /** Adds all counts of {@code other}. */
   public void add(SkipCounters other) {
     other.counts.forEach((kind, count) -> add(kind, count.get()));
   }
 
-  /** Takes all of another off. */
+  /** Subtracts all counts of {@code other}. */
   public void subtract(SkipCounters other) {
     other.counts.forEach((kind, count) -> add(kind, -count.get()));
   }
 
-  /** The count of a kind. */
+  /** Returns the count of one kind. */
   public long of(SkipKind kind) {
     return counts.get(kind).get();
   }
 
-  /** Counts by {@link SkipKind#key}, every kind. */
+  /** Returns the counts of all kinds by {@link SkipKind#key}, in the order of the kinds. */
   public Map<String, Long> byKey() {
     Map<String, Long> all = new LinkedHashMap<>();
     for (SkipKind kind : SkipKind.values()) {
