@@ -3,39 +3,44 @@ package org.palpate.proxy;
 import org.palpate.geometry.Vec3;
 
 /**
- * The interaction point, p, and what the last frame did with it. Written by the solver, in the
- * haptic thread.
+ * The interaction point, p, and its motion and contact in the last frame: the output of a {@link
+ * ProxySolver} and the input of the force.
+ *
+ * <p>Frame: grid coordinates. Thread: the haptic thread alone. Writer: the solver, in {@link
+ * ProxySolver#follow}, except for {@link #touchedObject}, which {@link TouchedObjectFinder} writes.
+ * Before its first frame, set {@link #position} to a point that touches no solid.
  */
 public final class InteractionPoint {
-  /** Value of {@link #touched} where no object is known to hold the point. */
-  public static final int NOTHING = -1;
+  /** The value of {@link #touchedObject} if no object is known to stop the point. */
+  public static final int NO_OBJECT = -1;
 
-  /** Where it is, grid coordinates. */
+  /** The position of the point at the end of the last frame, grid coordinates. */
   public final Vec3 position = new Vec3();
 
-  /** The legs of the last frame. */
+  /** The legs of the last frame, from the position before it to {@link #position}. */
   public final LegPath legs = new LegPath();
 
   /**
-   * Whether a solid stopped a leg, or the straight way from p to d is blocked at the frame's end.
+   * Whether a solid stopped a leg of the last frame, or blocks the straight segment from p to the
+   * device at its end.
    */
   public boolean contact;
 
   /**
-   * How far outside the solids the surface runs on which the solver slides, mm: what is taken off
-   * |p-d| before it is felt. 0 for solvers that slide on the voxels themselves.
+   * The height above the solids of the surface that the solver slides on, mm. The force subtracts
+   * it from the distance |p-d|. It is 0 for solvers that slide on the voxels themselves.
    */
   public double surfaceHeightMm;
 
   /**
-   * Whether the coupling force is to change no faster than the device moves, so that a jump of the
-   * point is no knock. False for solvers whose force is their jump.
+   * Whether the coupling force may change no faster than the device moves, so that a jump of the
+   * point is not felt as a knock. False for solvers whose force is meant to jump.
    */
   public boolean limitsForceRate;
 
   /**
-   * The object that stops the point on its straight way to the device, by its place among the
-   * obstacles, or {@link #NOTHING}; written by who wants to know, see {@link TouchedObjectFinder}.
+   * The index in the collision scene of the object that stops the point on its straight segment to
+   * the device, or {@link #NO_OBJECT}. Known only if {@link TouchedObjectFinder} was asked.
    */
-  public int touched = NOTHING;
+  public int touchedObject = NO_OBJECT;
 }

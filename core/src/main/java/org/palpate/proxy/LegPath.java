@@ -1,56 +1,64 @@
 package org.palpate.proxy;
 
 /**
- * The legs of one frame, in the order in which the interaction point travelled them, and their
+ * The path of the interaction point in one frame: straight legs in the order of travel, with their
  * lengths.
  *
- * <p>Each leg starts bit for bit where the one before ended; the first starts where the last frame
- * ended. Of fixed capacity: a solver stops for the frame when it is full.
+ * <p>Invariant: each leg starts bit for bit where the one before ended, and the first starts where
+ * the last frame ended. The solver that adds the legs keeps it; this class does not check it.
+ *
+ * <p>Coordinates are grid coordinates; lengths are metric, in millimetres. The capacity is fixed: a
+ * solver ends its frame when the path {@link #isFull}. Haptic thread; allocates nothing after
+ * construction; all methods take constant time.
  */
 public final class LegPath {
-  /** The most legs of one frame. */
+  /** The largest number of legs in one frame. */
   public static final int CAPACITY = 256;
 
-  private static final int DOUBLES_A_LEG = 6;
+  private static final int DOUBLES_PER_LEG = 6;
 
-  private final double[] ends = new double[CAPACITY * DOUBLES_A_LEG];
+  private final double[] ends = new double[CAPACITY * DOUBLES_PER_LEG];
   private final boolean[] slid = new boolean[CAPACITY];
   private final double[] lengthsMm = new double[CAPACITY];
   private int count;
   private double lengthMm;
 
-  /** Forgets all legs. */
+  /** Removes all legs. */
   public void clear() {
     truncate(0, 0);
   }
 
   /**
-   * Forgets the legs from {@code newCount} on; {@code newLengthMm} is the path's length before
-   * them.
+   * Removes the legs from index {@code newCount} on.
+   *
+   * @param newLengthMm the length of the legs that stay, as {@link #lengthMm()} returned it
    */
   public void truncate(int newCount, double newLengthMm) {
     count = newCount;
     lengthMm = newLengthMm;
   }
 
+  /** Whether there is no room for another leg. */
   public boolean isFull() {
     return count == CAPACITY;
   }
 
+  /** Returns the number of legs. */
   public int count() {
     return count;
   }
 
-  /** The length of all legs together, mm. */
+  /** Returns the length of all legs together, mm. */
   public double lengthMm() {
     return lengthMm;
   }
 
   /**
-   * Adds a leg.
+   * Adds a leg from (x0,y0,z0) to (x1,y1,z1).
    *
-   * @param legLengthMm its metric length
-   * @param alongSurface whether it slid along a surface, which friction wants to know
+   * @param legLengthMm the metric length of the leg
+   * @param alongSurface whether the leg slides along a surface, which friction depends on
+   * @throws ArrayIndexOutOfBoundsException if the path {@link #isFull}
    */
   public void add(
       double x0,
@@ -61,7 +69,7 @@ public final class LegPath {
       double z1,
       double legLengthMm,
       boolean alongSurface) {
-    int at = count * DOUBLES_A_LEG;
+    int at = count * DOUBLES_PER_LEG;
     ends[at] = x0;
     ends[at + 1] = y0;
     ends[at + 2] = z0;
@@ -74,17 +82,17 @@ public final class LegPath {
     lengthMm += legLengthMm;
   }
 
-  /** Start of a leg along an axis, grid coordinates. */
+  /** Returns the start of a leg along an axis (0 is x, 1 is y, 2 is z), grid coordinates. */
   public double start(int leg, int axis) {
-    return ends[leg * DOUBLES_A_LEG + axis];
+    return ends[leg * DOUBLES_PER_LEG + axis];
   }
 
-  /** End of a leg along an axis, grid coordinates. */
+  /** Returns the end of a leg along an axis (0 is x, 1 is y, 2 is z), grid coordinates. */
   public double end(int leg, int axis) {
-    return ends[leg * DOUBLES_A_LEG + 3 + axis];
+    return ends[leg * DOUBLES_PER_LEG + 3 + axis];
   }
 
-  /** Metric length of a leg, mm. */
+  /** Returns the metric length of a leg, mm. */
   public double lengthMm(int leg) {
     return lengthsMm[leg];
   }

@@ -5,24 +5,34 @@ import org.palpate.geometry.Vec3;
 import org.palpate.statistics.SkipCounters;
 
 /**
- * Moves the interaction point after the device, once a frame. Keeps scratch: haptic thread only.
+ * Moves the proxy of a haptic device once a frame: the {@link InteractionPoint} that follows the
+ * device position and, with the solvers that keep the guarantee, never enters a solid.
+ *
+ * <p>The guarantee: no leg of the point, as the exact segment between its two doubles, touches a
+ * closed solid voxel, and each leg starts bit for bit where the last one ended. {@code
+ * GuardedSolver} and {@code SmoothSolver} keep it; the solvers of {@code
+ * org.palpate.proxy.reference} do not.
+ *
+ * <p>Thread: an instance keeps scratch memory and belongs to the haptic thread. {@link #follow}
+ * allocates nothing, takes no lock, and does a bounded amount of work.
  */
 public interface ProxySolver {
   /**
-   * Runs one frame: clears the legs, moves {@code point} towards {@code device} by legs of at most
-   * w_max together, and says whether there was contact.
+   * Runs one frame: moves the point towards the device by at most w_max, and writes the legs and
+   * the contact of this frame. Staying is always allowed.
    *
-   * @param obstacles the solids of this frame
-   * @param device where the device is, grid coordinates, finite
-   * @param point moved; touches no solid when the frame begins
+   * @param scene the solids of this frame; if they changed, {@link #reset} was called first
+   * @param device the device position in grid coordinates, finite; not changed
+   * @param point the point to move; it touches no solid when the frame begins
    */
-  void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point);
+  void follow(CollisionScene scene, Vec3 device, InteractionPoint point);
 
   /**
-   * Forgets what is kept from frame to frame, after the point was placed anew or solids changed.
+   * Forgets all that is kept from frame to frame. Call this after the solids changed, and after the
+   * point was placed by anything but this solver.
    */
   default void reset() {}
 
-  /** Adds how often this solver has left out what to {@code dest}. */
+  /** Adds the number of times that this solver skipped work to {@code dest}, since it was made. */
   default void addSkips(SkipCounters dest) {}
 }

@@ -7,8 +7,10 @@ import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
 
 /**
- * Finds which object stops the interaction point on its straight way to the device, whatever the
- * solver. Haptic thread; allocates nothing; one exact ray.
+ * Finds the object that stops the interaction point on its straight segment to the device. Works
+ * with every solver.
+ *
+ * <p>Haptic thread; allocates nothing. Cost: one exact ray.
  */
 public final class TouchedObjectFinder {
   private final ExactRayCaster caster = new ExactRayCaster();
@@ -16,16 +18,17 @@ public final class TouchedObjectFinder {
   private final RayHit hit = new RayHit();
 
   /**
-   * Writes {@link InteractionPoint#touched}: the object hit first, the first of several that share
-   * the voxel; {@link InteractionPoint#NOTHING} without contact or where the way is free.
+   * Writes {@link InteractionPoint#touchedObject}: the object that the ray hits first, and the
+   * first of several objects that share the voxel. Writes {@link InteractionPoint#NO_OBJECT}
+   * without contact, or if no solid lies between the point and the device.
    */
-  public void find(CollisionScene obstacles, Vec3 device, InteractionPoint point) {
+  public void find(CollisionScene scene, Vec3 device, InteractionPoint point) {
     Vec3 p = point.position;
-    point.touched = InteractionPoint.NOTHING;
+    point.touchedObject = InteractionPoint.NO_OBJECT;
     if (point.contact
         && device.isFinite()
-        && obstacles.cast(caster, ray.from(p.x, p.y, p.z).to(device.x, device.y, device.z), hit)) {
-      point.touched = obstacles.objectAt(hit.i, hit.j, hit.k);
+        && scene.cast(caster, ray.from(p.x, p.y, p.z).to(device.x, device.y, device.z), hit)) {
+      point.touchedObject = scene.objectAt(hit.i, hit.j, hit.k);
     }
   }
 }

@@ -61,9 +61,9 @@ class MaterialTest {
     point.position.set(10, 10, TOP + 2);
     point.contact = true;
     touched.find(twice, device.set(10.5, 10.5, TOP - 2), point);
-    assertEquals(0, point.touched);
+    assertEquals(0, point.touchedObject);
     touched.find(twice, device.set(10.5, 10.5, TOP + 3), point);
-    assertEquals(InteractionPoint.NOTHING, point.touched);
+    assertEquals(InteractionPoint.NO_OBJECT, point.touchedObject);
   }
 
   /** The forces of the two materials differ by 3.5 N where the hand crosses the seam. */

@@ -125,7 +125,7 @@ final class FrameJudge {
       restPathMm = 0;
     }
     restPathMm += point.legs.lengthMm();
-    restLongFrames += steps > GuardedSolver.ENOUGH_STEPS ? 1 : 0;
+    restLongFrames += steps > GuardedSolver.STEP_BUDGET ? 1 : 0;
     restMoves += before.sameBits(point.position) ? 0 : 1;
     if (!resolvesSteps(point.position) || !resolvesSteps(device)) {
       return null;

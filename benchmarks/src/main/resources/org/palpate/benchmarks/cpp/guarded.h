@@ -1,5 +1,5 @@
-// The guarded frame of the C++ port: follows GuardedSolver, ProxyVoxel,
-// Neighbourhoods and FailedStepCache step by step. Spacing 1, one cube.
+// The guarded frame of the C++ port. Follows GuardedSolver, ProxyVoxel, NeighbourhoodCache,
+// FailedStepCache and PathLimit step by step, under the same names. Spacing 1, one cube.
 #pragma once
 #include <cstring>
 
@@ -10,8 +10,8 @@ namespace {
 constexpr double kStopShort = 0x1p-20;
 constexpr double kCutShort = 1 - 0x1p-40;
 constexpr double kFarVoxels = 8;
-constexpr int kStairsIfFar = 3;
-constexpr double kLongestRow = 16;
+constexpr int kMaxStepUpsIfFar = 3;
+constexpr double kMaxRow = 16;
 constexpr int kLegs = 256;
 
 double square(const Vec& a, const Vec& b) {
@@ -28,9 +28,10 @@ struct Guarded {
   Vec p{}, device{}, target{}, end{}, restedAt{};
   Hit hit{};
   int cell[3]{};
-  uint64_t near_ = 0;
-  bool knowsNear = false, stopped = false, outOfPath = false, rests = false, pathTooShort = false;
-  bool skippedClimbs = false, contact = false;
+  uint64_t neighbours_ = 0;
+  bool knowsNeighbours = false, stopped = false, outOfPath = false, rests = false,
+       pathTooShort = false;
+  bool skippedSearch = false, contact = false;
   int legCount = 0;
   int steps = 0;
   double legLength = 0;
@@ -39,29 +40,29 @@ struct Guarded {
   bool legSlid[kLegs];
   int keptFrom[16][3];
   uint64_t kept[16];
-  // steps up that failed
+  // failed steps
   bool known = false;
-  int endCount = 0, reached = 0, endStops[24], fromCell[3], way = 0;
-  Vec ends[24], climbDevice{};
+  int endCount = 0, reachedAxes = 0, endSides[24], stepCell[3], deviceSides = 0;
+  Vec ends[24], stepDevice{};
 
   Guarded(const Cube& c, double step) : cube(c), maxStep(step) { reset(); }
 
   void reset() {
-    rests = known = knowsNear = false;
-    for (int n = 0; n < 16; n++) keptFrom[n][0] = 1;  // odd: no window starts there
+    rests = known = knowsNeighbours = false;
+    for (int n = 0; n < 16; n++) keptFrom[n][0] = 1;  // an odd number, at which no window starts
   }
 
   void locate() {
     for (int a = 0; a < 3; a++) {
       int at = floorInt(p.c[a]);
-      knowsNear &= at == cell[a];
+      knowsNeighbours &= at == cell[a];
       cell[a] = at;
     }
   }
 
-  uint64_t solidNear() {
-    if (!knowsNear) {
-      knowsNear = true;
+  uint64_t neighbours() {
+    if (!knowsNeighbours) {
+      knowsNeighbours = true;
       int from[3], shift = 0;
       for (int a = 0; a < 3; a++) {
         from[a] = (cell[a] - 1) & ~1;
@@ -72,12 +73,12 @@ struct Guarded {
         kept[n] = cube.window(from[0], from[1], from[2]);
         std::memcpy(keptFrom[n], from, sizeof from);
       }
-      near_ = kept[n] >> shift;
+      neighbours_ = kept[n] >> shift;
     }
-    return near_;
+    return neighbours_;
   }
 
-  bool insideBut(int axis) const {
+  bool offPlanesExcept(int axis) const {
     return (axis == 0 || p.c[0] != cell[0]) && (axis == 1 || p.c[1] != cell[1]) &&
            (axis == 2 || p.c[2] != cell[2]);
   }
@@ -86,36 +87,36 @@ struct Guarded {
       if (!((to.c[a] > cell[a] && to.c[a] < cell[a] + 1.0) || to.c[a] == p.c[a])) return false;
     return true;
   }
-  int stop(int a, double to) {
+  int face(int a, double to) {
     double from = p.c[a];
     if (to >= cell[a] + 1.0)
-      return cell[a] + 1 - from <= kStopShort ? solidNear() >> (kCentre + kSteps[a]) & 1 : 0;
+      return cell[a] + 1 - from <= kStopShort ? neighbours() >> (kCentre + kSteps[a]) & 1 : 0;
     return to <= cell[a] && to < from && from - cell[a] <= kStopShort
-               ? solidNear() >> (kCentre - kSteps[a]) & 1
+               ? neighbours() >> (kCentre - kSteps[a]) & 1
                : 0;
   }
-  int stopsOnWayTo(const Vec& to) {
-    int stops = stop(0, to.c[0]) | stop(1, to.c[1]) << 1 | stop(2, to.c[2]) << 2;
-    if (stops == 0) return 0;
+  int facesThatStop(const Vec& to) {
+    int faces = face(0, to.c[0]) | face(1, to.c[1]) << 1 | face(2, to.c[2]) << 2;
+    if (faces == 0) return 0;
     int late = 0;
     double delta[3];
     for (int a = 0; a < 3; a++) delta[a] = std::fabs(to.c[a] - p.c[a]);
     for (int a = 0; a < 3; a++) {
-      if (stops >> a & 1 || delta[a] == 0) continue;
+      if (faces >> a & 1 || delta[a] == 0) continue;
       double gap = to.c[a] > p.c[a] ? cell[a] + 1 - p.c[a] : p.c[a] - cell[a];
       if (delta[a] < gap) continue;
       double least = 2 * kStopShort * delta[a];
       for (int b = 0; b < 3; b++) late |= (least >= gap * delta[b]) << b;
     }
-    return stops & ~late;
+    return faces & ~late;
   }
-  int axisOfWay(const Vec& to) const {
+  int axisOfRow(const Vec& to) const {
     bool x = to.c[0] != p.c[0], y = to.c[1] != p.c[1], z = to.c[2] != p.c[2];
-    if (x) return !y && !z && insideBut(0) ? 0 : -1;
-    if (y) return !z && insideBut(1) ? 1 : -1;
-    return insideBut(2) ? 2 : -1;
+    if (x) return !y && !z && offPlanesExcept(0) ? 0 : -1;
+    if (y) return !z && offPlanesExcept(1) ? 1 : -1;
+    return offPlanesExcept(2) ? 2 : -1;
   }
-  bool meetsAlong(int a, double to) {
+  bool castRow(int a, double to) {
     double from = p.c[a];
     int step = to > from ? 1 : -1;
     int last = to > from ? floorInt(to) : static_cast<int>(std::ceil(to)) - 1;
@@ -123,7 +124,7 @@ struct Guarded {
     while (at[a] != last) {
       at[a] += step;
       bool beside = at[a] == cell[a] + step;
-      if (beside ? solidNear() >> (kCentre + step * kSteps[a]) & 1
+      if (beside ? neighbours() >> (kCentre + step * kSteps[a]) & 1
                  : cube.solid(at[0], at[1], at[2])) {
         double plane = step > 0 ? at[a] : at[a] + 1;
         hit = {(plane - from) / (to - from), {at[0], at[1], at[2]}, a};
@@ -133,24 +134,24 @@ struct Guarded {
     return false;
   }
   bool meetsSolid(const Vec& to) {
-    int a = axisOfWay(to);
-    if (a >= 0 && std::fabs(to.c[a] - p.c[a]) <= kLongestRow) return meetsAlong(a, to.c[a]);
+    int a = axisOfRow(to);
+    if (a >= 0 && std::fabs(to.c[a] - p.c[a]) <= kMaxRow) return castRow(a, to.c[a]);
     return cast(cube, p, to, hit);
   }
   bool isFree(const Vec& to) { return contains(to) || !meetsSolid(to); }
 
-  bool aim(int faces) {
-    for (int a = 0; a < 3; a++) target.c[a] = faces >> a & 1 ? p.c[a] : device.c[a];
+  bool aim(int fixed) {
+    for (int a = 0; a < 3; a++) target.c[a] = fixed >> a & 1 ? p.c[a] : device.c[a];
     return !(target == p);
   }
-  bool cutToPathLeft() {
+  bool cutToRemainingPath() {
     double left = maxStep - legLength;
     double sq = square(p, target);
     if (left > 0 && sq < left * left * kCutShort) return false;
     double length = std::sqrt(sq);
     if (length <= left) return false;
-    double share = std::max(0.0, left / length * kCutShort);
-    for (int a = 0; a < 3; a++) target.c[a] = p.c[a] + share * (target.c[a] - p.c[a]);
+    double fraction = std::max(0.0, left / length * kCutShort);
+    for (int a = 0; a < 3; a++) target.c[a] = p.c[a] + fraction * (target.c[a] - p.c[a]);
     if (std::sqrt(square(p, target)) > left) target = p;
     return true;
   }
@@ -175,29 +176,29 @@ struct Guarded {
     bool up = target.c[a] > p.c[a];
     double stopAt = up ? hit.cell[a] - kStopShort : hit.cell[a] + 1 + kStopShort;
     if (up ? stopAt <= p.c[a] : stopAt >= p.c[a]) return false;
-    double share = (stopAt - p.c[a]) / (target.c[a] - p.c[a]);
-    for (int b = 0; b < 3; b++) end.c[b] = p.c[b] + share * (target.c[b] - p.c[b]);
+    double fraction = (stopAt - p.c[a]) / (target.c[a] - p.c[a]);
+    for (int b = 0; b < 3; b++) end.c[b] = p.c[b] + fraction * (target.c[b] - p.c[b]);
     end.c[a] = stopAt;
-    if (axisOfWay(target) == a && std::fabs(target.c[a] - p.c[a]) <= kLongestRow)
+    if (axisOfRow(target) == a && std::fabs(target.c[a] - p.c[a]) <= kMaxRow)
       return moveNearer(end, slid);
     bool free = isFree(end);
     hit.axis = a;
     return free && moveNearer(end, slid);
   }
-  bool slide(int held) {
+  bool slide(int fixedAxes) {
     bool moved = false;
-    int faces = held;
-    while (!outOfPath && aim(faces)) {
+    int fixed = fixedAxes;
+    while (!outOfPath && aim(fixed)) {
       steps++;
-      int stops = stopsOnWayTo(target);
-      if (stops != 0) {
+      int faces = facesThatStop(target);
+      if (faces != 0) {
         stopped = true;
-        faces |= stops;
-        if (!aim(faces)) return moved;
+        fixed |= faces;
+        if (!aim(fixed)) return moved;
       }
-      bool cut = cutToPathLeft();
+      bool cut = cutToRemainingPath();
       if (!cut && !moved && contains(target)) {
-        moveNearer(target, faces != 0);
+        moveNearer(target, fixed != 0);
         return false;
       }
       double span = 0;
@@ -205,44 +206,47 @@ struct Guarded {
       steps += (int)(std::min(64.0, span) / 8);
       if (isFree(target)) {
         outOfPath |= cut;
-        return moveNearer(target, faces != 0) || moved;
+        return moveNearer(target, fixed != 0) || moved;
       }
       stopped = true;
-      moved |= approach(faces != 0);
-      faces |= 1 << hit.axis;
+      moved |= approach(fixed != 0);
+      fixed |= 1 << hit.axis;
     }
     return moved;
   }
-  bool arrived() const { return p == device; }
-  void descend(int held) {
+  bool hasArrived() const { return p == device; }
+  void slideUntilStuck(int fixedAxes) {
     bool on = true;
-    while (on && !outOfPath && !arrived() && !(held == 0 && hasWorkedEnough())) on = slide(held);
+    while (on && !outOfPath && !hasArrived() && !(fixedAxes == 0 && isBudgetSpent()))
+      on = slide(fixedAxes);
   }
-  bool hasWorkedEnough() const { return steps > 40 && legCount > 0; }
+  bool isBudgetSpent() const { return steps > 40 && legCount > 0; }
   bool isFar(double sq) const { return sq > kFarVoxels * kFarVoxels; }
 
-  void addBest(const Vec& e) {
+  void addBestEnd(const Vec& e) {
     if (endCount < 24) {
       ends[endCount] = e;
       int s = 0;
       for (int a = 0; a < 3; a++)
-        s |= (e.c[a] < climbDevice.c[a] ? 1 : e.c[a] > climbDevice.c[a] ? 8 : 0) << a;
-      endStops[endCount] = s;
+        s |= (e.c[a] < stepDevice.c[a] ? 1 : e.c[a] > stepDevice.c[a] ? 8 : 0) << a;
+      endSides[endCount] = s;
     }
     endCount++;
   }
   void addEnd(const Vec& e) {
-    addBest(e);
-    for (int a = 0; a < 3; a++) reached |= (e.c[a] == climbDevice.c[a]) << a;
+    addBestEnd(e);
+    for (int a = 0; a < 3; a++) reachedAxes |= (e.c[a] == stepDevice.c[a]) << a;
   }
-  bool holds(int newWay, double sq) const {
-    if (!known || way != newWay || std::memcmp(fromCell, cell, sizeof cell) != 0) return false;
+  bool wouldFailAgain(int newSides, double sq) const {
+    if (!known || deviceSides != newSides || std::memcmp(stepCell, cell, sizeof cell) != 0)
+      return false;
     for (int a = 0; a < 3; a++)
-      if (reached >> a & 1 && std::floor(device.c[a]) != std::floor(climbDevice.c[a])) return false;
+      if (reachedAxes >> a & 1 && std::floor(device.c[a]) != std::floor(stepDevice.c[a]))
+        return false;
     for (int n = 0; n < endCount; n++) {
       double left[3];
       for (int a = 0; a < 3; a++) {
-        int s = endStops[n] >> a;
+        int s = endSides[n] >> a;
         double e = ends[n].c[a], at = device.c[a];
         left[a] = s & 1 ? std::max(0.0, at - e) : s & 8 ? std::max(0.0, e - at) : 0;
       }
@@ -250,37 +254,37 @@ struct Guarded {
     }
     return true;
   }
-  bool climb() {
+  bool stepUp() {
     double sq = square(p, device);
-    int newWay = isFar(sq) ? 1 << 6 : 0;
+    int newSides = isFar(sq) ? 1 << 6 : 0;
     for (int a = 0; a < 3; a++) {
       double d = device.c[a] - p.c[a];
-      newWay |= (d > 0 ? 1 : d < 0 ? 2 : 0) << (2 * a);
+      newSides |= (d > 0 ? 1 : d < 0 ? 2 : 0) << (2 * a);
     }
-    if (holds(newWay, sq)) {
-      skippedClimbs = true;
+    if (wouldFailAgain(newSides, sq)) {
+      skippedSearch = true;
       return false;
     }
     known = false;
-    endCount = reached = 0;
-    way = newWay;
-    std::memcpy(fromCell, cell, sizeof cell);
-    climbDevice = device;
+    endCount = reachedAxes = 0;
+    deviceSides = newSides;
+    std::memcpy(stepCell, cell, sizeof cell);
+    stepDevice = device;
     pathTooShort = false;
     for (int a = 0; a < 3; a++) {
       double d = device.c[a] - p.c[a];
-      if ((d <= 0 && climb(a, 1)) || (d >= 0 && climb(a, -1))) return true;
+      if ((d <= 0 && stepUp(a, 1)) || (d >= 0 && stepUp(a, -1))) return true;
     }
     if (!pathTooShort) known = endCount <= 24;
     return false;
   }
-  bool climb(int a, int direction) {
+  bool stepUp(int a, int direction) {
     double before = square(p, device);
-    return aimAtStair(a, direction, before) && climbTo(a, direction, before);
+    return findTop(a, direction, before) && stepUpTo(a, direction, before);
   }
-  bool stairOpen(int axis, int direction) {
+  bool stepOpen(int axis, int direction) {
     int above = kCentre + direction * kSteps[axis];
-    uint64_t bits = solidNear();
+    uint64_t bits = neighbours();
     if (bits >> above & 1) return false;
     for (int a = 0; a < 3; a++) {
       double d = device.c[a] - p.c[a];
@@ -289,14 +293,14 @@ struct Guarded {
     }
     return false;
   }
-  bool aimAtStair(int a, int direction, double before) {
+  bool findTop(int a, int direction, double before) {
     steps++;
-    if (!stairOpen(a, direction)) return false;
+    if (!stepOpen(a, direction)) return false;
     double top = direction > 0 ? cell[a] + 1 + kStopShort : cell[a] - kStopShort;
     end = device;
     end.c[a] = top;
     if (square(end, device) >= before) {
-      addBest(end);
+      addBestEnd(end);
       return false;
     }
     end = p;
@@ -305,23 +309,23 @@ struct Guarded {
       pathTooShort = true;
       return false;
     }
-    return insideBut(a) || isFree(end);
+    return offPlanesExcept(a) || isFree(end);
   }
-  bool climbTo(int a, int direction, double before) {
-    Vec beforeClimb = p;
+  bool stepUpTo(int a, int direction, double before) {
+    Vec beforeStep = p;
     int legsBefore = legCount;
     double pathBefore = legLength;
-    int stairs = isFar(before) ? kStairsIfFar : 1;
+    int stepsLeft = isFar(before) ? kMaxStepUpsIfFar : 1;
     do {
       Vec top = end;
       move(top, true);
-      descend(1 << a);
+      slideUntilStuck(1 << a);
       if (square(p, device) < before) return true;
       addEnd(p);
-      stairs--;
-    } while (stairs > 0 && !outOfPath && aimAtStair(a, direction, before));
+      stepsLeft--;
+    } while (stepsLeft > 0 && !outOfPath && findTop(a, direction, before));
     pathTooShort |= outOfPath;
-    p = beforeClimb;
+    p = beforeStep;
     locate();
     legCount = legsBefore;
     legLength = pathBefore;
@@ -335,13 +339,13 @@ struct Guarded {
     bool same = std::memcmp(&d, &restedAt, sizeof d) == 0;
     if (rests && same) return;
     device = d;
-    stopped = outOfPath = skippedClimbs = false;
+    stopped = outOfPath = skippedSearch = false;
     locate();
     if (same) known = false;
-    do descend(0);
-    while (!outOfPath && !arrived() && !hasWorkedEnough() && climb());
-    contact = stopped || (!arrived() && !isFree(device));
-    rests = legCount == 0 && !skippedClimbs;
+    do slideUntilStuck(0);
+    while (!outOfPath && !hasArrived() && !isBudgetSpent() && stepUp());
+    contact = stopped || (!hasArrived() && !isFree(device));
+    rests = legCount == 0 && !skippedSearch;
     restedAt = d;
   }
 };

@@ -4,17 +4,25 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 
 /**
- * Remembers that no climb from a voxel led nearer to the device, and where each ended. As long as
- * the point stays in its voxel, and the device in its own along the axes on which a climb came as
- * far as the device, mostly the same faces stop the same climbs: where the ends, moved along with
- * the device as far as no face stopped them, are no nearer than the point, a search can be skipped.
+ * Remembers that no step up from a voxel led nearer to the device, and the point at which each
+ * attempt ended. A search can be skipped as long as three conditions hold:
  *
- * <p>Mostly: a climb that would go another way round by now is found only after the point has moved
- * on, or the device rests. Nothing else rests on it: a skipped search leaves the point where it is,
- * and a device that rests is searched for in full before the point does.
+ * <ul>
+ *   <li>The proxy stays in its voxel, and the device stays on the same sides of it.
+ *   <li>The device stays in its own voxel along the axes on which an attempt came as far as the
+ *       device. Then mostly the same faces stop the same attempts.
+ *   <li>No end comes nearer to the device than the proxy is. Ends move with the device here, as far
+ *       as no face stopped them.
+ * </ul>
+ *
+ * <p>"Mostly": an attempt that would now take another path is found late, after the proxy has left
+ * its voxel or when the device rests. Safety does not depend on it, because a skipped search leaves
+ * the proxy where it is. The solver searches in full before it lets the proxy rest.
+ *
+ * <p>Haptic thread only; allocates nothing after construction.
  */
 final class FailedStepCache {
-  /** Six directions and three stairs each are 18; more than this are not remembered. */
+  /** Six directions of three steps each make 18 ends; a search with more is not remembered. */
   private static final int CAPACITY = 24;
 
   private final GridMetric metric;
@@ -22,22 +30,22 @@ final class FailedStepCache {
   private final Vec3[] ends = new Vec3[CAPACITY];
 
   /**
-   * For each end, as bits, the axes along which it lay before (1, 2, 4) or beyond the device (8,
-   * 16, 32).
+   * For each end the axes, as bits, along which it lies before the device (1, 2, 4) or beyond it
+   * (8, 16, 32).
    */
-  private final int[] stops = new int[CAPACITY];
+  private final int[] endSides = new int[CAPACITY];
 
   private final Vec3 device = new Vec3();
   private boolean known;
 
-  /** The axes, as bits, along which a climb came as far as the device. */
-  private int reached;
+  /** The axes, as bits, along which an attempt came as far as the device. */
+  private int reachedAxes;
 
   private int count;
   private int i;
   private int j;
   private int k;
-  private int way;
+  private int deviceSides;
 
   FailedStepCache(GridMetric metric, boolean remembers) {
     this.metric = metric;
@@ -47,92 +55,111 @@ final class FailedStepCache {
     }
   }
 
-  /** Forgets, since solids changed or the search was not a full one. */
+  /** Forgets the last search, because the solids changed or a full search is needed. */
   void forget() {
     known = false;
   }
 
   /**
-   * Begins a search, and forgets the last one.
+   * Begins a search and forgets the last one.
    *
-   * @param voxel where the point is
-   * @param newWay on which sides of the point the device lies, and how far, any code for it
-   * @param newDevice where the device is
+   * @param voxel the voxel of the proxy
+   * @param p the proxy
+   * @param newDevice the device position
+   * @param far whether the device is so far away that the search tries several steps
    */
-  void begin(ProxyVoxel voxel, int newWay, Vec3 newDevice) {
+  void begin(ProxyVoxel voxel, Vec3 p, Vec3 newDevice, boolean far) {
     known = false;
     count = 0;
-    reached = 0;
-    way = newWay;
+    reachedAxes = 0;
+    deviceSides = sides(p, newDevice, far);
     i = voxel.cell(0);
     j = voxel.cell(1);
     k = voxel.cell(2);
     device.set(newDevice);
   }
 
-  /** A climb would at best end at {@code end}, too far from the device, wherever that goes. */
-  void addBest(Vec3 end) {
+  /** Adds the end of an attempt that would fail even if nothing stopped it on top of the step. */
+  void addBestEnd(Vec3 end) {
     if (count < CAPACITY) {
       ends[count].set(end);
-      stops[count] =
-          stop(end.x, device.x) | stop(end.y, device.y) << 1 | stop(end.z, device.z) << 2;
+      endSides[count] =
+          endSide(end.x, device.x) | endSide(end.y, device.y) << 1 | endSide(end.z, device.z) << 2;
     }
     count++;
   }
 
-  /** A climb ended at {@code end}, too far from the device. */
-  void add(Vec3 end) {
-    addBest(end);
-    reached |=
+  /** Adds the end of an attempt that failed. */
+  void addEnd(Vec3 end) {
+    addBestEnd(end);
+    reachedAxes |=
         (end.x == device.x ? 1 : 0) | (end.y == device.y ? 2 : 0) | (end.z == device.z ? 4 : 0);
   }
 
-  private static int stop(double end, double at) {
+  private static int endSide(double end, double at) {
     return end < at ? 1 : end > at ? 8 : 0;
   }
 
-  /** The search was in vain, and all its ends were added. */
+  /** Remembers the search: it has failed, and the ends of all its attempts were added. */
   void remember() {
     known = remembers && count <= CAPACITY;
   }
 
   /**
-   * Whether a search would be in vain again.
+   * Whether the remembered search would fail again.
    *
-   * @param square of the distance of the point from the device now, mm^2
+   * @param square the squared distance of the proxy p from the device now, mm^2
    */
-  boolean holds(ProxyVoxel voxel, int newWay, Vec3 newDevice, double square) {
-    if (!known || way != newWay || !voxel.isCell(i, j, k) || !isWhereItWas(newDevice)) {
+  boolean wouldFailAgain(ProxyVoxel voxel, Vec3 p, Vec3 deviceNow, double square, boolean far) {
+    if (!known
+        || deviceSides != sides(p, deviceNow, far)
+        || !voxel.isCell(i, j, k)
+        || !isInSameVoxel(deviceNow)) {
       return false;
     }
     for (int n = 0; n < count; n++) {
-      if (nearest(ends[n], stops[n], newDevice) < square) {
+      if (squareFromMovedEnd(ends[n], endSides[n], deviceNow) < square) {
         return false;
       }
     }
     return true;
   }
 
-  /** Whether the device is in the same voxel, along the axes where that matters. */
-  private boolean isWhereItWas(Vec3 now) {
-    return ((reached & 1) == 0 || Math.floor(now.x) == Math.floor(device.x))
-        && ((reached & 2) == 0 || Math.floor(now.y) == Math.floor(device.y))
-        && ((reached & 4) == 0 || Math.floor(now.z) == Math.floor(device.z));
+  /**
+   * Returns the side of the proxy on which the device lies along each axis, two bits an axis, and
+   * whether it is far, one bit.
+   */
+  private static int sides(Vec3 p, Vec3 device, boolean far) {
+    return side(device.x - p.x)
+        | side(device.y - p.y) << 2
+        | side(device.z - p.z) << 4
+        | (far ? 1 << 6 : 0);
   }
 
-  private double nearest(Vec3 end, int stop, Vec3 now) {
-    double x = left(end.x, now.x, stop) * metric.spacingX();
-    double y = left(end.y, now.y, stop >> 1) * metric.spacingY();
-    double z = left(end.z, now.z, stop >> 2) * metric.spacingZ();
+  private static int side(double toDevice) {
+    return toDevice > 0 ? 1 : toDevice < 0 ? 2 : 0;
+  }
+
+  /** Whether the device is still in its voxel, along the axes that an attempt reached. */
+  private boolean isInSameVoxel(Vec3 now) {
+    return ((reachedAxes & 1) == 0 || Math.floor(now.x) == Math.floor(device.x))
+        && ((reachedAxes & 2) == 0 || Math.floor(now.y) == Math.floor(device.y))
+        && ((reachedAxes & 4) == 0 || Math.floor(now.z) == Math.floor(device.z));
+  }
+
+  private double squareFromMovedEnd(Vec3 end, int sides, Vec3 now) {
+    double x = distance(end.x, now.x, sides) * metric.spacingX();
+    double y = distance(end.y, now.y, sides >> 1) * metric.spacingY();
+    double z = distance(end.z, now.z, sides >> 2) * metric.spacingZ();
     return x * x + y * y + z * z;
   }
 
-  /** How far the device is from the end along an axis, beyond the face that stopped it there. */
-  private static double left(double end, double at, int stop) {
-    // compared by hand, since Math.max of doubles takes several times as long
-    if ((stop & 1) != 0) {
+  /** Returns the distance of the device along an axis from the face that stopped the end. */
+  private static double distance(double end, double at, int side) {
+    // Math.max of doubles would take several times as long.
+    if ((side & 1) != 0) {
       return at > end ? at - end : 0;
     }
-    return (stop & 8) != 0 && end > at ? end - at : 0;
+    return (side & 8) != 0 && end > at ? end - at : 0;
   }
 }

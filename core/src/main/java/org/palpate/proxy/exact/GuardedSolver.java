@@ -5,6 +5,7 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
+import org.palpate.proxy.PathLimit;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
@@ -13,68 +14,64 @@ import org.palpate.statistics.SkipCounters;
 import org.palpate.statistics.SkipKind;
 
 /**
- * The paper's path finding made exact: every leg, as the segment between its two doubles, is
- * disjoint from every closed solid voxel; each starts bit for bit where the last one ended.
+ * The paper's path finding made exact: moves the proxy along hard voxel faces. Every leg, as the
+ * segment between its two doubles, is disjoint from every closed solid voxel, and starts bit for
+ * bit where the last one ended.
  *
- * <p>A frame goes straight towards the device, stops {@link #STOP_SHORT_VOXELS} before what is in
- * the way, goes on along its face, and where it is stuck climbs a stair of one voxel, or of a few
- * where it is far behind, when it comes out nearer on top. So a frame ends strictly nearer to the
- * device, by {@link GridMetric#squaredDistance} in doubles, or at the same bits: squared distances
- * are finitely many, so for a device at rest there is no cycle and an end. A way over very many
- * stairs goes on in the next frame, see {@link #ENOUGH_STEPS}.
+ * <p>A frame moves straight towards the device, stops {@link #STOP_SHORT_VOXELS} before a solid,
+ * and slides on along its face. If the proxy is stuck it steps up by one voxel, or by a few if the
+ * device is far away, and keeps the step if it comes nearer to the device.
  *
- * <p>Source: the way of following surfaces is Vlasov et al. 2013, section 4.2; faces as constraints
- * that are held until the way is free are Zilles and Salisbury 1995. Haptic thread only; allocates
- * nothing. Cost: a few casts of about the frame's travel.
+ * <p>Invariant: a frame ends strictly nearer to the device, by {@link GridMetric#squaredDistance}
+ * in doubles, or at the same bits. There are finitely many squared distances, so for a device at
+ * rest the proxy comes to rest and never cycles.
+ *
+ * <p>References: Vlasov et al. 2013, section 4.2, for following surfaces; Zilles and Salisbury 1995
+ * for faces as constraints.
+ *
+ * <p>Haptic thread only; allocates nothing. Cost: a few casts of about the frame's travel, bounded
+ * by {@link #STEP_BUDGET}.
  */
 public final class GuardedSolver implements ProxySolver {
   /**
-   * How far before a face the point stops, in voxels. A power of two, so that face and gap add
-   * without rounding up to coordinates of 2^32; far below what a hand feels, far above the rounding
-   * of coordinates.
+   * The gap between the proxy and a face that stops it, in voxels. It is a power of two, so that
+   * face and gap add without rounding up to coordinates of 2^32. It is far below what a hand feels
+   * and far above the rounding of coordinates.
    */
   public static final double STOP_SHORT_VOXELS = 0x1p-20;
 
   /**
-   * A leg cut to the path that is left is cut a little shorter, so that rounding cannot exceed
-   * w_max.
+   * The work budget of a frame, in steps. A frame that has used more, and came nearer, leaves the
+   * rest of a long path to the next frame. A hand that slides two voxels a frame needs a dozen
+   * steps; only step-ups in a row need more, most of all if w_max is many voxels.
    */
-  private static final double CUT_SHORT = 1 - 0x1p-40;
-
-  /** By more than a few roundings can hide. */
-  private static final double SURELY_LESS = 1 - 0x1p-40;
+  public static final int STEP_BUDGET = 40;
 
   /**
-   * From how far behind the device, in shortest voxel edges, a climb goes up more than one stair.
-   * The farther the device, the less a step along a convex surface brings: on a torus pressed 10
-   * voxels deep one stair alone leaves the point up to 15 % farther away than the paper's way does;
-   * below 8 it would cost a quarter of the frame's time for 1 %.
+   * The distance of the device, in shortest voxel edges, from which a search tries several steps
+   * up. The farther the device, the less a step along a convex surface brings. On a torus pressed
+   * 10 voxels deep a single step leaves the proxy up to 15 % farther away than the paper's method
+   * does. Below 8, several steps would cost a quarter of the frame's time for a gain of 1 %.
    */
   private static final double FAR_VOXELS = 8;
 
-  /** A fourth stair was measured to bring nothing. */
-  private static final int STAIRS_IF_FAR = 3;
+  /** A fourth step was measured to bring nothing. */
+  private static final int MAX_STEP_UPS_IF_FAR = 3;
 
-  /** Along a longer way the ray cast, which skips empty bricks, is faster than voxel by voxel. */
-  private static final double LONGEST_ROW_VOXELS = 16;
+  /** On a longer row the ray cast, which skips empty bricks, is faster than voxel by voxel. */
+  private static final double MAX_ROW_VOXELS = 16;
 
-  /**
-   * A frame that came nearer and took more steps than this is enough: the rest of a long way is
-   * left to the next one. A hand that slides two voxels a frame takes a dozen; only jumps over many
-   * stairs take more, most where w_max is many voxels.
-   */
-  public static final int ENOUGH_STEPS = 40;
+  /** A long slide counts as one more step for each of these. */
+  private static final double VOXELS_PER_STEP = 8;
 
-  /** A long way counts as a step more for each of these: where w_max is many voxels. */
-  private static final double VOXELS_A_STEP = 8;
+  /** The length at which a slide stops to count as longer. */
+  private static final double MAX_COUNTED_VOXELS = 64;
 
-  /** And as no more than of this length. */
-  private static final double LONG_VOXELS = 64;
-
-  private static final int NOTHING_HELD = 0;
+  /** The set of fixed axes that is empty: the proxy may move along all three. */
+  private static final int NONE_FIXED = 0;
 
   private final GridMetric metric;
-  private final double maxStepMm;
+  private final PathLimit pathLimit;
   private final double farMm;
   private final boolean skipsRest;
   private final ExactRayCaster caster = new ExactRayCaster();
@@ -82,32 +79,39 @@ public final class GuardedSolver implements ProxySolver {
   private final RayHit hit = new RayHit();
   private final Vec3 target = new Vec3();
   private final Vec3 end = new Vec3();
-  private final Vec3 beforeClimb = new Vec3();
+  private final Vec3 beforeStep = new Vec3();
   private final Vec3 restedAt = new Vec3();
   private final ProxyVoxel voxel;
-  private final FailedStepCache fruitless;
+  private final FailedStepCache failedSteps;
 
-  private CollisionScene obstacles;
+  private CollisionScene scene;
   private Vec3 device;
+  private InteractionPoint point;
   private Vec3 p;
   private LegPath legs;
-  private boolean stopped;
-  private boolean outOfPath;
   private boolean rests;
-  private boolean pathTooShort;
-  private boolean skippedClimbs;
-  private long climbsSkipped;
-  private long restsSkipped;
+  private long skippedSearches;
+  private long skippedFrames;
   private int steps;
 
   /**
-   * A solver for one grid.
+   * Creates a solver for one grid.
    *
-   * @param metric the grid's spacing
-   * @param maxStepMm the most the point may travel in one frame, w_max, positive
+   * @param metric the spacing of the grid
+   * @param maxStepMm the longest path of the proxy in one frame, w_max, positive
+   * @throws IllegalArgumentException if {@code maxStepMm} is not positive
    */
   public GuardedSolver(GridMetric metric, double maxStepMm) {
     this(metric, maxStepMm, SkipOptions.ALL);
+  }
+
+  private GuardedSolver(GridMetric metric, double maxStepMm, SkipOptions skips) {
+    this.metric = metric;
+    pathLimit = new PathLimit(metric, maxStepMm);
+    farMm = FAR_VOXELS * metric.shortestEdgeMm();
+    voxel = new ProxyVoxel(skips.neighbourhoods());
+    failedSteps = new FailedStepCache(metric, skips.failedSteps());
+    skipsRest = skips.rest();
   }
 
   /** Returns a solver that skips only some of its work, to measure what the rest is worth. */
@@ -115,222 +119,219 @@ public final class GuardedSolver implements ProxySolver {
     return new GuardedSolver(metric, maxStepMm, skips);
   }
 
-  private GuardedSolver(GridMetric metric, double maxStepMm, SkipOptions skips) {
-    if (!(maxStepMm > 0)) {
-      throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);
-    }
-    this.metric = metric;
-    this.maxStepMm = maxStepMm;
-    farMm = FAR_VOXELS * metric.shortestEdgeMm();
-    voxel = new ProxyVoxel(skips.neighbourhoods());
-    fruitless = new FailedStepCache(metric, skips.failedSteps());
-    skipsRest = skips.rest();
-  }
-
   @Override
   public void reset() {
     rests = false;
-    fruitless.forget();
+    failedSteps.forget();
     voxel.forget();
   }
 
   @Override
   public void addSkips(SkipCounters dest) {
     caster.addSkips(dest);
-    dest.add(SkipKind.NEIGHBOURS, voxel.knownNeighbours());
-    dest.add(SkipKind.CLIMBS, climbsSkipped);
-    dest.add(SkipKind.REST, restsSkipped);
-  }
-
-  @Override
-  public void follow(CollisionScene solids, Vec3 devicePosition, InteractionPoint point) {
-    point.legs.clear();
-    steps = 0;
-    if (rests && devicePosition.sameBits(restedAt)) {
-      restsSkipped++;
-      return; // nothing that the answer depends on has changed: same bits, same contact
-    }
-    begin(solids, devicePosition, point);
-    if (devicePosition.sameBits(restedAt)) {
-      fruitless.forget(); // the point is to rest only after a full search
-    }
-    do {
-      descend(NOTHING_HELD);
-    } while (!outOfPath && !arrived() && !hasWorkedEnough() && climb());
-    point.contact = stopped || (!arrived() && isWayBlocked());
-    rests = skipsRest && legs.count() == 0 && !skippedClimbs;
-    restedAt.set(devicePosition);
-  }
-
-  private void begin(CollisionScene solids, Vec3 devicePosition, InteractionPoint point) {
-    obstacles = solids;
-    device = devicePosition;
-    p = point.position;
-    legs = point.legs;
-    stopped = false;
-    outOfPath = false;
-    skippedClimbs = false;
-    voxel.locate(solids, p);
-  }
-
-  /** Whether the rest of a long way is left to the next frame: only where this one came nearer. */
-  private boolean hasWorkedEnough() {
-    return steps > ENOUGH_STEPS && legs.count() > 0;
+    dest.add(SkipKind.NEIGHBOURS, voxel.knownNeighbourhoods());
+    dest.add(SkipKind.CLIMBS, skippedSearches);
+    dest.add(SkipKind.REST, skippedFrames);
   }
 
   /**
-   * Ways that the last frame tried and stairs that it looked at. What it read of the solids is not
-   * in here: a {@link org.palpate.volume.BitCube} can count that.
+   * Returns the work of the last frame: slides tried and steps up examined, and one more for each 8
+   * voxels of a long slide. Reading the solids is not counted here; a {@link
+   * org.palpate.volume.BitCube} can count that.
    */
   public int steps() {
     return steps;
   }
 
-  private boolean arrived() {
+  @Override
+  public void follow(CollisionScene frameScene, Vec3 devicePosition, InteractionPoint framePoint) {
+    framePoint.legs.clear();
+    steps = 0;
+    boolean deviceRests = devicePosition.sameBits(restedAt);
+    if (rests && deviceRests) {
+      skippedFrames++;
+      return; // nothing that the answer depends on has changed: same bits, same contact
+    }
+    begin(frameScene, devicePosition, framePoint);
+    if (deviceRests) {
+      failedSteps.forget(); // the proxy may rest only after a full search
+    }
+    StepUpOutcome lastSearch = moveTowardsDevice();
+    if (!point.contact && !hasArrived()) {
+      point.contact = !isFree(device);
+    }
+    rests = skipsRest && legs.count() == 0 && lastSearch != StepUpOutcome.SKIPPED;
+    restedAt.set(devicePosition);
+  }
+
+  private void begin(CollisionScene frameScene, Vec3 devicePosition, InteractionPoint framePoint) {
+    scene = frameScene;
+    device = devicePosition;
+    point = framePoint;
+    p = framePoint.position;
+    legs = framePoint.legs;
+    point.contact = false;
+    voxel.locate(frameScene, p);
+  }
+
+  /**
+   * Slides, and steps up whenever the proxy is stuck, until nothing leads nearer to the device or
+   * the frame has used up its path or its work budget.
+   *
+   * @return the outcome of the last search for a step up; {@code NOT_NEARER} if there was none
+   */
+  private StepUpOutcome moveTowardsDevice() {
+    StepUpOutcome lastSearch = StepUpOutcome.NOT_NEARER;
+    SlideOutcome slid = slideUntilStuck(NONE_FIXED);
+    while (slid != SlideOutcome.OUT_OF_PATH && !hasArrived() && !isBudgetSpent()) {
+      lastSearch = stepUp();
+      if (lastSearch != StepUpOutcome.NEARER) {
+        return lastSearch;
+      }
+      slid = slideUntilStuck(NONE_FIXED);
+    }
+    return lastSearch;
+  }
+
+  private boolean hasArrived() {
     return p.x == device.x && p.y == device.y && p.z == device.z;
   }
 
-  private boolean isWayBlocked() {
-    return !isFree(device);
+  /** Whether the rest of a long path is left to the next frame: only if this one came nearer. */
+  private boolean isBudgetSpent() {
+    return steps > STEP_BUDGET && legs.count() > 0;
   }
 
   /**
-   * Moves nearer to the device until stuck, arrived or out of path.
+   * Slides nearer to the device until the proxy is stuck, has arrived or is out of path.
    *
-   * @param held axes, as bits, along which the point stays where it is
+   * @param fixedAxes the axes, as bits, along which the proxy keeps its coordinate
    */
-  private void descend(int held) {
-    boolean mayComeNearer = true;
-    while (mayComeNearer
-        && !outOfPath
-        && !arrived()
-        && !(held == NOTHING_HELD && hasWorkedEnough())) {
-      mayComeNearer = slide(held);
+  private SlideOutcome slideUntilStuck(int fixedAxes) {
+    SlideOutcome outcome = outcomeOfSlide(true);
+    while (outcome == SlideOutcome.NEARER
+        && !hasArrived()
+        && !(fixedAxes == NONE_FIXED && isBudgetSpent())) {
+      outcome = slide(fixedAxes);
     }
+    return outcome;
+  }
+
+  private SlideOutcome outcomeOfSlide(boolean mayComeNearer) {
+    if (legs.isFull()) {
+      return SlideOutcome.OUT_OF_PATH;
+    }
+    return mayComeNearer ? SlideOutcome.NEARER : SlideOutcome.STUCK;
   }
 
   /**
-   * Goes towards the device; each face that stops it takes away an axis, until a leg is free or
-   * none is left. False where another slide would not come nearer.
+   * Moves towards the device. Each face that stops the proxy fixes an axis more, until a leg is
+   * free or no axis is left.
    */
-  private boolean slide(int held) {
+  private SlideOutcome slide(int fixedAxes) {
     boolean moved = false;
-    int faces = held;
-    while (!outOfPath && aim(faces)) {
+    int fixed = fixedAxes;
+    aim(fixed);
+    while (!legs.isFull() && isTargetElsewhere()) {
       steps++;
-      int stops = voxel.stopsOnWayTo(target);
-      if (stops != 0) {
-        stopped = true;
-        faces |= stops;
-        if (!aim(faces)) {
-          return moved;
+      int faces = voxel.facesThatStop(target);
+      if (faces != 0) {
+        point.contact = true;
+        fixed |= faces;
+        aim(fixed);
+        if (!isTargetElsewhere()) {
+          return outcomeOfSlide(moved);
         }
       }
-      boolean cut = cutToPathLeft();
+      boolean cut = pathLimit.cut(legs, p, target, target);
       if (!cut && !moved && voxel.contains(target)) {
-        moveNearer(target, faces != NOTHING_HELD);
-        return false; // in the same voxel before the same stops, and at the device along the rest
+        moveNearer(target, fixed != NONE_FIXED);
+        return outcomeOfSlide(false); // the same faces stop it, and it is at the device elsewhere
       }
-      steps += (int) (Math.min(LONG_VOXELS, span(target)) / VOXELS_A_STEP);
+      steps += (int) (Math.min(MAX_COUNTED_VOXELS, longestComponent(target)) / VOXELS_PER_STEP);
       if (isFree(target)) {
-        outOfPath |= cut;
-        return moveNearer(target, faces != NOTHING_HELD) || moved;
+        moved |= moveNearer(target, fixed != NONE_FIXED);
+        return cut ? SlideOutcome.OUT_OF_PATH : outcomeOfSlide(moved);
       }
-      stopped = true;
-      if (hit.axis == RayHit.NO_AXIS) {
-        return moved; // the point touches a solid: it stays until it is set free
+      point.contact = true;
+      int face = hit.axis;
+      if (face == RayHit.NO_AXIS) {
+        return outcomeOfSlide(moved); // the proxy touches a solid: it stays until it is set free
       }
-      moved |= approach(faces != NOTHING_HELD);
-      faces |= 1 << hit.axis;
+      moved |= approach(face, fixed != NONE_FIXED);
+      fixed |= 1 << face;
+      aim(fixed);
     }
-    return moved;
+    return outcomeOfSlide(moved);
   }
 
-  /**
-   * Sets the target: the device, but for the axes that are taken away. False where that is where
-   * the point is.
-   */
-  private boolean aim(int faces) {
+  /** Sets the target to the device, except along the fixed axes. */
+  private void aim(int fixedAxes) {
     target.set(
-        (faces & 1) != 0 ? p.x : device.x,
-        (faces & 2) != 0 ? p.y : device.y,
-        (faces & 4) != 0 ? p.z : device.z);
+        (fixedAxes & 1) != 0 ? p.x : device.x,
+        (fixedAxes & 2) != 0 ? p.y : device.y,
+        (fixedAxes & 4) != 0 ? p.z : device.z);
+  }
+
+  private boolean isTargetElsewhere() {
     return target.x != p.x || target.y != p.y || target.z != p.z;
   }
 
-  /** The longest component of the way from the point. */
-  private double span(Vec3 to) {
+  /** Returns the longest component of the segment from the proxy, voxels. */
+  private double longestComponent(Vec3 to) {
     double x = Math.abs(to.x - p.x);
     double y = Math.abs(to.y - p.y);
     double z = Math.abs(to.z - p.z);
-    double longer = x > y ? x : y; // by hand, since Math.max of doubles takes several times as long
+    double longer = x > y ? x : y; // Math.max of doubles would take several times as long
     return longer > z ? longer : z;
   }
 
-  private boolean cutToPathLeft() {
-    double leftMm = maxStepMm - legs.lengthMm();
-    double square = square(p, target);
-    if (leftMm > 0 && square < leftMm * leftMm * SURELY_LESS) {
-      return false; // mostly, and without a square root
-    }
-    double lengthMm = Math.sqrt(square);
-    if (lengthMm <= leftMm) {
-      return false;
-    }
-    double share = Math.max(0, leftMm / lengthMm * CUT_SHORT);
-    target.set(
-        p.x + share * (target.x - p.x),
-        p.y + share * (target.y - p.y),
-        p.z + share * (target.z - p.z));
-    if (distance(p, target) > leftMm) {
-      target.set(p); // so far out that doubles lie farther apart than the path that is left
-    }
-    return true;
-  }
-
-  /**
-   * Whether the straight way from the point to {@code to} touches no solid; else {@link #hit} says
-   * where it does.
-   */
+  /** Whether the segment from the proxy touches no solid; if it does, {@link #hit} is set. */
   private boolean isFree(Vec3 to) {
     return voxel.contains(to) || !meetsSolid(to);
   }
 
   private boolean meetsSolid(Vec3 to) {
-    int axis = voxel.axisOfWay(to);
-    if (axis >= 0 && Math.abs(to.get(axis) - p.get(axis)) <= LONGEST_ROW_VOXELS) {
-      return voxel.meetsAlong(axis, to.get(axis), hit);
+    int axis = voxel.axisOfRow(to);
+    if (axis != ProxyVoxel.NO_ROW && isShortRow(to, axis)) {
+      return voxel.castRow(axis, to.get(axis), hit);
     }
-    return obstacles.cast(caster, ray.from(p.x, p.y, p.z).to(to.x, to.y, to.z), hit);
+    return scene.cast(caster, ray.from(p.x, p.y, p.z).to(to.x, to.y, to.z), hit);
   }
 
-  /** Goes on the way to the target to just before the face that was hit. */
-  private boolean approach(boolean alongSurface) {
-    int axis = hit.axis;
+  private boolean isShortRow(Vec3 to, int axis) {
+    return Math.abs(to.get(axis) - p.get(axis)) <= MAX_ROW_VOXELS;
+  }
+
+  /**
+   * Moves towards the target to just before the face that was hit.
+   *
+   * @param axis the axis of the face
+   * @return whether the proxy moved
+   */
+  private boolean approach(int axis, boolean alongSurface) {
     boolean up = target.get(axis) > p.get(axis);
     int cell = hit.cell(axis);
     double stop = up ? cell - STOP_SHORT_VOXELS : cell + 1 + STOP_SHORT_VOXELS;
     if (up ? stop <= p.get(axis) : stop >= p.get(axis)) {
       return false;
     }
-    double share = (stop - p.get(axis)) / (target.get(axis) - p.get(axis));
+    double fraction = (stop - p.get(axis)) / (target.get(axis) - p.get(axis));
     end.set(
-        p.x + share * (target.x - p.x),
-        p.y + share * (target.y - p.y),
-        p.z + share * (target.z - p.z));
+        p.x + fraction * (target.x - p.x),
+        p.y + fraction * (target.y - p.y),
+        p.z + fraction * (target.z - p.z));
     end.set(axis, stop);
-    if (voxel.axisOfWay(target) == axis
-        && Math.abs(target.get(axis) - p.get(axis)) <= LONGEST_ROW_VOXELS) {
-      // The row was walked, so the voxels up to the hit are free; of a cast from very far out the
-      // first of several hits may be told by rounding alone.
-      return moveNearer(end, alongSurface);
+    // The cast of a row has seen every voxel up to the hit. Of a ray from very far out, rounding
+    // alone may decide which of several hits is the first, so that the leg must be verified.
+    boolean rowWasCast = voxel.axisOfRow(target) == axis && isShortRow(target, axis);
+    if (!rowWasCast && !isFree(end)) {
+      return false;
     }
-    boolean free = isFree(end);
-    hit.axis = axis;
-    return free && moveNearer(end, alongSurface);
+    return moveNearer(end, alongSurface);
   }
 
-  /** Takes a free leg, if it ends strictly nearer to the device. */
+  /** Moves by a free leg if it ends strictly nearer to the device; returns whether it moved. */
   private boolean moveNearer(Vec3 to, boolean alongSurface) {
     if (!(squareToDevice(to) < squareToDevice(p))) {
       return false;
@@ -342,114 +343,113 @@ public final class GuardedSolver implements ProxySolver {
   private void move(Vec3 to, boolean alongSurface) {
     legs.add(p.x, p.y, p.z, to.x, to.y, to.z, distance(p, to), alongSurface);
     p.set(to);
-    voxel.locate(obstacles, p);
-    outOfPath |= legs.isFull();
+    voxel.locate(scene, p);
   }
 
   /**
-   * Climbs a stair of one voxel in the first direction in which that leads strictly nearer. Where
-   * no climb did so from this voxel, none is tried until {@link FailedStepCache} sees one nearer.
+   * Steps up in the first direction that leads strictly nearer to the device. A search that failed
+   * from this voxel is repeated only if {@link FailedStepCache} sees a step that may succeed.
    */
-  private boolean climb() {
+  private StepUpOutcome stepUp() {
     double square = squareToDevice(p);
-    int way = wayToDevice(square);
-    if (fruitless.holds(voxel, way, device, square)) {
-      skippedClimbs = true;
-      climbsSkipped++;
-      return false;
+    if (failedSteps.wouldFailAgain(voxel, p, device, square, isFar(square))) {
+      skippedSearches++;
+      return StepUpOutcome.SKIPPED;
     }
-    fruitless.begin(voxel, way, device);
-    pathTooShort = false;
-    for (int axis = 0; axis < 3; axis++) {
-      double toDevice = device.get(axis) - p.get(axis);
-      if ((toDevice <= 0 && climb(axis, 1)) || (toDevice >= 0 && climb(axis, -1))) {
-        return true;
-      }
+    failedSteps.begin(voxel, p, device, isFar(square));
+    StepUpOutcome outcome = stepUpInAnyDirection(square);
+    if (outcome == StepUpOutcome.NOT_NEARER) {
+      failedSteps.remember();
     }
-    if (!pathTooShort) {
-      fruitless.remember();
-    }
-    return false;
-  }
-
-  /**
-   * On which side of the point the device lies along each axis, two bits an axis; and whether far.
-   */
-  private int wayToDevice(double square) {
-    return side(0) | side(1) << 2 | side(2) << 4 | (isFar(square) ? 1 << 6 : 0);
+    return outcome;
   }
 
   private boolean isFar(double square) {
     return square > farMm * farMm;
   }
 
-  private int side(int axis) {
-    double toDevice = device.get(axis) - p.get(axis);
-    return toDevice > 0 ? 1 : toDevice < 0 ? 2 : 0;
-  }
-
-  private boolean climb(int axis, int direction) {
-    double squareBefore = squareToDevice(p);
-    return aimAtStair(axis, direction, squareBefore) && climbTo(axis, direction, squareBefore);
+  /** Tries each direction that does not lead towards the device, in a fixed order. */
+  private StepUpOutcome stepUpInAnyDirection(double squareBefore) {
+    boolean pathTooShort = false;
+    for (int axis = 0; axis < 3; axis++) {
+      double toDevice = device.get(axis) - p.get(axis);
+      StepUpOutcome up = toDevice <= 0 ? stepUp(axis, 1, squareBefore) : StepUpOutcome.NOT_NEARER;
+      if (up.isNearer()) {
+        return up;
+      }
+      StepUpOutcome down =
+          toDevice >= 0 ? stepUp(axis, -1, squareBefore) : StepUpOutcome.NOT_NEARER;
+      if (down.isNearer()) {
+        return down;
+      }
+      pathTooShort |= up == StepUpOutcome.PATH_TOO_SHORT || down == StepUpOutcome.PATH_TOO_SHORT;
+    }
+    return pathTooShort ? StepUpOutcome.PATH_TOO_SHORT : StepUpOutcome.NOT_NEARER;
   }
 
   /**
-   * Sets {@link #end} to the top of the stair beside the point. False where there is none, where
-   * nothing up there is nearer to the device than before, or where the way up is blocked or too
-   * long for this frame.
+   * Steps up in one direction and slides on from there with that axis fixed. If the device is far
+   * away, tries a few steps more. Takes everything back unless it led nearer to the device.
    */
-  private boolean aimAtStair(int axis, int direction, double squareBefore) {
-    steps++;
-    if (!voxel.isStairOpen(axis, direction, device)) {
-      return false;
+  private StepUpOutcome stepUp(int axis, int direction, double squareBefore) {
+    StepTop top = findTop(axis, direction, squareBefore);
+    if (top != StepTop.REACHABLE) {
+      return top == StepTop.TOO_FAR ? StepUpOutcome.PATH_TOO_SHORT : StepUpOutcome.NOT_NEARER;
     }
-    double top = topOfStair(axis, direction);
+    beforeStep.set(p);
+    int legsBefore = legs.count();
+    double pathBeforeMm = legs.lengthMm();
+    int stepsLeft = isFar(squareBefore) ? MAX_STEP_UPS_IF_FAR : 1;
+    boolean outOfPath;
+    do {
+      move(end, true);
+      outOfPath = slideUntilStuck(1 << axis) == SlideOutcome.OUT_OF_PATH;
+      if (squareToDevice(p) < squareBefore) {
+        return outOfPath ? StepUpOutcome.NEARER_OUT_OF_PATH : StepUpOutcome.NEARER;
+      }
+      failedSteps.addEnd(p);
+      stepsLeft--;
+      top = stepsLeft == 0 || outOfPath ? StepTop.NONE : findTop(axis, direction, squareBefore);
+    } while (top == StepTop.REACHABLE);
+    takeBack(legsBefore, pathBeforeMm);
+    return outOfPath || top == StepTop.TOO_FAR
+        ? StepUpOutcome.PATH_TOO_SHORT
+        : StepUpOutcome.NOT_NEARER;
+  }
+
+  private void takeBack(int legsBefore, double pathBeforeMm) {
+    p.set(beforeStep);
+    voxel.locate(scene, p);
+    legs.truncate(legsBefore, pathBeforeMm);
+  }
+
+  /** Examines the step beside the proxy and, if it can be taken, sets {@link #end} to its top. */
+  private StepTop findTop(int axis, int direction, double squareBefore) {
+    steps++;
+    if (!voxel.isStepOpen(axis, direction, device)) {
+      return StepTop.NONE;
+    }
+    double top = topOfStep(axis, direction);
     end.set(device);
     end.set(axis, top);
-    if (squareToDevice(end) >= squareBefore) { // were the way on top free for ever
-      fruitless.addBest(end);
-      return false;
+    if (squareToDevice(end) >= squareBefore) { // not even a free path on top would lead nearer
+      failedSteps.addBestEnd(end);
+      return StepTop.NONE;
     }
     end.set(p);
     end.set(axis, top);
-    if (legs.lengthMm() + distance(p, end) > maxStepMm) {
-      pathTooShort = true;
-      return false;
+    if (pathLimit.isExceededBy(legs, distance(p, end))) {
+      return StepTop.TOO_FAR;
     }
-    return voxel.isInsideBut(axis) || isFree(end);
+    boolean free = voxel.isOffPlanesExcept(axis) || isFree(end);
+    return free ? StepTop.REACHABLE : StepTop.NONE;
   }
 
   /**
-   * Climbs to {@link #end}, goes on from there with the axis held, far from the device up a few
-   * stairs more, and comes back unless that led nearer.
+   * Returns the coordinate just beyond the voxel of the proxy, on a step as high as that voxel. In
+   * doubles, because beyond 2^31 voxels the cell is the last that has a number.
    */
-  private boolean climbTo(int axis, int direction, double squareBefore) {
-    beforeClimb.set(p);
-    int legsBefore = legs.count();
-    double pathBeforeMm = legs.lengthMm();
-    int stairs = isFar(squareBefore) ? STAIRS_IF_FAR : 1;
-    do {
-      move(end, true);
-      descend(1 << axis);
-      if (squareToDevice(p) < squareBefore) {
-        return true;
-      }
-      fruitless.add(p);
-      stairs--;
-    } while (stairs > 0 && !outOfPath && aimAtStair(axis, direction, squareBefore));
-    pathTooShort |= outOfPath;
-    p.set(beforeClimb);
-    voxel.locate(obstacles, p);
-    legs.truncate(legsBefore, pathBeforeMm);
-    outOfPath = false;
-    return false;
-  }
-
-  /**
-   * Just beyond the voxel that the point is in: on a stair as high as that voxel. In doubles, since
-   * beyond 2^31 voxels the cell is the last that has a number.
-   */
-  private double topOfStair(int axis, int direction) {
+  private double topOfStep(int axis, int direction) {
     double cell = voxel.cell(axis);
     return direction > 0 ? cell + 1 + STOP_SHORT_VOXELS : cell - STOP_SHORT_VOXELS;
   }

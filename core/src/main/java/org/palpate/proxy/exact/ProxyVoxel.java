@@ -5,60 +5,67 @@ import org.palpate.geometry.Vec3;
 import org.palpate.raycast.RayHit;
 
 /**
- * The empty voxel that the interaction point is in, and what can be told from it and its 26
- * neighbours alone, without a cast: most frames of a hand that presses or slides slowly.
+ * The empty voxel that contains the proxy, with the answers that follow from it and its 26
+ * neighbours without a cast. They suffice in most frames of a hand that presses or slides slowly.
  *
- * <p>Relies on the point touching no solid. Keeps scratch, and the neighbours of the voxels last
- * looked at until {@link #forget}: haptic thread only.
+ * <p>Relies on the proxy touching no solid. Keeps scratch, and recently used neighbourhoods until
+ * {@link #forget}: haptic thread only.
  */
 final class ProxyVoxel {
+  /** The answer of {@link #axisOfRow} for a segment that is no row. */
+  static final int NO_ROW = -1;
+
   private final NeighbourhoodCache neighbourhoods;
   private final boolean keeps;
-  private CollisionScene obstacles;
+  private CollisionScene scene;
   private Vec3 p;
   private int i;
   private int j;
   private int k;
 
-  /** The solid neighbours, see {@link NeighbourhoodCache}, once asked for. */
-  private long solidNear;
+  /** The solid neighbours, see {@link NeighbourhoodCache}; valid if they are known. */
+  private long neighbours;
 
-  private boolean knowsNear;
+  private boolean knowsNeighbours;
 
-  /** In no voxel yet; {@code keeps} says whether neighbours are kept. */
+  /**
+   * Creates an instance that is in no voxel yet.
+   *
+   * @param keeps whether neighbourhoods are kept from frame to frame
+   */
   ProxyVoxel(boolean keeps) {
     this.keeps = keeps;
     neighbourhoods = new NeighbourhoodCache(keeps);
   }
 
-  /** How often the neighbours were known. */
-  long knownNeighbours() {
-    return neighbourhoods.known();
+  /** Returns the number of neighbourhoods that were in the cache. */
+  long knownNeighbourhoods() {
+    return neighbourhoods.hits();
   }
 
-  /** Forgets what was solid, since that may have changed. */
+  /** Forgets the neighbours, because the solids may have changed. */
   void forget() {
     neighbourhoods.forget();
-    knowsNear = false;
+    knowsNeighbours = false;
   }
 
-  /** Sets the point, after it moved. */
-  void locate(CollisionScene solids, Vec3 point) {
-    if (solids != obstacles) {
+  /** Follows the proxy after it moved, in the given scene. */
+  void locate(CollisionScene newScene, Vec3 point) {
+    if (newScene != scene) {
       forget();
     }
-    obstacles = solids;
+    scene = newScene;
     p = point;
     int newI = (int) Math.floor(point.x);
     int newJ = (int) Math.floor(point.y);
     int newK = (int) Math.floor(point.z);
-    knowsNear = knowsNear && keeps && isCell(newI, newJ, newK);
+    knowsNeighbours = knowsNeighbours && keeps && isCell(newI, newJ, newK);
     i = newI;
     j = newJ;
     k = newK;
   }
 
-  /** The voxel's coordinate along an axis. */
+  /** Returns the coordinate of the voxel along an axis: 0 is x, 1 is y, 2 is z. */
   int cell(int axis) {
     return axis == 0 ? i : axis == 1 ? j : k;
   }
@@ -69,16 +76,16 @@ final class ProxyVoxel {
   }
 
   /**
-   * Whether the point lies on no grid plane but maybe one across the axis, so that a way along the
-   * axis touches only the voxels that it goes through.
+   * Whether the proxy lies on no grid plane, except perhaps one across the given axis. A segment
+   * along the axis then touches only the voxels that it passes through.
    */
-  boolean isInsideBut(int axis) {
+  boolean isOffPlanesExcept(int axis) {
     return (axis == 0 || p.x != i) && (axis == 1 || p.y != j) && (axis == 2 || p.z != k);
   }
 
   /**
-   * Whether the straight way from the point to {@code to} stays in this voxel, and so touches no
-   * voxel that the point itself does not touch: it is free for sure. Exact: only comparisons.
+   * Whether the segment from the proxy to {@code to} stays in this voxel. If so it touches no voxel
+   * that the proxy does not touch already, and is free. Exact: comparisons alone.
    */
   boolean contains(Vec3 to) {
     return contains(i, to.x, p.x) && contains(j, to.y, p.y) && contains(k, to.z, p.z);
@@ -89,20 +96,20 @@ final class ProxyVoxel {
   }
 
   /**
-   * The axes, as bits, whose faces stop the straight way to {@code to} before the point can move at
-   * all; one that is not sure to do so is left out. Sure is: the point has come to its stop before
-   * the face, the voxel beyond is solid, {@code to} lies at the face or beyond, and the way crosses
-   * this face before any face that is no such stop.
+   * Returns the axes, as bits, whose faces stop a segment to {@code to} before the proxy can move
+   * at all. A face that may not do so is left out. A face counts under these conditions: the proxy
+   * has stopped before it, the voxel beyond is solid, {@code to} lies on the face or beyond, and
+   * the segment crosses this face before any face that does not stop it.
    */
-  int stopsOnWayTo(Vec3 to) {
-    int stops =
-        stop(i, p.x, to.x, NeighbourhoodCache.STEP_X)
-            | (stop(j, p.y, to.y, NeighbourhoodCache.STEP_Y) << 1)
-            | (stop(k, p.z, to.z, NeighbourhoodCache.STEP_Z) << 2);
-    return stops == 0 ? 0 : stops & ~crossedTooLate(stops, to);
+  int facesThatStop(Vec3 to) {
+    int faces =
+        face(i, p.x, to.x, NeighbourhoodCache.STEP_X)
+            | (face(j, p.y, to.y, NeighbourhoodCache.STEP_Y) << 1)
+            | (face(k, p.z, to.z, NeighbourhoodCache.STEP_Z) << 2);
+    return faces == 0 ? 0 : faces & ~crossedLate(faces, to);
   }
 
-  private int stop(int cell, double from, double to, int step) {
+  private int face(int cell, double from, double to, int step) {
     if (to >= cell + 1.0) {
       return cell + 1.0 - from <= GuardedSolver.STOP_SHORT_VOXELS ? solidBeside(step) : 0;
     }
@@ -112,27 +119,28 @@ final class ProxyVoxel {
   }
 
   private int solidBeside(int step) {
-    return (int) (solidNear() >>> (NeighbourhoodCache.CENTRE + step)) & 1;
+    return (int) (neighbours() >>> (NeighbourhoodCache.CENTRE + step)) & 1;
   }
 
   /**
-   * The stops that some other face may be crossed before. Compares parameters of crossings as
-   * products, so that nothing is divided; twice is far more than rounding can hide.
+   * Returns the axes whose face may be crossed after some face that does not stop the segment.
+   * Compares the parameters of crossings as products, to avoid divisions; the factor 2 is far more
+   * than rounding can hide.
    */
-  private int crossedTooLate(int stops, Vec3 to) {
+  private int crossedLate(int faces, Vec3 to) {
     double deltaX = Math.abs(to.x - p.x);
     double deltaY = Math.abs(to.y - p.y);
     double deltaZ = Math.abs(to.z - p.z);
     int late = 0;
-    if ((stops & 1) == 0) {
+    if ((faces & 1) == 0) {
       double gap = to.x > p.x ? i + 1.0 - p.x : p.x - i;
       late |= late(deltaX, gap, deltaX, deltaY, deltaZ);
     }
-    if ((stops & 2) == 0) {
+    if ((faces & 2) == 0) {
       double gap = to.y > p.y ? j + 1.0 - p.y : p.y - j;
       late |= late(deltaY, gap, deltaX, deltaY, deltaZ);
     }
-    if ((stops & 4) == 0) {
+    if ((faces & 4) == 0) {
       double gap = to.z > p.z ? k + 1.0 - p.z : p.z - k;
       late |= late(deltaZ, gap, deltaX, deltaY, deltaZ);
     }
@@ -141,7 +149,7 @@ final class ProxyVoxel {
 
   private static int late(double delta, double gap, double deltaX, double deltaY, double deltaZ) {
     if (delta < gap || delta == 0) {
-      return 0; // the way ends before that face, but not before a stop
+      return 0; // the segment ends before that face, but not before one that stops it
     }
     double least = 2 * GuardedSolver.STOP_SHORT_VOXELS * delta;
     return (least >= gap * deltaX ? 1 : 0)
@@ -150,29 +158,32 @@ final class ProxyVoxel {
   }
 
   /**
-   * The axis along which the straight way to {@code to} runs, where it runs along one and touches
-   * only the voxels that it goes through; else -1.
+   * Returns the axis along which the segment to {@code to} runs if it touches only the voxels of
+   * one row, else {@link #NO_ROW}.
    */
-  int axisOfWay(Vec3 to) {
+  int axisOfRow(Vec3 to) {
     boolean alongX = to.x != p.x;
     boolean alongY = to.y != p.y;
     boolean alongZ = to.z != p.z;
     if (alongX) {
-      return !alongY && !alongZ && isInsideBut(0) ? 0 : -1;
+      return !alongY && !alongZ && isOffPlanesExcept(0) ? 0 : NO_ROW;
     }
     if (alongY) {
-      return !alongZ && isInsideBut(1) ? 1 : -1;
+      return !alongZ && isOffPlanesExcept(1) ? 1 : NO_ROW;
     }
-    return isInsideBut(2) ? 2 : -1;
+    return isOffPlanesExcept(2) ? 2 : NO_ROW;
   }
 
   /**
-   * Whether the way along an axis touches a solid, and the first one that it meets. Exact: a row of
-   * voxels is looked at, and nothing computed but {@code hit.t}.
+   * Casts a segment along a row of voxels. Exact: it reads the voxels of the row and computes
+   * nothing but {@code hit.t}.
    *
-   * @param axis as {@link #axisOfWay} says
+   * @param axis the axis of the row, from {@link #axisOfRow}
+   * @param to the coordinate of the end of the segment along the axis
+   * @param hit receives the first solid voxel if the answer is true
+   * @return whether the segment touches a solid voxel
    */
-  boolean meetsAlong(int axis, double to, RayHit hit) {
+  boolean castRow(int axis, double to, RayHit hit) {
     double from = p.get(axis);
     int step = to > from ? 1 : -1;
     int last = to > from ? (int) Math.floor(to) : (int) Math.ceil(to) - 1;
@@ -193,13 +204,16 @@ final class ProxyVoxel {
     if (at == cell(axis) + step) {
       return solidBeside(step * NeighbourhoodCache.step(axis)) != 0;
     }
-    return obstacles.isSolid(axis == 0 ? at : i, axis == 1 ? at : j, axis == 2 ? at : k);
+    return scene.isSolid(axis == 0 ? at : i, axis == 1 ? at : j, axis == 2 ? at : k);
   }
 
-  /** Whether the next voxel along an axis is empty, and one beside that towards the device. */
-  boolean isStairOpen(int axis, int direction, Vec3 device) {
+  /**
+   * Whether the next voxel along an axis is empty, and so is a voxel beside that one towards the
+   * device.
+   */
+  boolean isStepOpen(int axis, int direction, Vec3 device) {
     int above = NeighbourhoodCache.CENTRE + direction * NeighbourhoodCache.step(axis);
-    long near = solidNear();
+    long near = neighbours();
     return (near >>> above & 1) == 0
         && ((axis != 0 && isOpen(near, above, device.x - p.x, NeighbourhoodCache.STEP_X))
             || (axis != 1 && isOpen(near, above, device.y - p.y, NeighbourhoodCache.STEP_Y))
@@ -210,11 +224,11 @@ final class ProxyVoxel {
     return toDevice != 0 && (near >>> (toDevice > 0 ? above + step : above - step) & 1) == 0;
   }
 
-  private long solidNear() {
-    if (!knowsNear) {
-      knowsNear = true;
-      solidNear = neighbourhoods.around(obstacles, i, j, k);
+  private long neighbours() {
+    if (!knowsNeighbours) {
+      knowsNeighbours = true;
+      neighbours = neighbourhoods.around(scene, i, j, k);
     }
-    return solidNear;
+    return neighbours;
   }
 }

@@ -5,7 +5,6 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.statistics.SkipCounters;
 import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.proxy.smooth.field.BinaryCoefficientSource;
 import org.palpate.proxy.smooth.field.CoefficientSource;
@@ -16,6 +15,7 @@ import org.palpate.proxy.smooth.field.IsoLevel;
 import org.palpate.proxy.smooth.field.OccupancyField;
 import org.palpate.proxy.smooth.field.SmoothingKernel;
 import org.palpate.raycast.RayHit;
+import org.palpate.statistics.SkipCounters;
 
 /**
  * Slides the interaction point on an implicit surface that is made on the fly from the voxels

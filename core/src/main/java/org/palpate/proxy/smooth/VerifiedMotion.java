@@ -5,6 +5,7 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
+import org.palpate.proxy.PathLimit;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
@@ -16,14 +17,11 @@ import org.palpate.statistics.SkipCounters;
  * the point's position, save to take back the legs of a frame.
  */
 final class VerifiedMotion {
-  /** A leg cut to what is left of w_max is cut a little shorter, so that rounding cannot exceed. */
-  private static final double CUT_SHORT = 1 - 0x1p-40;
-
   /** What the last cast that was blocked hit. */
   final RayHit hit = new RayHit();
 
   private final GridMetric metric;
-  private final double maxStepMm;
+  private final PathLimit pathLimit;
   private final ExactRayCaster caster = new ExactRayCaster();
   private final Ray ray = new Ray();
   private final Vec3 target = new Vec3();
@@ -38,7 +36,7 @@ final class VerifiedMotion {
 
   VerifiedMotion(GridMetric metric, double maxStepMm) {
     this.metric = metric;
-    this.maxStepMm = maxStepMm;
+    pathLimit = new PathLimit(metric, maxStepMm);
   }
 
   /** Begins a frame: forgets the point's legs and remembers where it is. */
@@ -75,12 +73,12 @@ final class VerifiedMotion {
 
   /** Whether w_max allows to go this far in one leg. */
   boolean reaches(double lengthMm) {
-    return lengthMm <= maxStepMm - legs.lengthMm();
+    return lengthMm <= pathLimit.remainingMm(legs);
   }
 
   /** Whether there is path and room for another leg in this frame. */
   boolean canMove() {
-    return !legs.isFull() && legs.lengthMm() < maxStepMm * CUT_SHORT;
+    return !legs.isFull() && !pathLimit.isUsedUp(legs);
   }
 
   /** Ways that were looked at in this frame. */
@@ -102,34 +100,23 @@ final class VerifiedMotion {
     if (legs.isFull()) {
       return false;
     }
-    double lengthMm = cutToPathLeft(to, target);
+    cutToPathLeft(to, target);
     if (target.sameBits(position)) {
       return true;
     }
     if (!target.isFinite() || !isFree(target)) {
       return false;
     }
+    double lengthMm = distanceMm(position, target);
     legs.add(
         position.x, position.y, position.z, target.x, target.y, target.z, lengthMm, alongSurface);
     position.set(target);
     return true;
   }
 
-  /** Writes how far w_max allows to go towards {@code to}; returns how far that is, mm. */
-  double cutToPathLeft(Vec3 to, Vec3 dest) {
-    double leftMm = maxStepMm - legs.lengthMm();
-    double lengthMm = distanceMm(position, to);
-    if (lengthMm <= leftMm) {
-      dest.set(to);
-      return lengthMm;
-    }
-    double share = Math.max(0, leftMm / lengthMm * CUT_SHORT);
-    between(position, to, share, dest);
-    double cutMm = distanceMm(position, dest);
-    if (cutMm > leftMm) {
-      dest.set(position); // so far out that doubles lie farther apart than the path that is left
-    }
-    return cutMm;
+  /** Writes the point that w_max allows to reach on the segment to {@code to} into {@code dest}. */
+  void cutToPathLeft(Vec3 to, Vec3 dest) {
+    pathLimit.cut(legs, position, to, dest);
   }
 
   /** Writes the point at {@code share} of the way, rounded. */

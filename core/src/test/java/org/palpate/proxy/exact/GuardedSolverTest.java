@@ -22,7 +22,7 @@ class GuardedSolverTest {
   private final InteractionPoint point = new InteractionPoint();
 
   @Test
-  void goesToAFreeDeviceBitForBit() {
+  void movesToAFreeDeviceBitForBit() {
     Vec3 device = new Vec3(3.1, 0.7, 5.3);
     follow(new BitCube(8, 8, 8), new Vec3(1.5, 1.5, 1.5), device, 100);
     assertTrue(point.position.sameBits(device));
@@ -52,7 +52,7 @@ class GuardedSolverTest {
     assertTrue(point.position.x < 1 && point.position.y < 1);
   }
 
-  /** From 1e17 all parameters along the way round to 1, so that which solid is first is unclear. */
+  /** From 1e17 all ray parameters round to 1, so that the order of the solids is unclear. */
   @Test
   void stopsBeforeTheFirstOfTwoSolidsFromFarOut() {
     BitCube bits = new BitCube(16, 16, 16);
@@ -72,36 +72,36 @@ class GuardedSolverTest {
   }
 
   @Test
-  void aPointInASolidStaysWhereItIsUntilItIsSetFree() {
+  void aProxyInASolidStaysUntilItIsSetFree() {
     BitCube bits = new BitCube(4, 4, 4);
     bits.setBrick(0, 0, 0, -1L);
     point.position.set(1.5, 1.5, 1.5);
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
-    new GuardedSolver(UNIT, 100).follow(obstacles, new Vec3(3.5, 1.7, 1.6), point);
+    CollisionScene scene = new CollisionScene(List.of(bits));
+    new GuardedSolver(UNIT, 100).follow(scene, new Vec3(3.5, 1.7, 1.6), point);
     assertEquals(0, point.legs.count());
   }
 
   @Test
-  void climbsAStairOfOneVoxelWhenItComesOutNearerOnTop() {
-    BitCube bits = floorWithStair();
+  void stepsUpOneVoxelIfTheTopIsNearer() {
+    BitCube bits = floorWithStep();
     follow(bits, new Vec3(2.5, 1.5, 1.5), new Vec3(9.5, 1.5, 0.5), 100);
     assertEquals(9.5, point.position.x);
     assertEquals(2 + GuardedSolver.STOP_SHORT_VOXELS, point.position.z);
   }
 
   @Test
-  void doesNotBeginAClimbThatDoesNotFitInTheStep() {
-    follow(floorWithStair(), new Vec3(4.9, 1.5, 1.5), new Vec3(9.5, 1.5, 0.5), 0.9);
+  void takesNoStepUpThatIsLongerThanTheRemainingPath() {
+    follow(floorWithStep(), new Vec3(4.9, 1.5, 1.5), new Vec3(9.5, 1.5, 0.5), 0.9);
     assertTrue(point.position.z < 2, "z=" + point.position.z);
   }
 
   /**
-   * Stuck beyond 2^31 voxels: the way to the wall passes the edge of the floor at less than a
-   * rounding, so that the way cut before the wall touches it, and aside no double is nearer. The
-   * climb along x that it tries then must not lead through the solids.
+   * The proxy is stuck beyond 2^31 voxels. The segment to the wall passes the edge of the floor at
+   * less than a rounding, so that the leg cut before the wall touches it, and no double aside is
+   * nearer. The step up along x that is tried then must not lead through the solids.
    */
   @Test
-  void climbsNowhereFromBeyondAllNumbersOfVoxels() {
+  void stepsUpNowhereFromBeyondTheNumbersOfVoxels() {
     BitCube bits = new BitCube(20, 10, 3);
     for (int i = 10; i < 20; i++) {
       bits.set(i, 4, 1);
@@ -113,7 +113,7 @@ class GuardedSolverTest {
     follow(bits, start, new Vec3(1.5, 4.999999996528782, 1.5), 1e300);
   }
 
-  private static BitCube floorWithStair() {
+  private static BitCube floorWithStep() {
     BitCube bits = new BitCube(12, 3, 4);
     for (int i = 0; i < 12; i++) {
       for (int j = 0; j < 3; j++) {
@@ -128,15 +128,15 @@ class GuardedSolverTest {
 
   private void follow(BitCube bits, Vec3 start, Vec3 device, double maxStepMm) {
     GuardedSolver solver = new GuardedSolver(UNIT, maxStepMm);
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
+    CollisionScene scene = new CollisionScene(List.of(bits));
     point.position.set(start);
     LegJudge judge = new LegJudge(bits, start);
-    solver.follow(obstacles, device, point);
+    solver.follow(scene, device, point);
     assertNull(judge.faultOf(point));
   }
 
   @Test
-  void keepsTheGuaranteeAndComesNearerOrRestsInHostileScenes() {
+  void keepsTheGuaranteeAndComesNearerOrStaysInHostileScenes() {
     long legs =
         new HostileTouch(GuardedSolver::new)
             .keepsTheGuarantee(
@@ -157,7 +157,7 @@ class GuardedSolverTest {
   }
 
   @Test
-  void restsOnlyWhereASolverWithoutMemoryWouldRest() {
+  void restsOnlyWhereAFreshSolverWouldRest() {
     new HostileTouch(GuardedSolver::new).restsWhereAFreshSolverWouldRest(200);
   }
 }

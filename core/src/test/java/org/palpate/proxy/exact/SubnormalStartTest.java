@@ -19,13 +19,13 @@ import org.palpate.raycast.RayHit;
 import org.palpate.testing.LegJudge;
 import org.palpate.volume.BitCube;
 
-/** Found by the attack, seed 7, case 1666: a start one subnormal number before a face. */
+/** A start one subnormal number before a face: seed 7, case 1666 of the stress test. */
 class SubnormalStartTest {
   private final Vec3 start = new Vec3(-Double.MIN_VALUE, 11, 0);
   private final Vec3 device = new Vec3(2, 7.198376558202945, 2 * Double.MIN_VALUE);
 
   @Test
-  void theAxisOfAFaceIsKnownEvenWhereItsCrossingRoundsToZero() {
+  void namesTheAxisOfAFaceWhoseCrossingRoundsToZero() {
     RayHit hit = new RayHit();
     Ray ray = new Ray().from(start.x, start.y, start.z).to(device.x, device.y, device.z);
     assertTrue(new ExactRayCaster().cast(comb(), ray, hit));
@@ -33,15 +33,14 @@ class SubnormalStartTest {
   }
 
   @Test
-  void aFrameThatStartsThereEnds() {
+  void aFrameFromThereEndsAndKeepsTheGuarantee() {
     InteractionPoint point = new InteractionPoint();
     point.position.set(start);
     ProxySolver solver = new GuardedSolver(new GridMetric(1, 1, 1), 1e9);
     BitCube comb = comb();
-    CollisionScene obstacles = new CollisionScene(List.of(comb));
+    CollisionScene scene = new CollisionScene(List.of(comb));
     LegJudge judge = new LegJudge(comb, start);
-    assertTimeoutPreemptively(
-        Duration.ofSeconds(20), () -> solver.follow(obstacles, device, point));
+    assertTimeoutPreemptively(Duration.ofSeconds(20), () -> solver.follow(scene, device, point));
     assertNull(judge.faultOf(point));
   }
 
