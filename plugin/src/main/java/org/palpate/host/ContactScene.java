@@ -23,6 +23,7 @@ import org.palpate.proxy.reference.BorderVoxels;
 import org.palpate.proxy.reference.CollisionOnlySolver;
 import org.palpate.proxy.reference.DotSolver;
 import org.palpate.proxy.reference.PaperSolver;
+import org.palpate.proxy.reference.PrecalculatedBorderVoxels;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
@@ -149,15 +150,22 @@ public final class ContactScene {
   public ProxySolver newSolver(SolverKind kind) {
     CollisionChoice collision =
         kind == settings.solver() ? settings.collision() : kind.defaultCollision();
-    BorderVoxels border = BorderVoxels.onTheFly();
     return switch (kind) {
       case GUARDED -> new GuardedSolver(metric, maxStepMm);
       case SMOOTH ->
           grey.map(values -> new SmoothSolver(metric, maxStepMm, values))
               .orElseGet(() -> new SmoothSolver(metric, maxStepMm));
-      case DOT -> new DotSolver(newCaster(collision), metric, maxStepMm, border);
-      case PAPER -> new PaperSolver(newCaster(collision), metric, maxStepMm, border);
+      case DOT -> new DotSolver(newCaster(collision), metric, maxStepMm, newBorder());
+      case PAPER -> new PaperSolver(newCaster(collision), metric, maxStepMm, newBorder());
       case NONE -> new CollisionOnlySolver(newCaster(collision), metric);
+    };
+  }
+
+  private BorderVoxels newBorder() {
+    VoxelGrid grid = volume.grid();
+    return switch (settings.border()) {
+      case ON_THE_FLY -> BorderVoxels.onTheFly();
+      case PRECALCULATED -> new PrecalculatedBorderVoxels(grid.sizeX(), grid.sizeY(), grid.sizeZ());
     };
   }
 

@@ -21,6 +21,8 @@ import org.palpate.geometry.Vec3;
  * @param maxForceNewton the largest force, N; if empty, the device's maximum
  * @param frictionForm the friction model
  * @param materials overrides of stiffness, friction and damping by the name of a segment
+ * @param border how {@link SolverKind#DOT} and {@link SolverKind#PAPER} find border voxels; frames
+ *     do not depend on it
  */
 public record ContactSettings(
     SolverKind solver,
@@ -30,11 +32,34 @@ public record ContactSettings(
     OptionalDouble maxStepMm,
     OptionalDouble maxForceNewton,
     FrictionForm frictionForm,
-    Map<String, MaterialOverride> materials) {
+    Map<String, MaterialOverride> materials,
+    BorderChoice border) {
 
   /** Copies the map. */
   public ContactSettings {
     materials = Map.copyOf(materials);
+  }
+
+  /** Creates settings that find border voxels on the fly. */
+  public ContactSettings(
+      SolverKind solver,
+      CollisionChoice collision,
+      OptionalDouble stiffnessNewtonPerMm,
+      double friction,
+      OptionalDouble maxStepMm,
+      OptionalDouble maxForceNewton,
+      FrictionForm frictionForm,
+      Map<String, MaterialOverride> materials) {
+    this(
+        solver,
+        collision,
+        stiffnessNewtonPerMm,
+        friction,
+        maxStepMm,
+        maxForceNewton,
+        frictionForm,
+        materials,
+        BorderChoice.ON_THE_FLY);
   }
 
   /** Creates settings with friction by the paper's equation (4), the same for all segments. */
@@ -54,6 +79,20 @@ public record ContactSettings(
         maxForceNewton,
         FrictionForm.EQUATION_4,
         Map.of());
+  }
+
+  /** Returns these settings with another choice of border voxels. */
+  public ContactSettings withBorder(BorderChoice newBorder) {
+    return new ContactSettings(
+        solver,
+        collision,
+        stiffnessNewtonPerMm,
+        friction,
+        maxStepMm,
+        maxForceNewton,
+        frictionForm,
+        materials,
+        newBorder);
   }
 
   /** Returns the default settings. */

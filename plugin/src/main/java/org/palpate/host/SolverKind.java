@@ -35,6 +35,11 @@ public enum SolverKind {
     return this == DOT || this == PAPER ? CollisionChoice.sampled(1) : CollisionChoice.EXACT;
   }
 
+  /** Whether the solver looks for empty-space border voxels. */
+  public boolean usesBorderVoxels() {
+    return this == DOT || this == PAPER;
+  }
+
   /** Returns the name on the command line. */
   @Override
   public String toString() {

@@ -62,6 +62,21 @@ class ReplayCommandTest {
     assertArrayEquals(Files.readAllBytes(file("al")), Files.readAllBytes(file("bl")));
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"dot", "paper"})
+  void writesTheSameBytesWithPrecalculatedBorderVoxels(String solver) throws IOException {
+    for (String border : new String[] {"on-the-fly", "precalculated"}) {
+      Path frames = file(border + ".csv");
+      Path legs = file(border + "-legs.csv");
+      replay("--solver", solver, "--border", border, "--out", frames, "--legs", legs).mustSucceed();
+    }
+    assertArrayEquals(
+        Files.readAllBytes(file("on-the-fly.csv")), Files.readAllBytes(file("precalculated.csv")));
+    assertArrayEquals(
+        Files.readAllBytes(file("on-the-fly-legs.csv")),
+        Files.readAllBytes(file("precalculated-legs.csv")));
+  }
+
   @Test
   void writesTheSameBytesOnALaterJdkInAnotherLocale() throws IOException, InterruptedException {
     Path later = laterJdk();

@@ -3,29 +3,32 @@ package org.palpate.proxy.reference;
 import org.palpate.collision.CollisionScene;
 
 /**
- * Tells empty-space border voxels: empty, with a solid voxel among their 26 neighbours. Those
- * outside the grid count too.
+ * Decides whether a voxel is an empty-space border voxel: empty, with a solid voxel among its 26
+ * neighbours. Voxels outside the grid count too. Haptic thread.
  *
- * <p>Source: Vlasov, Friese, Wolter 2013, section 4.2.
+ * <p>Reference: Vlasov, Friese, Wolter 2013, section 4.2.
  */
 public interface BorderVoxels {
 
-  /** Whether voxel (i,j,k) is an empty-space border voxel of the frame's obstacles. */
-  boolean isBorder(CollisionScene obstacles, int i, int j, int k);
+  /** Whether voxel (i,j,k) is an empty-space border voxel of the scene. */
+  boolean isBorder(CollisionScene scene, int i, int j, int k);
 
-  /** Looks at the neighbours each time: up to 27 look-ups, and nothing that an edit would spoil. */
+  /** Forgets what is kept about the solids, because they may have changed. */
+  default void forget() {}
+
+  /** Returns the method that reads the neighbours at each call, by up to 28 look-ups. */
   static BorderVoxels onTheFly() {
     return BorderVoxels::hasSolidNeighbour;
   }
 
-  private static boolean hasSolidNeighbour(CollisionScene obstacles, int i, int j, int k) {
-    if (obstacles.isSolid(i, j, k)) {
+  private static boolean hasSolidNeighbour(CollisionScene scene, int i, int j, int k) {
+    if (scene.isSolid(i, j, k)) {
       return false;
     }
     for (int z = k - 1; z <= k + 1; z++) {
       for (int y = j - 1; y <= j + 1; y++) {
         for (int x = i - 1; x <= i + 1; x++) {
-          if (obstacles.isSolid(x, y, z)) {
+          if (scene.isSolid(x, y, z)) {
             return true;
           }
         }

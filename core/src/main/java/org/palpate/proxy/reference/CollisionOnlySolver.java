@@ -13,8 +13,10 @@ import org.palpate.statistics.SkipCounters;
 import org.palpate.statistics.SkipKind;
 
 /**
- * Collision without response: p is the device, through whatever stands there, and the contact flag
- * says whether its last move hit a solid. w_max does not bound it.
+ * Collision detection without a response: p is the device position, even inside a solid. The
+ * contact flag reports whether the last motion hit a solid. w_max does not bound the motion.
+ *
+ * <p>Haptic thread. Cost: one ray a frame.
  */
 public final class CollisionOnlySolver implements ProxySolver {
   private final RayCaster caster;
@@ -23,7 +25,12 @@ public final class CollisionOnlySolver implements ProxySolver {
   private final RayHit hit = new RayHit();
   private long frames;
 
-  /** A solver that keeps scratch; contact is as {@code caster} sees it. */
+  /**
+   * Creates a solver.
+   *
+   * @param caster decides whether the motion of a frame hit a solid
+   * @param metric the spacing of the grid
+   */
   public CollisionOnlySolver(RayCaster caster, GridMetric metric) {
     this.caster = caster;
     this.metric = metric;
@@ -38,11 +45,11 @@ public final class CollisionOnlySolver implements ProxySolver {
   }
 
   @Override
-  public void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point) {
+  public void follow(CollisionScene scene, Vec3 device, InteractionPoint point) {
     frames++;
     Vec3 p = point.position;
     ray.from(p.x, p.y, p.z).to(device.x, device.y, device.z);
-    point.contact = obstacles.cast(caster, ray, hit);
+    point.contact = scene.cast(caster, ray, hit);
     point.legs.clear();
     if (!p.sameBits(device)) {
       double lengthMm = metric.distance(p.x, p.y, p.z, device.x, device.y, device.z);

@@ -9,21 +9,21 @@ import org.palpate.proxy.ProxySolver;
 import org.palpate.raycast.RayCaster;
 
 /**
- * The method of 2012 as the paper of 2013 tells it, a baseline: of the border voxels round p it
- * takes the one farthest along the way to the device. It does not keep the guarantee, and it
- * oscillates round the point nearest to the device, as the paper says.
+ * The method of 2012 as the paper of 2013 describes it, a baseline: of the border voxels around p
+ * it takes the one farthest in the direction of the device. It does not keep the guarantee, and it
+ * oscillates around the point closest to the device, as the paper reports.
  *
- * <p>Methods are named after its steps. Where the telling leaves room: a voxel's place is its
- * centre; a move is cut off where w_max ends; dot products and lengths are metric, but one step and
- * epsilon are in voxels; a full {@link LegPath} ends the frame.
+ * <p>Methods are named after the steps of the description. Where the description is open: the
+ * position of a voxel is its centre; a motion is cut off where w_max ends; dot products and lengths
+ * are metric, but one step and epsilon are in voxels; a full {@link LegPath} ends the frame.
  *
- * <p>Source: Vlasov, Friese, Wolter 2013, section 4.2, steps 1 to 4.
+ * <p>Haptic thread. Reference: Vlasov, Friese, Wolter 2013, section 4.2, steps 1 to 4.
  */
 public final class DotSolver implements ProxySolver {
   /**
-   * Step 2's epsilon: so far before the collision point p stops, voxels. The largest number below
-   * 1: p comes to the last free sample of a step of 1. A smaller one lets p stall away from the
-   * surface, its stop being in the solid, or creep towards it.
+   * The epsilon of step 2: the distance before the collision point at which p stops, voxels. It is
+   * the largest number below 1, so that p comes to the last free sample of a step of 1. With a
+   * smaller one p stalls away from the surface, because its stop lies in the solid, or creeps.
    */
   public static final double EPSILON_VOXELS = 1 - 0x1p-53;
 
@@ -34,11 +34,13 @@ public final class DotSolver implements ProxySolver {
   private double voxelZ;
 
   /**
-   * A solver that keeps scratch.
+   * Creates a solver.
    *
-   * @param caster the collision test; the paper's is sampled with a step of 1
-   * @param maxPathMm w_max, the most that p may travel in one frame
-   * @param border on the fly or precalculated
+   * @param caster the collision test; the paper samples with a step of 1
+   * @param metric the spacing of the grid
+   * @param maxPathMm the longest path of one frame, w_max, positive
+   * @param border the border voxels; the solver tells it when the solids may have changed
+   * @throws IllegalArgumentException if {@code maxPathMm} is not positive
    */
   public DotSolver(RayCaster caster, GridMetric metric, double maxPathMm, BorderVoxels border) {
     this.border = border;
@@ -46,15 +48,20 @@ public final class DotSolver implements ProxySolver {
   }
 
   @Override
-  public void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point) {
-    p2.begin(obstacles, device, point); // step 1
+  public void reset() {
+    border.forget();
+  }
+
+  @Override
+  public void follow(CollisionScene scene, Vec3 device, InteractionPoint point) {
+    p2.begin(scene, device, point); // step 1
     point.contact = false;
     boolean moved = true;
     while (!p2.isAtDevice() && p2.mayGoOn() && moved) { // step 4
       double lastX = p2.x;
       double lastY = p2.y;
       double lastZ = p2.z;
-      if (!p2.meetsSolidOnWayToDevice()) { // step 2
+      if (!p2.meetsSolidBeforeDevice()) { // step 2
         p2.moveTowards(p2.deviceX, p2.deviceY, p2.deviceZ, false);
         break;
       }
@@ -67,14 +74,16 @@ public final class DotSolver implements ProxySolver {
   }
 
   private void step3FollowSurface() {
-    while (!p2.isAtDevice() && p2.mayGoOn() && !p2.isFreeOneVoxelTowardsDevice()) {
-      if (!step3bSelectVoxel() || !step3cMoveToVoxel()) {
+    boolean moved = true;
+    while (moved && !p2.isAtDevice() && p2.mayGoOn() && !p2.isFreeOneVoxelTowardsDevice()) {
+      if (!step3bSelectVoxel()) {
         return;
       }
+      moved = step3cMoveToVoxel();
     }
   }
 
-  /** Steps 3a and 3b: false where no border voxel lies ahead. */
+  /** Selects a voxel by steps 3a and 3b; returns false if no border voxel lies ahead. */
   private boolean step3bSelectVoxel() {
     int i = (int) Math.floor(p2.x);
     int j = (int) Math.floor(p2.y);
@@ -84,8 +93,8 @@ public final class DotSolver implements ProxySolver {
       int x = i + n % 3 - 1;
       int y = j + n / 3 % 3 - 1;
       int z = k + n / 9 - 1;
-      if (n != 13 && border.isBorder(p2.obstacles(), x, y, z)) {
-        double dot = dotWithWayToDevice(x + 0.5, y + 0.5, z + 0.5);
+      if (n != 13 && border.isBorder(p2.scene(), x, y, z)) {
+        double dot = dotWithDirectionToDevice(x + 0.5, y + 0.5, z + 0.5);
         if (dot > greatest) {
           greatest = dot;
           voxelX = x + 0.5;
@@ -97,7 +106,7 @@ public final class DotSolver implements ProxySolver {
     return greatest > 0;
   }
 
-  private double dotWithWayToDevice(double x, double y, double z) {
+  private double dotWithDirectionToDevice(double x, double y, double z) {
     GridMetric metric = p2.metric();
     double sx = metric.spacingX() * metric.spacingX();
     double sy = metric.spacingY() * metric.spacingY();
@@ -107,7 +116,7 @@ public final class DotSolver implements ProxySolver {
         + (z - p2.z) * (p2.deviceZ - p2.z) * sz;
   }
 
-  /** Step 3c: false where the move was cancelled. */
+  /** Moves to the selected voxel by step 3c; returns false if the motion was cancelled. */
   private boolean step3cMoveToVoxel() {
     return p2.moveToVoxel(voxelX, voxelY, voxelZ);
   }

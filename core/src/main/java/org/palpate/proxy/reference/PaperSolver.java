@@ -10,21 +10,21 @@ import org.palpate.raycast.RayCaster;
 
 /**
  * The path finding of 2013 as printed, a baseline. It does not keep the guarantee, and it does not
- * come to rest on slopes: line 26 starts from infinity, so the nearest border voxel is taken even
- * where it lies farther from the device than p.
+ * come to rest on slopes: line 26 starts from infinity, so that the nearest border voxel is taken
+ * even if it lies farther from the device than p.
  *
- * <p>Methods are named after the lines of the listing. Where the listing leaves room: a voxel's
- * place is its centre; a step of line 20 does not go past the device; line 13 never moves back and
+ * <p>Methods are named after the lines of the listing. Where the listing is open: the position of a
+ * voxel is its centre; a step of line 20 does not pass the device; line 13 never moves back and
  * never to an end in a solid; all distances are metric, but one step and epsilon are in voxels; a
  * full {@link LegPath} ends the frame.
  *
- * <p>Source: Vlasov, Friese, Wolter 2013, section 4.2, the listing.
+ * <p>Haptic thread. Reference: Vlasov, Friese, Wolter 2013, section 4.2, the listing.
  */
 public final class PaperSolver implements ProxySolver {
   /**
-   * Line 13's epsilon: so far before the collision point p stops, voxels. The largest number below
-   * 1: p comes to the last free sample of a step of 1. A smaller one lets p stall away from the
-   * surface, its stop being in the solid, or creep towards it.
+   * The epsilon of line 13: the distance before the collision point at which p stops, voxels. It is
+   * the largest number below 1, so that p comes to the last free sample of a step of 1. With a
+   * smaller one p stalls away from the surface, because its stop lies in the solid, or creeps.
    */
   public static final double EPSILON_VOXELS = 1 - 0x1p-53;
 
@@ -35,11 +35,13 @@ public final class PaperSolver implements ProxySolver {
   private double voxelZ;
 
   /**
-   * A solver that keeps scratch.
+   * Creates a solver.
    *
-   * @param caster the collision test; the paper's is sampled with a step of 1
-   * @param maxPathMm w_max, the most that p may travel in one frame
-   * @param border on the fly or precalculated
+   * @param caster the collision test; the paper samples with a step of 1
+   * @param metric the spacing of the grid
+   * @param maxPathMm the longest path of one frame, w_max, positive
+   * @param border the border voxels; the solver tells it when the solids may have changed
+   * @throws IllegalArgumentException if {@code maxPathMm} is not positive
    */
   public PaperSolver(RayCaster caster, GridMetric metric, double maxPathMm, BorderVoxels border) {
     this.border = border;
@@ -47,15 +49,20 @@ public final class PaperSolver implements ProxySolver {
   }
 
   @Override
-  public void follow(CollisionScene obstacles, Vec3 device, InteractionPoint point) {
-    p2.begin(obstacles, device, point); // lines 1 and 2, 4
+  public void reset() {
+    border.forget();
+  }
+
+  @Override
+  public void follow(CollisionScene scene, Vec3 device, InteractionPoint point) {
+    p2.begin(scene, device, point); // lines 1 and 2, 4
     point.contact = false;
     boolean movedLast = true; // line 3
     while (!p2.isAtDevice() && p2.mayGoOn() && movedLast) { // line 5
       double lastX = p2.x; // line 6
       double lastY = p2.y;
       double lastZ = p2.z;
-      if (!p2.meetsSolidOnWayToDevice()) { // lines 7 and 8
+      if (!p2.meetsSolidBeforeDevice()) { // lines 7 and 8
         line9MoveToDevice();
         break;
       }
@@ -76,15 +83,20 @@ public final class PaperSolver implements ProxySolver {
   }
 
   private void line17FollowSurface() {
-    while (p2.mayGoOn() && !p2.isAtDevice()) {
+    boolean moved = true;
+    while (moved && p2.mayGoOn() && !p2.isAtDevice()) {
       boolean shorterStraight = p2.isFreeOneVoxelTowardsDevice(); // line 20
-      if (shorterStraight || !line25SelectVoxel() || !line31MoveToVoxel()) {
+      if (shorterStraight || !line25SelectVoxel()) {
         return;
       }
+      moved = line31MoveToVoxel();
     }
   }
 
-  /** Lines 25 to 28: the border voxel round p nearest to the device; false where there is none. */
+  /**
+   * Selects the border voxel around p that is nearest to the device, by lines 25 to 28; returns
+   * false if there is none.
+   */
   private boolean line25SelectVoxel() {
     int i = (int) Math.floor(p2.x);
     int j = (int) Math.floor(p2.y);
@@ -94,7 +106,7 @@ public final class PaperSolver implements ProxySolver {
       int x = i + n % 3 - 1;
       int y = j + n / 3 % 3 - 1;
       int z = k + n / 9 - 1;
-      if (n != 13 && border.isBorder(p2.obstacles(), x, y, z)) {
+      if (n != 13 && border.isBorder(p2.scene(), x, y, z)) {
         double squared = squaredToDevice(x + 0.5, y + 0.5, z + 0.5);
         if (squared < leastSquared) { // line 27
           leastSquared = squared;
@@ -111,7 +123,7 @@ public final class PaperSolver implements ProxySolver {
     return p2.metric().squaredDistance(x, y, z, p2.deviceX, p2.deviceY, p2.deviceZ);
   }
 
-  /** Lines 31 to 36: false where the step was cancelled. */
+  /** Moves to the selected voxel by lines 31 to 36; returns false if the step was cancelled. */
   private boolean line31MoveToVoxel() {
     return p2.moveToVoxel(voxelX, voxelY, voxelZ);
   }

@@ -10,8 +10,8 @@ import org.palpate.raycast.RayCaster;
 import org.palpate.raycast.RayHit;
 
 /**
- * One frame's walk of the interaction point, as the baselines take it: where p is, how far it may
- * still go, and the steps that both make. Owned scratch; points are grid coordinates.
+ * The path of the interaction point in one frame of a baseline: the position of p, the remaining
+ * path, and the motions that both baselines fraction. Owned scratch; points are grid coordinates.
  */
 final class ReferencePath {
   final RayHit collision = new RayHit();
@@ -26,7 +26,7 @@ final class ReferencePath {
   private final GridMetric metric;
   private final double maxPathMm;
   private final Ray ray = new Ray();
-  private CollisionScene obstacles;
+  private CollisionScene scene;
   private LegPath legs;
 
   ReferencePath(RayCaster caster, GridMetric metric, double maxPathMm) {
@@ -38,8 +38,9 @@ final class ReferencePath {
     this.maxPathMm = maxPathMm;
   }
 
-  void begin(CollisionScene frameObstacles, Vec3 device, InteractionPoint point) {
-    obstacles = frameObstacles;
+  /** Begins a frame: removes the legs of the last one and takes over p and the device. */
+  void begin(CollisionScene frameScene, Vec3 device, InteractionPoint point) {
+    scene = frameScene;
     legs = point.legs;
     legs.clear();
     x = point.position.x;
@@ -54,72 +55,73 @@ final class ReferencePath {
     return x == deviceX && y == deviceY && z == deviceZ;
   }
 
+  /** Whether there is path, and room for another leg, in this frame. */
   boolean mayGoOn() {
     return legs.lengthMm() < maxPathMm && !legs.isFull();
   }
 
-  double leftMm() {
+  private double remainingMm() {
     return maxPathMm - legs.lengthMm();
   }
 
-  /** The collision test from p to the device; fills {@link #collision} where there is one. */
-  boolean meetsSolidOnWayToDevice() {
+  /** Whether the segment from p to the device meets a solid; if so, sets {@link #collision}. */
+  boolean meetsSolidBeforeDevice() {
     ray.from(x, y, z).to(deviceX, deviceY, deviceZ);
-    return obstacles.cast(caster, ray, collision);
+    return scene.cast(caster, ray, collision);
   }
 
   /** Whether a point lies in a solid voxel, by its rounded-down coordinates. */
-  boolean isSolidAt(double atX, double atY, double atZ) {
-    return obstacles.isSolid((int) Math.floor(atX), (int) Math.floor(atY), (int) Math.floor(atZ));
+  private boolean isSolidAt(double atX, double atY, double atZ) {
+    return scene.isSolid((int) Math.floor(atX), (int) Math.floor(atY), (int) Math.floor(atZ));
   }
 
-  double voxelsToDevice() {
+  private double voxelsToDevice() {
     double u = deviceX - x;
     double v = deviceY - y;
     double w = deviceZ - z;
     return Math.sqrt(u * u + v * v + w * w);
   }
 
-  /** Whether p, moved by one voxel towards the device but not past it, were in no solid. */
+  /** Whether p would be in no solid after one voxel towards the device, but not past it. */
   boolean isFreeOneVoxelTowardsDevice() {
-    double share = Math.min(1, 1 / voxelsToDevice());
+    double fraction = Math.min(1, 1 / voxelsToDevice());
     return !isSolidAt(
-        x + share * (deviceX - x), y + share * (deviceY - y), z + share * (deviceZ - z));
+        x + fraction * (deviceX - x), y + fraction * (deviceY - y), z + fraction * (deviceZ - z));
   }
 
-  /** Moves p straight to a point, or as far as w_max leaves. */
+  /** Moves p straight to a point, or as far as the remaining path allows. */
   void moveTowards(double toX, double toY, double toZ, boolean alongSurface) {
     double wholeMm = metric.distance(x, y, z, toX, toY, toZ);
-    double leftMm = leftMm();
-    if (wholeMm <= leftMm) {
+    double remainingMm = remainingMm();
+    if (wholeMm <= remainingMm) {
       put(toX, toY, toZ, wholeMm, alongSurface);
     } else {
-      double share = leftMm / wholeMm;
+      double fraction = remainingMm / wholeMm;
       put(
-          x + share * (toX - x),
-          y + share * (toY - y),
-          z + share * (toZ - z),
-          leftMm,
+          x + fraction * (toX - x),
+          y + fraction * (toY - y),
+          z + fraction * (toZ - z),
+          remainingMm,
           alongSurface);
     }
   }
 
   /**
-   * Moves p along the way to the device until it is {@code epsilonVoxels} before the collision
-   * point, or as far as w_max leaves; never back, and never to an end in a solid.
+   * Moves p towards the device until it is {@code epsilonVoxels} before the collision point, or as
+   * far as the remaining path allows; never back, and never to an end in a solid.
    */
   void moveBeforeCollision(double epsilonVoxels) {
-    double share = collision.t - epsilonVoxels / voxelsToDevice();
-    if (!(share > 0)) {
+    double fraction = collision.t - epsilonVoxels / voxelsToDevice();
+    if (!(fraction > 0)) {
       return;
     }
     double wholeMm = metric.distance(x, y, z, deviceX, deviceY, deviceZ);
-    share = Math.min(share, leftMm() / wholeMm);
-    double toX = x + share * (deviceX - x);
-    double toY = y + share * (deviceY - y);
-    double toZ = z + share * (deviceZ - z);
+    fraction = Math.min(fraction, remainingMm() / wholeMm);
+    double toX = x + fraction * (deviceX - x);
+    double toY = y + fraction * (deviceY - y);
+    double toZ = z + fraction * (deviceZ - z);
     if (!isSolidAt(toX, toY, toZ)) {
-      put(toX, toY, toZ, share * wholeMm, false);
+      put(toX, toY, toZ, fraction * wholeMm, false);
     }
   }
 
@@ -134,8 +136,10 @@ final class ReferencePath {
   }
 
   /**
-   * Moves p along the surface to a voxel's centre, or as far as w_max leaves, and takes the move
-   * back where it ends in a solid. False where p stays.
+   * Moves p along the surface to the centre of a voxel, or as far as the remaining path allows, and
+   * takes the motion back if it ends in a solid.
+   *
+   * @return whether p moved
    */
   boolean moveToVoxel(double centreX, double centreY, double centreZ) {
     double fromX = x;
@@ -153,8 +157,8 @@ final class ReferencePath {
     return legs.count() > legCount;
   }
 
-  CollisionScene obstacles() {
-    return obstacles;
+  CollisionScene scene() {
+    return scene;
   }
 
   GridMetric metric() {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
@@ -27,7 +28,7 @@ class ReferenceSolversTest {
   private static final GridMetric UNIT = new GridMetric(1, 1, 1);
   private static final double MAX_PATH_MM = 8;
 
-  /** The two of the paper, with sampled steps of 1 and the border found on the fly. */
+  /** The two published methods, with sampled steps of 1 and border voxels on the fly. */
   enum Baseline {
     DOT,
     PAPER;
@@ -51,7 +52,7 @@ class ReferenceSolversTest {
   void goesStraightToAFreeDevice(Baseline baseline) {
     point.position.set(1.5, 1.5, 1.5);
     Vec3 device = new Vec3(3.25, 6.75, 2.5);
-    baseline.solver().follow(obstacles(new BitCube(9, 9, 9)), device, point);
+    baseline.solver().follow(scene(new BitCube(9, 9, 9)), device, point);
     assertTrue(point.position.sameBits(device));
     assertFalse(point.contact);
     assertEquals(1, point.legs.count());
@@ -63,17 +64,17 @@ class ReferenceSolversTest {
   void goesNoFartherThanTheMaximum(Baseline baseline) {
     ProxySolver solver = baseline.solver(new GridMetric(1, 1, 2), 3, BorderVoxels.onTheFly());
     point.position.set(1.5, 1.5, 1.5);
-    solver.follow(obstacles(new BitCube(9, 9, 9)), new Vec3(1.5, 1.5, 8.5), point);
+    solver.follow(scene(new BitCube(9, 9, 9)), new Vec3(1.5, 1.5, 8.5), point);
     assertEquals(3, point.position.z, "3 mm are 1.5 voxels of 2 mm");
     assertEquals(3, point.legs.lengthMm());
   }
 
   @ParameterizedTest
   @EnumSource
-  void stopsByTheLastFreeSample(Baseline baseline) {
+  void stopsAtTheLastFreeSample(Baseline baseline) {
     BitCube bits = wall();
     point.position.set(1.9, 4.5, 4.5);
-    baseline.solver().follow(obstacles(bits), new Vec3(6.9, 4.5, 4.5), point);
+    baseline.solver().follow(scene(bits), new Vec3(6.9, 4.5, 4.5), point);
     assertTrue(point.contact);
     assertEquals(1.9, point.legs.start(0, 0));
     assertEquals(3.9, point.legs.end(0, 0), 1e-5, "a step before the sample at 4.9");
@@ -85,7 +86,7 @@ class ReferenceSolversTest {
   void slidesAlongAWallOverBorderVoxels(Baseline baseline) {
     BitCube bits = wall();
     point.position.set(3.5, 1.5, 4.5);
-    baseline.solver().follow(obstacles(bits), new Vec3(6.5, 6.5, 4.5), point);
+    baseline.solver().follow(scene(bits), new Vec3(6.5, 6.5, 4.5), point);
     assertTrue(point.contact);
     assertTrue(point.position.x < 4 && point.position.y > 5, "" + point.position);
     assertTrue(point.legs.slid(point.legs.count() - 1));
@@ -97,7 +98,7 @@ class ReferenceSolversTest {
     BitCube bits = Phantom.parse("sphere:64").segments().segments().get(0).bits();
     ProxySolver solver = baseline.solver(UNIT, 1e9, BorderVoxels.onTheFly());
     point.position.set(32, 32, 60);
-    solver.follow(obstacles(bits), new Vec3(33, 31, 40), point);
+    solver.follow(scene(bits), new Vec3(33, 31, 40), point);
     assertTrue(point.legs.count() <= LegPath.CAPACITY);
   }
 
@@ -110,7 +111,7 @@ class ReferenceSolversTest {
     point.position.set(32, 32, 60);
     for (int n = 0; n < 2000; n++) {
       Vec3 device = randomPoint(random, 64);
-      solver.follow(obstacles(bits), device, point);
+      solver.follow(scene(bits), device, point);
       assertTrue(point.legs.lengthMm() <= MAX_PATH_MM + 1e-9, "seed " + Seeds.seed());
     }
   }
@@ -118,20 +119,20 @@ class ReferenceSolversTest {
   @Test
   void paperDoesNotComeToRestOnASlope() {
     Phantom plane = Phantom.parse("plane:96");
-    AnalyticSurface truth = plane.analyticSurface().orElseThrow();
-    CollisionScene obstacles = obstacles(plane.segments().segments().get(0).bits());
+    AnalyticSurface surface = plane.analyticSurface().orElseThrow();
+    CollisionScene scene = scene(plane.segments().segments().get(0).bits());
     for (int n = 0; n < 20; n++) {
       Vec3 device = new Vec3(30 + 1.7 * n, 50 - 0.9 * n, 20);
-      device.z -= (truth.signedDistance(device) + 2 + n % 8) / 0.894;
-      assertMovesInEveryFrame(obstacles, device);
+      device.z -= (surface.signedDistance(device) + 2 + n % 8) / 0.894;
+      assertMovesInEveryFrame(scene, device);
     }
   }
 
-  private void assertMovesInEveryFrame(CollisionScene obstacles, Vec3 device) {
+  private void assertMovesInEveryFrame(CollisionScene scene, Vec3 device) {
     ProxySolver solver = Baseline.PAPER.solver();
     point.position.set(device.x + 2, device.y + 4, device.z + 15);
     for (int frame = 0; frame < 250; frame++) {
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
       assertTrue(point.legs.count() > 0, "device " + device + " rested in frame " + frame);
     }
   }
@@ -144,8 +145,8 @@ class ReferenceSolversTest {
     bits.set(3, 4, 1);
     point.position.set(3.5, 3.5, 1.5);
     LegJudge judge = new LegJudge(bits, point.position);
-    baseline.solver().follow(obstacles(bits), new Vec3(4.5, 4.5, 1.5), point);
-    assertNotNull(judge.faultOf(point), "this is what the guarantee is about");
+    baseline.solver().follow(scene(bits), new Vec3(4.5, 4.5, 1.5), point);
+    assertNotNull(judge.faultOf(point), "a baseline passes here; the guarantee forbids it");
   }
 
   @Test
@@ -155,35 +156,59 @@ class ReferenceSolversTest {
     ProxySolver solver =
         Baseline.PAPER.solver(new GridMetric(1, 1, 20), MAX_PATH_MM, BorderVoxels.onTheFly());
     point.position.set(3.5, 4.5, 4.5);
-    solver.follow(obstacles(bits), new Vec3(4.5, 4.9, 4.9), point);
+    solver.follow(scene(bits), new Vec3(4.5, 4.9, 4.9), point);
     for (int leg = 0; leg < point.legs.count(); leg++) {
-      assertEquals(4.5, point.legs.end(leg, 2), 0.5, "a way over z costs 20 mm a voxel");
+      assertEquals(4.5, point.legs.end(leg, 2), 0.5, "a path along z costs 20 mm a voxel");
     }
   }
 
   @ParameterizedTest
   @EnumSource
-  void precalculatedBorderGivesTheSameFramesAndHearsOfEdits(Baseline baseline) {
+  void precalculatedBorderGivesTheSameFramesAndStaysTrueUnderEdits(Baseline baseline) {
     SplittableRandom random = new SplittableRandom(Seeds.seed());
     BitCube bits = Phantom.parse("sphere:32").segments().segments().get(0).bits();
-    CollisionScene obstacles = obstacles(bits);
-    PrecalculatedBorderVoxels border = new PrecalculatedBorderVoxels(obstacles, 32, 32, 32);
-    ProxySolver kept = baseline.solver(UNIT, MAX_PATH_MM, border);
+    CollisionScene scene = scene(bits);
+    ProxySolver kept =
+        baseline.solver(UNIT, MAX_PATH_MM, new PrecalculatedBorderVoxels(32, 32, 32));
     ProxySolver fly = baseline.solver();
     InteractionPoint other = new InteractionPoint();
     point.position.set(16, 16, 31.5);
     other.position.set(point.position);
     for (int n = 0; n < 3000; n++) {
-      edit(bits, random, border);
+      if (n % 4 == 0) {
+        edit(bits, random);
+        kept.reset();
+      }
       Vec3 device = randomPoint(random, 32);
-      kept.follow(obstacles, device, point);
-      fly.follow(obstacles, device, other);
+      kept.follow(scene, device, point);
+      fly.follow(scene, device, other);
       assertTrue(point.position.sameBits(other.position), "seed " + Seeds.seed() + " frame " + n);
     }
   }
 
-  private static void edit(
-      BitCube bits, SplittableRandom random, PrecalculatedBorderVoxels border) {
+  @ParameterizedTest
+  @CsvSource({"1,1,1", "4,5,6", "7,8,9"})
+  void precalculatedBorderIsTrueAtEveryVoxelInAndAroundTheGrid(int sizeX, int sizeY, int sizeZ) {
+    SplittableRandom random = new SplittableRandom(Seeds.seed());
+    BitCube bits = new BitCube(sizeX, sizeY, sizeZ);
+    CollisionScene scene = scene(bits);
+    BorderVoxels precalculated = new PrecalculatedBorderVoxels(sizeX, sizeY, sizeZ);
+    BorderVoxels onTheFly = BorderVoxels.onTheFly();
+    for (int solids = 0; solids < 10; solids++) {
+      bits.set(random.nextInt(sizeX), random.nextInt(sizeY), random.nextInt(sizeZ));
+      precalculated.forget();
+      for (int k = -3; k < sizeZ + 3; k++) {
+        for (int j = -3; j < sizeY + 3; j++) {
+          for (int i = -3; i < sizeX + 3; i++) {
+            boolean expected = onTheFly.isBorder(scene, i, j, k);
+            assertEquals(expected, precalculated.isBorder(scene, i, j, k), "seed " + Seeds.seed());
+          }
+        }
+      }
+    }
+  }
+
+  private static void edit(BitCube bits, SplittableRandom random) {
     int i = random.nextInt(32);
     int j = random.nextInt(32);
     int k = random.nextInt(32);
@@ -192,19 +217,18 @@ class ReferenceSolversTest {
     } else {
       bits.set(i, j, k);
     }
-    border.voxelChanged(i, j, k);
   }
 
   @Test
-  void collisionOnlyIsTheDeviceAndTellsWhetherItsMoveHit() {
+  void collisionOnlyFollowsTheDeviceAndReportsWhetherItsMotionHit() {
     ProxySolver solver = new CollisionOnlySolver(new SampledRayCaster(1), UNIT);
-    CollisionScene obstacles = obstacles(wall());
+    CollisionScene scene = scene(wall());
     point.position.set(1.5, 4.5, 4.5);
     Vec3 behind = new Vec3(6.5, 4.5, 4.5);
-    solver.follow(obstacles, behind, point);
+    solver.follow(scene, behind, point);
     assertTrue(point.contact && point.position.sameBits(behind));
     assertEquals(1, point.legs.count());
-    solver.follow(obstacles, behind, point);
+    solver.follow(scene, behind, point);
     assertFalse(point.contact);
     assertEquals(0, point.legs.count());
   }
@@ -220,7 +244,7 @@ class ReferenceSolversTest {
     return bits;
   }
 
-  private static CollisionScene obstacles(BitCube bits) {
+  private static CollisionScene scene(BitCube bits) {
     return new CollisionScene(List.of(bits));
   }
 

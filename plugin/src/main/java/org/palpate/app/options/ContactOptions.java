@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.app.process.PalpateException;
 import org.palpate.force.FrictionForm;
+import org.palpate.host.BorderChoice;
 import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
@@ -39,6 +40,16 @@ public final class ContactOptions {
         "Default: exact for none, sampled:1 for dot and paper. The other solvers are always exact."
       })
   private String collision;
+
+  @Option(
+      names = "--border",
+      paramLabel = "METHOD",
+      description = {
+        "Border voxels of the solvers dot and paper: on-the-fly (found at each query) or"
+            + " precalculated",
+        "(kept until an edit, as the paper proposes). The frames are the same. Default: on-the-fly."
+      })
+  private String border;
 
   @Option(
       names = "--stiffness",
@@ -123,14 +134,15 @@ public final class ContactOptions {
    */
   public ContactSettings settings() {
     return new ContactSettings(
-        solver(),
-        collision(),
-        stiffnessNewtonPerMm(),
-        friction(),
-        maxStepMm(),
-        maxForceNewton(),
-        frictionForm(),
-        materials());
+            solver(),
+            collision(),
+            stiffnessNewtonPerMm(),
+            friction(),
+            maxStepMm(),
+            maxForceNewton(),
+            frictionForm(),
+            materials())
+        .withBorder(border());
   }
 
   private Map<String, MaterialOverride> materials() {
@@ -257,6 +269,27 @@ public final class ContactOptions {
           "the solver " + solver + " always uses exact collision",
           "--collision " + collision,
           "leave it out, or choose --solver none, dot or paper");
+    }
+    return choice;
+  }
+
+  private BorderChoice border() {
+    if (border == null) {
+      return BorderChoice.ON_THE_FLY;
+    }
+    BorderChoice choice =
+        BorderChoice.parse(border)
+            .orElseThrow(
+                () ->
+                    PalpateException.wrongUse(
+                        "there is no such method for border voxels",
+                        "--border " + border,
+                        "choose on-the-fly or precalculated"));
+    if (!solver().usesBorderVoxels()) {
+      throw PalpateException.wrongUse(
+          "the solver " + solver() + " uses no border voxels",
+          "--border " + border,
+          "leave it out, or choose --solver dot or paper");
     }
     return choice;
   }

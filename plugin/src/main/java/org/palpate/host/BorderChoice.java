@@ -1,0 +1,24 @@
+package org.palpate.host;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/** The ways in which the solvers {@code dot} and {@code paper} find empty-space border voxels. */
+public enum BorderChoice {
+  /** Each query reads the neighbours of the voxel. */
+  ON_THE_FLY,
+  /** A border voxel is calculated once and kept until the next edit. */
+  PRECALCULATED;
+
+  /** Parses the name that {@link #toString} returns; empty if there is no such choice. */
+  public static Optional<BorderChoice> parse(String name) {
+    return Arrays.stream(values()).filter(choice -> choice.toString().equals(name)).findFirst();
+  }
+
+  /** Returns the name on the command line. */
+  @Override
+  public String toString() {
+    return name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+}
