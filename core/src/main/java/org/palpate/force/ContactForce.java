@@ -117,8 +117,8 @@ public final class ContactForce {
   private void updateMaterial(InteractionPoint point, Vec3 device, double stretchMm) {
     if (!settings.distinguishesObjects()) {
       material.set(settings.general());
-    } else if (point.touched != InteractionPoint.NOTHING) {
-      Material touched = settings.material(point.touched);
+    } else if (point.touchedObject != InteractionPoint.NO_OBJECT) {
+      Material touched = settings.material(point.touchedObject);
       if (pressed) {
         material.approach(touched, stretchMm, motionMm(device));
       } else {
