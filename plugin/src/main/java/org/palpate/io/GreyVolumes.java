@@ -35,9 +35,7 @@ public final class GreyVolumes {
   }
 
   private static Storage storage(ValueRange values) {
-    return values.isInteger()
-        ? Storage.forIntegers(values.low(), values.high())
-        : Storage.FLOAT32;
+    return values.isInteger() ? Storage.forIntegers(values.low(), values.high()) : Storage.FLOAT32;
   }
 
   private static void store(int k, VoxelSlice slice, ScalarVolume volume) {
