@@ -1,11 +1,8 @@
-package org.palpate.platform;
+package org.palpate.examples;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.DeviceState;
@@ -14,16 +11,14 @@ import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.LoopReport;
 
-/** A second host besides ImageJ, which shows that the port fits others. */
+/** Runs the port to volume platforms under a second host, besides ImageJ. */
 class MinimalHostTest {
   private static final int EDGE = 16;
   private static final int BONE = 7;
   private static final Vec3 SPACING_MM = new Vec3(0.5, 0.5, 1);
-  private static final Path PAGE = Path.of("../plugin/docs/embedding.md");
-  private static final Path SOURCE = Path.of("src/test/java/org/palpate/platform/MinimalHost.java");
 
-  /** A hand that moves evenly from one position to another and rests there. */
-  private static final class Hand implements HapticDevice {
+  /** A device that moves evenly from one position to another and rests there. */
+  private static final class MovingDevice implements HapticDevice {
     private static final int STEPS = 500;
 
     private final Vec3 from;
@@ -32,14 +27,14 @@ class MinimalHostTest {
     private int reads;
     private boolean closed;
 
-    private Hand(Vec3 from, Vec3 to) {
+    private MovingDevice(Vec3 from, Vec3 to) {
       this.from = from;
       this.to = to;
     }
 
     @Override
     public DeviceSpecification specification() {
-      return new DeviceSpecification("hand", "", 10, 2, 20, 0);
+      return new DeviceSpecification("moving", "", 10, 2, 20, 0);
     }
 
     @Override
@@ -66,33 +61,33 @@ class MinimalHostTest {
   }
 
   @Test
-  void theHandStopsAtThePlatformsSolidsAndIsReleasedWithoutForce() {
-    Hand hand = new Hand(new Vec3(4, 4, 1), new Vec3(4, 4, 12));
+  void thePointStopsAtASolidOfThePlatformAndTheEndSendsZeroForce() {
+    MovingDevice device = new MovingDevice(new Vec3(4, 4, 1), new Vec3(4, 4, 12));
     LoopReport report;
-    try (MinimalHost host = new MinimalHost(floor(), BONE, EDGE, SPACING_MM, hand)) {
+    try (MinimalHost host = new MinimalHost(floor(), BONE, EDGE, SPACING_MM, device)) {
       host.start();
-      while (host.tick() && host.frames() < 2 * Hand.STEPS) {
+      while (host.tick() && host.frames() < 2 * MovingDevice.STEPS) {
         Thread.onSpinWait();
       }
       host.tick();
       assertTrue(host.pointWorldMm().z < 8, "above the floor at 8 mm: " + host.pointWorldMm());
-      double reach =
-          SPACING_MM.length() / 2 * 1.15; // the smooth surface lies up to this far outside
+      double reach = SPACING_MM.length() / 2 * 1.15; // The isosurface runs at most so far outside.
       assertTrue(host.pointWorldMm().z > 8 - reach, "and on it: " + host.pointWorldMm());
       report = host.end();
     }
     assertTrue(report.statistics().contactFrames() > 0);
     assertTrue(
         report.statistics().maxForceNewton() > 1, "N: " + report.statistics().maxForceNewton());
-    assertEquals("(0.0, 0.0, 0.0)", hand.lastForce.toString());
-    assertTrue(hand.closed);
+    assertEquals("(0.0, 0.0, 0.0)", device.lastForce.toString());
+    assertTrue(device.closed);
   }
 
   @Test
-  void aPaintedVoxelReachesTheHand() {
-    Vec3 place = new Vec3(4.25, 4.25, 2.5);
+  void aVoxelThatThePlatformPaintsSetsThePointFree() {
+    Vec3 positionMm = new Vec3(4.25, 4.25, 2.5);
     try (MinimalHost host =
-        new MinimalHost(floor(), BONE, EDGE, SPACING_MM, new Hand(place, place))) {
+        new MinimalHost(
+            floor(), BONE, EDGE, SPACING_MM, new MovingDevice(positionMm, positionMm))) {
       host.start();
       while (host.tick() && host.frames() < 10) {
         Thread.onSpinWait();
@@ -112,15 +107,5 @@ class MinimalHostTest {
       labels[n] = BONE;
     }
     return labels;
-  }
-
-  @Test
-  void thePageShowsThisCodeInUnderAHundredLines() throws IOException {
-    String source = Files.readString(SOURCE);
-    String body = source.substring(source.indexOf("import java.util.List;"));
-    assertTrue(body.lines().count() < 100, "lines: " + body.lines().count());
-    String page = Files.readString(PAGE);
-    int begin = page.indexOf("```java\n") + "```java\n".length();
-    assertEquals(body, page.substring(begin, page.indexOf("```", begin)));
   }
 }

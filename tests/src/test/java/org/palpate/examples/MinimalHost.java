@@ -1,4 +1,4 @@
-package org.palpate.platform;
+package org.palpate.examples;
 
 import java.util.List;
 import java.util.Optional;
@@ -17,7 +17,7 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
-/** The complete side of a volume platform: labels in, position and contact out, edits, an end. */
+/** Everything that a volume platform needs: labels and edits in, the interaction point out. */
 final class MinimalHost implements AutoCloseable {
   private static final int BONE_RGB = 0xE6C99F;
 
@@ -25,7 +25,7 @@ final class MinimalHost implements AutoCloseable {
   private final TouchSession session;
   private final Vec3 point = new Vec3();
 
-  /** Takes the voxels of one label as solid; x runs fastest in {@code labels}. */
+  /** Makes the voxels of one label solid; x runs fastest in {@code labels}. */
   MinimalHost(byte[] labels, int label, int edge, Vec3 spacingMm, HapticDevice device) {
     BitCube bone = new BitCube(edge, edge, edge);
     for (int n = 0; n < labels.length; n++) {
@@ -46,12 +46,12 @@ final class MinimalHost implements AutoCloseable {
             end -> {});
   }
 
-  /** Starts the session; the force comes on after the frame has warmed up. */
+  /** Starts the haptic thread; force comes on after a warm-up of about a second. */
   void start() {
     session.start();
   }
 
-  /** Updates the platform about 30 times per second, in one thread; false after the end. */
+  /** Updates the point; one thread calls it 30 times a second. Returns false after the end. */
   boolean tick() {
     session.takeUpdates();
     session.properties().touch().interactionPoint(point);
@@ -69,17 +69,17 @@ final class MinimalHost implements AutoCloseable {
     return session.status().frames();
   }
 
-  /** Makes a voxel solid or empty, felt within a few frames; false if too many edits wait. */
+  /** Makes a voxel solid or empty in one of the next frames; false if the queue is full. */
   boolean paint(int i, int j, int k, boolean solid) {
     return scene.edits().offer(new VoxelEdit(0, i, j, k, solid));
   }
 
-  /** Whether every edit is felt. */
+  /** Whether the haptic thread has applied every edit. */
   boolean isPainted() {
     return scene.edits().isIdle();
   }
 
-  /** Ends the session with zero force and returns the measurements. */
+  /** Ends the session with zero force, and returns what it measured. */
   LoopReport end() {
     session.stop();
     return session.report();
