@@ -15,8 +15,8 @@ public record Sampling(double rateHz, int delaySamples) {
   }
 
   /**
-   * Returns the largest stiffness, N/m, of a virtual wall that is passive for physical damping b: K
-   * < b/(T/2 + delay). Source: Colgate and Schenkel 1997 without delay (2b/T); Hulin,
+   * Returns the largest stiffness, N/m, of a virtual wall that is passive for physical damping b:
+   * {@code K < b/(T/2 + delay)}. Source: Colgate and Schenkel 1997 without delay (2b/T); Hulin,
    * Albu-Schaeffer and Hirzinger 2014 with delay.
    */
   public double passiveNewtonPerM(double dampingNewtonSecondPerM) {
