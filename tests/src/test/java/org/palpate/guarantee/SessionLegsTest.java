@@ -113,7 +113,7 @@ class SessionLegsTest {
           session.legs());
       assertTrue(
           session.legsThroughSolids() > 0,
-          solver + " on " + name + " kept the guarantee, which the documents deny");
+          solver + " on " + name + " kept the guarantee, which docs/guarantee.md denies");
     }
   }
 
