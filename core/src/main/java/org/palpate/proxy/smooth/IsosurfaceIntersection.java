@@ -1,87 +1,95 @@
 package org.palpate.proxy.smooth;
 
 import org.palpate.geometry.Vec3;
+import org.palpate.proxy.smooth.field.FieldSample;
 import org.palpate.proxy.smooth.field.OccupancyField;
+import org.palpate.proxy.smooth.field.SeedCell;
 
 /**
- * Finds where a straight way comes to the surface: by Newton's steps back from a place that is
- * inside, and by halving where these lead out of what is left or are slow. So most of what is
- * looked at lies in one window.
+ * Intersects a straight segment with the isosurface, backwards from a position inside: by Newton
+ * steps, and by bisection where these leave the bracket or are slow. So most evaluations lie in one
+ * window.
  */
 final class IsosurfaceIntersection {
-  /** How near above the surface the place is that is found, and what is aimed at. */
-  static final double EDGES = 0.02;
+  /** The greatest height above the isosurface of the position that is found. */
+  static final double TOLERANCE_EDGES = 0.02;
 
+  /** The height at which Newton steps aim. */
   private static final double AIM_EDGES = 0.01;
-  private static final int MOST_STEPS = 60;
 
-  /** Where Newton's steps have not arrived after so many, every other step halves. */
-  private static final int SURE_STEPS = 3;
+  private static final int MAX_ITERATIONS = 60;
+
+  /** After this many Newton steps every other iteration bisects. */
+  private static final int NEWTON_ITERATIONS = 3;
 
   private final OccupancyField field;
-  private final ClosestPointSearch search;
-  private final Vec3 edges;
+  private final FieldSample sample;
+  private final EdgeUnits units;
+  private final WindowBudget budget;
+  private final SeedCell seed = new SeedCell();
   private final Vec3 at = new Vec3();
-  private final Vec3 way = new Vec3();
+  private final Vec3 vector = new Vec3();
   private Vec3 from;
   private Vec3 to;
 
-  IsosurfaceIntersection(OccupancyField field, ClosestPointSearch search, Vec3 edges) {
+  IsosurfaceIntersection(OccupancyField field, EdgeUnits units, WindowBudget budget) {
     this.field = field;
-    this.search = search;
-    this.edges = edges;
+    this.units = units;
+    this.budget = budget;
+    sample = field.sample();
   }
 
   /**
-   * The share of the way at which it comes to the surface, or a little before it. Leaves the field
-   * seeded anywhere on the way.
+   * Returns the fraction of a straight segment at which it meets the isosurface, or a little less.
+   * If the work budget is overdrawn, it is the greatest fraction known to lie above.
    *
-   * @param last a share of the way; nothing beyond it is looked at
-   * @param mostWindows what is found so far has to do once the field has read so many
-   * @return not a number where the way has not come inside by then
+   * @param last the fraction at which the search begins; nothing beyond it is visited
+   * @return NaN if the segment is not inside at {@code last}
    */
-  double find(Vec3 start, Vec3 end, double last, long mostWindows) {
+  double find(Vec3 start, Vec3 end, double last) {
     from = start;
     to = end;
-    way.set((to.x - from.x) * edges.x, (to.y - from.y) * edges.y, (to.z - from.z) * edges.z);
-    double length = way.length();
+    units.vector(from, to, vector);
+    double length = vector.length();
     double low = 0;
     double high = last;
-    if (!(over(high) < 0)) {
+    if (!(heightAt(high) < 0)) {
       return Double.NaN;
     }
-    double next = last + stepEdges() / length;
-    for (int n = 0; (high - low) * length > EDGES && isWorth(n, mostWindows); n++) {
-      boolean tries = n < SURE_STEPS || (n & 1) != 0;
-      double share = tries && next > low && next < high ? next : 0.5 * (low + high);
-      double over = over(share);
-      if (over < 0) {
-        high = share;
-      } else if (over <= EDGES) {
-        return share;
+    double next = last + newtonStepEdges() / length;
+    for (int n = 0; (high - low) * length > TOLERANCE_EDGES && isWorthwhile(n); n++) {
+      boolean newton = n < NEWTON_ITERATIONS || (n & 1) != 0;
+      double fraction = newton && next > low && next < high ? next : 0.5 * (low + high);
+      double height = heightAt(fraction);
+      if (height < 0) {
+        high = fraction;
+      } else if (height <= TOLERANCE_EDGES) {
+        return fraction;
       } else {
-        low = share;
+        low = fraction;
       }
-      next = share + stepEdges() / length;
+      next = fraction + newtonStepEdges() / length;
     }
     return low;
   }
 
-  private boolean isWorth(int step, long mostWindows) {
-    return step < MOST_STEPS && field.windows < mostWindows;
+  private boolean isWorthwhile(int iteration) {
+    return iteration < MAX_ITERATIONS && !budget.isOverdrawn();
   }
 
-  /** How far over the surface a share of the way lies, edges; infinite where there is none. */
-  private double over(double share) {
-    VerifiedMotion.between(from, to, share, at);
-    field.seed(at.x, at.y, at.z);
-    field.evaluate(at.x, at.y, at.z);
-    return search.findNormal() ? search.heightEdges : Double.POSITIVE_INFINITY;
+  /** Returns the height above the isosurface at a fraction; infinite where the field is flat. */
+  private double heightAt(double fraction) {
+    VerifiedMotion.between(from, to, fraction, at);
+    field.evaluate(seed.set(at), at);
+    return sample.hasNormal() ? sample.heightEdges() : Double.POSITIVE_INFINITY;
   }
 
-  /** How far along the way the surface lies from where the field stands; no number if unknown. */
-  private double stepEdges() {
-    double down = -way.dot(search.normal) / way.length();
-    return search.findNormal() ? search.heightEdges / down - AIM_EDGES : Double.NaN;
+  /** Returns the distance along the segment to the height that is aimed at; NaN if unknown. */
+  private double newtonStepEdges() {
+    if (!sample.hasNormal()) {
+      return Double.NaN;
+    }
+    double fallPerEdge = -vector.dot(sample.normal()) / vector.length();
+    return sample.heightEdges() / fallPerEdge - AIM_EDGES;
   }
 }

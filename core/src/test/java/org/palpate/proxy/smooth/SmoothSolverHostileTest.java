@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import org.palpate.testing.HostileTouch;
 
-/** What holds for the guarded solver under hostile numbers holds for the smooth one. */
+/** Holds the smooth solver to the guarantee and the rest rule in hostile scenes. */
 class SmoothSolverHostileTest {
 
   @Test
@@ -13,7 +13,7 @@ class SmoothSolverHostileTest {
     long legs =
         new HostileTouch(SmoothSolver::new)
             .keepsTheGuarantee(300, (metric, device, before, after) -> true);
-    assertTrue(legs > 20_000, "too few legs to mean anything: " + legs);
+    assertTrue(legs > 20_000, "too few legs: " + legs);
   }
 
   @Test

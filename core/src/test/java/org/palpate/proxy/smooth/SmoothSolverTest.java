@@ -15,6 +15,7 @@ import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.smooth.field.OccupancyField;
 import org.palpate.testing.LegJudge;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
@@ -31,14 +32,14 @@ class SmoothSolverTest {
   void goesToAFreeDeviceBitForBit() {
     device.set(3.1, 0.7, 5.3);
     point.position.set(-2, 1, 1);
-    new SmoothSolver(UNIT, 100).follow(obstacles(new BitCube(8, 8, 8)), device, point);
+    new SmoothSolver(UNIT, 100).follow(scene(new BitCube(8, 8, 8)), device, point);
     assertTrue(point.position.sameBits(device));
     assertFalse(point.contact);
     assertEquals(1, point.legs.count());
   }
 
   @Test
-  void aThinWallFeelsTheSameFromBothSides() {
+  void aThinWallStopsThePointAtTheSameDistanceOnBothSides() {
     for (double maxStep : new double[] {0.5, 1, 2, 8}) {
       Vec3 fromLow = restAtWall(10, 3.3, 10.9, maxStep);
       Vec3 fromHigh = restAtWall(13, 20.7, 13.1, maxStep);
@@ -46,7 +47,7 @@ class SmoothSolverTest {
     }
   }
 
-  /** Where a point comes to rest that a device behind a wall one voxel thick draws to it. */
+  /** Returns where a point rests on a wall one voxel thick with the device behind it. */
   private Vec3 restAtWall(int wallX, double startX, double deviceX, double maxStep) {
     BitCube wall = new BitCube(24, 24, 24);
     for (int k = 0; k < 24; k++) {
@@ -59,14 +60,14 @@ class SmoothSolverTest {
     device.set(deviceX, 12.7, 12.6);
     int frames = 0;
     do {
-      solver.follow(obstacles(wall), device, point);
+      solver.follow(scene(wall), device, point);
       frames++;
     } while (point.legs.count() > 0 && frames < 200);
     return new Vec3().set(point.position);
   }
 
   @Test
-  void refusesAStepThatIsNotPositive() {
+  void refusesAMaxStepThatIsNotPositive() {
     assertThrows(IllegalArgumentException.class, () -> new SmoothSolver(UNIT, 0));
   }
 
@@ -80,7 +81,7 @@ class SmoothSolverTest {
 
   private void wander(String name, GridMetric metric, int frames) {
     BitCube bits = Worlds.make(name, Seeds.seed());
-    CollisionScene obstacles = obstacles(bits);
+    CollisionScene scene = scene(bits);
     SmoothSolver solver = new SmoothSolver(metric, 8);
     point.position.set(-3, -3, 45);
     device.set(point.position);
@@ -91,7 +92,7 @@ class SmoothSolverTest {
         goal.set(anywhere(), anywhere(), anywhere());
       }
       approach(goal, frame / 40 % 3 == 0 ? 2 : 0.3);
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
       assertNull(judge.faultOf(point), name + " frame " + frame + " seed=" + Seeds.seed());
       assertTrue(point.legs.lengthMm() <= 8, name);
     }
@@ -101,10 +102,11 @@ class SmoothSolverTest {
   /** Moves the device a step towards the goal. */
   private void approach(Vec3 goal, double step) {
     double length = UNIT.distance(device.x, device.y, device.z, goal.x, goal.y, goal.z);
-    double share = Math.min(1, step / Math.max(length, 1e-9));
-    VerifiedMotion.between(device, goal, share, device);
+    double fraction = Math.min(1, step / Math.max(length, 1e-9));
+    VerifiedMotion.between(device, goal, fraction, device);
   }
 
+  /** Returns a coordinate in a world or a little outside. */
   private double anywhere() {
     return random.nextDouble() * 1.2 * Worlds.EDGE - 0.1 * Worlds.EDGE;
   }
@@ -114,7 +116,7 @@ class SmoothSolverTest {
     int longest = 0;
     for (String name : Worlds.NAMES) {
       BitCube bits = Worlds.make(name, Seeds.seed());
-      CollisionScene obstacles = obstacles(bits);
+      CollisionScene scene = scene(bits);
       SmoothSolver solver = new SmoothSolver(UNIT, 8);
       point.position.set(-3, -3, 45);
       device.set(point.position);
@@ -123,25 +125,25 @@ class SmoothSolverTest {
         goal.set(anywhere(), anywhere(), anywhere());
         for (int frame = 0; frame < 30; frame++) {
           approach(goal, 0.4);
-          solver.follow(obstacles, device, point);
+          solver.follow(scene, device, point);
         }
-        longest = Math.max(longest, framesToRest(solver, obstacles, name));
+        longest = Math.max(longest, framesToRest(solver, scene, name));
       }
     }
     assertTrue(longest < 200, "longest=" + longest + " seed=" + Seeds.seed());
   }
 
-  private int framesToRest(SmoothSolver solver, CollisionScene obstacles, String name) {
+  private int framesToRest(SmoothSolver solver, CollisionScene scene, String name) {
     Vec3 before = new Vec3();
     int moving = 0;
     do {
       before.set(point.position);
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
       moving++;
       assertTrue(moving < 2000, name + " never rests, seed=" + Seeds.seed());
     } while (!before.sameBits(point.position));
     for (int frame = 0; frame < 5; frame++) {
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
       assertTrue(before.sameBits(point.position), name);
       assertEquals(0, point.legs.count());
     }
@@ -149,39 +151,43 @@ class SmoothSolverTest {
   }
 
   @Test
-  void thePotentialFallsInEveryFrameThatMovesWhileTheDeviceRests() {
+  void everyMovingFrameLowersThePotentialWhileTheDeviceRests() {
     int moving = 0;
     for (String name : Worlds.NAMES) {
-      CollisionScene obstacles = obstacles(Worlds.make(name, Seeds.seed()));
+      CollisionScene scene = scene(Worlds.make(name, Seeds.seed()));
       SmoothSolver solver = new SmoothSolver(UNIT, 0.4);
       point.position.set(-3, -3, 45);
       device.set(point.position);
       for (int hold = 0; hold < 40; hold++) {
         device.set(anywhere(), anywhere(), anywhere());
-        solver.follow(obstacles, device, point);
-        moving += framesThatFall(solver, obstacles, name);
+        solver.follow(scene, device, point);
+        moving += framesThatLowerThePotential(solver, scene, name);
       }
     }
-    assertTrue(moving > 1000, "too few frames to mean anything: " + moving);
+    assertTrue(moving > 1000, "too few moving frames: " + moving);
   }
 
-  private int framesThatFall(SmoothSolver solver, CollisionScene obstacles, String name) {
+  private int framesThatLowerThePotential(SmoothSolver solver, CollisionScene scene, String name) {
+    OccupancyField field = OccupancyField.ofBits(UNIT);
+    field.use(scene);
+    Potential potential = new Potential(field, new EdgeUnits(UNIT));
     int frames = 0;
-    double flight = Double.POSITIVE_INFINITY;
-    double before = solver.potential();
-    double from = distanceToDevice();
-    solver.follow(obstacles, device, point);
+    double lastFreeDistance = Double.POSITIVE_INFINITY;
+    double before = potential.at(point.position, device);
+    double distance = distanceToDevice();
+    solver.follow(scene, device, point);
     while (point.legs.count() > 0 && !point.position.sameBits(device)) {
-      double after = solver.potential();
-      if (after > before - SmoothSolver.LEAST_FALL_EDGES) {
-        assertTrue(from < flight, name + ": " + before + " to " + after + " " + Seeds.seed());
-        assertFalse(point.legs.slid(0), name);
-        flight = from;
+      double after = potential.at(point.position, device);
+      if (after > before - RestRule.LEAST_FALL_EDGES) {
+        String message = name + ": " + before + " to " + after + " seed=" + Seeds.seed();
+        assertTrue(distance < lastFreeDistance, message);
+        assertFalse(point.legs.slid(0), message);
+        lastFreeDistance = distance;
       }
       before = after;
-      from = distanceToDevice();
+      distance = distanceToDevice();
       frames++;
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
     }
     return frames;
   }
@@ -191,33 +197,33 @@ class SmoothSolverTest {
     return UNIT.distance(p.x, p.y, p.z, device.x, device.y, device.z);
   }
 
-  /** The skip of a resting frame must not be what makes it rest. */
+  /** Frames that are left out after the point has settled must not be why it rests. */
   @Test
-  void restsWithoutRememberingThatItRested() {
+  void restsWithoutLeavingOutFrames() {
     BitCube bits = Worlds.make("maze", Seeds.seed());
-    CollisionScene obstacles = obstacles(bits);
+    CollisionScene scene = scene(bits);
     SmoothSolver solver = new SmoothSolver(UNIT, 8);
     point.position.set(-3, -3, 45);
     device.set(20.3, 21.2, 19.9);
     for (int frame = 0; frame < 300; frame++) {
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
     }
     Vec3 rested = new Vec3().set(point.position);
     SmoothSolver other = new SmoothSolver(UNIT, 8);
-    other.follow(obstacles, new Vec3(device.x, device.y, Math.nextUp(device.z)), point);
-    other.follow(obstacles, device, point);
+    other.follow(scene, new Vec3(device.x, device.y, Math.nextUp(device.z)), point);
+    other.follow(scene, device, point);
     assertTrue(rested.sameBits(point.position), "rested " + rested + " now " + point.position);
   }
 
   @Test
-  void anEditedVoxelIsFeltInTheNextFrame() {
+  void anEditedVoxelCountsInTheNextFrame() {
     BitCube bits = Worlds.make("slope", Seeds.seed());
-    CollisionScene obstacles = obstacles(bits);
+    CollisionScene scene = scene(bits);
     SmoothSolver solver = new SmoothSolver(UNIT, 8);
     point.position.set(25, 25, 30);
     device.set(20, 20, 14);
     for (int frame = 0; frame < 50; frame++) {
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
     }
     double before = point.position.z;
     for (int k = 0; k < Worlds.EDGE; k++) {
@@ -225,37 +231,37 @@ class SmoothSolverTest {
       bits.clear(21, 20, k);
     }
     solver.reset();
-    solver.follow(obstacles, device, point);
+    solver.follow(scene, device, point);
     assertTrue(point.position.z < before - 1e-3, "before " + before + " now " + point.position);
   }
 
   @Test
   void allocatesNothingInAWarmFrame() {
     var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    CollisionScene obstacles = obstacles(Worlds.make("sponge", Seeds.seed()));
+    CollisionScene scene = scene(Worlds.make("sponge", Seeds.seed()));
     SmoothSolver solver = new SmoothSolver(UNIT, 8);
     point.position.set(-3, -3, 45);
     device.set(point.position);
     Vec3 goal = new Vec3(20, 22, 18);
-    slideAndTurn(solver, obstacles, goal, 2000);
+    slideAndTurn(solver, scene, goal, 2000);
     long thread = Thread.currentThread().getId();
     long before = threads.getThreadAllocatedBytes(thread);
-    slideAndTurn(solver, obstacles, goal, 20000);
+    slideAndTurn(solver, scene, goal, 20000);
     long allocated = threads.getThreadAllocatedBytes(thread) - before;
     assertTrue(allocated <= 200, "allocated=" + allocated);
   }
 
-  private void slideAndTurn(SmoothSolver solver, CollisionScene obstacles, Vec3 goal, int frames) {
+  private void slideAndTurn(SmoothSolver solver, CollisionScene scene, Vec3 goal, int frames) {
     for (int frame = 0; frame < frames; frame++) {
       if (frame % 50 == 0) {
         goal.set(goal.y, goal.z + frame % 7 - 3, goal.x);
       }
       approach(goal, 0.3);
-      solver.follow(obstacles, device, point);
+      solver.follow(scene, device, point);
     }
   }
 
-  private static CollisionScene obstacles(BitCube bits) {
+  private static CollisionScene scene(BitCube bits) {
     return new CollisionScene(List.of(bits));
   }
 }

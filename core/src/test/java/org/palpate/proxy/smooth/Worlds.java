@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.palpate.volume.BitCube;
 
-/** Small worlds that are hard to slide on. */
+/** Small scenes that are hard to slide on. */
 final class Worlds {
-  /** Voxels along an edge of each. */
+  /** The voxels along an edge of each. */
   static final int EDGE = 40;
 
-  /** The names of all worlds. */
+  /** The names of all scenes. */
   static final List<String> NAMES =
       List.of(
           "dust",
@@ -29,7 +29,7 @@ final class Worlds {
 
   private Worlds() {}
 
-  /** Makes a world, the same for the same seed. */
+  /** Makes a scene, the same for the same seed. */
   static BitCube make(String name, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     BitCube bits = new BitCube(EDGE, EDGE, EDGE);
@@ -61,7 +61,7 @@ final class Worlds {
       case "slope" -> i + 2 * j + 3 * k < 120;
       case "needles" -> i % 5 == 0 && j % 5 == 0 && k < 30;
       case "sheet" -> k == 20 && random.nextDouble() < 0.97;
-      default -> throw new IllegalArgumentException("no such world: " + name);
+      default -> throw new IllegalArgumentException("no such scene: " + name);
     };
   }
 
@@ -69,7 +69,7 @@ final class Worlds {
     return v >= low && v < high;
   }
 
-  /** Walls every five voxels, with windows. */
+  /** Whether a voxel belongs to walls every five voxels, with random holes. */
   private static boolean isMaze(int i, int j, int k, SplittableRandom random) {
     boolean wall = i % 5 == 0 || j % 5 == 0 || k % 5 == 0;
     return wall && random.nextDouble() < 0.85;

@@ -2,38 +2,42 @@ package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
 
-/** Corner values from the bits alone. */
-public final class BinaryCoefficientSource implements CoefficientSource {
-  /** Bits for one of three sums in a word; no sum of taps is above 30 * 30 * 30. */
+/**
+ * Makes coefficients from the voxels' bits alone: solid voxels, and empty ones that the seed does
+ * not reach, weighed by the filter taps along each axis.
+ *
+ * <p>Three sums, one for each of three neighbouring coefficients along x, share a word.
+ */
+final class BinaryCoefficientSource implements CoefficientSource {
+  /** The bits for one of three sums in a word; no sum of taps is above 30 * 30 * 30. */
   private static final int SUM_BITS = 21;
 
   private static final long SUM_MASK = (1L << SUM_BITS) - 1;
 
-  /** From the window's low voxel to its middle corner. */
-  private static final int TO_MIDDLE = BinaryWindow.EDGE / 2;
-
-  /** Sums of sums of none to all twelve, and one before them, which is 0 as well. */
+  /** The second sums of 0 to 12 values, and one before them, which is 0 as well. */
   private static final int SUMS = BinaryWindow.EDGE + 2;
 
   private static final int ROW_MASK = (1 << BinaryWindow.EDGE) - 1;
 
   private final SmoothingKernel kernel;
   private final BinaryWindow window = new BinaryWindow();
+
+  /** The three packed sums along x of every row of 12 voxels. */
   private final long[] sumsOfRow = new long[1 << BinaryWindow.EDGE];
+
+  /** The second sums over the rows of a layer. */
   private final long[] rowsTwice = new long[SUMS];
 
-  /** What a layer of solid voxels alone adds, to each node alike. */
+  /** What a layer of solid voxels adds to each coefficient. */
   private final long wholeLayer;
 
+  /** The second sums over the layers, for each of three coefficients along y. */
   private final long[][] layersTwice = new long[3][SUMS];
+
   private final AxisTaps alongY;
   private final AxisTaps alongZ;
-  private int lowX;
-  private int lowY;
-  private int lowZ;
-  private boolean empty;
 
-  public BinaryCoefficientSource(SmoothingKernel kernel) {
+  BinaryCoefficientSource(SmoothingKernel kernel) {
     this.kernel = kernel;
     alongY = new AxisTaps(kernel, 1);
     alongZ = new AxisTaps(kernel, 2);
@@ -46,49 +50,39 @@ public final class BinaryCoefficientSource implements CoefficientSource {
 
   private long sumsOf(int row) {
     long packed = 0;
-    for (int node = 0; node < 3; node++) {
+    for (int n = 0; n < 3; n++) {
       long sum = 0;
       for (int tap = 0; tap < SmoothingKernel.TAPS; tap++) {
-        sum += (row >> (node + tap) & 1L) * kernel.tap(0, tap);
+        sum += (row >> (n + tap) & 1L) * kernel.tap(0, tap);
       }
-      packed |= sum << (SUM_BITS * node);
+      packed |= sum << (SUM_BITS * n);
     }
     return packed;
   }
 
   @Override
   public boolean load(
-      CollisionScene obstacles,
-      int x,
-      int y,
-      int z,
-      int seedX,
-      int seedY,
-      int seedZ,
-      double[] nodes) {
-    lowX = x - TO_MIDDLE;
-    lowY = y - TO_MIDDLE;
-    lowZ = z - TO_MIDDLE;
-    window.load(obstacles, lowX, lowY, lowZ);
-    empty = !window.anySolid();
-    if (empty) {
+      CollisionScene scene, int x, int y, int z, SeedCell seed, double[] coefficients) {
+    window.loadAround(scene, x, y, z);
+    if (!window.anySolid()) {
       return false;
     }
-    window.floodFrom(seedX - lowX, seedY - lowY, seedZ - lowZ);
-    sum(nodes);
+    window.floodFrom(seed);
+    weigh(coefficients);
     return true;
   }
 
   @Override
-  public boolean holdsFor(int seedX, int seedY, int seedZ) {
-    return empty || window.holdsFor(seedX - lowX, seedY - lowY, seedZ - lowZ);
+  public boolean holdsFor(SeedCell seed) {
+    return window.holdsFor(seed);
   }
 
   /**
-   * Weighs by sums of sums: a box of w taps on one of m is the second difference, m and w taps
-   * apart, of what has been summed up twice. So each row is added twice, and no tap multiplies.
+   * Weighs the window by second sums. The convolution of boxes of w and m voxels is the second
+   * difference, w and m voxels apart, of what was summed up twice. So each row is added twice, and
+   * no tap multiplies.
    */
-  private void sum(double[] nodes) {
+  private void weigh(double[] coefficients) {
     long[] reached = window.reachedWords();
     long once0 = 0;
     long once1 = 0;
@@ -113,12 +107,12 @@ public final class BinaryCoefficientSource implements CoefficientSource {
     }
     for (int z = 0; z < 3; z++) {
       for (int y = 0; y < 3; y++) {
-        unpack(alongZ.weigh(layersTwice[y], z), 9 * z + 3 * y, nodes);
+        unpack(alongZ.weigh(layersTwice[y], z), 9 * z + 3 * y, coefficients);
       }
     }
   }
 
-  /** Sums up the rows of a layer twice, of three words with its solid voxels. */
+  /** Sums up the rows of a layer twice; the three words hold its solid voxels. */
   private void sumLayer(long a, long b, long c) {
     long[] twice = rowsTwice;
     long once = sumsOfRow[(int) a & ROW_MASK];
@@ -137,14 +131,14 @@ public final class BinaryCoefficientSource implements CoefficientSource {
     twice[13] = all + once + sumsOfRow[(int) (c >>> 48) & ROW_MASK];
   }
 
-  private void unpack(long sums, int at, double[] nodes) {
+  private void unpack(long sums, int at, double[] coefficients) {
     double scale = kernel.scale();
-    nodes[at] = (sums & SUM_MASK) * scale;
-    nodes[at + 1] = (sums >>> SUM_BITS & SUM_MASK) * scale;
-    nodes[at + 2] = (sums >>> (2 * SUM_BITS)) * scale;
+    coefficients[at] = (sums & SUM_MASK) * scale;
+    coefficients[at + 1] = (sums >>> SUM_BITS & SUM_MASK) * scale;
+    coefficients[at + 2] = (sums >>> (2 * SUM_BITS)) * scale;
   }
 
-  /** Weighs twelve values, of which sums of sums are given, by the taps of an axis. */
+  /** Weighs twelve values by the taps of an axis, given their second sums. */
   private static final class AxisTaps {
     private final int low;
     private final int first;
@@ -158,9 +152,13 @@ public final class BinaryCoefficientSource implements CoefficientSource {
       high = first + kernel.wideBox(axis);
     }
 
-    /** The sum for one of three nodes; {@code twice[k+1]} is k v0 + (k-1) v1 + ... + v(k-1). */
-    long weigh(long[] twice, int node) {
-      return twice[node + high] - twice[node + second] - twice[node + first] + twice[node + low];
+    /**
+     * Returns the weighed sum for coefficient {@code n} of three.
+     *
+     * @param twice element k+1 is k v0 + (k-1) v1 + ... + v(k-1)
+     */
+    long weigh(long[] twice, int n) {
+      return twice[n + high] - twice[n + second] - twice[n + first] + twice[n + low];
     }
   }
 

@@ -2,31 +2,24 @@ package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
 
-/** Where the smoothed field gets its values at the corners of voxels from. */
-public interface CoefficientSource {
+/** A source of the B-spline coefficients of an occupancy field, one at each corner of the grid. */
+interface CoefficientSource {
   /**
-   * Writes the smoothed share of solid at the 27 corners around corner (x,y,z), x fastest.
+   * Writes the 27 coefficients around corner (x,y,z): the box-filtered occupancy of the voxels near
+   * each.
    *
-   * @param seedX cell from which empty space is reached, as are y and z
-   * @param nodes 27 shares between 0 and 1
-   * @return false where all are 0, and {@code nodes} was left as it was
+   * @param seed the cell from which empty space is reached
+   * @param coefficients receives 27 values from 0 to 1, x fastest
+   * @return false if all are 0; then {@code coefficients} is left as it was
    */
-  boolean load(
-      CollisionScene obstacles,
-      int x,
-      int y,
-      int z,
-      int seedX,
-      int seedY,
-      int seedZ,
-      double[] nodes);
+  boolean load(CollisionScene scene, int x, int y, int z, SeedCell seed, double[] coefficients);
 
-  /** Whether the nodes that were loaded last hold for this seed too. */
-  boolean holdsFor(int seedX, int seedY, int seedZ);
+  /** Whether the coefficients that were loaded last are the same for this seed cell. */
+  boolean holdsFor(SeedCell seed);
 
-  /** Forgets what is kept of the solids. */
+  /** Forgets all cached voxels. */
   void forget();
 
-  /** The standard deviation of the smoothing along an axis, in shortest voxel edges. */
+  /** Returns the standard deviation of the smoothing along an axis, in shortest voxel edges. */
   double sigmaEdges(int axis);
 }

@@ -3,7 +3,10 @@ package org.palpate.proxy.smooth.field;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
-/** How far the values of neighbours differ that a threshold parts. */
+/**
+ * Measures the contrast of edges: the mean difference between neighbouring grey values on different
+ * sides of a threshold.
+ */
 final class EdgeContrast {
   private final ScalarVolume volume;
   private final double threshold;
@@ -15,7 +18,7 @@ final class EdgeContrast {
     this.threshold = threshold;
   }
 
-  /** The mean over all pairs along the axes; 0 where there is none. */
+  /** Returns the mean over all such pairs along the axes, or 0 if there is none. */
   double meanDifference() {
     VoxelGrid grid = volume.grid();
     for (int k = 0; k < grid.sizeZ(); k++) {
@@ -23,13 +26,13 @@ final class EdgeContrast {
         for (int i = 0; i < grid.sizeX(); i++) {
           double value = volume.value(i, j, k);
           if (i > 0) {
-            add(value, volume.value(i - 1, j, k));
+            addPair(value, volume.value(i - 1, j, k));
           }
           if (j > 0) {
-            add(value, volume.value(i, j - 1, k));
+            addPair(value, volume.value(i, j - 1, k));
           }
           if (k > 0) {
-            add(value, volume.value(i, j, k - 1));
+            addPair(value, volume.value(i, j, k - 1));
           }
         }
       }
@@ -37,7 +40,8 @@ final class EdgeContrast {
     return pairs == 0 ? 0 : sum / pairs;
   }
 
-  private void add(double value, double neighbour) {
+  /** Adds a pair if the threshold lies between its values. */
+  private void addPair(double value, double neighbour) {
     if (value >= threshold != neighbour >= threshold && Double.isFinite(value - neighbour)) {
       sum += Math.abs(value - neighbour);
       pairs++;

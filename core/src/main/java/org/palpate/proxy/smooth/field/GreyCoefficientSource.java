@@ -3,86 +3,74 @@ package org.palpate.proxy.smooth.field;
 import org.palpate.collision.CollisionScene;
 
 /**
- * Corner values from grey values where the bits are what a threshold made of them, and from the
- * bits where an edit changed them: a voxel that is solid against its grey value is wholly solid,
- * one that is empty against it wholly empty.
+ * Makes coefficients from grey values where the bits are what a threshold made of them, and from
+ * the bits where an edit changed them.
  *
- * <p>Shares are whole numbers to {@link GreyOccupancyCache#WHOLE}; four are weighed at a time, side
- * by side in a word.
+ * <p>Occupancies are whole numbers from 0 to {@link GreyOccupancyCache#WHOLE}. Four of them are
+ * weighed at once, in the four 16-bit lanes of a word (SIMD within a register, SWAR).
  */
-public final class GreyCoefficientSource implements CoefficientSource {
-  /** Voxels along an edge of the window that is weighed. */
+final class GreyCoefficientSource implements CoefficientSource {
+  /** The edge of the window that is weighed, in voxels. */
   private static final int EDGE = GreyOccupancyCache.EDGE;
 
-  /** From the low voxel of the window of bits to that of the window that is weighed. */
+  /** The distance from the low voxel of the window of bits to that of the weighed window. */
   private static final int INSET = (BinaryWindow.EDGE - EDGE) / 2;
 
-  private static final int TO_MIDDLE = BinaryWindow.EDGE / 2;
+  /** The distance from the low voxel of the weighed window to the middle corner. */
+  private static final int TO_MIDDLE = EDGE / 2;
 
+  /** The first of six taps; those before and after are 0 for grey values. */
   private static final int FIRST_TAP = (SmoothingKernel.TAPS - 6) / 2;
 
   /**
-   * Every other byte: four lanes of 16 bits. Relies on taps of two axes adding up to 257 at most.
+   * Every other byte: four lanes of 16 bits. No lane overflows, because the taps of two axes add up
+   * to 257 at most.
    */
   private static final long EVEN_BYTES = 0x00FF_00FF_00FF_00FFL;
 
   private static final int LANE = 0xFFFF;
 
   private final SmoothingKernel kernel;
-  private final GreyOccupancyCache shares;
+  private final GreyOccupancyCache cache;
   private final BinaryWindow window = new BinaryWindow();
   private final double scale;
 
-  /** The shares of the window, a row a word, y fastest. */
+  /** The occupancies of the window, a row in a word, y fastest. */
   private final long[] rows = new long[EDGE * EDGE];
 
-  /** Weighed along z, for each of three nodes: a row of even voxels, one of odd ones, y fastest. */
+  /** The sums along z of the even voxels of each row, for each of three coefficients, y fastest. */
   private final long[] even = new long[3 * EDGE];
 
+  /** The same for the odd voxels. */
   private final long[] odd = new long[3 * EDGE];
-  private int lowX;
-  private int lowY;
-  private int lowZ;
-  private boolean empty;
 
-  public GreyCoefficientSource(SmoothingKernel kernel, GreyIsosurfaceSource grey) {
+  GreyCoefficientSource(SmoothingKernel kernel, GreyIsosurfaceSource grey) {
     this.kernel = kernel;
-    shares = new GreyOccupancyCache(grey);
+    cache = new GreyOccupancyCache(grey);
     scale = kernel.scale() / GreyOccupancyCache.WHOLE;
   }
 
   @Override
   public boolean load(
-      CollisionScene obstacles,
-      int x,
-      int y,
-      int z,
-      int seedX,
-      int seedY,
-      int seedZ,
-      double[] nodes) {
-    lowX = x - TO_MIDDLE;
-    lowY = y - TO_MIDDLE;
-    lowZ = z - TO_MIDDLE;
-    window.load(obstacles, lowX, lowY, lowZ);
-    empty = !window.anySolid();
-    if (empty) {
+      CollisionScene scene, int x, int y, int z, SeedCell seed, double[] coefficients) {
+    window.loadAround(scene, x, y, z);
+    if (!window.anySolid()) {
       return false;
     }
-    window.floodFrom(seedX - lowX, seedY - lowY, seedZ - lowZ);
-    shares.read(obstacles, lowX + INSET, lowY + INSET, lowZ + INSET, rows);
+    window.floodFrom(seed);
+    cache.read(scene, x - TO_MIDDLE, y - TO_MIDDLE, z - TO_MIDDLE, rows);
     if (window.anyUnreached()) {
       fillUnreached();
     }
     weighAlongZ();
-    for (int node = 0; node < 9; node++) {
-      int at = node / 3 * EDGE;
-      weighAlongX(weigh(1, even, at, 1, node % 3), weigh(1, odd, at, 1, node % 3), 3 * node, nodes);
+    for (int n = 0; n < 9; n++) {
+      int from = n / 3 * EDGE + n % 3;
+      weighAlongX(weighAlongY(even, from), weighAlongY(odd, from), 3 * n, coefficients);
     }
     return true;
   }
 
-  /** What cannot be reached counts as wholly solid. */
+  /** Gives full occupancy to the empty voxels that the seed does not reach. */
   private void fillUnreached() {
     for (int k = 0; k < EDGE; k++) {
       for (int j = 0; j < EDGE; j++) {
@@ -94,43 +82,43 @@ public final class GreyCoefficientSource implements CoefficientSource {
   }
 
   private void weighAlongZ() {
-    for (int node = 0; node < 3; node++) {
+    for (int n = 0; n < 3; n++) {
       for (int j = 0; j < EDGE; j++) {
-        even[EDGE * node + j] = weighEven(j, node);
-        odd[EDGE * node + j] = weighOdd(j, node);
+        even[EDGE * n + j] = weighEvenAlongZ(EDGE * n + j);
+        odd[EDGE * n + j] = weighOddAlongZ(EDGE * n + j);
       }
     }
   }
 
-  private long weighEven(int j, int node) {
-    int at = EDGE * node + j;
-    return kernel.tap(2, FIRST_TAP) * ((rows[at] & EVEN_BYTES) + (rows[at + 5 * EDGE] & EVEN_BYTES))
-        + kernel.tap(2, FIRST_TAP + 1)
-            * ((rows[at + EDGE] & EVEN_BYTES) + (rows[at + 4 * EDGE] & EVEN_BYTES))
-        + kernel.tap(2, FIRST_TAP + 2)
-            * ((rows[at + 2 * EDGE] & EVEN_BYTES) + (rows[at + 3 * EDGE] & EVEN_BYTES));
-  }
-
-  private long weighOdd(int j, int node) {
-    int at = EDGE * node + j;
+  /** Returns the weighed sums of the even voxels of six rows, the first one at {@code from}. */
+  private long weighEvenAlongZ(int from) {
     return kernel.tap(2, FIRST_TAP)
-            * ((rows[at] >>> 8 & EVEN_BYTES) + (rows[at + 5 * EDGE] >>> 8 & EVEN_BYTES))
+            * ((rows[from] & EVEN_BYTES) + (rows[from + 5 * EDGE] & EVEN_BYTES))
         + kernel.tap(2, FIRST_TAP + 1)
-            * ((rows[at + EDGE] >>> 8 & EVEN_BYTES) + (rows[at + 4 * EDGE] >>> 8 & EVEN_BYTES))
+            * ((rows[from + EDGE] & EVEN_BYTES) + (rows[from + 4 * EDGE] & EVEN_BYTES))
         + kernel.tap(2, FIRST_TAP + 2)
-            * ((rows[at + 2 * EDGE] >>> 8 & EVEN_BYTES) + (rows[at + 3 * EDGE] >>> 8 & EVEN_BYTES));
+            * ((rows[from + 2 * EDGE] & EVEN_BYTES) + (rows[from + 3 * EDGE] & EVEN_BYTES));
   }
 
-  /** The weighed sum of six values, lane by lane. */
-  private long weigh(int axis, long[] values, int at, int stride, int node) {
-    int from = at + stride * node;
-    return kernel.tap(axis, FIRST_TAP) * (values[from] + values[from + 5 * stride])
-        + kernel.tap(axis, FIRST_TAP + 1) * (values[from + stride] + values[from + 4 * stride])
-        + kernel.tap(axis, FIRST_TAP + 2) * (values[from + 2 * stride] + values[from + 3 * stride]);
+  private long weighOddAlongZ(int from) {
+    return kernel.tap(2, FIRST_TAP)
+            * ((rows[from] >>> 8 & EVEN_BYTES) + (rows[from + 5 * EDGE] >>> 8 & EVEN_BYTES))
+        + kernel.tap(2, FIRST_TAP + 1)
+            * ((rows[from + EDGE] >>> 8 & EVEN_BYTES) + (rows[from + 4 * EDGE] >>> 8 & EVEN_BYTES))
+        + kernel.tap(2, FIRST_TAP + 2)
+            * ((rows[from + 2 * EDGE] >>> 8 & EVEN_BYTES)
+                + (rows[from + 3 * EDGE] >>> 8 & EVEN_BYTES));
   }
 
-  /** Three nodes of a row whose even and odd voxels are lanes. */
-  private void weighAlongX(long evenLanes, long oddLanes, int at, double[] nodes) {
+  /** Returns the weighed sums of six words, the first one at {@code from}, lane by lane. */
+  private long weighAlongY(long[] lanes, int from) {
+    return kernel.tap(1, FIRST_TAP) * (lanes[from] + lanes[from + 5])
+        + kernel.tap(1, FIRST_TAP + 1) * (lanes[from + 1] + lanes[from + 4])
+        + kernel.tap(1, FIRST_TAP + 2) * (lanes[from + 2] + lanes[from + 3]);
+  }
+
+  /** Writes the three coefficients of a row whose even and odd voxels are lanes of two words. */
+  private void weighAlongX(long evenLanes, long oddLanes, int at, double[] coefficients) {
     int v0 = (int) evenLanes & LANE;
     int v1 = (int) oddLanes & LANE;
     int v2 = (int) (evenLanes >>> 16) & LANE;
@@ -142,20 +130,20 @@ public final class GreyCoefficientSource implements CoefficientSource {
     int outer = kernel.tap(0, FIRST_TAP);
     int middle = kernel.tap(0, FIRST_TAP + 1);
     int inner = kernel.tap(0, FIRST_TAP + 2);
-    nodes[at] = scale * (outer * (v0 + v5) + middle * (v1 + v4) + inner * (v2 + v3));
-    nodes[at + 1] = scale * (outer * (v1 + v6) + middle * (v2 + v5) + inner * (v3 + v4));
-    nodes[at + 2] = scale * (outer * (v2 + v7) + middle * (v3 + v6) + inner * (v4 + v5));
+    coefficients[at] = scale * (outer * (v0 + v5) + middle * (v1 + v4) + inner * (v2 + v3));
+    coefficients[at + 1] = scale * (outer * (v1 + v6) + middle * (v2 + v5) + inner * (v3 + v4));
+    coefficients[at + 2] = scale * (outer * (v2 + v7) + middle * (v3 + v6) + inner * (v4 + v5));
   }
 
   @Override
-  public boolean holdsFor(int seedX, int seedY, int seedZ) {
-    return empty || window.holdsFor(seedX - lowX, seedY - lowY, seedZ - lowZ);
+  public boolean holdsFor(SeedCell seed) {
+    return window.holdsFor(seed);
   }
 
   @Override
   public void forget() {
     window.forget();
-    shares.forget();
+    cache.forget();
   }
 
   @Override

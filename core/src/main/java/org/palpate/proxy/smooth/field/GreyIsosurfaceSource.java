@@ -3,30 +3,31 @@ package org.palpate.proxy.smooth.field;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * The grey values that a smooth surface goes by where they may change while it is touched.
+ * Holds the grey values of a smooth surface that may change while it is touched.
  *
- * <p>The haptic thread alone replaces them, between frames, and resets its solver after it; any
- * thread reads.
+ * <p>Only the haptic thread replaces them, between frames, and then resets its solver. Any thread
+ * may read.
  */
 public final class GreyIsosurfaceSource {
-  private volatile GreyIsosurface now;
+  private volatile GreyIsosurface current;
 
-  /** Begins with {@code first}. */
+  /** Creates a source that begins with {@code first}. */
   public GreyIsosurfaceSource(GreyIsosurface first) {
-    now = first;
+    current = first;
   }
 
-  /** What surfaces go by now. */
+  /** Returns the present values. */
   public GreyIsosurface now() {
-    return now;
+    return current;
   }
 
-  /** Puts other values, another threshold or contrast in their place. */
+  /** Replaces values, threshold and contrast; the grid stays the same. */
   public void replace(GreyIsosurface fresh) {
-    now = fresh;
+    current = fresh;
   }
 
+  /** Returns the grid of the values. */
   VoxelGrid grid() {
-    return now.volume().grid();
+    return current.volume().grid();
   }
 }

@@ -7,190 +7,201 @@ import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * The shares of solid of voxels by their grey values, a byte each, for windows that move by a voxel
- * or a few at a time: what came in is read, the rest is kept.
+ * A cache of the occupancies of voxels, a byte each, as their grey values give them. Windows that
+ * move by a few voxels read only the voxels that came in.
  *
- * <p>A voxel that is solid against its grey value has the whole share, one that is empty against it
- * none: {@link #forget} after any change of solids or values.
+ * <p>Where an edit changed the bits the bits win: a voxel that is solid against its grey value has
+ * full occupancy, one that is empty against it none. Call {@link #forget} after any change of
+ * solids or values.
  *
  * <pre>
- *   a ring of 16 planes of 16 rows, each for the voxels that agree with it in four bits of j and k
- *   row    two words: two octets that lie side by side, the even one first
- *   octet  8 voxels from a multiple of 8 on, the first in the lowest byte
+ *   ring buffer of 16 planes of 16 rows; row j of plane k is kept at (k mod 16, j mod 16)
+ *   row    two words that lie side by side along x, the one of even number first
+ *   word n voxels 8 n to 8 n + 7, the first in the lowest byte
  * </pre>
  */
 final class GreyOccupancyCache {
-  /** What stands for a share of 1. */
+  /** The byte that stands for occupancy 1. */
   static final int WHOLE = 255;
 
-  /** Rows along an edge of what is read at once, and voxels of each. */
+  /** The edge of what is read at once, in voxels. */
   static final int EDGE = ScalarVolume.LEVELS;
 
   private static final int RING = 16;
-  private static final int IN_RING = RING - 1;
+  private static final int RING_MASK = RING - 1;
   private static final int WORDS = 2;
-  private static final int NO_PLANE = Integer.MIN_VALUE;
+  private static final int NONE = Integer.MIN_VALUE;
 
-  /** The top bits of bytes, and what brings them together in the topmost byte. */
   private static final long TOP_BITS = 0x8080_8080_8080_8080L;
-
   private static final long ONE_A_BYTE = 0x0101_0101_0101_0101L;
-  private static final long OWN_BITS = 0x8040_2010_0804_0201L;
+
+  /** Bit n of byte n. */
+  private static final long DIAGONAL = 0x8040_2010_0804_0201L;
+
+  /** A factor that gathers the top bits of all bytes in the topmost byte. */
   private static final long GATHER = 0x0002_0408_1020_4081L;
 
-  private final GreyIsosurfaceSource live;
+  private final GreyIsosurfaceSource source;
   private final VoxelGrid grid;
   private final long[] ring = new long[RING * RING * WORDS];
 
-  /**
-   * What each plane of the ring holds: its k, the lower octet, the rows from low to before high.
-   */
-  private final int[] planes = new int[RING];
+  /** The k that each plane of the ring holds. */
+  private final int[] planeK = new int[RING];
 
-  private final int[] octets = new int[RING];
-  private final int[] lows = new int[RING];
-  private final int[] highs = new int[RING];
-  private GreyIsosurface grey;
+  /** The number of the lower of the two words that each plane holds. */
+  private final int[] planeWord = new int[RING];
+
+  /** The first row that each plane holds. */
+  private final int[] firstRow = new int[RING];
+
+  /** The row behind the last one that each plane holds. */
+  private final int[] endRow = new int[RING];
+
+  private GreyIsosurface surface;
   private ScalarVolume volume;
-  private GreyQuantizer scale;
+  private GreyQuantizer quantizer;
 
-  /** Which bricks of bits are kept, for even octets at 0 and for odd ones at 2: their octet. */
-  private final int[] brickX = new int[3];
+  /** The bricks of bits read last: two for words of even number at 0, two for odd ones at 2. */
+  private final long[] bricks = new long[4];
+
+  /** The word number of those bricks, at 0 and 2. */
+  private final int[] brickWord = new int[3];
 
   private final int[] brickY = new int[3];
   private final int[] brickZ = new int[3];
-  private final long[] bricks = new long[4];
 
-  GreyOccupancyCache(GreyIsosurfaceSource live) {
-    this.live = live;
-    grid = live.grid();
+  GreyOccupancyCache(GreyIsosurfaceSource source) {
+    this.source = source;
+    grid = source.grid();
     forget();
   }
 
-  /** Forgets all shares, and takes the surface's values as they are now. */
+  /** Forgets all occupancies and takes the present values of the source. */
   void forget() {
-    GreyIsosurface now = live.now();
-    if (!now.equals(grey)) { // else a frame after an edit would allocate
-      grey = now;
+    GreyIsosurface now = source.now();
+    if (!now.equals(surface)) { // otherwise a frame after an edit would allocate
+      surface = now;
       volume = now.volume();
-      scale = new GreyQuantizer(now.threshold(), 0.5 * WHOLE / now.contrast());
+      quantizer = new GreyQuantizer(now.threshold(), 0.5 * WHOLE / now.contrast());
     }
-    Arrays.fill(planes, NO_PLANE);
-    Arrays.fill(brickX, Integer.MIN_VALUE);
+    Arrays.fill(planeK, NONE);
+    Arrays.fill(brickWord, NONE);
   }
 
   /**
-   * Writes the shares of the 8x8x8 voxels from (x,y,z) on, a row a word, voxel x in the lowest
-   * byte; y fastest.
+   * Writes the occupancies of the 8x8x8 voxels from (x,y,z) on, a row in a word, voxel x in the
+   * lowest byte; y fastest.
    *
-   * @param obstacles the same ones since {@link #forget}
+   * @param scene the same one since {@link #forget}
    */
-  void read(CollisionScene obstacles, int x, int y, int z, long[] dest) {
-    int octet = x >> 3;
+  void read(CollisionScene scene, int x, int y, int z, long[] dest) {
+    int word = x >> 3;
     int shift = (x & 7) << 3;
-    int lower = octet & 1;
+    int lower = word & 1;
     int to = 0;
     for (int k = z; k < z + EDGE; k++) {
-      int plane = k & IN_RING;
-      if (planes[plane] != k
-          || octets[plane] != octet
-          || lows[plane] > y
-          || highs[plane] < y + EDGE) {
-        fill(plane, octet, y, k, obstacles);
+      int plane = k & RING_MASK;
+      if (planeK[plane] != k
+          || planeWord[plane] != word
+          || firstRow[plane] > y
+          || endRow[plane] < y + EDGE) {
+        fill(plane, word, y, k, scene);
       }
       for (int j = y; j < y + EDGE; j++) {
-        int row = (plane * RING | (j & IN_RING)) * WORDS;
-        // The upper octet goes up by 64 where the shift is 0.
+        int row = (plane * RING | (j & RING_MASK)) * WORDS;
+        // In two shifts, because the upper word has to move by 64 bits where the shift is 0.
         dest[to++] = ring[row + lower] >>> shift | ring[row + 1 - lower] << 1 << (63 - shift);
       }
     }
   }
 
-  /** Makes a plane hold two octets of the rows from y on, of what it holds already as they are. */
-  private void fill(int plane, int octet, int y, int k, CollisionScene obstacles) {
-    boolean joins = planes[plane] == k && lows[plane] <= y + EDGE && highs[plane] >= y;
-    int beyond = octet - octets[plane];
-    if (!joins || Math.abs(beyond) > 1) {
-      lows[plane] = y;
-      highs[plane] = y;
-    } else if (beyond != 0) {
-      lows[plane] = Math.max(lows[plane], y);
-      highs[plane] = Math.min(highs[plane], y + EDGE);
-      for (int j = lows[plane]; j < highs[plane]; j++) {
-        read(plane, beyond > 0 ? octet + 1 : octet, j, k, obstacles);
+  /** Makes a plane hold two words of the rows from y on; keeps the rows that it holds already. */
+  private void fill(int plane, int word, int y, int k, CollisionScene scene) {
+    boolean overlaps = planeK[plane] == k && firstRow[plane] <= y + EDGE && endRow[plane] >= y;
+    int wordsAhead = word - planeWord[plane];
+    if (!overlaps || Math.abs(wordsAhead) > 1) {
+      firstRow[plane] = y;
+      endRow[plane] = y;
+    } else if (wordsAhead != 0) {
+      firstRow[plane] = Math.max(firstRow[plane], y);
+      endRow[plane] = Math.min(endRow[plane], y + EDGE);
+      for (int j = firstRow[plane]; j < endRow[plane]; j++) {
+        readWord(plane, wordsAhead > 0 ? word + 1 : word, j, k, scene);
       }
     }
-    planes[plane] = k;
-    octets[plane] = octet;
-    for (int j = highs[plane]; j < y + EDGE; j++) {
-      readBoth(plane, octet, j, k, obstacles);
+    planeK[plane] = k;
+    planeWord[plane] = word;
+    for (int j = endRow[plane]; j < y + EDGE; j++) {
+      readRow(plane, word, j, k, scene);
     }
-    for (int j = y; j < lows[plane]; j++) {
-      readBoth(plane, octet, j, k, obstacles);
+    for (int j = y; j < firstRow[plane]; j++) {
+      readRow(plane, word, j, k, scene);
     }
-    keepRows(plane, Math.min(y, lows[plane]), Math.max(y + EDGE, highs[plane]), y);
+    setRows(plane, Math.min(y, firstRow[plane]), Math.max(y + EDGE, endRow[plane]), y);
   }
 
-  /** Rows that have gone round the ring are lost: those that are farther from y. */
-  private void keepRows(int plane, int low, int high, int y) {
-    boolean grewUp = high > highs[plane];
-    lows[plane] = grewUp ? Math.max(low, high - RING) : low;
-    highs[plane] = grewUp ? high : Math.min(high, low + RING);
-    assert lows[plane] <= y && highs[plane] >= y + EDGE : "rows of a window are kept: y=" + y;
+  /** Notes which rows a plane holds; rows that the ring buffer has overwritten drop out. */
+  private void setRows(int plane, int first, int end, int y) {
+    boolean grewUp = end > endRow[plane];
+    firstRow[plane] = grewUp ? Math.max(first, end - RING) : first;
+    endRow[plane] = grewUp ? end : Math.min(end, first + RING);
+    assert firstRow[plane] <= y && endRow[plane] >= y + EDGE : "the plane lacks rows: y=" + y;
   }
 
-  private void readBoth(int plane, int octet, int j, int k, CollisionScene obstacles) {
-    read(plane, octet, j, k, obstacles);
-    read(plane, octet + 1, j, k, obstacles);
+  private void readRow(int plane, int word, int j, int k, CollisionScene scene) {
+    readWord(plane, word, j, k, scene);
+    readWord(plane, word + 1, j, k, scene);
   }
 
-  private void read(int plane, int octet, int j, int k, CollisionScene obstacles) {
-    ring[(plane * RING | (j & IN_RING)) * WORDS | (octet & 1)] = shares(octet, j, k, obstacles);
+  private void readWord(int plane, int word, int j, int k, CollisionScene scene) {
+    ring[(plane * RING | (j & RING_MASK)) * WORDS | (word & 1)] = occupancies(word, j, k, scene);
   }
 
-  private long shares(int octet, int j, int k, CollisionScene obstacles) {
-    long shares = levels(octet << 3, j, k);
-    int solid = solid(octet, j, k, obstacles);
-    int above = (int) (((shares & TOP_BITS) * GATHER) >>> 56);
-    return above == solid ? shares : corrected(shares, solid, above ^ solid);
+  private long occupancies(int word, int j, int k, CollisionScene scene) {
+    long fromGrey = levels(word << 3, j, k);
+    int solid = solidVoxels(word, j, k, scene);
+    int above = (int) (((fromGrey & TOP_BITS) * GATHER) >>> 56);
+    return above == solid ? fromGrey : corrected(fromGrey, solid, above ^ solid);
   }
 
-  /** The solid ones of an octet, a bit each; keeps two bricks for each octet of a row. */
-  private int solid(int octet, int j, int k, CollisionScene obstacles) {
-    int at = (octet & 1) << 1;
-    if (brickX[at] != octet || brickY[at] != j >> 2 || brickZ[at] != k >> 2) {
-      brickX[at] = octet;
+  /** Returns the solid voxels of a word, a bit each. */
+  private int solidVoxels(int word, int j, int k, CollisionScene scene) {
+    int at = (word & 1) << 1;
+    if (brickWord[at] != word || brickY[at] != j >> 2 || brickZ[at] != k >> 2) {
+      brickWord[at] = word;
       brickY[at] = j >> 2;
       brickZ[at] = k >> 2;
-      bricks[at] = obstacles.brick(octet << 1, j >> 2, k >> 2);
-      bricks[at + 1] = obstacles.brick(octet << 1 | 1, j >> 2, k >> 2);
+      bricks[at] = scene.brick(word << 1, j >> 2, k >> 2);
+      bricks[at + 1] = scene.brick(word << 1 | 1, j >> 2, k >> 2);
     }
     int shift = (k & 3) << 4 | (j & 3) << 2;
     return (int) ((bricks[at] >>> shift & 0xF) | (bricks[at + 1] >>> shift & 0xF) << 4);
   }
 
-  private long levels(int from, int j, int k) {
-    if (grid.contains(from, j, k) && grid.contains(from + EDGE - 1, j, k)) {
-      return volume.levels(from, j, k, scale);
+  /** Returns the occupancies of the 8 voxels from i on by their grey values; 0 outside the grid. */
+  private long levels(int i, int j, int k) {
+    if (grid.contains(i, j, k) && grid.contains(i + EDGE - 1, j, k)) {
+      return volume.levels(i, j, k, quantizer);
     }
     long levels = 0;
     for (int n = 0; n < EDGE; n++) {
-      if (grid.contains(from + n, j, k)) {
-        levels |= (long) scale.of(volume.value(from + n, j, k)) << (8 * n);
+      if (grid.contains(i + n, j, k)) {
+        levels |= (long) quantizer.of(volume.value(i + n, j, k)) << (8 * n);
       }
     }
     return levels;
   }
 
-  private static long corrected(long shares, int solid, int wrong) {
-    long ones = bytesOf(wrong);
-    return (shares & ~ones) | (ones & bytesOf(solid));
+  /** Returns the occupancies with those of {@code wrong} voxels taken from the bits. */
+  private static long corrected(long occupancies, int solid, int wrong) {
+    long wrongBytes = bytesOf(wrong);
+    return (occupancies & ~wrongBytes) | (wrongBytes & bytesOf(solid));
   }
 
-  /** Eight bytes that are all ones where a bit is set, else 0; the lowest bit's is the lowest. */
+  /** Returns eight bytes, each of ones if its bit is set and else 0; the lowest bit's is lowest. */
   static long bytesOf(int bits) {
-    long own = bits * ONE_A_BYTE & OWN_BITS;
-    long top = (own | (own & ~TOP_BITS) + ~TOP_BITS) & TOP_BITS; // where any bit of a byte is set
+    long own = bits * ONE_A_BYTE & DIAGONAL;
+    long top = (own | (own & ~TOP_BITS) + ~TOP_BITS) & TOP_BITS; // set if any bit of a byte is
     return (top >>> 7) * 0xFF;
   }
 }

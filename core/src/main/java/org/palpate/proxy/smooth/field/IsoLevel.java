@@ -3,84 +3,97 @@ package org.palpate.proxy.smooth.field;
 import org.palpate.geometry.Vec3;
 
 /**
- * What a share of solid says about height over the surface between solid and empty, and which share
- * the level has that the point slides on. The kernel is taken for a Gaussian a little wider than it
- * is, which fits its middle to 0.01 edges.
+ * The isosurface that the interaction point slides on, and the height above it that an occupancy
+ * means.
+ *
+ * <p>The isosurface runs at a fixed offset outside the surface between solid and empty, so that
+ * single voxels do not stand out of it. Its occupancy follows from the profile of the field across
+ * a plane: the kernel is taken for a Gaussian a little wider than itself, which fits the middle of
+ * its profile to 0.01 edges.
  */
 public final class IsoLevel {
   /**
-   * How far the level runs outside the surface, as a share of half a voxel's diagonal: voxels stand
-   * out of the surface that they sample by up to that half, and the level runs just beyond.
+   * The offset as a fraction of half a voxel's diagonal. Voxels stand out of the surface that they
+   * sample by at most that half, and the isosurface runs just beyond.
    */
-  private static final double HEIGHT_SHARE = 1.12;
+  private static final double OFFSET_FRACTION = 1.12;
 
-  /** How much wider than the kernel the Gaussian is whose middle is as steep. */
+  /** The width, over the kernel's, of the Gaussian whose profile is as steep in the middle. */
   private static final double MIDDLE_WIDENING = 1.04;
 
   private static final int TABLE_STEPS = 512;
 
-  private static final double MOST_DEVIATIONS = 2.5;
+  /** The table ends at this many standard deviations on either side. */
+  private static final double MAX_DEVIATIONS = 2.5;
 
-  /** Deviations at shares 0 to 1 of a Gaussian, from plus to minus {@link #MOST_DEVIATIONS}. */
+  private static final int BISECTIONS = 60;
+  private static final int SERIES_TERMS = 60;
+
+  /** The inverse of a Gaussian's upper tail, in standard deviations, at tails from 0 to 1. */
   private static final double[] DEVIATIONS = deviations();
 
   private final double varianceX;
   private final double varianceY;
   private final double varianceZ;
-  private final boolean alike;
+  private final boolean isotropic;
   private final double sigma;
-  private final double bendVariance;
-  private final double heightEdges;
-  private final double share;
+  private final double meanVariance;
+  private final double offsetEdges;
+  private final double occupancy;
 
   /**
-   * The level for a field's smoothing.
+   * Creates the level for a field's smoothing.
    *
-   * @param edges edges of a voxel, in shortest edges
+   * @param edges the edges of a voxel along x, y and z, in shortest edges
    */
-  public IsoLevel(CoefficientSource source, Vec3 edges) {
+  IsoLevel(CoefficientSource source, Vec3 edges) {
     varianceX = variance(source.sigmaEdges(0));
     varianceY = variance(source.sigmaEdges(1));
     varianceZ = variance(source.sigmaEdges(2));
-    alike = varianceX == varianceY && varianceX == varianceZ;
+    isotropic = varianceX == varianceY && varianceX == varianceZ;
     sigma = Math.sqrt(varianceX);
-    bendVariance = (varianceX + varianceY + varianceZ) / (3 * MIDDLE_WIDENING * MIDDLE_WIDENING);
-    heightEdges = HEIGHT_SHARE * edges.length() / 2;
-    share = shareAt(heightEdges / sigma);
+    meanVariance = (varianceX + varianceY + varianceZ) / (3 * MIDDLE_WIDENING * MIDDLE_WIDENING);
+    offsetEdges = OFFSET_FRACTION * edges.length() / 2;
+    occupancy = tail(offsetEdges / sigma);
   }
 
   private static double variance(double sigmaEdges) {
     return sigmaEdges * sigmaEdges * MIDDLE_WIDENING * MIDDLE_WIDENING;
   }
 
-  /** How far the level runs outside a plane of solid, in shortest edges. */
-  public double heightEdges() {
-    return heightEdges;
+  /** Returns the distance of the isosurface from a plane of solid, outside it, in edges. */
+  public double offsetEdges() {
+    return offsetEdges;
   }
 
-  /** The share of solid on the level where its unit normal is {@code normal}. */
-  public double share(Vec3 normal) {
-    return alike ? share : shareAt(heightEdges / sigma(normal));
+  /** Returns the occupancy on the isosurface where its outward unit normal is {@code normal}. */
+  public double occupancy(Vec3 normal) {
+    return isotropic ? occupancy : tail(offsetEdges / sigma(normal));
   }
 
   /**
-   * How far a point with this share lies over the level, edges: negative inside it, and no more
-   * than a few edges either way.
+   * Returns the height above the isosurface, in edges, of a point of this occupancy: negative
+   * inside, and a few edges at most either way.
    */
-  public double over(double shareOfSolid, Vec3 normal) {
-    double at = Math.max(0, Math.min(1, shareOfSolid)) * TABLE_STEPS;
+  public double heightEdges(double occupancyAtPoint, Vec3 normal) {
+    double at = Math.max(0, Math.min(1, occupancyAtPoint)) * TABLE_STEPS;
     int step = Math.min(TABLE_STEPS - 1, (int) at);
     double deviation = DEVIATIONS[step] + (at - step) * (DEVIATIONS[step + 1] - DEVIATIONS[step]);
-    return deviation * sigma(normal) - heightEdges;
+    return deviation * sigma(normal) - offsetEdges;
   }
 
-  /** How much nearer the level runs to a surface of this mean curvature than to a plane, edges. */
-  public double nearerWhereBent(double sumOfCurvatures) {
-    return 0.5 * bendVariance * sumOfCurvatures;
+  /**
+   * Returns how much closer the isosurface runs to a curved surface than to a plane, in edges.
+   *
+   * @param curvatureSum the sum of the principal curvatures, per edge, positive if convex
+   */
+  public double curvatureShiftEdges(double curvatureSum) {
+    return 0.5 * meanVariance * curvatureSum;
   }
 
+  /** Returns the standard deviation of the smoothing along a unit normal, in edges. */
   private double sigma(Vec3 normal) {
-    if (alike) {
+    if (isotropic) {
       return sigma;
     }
     return Math.sqrt(
@@ -89,8 +102,8 @@ public final class IsoLevel {
             + varianceZ * normal.z * normal.z);
   }
 
-  /** The share of a Gaussian beyond {@code t} standard deviations, by the same table. */
-  private static double shareAt(double t) {
+  /** Returns the Gaussian's upper tail beyond {@code t} deviations, as the table inverts it. */
+  private static double tail(double t) {
     int low = 0;
     int high = TABLE_STEPS;
     while (high - low > 1) {
@@ -101,8 +114,8 @@ public final class IsoLevel {
         high = middle;
       }
     }
-    double part = (DEVIATIONS[low] - t) / (DEVIATIONS[low] - DEVIATIONS[high]);
-    return (low + part) / TABLE_STEPS;
+    double fraction = (DEVIATIONS[low] - t) / (DEVIATIONS[low] - DEVIATIONS[high]);
+    return (low + fraction) / TABLE_STEPS;
   }
 
   private static double[] deviations() {
@@ -113,13 +126,13 @@ public final class IsoLevel {
     return table;
   }
 
-  /** Where a Gaussian has this share beyond, by halving; the ends are cut off. */
-  private static double deviationAt(double shareBeyond) {
-    double low = -MOST_DEVIATIONS;
-    double high = MOST_DEVIATIONS;
-    for (int n = 0; n < 60; n++) {
+  /** Returns the deviations beyond which the Gaussian has this tail, by bisection. */
+  private static double deviationAt(double wantedTail) {
+    double low = -MAX_DEVIATIONS;
+    double high = MAX_DEVIATIONS;
+    for (int n = 0; n < BISECTIONS; n++) {
       double middle = 0.5 * (low + high);
-      if (beyond(middle) > shareBeyond) {
+      if (exactTail(middle) > wantedTail) {
         low = middle;
       } else {
         high = middle;
@@ -128,11 +141,11 @@ public final class IsoLevel {
     return low;
   }
 
-  /** The share of a Gaussian beyond {@code t}, by its series. */
-  private static double beyond(double t) {
+  /** Returns the Gaussian's upper tail beyond {@code t} deviations, by its power series. */
+  private static double exactTail(double t) {
     double term = t;
     double sum = t;
-    for (int n = 1; n < 60; n++) {
+    for (int n = 1; n < SERIES_TERMS; n++) {
       term *= t * t / (2 * n + 1);
       sum += term;
     }

@@ -1,140 +1,166 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 
 /**
- * The smoothed share of solid around a point: 0 in the open, 1 deep inside, about a half where the
- * surface runs. Twice differentiable in pieces; value, gradient and Hessian come from 27 quadratic
- * B-splines.
+ * The occupancy field of a scene: 0 in empty space, 1 deep inside a solid, about a half at its
+ * surface.
  *
- * <p>A point is evaluated as the window around its nearest corner shows it, after what the seed
- * cannot reach there was taken for solid. For a given seed and given solids the answer depends on
- * the point alone, to the last bit: what is kept from call to call only saves time.
+ * <p>The field is a sum of quadratic B-splines over box-filtered voxels, see {@link
+ * SmoothingKernel}. Each evaluation uses a window of voxels around the grid corner nearest to the
+ * point; near one corner the field is twice differentiable. Empty voxels of the window that cannot
+ * be reached from the seed count as solid: a flood fill by faces decides that. A wall one voxel
+ * thick thus looks like a half space from either side.
+ *
+ * <p>For a given scene, seed cell and point the answer is the same to the last bit, whatever was
+ * evaluated before. The caches only save time.
+ *
+ * <p>Belongs to the haptic thread; an evaluation allocates nothing. Cost: 27 splines, and a window
+ * with its flood fill if the nearest corner is another one than before.
  */
 public final class OccupancyField {
-  /** The share of solid at the point that was evaluated last. */
-  public double value;
-
-  /** Changes whenever value and derivatives do. */
-  public long evaluation;
-
-  /** How many windows of voxels were read so far: most of what an evaluation takes. */
-  public long windows;
-
-  /** Its gradient, a metric edge. */
-  public double gx;
-
-  public double gy;
-  public double gz;
-
-  /** Its second derivatives, a metric edge squared. */
-  public double hxx;
-
-  public double hyy;
-  public double hzz;
-  public double hxy;
-  public double hxz;
-  public double hyz;
+  private static final int COEFFICIENTS = 27;
 
   private final CoefficientSource source;
+  private final IsoLevel level;
+  private final FieldSample sample;
   private final double inverseX;
   private final double inverseY;
   private final double inverseZ;
-  private final double[] nodes = new double[27];
-  private CollisionScene obstacles;
-  private int seedX;
-  private int seedY;
-  private int seedZ;
+
+  /** The B-spline coefficients at the 27 corners around the nearest corner, x fastest. */
+  private final double[] coefficients = new double[COEFFICIENTS];
+
+  private CollisionScene scene;
   private int cornerX;
   private int cornerY;
   private int cornerZ;
+  private boolean anySolid;
+  private long windowReads;
+
+  /** Whether the coefficients hold for the scene as it is. */
   private boolean loaded;
-  private boolean any;
 
-  /** Whether what was evaluated last holds for the seed that was set last. */
-  private boolean settled;
-
-  private final Vec3 evaluated = new Vec3();
+  private final SeedCell lastSeed = new SeedCell();
+  private final Vec3 lastPoint = new Vec3();
 
   /**
-   * A field.
+   * Creates a field over any coefficients.
    *
-   * @param edges edges of a voxel, in shortest edges: at least 1
+   * @param edges the edges of a voxel along x, y and z, in shortest edges: at least 1
    */
-  public OccupancyField(CoefficientSource source, Vec3 edges) {
+  OccupancyField(CoefficientSource source, Vec3 edges) {
     this.source = source;
     inverseX = 1 / edges.x;
     inverseY = 1 / edges.y;
     inverseZ = 1 / edges.z;
+    level = new IsoLevel(source, edges);
+    sample = new FieldSample(level);
   }
 
-  /** Forgets what is kept of the solids. */
-  public void forget() {
-    loaded = false;
-    settled = false;
-    source.forget();
+  /** Returns a field that is made from the voxels' bits alone. */
+  public static OccupancyField ofBits(GridMetric metric) {
+    SmoothingKernel kernel = SmoothingKernel.forBits(metric);
+    return new OccupancyField(new BinaryCoefficientSource(kernel), edges(metric));
   }
 
-  /** Sets the solids; others than last time are read anew. */
-  public void use(CollisionScene newObstacles) {
-    if (obstacles != newObstacles) {
-      obstacles = newObstacles;
+  /**
+   * Returns a field that is made from grey values, and from the bits where they disagree.
+   *
+   * @param grey the grey values; after they change, call {@link #forget}
+   */
+  public static OccupancyField ofGrey(GridMetric metric, GreyIsosurfaceSource grey) {
+    SmoothingKernel kernel = SmoothingKernel.forGrey(metric);
+    return new OccupancyField(new GreyCoefficientSource(kernel, grey), edges(metric));
+  }
+
+  private static Vec3 edges(GridMetric metric) {
+    double shortest = metric.shortestEdgeMm();
+    return new Vec3(
+        metric.spacingX() / shortest, metric.spacingY() / shortest, metric.spacingZ() / shortest);
+  }
+
+  /** Sets the scene; forgets the cached voxels if it is another one than before. */
+  public void use(CollisionScene newScene) {
+    if (scene != newScene) {
+      scene = newScene;
       forget();
     }
   }
 
-  /** Sets the point from which empty space is reached, grid coordinates; its cell is empty. */
-  public void seed(double x, double y, double z) {
-    int cellX = floor(x);
-    int cellY = floor(y);
-    int cellZ = floor(z);
-    settled &= cellX == seedX && cellY == seedY && cellZ == seedZ;
-    seedX = cellX;
-    seedY = cellY;
-    seedZ = cellZ;
+  /** Forgets all cached voxels; to be called after voxels or grey values changed. */
+  public void forget() {
+    loaded = false;
+    source.forget();
   }
 
-  /** Evaluates at a point in grid coordinates, at most 1e9 from 0. */
-  public void evaluate(double x, double y, double z) {
-    if (settled && x == evaluated.x && y == evaluated.y && z == evaluated.z) {
-      return;
+  /** Returns the isosurface that samples refer to. */
+  public IsoLevel level() {
+    return level;
+  }
+
+  /** Returns the sample that evaluations write, as the last one left it. */
+  public FieldSample sample() {
+    return sample;
+  }
+
+  /** Returns how many windows of voxels were read so far; they are most of the cost. */
+  public long windowReads() {
+    return windowReads;
+  }
+
+  /**
+   * Evaluates the field.
+   *
+   * @param seed the cell from which empty space is reached; if it is solid or outside the window,
+   *     all empty voxels count as reached
+   * @param point where to evaluate, grid coordinates, at most 1e9 from 0
+   * @return the sample that this field owns; the next evaluation overwrites it
+   */
+  public FieldSample evaluate(SeedCell seed, Vec3 point) {
+    boolean sameSeed = lastSeed.isSame(seed);
+    boolean samePoint = point.x == lastPoint.x && point.y == lastPoint.y && point.z == lastPoint.z;
+    if (loaded && sameSeed && samePoint) {
+      return sample;
     }
-    int atX = floor(x + 0.5);
-    int atY = floor(y + 0.5);
-    int atZ = floor(z + 0.5);
-    boolean kept =
-        loaded
-            && atX == cornerX
-            && atY == cornerY
-            && atZ == cornerZ
-            && source.holdsFor(seedX, seedY, seedZ);
+    lastSeed.set(seed);
+    int x = SeedCell.floor(point.x + 0.5);
+    int y = SeedCell.floor(point.y + 0.5);
+    int z = SeedCell.floor(point.z + 0.5);
+    boolean kept = isLoaded(x, y, z);
     if (!kept) {
-      windows++;
-      any = source.load(obstacles, atX, atY, atZ, seedX, seedY, seedZ, nodes);
-      cornerX = atX;
-      cornerY = atY;
-      cornerZ = atZ;
-      loaded = true;
+      load(x, y, z);
     }
-    settled = true;
-    if (kept && x == evaluated.x && y == evaluated.y && z == evaluated.z) {
-      return;
+    if (!(kept && samePoint)) {
+      lastPoint.set(point);
+      sample.clear();
+      if (anySolid) {
+        sum(point.x - x, point.y - y, point.z - z);
+      }
     }
-    evaluated.set(x, y, z);
-    evaluation++;
-    clear();
-    if (any) {
-      sum(x - atX, y - atY, z - atZ);
-    }
+    return sample;
   }
 
-  private static int floor(double v) {
-    int whole = (int) v;
-    return v < whole ? whole - 1 : whole;
+  /** Whether the coefficients are those around a corner for the present seed. */
+  private boolean isLoaded(int x, int y, int z) {
+    return loaded && x == cornerX && y == cornerY && z == cornerZ && source.holdsFor(lastSeed);
   }
 
-  /** Sums the splines, x first; u, v, w from the nearest corner, from -0.5 to 0.5. */
+  private void load(int x, int y, int z) {
+    windowReads++;
+    anySolid = source.load(scene, x, y, z, lastSeed, coefficients);
+    cornerX = x;
+    cornerY = y;
+    cornerZ = z;
+    loaded = true;
+  }
+
+  /**
+   * Sums the tensor-product splines, along x first; (u,v,w) is the point less the nearest corner,
+   * from -0.5 to 0.5. Of each row, r is the value, s its first and q its second derivative along x.
+   */
   private void sum(double u, double v, double w) {
     double x0 = 0.5 * (0.5 - u) * (0.5 - u);
     double x1 = 0.75 - u * u;
@@ -148,73 +174,26 @@ public final class OccupancyField {
     double dy0 = v - 0.5;
     double dy1 = -2 * v;
     double dy2 = v + 0.5;
+    double[] c = coefficients;
     for (int layer = 0; layer < 3; layer++) {
       int n = 9 * layer;
-      double r0 = nodes[n] * x0 + nodes[n + 1] * x1 + nodes[n + 2] * x2;
-      double r1 = nodes[n + 3] * x0 + nodes[n + 4] * x1 + nodes[n + 5] * x2;
-      double r2 = nodes[n + 6] * x0 + nodes[n + 7] * x1 + nodes[n + 8] * x2;
-      double s0 = nodes[n] * dx0 + nodes[n + 1] * dx1 + nodes[n + 2] * dx2;
-      double s1 = nodes[n + 3] * dx0 + nodes[n + 4] * dx1 + nodes[n + 5] * dx2;
-      double s2 = nodes[n + 6] * dx0 + nodes[n + 7] * dx1 + nodes[n + 8] * dx2;
-      double q0 = nodes[n] - 2 * nodes[n + 1] + nodes[n + 2];
-      double q1 = nodes[n + 3] - 2 * nodes[n + 4] + nodes[n + 5];
-      double q2 = nodes[n + 6] - 2 * nodes[n + 7] + nodes[n + 8];
+      double r0 = c[n] * x0 + c[n + 1] * x1 + c[n + 2] * x2;
+      double r1 = c[n + 3] * x0 + c[n + 4] * x1 + c[n + 5] * x2;
+      double r2 = c[n + 6] * x0 + c[n + 7] * x1 + c[n + 8] * x2;
+      double s0 = c[n] * dx0 + c[n + 1] * dx1 + c[n + 2] * dx2;
+      double s1 = c[n + 3] * dx0 + c[n + 4] * dx1 + c[n + 5] * dx2;
+      double s2 = c[n + 6] * dx0 + c[n + 7] * dx1 + c[n + 8] * dx2;
+      double q0 = c[n] - 2 * c[n + 1] + c[n + 2];
+      double q1 = c[n + 3] - 2 * c[n + 4] + c[n + 5];
+      double q2 = c[n + 6] - 2 * c[n + 7] + c[n + 8];
       double f = r0 * y0 + r1 * y1 + r2 * y2;
       double fx = s0 * y0 + s1 * y1 + s2 * y2;
       double fy = r0 * dy0 + r1 * dy1 + r2 * dy2;
       double fxx = q0 * y0 + q1 * y1 + q2 * y2;
       double fxy = s0 * dy0 + s1 * dy1 + s2 * dy2;
       double fyy = r0 - 2 * r1 + r2;
-      addLayer(layer, w, f, fx, fy, fxx, fxy, fyy);
+      sample.addLayer(layer, w, f, fx, fy, fxx, fxy, fyy);
     }
-    toMetric();
-  }
-
-  private void clear() {
-    value = gx = gy = gz = hxx = hyy = hzz = hxy = hxz = hyz = 0;
-  }
-
-  private void addLayer(
-      int layer, double w, double f, double fx, double fy, double fxx, double fxy, double fyy) {
-    double weight;
-    double slope;
-    double bend;
-    if (layer == 1) {
-      weight = 0.75 - w * w;
-      slope = -2 * w;
-      bend = -2;
-    } else {
-      double side = layer - 1;
-      weight = 0.5 * (0.5 + side * w) * (0.5 + side * w);
-      slope = w + 0.5 * side;
-      bend = 1;
-    }
-    value += f * weight;
-    gx += fx * weight;
-    gy += fy * weight;
-    gz += f * slope;
-    hxx += fxx * weight;
-    hxy += fxy * weight;
-    hyy += fyy * weight;
-    hxz += fx * slope;
-    hyz += fy * slope;
-    hzz += f * bend;
-  }
-
-  private void toMetric() {
-    gx *= inverseX;
-    gy *= inverseY;
-    gz *= inverseZ;
-    hxx *= inverseX * inverseX;
-    hyy *= inverseY * inverseY;
-    hzz *= inverseZ * inverseZ;
-    hxy *= inverseX * inverseY;
-    hxz *= inverseX * inverseZ;
-    hyz *= inverseY * inverseZ;
-  }
-
-  /** The standard deviation of the smoothing along an axis, in shortest voxel edges. */
-  double sigmaEdges(int axis) {
-    return source.sigmaEdges(axis);
+    sample.scale(inverseX, inverseY, inverseZ);
   }
 }

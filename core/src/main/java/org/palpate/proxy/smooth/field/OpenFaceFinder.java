@@ -1,8 +1,9 @@
 package org.palpate.proxy.smooth.field;
 
 /**
- * Finds a face of a window of bits to which free voxels lead straight from every free voxel: beside
- * one surface, which is the usual place, there is one, and to see so costs a fraction of a flood.
+ * Finds an open face of a window: one to which a straight column of free voxels leads from every
+ * free voxel. Beside a single surface, which is the usual case, there is one. Finding it costs a
+ * fraction of a flood fill.
  *
  * <p>Layout as in {@link BinaryWindow}.
  */
@@ -12,36 +13,42 @@ final class OpenFaceFinder {
   private static final int LAST = (EDGE - 1) * WORDS;
   private static final int FACES = 6;
 
-  /** Voxel 0 of each row of a word, and all but the last voxel of each. */
+  /** Voxel 0 of each row of a word. */
   private static final long FIRST_OF_ROWS = 0x0001_0001_0001_0001L;
 
+  /** All voxels of each row but the last. */
   private static final long BUT_LAST_OF_ROWS = 0x07FF_07FF_07FF_07FFL;
 
+  /** All voxels of each row but the first. */
   private static final long BUT_FIRST_OF_ROWS = 0x0FFE_0FFE_0FFE_0FFEL;
 
   private static final long FIRST_ROW = 0x0FFF;
 
   private static final long LAST_ROW = 0x0FFFL << 48;
 
-  /** Brings bits 0, 16, 32 and 48 together at {@link #GATHERED}. */
+  /** A factor that gathers bits 0, 16, 32 and 48 into four bits from {@link #GATHERED} on. */
   private static final long GATHER = 1L << 45 | 1L << 30 | 1L << 15 | 1;
 
   private static final int GATHERED = 45;
 
   private final long[] free;
-  private int lastFace = 5;
+  private int lastFace = FACES - 1;
 
-  /** Faces of a window whose free voxels these are; a layer for a face is behind them. */
+  /**
+   * Creates a finder for one window.
+   *
+   * @param free the free voxels of the window, and room for a layer behind them
+   */
   OpenFaceFinder(long[] free) {
     this.free = free;
   }
 
   /**
-   * Looks for a face to which all columns of free voxels are open, at the one found last first, and
-   * writes its free voxels as a layer.
+   * Looks for an open face, first at the one that was found last, and writes its free voxels as a
+   * layer.
    *
-   * @param dest first word of the layer
-   * @return false where there is none
+   * @param dest the first word of the layer
+   * @return false if there is none
    */
   boolean findOpenFace(int dest) {
     for (int n = 0; n < FACES; n++) {
@@ -55,7 +62,7 @@ final class OpenFaceFinder {
     return false;
   }
 
-  /** Faces: x low and high, y low and high, z low and high. */
+  /** Whether a face is open: 0 and 1 for low and high x, 2 and 3 for y, 4 and 5 for z. */
   private boolean isOpen(int face) {
     return switch (face) {
       case 0 -> isOpenToLowX();
@@ -116,7 +123,10 @@ final class OpenFaceFinder {
   }
 
   /**
-   * Whether above each free voxel of a layer {@code from} there is one in {@code to}, on and on.
+   * Whether each free voxel of a layer is followed by one in the layer beside it, over all layers.
+   *
+   * @param from the offset in words of the layer that is looked at
+   * @param to the offset of the one beside it, in the direction of the face
    */
   private boolean isOpenAlongZ(int from, int to) {
     long closed = 0;
@@ -147,19 +157,20 @@ final class OpenFaceFinder {
     }
   }
 
-  /** The voxels of a layer at one x, as a row. */
+  /** Returns the voxels of a layer at one x, as a row. */
   private long column(int layer, int x) {
     return gather(free[layer], x)
         | gather(free[layer + 1], x) << 4
         | gather(free[layer + 2], x) << 8;
   }
 
+  /** Returns voxel x of the four rows of a word, as four bits. */
   private static long gather(long word, int x) {
     long bits = word >>> x & FIRST_OF_ROWS;
     return (bits * GATHER) >>> GATHERED & 0xF;
   }
 
-  /** The first or the last row of a layer. */
+  /** Returns the first or the last row of a layer. */
   private long row(int layer, int face) {
     return face == 2 ? free[layer] & FIRST_ROW : free[layer + 2] >>> 48;
   }

@@ -3,41 +3,39 @@ package org.palpate.proxy.smooth.field;
 import org.palpate.geometry.GridMetric;
 
 /**
- * How bits are smoothed along each axis: by two boxes of whole voxels and a third of one voxel, as
- * taps between the voxels and quadratic B-splines between the taps. Boxes of whole voxels leave no
- * ripple of the lattice behind, which scaled B-splines do.
+ * The smoothing of voxels along each axis: two box filters of whole voxels, and a quadratic
+ * B-spline.
  *
- * <p>Where spacing differs between axes the longer voxels get narrower boxes, so that the kernel is
- * about as wide in millimetres along every axis.
+ * <p>The two boxes give integer filter taps, from which a coefficient at each grid corner is made;
+ * the splines interpolate between the corners. Boxes of whole voxels cancel the ripple of the
+ * lattice, which B-splines of other widths leave behind.
+ *
+ * <p>Where the spacing differs between the axes, longer voxels get narrower boxes. So the kernel is
+ * about equally wide in millimetres along every axis.
  *
  * <p>References: box splines, de Boor, Hoellig and Riemenschneider 1993; normals of digital
  * surfaces by convolution, Esbelin and Malgouyres 2009, and by integral invariants, Coeurjolly,
  * Lachaud and Levallois 2013.
  */
-public final class SmoothingKernel {
-  /** Taps along an axis; corner c weighs the voxels c-5 to c+4. */
+final class SmoothingKernel {
+  /** The filter taps along an axis; the coefficient at corner c weighs voxels c-5 to c+4. */
   static final int TAPS = 10;
 
-  /** The boxes that are tried, by their two widths in voxels: as many taps as their sum less 1. */
+  /** The widths in voxels of the two boxes, widest first; their taps are one less than the sum. */
   private static final int[][] BOXES = {{6, 5}, {5, 4}, {4, 3}, {3, 2}, {2, 1}};
+
+  /** The boxes for bits along the shortest axis: wide enough to hide single voxels. */
+  private static final int WIDEST_FOR_BITS = 0;
+
+  /** The boxes for grey values, which show where the surface runs between two voxels. */
+  private static final int WIDEST_FOR_GREY = 2;
 
   private final int[][] taps = new int[3][];
   private final int[][] boxes = new int[3][];
   private final double[] sigmaEdges = new double[3];
   private final double scale;
 
-  /** For bits: wide enough to hide stairs. */
-  public static final int FOR_BITS = 0;
-
-  /** For grey values, which know where between two voxels the surface runs. */
-  public static final int FOR_GREY = 2;
-
-  /**
-   * The kernel for voxels of this spacing.
-   *
-   * @param widest {@link #FOR_BITS} or {@link #FOR_GREY}, the boxes along the shortest axis
-   */
-  public SmoothingKernel(GridMetric metric, int widest) {
+  private SmoothingKernel(GridMetric metric, int widest) {
     double shortest = metric.shortestEdgeMm();
     double product = 1;
     for (int axis = 0; axis < 3; axis++) {
@@ -51,10 +49,21 @@ public final class SmoothingKernel {
     scale = 1 / product;
   }
 
+  /** Returns the kernel for the bits of voxels of this spacing. */
+  static SmoothingKernel forBits(GridMetric metric) {
+    return new SmoothingKernel(metric, WIDEST_FOR_BITS);
+  }
+
+  /** Returns the kernel for the grey values of voxels of this spacing. */
+  static SmoothingKernel forGrey(GridMetric metric) {
+    return new SmoothingKernel(metric, WIDEST_FOR_GREY);
+  }
+
   private static double spacing(GridMetric metric, int axis) {
     return axis == 0 ? metric.spacingX() : axis == 1 ? metric.spacingY() : metric.spacingZ();
   }
 
+  /** Returns the boxes whose metric width is nearest to that of the widest on the shortest axis. */
   private static int[] boxesFor(double ratio, int widest) {
     double wanted = sigmaVoxels(BOXES[widest]);
     int[] best = BOXES[widest];
@@ -67,7 +76,7 @@ public final class SmoothingKernel {
     return best;
   }
 
-  /** The standard deviation of the two boxes and the box of one voxel, one after the other. */
+  /** Returns the standard deviation of the convolution of the two boxes and a box of one voxel. */
   private static double sigmaVoxels(int[] boxes) {
     return Math.sqrt((boxes[0] * boxes[0] + boxes[1] * boxes[1] + 1) / 12.0);
   }
@@ -87,32 +96,32 @@ public final class SmoothingKernel {
     return (TAPS - (wide + narrow - 1)) / 2;
   }
 
-  /** The first tap along an axis that weighs anything. */
+  /** Returns the first tap along an axis that is not 0. */
   int firstTap(int axis) {
     return firstTap(boxes[axis][0], boxes[axis][1]);
   }
 
-  /** Voxels of the wider box along an axis. */
+  /** Returns the width of the wider box along an axis, in voxels. */
   int wideBox(int axis) {
     return boxes[axis][0];
   }
 
-  /** Voxels of the narrower box along an axis. */
+  /** Returns the width of the narrower box along an axis, in voxels. */
   int narrowBox(int axis) {
     return boxes[axis][1];
   }
 
-  /** The weight of one of the ten taps along an axis; tap t and tap 9-t are equal. */
+  /** Returns one of the ten taps along an axis; tap t equals tap 9-t. */
   int tap(int axis, int t) {
     return taps[axis][t];
   }
 
-  /** What turns a sum of taps over all three axes into a share between 0 and 1. */
+  /** Returns the factor that turns a sum of taps over all three axes into an occupancy. */
   double scale() {
     return scale;
   }
 
-  /** The standard deviation along an axis, in shortest voxel edges. */
+  /** Returns the standard deviation along an axis, in shortest voxel edges. */
   double sigmaEdges(int axis) {
     return sigmaEdges[axis];
   }

@@ -5,57 +5,70 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.Vec3;
 
 /**
- * The smoothed field as its definition has it: every voxel that cannot be reached inside the window
- * adds its share times the convolution of two boxes of voxels and a quadratic B-spline, axis by
- * axis.
+ * The occupancy field written down as its definition says: a test oracle.
+ *
+ * <p>Every voxel of the window adds its occupancy times a weight. The weight is the product over
+ * the axes of the convolution of two boxes of whole voxels and a quadratic B-spline. Empty voxels
+ * that the seed does not reach within the window count as solid.
  */
 final class NaiveOccupancyField {
-  private final CollisionScene obstacles;
-  private final int[][] boxes;
-  private final Share share;
+  private static final int EDGE = 12;
+  private static final int[][] FACES = {
+    {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}
+  };
 
-  /** The share of solid of a voxel that is solid or that can be reached. */
-  interface Share {
+  private final CollisionScene scene;
+  private final int[][] boxes;
+  private final VoxelOccupancy voxels;
+
+  /** The occupancy of a voxel that is solid or that the seed reaches. */
+  interface VoxelOccupancy {
     double of(int i, int j, int k, boolean isSolid);
   }
 
-  /** The field for the two box widths along each axis. */
-  NaiveOccupancyField(CollisionScene obstacles, int[][] boxes) {
-    this(obstacles, boxes, (i, j, k, isSolid) -> isSolid ? 1 : 0);
+  /** Creates the field of bits for the two box widths along each axis. */
+  NaiveOccupancyField(CollisionScene scene, int[][] boxes) {
+    this(scene, boxes, (i, j, k, isSolid) -> isSolid ? 1 : 0);
   }
 
-  /** The field of shares; what cannot be reached is wholly solid. */
-  NaiveOccupancyField(CollisionScene obstacles, int[][] boxes, Share share) {
-    this.obstacles = obstacles;
+  /** Creates the field of voxels with any occupancy. */
+  NaiveOccupancyField(CollisionScene scene, int[][] boxes, VoxelOccupancy voxels) {
+    this.scene = scene;
     this.boxes = boxes;
-    this.share = share;
+    this.voxels = voxels;
   }
 
-  /** The value at a point as seen from the cell of the seed. */
-  double value(double x, double y, double z, int[] seed) {
-    int[] low = {low(x), low(y), low(z)};
+  /** Returns the occupancy at a point as seen from the cell of the seed. */
+  double occupancy(Vec3 point, int[] seed) {
+    int[] low = {low(point.x), low(point.y), low(point.z)};
     Set<List<Integer>> reached = flood(low, seed);
     double sum = 0;
-    for (int k = low[2]; k < low[2] + 12; k++) {
-      for (int j = low[1]; j < low[1] + 12; j++) {
-        for (int i = low[0]; i < low[0] + 12; i++) {
-          boolean isSolid = obstacles.isSolid(i, j, k);
-          boolean isLost = !isSolid && !reached.contains(List.of(i, j, k));
+    for (int k = low[2]; k < low[2] + EDGE; k++) {
+      for (int j = low[1]; j < low[1] + EDGE; j++) {
+        for (int i = low[0]; i < low[0] + EDGE; i++) {
           sum +=
-              (isLost ? 1 : share.of(i, j, k, isSolid))
-                  * weight(0, x - i - 0.5)
-                  * weight(1, y - j - 0.5)
-                  * weight(2, z - k - 0.5);
+              voxelOccupancy(i, j, k, reached)
+                  * weight(0, point.x - i - 0.5)
+                  * weight(1, point.y - j - 0.5)
+                  * weight(2, point.z - k - 0.5);
         }
       }
     }
     return sum;
   }
 
-  private static int low(double v) {
-    return (int) Math.floor(v + 0.5) - 6;
+  /** Returns the first voxel of the window around the nearest corner. */
+  private static int low(double coordinate) {
+    return (int) Math.floor(coordinate + 0.5) - EDGE / 2;
+  }
+
+  private double voxelOccupancy(int i, int j, int k, Set<List<Integer>> reached) {
+    boolean isSolid = scene.isSolid(i, j, k);
+    boolean isCutOff = !isSolid && !reached.contains(List.of(i, j, k));
+    return isCutOff ? 1 : voxels.of(i, j, k, isSolid);
   }
 
   private double weight(int axis, double offset) {
@@ -70,6 +83,7 @@ final class NaiveOccupancyField {
     return sum / (wide * narrow);
   }
 
+  /** Returns the centred quadratic B-spline. */
   private static double spline(double t) {
     double u = Math.abs(t);
     if (u <= 0.5) {
@@ -78,6 +92,7 @@ final class NaiveOccupancyField {
     return u < 1.5 ? 0.5 * (1.5 - u) * (1.5 - u) : 0;
   }
 
+  /** Returns the empty voxels that the seed reaches; all of them if the seed is not one of them. */
   private Set<List<Integer>> flood(int[] low, int[] seed) {
     Set<List<Integer>> reached = new HashSet<>();
     List<Integer> start = List.of(seed[0], seed[1], seed[2]);
@@ -88,11 +103,10 @@ final class NaiveOccupancyField {
     ArrayDeque<List<Integer>> open = new ArrayDeque<>();
     open.add(start);
     reached.add(start);
-    int[][] steps = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     while (!open.isEmpty()) {
       List<Integer> at = open.remove();
-      for (int[] s : steps) {
-        List<Integer> next = List.of(at.get(0) + s[0], at.get(1) + s[1], at.get(2) + s[2]);
+      for (int[] face : FACES) {
+        List<Integer> next = List.of(at.get(0) + face[0], at.get(1) + face[1], at.get(2) + face[2]);
         if (isFree(low, next) && reached.add(next)) {
           open.add(next);
         }
@@ -102,20 +116,24 @@ final class NaiveOccupancyField {
   }
 
   private void addAllFree(int[] low, Set<List<Integer>> reached) {
-    for (int n = 0; n < 1728; n++) {
-      List<Integer> voxel = List.of(low[0] + n % 12, low[1] + n / 12 % 12, low[2] + n / 144);
-      if (isFree(low, voxel)) {
-        reached.add(voxel);
+    for (int k = low[2]; k < low[2] + EDGE; k++) {
+      for (int j = low[1]; j < low[1] + EDGE; j++) {
+        for (int i = low[0]; i < low[0] + EDGE; i++) {
+          List<Integer> voxel = List.of(i, j, k);
+          if (isFree(low, voxel)) {
+            reached.add(voxel);
+          }
+        }
       }
     }
   }
 
   private boolean isFree(int[] low, List<Integer> voxel) {
     for (int axis = 0; axis < 3; axis++) {
-      if (voxel.get(axis) < low[axis] || voxel.get(axis) >= low[axis] + 12) {
+      if (voxel.get(axis) < low[axis] || voxel.get(axis) >= low[axis] + EDGE) {
         return false;
       }
     }
-    return !obstacles.isSolid(voxel.get(0), voxel.get(1), voxel.get(2));
+    return !scene.isSolid(voxel.get(0), voxel.get(1), voxel.get(2));
   }
 }

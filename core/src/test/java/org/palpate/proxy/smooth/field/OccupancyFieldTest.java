@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Random;
@@ -13,14 +14,15 @@ import org.palpate.volume.BitCube;
 
 class OccupancyFieldTest {
   private static final long SEED = Seeds.seed();
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
   private static final int[] ISOTROPIC = {6, 5};
 
   private final Random random = new Random(SEED);
 
   @Test
   void equalsItsDefinitionOnRandomBits() {
-    for (double share : new double[] {0.02, 0.2, 0.5, 0.8, 0.97}) {
-      compare(randomBits(share), new Vec3(1, 1, 1), new int[][] {ISOTROPIC, ISOTROPIC, ISOTROPIC});
+    for (double fraction : new double[] {0.02, 0.2, 0.5, 0.8, 0.97}) {
+      compare(randomBits(fraction), UNIT, new int[][] {ISOTROPIC, ISOTROPIC, ISOTROPIC});
     }
   }
 
@@ -36,148 +38,162 @@ class OccupancyFieldTest {
         }
       }
     }
-    compare(walls, new Vec3(1, 1, 1), new int[][] {ISOTROPIC, ISOTROPIC, ISOTROPIC});
+    compare(walls, UNIT, new int[][] {ISOTROPIC, ISOTROPIC, ISOTROPIC});
   }
 
   @Test
   void longerVoxelsGetNarrowerBoxes() {
-    compare(randomBits(0.4), new Vec3(0.5, 0.5, 1), new int[][] {ISOTROPIC, ISOTROPIC, {3, 2}});
+    GridMetric tall = new GridMetric(0.5, 0.5, 1);
+    compare(randomBits(0.4), tall, new int[][] {ISOTROPIC, ISOTROPIC, {3, 2}});
   }
 
-  /**
-   * A seed in a solid reaches nothing, and all counts as reached; the next one is another matter.
-   */
+  /** From a seed in a solid all empty voxels count as reached; that must not outlast the seed. */
   @Test
-  void aSeedInASolidLeavesNothingBehind() {
+  void aSeedInASolidDoesNotChangeLaterEvaluations() {
     BitCube wall = new BitCube(24, 24, 24);
     for (int k = 0; k < 24; k++) {
       for (int j = 0; j < 24; j++) {
         wall.set(10, j, k);
       }
     }
-    CollisionScene obstacles = new CollisionScene(List.of(wall));
-    OccupancyField fresh = field(new Vec3(1, 1, 1));
-    OccupancyField used = field(new Vec3(1, 1, 1));
-    used.use(obstacles);
-    used.seed(10, 12.5, 12.5);
-    used.evaluate(10, 12.5, 12.5);
-    for (OccupancyField field : List.of(fresh, used)) {
-      field.use(obstacles);
-      field.seed(9.7, 12.5, 12.5);
-      field.evaluate(9.7, 12.5, 12.5);
-    }
-    assertEquals(fresh.value, used.value);
-    used.seed(10, 12.5, 12.5);
-    used.evaluate(9.7, 12.5, 12.5);
-    OccupancyField other = field(new Vec3(1, 1, 1));
-    other.use(obstacles);
-    other.seed(10, 12.5, 12.5);
-    other.evaluate(9.7, 12.5, 12.5);
-    assertEquals(other.value, used.value);
+    CollisionScene scene = new CollisionScene(List.of(wall));
+    Vec3 solidSeed = new Vec3(10, 12.5, 12.5);
+    Vec3 point = new Vec3(9.7, 12.5, 12.5);
+    OccupancyField used = field(scene, UNIT);
+    used.evaluate(new SeedCell().set(solidSeed), solidSeed);
+    double fresh = field(scene, UNIT).evaluate(new SeedCell().set(point), point).occupancy();
+    assertEquals(fresh, used.evaluate(new SeedCell().set(point), point).occupancy());
+    double freshFromSolid =
+        field(scene, UNIT).evaluate(new SeedCell().set(solidSeed), point).occupancy();
+    assertEquals(freshFromSolid, used.evaluate(new SeedCell().set(solidSeed), point).occupancy());
   }
 
   @Test
-  void answersAlikeWhateverWasAskedBefore() {
-    CollisionScene obstacles = new CollisionScene(List.of(randomBits(0.3)));
-    OccupancyField kept = field(new Vec3(1, 1, 1));
+  void answersDoNotDependOnEarlierEvaluations() {
+    CollisionScene scene = new CollisionScene(List.of(randomBits(0.3)));
+    OccupancyField used = field(scene, UNIT);
     for (int n = 0; n < 2000; n++) {
-      Vec3 at = new Vec3(within(), within(), within());
-      OccupancyField fresh = field(new Vec3(1, 1, 1));
-      for (OccupancyField field : List.of(kept, fresh)) {
-        field.use(obstacles);
-        field.seed(at.x, at.y, at.z);
-        field.evaluate(at.x, at.y, at.z);
-      }
-      assertEquals(fresh.value, kept.value, "seed=" + SEED + " at " + at);
-      assertEquals(fresh.gz, kept.gz, "seed=" + SEED + " at " + at);
-      assertEquals(fresh.hxy, kept.hxy, "seed=" + SEED + " at " + at);
+      Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
+      FieldSample fresh = field(scene, UNIT).evaluate(new SeedCell().set(point), point);
+      FieldSample sample = used.evaluate(new SeedCell().set(point), point);
+      assertEquals(fresh.occupancy(), sample.occupancy(), "seed=" + SEED + " at " + point);
+      assertEquals(fresh.gz(), sample.gz(), "seed=" + SEED + " at " + point);
+      assertEquals(fresh.hxy(), sample.hxy(), "seed=" + SEED + " at " + point);
     }
   }
 
   @Test
-  void derivativesAreThoseOfTheValue() {
-    OccupancyField field = field(new Vec3(0.7, 1.4, 2.1));
-    field.use(new CollisionScene(List.of(randomBits(0.3))));
-    Vec3 edges = new Vec3(1, 2, 3);
+  void theSameQuestionIsNotEvaluatedAgain() {
+    CollisionScene scene = new CollisionScene(List.of(randomBits(0.3)));
+    OccupancyField field = field(scene, UNIT);
+    Vec3 point = new Vec3(12.2, 13.3, 14.4);
+    long first = field.evaluate(new SeedCell().set(point), point).evaluation();
+    assertEquals(first, field.evaluate(new SeedCell().set(point), point).evaluation());
+    assertEquals(1, field.windowReads());
+    assertEquals(
+        first + 1,
+        field.evaluate(new SeedCell().set(point), new Vec3(12.3, 13.3, 14.4)).evaluation());
+    assertEquals(1, field.windowReads());
+  }
+
+  @Test
+  void derivativesAreThoseOfTheOccupancy() {
+    GridMetric metric = new GridMetric(0.7, 1.4, 2.1);
+    OccupancyField field = field(new CollisionScene(List.of(randomBits(0.3))), metric);
     double h = 1e-5;
     for (int n = 0; n < 300; n++) {
-      Vec3 at = awayFromHalves();
-      field.seed(at.x, at.y, at.z);
-      field.evaluate(at.x, at.y, at.z);
-      double gx = field.gx;
-      double gz = field.gz;
-      double hzz = field.hzz;
-      double hxy = field.hxy;
-      field.evaluate(at.x + h, at.y, at.z);
-      double right = field.value;
-      field.evaluate(at.x - h, at.y, at.z);
-      assertEquals((right - field.value) / (2 * h * edges.x), gx, 1e-6, "seed=" + SEED);
-      field.evaluate(at.x, at.y, at.z + h);
-      double up = field.gz;
-      double upValue = field.value;
-      field.evaluate(at.x, at.y, at.z - h);
-      assertEquals((upValue - field.value) / (2 * h * edges.z), gz, 1e-6, "seed=" + SEED);
-      assertEquals((up - field.gz) / (2 * h * edges.z), hzz, 1e-6, "seed=" + SEED);
-      field.evaluate(at.x, at.y + h, at.z);
-      double back = field.gx;
-      field.evaluate(at.x, at.y - h, at.z);
-      assertEquals((back - field.gx) / (2 * h * edges.y), hxy, 1e-6, "seed=" + SEED);
+      Vec3 p = awayFromHalves();
+      FieldSample sample = field.evaluate(new SeedCell().set(p), p);
+      double gx = sample.gx();
+      double gz = sample.gz();
+      double hzz = sample.hzz();
+      double hxy = sample.hxy();
+      double right = field.evaluate(new SeedCell().set(p), new Vec3(p.x + h, p.y, p.z)).occupancy();
+      double left = field.evaluate(new SeedCell().set(p), new Vec3(p.x - h, p.y, p.z)).occupancy();
+      assertEquals((right - left) / (2 * h), gx, 1e-6, "seed=" + SEED);
+      field.evaluate(new SeedCell().set(p), new Vec3(p.x, p.y, p.z + h));
+      double up = sample.occupancy();
+      double upSlope = sample.gz();
+      field.evaluate(new SeedCell().set(p), new Vec3(p.x, p.y, p.z - h));
+      assertEquals((up - sample.occupancy()) / (2 * h * 3), gz, 1e-6, "seed=" + SEED);
+      assertEquals((upSlope - sample.gz()) / (2 * h * 3), hzz, 1e-6, "seed=" + SEED);
+      double back = field.evaluate(new SeedCell().set(p), new Vec3(p.x, p.y + h, p.z)).gx();
+      double front = field.evaluate(new SeedCell().set(p), new Vec3(p.x, p.y - h, p.z)).gx();
+      assertEquals((back - front) / (2 * h * 2), hxy, 1e-6, "seed=" + SEED);
     }
+  }
+
+  @Test
+  void theNormalPointsOutOfAPlaneAndTheHeightIsTheDistance() {
+    BitCube floor = new BitCube(40, 40, 40);
+    for (int j = 0; j < 40; j++) {
+      for (int i = 0; i < 40; i++) {
+        for (int k = 0; k < 20; k++) {
+          floor.set(i, j, k);
+        }
+      }
+    }
+    OccupancyField field = field(new CollisionScene(List.of(floor)), UNIT);
+    Vec3 point = new Vec3(20.3, 20.4, 20 + field.level().offsetEdges());
+    FieldSample sample = field.evaluate(new SeedCell().set(point), point);
+    assertTrue(sample.hasNormal());
+    assertEquals(1, sample.normal().z, 1e-9);
+    assertEquals(0, sample.heightEdges(), 0.02);
+    assertEquals(0, sample.boundedHeightEdges(), 0.02);
+    assertEquals(0, sample.curvatureSum(), 1e-9);
+    point.z += 0.5;
+    assertEquals(0.5, field.evaluate(new SeedCell().set(point), point).boundedHeightEdges(), 0.05);
   }
 
   @Test
   void aChangedVoxelIsSeenAfterForget() {
     BitCube bits = randomBits(0.1);
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
-    OccupancyField field = field(new Vec3(1, 1, 1));
-    field.use(obstacles);
-    field.evaluate(15.2, 15.2, 15.2);
-    double before = field.value;
+    CollisionScene scene = new CollisionScene(List.of(bits));
+    OccupancyField field = field(scene, UNIT);
+    Vec3 seed = new Vec3();
+    Vec3 point = new Vec3(15.2, 15.2, 15.2);
+    double before = field.evaluate(new SeedCell().set(seed), point).occupancy();
     bits.set(15, 15, 16);
     bits.set(16, 15, 16);
     field.forget();
-    field.evaluate(15.2, 15.2, 15.2);
-    OccupancyField fresh = field(new Vec3(1, 1, 1));
-    fresh.use(obstacles);
-    fresh.evaluate(15.2, 15.2, 15.2);
-    assertEquals(fresh.value, field.value);
-    assertEquals(true, field.value > before);
+    double after = field.evaluate(new SeedCell().set(seed), point).occupancy();
+    assertEquals(field(scene, UNIT).evaluate(new SeedCell().set(seed), point).occupancy(), after);
+    assertTrue(after > before);
   }
 
-  private void compare(BitCube bits, Vec3 spacing, int[][] boxes) {
-    CollisionScene obstacles = new CollisionScene(List.of(bits));
-    OccupancyField field = field(spacing);
-    field.use(obstacles);
-    NaiveOccupancyField naive = new NaiveOccupancyField(obstacles, boxes);
+  private void compare(BitCube bits, GridMetric metric, int[][] boxes) {
+    CollisionScene scene = new CollisionScene(List.of(bits));
+    OccupancyField field = field(scene, metric);
+    NaiveOccupancyField naive = new NaiveOccupancyField(scene, boxes);
     for (int n = 0; n < 60; n++) {
-      Vec3 at = new Vec3(within(), within(), within());
-      int[] seed = {
-        (int) Math.floor(at.x + random.nextInt(7) - 3),
-        (int) Math.floor(at.y + random.nextInt(7) - 3),
-        (int) Math.floor(at.z + random.nextInt(7) - 3)
-      };
-      field.seed(seed[0] + 0.5, seed[1] + 0.5, seed[2] + 0.5);
-      field.evaluate(at.x, at.y, at.z);
+      Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
+      int[] seed = {near(point.x), near(point.y), near(point.z)};
+      Vec3 inSeed = new Vec3(seed[0] + 0.5, seed[1] + 0.5, seed[2] + 0.5);
       assertEquals(
-          naive.value(at.x, at.y, at.z, seed), field.value, 1e-12, "seed=" + SEED + " at " + at);
+          naive.occupancy(point, seed),
+          field.evaluate(new SeedCell().set(inSeed), point).occupancy(),
+          1e-12,
+          "seed=" + SEED + " at " + point);
     }
   }
 
-  private static OccupancyField field(Vec3 spacing) {
-    double shortest = Math.min(spacing.x, Math.min(spacing.y, spacing.z));
-    Vec3 edges = spacing.mul(1 / shortest, new Vec3());
-    return new OccupancyField(
-        new BinaryCoefficientSource(
-            new SmoothingKernel(GridMetric.of(spacing), SmoothingKernel.FOR_BITS)),
-        edges);
+  /** Returns a cell at most three voxels away. */
+  private int near(double coordinate) {
+    return (int) Math.floor(coordinate + random.nextInt(7) - 3);
   }
 
-  private BitCube randomBits(double share) {
+  private static OccupancyField field(CollisionScene scene, GridMetric metric) {
+    OccupancyField field = OccupancyField.ofBits(metric);
+    field.use(scene);
+    return field;
+  }
+
+  private BitCube randomBits(double fraction) {
     BitCube bits = new BitCube(27, 29, 31);
     for (int k = 0; k < 31; k++) {
       for (int j = 0; j < 29; j++) {
         for (int i = 0; i < 27; i++) {
-          if (random.nextDouble() < share) {
+          if (random.nextDouble() < fraction) {
             bits.set(i, j, k);
           }
         }
@@ -186,16 +202,16 @@ class OccupancyFieldTest {
     return bits;
   }
 
-  private double within() {
+  private double coordinate() {
     return random.nextDouble() * 40 - 6;
   }
 
-  /** A point whose neighbours at a small step lie in the same piece of the splines. */
+  /** Returns a point whose neighbours at a small step lie in the same piece of the splines. */
   private Vec3 awayFromHalves() {
-    return new Vec3(piece(), piece(), piece());
+    return new Vec3(coordinateInPiece(), coordinateInPiece(), coordinateInPiece());
   }
 
-  private double piece() {
+  private double coordinateInPiece() {
     return random.nextInt(25) + 0.6 + 0.8 * random.nextDouble();
   }
 }

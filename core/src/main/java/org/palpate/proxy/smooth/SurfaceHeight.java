@@ -1,0 +1,70 @@
+package org.palpate.proxy.smooth;
+
+import org.palpate.proxy.smooth.field.FieldSample;
+import org.palpate.proxy.smooth.field.IsoLevel;
+import org.palpate.proxy.smooth.field.OccupancyField;
+
+/**
+ * Estimates how far the point rests outside the solid, which is taken off |p-d| before it is felt.
+ * Uses the field as it was evaluated last. All results are in mm.
+ */
+final class SurfaceHeight {
+  /** The path over which curvature is smoothed. */
+  private static final double SMOOTHING_PATH_EDGES = 12;
+
+  /** The ripple of a single curvature, by the voxels; the smoothed one stays within it. */
+  private static final double RIPPLE_EDGES = 0.05;
+
+  private final FieldSample sample;
+  private final IsoLevel level;
+  private final double shortestMm;
+  private double curvatureShiftEdges;
+
+  SurfaceHeight(OccupancyField field, EdgeUnits units) {
+    sample = field.sample();
+    level = field.level();
+    shortestMm = units.shortestMm();
+  }
+
+  /**
+   * Updates the estimate for a point that slides on the isosurface.
+   *
+   * @param pathMm the length of the frame's path
+   */
+  double onSurfaceMm(double pathMm) {
+    return shortestMm * onSurfaceEdges(pathMm);
+  }
+
+  /**
+   * Updates the estimate for a point that voxels stop: as on the isosurface where the voxels crowd,
+   * and 0 where they stand alone.
+   *
+   * @param pathMm the length of the frame's path
+   */
+  double onVoxelsMm(double pathMm) {
+    if (!sample.hasNormal()) {
+      return 0;
+    }
+    double crowding = 2 * sample.occupancy() / level.occupancy(sample.normal()) - 1;
+    double height = Math.min(level.offsetEdges(), onSurfaceEdges(pathMm));
+    return shortestMm * (Math.max(0, Math.min(1, crowding)) * height);
+  }
+
+  private double onSurfaceEdges(double pathMm) {
+    double max = level.offsetEdges() + FieldSample.MAX_HEIGHT_EDGES;
+    double aboveFlatSolid = level.offsetEdges() + sample.boundedHeightEdges();
+    updateCurvatureShift(pathMm);
+    return Math.max(0, Math.min(max, aboveFlatSolid - curvatureShiftEdges));
+  }
+
+  /**
+   * Smooths over the path how much closer the isosurface runs to a curved surface, because single
+   * curvatures carry the ripple of the voxels.
+   */
+  private void updateCurvatureShift(double pathMm) {
+    double now = level.curvatureShiftEdges(sample.curvatureSum());
+    double fraction = Math.min(1, pathMm / (shortestMm * SMOOTHING_PATH_EDGES));
+    double smoothed = curvatureShiftEdges + fraction * (now - curvatureShiftEdges);
+    curvatureShiftEdges = Math.max(now - RIPPLE_EDGES, Math.min(now + RIPPLE_EDGES, smoothed));
+  }
+}
