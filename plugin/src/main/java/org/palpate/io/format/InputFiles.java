@@ -126,15 +126,18 @@ public final class InputFiles {
       throw new VolumeFormatException(
           "the data file '" + name + "' is no valid file name", header, "correct the name", e);
     }
-    // both separators on every system
-    boolean climbs = name.replace('\\', '/').matches("(.*/)?\\.\\.(/.*)?|/.*|[A-Za-z]:.*");
-    if (relative.isAbsolute() || climbs || name.isBlank()) {
+    if (relative.isAbsolute() || name.isBlank() || leavesFolder(name.replace('\\', '/'))) {
       throw new VolumeFormatException(
           "the data file '" + name + "' is outside its folder",
           header,
           "put the data file into the folder of the header and name it without a path");
     }
     return folder.resolve(relative);
+  }
+
+  /** Whether a path, with / on every system, starts elsewhere or leads above its start. */
+  private static boolean leavesFolder(String path) {
+    return path.matches("/.*|[A-Za-z]:.*") || Path.of(path).normalize().startsWith("..");
   }
 
   /** Returns whether the name of a file ends in one of some endings, in upper or lower case. */

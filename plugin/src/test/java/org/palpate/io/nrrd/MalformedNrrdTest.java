@@ -74,6 +74,8 @@ class MalformedNrrdTest {
         "encoding: raw|encoding: raw\nbyte skip: 9223372036854775807",
         "encoding: raw|encoding: raw\nline skip: 9223372036854775807",
         "encoding: raw|encoding: raw\ndata file: ../secret.raw",
+        "encoding: raw|encoding: raw\ndata file: sub/../../secret.raw",
+        "encoding: raw|encoding: raw\ndata file: sub\\..\\..\\secret.raw",
         "encoding: raw|encoding: raw\ndata file: /etc/passwd",
         "encoding: raw|encoding: raw\ndata file: C:\\secret.raw",
         "encoding: raw|encoding: raw\ndata file: absent.raw",

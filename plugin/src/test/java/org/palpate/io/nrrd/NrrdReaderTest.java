@@ -2,8 +2,10 @@ package org.palpate.io.nrrd;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.palpate.geometry.Vec3;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
@@ -30,6 +32,18 @@ class NrrdReaderTest {
             .solidCount());
     assertEquals(532_633, count("labels/Skull.nrrd", SegmentSpec.nonzero("all")));
     assertEquals(972_670, count("labels/HN-Atlas-labels.nrrd", SegmentSpec.nonzero("all")));
+  }
+
+  @Test
+  void readsDataAtAPathThatLeavesASubFolderButNotTheFolder() throws Exception {
+    VolumeReader reader =
+        VolumeFiles.open(TestData.file("cases/nrrd/detached/vol.nhdr"), ReadOptions.defaults());
+    long[] sum = {0};
+    reader.read((k, slice) -> sum[0] += Arrays.stream(slice.integers()).sum());
+    assertEquals(47_880, sum[0]);
+    assertEquals(
+        new Vec3(4, 5.75, 11).toString(),
+        reader.header().grid().gridToWorld(new Vec3(6.5, 5.5, 4.5), new Vec3()).toString());
   }
 
   private static long count(String name, SegmentSpec spec) throws VolumeFormatException {
