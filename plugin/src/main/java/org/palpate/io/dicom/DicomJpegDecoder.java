@@ -18,24 +18,58 @@ import org.palpate.io.codec.Jpeg2000Validator;
 final class DicomJpegDecoder {
   private static final int JPEG_LOSSLESS = 0xFFC3;
   private static final int JPEG_SCAN = 0xFFDA;
+  private static final int JPEG_END = 0xFFD9;
+
+  /** More than the bits of one pixel. */
+  private static final int PADDING_BYTES = 8;
 
   private DicomJpegDecoder() {}
 
   /** Decodes one frame into the low bits of {@code stored}. */
   static void decode(DicomFile dicom, byte[] bytes, int[] stored, int count) throws IOException {
-    boolean jpeg2000 = dicom.syntax().coding() == TransferSyntax.Coding.JPEG_2000;
-    if (jpeg2000) {
-      checkJpeg2000(dicom, bytes);
-    } else {
-      checkJpeg(dicom, bytes);
-    }
-    Raster raster = raster(jpeg2000 ? new J2KImageReaderSpi() : registeredJpeg(), bytes);
+    Raster raster =
+        dicom.syntax().coding() == TransferSyntax.Coding.JPEG_2000
+            ? jpeg2000Raster(dicom, bytes)
+            : jpegRaster(dicom, bytes);
     if (raster.getWidth() != dicom.columns()
         || raster.getHeight() != dicom.rows()
         || raster.getNumBands() != 1) {
       throw new IOException("the JPEG stream has another size than the DICOM header");
     }
     raster.getSamples(0, 0, raster.getWidth(), raster.getHeight(), 0, stored);
+  }
+
+  private static Raster jpeg2000Raster(DicomFile dicom, byte[] bytes) throws IOException {
+    checkJpeg2000(dicom, bytes);
+    return raster(new J2KImageReaderSpi(), bytes);
+  }
+
+  private static Raster jpegRaster(DicomFile dicom, byte[] bytes) throws IOException {
+    checkJpeg(dicom, bytes);
+    try {
+      return raster(registeredJpeg(), padded(bytes));
+    } catch (IOException e) {
+      // a table of few codes may have none for the padding, which is only needed without fill bits
+      return raster(registeredJpeg(), bytes);
+    }
+  }
+
+  /**
+   * Returns the stream with zeros before its end marker. The library drops the last pixel if its
+   * bits end directly before the marker, and decodes one pixel too many if they do not.
+   */
+  private static byte[] padded(byte[] bytes) {
+    int end = bytes.length - 2;
+    while (end >= 0 && ((bytes[end] & 0xff) << 8 | (bytes[end + 1] & 0xff)) != JPEG_END) {
+      end--;
+    }
+    if (end < 0) {
+      return bytes;
+    }
+    byte[] padded = new byte[bytes.length + PADDING_BYTES];
+    System.arraycopy(bytes, 0, padded, 0, end);
+    System.arraycopy(bytes, end, padded, end + PADDING_BYTES, bytes.length - end);
+    return padded;
   }
 
   /** Returns the provider of TwelveMonkeys, which works only if it is registered. */
