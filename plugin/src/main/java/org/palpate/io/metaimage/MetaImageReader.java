@@ -227,7 +227,14 @@ public final class MetaImageReader {
       length += InputFiles.length(file);
     }
     if (samples > length / 2 + 1) {
-      throw header.refusal("the header promises " + samples + " values in " + length + " bytes");
+      throw new VolumeFormatException(
+          "the header promises "
+              + samples
+              + " values but the file has "
+              + length
+              + " bytes of text",
+          header.file(),
+          "copy the file again; if that does not help, export it again");
     }
   }
 

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Set;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
+import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VoxelType;
 
@@ -159,21 +160,15 @@ final class TiffPage {
     for (int n = 0; n < pieces; n++) {
       double end = offsets()[n] + byteCounts()[n];
       if (!(offsets()[n] >= 0 && byteCounts()[n] >= 0 && end <= tiff.length())) {
-        throw refusal("the data end at byte " + NumberText.display(end) + " of " + tiff.length());
+        throw InputFiles.truncatedFile(tiff.file(), end, (double) tiff.length(), "");
       }
     }
     double bytes = (double) width() * height() * type().bytes();
     double tileBytes = (double) tileWidth() * tileHeight() * type().bytes();
     double most = (double) tiff.length() * maxExpansion(compression);
     if (bytes > most || tileBytes > most + 4096 || tileBytes > Integer.MAX_VALUE - 8) {
-      throw refusal(
-          "the size "
-              + width()
-              + "x"
-              + height()
-              + " is more than "
-              + tiff.length()
-              + " bytes can hold");
+      throw InputFiles.truncatedFile(
+          tiff.file(), bytes, (double) tiff.length(), compression == 1 ? "" : "compressed");
     }
   }
 

@@ -133,11 +133,13 @@ public final class TiffReader implements VolumeReader {
     double sliceBytes = (double) first.width() * first.height() * first.type().bytes();
     double found = Math.floor((tiff.length() - first.offsets()[0]) / sliceBytes);
     if (imagej.images() > found) {
-      throw first.refusal(
+      throw new VolumeFormatException(
           "the description promises "
               + imagej.images()
-              + " slices but the file has "
-              + NumberText.display(found));
+              + " slices but the file has room for at most "
+              + NumberText.display(found),
+          tiff.file(),
+          "copy the file again; if that does not help, export it again");
     }
     return imagej.images();
   }
