@@ -33,6 +33,6 @@ public interface ProxySolver {
    */
   default void reset() {}
 
-  /** Adds the number of times that this solver skipped work to {@code dest}, since it was made. */
+  /** Adds the number of times that this solver skipped work to {@code dest}. */
   default void addSkips(SkipCounters dest) {}
 }

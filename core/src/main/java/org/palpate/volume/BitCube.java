@@ -8,7 +8,7 @@ import org.palpate.geometry.IntBox;
  *
  * <pre>
  *   brick word    bit  z z y y x x     of the voxel inside its brick
- *   upper word    bit  Z Z Y Y X X     of the brick inside its block of 4x4x4 bricks, set where the brick is not empty
+ *   upper word    bit  Z Z Y Y X X     of the brick inside its block of 4x4x4 bricks, set if the brick is not empty
  * </pre>
  *
  * <p>Invariant: an upper bit is set exactly if its brick word is not 0. Invariant: padding bits,

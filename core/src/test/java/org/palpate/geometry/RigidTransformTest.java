@@ -7,13 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 
 class RigidTransformTest {
-  /** Turns by a right angle about z, then moves. */
+  /** A rotation by a right angle about z, then a translation. */
   private static final RigidTransform QUARTER_TURN =
       new RigidTransform(
           new Vec3(0, 1, 0), new Vec3(-1, 0, 0), new Vec3(0, 0, 1), new Vec3(5, 6, 7));
 
   @Test
-  void turnsThenMoves() {
+  void rotatesThenTranslates() {
     Vec3 image = QUARTER_TURN.transform(new Vec3(1, 2, 3), new Vec3());
     assertTrue(image.sameBits(new Vec3(3, 7, 10)), "" + image);
     Vec3 direction = QUARTER_TURN.rotate(new Vec3(1, 2, 3), new Vec3());
@@ -21,15 +21,15 @@ class RigidTransformTest {
   }
 
   @Test
-  void theInverseTakesBack() {
+  void inverseRestoresThePointInPlace() {
     Vec3 point = new Vec3(1, 2, 3);
     QUARTER_TURN.transform(point, point);
     QUARTER_TURN.inverseTransform(point, point);
-    assertTrue(point.sameBits(new Vec3(1, 2, 3)), "in place too: " + point);
+    assertTrue(point.sameBits(new Vec3(1, 2, 3)), "in place: " + point);
   }
 
   @Test
-  void tellsOrthonormalAxesFromOthers() {
+  void recognizesOrthonormalAxes() {
     assertTrue(QUARTER_TURN.isOrthonormal());
     assertTrue(RigidTransform.identity().isOrthonormal());
     Vec3 x = new Vec3(1, 0, 0);
@@ -40,7 +40,7 @@ class RigidTransformTest {
   }
 
   @Test
-  void sameBitsTellsNegativeZeroAndFindsNanEqual() {
+  void sameBitsDistinguishesNegativeZeroAndEqualsNan() {
     assertFalse(new Vec3(0, 0, 0).sameBits(new Vec3(-0.0, 0, 0)));
     assertTrue(new Vec3(Double.NaN, 0, 0).sameBits(new Vec3(Double.NaN, 0, 0)));
     assertEquals(3, new Vec3(1, 2, 2).length());
@@ -48,7 +48,7 @@ class RigidTransformTest {
   }
 
   @Test
-  void componentsGoByAxis() {
+  void getsAndSetsComponentsByAxis() {
     Vec3 vector = new Vec3();
     for (int axis = 0; axis < 3; axis++) {
       vector.set(axis, axis + 1);

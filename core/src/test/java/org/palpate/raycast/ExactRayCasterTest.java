@@ -33,7 +33,7 @@ class ExactRayCasterTest {
   }
 
   @Test
-  void touchesBothSidesOfThePlaneItRunsIn() {
+  void aRayInAGridPlaneTouchesTheVoxelsOnBothSides() {
     BitCube bits = new BitCube(8, 4, 4);
     bits.set(5, 1, 1);
     assertTrue(caster.cast(bits, new Ray().from(0.5, 2, 1.5).to(7, 2, 1.5), hit));
@@ -44,7 +44,7 @@ class ExactRayCasterTest {
   }
 
   @Test
-  void touchesAVoxelThatBeginsWhereTheRayEnds() {
+  void touchesAVoxelAtTheEndOfTheRay() {
     BitCube bits = new BitCube(8, 4, 4);
     bits.set(5, 1, 1);
     assertTrue(caster.cast(bits, new Ray().from(0.3, 1.5, 1.5).to(5, 1.5, 1.5), hit));
@@ -74,7 +74,7 @@ class ExactRayCasterTest {
           corner[0] - random.nextInt(2),
           corner[1] - random.nextInt(2),
           corner[2] - random.nextInt(2));
-      bits.set(0, 0, 0); // so that the walk does not begin at the bounds of the one
+      bits.set(0, 0, 0); // so that the traversal does not start at the bounds of the one
       bits.set(15, 15, 15);
       Ray ray = n % 2 == 0 ? rayByACorner(random, corner) : chainOfNearTies(random, corner);
       hits += agrees(bits, ray, "seed=" + seed + " ray " + n) ? 1 : 0;
@@ -82,7 +82,7 @@ class ExactRayCasterTest {
     assertTrue(hits > 10_000, "too few hits to mean anything: " + hits);
   }
 
-  /** Ends at a corner but for some roundings, or goes on from there as far again. */
+  /** Returns a ray that ends within some roundings of a corner, or goes on as far again. */
   private static Ray rayByACorner(SplittableRandom random, int[] corner) {
     double[] from = new double[3];
     double[] to = new double[3];
@@ -99,7 +99,7 @@ class ExactRayCasterTest {
     return new Ray().from(from[0], from[1], from[2]).to(to[0], to[1], to[2]);
   }
 
-  /** Ends at a corner of two axes, and crosses the plane of the third just one doubt before. */
+  /** Returns a ray that ends at a corner of two axes, one doubt after the plane of the third. */
   private static Ray chainOfNearTies(SplittableRandom random, int[] corner) {
     double[] from = new double[3];
     double[] to = {corner[0], corner[1], corner[2]};
@@ -131,7 +131,7 @@ class ExactRayCasterTest {
   }
 
   @Test
-  void agreesWithTheExhaustiveWayOnLongRaysThroughEmptyBricks() {
+  void agreesWithTheExhaustiveCasterOnLongRaysThroughEmptyBricks() {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
     ExactRayCaster voxelByVoxel = ExactRayCaster.voxelByVoxel();
@@ -173,10 +173,10 @@ class ExactRayCasterTest {
     return bits;
   }
 
-  /** Anywhere, from outside, along axes and diagonals, on planes and off them. */
+  /** Returns a ray anywhere: from outside, along axes and diagonals, on planes and off them. */
   private static Ray longRay(SplittableRandom random) {
-    Ray ray = new Ray().from(place(random, 90), place(random, 61), place(random, 130));
-    ray.to(place(random, 90), place(random, 61), place(random, 130));
+    Ray ray = new Ray().from(coordinate(random, 90), coordinate(random, 61), coordinate(random, 130));
+    ray.to(coordinate(random, 90), coordinate(random, 61), coordinate(random, 130));
     switch (random.nextInt(6)) {
       case 0 -> ray.toX = ray.fromX;
       case 1 -> {
@@ -192,7 +192,7 @@ class ExactRayCasterTest {
     return ray;
   }
 
-  private static double place(SplittableRandom random, int size) {
+  private static double coordinate(SplittableRandom random, int size) {
     double anywhere = random.nextDouble(-40, size + 40);
     return random.nextInt(5) == 0 ? Math.rint(4 * anywhere) / 4 : anywhere;
   }

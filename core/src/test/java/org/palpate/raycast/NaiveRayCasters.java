@@ -4,7 +4,7 @@ import java.util.NavigableSet;
 import java.util.TreeSet;
 import org.palpate.volume.BitCube;
 
-/** The sampling casters as one would write them on a blackboard: all samples, no skipping. */
+/** The sampling casters without a shortcut: every sample, in order. */
 final class NaiveRayCasters {
   private NaiveRayCasters() {}
 

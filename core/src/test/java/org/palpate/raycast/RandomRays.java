@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.SplittableRandom;
 import org.palpate.volume.BitCube;
 
-/** Cubes and rays, many of them on grid planes, along axes, or far outside. */
+/** Random cubes and rays; many rays lie on grid planes, along axes or outside. */
 final class RandomRays {
   private static final int SIZE = 20;
   private static final int SOLIDS = 60;

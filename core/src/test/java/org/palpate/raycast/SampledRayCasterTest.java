@@ -20,7 +20,7 @@ class SampledRayCasterTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {1, 0.1, 0.37, 2.5})
-  void agreesWithItsNaiveTwin(double step) {
+  void agreesWithTheNaiveSampledCaster(double step) {
     RayCaster caster = new SampledRayCaster(step);
     SplittableRandom random = new SplittableRandom(SEED);
     BitCube bits = RandomRays.sparseCube(random);
@@ -36,9 +36,9 @@ class SampledRayCasterTest {
     }
   }
 
-  /** From where a step is less than the distance of two doubles. */
+  /** Starts at a coordinate where a step is shorter than the distance of two doubles. */
   @Test
-  void aRayOfMoreStepsThanDoublesTellApartEnds() {
+  void aRayWithMoreStepsThanDoublesEnds() {
     BitCube bits = new BitCube(4, 4, 4);
     bits.setBrick(0, 0, 0, -1L);
     for (double far : new double[] {0x1p53, 1e17, 1e30, 1e90}) {
@@ -48,7 +48,7 @@ class SampledRayCasterTest {
   }
 
   @Test
-  void gridPlanesAgreeWithTheirNaiveTwin() {
+  void gridPlanesAgreeWithTheNaiveCaster() {
     RayCaster caster = new GridPlanesRayCaster();
     SplittableRandom random = new SplittableRandom(SEED);
     BitCube bits = RandomRays.sparseCube(random);
@@ -65,7 +65,7 @@ class SampledRayCasterTest {
   }
 
   @Test
-  void stepsOverACornerThatGridPlanesFind() {
+  void missesACornerThatGridPlanesFind() {
     BitCube bits = new BitCube(4, 4, 4);
     bits.set(1, 0, 0);
     Ray clipsACorner = new Ray().from(0.7, 0.75, 0.5).to(1.3, 1.15, 0.5);
@@ -108,7 +108,7 @@ class SampledRayCasterTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0, -1, Double.NaN, Double.POSITIVE_INFINITY})
-  void refusesAStepThatIsNone(double step) {
+  void refusesAStepThatIsNotPositiveAndFinite(double step) {
     assertThrows(IllegalArgumentException.class, () -> new SampledRayCaster(step));
   }
 }

@@ -20,7 +20,7 @@ class BitCubeTest {
   @CsvSource({"1,1,1", "4,4,4", "5,1,9", "17,16,15", "33,2,70", "64,64,3"})
   void agreesWithABitSetUnderRandomEdits(int sizeX, int sizeY, int sizeZ) {
     BitCube cube = new BitCube(sizeX, sizeY, sizeZ);
-    BitSet twin = new BitSet();
+    BitSet expected = new BitSet();
     SplittableRandom random = new SplittableRandom(Seeds.seed());
     for (int n = 0; n < EDITS; n++) {
       int i = random.nextInt(sizeX);
@@ -28,15 +28,15 @@ class BitCubeTest {
       int k = random.nextInt(sizeZ);
       boolean solid = random.nextInt(3) > 0;
       put(cube, i, j, k, solid);
-      twin.set((k * sizeY + j) * sizeX + i, solid);
+      expected.set((k * sizeY + j) * sizeX + i, solid);
     }
-    assertAgree(cube, twin);
-    assertAgree(cube.copy(), twin);
-    assertUpperLevelIsTrue(cube);
+    assertAgree(cube, expected);
+    assertAgree(cube.copy(), expected);
+    assertUpperLevelMarksFilledBricks(cube);
   }
 
   @Test
-  void aCopySharesNothing() {
+  void aCopyIsIndependentOfTheOriginal() {
     BitCube cube = new BitCube(9, 9, 9);
     cube.set(3, 4, 5);
     BitCube copy = cube.copy();
@@ -73,7 +73,7 @@ class BitCubeTest {
   }
 
   @Test
-  void keepsPaddingClear() {
+  void keepsPaddingBitsClear() {
     BitCube cube = full(5, 6, 7);
     long bits = 0;
     for (int z = 0; z < cube.bricksZ(); z++) {
@@ -97,7 +97,7 @@ class BitCubeTest {
     assertEquals("x 4-6, y 1-3, z 5-7", cube.bounds().toString());
     cube.setBrick(1, 0, 1, 0);
     assertEquals(0, cube.solidCount());
-    assertUpperLevelIsTrue(cube);
+    assertUpperLevelMarksFilledBricks(cube);
   }
 
   @Test
@@ -128,7 +128,7 @@ class BitCubeTest {
   }
 
   @Test
-  void boundsHoldEverythingAndAreTightOnceTightened() {
+  void boundsContainAllSolidsAndAreTightAfterTightening() {
     BitCube cube = new BitCube(40, 30, 20);
     cube.set(3, 4, 5);
     cube.set(30, 20, 10);
@@ -144,7 +144,7 @@ class BitCubeTest {
   }
 
   @Test
-  void saysWhatItTakesBeforeItIsMade() {
+  void reportsItsMemoryBeforeItIsCreated() {
     assertEquals(8.0 * (64 * 64 * 64 + 16 * 16 * 16), BitCube.bytesFor(256, 256, 256));
     assertTrue(BitCube.bytesFor(100_000, 100_000, 100_000) > 1e14);
     assertThrows(IllegalArgumentException.class, () -> new BitCube(100_000, 100_000, 100_000));
@@ -153,7 +153,7 @@ class BitCubeTest {
 
   @ParameterizedTest
   @CsvSource({"1,1,1", "5,1,9", "9,10,11"})
-  void aWindowHoldsTheVoxelsThatItCovers(int sizeX, int sizeY, int sizeZ) {
+  void aWindowContainsTheVoxelsThatItCovers(int sizeX, int sizeY, int sizeZ) {
     SplittableRandom random = new SplittableRandom(Seeds.seed());
     BitCube cube = new BitCube(sizeX, sizeY, sizeZ);
     for (int n = 0; n < sizeX * sizeY * sizeZ; n++) {
@@ -199,12 +199,12 @@ class BitCubeTest {
     return cube;
   }
 
-  private static void assertAgree(BitCube cube, BitSet twin) {
-    assertEquals(twin.cardinality(), cube.solidCount(), "seed " + Seeds.seed());
+  private static void assertAgree(BitCube cube, BitSet expected) {
+    assertEquals(expected.cardinality(), cube.solidCount(), "seed " + Seeds.seed());
     for (int k = 0; k < cube.sizeZ(); k++) {
       for (int j = 0; j < cube.sizeY(); j++) {
         for (int i = 0; i < cube.sizeX(); i++) {
-          boolean solid = twin.get((k * cube.sizeY() + j) * cube.sizeX() + i);
+          boolean solid = expected.get((k * cube.sizeY() + j) * cube.sizeX() + i);
           assertEquals(solid, cube.get(i, j, k), "seed " + Seeds.seed());
           assertTrue(!solid || cube.bounds().contains(i, j, k));
         }
@@ -212,7 +212,7 @@ class BitCubeTest {
     }
   }
 
-  private static void assertUpperLevelIsTrue(BitCube cube) {
+  private static void assertUpperLevelMarksFilledBricks(BitCube cube) {
     for (int z = 0; z < cube.bricksZ(); z++) {
       for (int y = 0; y < cube.bricksY(); y++) {
         for (int x = 0; x < cube.bricksX(); x++) {

@@ -13,7 +13,7 @@ class GreyQuantizerTest {
   private final Random random = new Random(seed);
 
   @Test
-  void fromTheMiddleOnALevelIsAtLeast128AndBelowItLess() {
+  void aLevelIsAtLeast128ExactlyFromTheMiddleOn() {
     for (int n = 0; n < 200_000; n++) {
       double middle = anyMiddle();
       GreyQuantizer levels =
@@ -26,7 +26,7 @@ class GreyQuantizerTest {
   }
 
   @Test
-  void aLevelIsTheShareOfTheWayThroughTheContrast() {
+  void aLevelIsProportionalToTheDistanceFromTheMiddle() {
     GreyQuantizer levels = new GreyQuantizer(100, 127.5 / 40);
     assertEquals(128, levels.of(100));
     assertEquals(0, levels.of(59));
@@ -39,21 +39,21 @@ class GreyQuantizerTest {
   }
 
   @Test
-  void wholeNumbersAndOthersAreOneScale() {
+  void integersAndFractionsHaveTheSameScale() {
     for (int n = 0; n < 100_000; n++) {
       double middle = 2000 * random.nextDouble() - 500;
       double contrast = 1 + 300 * random.nextDouble();
       GreyQuantizer levels = new GreyQuantizer(middle, 127.5 / contrast);
       int value = random.nextInt(2500) - 700;
       double exact = 128 + 127.5 * (value - middle) / contrast;
-      double held = Math.max(0, Math.min(255, exact));
-      assertEquals(held, levels.of(value) + 0.5, 0.6, "seed=" + seed + " " + middle + " " + value);
+      double clamped = Math.max(0, Math.min(255, exact));
+      assertEquals(clamped, levels.of(value) + 0.5, 0.6, "seed=" + seed + " " + middle + " " + value);
       assertEquals(levels.of(value), levels.of(value + 1e-7), 1, "seed=" + seed);
     }
   }
 
   @Test
-  void eightAtATimeAreTheSameAsOneByOne() {
+  void eightLevelsAtOnceEqualThoseOneByOne() {
     VoxelGrid grid = VoxelGrid.ofUnitVoxels(19, 3, 2);
     GreyQuantizer levels = new GreyQuantizer(90.25, 1.7);
     for (Storage storage : Storage.values()) {
@@ -72,7 +72,7 @@ class GreyQuantizerTest {
   }
 
   @Test
-  void refusesScalesThatDoNotRise() {
+  void refusesASlopeThatIsNotPositive() {
     assertThrows(IllegalArgumentException.class, () -> new GreyQuantizer(0, 0));
     assertThrows(IllegalArgumentException.class, () -> new GreyQuantizer(0, Double.NaN));
   }

@@ -10,7 +10,7 @@ class ScalarVolumeTest {
   private final VoxelGrid grid = VoxelGrid.ofUnitVoxels(5, 4, 3);
 
   @Test
-  void takesTheNarrowestStorageThatHoldsTheRange() {
+  void choosesTheNarrowestStorageForTheRange() {
     assertEquals(Storage.UINT8, Storage.forIntegers(0, 255));
     assertEquals(Storage.INT16, Storage.forIntegers(-1024, 3071));
     assertEquals(Storage.UINT16, Storage.forIntegers(0, 65535));
@@ -31,7 +31,7 @@ class ScalarVolumeTest {
   }
 
   @Test
-  void keepsTheEndsOfTheRangeAndHoldsWhatLiesBeyond() {
+  void keepsTheEndsOfTheRangeAndClampsBeyondThem() {
     ScalarVolume signed = ScalarVolume.of(grid, Storage.INT16);
     signed.set(0, 0, 0, -40000);
     assertEquals(-32768, signed.value(0, 0, 0));
@@ -41,7 +41,7 @@ class ScalarVolumeTest {
   }
 
   @Test
-  void readsSlicesThatSomeoneElseKeeps() {
+  void readsTheArraysOfAnotherProgram() {
     short[][] shorts = new short[3][20];
     shorts[1][7] = -1;
     assertEquals(65535, ScalarVolume.over(grid, shorts).value(2, 1, 1));

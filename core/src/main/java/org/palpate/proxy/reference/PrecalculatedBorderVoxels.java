@@ -10,7 +10,7 @@ import org.palpate.volume.BitCube;
  * is first asked for after {@link #forget}, so that no frame has to calculate a whole volume, and
  * an edit costs only the bricks around the proxy.
  *
- * <p>Haptic thread; allocates nothing after construction. Memory: 3/16 byte a voxel. Cost: 27
+ * <p>Haptic thread; allocates nothing after construction. Memory: 3/16 byte a voxel. Cost: 28
  * {@link CollisionScene#window} calls for a new brick, else one look-up. Reference: Vlasov, Friese,
  * Wolter 2013, note 1, which calculates the whole volume beforehand.
  */

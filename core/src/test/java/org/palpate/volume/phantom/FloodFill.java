@@ -3,7 +3,7 @@ package org.palpate.volume.phantom;
 import java.util.ArrayDeque;
 import org.palpate.volume.BitCube;
 
-/** What hangs together: floods and neighbours, the slow and obvious way. */
+/** Flood fills and neighbour tests for phantoms: slow and obviously correct. */
 final class FloodFill {
   private static final int[][] SIDES = {
     {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}
@@ -28,7 +28,7 @@ final class FloodFill {
     }
   }
 
-  /** The empty voxels that are reached from an empty one through faces of empty ones. */
+  /** Returns the empty voxels that a path through faces reaches from an empty voxel. */
   static BitCube throughFaces(BitCube solid, int i, int j, int k) {
     BitCube reached = new BitCube(solid.sizeX(), solid.sizeY(), solid.sizeZ());
     ArrayDeque<int[]> open = new ArrayDeque<>();
@@ -71,7 +71,7 @@ final class FloodFill {
     return false;
   }
 
-  /** Solid voxels with a voxel of {@code a} on one face and one of {@code b} on the opposite. */
+  /** Counts solid voxels between a voxel of {@code a} and one of {@code b} on opposite faces. */
   static long countThinBetween(BitCube solid, BitCube a, BitCube b) {
     long[] count = new long[1];
     forEachSolid(

@@ -1,6 +1,6 @@
 package org.palpate.volume.phantom;
 
-/** Phantoms voxel by voxel, every shape asked at every point: slow and obviously right. */
+/** Phantoms that evaluate every shape at every point: slow and obviously correct. */
 final class NaivePhantom {
   private NaivePhantom() {}
 

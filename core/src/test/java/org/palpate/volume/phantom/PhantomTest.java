@@ -25,7 +25,7 @@ class PhantomTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"", "Head", "cube", "head:", "head:3", "head:x", "head:9999", "head:64:64"})
-  void refusesWhatItDoesNotKnow(String spec) {
+  void refusesAnUnknownSpec(String spec) {
     assertThrows(IllegalArgumentException.class, () -> Phantom.parse(spec));
   }
 
@@ -34,13 +34,13 @@ class PhantomTest {
   void fillsTheVoxelsWhoseCentresLieInside(String spec) {
     Phantom phantom = Phantom.parse(spec);
     BitCube bits = onlySegment(phantom);
-    AnalyticSurface truth = phantom.analyticSurface().orElseThrow();
+    AnalyticSurface surface = phantom.analyticSurface().orElseThrow();
     Vec3 centre = new Vec3();
     for (int k = 0; k < phantom.edge(); k++) {
       for (int j = 0; j < phantom.edge(); j++) {
         for (int i = 0; i < phantom.edge(); i++) {
           centre.set(i + 0.5, j + 0.5, k + 0.5);
-          assertEquals(truth.signedDistance(centre) <= 0, bits.get(i, j, k), () -> "" + centre);
+          assertEquals(surface.signedDistance(centre) <= 0, bits.get(i, j, k), () -> "" + centre);
         }
       }
     }
@@ -48,22 +48,22 @@ class PhantomTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"sphere:40", "plane:33", "torus:64", "shell:40"})
-  void truthsNormalIsTheGradientOfItsDistance(String spec) {
-    AnalyticSurface truth = Phantom.parse(spec).analyticSurface().orElseThrow();
+  void normalOfTheSurfaceIsTheGradientOfItsDistance(String spec) {
+    AnalyticSurface surface = Phantom.parse(spec).analyticSurface().orElseThrow();
     double step = 1e-4;
     Vec3 point = new Vec3(31.3, 12.7, 22.9);
-    Vec3 normal = truth.normal(point, new Vec3());
+    Vec3 normal = surface.normal(point, new Vec3());
     for (int axis = 0; axis < 3; axis++) {
       Vec3 there = new Vec3().set(point);
       there.set(axis, point.get(axis) + step);
-      double slope = (truth.signedDistance(there) - truth.signedDistance(point)) / step;
+      double slope = (surface.signedDistance(there) - surface.signedDistance(point)) / step;
       assertEquals(normal.get(axis), slope, 1e-3);
     }
   }
 
   @ParameterizedTest
   @EnumSource(Phantom.Kind.class)
-  void agreesVoxelByVoxelWithTheSlowWay(Phantom.Kind kind) {
+  void labelsEqualThoseOfTheNaivePhantom(Phantom.Kind kind) {
     int edge = 35; // not a multiple of a brick: padding must stay clear
     Phantom phantom = new Phantom(kind, edge, false, 5);
     SegmentedVolume volume = phantom.segments();
@@ -85,7 +85,7 @@ class PhantomTest {
 
   @ParameterizedTest
   @EnumSource(Phantom.Kind.class)
-  void greyValuesAgreeWithTheSlowWay(Phantom.Kind kind) {
+  void greyValuesEqualThoseOfTheNaivePhantom(Phantom.Kind kind) {
     int edge = 22;
     Phantom phantom = new Phantom(kind, edge, true, 5);
     short[] slice = new short[edge * edge];
@@ -135,7 +135,7 @@ class PhantomTest {
   }
 
   @Test
-  void aHandFromOutsideMeetsSkinAlone() {
+  void skinSeparatesTheBonesFromTheOutside() {
     SegmentedVolume head = Phantom.parse("head:64").segments();
     BitCube skull = head.segments().get(0).bits();
     BitCube jaw = head.segments().get(1).bits();
@@ -156,7 +156,7 @@ class PhantomTest {
   }
 
   @Test
-  void sinusesAreClosedByWallsOfOneVoxel() {
+  void wallsOfOneVoxelCloseTheSinuses() {
     BitCube skull = Phantom.parse("head:128").segments().segments().get(0).bits();
     BitCube maxillary = FloodFill.throughFaces(skull, 78, 29, 43);
     BitCube frontal = FloodFill.throughFaces(skull, 69, 24, 76);
@@ -170,7 +170,7 @@ class PhantomTest {
   }
 
   @Test
-  void mazeWallsHoldTogetherByEdgesAndCornersAlone() {
+  void mazeWallsShareEdgesAndCornersButNoFace() {
     BitCube maze = onlySegment(Phantom.parse("maze:64"));
     long[] edges = new long[1];
     FloodFill.forEachSolid(
@@ -187,8 +187,8 @@ class PhantomTest {
     BitCube maze = onlySegment(Phantom.parse("maze:96"));
     long free = 96L * 96 * 96 - maze.solidCount();
     long reached = FloodFill.throughFaces(maze, 49, 50, 50).solidCount();
-    assertTrue(reached > 0.5 * free, "doors lead on: " + reached + " of " + free);
-    assertTrue(reached < free, "and some rooms have none");
+    assertTrue(reached > 0.5 * free, "doors connect rooms: " + reached + " of " + free);
+    assertTrue(reached < free, "some rooms have no door");
   }
 
   @Test
