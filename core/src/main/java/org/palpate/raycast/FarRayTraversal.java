@@ -100,7 +100,6 @@ final class FarRayTraversal {
     final double tPerX = inverseX;
     final double tPerY = inverseY;
     final double tPerZ = inverseZ;
-    final double last = end;
     final int aheadX = tPerX < 0 ? 0 : 1; // offset from a cell to the plane ahead
     final int aheadY = tPerY < 0 ? 0 : 1;
     final int aheadZ = tPerZ < 0 ? 0 : 1;
@@ -114,10 +113,7 @@ final class FarRayTraversal {
     int k = axis == 2 ? cellBeyond(z, aheadZ) : (int) Math.floor(z);
     int shift = axis == RayHit.NO_AXIS ? 0 : BitCube.BRICK_SHIFT;
     while (true) {
-      if (shift != 0
-          && ((axis != 0 && isNearPlane(x, i))
-              || (axis != 1 && isNearPlane(y, j))
-              || (axis != 2 && isNearPlane(z, k)))) {
+      if (shift != 0 && isNearOtherPlane(axis, x - i, y - j, z - k)) {
         return TraversalResult.IN_DOUBT;
       }
       long brick = bits.brick(i >> 2, j >> 2, k >> 2);
@@ -134,7 +130,7 @@ final class FarRayTraversal {
       double nextZ = (planeZ - fromZ) * tPerZ;
       axis = nextX < nextY ? (nextX < nextZ ? 0 : 2) : (nextY < nextZ ? 1 : 2);
       t = axis == 0 ? nextX : axis == 1 ? nextY : nextZ;
-      if (t > last && (last < 1 || t > 1 + AxisTraversal.doubt(t))) {
+      if (t > end && (end < 1 || t > 1 + AxisTraversal.doubt(t))) {
         return TraversalResult.MISS;
       }
       if (NearRayTraversal.isInDoubt(t, NearRayTraversal.median(nextX, nextY, nextZ))) {
@@ -170,8 +166,15 @@ final class FarRayTraversal {
     return bits.block(i >> shift, j >> shift, k >> shift) == 0 ? shift : BitCube.BRICK_SHIFT;
   }
 
-  private static boolean isNearPlane(double coordinate, int cell) {
-    double fraction = coordinate - cell;
+  /** Whether a position in its cell lies nearly on a grid plane of any axis but the given one. */
+  private static boolean isNearOtherPlane(
+      int axis, double fractionX, double fractionY, double fractionZ) {
+    return (axis != 0 && isNearPlane(fractionX))
+        || (axis != 1 && isNearPlane(fractionY))
+        || (axis != 2 && isNearPlane(fractionZ));
+  }
+
+  private static boolean isNearPlane(double fraction) {
     return fraction < POSITION_DOUBT || fraction > 1 - POSITION_DOUBT;
   }
 }

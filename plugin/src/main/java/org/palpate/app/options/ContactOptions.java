@@ -46,8 +46,8 @@ public final class ContactOptions {
       paramLabel = "METHOD",
       description = {
         "Border voxels of the solvers dot and paper: on-the-fly (found at each query) or"
-            + " precalculated",
-        "(kept until an edit, as the paper proposes). The frames are the same. Default: on-the-fly."
+            + " precalculated (kept until an edit; faster). The result is the same.",
+        "Default: on-the-fly."
       })
   private String border;
 
