@@ -1,0 +1,142 @@
+package org.palpate.geometry;
+
+/**
+ * A mutable affine map of points: a matrix of 3x3 and an offset. Its three components are the one
+ * formula by which the points of a tool get their grid coordinates, with the same bits on every
+ * JDK: products and sums in the order in which they are written, no fused multiply-add.
+ *
+ * <p>Names are row and column: {@code y = mYX x + mYY y + mYZ z + offsetY}. Belongs to one thread.
+ */
+public final class AffineMap {
+  public double mXX = 1;
+  public double mXY;
+  public double mXZ;
+  public double mYX;
+  public double mYY = 1;
+  public double mYZ;
+  public double mZX;
+  public double mZY;
+  public double mZZ = 1;
+  public double offsetX;
+  public double offsetY;
+  public double offsetZ;
+
+  /** Returns the image's x component. */
+  public double x(double px, double py, double pz) {
+    return mXX * px + mXY * py + mXZ * pz + offsetX;
+  }
+
+  /** Returns the image's y component. */
+  public double y(double px, double py, double pz) {
+    return mYX * px + mYY * py + mYZ * pz + offsetY;
+  }
+
+  /** Returns the image's z component. */
+  public double z(double px, double py, double pz) {
+    return mZX * px + mZY * py + mZZ * pz + offsetZ;
+  }
+
+  /** Writes the image of a point into {@code dest}, which may be the point. */
+  public Vec3 transform(Vec3 p, Vec3 dest) {
+    return dest.set(x(p.x, p.y, p.z), y(p.x, p.y, p.z), z(p.x, p.y, p.z));
+  }
+
+  /** Writes the image of a direction, without the offset, into {@code dest}. */
+  public Vec3 transformDirection(Vec3 v, Vec3 dest) {
+    return dest.set(
+        mXX * v.x + mXY * v.y + mXZ * v.z,
+        mYX * v.x + mYY * v.y + mYZ * v.z,
+        mZX * v.x + mZY * v.y + mZZ * v.z);
+  }
+
+  /** Copies the other map. */
+  public AffineMap set(AffineMap o) {
+    setMatrix(o.mXX, o.mXY, o.mXZ, o.mYX, o.mYY, o.mYZ);
+    return setLastRowAndOffset(o.mZX, o.mZY, o.mZZ, o.offsetX, o.offsetY, o.offsetZ);
+  }
+
+  private void setMatrix(double xx, double xy, double xz, double yx, double yy, double yz) {
+    mXX = xx;
+    mXY = xy;
+    mXZ = xz;
+    mYX = yx;
+    mYY = yy;
+    mYZ = yz;
+  }
+
+  private AffineMap setLastRowAndOffset(
+      double zx, double zy, double zz, double ox, double oy, double oz) {
+    mZX = zx;
+    mZY = zy;
+    mZZ = zz;
+    offsetX = ox;
+    offsetY = oy;
+    offsetZ = oz;
+    return this;
+  }
+
+  /** Sets the map of a pose: rotation, then translation. */
+  public AffineMap set(Pose pose) {
+    double w = pose.rotation.w;
+    double x = pose.rotation.x;
+    double y = pose.rotation.y;
+    double z = pose.rotation.z;
+    setMatrix(
+        1 - 2 * (y * y + z * z),
+        2 * (x * y - w * z),
+        2 * (x * z + w * y),
+        2 * (x * y + w * z),
+        1 - 2 * (x * x + z * z),
+        2 * (y * z - w * x));
+    return setLastRowAndOffset(
+        2 * (x * z - w * y),
+        2 * (y * z + w * x),
+        1 - 2 * (x * x + y * y),
+        pose.translation.x,
+        pose.translation.y,
+        pose.translation.z);
+  }
+
+  /** Sets the inverse map of a pose. */
+  public AffineMap setInverse(Pose pose) {
+    set(pose);
+    double rowXLast = mXZ;
+    double rowYLast = mYZ;
+    double tx = offsetX;
+    double ty = offsetY;
+    double tz = offsetZ;
+    setMatrix(mXX, mYX, mZX, mXY, mYY, mZY);
+    return setLastRowAndOffset(
+        rowXLast,
+        rowYLast,
+        mZZ,
+        -(mXX * tx + mXY * ty + mXZ * tz),
+        -(mYX * tx + mYY * ty + mYZ * tz),
+        -(rowXLast * tx + rowYLast * ty + mZZ * tz));
+  }
+
+  /** Sets the map from a grid's frame in mm to the world. */
+  public AffineMap set(RigidTransform t) {
+    setMatrix(t.axisX().x, t.axisY().x, t.axisZ().x, t.axisX().y, t.axisY().y, t.axisZ().y);
+    return setLastRowAndOffset(
+        t.axisX().z, t.axisY().z, t.axisZ().z, t.origin().x, t.origin().y, t.origin().z);
+  }
+
+  /** Writes the map that applies {@code first} and then this; {@code dest} is neither of them. */
+  public AffineMap multiply(AffineMap first, AffineMap dest) {
+    dest.setMatrix(
+        mXX * first.mXX + mXY * first.mYX + mXZ * first.mZX,
+        mXX * first.mXY + mXY * first.mYY + mXZ * first.mZY,
+        mXX * first.mXZ + mXY * first.mYZ + mXZ * first.mZZ,
+        mYX * first.mXX + mYY * first.mYX + mYZ * first.mZX,
+        mYX * first.mXY + mYY * first.mYY + mYZ * first.mZY,
+        mYX * first.mXZ + mYY * first.mYZ + mYZ * first.mZZ);
+    return dest.setLastRowAndOffset(
+        mZX * first.mXX + mZY * first.mYX + mZZ * first.mZX,
+        mZX * first.mXY + mZY * first.mYY + mZZ * first.mZY,
+        mZX * first.mXZ + mZY * first.mYZ + mZZ * first.mZZ,
+        x(first.offsetX, first.offsetY, first.offsetZ),
+        y(first.offsetX, first.offsetY, first.offsetZ),
+        z(first.offsetX, first.offsetY, first.offsetZ));
+  }
+}

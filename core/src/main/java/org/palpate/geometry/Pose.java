@@ -1,0 +1,131 @@
+package org.palpate.geometry;
+
+/**
+ * A rigid motion that can change every frame: a rotation about the origin, then a translation, mm.
+ * As the pose of a tool or a body it maps the object's own frame to the world.
+ *
+ * <p>Mutable; belongs to one thread. {@link RigidTransform} is the immutable kin for grids.
+ */
+public final class Pose {
+  /** The translation, mm: where the origin of the object's frame lies. */
+  public final Vec3 translation = new Vec3();
+
+  /** The rotation, of norm 1 in every pose that transforms something. */
+  public final Quaternion rotation = new Quaternion();
+
+  /** Copies the other pose. */
+  public Pose set(Pose other) {
+    translation.set(other.translation);
+    rotation.set(other.rotation);
+    return this;
+  }
+
+  /** Copies a translation, mm, and a rotation. */
+  public Pose set(Vec3 newTranslation, Quaternion newRotation) {
+    translation.set(newTranslation);
+    rotation.set(newRotation);
+    return this;
+  }
+
+  /** Sets the pose that moves nothing. */
+  public Pose setIdentity() {
+    translation.set(0, 0, 0);
+    rotation.setIdentity();
+    return this;
+  }
+
+  /** Writes the image of a point into {@code dest}, which may be the point. */
+  public Vec3 transform(Vec3 point, Vec3 dest) {
+    return rotation.rotate(point, dest).add(translation, dest);
+  }
+
+  /** Writes the point whose image is {@code point} into {@code dest}, which may be the point. */
+  public Vec3 inverseTransform(Vec3 point, Vec3 dest) {
+    return rotation.inverseRotate(point.sub(translation, dest), dest);
+  }
+
+  /** Writes the pose that applies {@code first} and then this; {@code dest} may be either. */
+  public Pose multiply(Pose first, Pose dest) {
+    double x = translation.x;
+    double y = translation.y;
+    double z = translation.z;
+    rotation.rotate(first.translation, dest.translation);
+    dest.translation.set(dest.translation.x + x, dest.translation.y + y, dest.translation.z + z);
+    rotation.multiply(first.rotation, dest.rotation);
+    return dest;
+  }
+
+  /**
+   * Writes the pose after a further displacement of its origin and a further rotation about it.
+   *
+   * @param displacementMm displacement of the origin, world mm
+   * @param rotationVector rotation about the moved origin, world axes, rad
+   * @param fraction how much of both to apply
+   * @param scratch overwritten
+   * @param dest may be this
+   */
+  public Pose displace(
+      Vec3 displacementMm, Vec3 rotationVector, double fraction, Quaternion scratch, Pose dest) {
+    Vec3 to = dest.translation;
+    double x = translation.x + fraction * displacementMm.x;
+    double y = translation.y + fraction * displacementMm.y;
+    double z = translation.z + fraction * displacementMm.z;
+    to.set(fraction * rotationVector.x, fraction * rotationVector.y, fraction * rotationVector.z);
+    scratch.setRotationVector(to);
+    scratch.multiply(rotation, dest.rotation);
+    dest.rotation.normalize();
+    to.set(x, y, z);
+    return dest;
+  }
+
+  /**
+   * Writes the displacement of the origin and the rotation about it, the short way around, that
+   * lead from this pose to another: the inverse of {@link #displace}.
+   *
+   * @param displacementMm written, world mm
+   * @param rotationVector written, world axes, rad, at most pi long
+   * @param scratch overwritten
+   */
+  public void differenceTo(
+      Pose other, Vec3 displacementMm, Vec3 rotationVector, Quaternion scratch) {
+    other.translation.sub(translation, displacementMm);
+    rotation.conjugate(scratch);
+    other.rotation.multiply(scratch, scratch);
+    scratch.rotationVector(rotationVector);
+  }
+
+  /**
+   * Writes the pose a part of the way to another: straight for the origin, at a constant rate about
+   * one axis for the rotation, the short way around.
+   *
+   * @param fraction 0 for this pose, 1 for the other
+   * @param scratch two vectors and a quaternion, all overwritten
+   * @param dest may be this
+   */
+  public Pose interpolate(Pose other, double fraction, Scratch scratch, Pose dest) {
+    differenceTo(other, scratch.displacement, scratch.rotation, scratch.quaternion);
+    return displace(scratch.displacement, scratch.rotation, fraction, scratch.quaternion, dest);
+  }
+
+  /** Room for intermediate results, so that computing with poses allocates nothing. */
+  public static final class Scratch {
+    private final Vec3 displacement = new Vec3();
+    private final Vec3 rotation = new Vec3();
+    private final Quaternion quaternion = new Quaternion();
+  }
+
+  /** Whether no component is NaN or infinite. */
+  public boolean isFinite() {
+    return translation.isFinite() && rotation.isFinite();
+  }
+
+  /** Whether both hold the same bits. */
+  public boolean sameBits(Pose other) {
+    return translation.sameBits(other.translation) && rotation.sameBits(other.rotation);
+  }
+
+  @Override
+  public String toString() {
+    return translation + " " + rotation;
+  }
+}

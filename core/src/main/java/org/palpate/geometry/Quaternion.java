@@ -1,0 +1,167 @@
+package org.palpate.geometry;
+
+/**
+ * A mutable Hamilton quaternion {@code w + x i + y j + z k}. A unit quaternion q turns a vector v
+ * into {@code q v q*}; q and -q are the same rotation.
+ *
+ * <p>Methods that compute write into {@code dest}, which may be any of the inputs. Belongs to one
+ * thread.
+ *
+ * <p>Reference: Sola, Quaternion kinematics for the error-state Kalman filter, 2017.
+ */
+public final class Quaternion {
+  /** Norms outside of this range and its reciprocal are rejected: their squares may be unsafe. */
+  private static final double LARGEST_NORM = 1e100;
+
+  /** Below this angle, rad, sin(a/2)/a is 1/2 to the last bit. */
+  private static final double SMALL_ANGLE = 1e-9;
+
+  public double w = 1;
+  public double x;
+  public double y;
+  public double z;
+
+  /** Creates the identity. */
+  public Quaternion() {}
+
+  /** Creates a quaternion from its four components. */
+  public Quaternion(double w, double x, double y, double z) {
+    set(w, x, y, z);
+  }
+
+  /** Sets the four components. */
+  public Quaternion set(double newW, double newX, double newY, double newZ) {
+    w = newW;
+    x = newX;
+    y = newY;
+    z = newZ;
+    return this;
+  }
+
+  /** Copies the other quaternion. */
+  public Quaternion set(Quaternion other) {
+    return set(other.w, other.x, other.y, other.z);
+  }
+
+  /** Sets the identity. */
+  public Quaternion setIdentity() {
+    return set(1, 0, 0, 0);
+  }
+
+  /**
+   * Sets the rotation about an axis by the vector's length, rad: the exponential map.
+   *
+   * @param rotation the rotation vector, rad
+   */
+  public Quaternion setRotationVector(Vec3 rotation) {
+    double angle = rotation.length();
+    double scale = angle < SMALL_ANGLE ? 0.5 : StrictMath.sin(0.5 * angle) / angle;
+    set(
+        angle < SMALL_ANGLE ? 1 : StrictMath.cos(0.5 * angle),
+        scale * rotation.x,
+        scale * rotation.y,
+        scale * rotation.z);
+    return this;
+  }
+
+  /**
+   * Writes the rotation vector, rad, of at most pi in length: the logarithm of the shorter of the
+   * two ways around. This quaternion has the norm 1.
+   */
+  public Vec3 rotationVector(Vec3 dest) {
+    double sign = w < 0 ? -1 : 1;
+    double sine = Math.sqrt(x * x + y * y + z * z);
+    double scale = sign * 2;
+    if (sine > SMALL_ANGLE) {
+      scale *= StrictMath.atan2(sine, sign * w) / sine;
+    }
+    return dest.set(scale * x, scale * y, scale * z);
+  }
+
+  /** Returns the angle of the rotation, rad, from 0 to pi. */
+  public double angle() {
+    return 2 * StrictMath.atan2(Math.sqrt(x * x + y * y + z * z), Math.abs(w));
+  }
+
+  /** Returns the scalar product of the two as vectors of four components. */
+  public double dot(Quaternion other) {
+    return w * other.w + x * other.x + y * other.y + z * other.z;
+  }
+
+  /** Returns the length as a vector of four components. */
+  public double norm() {
+    return Math.sqrt(dot(this));
+  }
+
+  /**
+   * Scales this to the norm 1. Leaves it as it is, and returns false, if it has no direction: a
+   * component that is not finite, or a norm of 0.
+   */
+  public boolean normalize() {
+    double norm = norm();
+    if (!(norm <= LARGEST_NORM && norm >= 1 / LARGEST_NORM)) {
+      return false;
+    }
+    set(w / norm, x / norm, y / norm, z / norm);
+    return true;
+  }
+
+  /** Writes minus this, the same rotation. */
+  public Quaternion negate(Quaternion dest) {
+    return dest.set(-w, -x, -y, -z);
+  }
+
+  /** Writes the conjugate: for a unit quaternion, the inverse rotation. */
+  public Quaternion conjugate(Quaternion dest) {
+    return dest.set(w, -x, -y, -z);
+  }
+
+  /** Writes the product this times {@code other}: the rotation by {@code other} first. */
+  public Quaternion multiply(Quaternion other, Quaternion dest) {
+    return dest.set(
+        w * other.w - x * other.x - y * other.y - z * other.z,
+        w * other.x + x * other.w + y * other.z - z * other.y,
+        w * other.y + y * other.w + z * other.x - x * other.z,
+        w * other.z + z * other.w + x * other.y - y * other.x);
+  }
+
+  /** Writes the rotated vector. This quaternion has the norm 1. */
+  public Vec3 rotate(Vec3 vector, Vec3 dest) {
+    double tx = 2 * (y * vector.z - z * vector.y);
+    double ty = 2 * (z * vector.x - x * vector.z);
+    double tz = 2 * (x * vector.y - y * vector.x);
+    return dest.set(
+        vector.x + w * tx + y * tz - z * ty,
+        vector.y + w * ty + z * tx - x * tz,
+        vector.z + w * tz + x * ty - y * tx);
+  }
+
+  /** Writes the vector that this rotates into {@code vector}. This quaternion has the norm 1. */
+  public Vec3 inverseRotate(Vec3 vector, Vec3 dest) {
+    double tx = 2 * (z * vector.y - y * vector.z);
+    double ty = 2 * (x * vector.z - z * vector.x);
+    double tz = 2 * (y * vector.x - x * vector.y);
+    return dest.set(
+        vector.x + w * tx - y * tz + z * ty,
+        vector.y + w * ty - z * tx + x * tz,
+        vector.z + w * tz - x * ty + y * tx);
+  }
+
+  /** Whether no component is NaN or infinite. */
+  public boolean isFinite() {
+    return Double.isFinite(w) && Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
+  }
+
+  /** Whether both hold the same bits. */
+  public boolean sameBits(Quaternion other) {
+    return Double.doubleToRawLongBits(w) == Double.doubleToRawLongBits(other.w)
+        && Double.doubleToRawLongBits(x) == Double.doubleToRawLongBits(other.x)
+        && Double.doubleToRawLongBits(y) == Double.doubleToRawLongBits(other.y)
+        && Double.doubleToRawLongBits(z) == Double.doubleToRawLongBits(other.z);
+  }
+
+  @Override
+  public String toString() {
+    return "(" + w + "; " + x + ", " + y + ", " + z + ")";
+  }
+}

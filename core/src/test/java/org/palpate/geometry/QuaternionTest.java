@@ -1,0 +1,111 @@
+package org.palpate.geometry;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.palpate.testing.Seeds;
+
+class QuaternionTest {
+  private static final double TOLERANCE = 1e-12;
+
+  private final SplittableRandom random = new SplittableRandom(Seeds.seed());
+
+  @Test
+  void rotatesLikeTheMatrixOfTheSameAxisAndAngle() {
+    for (int n = 0; n < 1000; n++) {
+      Vec3 rotation = randomVector(3.2);
+      Quaternion q = new Quaternion().setRotationVector(rotation);
+      Vec3 v = randomVector(5);
+      Vec3 expected = rodrigues(rotation, v);
+      assertNear(expected, q.rotate(v, new Vec3()));
+      assertNear(v, q.inverseRotate(expected, new Vec3()));
+      assertEquals(1, q.norm(), TOLERANCE);
+    }
+  }
+
+  @Test
+  void multipliesLikeRotationsOneAfterTheOther() {
+    for (int n = 0; n < 1000; n++) {
+      Quaternion a = randomRotation();
+      Quaternion b = randomRotation();
+      Vec3 v = randomVector(5);
+      Vec3 expected = a.rotate(b.rotate(v, new Vec3()), new Vec3());
+      assertNear(expected, a.multiply(b, new Quaternion()).rotate(v, new Vec3()));
+      Quaternion inPlace = new Quaternion().set(a);
+      inPlace.multiply(b, inPlace);
+      assertTrue(inPlace.sameBits(a.multiply(b, new Quaternion())));
+    }
+  }
+
+  @Test
+  void obeysHamiltonsRules() {
+    Quaternion i = new Quaternion(0, 1, 0, 0);
+    Quaternion j = new Quaternion(0, 0, 1, 0);
+    Quaternion k = new Quaternion(0, 0, 0, 1);
+    assertTrue(k.sameBits(i.multiply(j, new Quaternion())));
+    assertEquals(-1, i.multiply(j, new Quaternion()).multiply(k, new Quaternion()).w);
+  }
+
+  @Test
+  void theLogarithmUndoesTheExponentialTheShortWayAround() {
+    for (int n = 0; n < 1000; n++) {
+      Vec3 rotation = randomVector(1.8); // at most 3.12 rad
+      Quaternion q = new Quaternion().setRotationVector(rotation);
+      if (n % 2 == 0) {
+        q.negate(q);
+      }
+      assertNear(rotation, q.rotationVector(new Vec3()));
+      assertEquals(rotation.length(), q.angle(), 1e-11);
+    }
+  }
+
+  @Test
+  void tinyRotationsKeepTheirRelativePrecision() {
+    Vec3 rotation = new Vec3(1e-13, -3e-14, 2e-160);
+    Quaternion q = new Quaternion().setRotationVector(rotation);
+    Vec3 back = q.rotationVector(new Vec3());
+    assertEquals(1e-13, back.x, 1e-27);
+    assertEquals(-3e-14, back.y, 1e-27);
+  }
+
+  @Test
+  void normalizesOnlyWhatHasADirection() {
+    Quaternion q = new Quaternion(3, 0, 4, 0);
+    assertTrue(q.normalize());
+    assertEquals(0.6, q.w, TOLERANCE);
+    assertFalse(new Quaternion(0, 0, 0, 0).normalize());
+    assertFalse(new Quaternion(Double.NaN, 0, 0, 1).normalize());
+    assertFalse(new Quaternion(Double.POSITIVE_INFINITY, 0, 0, 1).normalize());
+    assertFalse(new Quaternion(1e200, 0, 0, 0).normalize());
+  }
+
+  private Quaternion randomRotation() {
+    return new Quaternion().setRotationVector(randomVector(3));
+  }
+
+  private Vec3 randomVector(double size) {
+    return new Vec3(
+        random.nextDouble(-size, size),
+        random.nextDouble(-size, size),
+        random.nextDouble(-size, size));
+  }
+
+  /** Rotates by Rodrigues' formula, written without a quaternion. */
+  static Vec3 rodrigues(Vec3 rotation, Vec3 v) {
+    double angle = rotation.length();
+    Vec3 u = rotation.mul(1 / angle, new Vec3());
+    double along = u.dot(v) * (1 - Math.cos(angle));
+    return new Vec3(
+        v.x * Math.cos(angle) + (u.y * v.z - u.z * v.y) * Math.sin(angle) + u.x * along,
+        v.y * Math.cos(angle) + (u.z * v.x - u.x * v.z) * Math.sin(angle) + u.y * along,
+        v.z * Math.cos(angle) + (u.x * v.y - u.y * v.x) * Math.sin(angle) + u.z * along);
+  }
+
+  static void assertNear(Vec3 expected, Vec3 actual) {
+    double off = expected.sub(actual, new Vec3()).length();
+    assertTrue(off <= 1e-11 * (1 + expected.length()), expected + " but " + actual);
+  }
+}
