@@ -1,0 +1,148 @@
+package org.palpate.rigid;
+
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Distances between poses of one tool: the root mean square path of its matter, mm, as if each part
+ * went straight. A small twist (v, w) has the squared length |v|^2 + w.J w, where J is the inertia
+ * about the reference point for unit mass.
+ *
+ * <p>In metric coordinates y = (v, L^T w) with J = L L^T and w in the tool's axes the metric is the
+ * identity, so the nearest pose is a nearest point. Immutable.
+ */
+final class KineticMetric {
+  /** The covariance gets this fraction of its trace on the diagonal, so that rods can be turned. */
+  private static final double ROUNDING_FRACTION = 0.01;
+
+  /** And this much, mm^2, so that a tool of one point has a metric at all. */
+  private static final double LEAST_VARIANCE_MM2 = 1e-3;
+
+  private final double xx;
+  private final double yy;
+  private final double zz;
+  private final double xy;
+  private final double xz;
+  private final double yz;
+  private final double rmsRadiusMm;
+
+  // J = L L^T with the lower triangle L.
+  private final double l00;
+  private final double l10;
+  private final double l11;
+  private final double l20;
+  private final double l21;
+  private final double l22;
+
+  /**
+   * Creates the metric of matter with this covariance about the reference point.
+   *
+   * @param covariance xx, yy, zz, xy, xz, yz, mm^2
+   */
+  KineticMetric(double... covariance) {
+    double trace = covariance[0] + covariance[1] + covariance[2];
+    double added = ROUNDING_FRACTION * trace + LEAST_VARIANCE_MM2;
+    rmsRadiusMm = Math.sqrt(trace);
+    xx = covariance[0] + added;
+    yy = covariance[1] + added;
+    zz = covariance[2] + added;
+    xy = covariance[3];
+    xz = covariance[4];
+    yz = covariance[5];
+    l00 = Math.sqrt(yy + zz);
+    l10 = -xy / l00;
+    l11 = Math.sqrt(xx + zz - l10 * l10);
+    l20 = -xz / l00;
+    l21 = (-yz - l20 * l10) / l11;
+    l22 = Math.sqrt(xx + yy - l20 * l20 - l21 * l21);
+  }
+
+  /** Returns the root mean square distance of the matter from the reference point, mm. */
+  double rmsRadiusMm() {
+    return rmsRadiusMm;
+  }
+
+  /** Returns the squared distance between two poses, mm^2; bit for bit 0 for the same bits. */
+  double squaredDistance(Pose a, Pose b) {
+    double dx = b.translation.x - a.translation.x;
+    double dy = b.translation.y - a.translation.y;
+    double dz = b.translation.z - a.translation.z;
+    return dx * dx + dy * dy + dz * dz + squaredTurn(a.rotation, b.rotation);
+  }
+
+  /** Returns the distance between two poses, mm. */
+  double distance(Pose a, Pose b) {
+    return Math.sqrt(squaredDistance(a, b));
+  }
+
+  /**
+   * Returns the trace of (R-I) C (R-I)^T, where R is the rotation from one to the other in the
+   * tool's axes. Written by the quaternion of R, in which R-I has no cancellation.
+   */
+  private double squaredTurn(Quaternion a, Quaternion b) {
+    double w = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
+    double x = a.w * b.x - a.x * b.w - a.y * b.z + a.z * b.y;
+    double y = a.w * b.y + a.x * b.z - a.y * b.w - a.z * b.x;
+    double z = a.w * b.z - a.x * b.y + a.y * b.x - a.z * b.w;
+    return squaredRow(-(y * y + z * z), x * y - w * z, x * z + w * y)
+        + squaredRow(x * y + w * z, -(x * x + z * z), y * z - w * x)
+        + squaredRow(x * z - w * y, y * z + w * x, -(x * x + y * y));
+  }
+
+  private double squaredRow(double a, double b, double c) {
+    return 4 * (a * a * xx + b * b * yy + c * c * zz + 2 * (a * b * xy + a * c * xz + b * c * yz));
+  }
+
+  /**
+   * Writes the metric coordinates of a twist.
+   *
+   * @param pose the tool's, whose rotation leads from tool to world axes
+   * @param v displacement of the reference point, world mm
+   * @param w rotation vector, world axes, rad
+   * @param scratch overwritten
+   * @param dest six metric coordinates, mm
+   */
+  void toMetric(Pose pose, Vec3 v, Vec3 w, Vec3 scratch, double[] dest) {
+    pose.rotation.inverseRotate(w, scratch);
+    dest[0] = v.x;
+    dest[1] = v.y;
+    dest[2] = v.z;
+    dest[3] = l00 * scratch.x + l10 * scratch.y + l20 * scratch.z;
+    dest[4] = l11 * scratch.y + l21 * scratch.z;
+    dest[5] = l22 * scratch.z;
+  }
+
+  /** Writes the twist of six metric coordinates: the inverse of {@link #toMetric}. */
+  void toTwist(Pose pose, double[] metric, Vec3 v, Vec3 w) {
+    v.set(metric[0], metric[1], metric[2]);
+    double z = metric[5] / l22;
+    double y = (metric[4] - l21 * z) / l11;
+    double x = (metric[3] - l10 * y - l20 * z) / l00;
+    pose.rotation.rotate(w.set(x, y, z), w);
+  }
+
+  /**
+   * Writes the row a for which a.y is, to first order, the motion of a point along a direction, mm.
+   *
+   * @param pose the tool's
+   * @param x the point in the tool frame, mm, as are y and z
+   * @param normal unit direction, world
+   * @param scratch overwritten
+   * @param row where to write
+   * @param at index of the first of six entries
+   */
+  void contactRow(
+      Pose pose, double x, double y, double z, Vec3 normal, Vec3 scratch, double[] row, int at) {
+    Vec3 n = pose.rotation.inverseRotate(normal, scratch);
+    double turnX = y * n.z - z * n.y;
+    double turnY = z * n.x - x * n.z;
+    double turnZ = x * n.y - y * n.x;
+    row[at] = normal.x;
+    row[at + 1] = normal.y;
+    row[at + 2] = normal.z;
+    row[at + 3] = turnX / l00;
+    row[at + 4] = (turnY - l10 * row[at + 3]) / l11;
+    row[at + 5] = (turnZ - l20 * row[at + 3] - l21 * row[at + 4]) / l22;
+  }
+}

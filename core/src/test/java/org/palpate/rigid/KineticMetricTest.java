@@ -1,0 +1,127 @@
+package org.palpate.rigid;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+import org.palpate.testing.Seeds;
+
+class KineticMetricTest {
+  private final SplittableRandom random = new SplittableRandom(Seeds.seed());
+  private final double[][] matter = new double[400][];
+  private final KineticMetric metric;
+
+  KineticMetricTest() {
+    SecondMoments moments = new SecondMoments();
+    double[] mean = new double[3];
+    for (int n = 0; n < matter.length; n++) {
+      matter[n] = new double[] {9 * random.nextDouble(), 4 * random.nextDouble(), 0};
+      matter[n][2] = 7 * random.nextDouble() + 0.3 * matter[n][0];
+      moments.add(matter[n][0], matter[n][1], matter[n][2]);
+      for (int c = 0; c < 3; c++) {
+        mean[c] += matter[n][c] / matter.length;
+      }
+    }
+    assertEquals(mean[0], moments.meanX(), 1e-12);
+    for (double[] p : matter) {
+      for (int c = 0; c < 3; c++) {
+        p[c] -= mean[c];
+      }
+    }
+    metric = new KineticMetric(moments.covariance());
+  }
+
+  @Test
+  void theDistanceIsTheRmsPathOfTheMatterUpToWhatRodsNeed() {
+    for (int n = 0; n < 200; n++) {
+      Pose a = randomPose(3);
+      Pose b = randomPose(3);
+      double sum = 0;
+      double turned = 0;
+      for (double[] m : matter) {
+        Vec3 p = new Vec3(m[0], m[1], m[2]);
+        Vec3 path = b.transform(p, new Vec3()).sub(a.transform(p, new Vec3()), new Vec3());
+        sum += path.dot(path) / matter.length;
+      }
+      Quaternion q = a.rotation.conjugate(new Quaternion());
+      turned = 8 * Math.pow(Math.sin(b.rotation.multiply(q, q).angle() / 2), 2);
+      double added = 0.01 * Math.pow(metric.rmsRadiusMm(), 2) + 1e-3;
+      assertEquals(sum + turned * added, metric.squaredDistance(a, b), 1e-9 * (1 + sum));
+    }
+  }
+
+  @Test
+  void theDistanceOfAPoseToItselfIsNothing() {
+    Pose a = randomPose(3);
+    assertEquals(0, metric.squaredDistance(a, a));
+  }
+
+  @Test
+  void metricCoordinatesHaveTheLengthOfASmallTwist() {
+    Quaternion scratch = new Quaternion();
+    double[] y = new double[6];
+    double[] back = new double[6];
+    for (int n = 0; n < 200; n++) {
+      Pose a = randomPose(3);
+      Vec3 v = randomVector(1e-5);
+      Vec3 w = randomVector(1e-5);
+      Pose b = a.displace(v, w, 1, scratch, new Pose());
+      metric.toMetric(a, v, w, new Vec3(), y);
+      double square = 0;
+      for (double c : y) {
+        square += c * c;
+      }
+      assertEquals(1, Math.sqrt(square) / metric.distance(a, b), 1e-4);
+      Vec3 v2 = new Vec3();
+      Vec3 w2 = new Vec3();
+      metric.toTwist(a, y, v2, w2);
+      metric.toMetric(a, v2, w2, new Vec3(), back);
+      assertArrayEquals(y, back, 1e-18);
+    }
+  }
+
+  @Test
+  void aContactRowGivesTheMotionOfAPointAlongTheNormal() {
+    double[] y = new double[6];
+    double[] row = new double[9];
+    for (int n = 0; n < 200; n++) {
+      Pose pose = randomPose(3);
+      Vec3 v = randomVector(1);
+      Vec3 w = randomVector(1);
+      Vec3 p = randomVector(9);
+      Vec3 normal = randomVector(1);
+      normal.mul(1 / normal.length(), normal);
+      metric.toMetric(pose, v, w, new Vec3(), y);
+      metric.contactRow(pose, p.x, p.y, p.z, normal, new Vec3(), row, 2);
+      double along = 0;
+      for (int c = 0; c < 6; c++) {
+        along += row[2 + c] * y[c];
+      }
+      Vec3 r = pose.rotation.rotate(p, new Vec3());
+      Vec3 motion =
+          new Vec3(
+              v.x + w.y * r.z - w.z * r.y,
+              v.y + w.z * r.x - w.x * r.z,
+              v.z + w.x * r.y - w.y * r.x);
+      assertEquals(normal.dot(motion), along, 1e-12 * 30);
+    }
+  }
+
+  private Pose randomPose(double size) {
+    Pose pose = new Pose();
+    pose.rotation.setRotationVector(randomVector(3));
+    pose.translation.set(randomVector(size));
+    return pose;
+  }
+
+  private Vec3 randomVector(double size) {
+    return new Vec3(
+        random.nextDouble(-size, size),
+        random.nextDouble(-size, size),
+        random.nextDouble(-size, size));
+  }
+}

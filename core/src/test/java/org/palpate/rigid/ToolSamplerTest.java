@@ -1,0 +1,239 @@
+package org.palpate.rigid;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+class ToolSamplerTest {
+  private final SplittableRandom random = new SplittableRandom(Seeds.seed());
+
+  static Stream<ToolShape> shapes() {
+    return Stream.of(
+        RodShape.sphere(4),
+        RodShape.sphere(0.4),
+        RodShape.capsule(2, 9),
+        RodShape.cylinder(3, 5),
+        RodShape.cylinder(0.3, 20),
+        RodShape.probe(1.5, 30),
+        new BoxShape(3, 8, 1.3),
+        new BoxShape(20, 0.2, 5));
+  }
+
+  @ParameterizedTest
+  @MethodSource("shapes")
+  void everySurfacePointLiesNearASample(ToolShape shape) {
+    double cover = 0.7;
+    ToolPoints tool = ToolSampler.ofShape(shape, cover);
+    assertEquals(cover, tool.coverRadiusMm());
+    Vec3 reference = tool.referenceMm(new Vec3());
+    for (int n = 0; n < 3000; n++) {
+      Vec3 p = surfacePoint(shape).sub(reference, new Vec3());
+      assertTrue(nearest(tool, p) <= cover + 1e-9, shape + " at " + p);
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("shapes")
+  void everySampleLiesOnTheSurface(ToolShape shape) {
+    ToolPoints tool = ToolSampler.ofShape(shape, 0.5);
+    Vec3 reference = tool.referenceMm(new Vec3());
+    for (int n = 0; n < tool.count(); n++) {
+      Vec3 p = tool.point(n, new Vec3()).add(reference, new Vec3());
+      assertTrue(touches(shape, p), shape + " at " + p);
+    }
+  }
+
+  /** Whether some but not all points very near to p are in the shape. */
+  private static boolean touches(ToolShape shape, Vec3 p) {
+    int inside = 0;
+    for (int n = 0; n < 27; n++) {
+      double e = 1e-7;
+      boolean holds =
+          shape.contains(p.x + e * (n % 3 - 1), p.y + e * (n / 3 % 3 - 1), p.z + e * (n / 9 - 1));
+      inside += holds ? 1 : 0;
+    }
+    return inside > 0 && inside < 27;
+  }
+
+  /** Finds a surface point between a random point inside and one outside, by halving. */
+  private Vec3 surfacePoint(ToolShape shape) {
+    Vec3 low = shape.low();
+    Vec3 size = shape.high().sub(low, new Vec3());
+    Vec3 inside = new Vec3();
+    do {
+      inside.set(
+          low.x + random.nextDouble() * size.x,
+          low.y + random.nextDouble() * size.y,
+          low.z + random.nextDouble() * size.z);
+    } while (!shape.contains(inside.x, inside.y, inside.z));
+    double azimuth = random.nextDouble(2 * Math.PI);
+    double height = random.nextDouble(-1, 1);
+    double flat = Math.sqrt(1 - height * height);
+    Vec3 direction = new Vec3(flat * Math.cos(azimuth), flat * Math.sin(azimuth), height);
+    double near = 0;
+    double far = 2 * size.length();
+    for (int n = 0; n < 60; n++) {
+      double middle = (near + far) / 2;
+      Vec3 p = direction.mul(middle, new Vec3()).add(inside, new Vec3());
+      if (shape.contains(p.x, p.y, p.z)) {
+        near = middle;
+      } else {
+        far = middle;
+      }
+    }
+    return direction.mul(near, direction).add(inside, direction);
+  }
+
+  private static double nearest(ToolPoints tool, Vec3 p) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int n = 0; n < tool.count(); n++) {
+      least = Math.min(least, tool.point(n, new Vec3()).sub(p, new Vec3()).length());
+    }
+    return least;
+  }
+
+  @Test
+  void theReferencePointIsTheCentroid() {
+    Vec3 ofSphere = ToolSampler.ofShape(RodShape.sphere(5), 1).referenceMm(new Vec3());
+    assertEquals(0, ofSphere.length(), 1e-9);
+    // A cylinder of length L with a half sphere at low z.
+    double r = 2;
+    double length = 3;
+    double volumes = r * r * length + 2.0 / 3 * r * r * r;
+    double expected = -2.0 / 3 * r * r * r * (length / 2 + 3.0 / 8 * r) / volumes;
+    Vec3 ofProbe = ToolSampler.ofShape(RodShape.probe(r, length), 1).referenceMm(new Vec3());
+    assertEquals(expected, ofProbe.z, 0.01);
+  }
+
+  @Test
+  void theRadiusOfGyrationIsThatOfTheSolid() {
+    ToolPoints sphere = ToolSampler.ofShape(RodShape.sphere(5), 1);
+    assertEquals(Math.sqrt(3.0 / 5) * 5, sphere.rmsRadiusMm(), 0.01);
+    ToolPoints box = ToolSampler.ofShape(new BoxShape(2, 4, 6), 1);
+    assertEquals(Math.sqrt((4 + 16 + 36) / 12.0), box.rmsRadiusMm(), 0.01);
+  }
+
+  @Test
+  void samplesTheRimOfASegmentSoThatItsFacesAreCovered() {
+    BitCube bits = randomSegment();
+    VoxelGrid grid = obliqueGrid(bits, new Vec3(0.7, 1, 2.9));
+    for (int parts = 1; parts <= 2; parts++) {
+      ToolPoints tool = ToolSampler.ofSegment(bits, grid, parts);
+      Vec3 reference = tool.referenceMm(new Vec3());
+      for (int n = 0; n < 2000; n++) {
+        Vec3 p = grid.gridToWorld(openFacePoint(bits), new Vec3()).sub(reference, new Vec3());
+        assertTrue(nearest(tool, p) <= tool.coverRadiusMm() + 1e-9);
+      }
+      for (int n = 0; n < tool.count(); n++) {
+        assertTrue(tool.solid().contains(tool.x[n], tool.y[n], tool.z[n]));
+      }
+    }
+  }
+
+  @Test
+  void theReferenceOfASegmentIsTheMeanOfAllItsVoxels() {
+    BitCube bits = randomSegment();
+    VoxelGrid grid = obliqueGrid(bits, new Vec3(1, 1, 3));
+    Vec3 sum = new Vec3();
+    for (int n = 0; n < 1000; n++) {
+      if (bits.get(n % 10, n / 10 % 10, n / 100)) {
+        Vec3 centre = new Vec3(n % 10 + 0.5, n / 10 % 10 + 0.5, n / 100 + 0.5);
+        sum.add(grid.gridToWorld(centre, centre), sum);
+      }
+    }
+    sum.mul(1.0 / bits.solidCount(), sum);
+    Vec3 reference = ToolSampler.ofSegment(bits, grid, 1).referenceMm(new Vec3());
+    assertEquals(0, sum.sub(reference, sum).length(), 1e-9);
+  }
+
+  @Test
+  void thinningKeepsTheMatterAndSaysThatTheSurfaceIsNotCovered() {
+    ToolPoints whole = ToolSampler.ofShape(RodShape.sphere(5), 0.3);
+    ToolPoints thin = whole.thinned(50);
+    assertEquals(50, thin.count());
+    assertEquals(ToolPoints.NOT_COVERED, thin.coverRadiusMm());
+    assertEquals(whole.rmsRadiusMm(), thin.rmsRadiusMm());
+    double widest = 0;
+    for (int n = 0; n < whole.count(); n++) {
+      widest = Math.max(widest, nearest(thin, whole.point(n, new Vec3())));
+    }
+    assertTrue(widest < 3.2, "no sparser than twice the densest spread: " + widest);
+    assertSame(whole, whole.thinned(whole.count()));
+  }
+
+  @Test
+  void aToolWithoutMatterIsRejected() {
+    BitCube none = new BitCube(3, 3, 3);
+    VoxelGrid grid = VoxelGrid.ofUnitVoxels(3, 3, 3);
+    assertThrows(IllegalArgumentException.class, () -> ToolSampler.ofSegment(none, grid, 1));
+    assertThrows(IllegalArgumentException.class, () -> RodShape.cylinder(2, 0));
+    assertThrows(IllegalArgumentException.class, () -> RodShape.sphere(Double.NaN));
+    assertThrows(IllegalArgumentException.class, () -> new BoxShape(1, -1, 1));
+  }
+
+  @Test
+  void theSpheresOfTheTreeHoldTheirPoints() {
+    ToolPoints tool = ToolSampler.ofShape(RodShape.capsule(5, 20), 0.4);
+    SphereTree tree = tool.tree;
+    boolean[] seen = new boolean[tool.count()];
+    for (int node = 0; node < tree.nodes; node++) {
+      for (int inner = node; inner < tree.skip[node]; inner++) {
+        for (int n = tree.first[inner]; n >= 0 && n < tree.end[inner]; n++) {
+          Vec3 p = tool.point(n, new Vec3());
+          Vec3 centre = new Vec3(tree.x[node], tree.y[node], tree.z[node]);
+          assertTrue(p.sub(centre, p).length() <= tree.radius[node]);
+          seen[n] = true;
+        }
+      }
+      assertFalse(tree.first[node] >= 0 && tree.skip[node] != node + 1);
+    }
+    for (boolean s : seen) {
+      assertTrue(s);
+    }
+  }
+
+  private BitCube randomSegment() {
+    BitCube bits = new BitCube(10, 10, 10);
+    for (int n = 0; n < 1000; n++) {
+      if (random.nextInt(3) > 0) {
+        bits.set(n % 10, n / 10 % 10, n / 100);
+      }
+    }
+    return bits;
+  }
+
+  private static VoxelGrid obliqueGrid(BitCube bits, Vec3 spacing) {
+    RigidTransform oblique =
+        new RigidTransform(
+            new Vec3(0.6, 0.8, 0), new Vec3(-0.8, 0.6, 0), new Vec3(0, 0, 1), new Vec3(9, -4, 70));
+    return new VoxelGrid(bits.sizeX(), bits.sizeY(), bits.sizeZ(), spacing, oblique);
+  }
+
+  private Vec3 openFacePoint(BitCube bits) {
+    while (true) {
+      int[] cell = {random.nextInt(10), random.nextInt(10), random.nextInt(10)};
+      int axis = random.nextInt(3);
+      int side = random.nextInt(2);
+      int[] beyond = cell.clone();
+      beyond[axis] += 2 * side - 1;
+      if (bits.get(cell[0], cell[1], cell[2]) && !bits.get(beyond[0], beyond[1], beyond[2])) {
+        Vec3 p = new Vec3(random.nextDouble(), random.nextDouble(), random.nextDouble());
+        p.set(axis, side);
+        return p.add(new Vec3(cell[0], cell[1], cell[2]), p);
+      }
+    }
+  }
+}
