@@ -1,0 +1,150 @@
+package org.palpate.body;
+
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * A solid that stands in a scene: voxels on a grid of their own, and a pose that maps the rest
+ * position of the grid in the world to its present one.
+ *
+ * <p>Belongs to the haptic thread. Whoever edits the voxels must call {@link #voxelsChanged}.
+ */
+public final class Body {
+  private static final int REMEMBERED_EDITS = 64;
+
+  private final String name;
+  private final BitCube bits;
+  private final VoxelGrid grid;
+  private final Mobility mobility;
+  private final GridMetric metric;
+  private final BrickClearance clearance;
+  private final Pose pose = new Pose();
+  private final AffineMap restToGrid = new AffineMap();
+  private final AffineMap worldToGrid = new AffineMap();
+  private final AffineMap scratch = new AffineMap();
+  private final Vec3 direction = new Vec3();
+  private final IntBox[] changes = new IntBox[REMEMBERED_EDITS];
+  private final IntBox everything = new IntBox();
+  private long edits;
+
+  /** Creates a body at its rest position. */
+  public Body(String name, BitCube bits, VoxelGrid grid, Mobility mobility) {
+    this.name = name;
+    this.bits = bits;
+    this.grid = grid;
+    this.mobility = mobility;
+    metric = GridMetric.of(grid.spacingMm());
+    clearance = new BrickClearance(bits);
+    for (int n = 0; n < changes.length; n++) {
+      changes[n] = new IntBox();
+    }
+    setRestToGrid();
+    setPose(pose);
+  }
+
+  private void setRestToGrid() {
+    RigidTransform t = grid.gridMmToWorld();
+    Vec3 s = grid.spacingMm();
+    restToGrid.mXX = t.axisX().x / s.x;
+    restToGrid.mXY = t.axisX().y / s.x;
+    restToGrid.mXZ = t.axisX().z / s.x;
+    restToGrid.mYX = t.axisY().x / s.y;
+    restToGrid.mYY = t.axisY().y / s.y;
+    restToGrid.mYZ = t.axisY().z / s.y;
+    restToGrid.mZX = t.axisZ().x / s.z;
+    restToGrid.mZY = t.axisZ().y / s.z;
+    restToGrid.mZZ = t.axisZ().z / s.z;
+    Vec3 origin = restToGrid.transformDirection(t.origin(), new Vec3());
+    restToGrid.offsetX = -origin.x;
+    restToGrid.offsetY = -origin.y;
+    restToGrid.offsetZ = -origin.z;
+  }
+
+  /** Returns the name, unique in its scene. */
+  public String name() {
+    return name;
+  }
+
+  /** Returns the voxels. */
+  public BitCube bits() {
+    return bits;
+  }
+
+  /** Returns the grid, at rest. */
+  public VoxelGrid grid() {
+    return grid;
+  }
+
+  /** Returns the metric of the grid. */
+  public GridMetric metric() {
+    return metric;
+  }
+
+  /** Returns how the body can move. */
+  public Mobility mobility() {
+    return mobility;
+  }
+
+  /** Returns lower bounds of the distance to the voxels, grid coordinates. */
+  public BrickClearance clearance() {
+    return clearance;
+  }
+
+  /** Returns the pose, from rest to present, world mm; not to be written. */
+  public Pose pose() {
+    return pose;
+  }
+
+  /** Sets the pose, from rest to present, world mm; its quaternion has the norm 1. */
+  public void setPose(Pose newPose) {
+    pose.set(newPose);
+    restToGrid.multiply(scratch.setInverse(pose), worldToGrid);
+  }
+
+  /**
+   * Writes the map from a tool's frame, mm, to the body's grid coordinates. The same two poses give
+   * the same bits.
+   */
+  public AffineMap toolToGrid(Pose tool, AffineMap dest) {
+    return worldToGrid.multiply(scratch.set(tool), dest);
+  }
+
+  /** Writes the world direction of a direction along the axes of the grid, both in mm. */
+  public Vec3 gridDirectionToWorld(Vec3 alongAxes, Vec3 dest) {
+    grid.gridMmToWorld().rotate(alongAxes, direction);
+    return pose.rotation.rotate(direction, dest);
+  }
+
+  /** Returns how often voxels were edited; whoever keeps something of them compares. */
+  public long edits() {
+    return edits;
+  }
+
+  /**
+   * Returns the box of voxels that an edit may have changed; not to be written. An edit that is
+   * long past returns the box of the whole grid.
+   *
+   * @param edit the number of the edit: from 0 to {@link #edits} - 1
+   */
+  public IntBox change(long edit) {
+    if (edit < edits - REMEMBERED_EDITS) {
+      everything.clear();
+      everything.include(0, 0, 0);
+      everything.include(bits.sizeX() - 1, bits.sizeY() - 1, bits.sizeZ() - 1);
+      return everything;
+    }
+    return changes[(int) (edit % REMEMBERED_EDITS)];
+  }
+
+  /** Takes note that voxels in a box were added or removed. */
+  public void voxelsChanged(IntBox box) {
+    changes[(int) (edits++ % REMEMBERED_EDITS)].set(box);
+    clearance.solidsAdded(box);
+  }
+}

@@ -1,0 +1,37 @@
+package org.palpate.body;
+
+import java.util.List;
+
+/** The bodies of a scene, in the order in which results number them. Haptic thread only. */
+public final class BodyScene {
+  private final Body[] bodies;
+  private final double shortestEdgeMm;
+
+  /** Creates a scene of at least one body. */
+  public BodyScene(List<Body> bodies) {
+    if (bodies.isEmpty()) {
+      throw new IllegalArgumentException("a scene needs at least one body");
+    }
+    this.bodies = bodies.toArray(new Body[0]);
+    double shortest = Double.POSITIVE_INFINITY;
+    for (Body body : bodies) {
+      shortest = Math.min(shortest, body.metric().shortestEdgeMm());
+    }
+    shortestEdgeMm = shortest;
+  }
+
+  /** Returns the number of bodies. */
+  public int count() {
+    return bodies.length;
+  }
+
+  /** Returns a body by its index. */
+  public Body body(int index) {
+    return bodies[index];
+  }
+
+  /** Returns the shortest voxel edge of all bodies, mm. */
+  public double shortestEdgeMm() {
+    return shortestEdgeMm;
+  }
+}

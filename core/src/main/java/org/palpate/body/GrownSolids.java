@@ -1,0 +1,193 @@
+package org.palpate.body;
+
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
+import org.palpate.volume.BitCube;
+
+/**
+ * The solids of a body with everything that lies nearer to them than a distance: what the points of
+ * a tool must avoid so that the tool keeps a clearance.
+ *
+ * <p>The grown solids are voxels again, of the body's size or a half or a quarter of it ("cells").
+ * Invariant: a cell is solid exactly if its distance from some solid voxel of the body is less than
+ * the growth. A point that touches no solid cell is therefore at least that far from every voxel.
+ * The grid of the cells begins {@link #padVoxels} before that of the body, so that nothing is cut
+ * off at its rim.
+ *
+ * <p>Belongs to one thread.
+ */
+public final class GrownSolids {
+  /** The largest number of cells along the edge of a voxel. */
+  public static final int LARGEST_PARTS = 4;
+
+  private final BitCube bits;
+  private final int parts;
+  private final double growthMm;
+  private final int pad;
+  private final int reachX;
+  private final int reachY;
+  private final int reachZ;
+  private final double cellX;
+  private final double cellY;
+  private final double cellZ;
+  private final BitCube cells;
+  private final IntBox region = new IntBox();
+
+  /**
+   * Grows all solids of a cube, which stays the caller's.
+   *
+   * @param parts cells along the edge of a voxel: 1, 2 or 4, so that positions scale exactly
+   * @param growthMm the distance, mm, positive
+   */
+  public GrownSolids(BitCube bits, GridMetric metric, int parts, double growthMm) {
+    if (parts != 1 && parts != 2 && parts != LARGEST_PARTS) {
+      throw new IllegalArgumentException("parts must be 1, 2 or 4: parts=" + parts);
+    }
+    if (!(growthMm > 0) || growthMm / metric.shortestEdgeMm() > 64) {
+      throw new IllegalArgumentException(
+          "growth must be positive and at most 64 voxels: growthMm=" + growthMm);
+    }
+    this.bits = bits;
+    this.parts = parts;
+    this.growthMm = growthMm;
+    cellX = metric.spacingX() / parts;
+    cellY = metric.spacingY() / parts;
+    cellZ = metric.spacingZ() / parts;
+    reachX = (int) Math.ceil(growthMm / cellX);
+    reachY = (int) Math.ceil(growthMm / cellY);
+    reachZ = (int) Math.ceil(growthMm / cellZ);
+    int widest = Math.max(reachX, Math.max(reachY, reachZ));
+    pad = (widest + parts - 1) / parts;
+    cells =
+        new BitCube(
+            (bits.sizeX() + 2 * pad) * parts,
+            (bits.sizeY() + 2 * pad) * parts,
+            (bits.sizeZ() + 2 * pad) * parts);
+    update(bits.bounds());
+  }
+
+  /** Returns the grown solids, a voxel a cell. */
+  public BitCube cells() {
+    return cells;
+  }
+
+  /** Returns how many cells an edge of a voxel has. */
+  public int parts() {
+    return parts;
+  }
+
+  /** Returns by how many voxels the grid of the cells begins before the body's. */
+  public int padVoxels() {
+    return pad;
+  }
+
+  /** Returns the growth, mm. */
+  public double growthMm() {
+    return growthMm;
+  }
+
+  /** Returns the coordinate in the grid of the cells of a coordinate in the grid of the body. */
+  public double toCells(double voxels) {
+    return (voxels + pad) * parts;
+  }
+
+  /**
+   * Makes the invariant true again after voxels in a box changed, either way.
+   *
+   * @return the box of cells that may have changed; owned by this, overwritten by the next call
+   */
+  public IntBox update(IntBox changed) {
+    region.clear();
+    if (changed.isEmpty()) {
+      return region;
+    }
+    region.include(
+        Math.max(0, firstCell(changed.lowX) - reachX),
+        Math.max(0, firstCell(changed.lowY) - reachY),
+        Math.max(0, firstCell(changed.lowZ) - reachZ));
+    region.include(
+        Math.min(cells.sizeX() - 1, firstCell(changed.highX + 1) - 1 + reachX),
+        Math.min(cells.sizeY() - 1, firstCell(changed.highY + 1) - 1 + reachY),
+        Math.min(cells.sizeZ() - 1, firstCell(changed.highZ + 1) - 1 + reachZ));
+    clearRegion();
+    growIntoRegion();
+    return region;
+  }
+
+  private int firstCell(int voxel) {
+    return (voxel + pad) * parts;
+  }
+
+  private void clearRegion() {
+    for (int k = region.lowZ; k <= region.highZ; k++) {
+      for (int j = region.lowY; j <= region.highY; j++) {
+        for (int i = region.lowX; i <= region.highX; i++) {
+          if ((i & 3) == 0 && cells.brick(i >> 2, j >> 2, k >> 2) == 0) {
+            i += 3;
+          } else {
+            cells.clear(i, j, k);
+          }
+        }
+      }
+    }
+  }
+
+  /** Grows every voxel that can reach the region. */
+  private void growIntoRegion() {
+    int lowX = Math.max(0, (region.lowX - reachX) / parts - pad - 1);
+    int lowY = Math.max(0, (region.lowY - reachY) / parts - pad - 1);
+    int lowZ = Math.max(0, (region.lowZ - reachZ) / parts - pad - 1);
+    int highX = Math.min(bits.sizeX() - 1, (region.highX + reachX) / parts - pad + 1);
+    int highY = Math.min(bits.sizeY() - 1, (region.highY + reachY) / parts - pad + 1);
+    int highZ = Math.min(bits.sizeZ() - 1, (region.highZ + reachZ) / parts - pad + 1);
+    for (int k = lowZ; k <= highZ; k++) {
+      for (int j = lowY; j <= highY; j++) {
+        for (int i = lowX; i <= highX; i++) {
+          if (bits.brick(i >> 2, j >> 2, k >> 2) == 0) {
+            i |= 3;
+          } else if (bits.get(i, j, k)) {
+            growVoxel(i, j, k);
+          }
+        }
+      }
+    }
+  }
+
+  /** An inner voxel adds its own cells alone, since its neighbours reach farther. */
+  private void growVoxel(int i, int j, int k) {
+    boolean inner =
+        bits.get(i - 1, j, k)
+            && bits.get(i + 1, j, k)
+            && bits.get(i, j - 1, k)
+            && bits.get(i, j + 1, k)
+            && bits.get(i, j, k - 1)
+            && bits.get(i, j, k + 1);
+    int aroundX = inner ? 0 : reachX;
+    int aroundY = inner ? 0 : reachY;
+    int aroundZ = inner ? 0 : reachZ;
+    int firstX = firstCell(i);
+    int firstY = firstCell(j);
+    int firstZ = firstCell(k);
+    int lastX = Math.min(region.highX, firstX + parts - 1 + aroundX);
+    int lastY = Math.min(region.highY, firstY + parts - 1 + aroundY);
+    int lastZ = Math.min(region.highZ, firstZ + parts - 1 + aroundZ);
+    for (int c = Math.max(region.lowZ, firstZ - aroundZ); c <= lastZ; c++) {
+      double gapZ = cellZ * gap(c, firstZ);
+      for (int b = Math.max(region.lowY, firstY - aroundY); b <= lastY; b++) {
+        double gapY = cellY * gap(b, firstY);
+        double left = growthMm * growthMm - gapZ * gapZ - gapY * gapY;
+        for (int a = Math.max(region.lowX, firstX - aroundX); a <= lastX; a++) {
+          double gapX = cellX * gap(a, firstX);
+          if (gapX * gapX < left) {
+            cells.set(a, b, c);
+          }
+        }
+      }
+    }
+  }
+
+  /** Returns how many cells lie between a cell and a voxel along an axis. */
+  private int gap(int cell, int firstOfVoxel) {
+    return Math.max(0, Math.max(cell - (firstOfVoxel + parts), firstOfVoxel - cell - 1));
+  }
+}

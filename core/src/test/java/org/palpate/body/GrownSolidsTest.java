@@ -1,0 +1,118 @@
+package org.palpate.body;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+
+class GrownSolidsTest {
+  private final SplittableRandom random = new SplittableRandom(Seeds.seed());
+
+  @Test
+  void holdsExactlyTheCellsThatAreNearerThanTheGrowth() {
+    for (int parts = 1; parts <= 4; parts *= 2) {
+      for (double growth : new double[] {0.3, 0.866, 1, 1.2}) {
+        for (GridMetric metric : metrics()) {
+          BitCube bits = RandomSolids.clutter(random, 7, 8, 6);
+          assertIsGrown(bits, metric, new GrownSolids(bits, metric, parts, growth));
+        }
+      }
+    }
+  }
+
+  @Test
+  void growsByOneCellIfTheGrowthIsOneCell() {
+    BitCube bits = new BitCube(3, 3, 3);
+    bits.set(0, 1, 2);
+    GrownSolids grown = new GrownSolids(bits, new GridMetric(1, 1, 1), 1, 1);
+    assertEquals(27, grown.cells().solidCount());
+    assertEquals(1, grown.padVoxels());
+  }
+
+  @Test
+  void followsVoxelsThatAreAddedAndRemoved() {
+    for (GridMetric metric : metrics()) {
+      BitCube bits = RandomSolids.clutter(random, 12, 9, 8);
+      GrownSolids grown = new GrownSolids(bits, metric, 2, 0.9);
+      for (int edit = 0; edit < 10; edit++) {
+        grown.update(editBox(bits));
+        assertIsGrown(bits, metric, grown);
+      }
+    }
+  }
+
+  private IntBox editBox(BitCube bits) {
+    IntBox box = new IntBox();
+    int i = random.nextInt(bits.sizeX() - 3);
+    int j = random.nextInt(bits.sizeY() - 3);
+    int k = random.nextInt(bits.sizeZ() - 3);
+    box.include(i, j, k);
+    box.include(i + 2, j + 2, k + 2);
+    for (int n = 0; n < 27; n++) {
+      if (random.nextBoolean()) {
+        bits.set(i + n % 3, j + n / 3 % 3, k + n / 9);
+      } else {
+        bits.clear(i + n % 3, j + n / 3 % 3, k + n / 9);
+      }
+    }
+    return box;
+  }
+
+  @Test
+  void rejectsPartsThatDoNotScaleExactly() {
+    GridMetric metric = new GridMetric(1, 1, 1);
+    BitCube bits = new BitCube(3, 3, 3);
+    assertThrows(IllegalArgumentException.class, () -> new GrownSolids(bits, metric, 3, 1));
+    assertThrows(IllegalArgumentException.class, () -> new GrownSolids(bits, metric, 1, 0));
+    assertThrows(
+        IllegalArgumentException.class, () -> new GrownSolids(bits, metric, 1, Double.NaN));
+  }
+
+  private static GridMetric[] metrics() {
+    return new GridMetric[] {
+      new GridMetric(1, 1, 1), new GridMetric(1, 0.7, 5), new GridMetric(0.4, 0.4, 0.4)
+    };
+  }
+
+  private static void assertIsGrown(BitCube bits, GridMetric metric, GrownSolids grown) {
+    int parts = grown.parts();
+    int pad = grown.padVoxels() * parts;
+    BitCube cells = grown.cells();
+    for (int k = 0; k < cells.sizeZ(); k++) {
+      for (int j = 0; j < cells.sizeY(); j++) {
+        for (int i = 0; i < cells.sizeX(); i++) {
+          double distance = distance(bits, metric, parts, i - pad, j - pad, k - pad);
+          boolean expected = distance < grown.growthMm();
+          assertEquals(expected, cells.get(i, j, k), "cell " + i + " " + j + " " + k);
+        }
+      }
+    }
+  }
+
+  private static double distance(
+      BitCube bits, GridMetric metric, int parts, int cellX, int cellY, int cellZ) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int k = 0; k < bits.sizeZ(); k++) {
+      for (int j = 0; j < bits.sizeY(); j++) {
+        for (int i = 0; i < bits.sizeX(); i++) {
+          if (bits.get(i, j, k)) {
+            double x = metric.spacingX() / parts * gap(cellX, i * parts, parts);
+            double y = metric.spacingY() / parts * gap(cellY, j * parts, parts);
+            double z = metric.spacingZ() / parts * gap(cellZ, k * parts, parts);
+            least = Math.min(least, Math.sqrt(x * x + y * y + z * z));
+          }
+        }
+      }
+    }
+    return least;
+  }
+
+  private static int gap(int cell, int voxel, int parts) {
+    return Math.max(0, Math.max(cell - voxel - parts, voxel - cell - 1));
+  }
+}
