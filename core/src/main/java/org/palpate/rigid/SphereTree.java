@@ -35,6 +35,9 @@ final class SphereTree {
   /** Leaves have numbers in traversal order; negative for inner nodes. */
   final int[] leaf;
 
+  /** The number of the leaf that holds a point. */
+  final int[] leafOfPoint;
+
   final int nodes;
   final int leaves;
 
@@ -52,6 +55,12 @@ final class SphereTree {
     first = Arrays.copyOf(builder.first, nodes);
     end = Arrays.copyOf(builder.end, nodes);
     leaf = Arrays.copyOf(builder.leaf, nodes);
+    leafOfPoint = new int[px.length];
+    for (int node = 0; node < nodes; node++) {
+      if (first[node] >= 0) {
+        Arrays.fill(leafOfPoint, first[node], end[node], leaf[node]);
+      }
+    }
   }
 
   /** Room while the tree grows. */

@@ -1,0 +1,119 @@
+package org.palpate.rigid;
+
+import org.palpate.body.Body;
+import org.palpate.body.BrickClearance;
+import org.palpate.body.GrownSolids;
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.IntBox;
+import org.palpate.volume.BitCube;
+
+/**
+ * What the points of a tool must not touch of one body: its voxels (level 0) or, with a clearance,
+ * grown solids (levels 1 and up, each containing the one below). Most points keep the highest
+ * level. A point that starts nearer keeps the highest level that it does not touch.
+ *
+ * <p>Level 0 is held in the grid coordinates of the body, in which legs are recorded; the others in
+ * the coordinates of their cells, whose rounding is far below the growth.
+ */
+final class Barrier {
+  final Body body;
+
+  /** The cubes by level. */
+  final BitCube[] cubes;
+
+  /** The level that points keep if they do not start nearer. */
+  final int highest;
+
+  /** Lower bounds of the distance to the cube of the highest level, in its cells. */
+  final BrickClearance clearance;
+
+  /** The shortest edge of a cell of the highest level, mm. */
+  final double cellMm;
+
+  private final GrownSolids[] grown;
+  private long editsSeen;
+
+  Barrier(Body body, Clearance clearanceOfTool) {
+    this.body = body;
+    highest = clearanceOfTool.growthMm() > 0 ? Math.max(1, clearanceOfTool.levels()) : 0;
+    grown = new GrownSolids[highest + 1];
+    cubes = new BitCube[highest + 1];
+    cubes[0] = body.bits();
+    for (int level = 1; level <= highest; level++) {
+      double growthMm = clearanceOfTool.growthMm() * level / highest;
+      grown[level] = new GrownSolids(body.bits(), body.metric(), clearanceOfTool.parts(), growthMm);
+      cubes[level] = grown[level].cells();
+    }
+    clearance = highest == 0 ? body.clearance() : new BrickClearance(cubes[highest]);
+    cellMm = body.metric().shortestEdgeMm() / parts(highest);
+    editsSeen = body.edits();
+  }
+
+  private int parts(int level) {
+    return level == 0 ? 1 : grown[level].parts();
+  }
+
+  private int pad(int level) {
+    return level == 0 ? 0 : grown[level].padVoxels();
+  }
+
+  /** Returns how much the highest level was grown, mm. */
+  double growthMm() {
+    return highest == 0 ? 0 : grown[highest].growthMm();
+  }
+
+  /** Turns a map to the body's grid into one to the cells of a level. Level 0 keeps its bits. */
+  AffineMap toCells(AffineMap toGrid, int level, AffineMap dest) {
+    dest.set(toGrid);
+    if (level == 0) {
+      return dest;
+    }
+    double scale = parts(level);
+    dest.mXX *= scale;
+    dest.mXY *= scale;
+    dest.mXZ *= scale;
+    dest.mYX *= scale;
+    dest.mYY *= scale;
+    dest.mYZ *= scale;
+    dest.mZX *= scale;
+    dest.mZY *= scale;
+    dest.mZZ *= scale;
+    dest.offsetX = grown[level].toCells(toGrid.offsetX);
+    dest.offsetY = grown[level].toCells(toGrid.offsetY);
+    dest.offsetZ = grown[level].toCells(toGrid.offsetZ);
+    return dest;
+  }
+
+  /**
+   * Takes over edits of the body since the last call.
+   *
+   * @param changed grown by the voxels that changed, body's grid
+   * @return whether there was an edit
+   */
+  boolean takeEdits(IntBox changed) {
+    long edits = body.edits();
+    if (edits == editsSeen) {
+      return false;
+    }
+    for (long edit = editsSeen; edit < edits; edit++) {
+      IntBox box = body.change(edit);
+      if (!box.isEmpty()) {
+        changed.include(box.lowX, box.lowY, box.lowZ);
+        changed.include(box.highX, box.highY, box.highZ);
+      }
+    }
+    editsSeen = edits;
+    for (int level = 1; level <= highest; level++) {
+      IntBox cells = grown[level].update(changed);
+      if (level == highest) {
+        clearance.solidsAdded(cells);
+      }
+    }
+    return true;
+  }
+
+  /** Returns how many voxels the highest level reaches beyond a solid voxel. */
+  int reachVoxels() {
+    return pad(highest);
+  }
+}

@@ -1,0 +1,97 @@
+package org.palpate.rigid;
+
+/**
+ * The legs of a proposed motion that touch a solid, as verification found them: at most one for
+ * each leaf of the tool's tree and each body, the earliest. Written by {@link BodyVerifier}.
+ */
+final class LegHits {
+  /** Verification stops at this many: a proposal that meets more is far off anyway. */
+  static final int ENOUGH = 40;
+
+  /** Value of {@link #axis} if the leg starts at the voxel. */
+  static final int NO_AXIS = -1;
+
+  final int[] body = new int[ENOUGH + 1];
+  final int[] point = new int[ENOUGH + 1];
+
+  /** How far along the leg the solid was met, 0 to 1. */
+  final double[] t = new double[ENOUGH + 1];
+
+  /** The grid axis across which the voxel was entered: 0 is x. */
+  final int[] axis = new int[ENOUGH + 1];
+
+  /** The direction along that axis from the voxel to the leg's start: 1 or -1. */
+  final int[] side = new int[ENOUGH + 1];
+
+  /** The distance from the leg's start to the plane of the voxel's face, mm. */
+  final double[] gapMm = new double[ENOUGH + 1];
+
+  private int count;
+
+  void clear() {
+    count = 0;
+  }
+
+  int count() {
+    return count;
+  }
+
+  boolean isFull() {
+    return count >= ENOUGH;
+  }
+
+  /** Adds a hit without a face. */
+  void add(int ofBody, int ofPoint, double atT) {
+    body[count] = ofBody;
+    point[count] = ofPoint;
+    t[count] = atT;
+    axis[count] = NO_AXIS;
+    count++;
+  }
+
+  /** Adds the face to the last hit. */
+  void setFace(int onAxis, int towardsStart, double distanceMm) {
+    axis[count - 1] = onAxis;
+    side[count - 1] = towardsStart;
+    gapMm[count - 1] = distanceMm;
+  }
+
+  /** Keeps of all hits from index {@code first} on only the earliest. */
+  void keepEarliestFrom(int first) {
+    for (int n = first + 1; n < count; n++) {
+      if (t[n] < t[first]) {
+        copy(n, first);
+      }
+    }
+    count = Math.min(count, first + 1);
+  }
+
+  /** Removes the earliest hit and moves it behind the others, at index {@link #count}. */
+  int takeEarliest() {
+    int earliest = 0;
+    for (int n = 1; n < count; n++) {
+      if (t[n] < t[earliest]) {
+        earliest = n;
+      }
+    }
+    count--;
+    swap(earliest, count);
+    return count;
+  }
+
+  private void swap(int a, int b) {
+    int spare = ENOUGH;
+    copy(a, spare);
+    copy(b, a);
+    copy(spare, b);
+  }
+
+  private void copy(int from, int to) {
+    body[to] = body[from];
+    point[to] = point[from];
+    t[to] = t[from];
+    axis[to] = axis[from];
+    side[to] = side[from];
+    gapMm[to] = gapMm[from];
+  }
+}

@@ -1,0 +1,28 @@
+package org.palpate.rigid;
+
+/**
+ * How far a tool may go in one verified step, so that chords can stand for arcs. All lengths are in
+ * shortest voxel edges of the scene.
+ */
+final class StepLimits {
+  /**
+   * The largest distance between the arc that a point follows and the chord that is verified. In
+   * mode body the clearance contains it.
+   */
+  static final double SAGITTA_EDGES = 1e-3;
+
+  /** The longest path of a point in one step towards contacts. */
+  static final double STEP_EDGES = 1.5;
+
+  private StepLimits() {}
+
+  /**
+   * Returns the largest rotation of a step, rad. A point at distance r from the axis of the screw
+   * motion is off its chord by at most r (1 - cos(a/2)), which is at most r a^2/8.
+   *
+   * @param radiusMm the largest distance of a point from the reference point
+   */
+  static double largestTurn(double radiusMm, double edgeMm) {
+    return Math.min(0.5, Math.sqrt(8 * SAGITTA_EDGES * edgeMm / Math.max(radiusMm, edgeMm)));
+  }
+}
