@@ -2,6 +2,7 @@ package org.palpate.body;
 
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
@@ -84,6 +85,29 @@ public final class GrownSolids {
   /** Returns the growth, mm. */
   public double growthMm() {
     return growthMm;
+  }
+
+  /**
+   * Returns how far the grown solid of a voxel reaches beyond the voxel along a direction, mm: the
+   * support function of what a voxel is grown by.
+   *
+   * @param normal unit, along the axes of the grid in mm
+   */
+  public double reachMm(Vec3 normal) {
+    double weightX = Math.abs(normal.x) * cellX;
+    double weightY = Math.abs(normal.y) * cellY;
+    double weightZ = Math.abs(normal.z) * cellZ;
+    double most = 0;
+    for (int c = 0; c < reachZ; c++) {
+      for (int b = 0; b < reachY; b++) {
+        double left = growthMm * growthMm - cellZ * cellZ * c * c - cellY * cellY * b * b;
+        if (left > 0) {
+          int a = (int) Math.ceil(Math.sqrt(left) / cellX) - 1;
+          most = Math.max(most, weightX * (a + 1) + weightY * (b + 1) + weightZ * (c + 1));
+        }
+      }
+    }
+    return most;
   }
 
   /** Returns the coordinate in the grid of the cells of a coordinate in the grid of the body. */

@@ -5,6 +5,7 @@ import org.palpate.body.BrickClearance;
 import org.palpate.body.GrownSolids;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
@@ -60,6 +61,15 @@ final class Barrier {
   /** Returns how much the highest level was grown, mm. */
   double growthMm() {
     return highest == 0 ? 0 : grown[highest].growthMm();
+  }
+
+  /**
+   * Returns how far the cells of a level reach beyond a voxel along a direction, mm.
+   *
+   * @param normal unit, along the axes of the body's grid in mm
+   */
+  double reachMm(int level, Vec3 normal) {
+    return level == 0 ? 0 : grown[level].reachMm(normal);
   }
 
   /** Turns a map to the body's grid into one to the cells of a level. Level 0 keeps its bits. */

@@ -1,0 +1,94 @@
+package org.palpate.rigid;
+
+import java.util.List;
+import org.palpate.body.Body;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.smooth.field.BinaryCoefficientSource;
+import org.palpate.proxy.smooth.field.CoefficientSource;
+import org.palpate.proxy.smooth.field.GreyCoefficientSource;
+import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
+import org.palpate.proxy.smooth.field.IsoLevel;
+import org.palpate.proxy.smooth.field.OccupancyField;
+import org.palpate.proxy.smooth.field.SmoothingKernel;
+
+/**
+ * The smooth surface of one body as contacts see it: height over the isosurface and its normal,
+ * from the same occupancy field on which the point solver slides. With a clearance the surface runs
+ * higher by what the grown solids reach beyond the body along the normal.
+ *
+ * <p>The only class of this package that knows the field. Haptic thread only; an evaluation
+ * allocates nothing.
+ */
+final class ContactField {
+  /** Below this slope, per edge, there is no surface near. */
+  private static final double LEAST_SLOPE = 1e-4;
+
+  /** The normal at the point that was evaluated last, unit, world axes. */
+  final Vec3 normal = new Vec3();
+
+  /** Its height over the surface, mm; negative below. */
+  double heightMm;
+
+  private final Body body;
+  private final Barrier barrier;
+  private final OccupancyField field;
+  private final IsoLevel level;
+  private final CollisionScene solids;
+  private final double edgeMm;
+  private final Vec3 gradient = new Vec3();
+  private long editsSeen;
+
+  /**
+   * Creates the field of a body.
+   *
+   * @param grey the grey values of which the voxels were made, or null
+   */
+  ContactField(Barrier barrier, GreyIsosurfaceSource grey) {
+    this.barrier = barrier;
+    body = barrier.body;
+    GridMetric metric = body.metric();
+    edgeMm = metric.shortestEdgeMm();
+    Vec3 edges =
+        new Vec3(
+            metric.spacingX() / edgeMm, metric.spacingY() / edgeMm, metric.spacingZ() / edgeMm);
+    CoefficientSource source = source(metric, grey);
+    field = new OccupancyField(source, edges);
+    level = new IsoLevel(source, edges);
+    solids = new CollisionScene(List.of(body.bits()));
+    field.use(solids);
+  }
+
+  private static CoefficientSource source(GridMetric metric, GreyIsosurfaceSource grey) {
+    return grey == null
+        ? new BinaryCoefficientSource(new SmoothingKernel(metric, SmoothingKernel.FOR_BITS))
+        : new GreyCoefficientSource(new SmoothingKernel(metric, SmoothingKernel.FOR_GREY), grey);
+  }
+
+  /**
+   * Evaluates height and normal at a point that lies in an empty voxel.
+   *
+   * @param grid the point, grid coordinates
+   * @param clearanceLevel the level of the barrier that the point keeps
+   * @return whether there is a surface near
+   */
+  boolean evaluate(Vec3 grid, int clearanceLevel) {
+    if (body.edits() != editsSeen) {
+      editsSeen = body.edits();
+      field.forget();
+    }
+    field.seed(grid.x, grid.y, grid.z);
+    field.evaluate(grid.x, grid.y, grid.z);
+    gradient.set(field.gx, field.gy, field.gz);
+    double slope = gradient.length();
+    if (slope < LEAST_SLOPE) {
+      return false;
+    }
+    gradient.mul(-1 / slope, gradient);
+    heightMm =
+        level.over(field.value, gradient) * edgeMm - barrier.reachMm(clearanceLevel, gradient);
+    body.gridDirectionToWorld(gradient, normal);
+    return true;
+  }
+}

@@ -1,0 +1,204 @@
+package org.palpate.rigid;
+
+/**
+ * Finds the point nearest to a target in a few dimensions subject to linear inequalities: minimizes
+ * |y - target|^2 subject to a_i . y >= b_i. The dual active-set method: starts at the target and
+ * adds the constraint that is violated most, dropping others whose multipliers would turn negative.
+ *
+ * <p>Reference: Goldfarb and Idnani, A numerically stable dual method for solving strictly convex
+ * quadratic programs, 1983, here with the identity as Hessian.
+ *
+ * <p>Belongs to one thread; allocates nothing after construction.
+ */
+final class NearestPointSolver {
+  /** A constraint counts as met if it is violated by no more than this, in the unit of y. */
+  static final double TOLERANCE = 1e-9;
+
+  /** A row counts as dependent on the active ones below this square of its sine to their span. */
+  private static final double DEPENDENT = 1e-9;
+
+  private static final int MOST_ITERATIONS = 100;
+
+  final int dimension;
+
+  /** Rows of {@link #dimension} entries; the first {@link #rows} count. */
+  final double[] a;
+
+  final double[] b;
+  final double[] target;
+
+  /** The solution. */
+  final double[] y;
+
+  /** The rows that are met with equality at the solution, and their multipliers. */
+  final int[] active;
+
+  final double[] multiplier;
+  int rows;
+  int activeCount;
+
+  private final double[] coefficient;
+  private final double[] direction;
+  private final double[] factor;
+  private int iterations;
+
+  NearestPointSolver(int dimension, int mostRows) {
+    this.dimension = dimension;
+    a = new double[dimension * mostRows];
+    b = new double[mostRows];
+    target = new double[dimension];
+    y = new double[dimension];
+    active = new int[dimension + 1];
+    multiplier = new double[dimension + 1];
+    coefficient = new double[dimension];
+    direction = new double[dimension];
+    factor = new double[dimension * dimension];
+  }
+
+  /** Solves; false if the constraints contradict each other or rounding spoils the answer. */
+  boolean solve() {
+    System.arraycopy(target, 0, y, 0, dimension);
+    activeCount = 0;
+    iterations = 0;
+    for (int worst = mostViolated(); worst >= 0; worst = mostViolated()) {
+      if (!activate(worst)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private int mostViolated() {
+    int worst = -1;
+    double least = -TOLERANCE;
+    for (int row = 0; row < rows; row++) {
+      double slack = along(row) - b[row];
+      if (slack < least) {
+        least = slack;
+        worst = row;
+      }
+    }
+    return worst;
+  }
+
+  /** Returns a_row . y. */
+  double along(int row) {
+    double sum = 0;
+    int at = row * dimension;
+    for (int c = 0; c < dimension; c++) {
+      sum += a[at + c] * y[c];
+    }
+    return sum;
+  }
+
+  /** Goes on until the row is met with equality, dropping active rows that are in the way. */
+  private boolean activate(int row) {
+    double own = 0;
+    while (iterations++ < MOST_ITERATIONS) {
+      project(row);
+      int blocking = firstToVanish();
+      double partial =
+          blocking < 0 ? Double.POSITIVE_INFINITY : multiplier[blocking] / coefficient[blocking];
+      double full = fullStep(row);
+      double step = Math.min(partial, full);
+      if (step == Double.POSITIVE_INFINITY) {
+        return false;
+      }
+      advance(step, full < Double.POSITIVE_INFINITY);
+      own += step;
+      if (step == full) {
+        active[activeCount] = row;
+        multiplier[activeCount++] = own;
+        return true;
+      }
+      drop(blocking);
+    }
+    return false;
+  }
+
+  /** Splits the row into its part in the span of the active rows and the direction across it. */
+  private void project(int row) {
+    solveNormalEquations(row);
+    for (int c = 0; c < dimension; c++) {
+      double v = a[row * dimension + c];
+      for (int j = 0; j < activeCount; j++) {
+        v -= coefficient[j] * a[active[j] * dimension + c];
+      }
+      direction[c] = v;
+    }
+  }
+
+  /** Solves (N^T N) coefficient = N^T a_row by Cholesky, where N holds the active rows. */
+  private void solveNormalEquations(int row) {
+    for (int i = 0; i < activeCount; i++) {
+      for (int j = 0; j <= i; j++) {
+        double v = dot(active[i], active[j]);
+        for (int c = 0; c < j; c++) {
+          v -= factor[i * dimension + c] * factor[j * dimension + c];
+        }
+        factor[i * dimension + j] =
+            i == j ? Math.sqrt(Math.max(v, Double.MIN_NORMAL)) : v / factor[j * dimension + j];
+      }
+      double v = dot(active[i], row);
+      for (int c = 0; c < i; c++) {
+        v -= factor[i * dimension + c] * coefficient[c];
+      }
+      coefficient[i] = v / factor[i * dimension + i];
+    }
+    for (int i = activeCount - 1; i >= 0; i--) {
+      double v = coefficient[i];
+      for (int c = i + 1; c < activeCount; c++) {
+        v -= factor[c * dimension + i] * coefficient[c];
+      }
+      coefficient[i] = v / factor[i * dimension + i];
+    }
+  }
+
+  private double dot(int rowA, int rowB) {
+    double sum = 0;
+    for (int c = 0; c < dimension; c++) {
+      sum += a[rowA * dimension + c] * a[rowB * dimension + c];
+    }
+    return sum;
+  }
+
+  /** Returns the active row whose multiplier vanishes first; -1 if none does. */
+  private int firstToVanish() {
+    int first = -1;
+    double least = Double.POSITIVE_INFINITY;
+    for (int j = 0; j < activeCount; j++) {
+      if (coefficient[j] > 1e-12 && multiplier[j] / coefficient[j] < least) {
+        least = multiplier[j] / coefficient[j];
+        first = j;
+      }
+    }
+    return first;
+  }
+
+  /** Returns the step after which the row is met; infinite if it depends on the active rows. */
+  private double fullStep(int row) {
+    double square = 0;
+    for (int c = 0; c < dimension; c++) {
+      square += direction[c] * direction[c];
+    }
+    boolean independent = square > DEPENDENT * dot(row, row) && activeCount < dimension;
+    return independent ? (b[row] - along(row)) / square : Double.POSITIVE_INFINITY;
+  }
+
+  private void advance(double step, boolean moves) {
+    for (int c = 0; moves && c < dimension; c++) {
+      y[c] += step * direction[c];
+    }
+    for (int j = 0; j < activeCount; j++) {
+      multiplier[j] = Math.max(0, multiplier[j] - step * coefficient[j]);
+    }
+  }
+
+  private void drop(int index) {
+    activeCount--;
+    for (int j = index; j < activeCount; j++) {
+      active[j] = active[j + 1];
+      multiplier[j] = multiplier[j + 1];
+    }
+  }
+}

@@ -1,0 +1,52 @@
+package org.palpate.rigid;
+
+import org.palpate.body.BodyScene;
+import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
+
+/**
+ * What a rigid solver is set up with.
+ *
+ * @param maxStepMm the most that a point may travel in one frame, w_max, positive
+ * @param clearances a clearance for each body, or a single one for all
+ * @param greys the grey values of each body's voxels, or none at all; entries may be null
+ * @param skips whether verification leaves out what is proved to be empty; answers are the same
+ */
+public record RigidSettings(
+    double maxStepMm, Clearance[] clearances, GreyIsosurfaceSource[] greys, boolean skips) {
+
+  /** Checks the step. */
+  public RigidSettings {
+    if (!(maxStepMm > 0)) {
+      throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);
+    }
+    clearances = clearances.clone();
+    greys = greys.clone();
+  }
+
+  /** Returns settings with one clearance for all bodies, felt by their bits alone. */
+  public static RigidSettings of(double maxStepMm, Clearance clearance) {
+    Clearance[] one = {clearance};
+    return new RigidSettings(maxStepMm, one, new GreyIsosurfaceSource[0], true);
+  }
+
+  /** Returns settings with the least clearance at which no solids can overlap. */
+  public static RigidSettings ofWholeBodies(double maxStepMm, BodyScene scene, ToolPoints tool) {
+    Clearance[] clearances = new Clearance[scene.count()];
+    for (int n = 0; n < clearances.length; n++) {
+      clearances[n] = Clearance.ofWholeBody(tool, scene.body(n).metric(), 0);
+    }
+    return new RigidSettings(maxStepMm, clearances, new GreyIsosurfaceSource[0], true);
+  }
+
+  Clearance[] clearancesOf(BodyScene scene) {
+    Clearance[] all = new Clearance[scene.count()];
+    for (int n = 0; n < all.length; n++) {
+      all[n] = clearances[clearances.length == 1 ? 0 : n];
+    }
+    return all;
+  }
+
+  GreyIsosurfaceSource grey(int body) {
+    return body < greys.length ? greys[body] : null;
+  }
+}

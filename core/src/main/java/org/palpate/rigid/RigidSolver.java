@@ -1,0 +1,205 @@
+package org.palpate.rigid;
+
+import org.palpate.body.BodyScene;
+import org.palpate.geometry.Pose;
+
+/**
+ * Moves a rigid tool after a device pose, once a frame: to the pose nearest to the device, in the
+ * kinetic metric, that the contacts allow.
+ *
+ * <p>Guarantee: the tool moves by steps whose legs were all verified exactly, see {@link
+ * ToolVerifier}, whatever the contacts say.
+ *
+ * <p>Rest: a frame counts only if it lowers a potential, the distance to the device plus the priced
+ * depth of the contacts, by a least amount; else it is taken back. While the device moves the
+ * potential may rise by a little. For a device at rest the least amount grows from frame to frame
+ * that creeps, so the tool rests, bit for bit, after at most {@link #MOST_CREEPING_FRAMES} of
+ * those; frames that do not creep lower the potential by a fixed amount, so there are finitely
+ * many.
+ *
+ * <p>Work is bounded by {@link WorkBudget}; a frame that has spent it goes on in the next one.
+ * Haptic thread only; allocates nothing.
+ */
+public final class RigidSolver {
+  /** How many frames may lower the potential by less than {@link #CREEP_EDGES}. */
+  static final int MOST_CREEPING_FRAMES = 40;
+
+  private static final double CREEP_EDGES = 0.05;
+  private static final double LEAST_FALL_EDGES = 1e-6;
+
+  /** The potential may rise by a half of the device's motion, and no more than this, edges. */
+  private static final double MOST_RISE_EDGES = 0.1;
+
+  /** In contact, a frame comes nearer by this or by 1.5 times the device's motion, edges. */
+  private static final double CATCH_UP_EDGES = 2;
+
+  /** How many points with a reduced clearance are looked at in a frame. */
+  private static final int RAISED_PER_FRAME = 400;
+
+  private final ToolPoints tool;
+  private final ToolVerifier verifier;
+  private final WorkBudget budget;
+  private final RigidStepper stepper;
+  private final FreePoseSearch freeing;
+  private final DevicePoseFilter device = new DevicePoseFilter();
+  private final Pose lastTarget = new Pose();
+  private final double edgeMm;
+  private final double maxStepMm;
+  private boolean hasTarget;
+  private boolean rests;
+  private int creepingFrames;
+  private long work;
+
+  /**
+   * Creates a solver for a tool that stands nowhere yet; see {@link #place}.
+   *
+   * @param settings clearances by body and limits
+   */
+  public RigidSolver(BodyScene scene, ToolPoints tool, RigidSettings settings) {
+    this.tool = tool;
+    maxStepMm = settings.maxStepMm();
+    edgeMm = scene.shortestEdgeMm();
+    verifier = new ToolVerifier(scene, tool, settings.clearancesOf(scene), settings.skips());
+    budget = new WorkBudget(verifier);
+    ContactField[] fields = new ContactField[scene.count()];
+    for (int n = 0; n < fields.length; n++) {
+      fields[n] = new ContactField(verifier.body(n).barrier, settings.grey(n));
+    }
+    stepper = new RigidStepper(scene, tool, verifier, fields, budget);
+    freeing = new FreePoseSearch(verifier, edgeMm);
+  }
+
+  /**
+   * Puts the tool at a pose, or at a free pose near it with the same orientation.
+   *
+   * @return whether the pose itself was free
+   */
+  public boolean place(Pose pose, ToolMotion motion) {
+    boolean free = verifier.place(pose, false);
+    if (!free) {
+      freeing.find(pose);
+    }
+    reset(motion);
+    motion.freed = !free;
+    return free;
+  }
+
+  private void reset(ToolMotion motion) {
+    motion.placeAt(verifier.pose());
+    motion.depthMm = 0;
+    motion.reducedPoints = verifier.reducedCount();
+    stepper.reset();
+    hasTarget = false;
+    rests = false;
+  }
+
+  /** Returns the work of the last frame, in points looked at. */
+  public long work() {
+    return work;
+  }
+
+  /**
+   * Runs one frame.
+   *
+   * @param devicePose where the device is, tool frame to world; anything, also what is no pose
+   * @param motion the tool's motion, which {@link #place} has set
+   */
+  public void follow(Pose devicePose, ToolMotion motion) {
+    motion.beginFrame();
+    work = 0;
+    if (!verifier.takeEdits()) {
+      freeing.find(verifier.pose());
+      reset(motion);
+      motion.freed = true;
+    }
+    device.take(devicePose, verifier.pose());
+    if (!device.isKnown()) {
+      return;
+    }
+    boolean moved = !hasTarget || !device.target().sameBits(lastTarget);
+    if (moved || !rests) {
+      budget.begin();
+      followTarget(motion, moved);
+      work = budget.work();
+    }
+    motion.depthMm = stepper.depthMm();
+    motion.reducedPoints = verifier.reducedCount();
+  }
+
+  private void followTarget(ToolMotion motion, boolean moved) {
+    Pose target = device.target();
+    double motionMm = hasTarget && moved ? tool.metric.distance(target, lastTarget) : 0;
+    boolean first = !hasTarget;
+    hasTarget = true;
+    lastTarget.set(target);
+    creepingFrames = moved ? 0 : creepingFrames;
+    stepper.aim(target, motion);
+    double depthBefore = stepper.depthMm();
+    double before = potentialMm();
+    double riseMm = Math.min(MOST_RISE_EDGES * edgeMm, 0.5 * motionMm);
+    approach(motion, first ? Double.POSITIVE_INFINITY : motionMm, riseMm);
+    double fallMm = before - potentialMm();
+    boolean arrived = verifier.pose().sameBits(target);
+    boolean counts = motion.steps > 0 && (arrived || isEnough(fallMm, moved, riseMm));
+    if (!counts && motion.steps > 0) {
+      takeBack(motion, depthBefore);
+    } else if (motion.steps > 0) {
+      verifier.raiseLevels(RAISED_PER_FRAME);
+    }
+    rests = !counts && !moved;
+    motion.contact = !arrived && (stepper.hasContacts() || !counts);
+  }
+
+  private double potentialMm() {
+    return stepper.distanceMm() + ContactRows.DEPTH_PRICE * stepper.depthMm();
+  }
+
+  private boolean isEnough(double fallMm, boolean moved, double riseMm) {
+    if (moved) {
+      return fallMm >= -riseMm;
+    }
+    if (fallMm >= CREEP_EDGES * edgeMm) {
+      return true;
+    }
+    return creepingFrames++ < MOST_CREEPING_FRAMES && fallMm >= LEAST_FALL_EDGES * edgeMm;
+  }
+
+  private void takeBack(ToolMotion motion, double depthBefore) {
+    verifier.takeBack(motion.path[0]);
+    motion.steps = 0;
+    motion.pathMm = 0;
+    stepper.setDepthMm(depthBefore);
+  }
+
+  /** Takes steps until the target is reached, nothing is gained, or work or path is spent. */
+  private void approach(ToolMotion motion, double motionMm, double riseMm) {
+    double catchUpMm = Math.max(CATCH_UP_EDGES * edgeMm, 1.5 * motionMm);
+    double before = stepper.distanceMm();
+    double last = potentialMm();
+    boolean first = true;
+    while (!motion.isFull() && motion.pathMm < maxStepMm && !(budget.isSpent() && !first)) {
+      if (verifier.pose().sameBits(lastTarget)) {
+        return;
+      }
+      double pathLeft = maxStepMm - motion.pathMm;
+      double mostMm =
+          stepper.hasContacts()
+              ? catchUpMm - (before - stepper.distanceMm())
+              : Double.POSITIVE_INFINITY;
+      if (mostMm <= 0) {
+        return;
+      }
+      if (!stepper.goStraight(mostMm, pathLeft)) {
+        if (!stepper.step(first ? riseMm : 0, mostMm, pathLeft)) {
+          return;
+        }
+        double now = potentialMm();
+        if (now > last - 1e-3 * edgeMm) {
+          return;
+        }
+        last = now;
+      }
+      first = false;
+    }
+  }
+}

@@ -1,0 +1,371 @@
+package org.palpate.rigid;
+
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Moves a tool towards a target by verified steps: proposes a step that the contacts allow,
+ * verifies the legs of all points, mends the proposal where legs touch, and commits what is free.
+ * Keeps the contacts of the last step, with which the next one begins.
+ *
+ * <p>Contacts are lazy: only points whose legs have touched a solid, or that were contacts before,
+ * are held to the isosurface. Haptic thread only; allocates nothing.
+ */
+final class RigidStepper {
+  private static final int MOST_MENDS = 14;
+  private static final int MOST_CONTACTS_PER_MEND = 10;
+  private static final int MOST_WARM = 40;
+
+  /** Targets farther than this are cut to it, so that rounding of rows does not matter, edges. */
+  private static final double FARTHEST_TARGET_EDGES = 1000;
+
+  /** Fractions of the last proposal below this are not worth a verification. */
+  private static final double SMALLEST_FRACTION = 0.05;
+
+  final ToolVerifier verifier;
+  final ContactRows rows;
+
+  private final BodyScene scene;
+  private final ToolPoints tool;
+  private final ContactField[] fields;
+  private final WorkBudget budget;
+  private final double edgeMm;
+  private final double largestTurn;
+  private final LegHits hits = new LegHits();
+  private final Pose candidate = new Pose();
+  private final Quaternion scratch = new Quaternion();
+  private final Vec3 displacement = new Vec3();
+  private final Vec3 turn = new Vec3();
+  private final Vec3 position = new Vec3();
+  private final double[] metric = new double[6];
+  private final int[] warmBody = new int[MOST_WARM];
+  private final int[] warmPoint = new int[MOST_WARM];
+  private int warm;
+  private double depthMm;
+  private ToolMotion motion;
+  private Pose target;
+  private double pathLeftMm;
+
+  RigidStepper(
+      BodyScene scene,
+      ToolPoints tool,
+      ToolVerifier verifier,
+      ContactField[] fields,
+      WorkBudget budget) {
+    this.scene = scene;
+    this.tool = tool;
+    this.verifier = verifier;
+    this.fields = fields;
+    this.budget = budget;
+    edgeMm = scene.shortestEdgeMm();
+    rows = new ContactRows(tool, edgeMm);
+    largestTurn = StepLimits.largestTurn(tool.radiusMm(), edgeMm);
+  }
+
+  /** Forgets all contacts, after the tool was placed anew. */
+  void reset() {
+    warm = 0;
+    depthMm = 0;
+  }
+
+  /** Returns how far below the isosurface the contacts may run, mm. */
+  double depthMm() {
+    return depthMm;
+  }
+
+  /** Sets the depth back to what it was before steps that are taken back. */
+  void setDepthMm(double newDepthMm) {
+    depthMm = newDepthMm;
+  }
+
+  /** Whether any contact of the last step is kept. */
+  boolean hasContacts() {
+    return warm > 0;
+  }
+
+  /**
+   * Sets where steps lead.
+   *
+   * @param newMotion gets the committed steps
+   */
+  void aim(Pose newTarget, ToolMotion newMotion) {
+    target = newTarget;
+    motion = newMotion;
+  }
+
+  /** Returns the distance between the committed pose and the target, mm. */
+  double distanceMm() {
+    return tool.metric.distance(verifier.pose(), target);
+  }
+
+  /**
+   * Goes straight towards the target, by the whole distance or a half or a quarter, if nothing is
+   * in the way.
+   *
+   * @param mostMm the longest distance, in the kinetic metric
+   * @return whether it went
+   */
+  boolean goStraight(double mostMm, double pathMm) {
+    pathLeftMm = pathMm;
+    aimTwist();
+    double farMm = distanceMm();
+    double longest = farMm > mostMm ? mostMm / farMm : 1;
+    longest = Math.min(longest, pathLeftMm / Math.max(pathLeftMm, pathOf(1)));
+    if (longest == 1 && isBlockedAtContacts()) {
+      return false;
+    }
+    for (double fraction = longest; fraction > 0.2 * longest; fraction /= 2) {
+      proposeTwist(fraction);
+      double turned = turn.length() * fraction;
+      if (isFree(turned > largestTurn ? turned : 0, true)) {
+        commit();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private void aimTwist() {
+    verifier.pose().differenceTo(target, displacement, turn, scratch);
+  }
+
+  private double pathOf(double fraction) {
+    return fraction * (displacement.length() + turn.length() * tool.radiusMm());
+  }
+
+  /** Tests the points that are most likely in the way before all others. */
+  private boolean isBlockedAtContacts() {
+    verifier.propose(target);
+    hits.clear();
+    for (int n = 0; n < warm; n++) {
+      if (!verifier.body(warmBody[n]).isPointFree(warmPoint[n], hits)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Proposes a fraction of the twist; the whole of it towards the target is the target's bits. */
+  private void proposeTwist(double fraction) {
+    if (fraction == 1) {
+      candidate.set(target);
+    } else {
+      verifier.pose().displace(displacement, turn, fraction, scratch, candidate);
+    }
+    verifier.propose(candidate);
+  }
+
+  private boolean isFree(double largeTurn, boolean firstOnly) {
+    long before = verifier.looked();
+    hits.clear();
+    boolean free = verifier.isFree(largeTurn, firstOnly, hits);
+    if (free && largeTurn == 0) {
+      budget.countVerification(verifier.looked() - before);
+    }
+    return free;
+  }
+
+  private void commit() {
+    double lengthMm = stepLengthMm();
+    verifier.commit();
+    motion.add(candidate, lengthMm);
+    pathLeftMm -= lengthMm;
+  }
+
+  /** Returns a bound of the path of any point in the proposed step, mm. */
+  private double stepLengthMm() {
+    verifier.pose().differenceTo(candidate, displacement, turn, scratch);
+    return pathOf(1);
+  }
+
+  /**
+   * Takes one step that the contacts allow.
+   *
+   * @param riseMm by how much contacts below the surface may rise
+   * @param mostMm the longest step, in the kinetic metric
+   * @return whether a step was committed
+   */
+  boolean step(double riseMm, double mostMm, double pathMm) {
+    pathLeftMm = pathMm;
+    begin(riseMm);
+    double fraction = 0;
+    for (int mend = 0; mend < MOST_MENDS && (mend == 0 || !budget.isSpent()); mend++) {
+      if (!solve()) {
+        fraction = 0;
+        break;
+      }
+      fraction = propose(mostMm);
+      if (fraction == 0) {
+        break;
+      }
+      if (areContactsFree() && isFree(0, false)) {
+        accept(fraction);
+        return true;
+      }
+      if (!mend()) {
+        break;
+      }
+    }
+    boolean stepped = fraction > 0 && stepShorter(fraction);
+    keepContacts();
+    return stepped;
+  }
+
+  private void begin(double riseMm) {
+    rows.begin(verifier.pose(), depthMm);
+    for (int n = 0; n < warm; n++) {
+      addSurface(warmBody[n], warmPoint[n], riseMm);
+    }
+    aimTwist();
+    tool.metric.toMetric(verifier.pose(), displacement, turn, position, metric);
+    double square = 0;
+    for (double c : metric) {
+      square += c * c;
+    }
+    double far = FARTHEST_TARGET_EDGES * edgeMm;
+    double cut = square > far * far ? far / Math.sqrt(square) : 1;
+    for (int c = 0; c < metric.length; c++) {
+      metric[c] *= cut;
+    }
+    rows.setTarget(metric);
+  }
+
+  private int addSurface(int body, int point, double riseMm) {
+    budget.countField();
+    verifier.gridPosition(body, tool, point, position);
+    ContactField field = fields[body];
+    return field.evaluate(position, verifier.body(body).level(point))
+        ? rows.addSurface(body, point, field, riseMm)
+        : -1;
+  }
+
+  /**
+   * Solves for the step; asks for smaller rises if they contradict or cost more than they bring.
+   */
+  private boolean solve() {
+    budget.countSolve();
+    boolean solved = rows.problem.solve();
+    for (int n = 0; n < 6 && (!solved || rows.isWorseThanStaying()); n++) {
+      rows.softenRises(n == 5);
+      budget.countSolve();
+      solved = rows.problem.solve();
+    }
+    return solved;
+  }
+
+  /** Proposes the solution, shortened to the limits of a step; returns the fraction of it, or 0. */
+  private double propose(double mostMm) {
+    tool.metric.toTwist(verifier.pose(), rows.problem.y, displacement, turn);
+    double turned = turn.length();
+    double path = pathOf(1);
+    double longest = Math.min(StepLimits.STEP_EDGES * edgeMm, Math.min(2 * mostMm, pathLeftMm));
+    double fraction = turned > largestTurn ? largestTurn / turned : 1;
+    fraction = Math.min(fraction, path > longest ? longest / path : 1);
+    if (path * fraction < 1e-9 * edgeMm) {
+      return 0;
+    }
+    proposeStep(fraction);
+    return fraction;
+  }
+
+  private void proposeStep(double fraction) {
+    verifier.pose().displace(displacement, turn, fraction, scratch, candidate);
+    verifier.propose(candidate);
+  }
+
+  /** Looks at the contacts alone, which is cheaper than at all points and finds most faults. */
+  private boolean areContactsFree() {
+    hits.clear();
+    for (int c = 0; c < rows.count() && !hits.isFull(); c++) {
+      verifier.body(rows.body[c]).isPointFree(rows.point[c], hits);
+    }
+    return hits.count() == 0;
+  }
+
+  private void accept(double fraction) {
+    commit();
+    depthMm += fraction * (rows.solvedDepthMm() - depthMm);
+    keepContacts();
+  }
+
+  /** Adds or raises contacts for the earliest hits; false if nothing could be done. */
+  private boolean mend() {
+    boolean mended = false;
+    for (int n = 0; n < MOST_CONTACTS_PER_MEND && hits.count() > 0; n++) {
+      mended |= mendHit(hits.takeEarliest());
+    }
+    return mended;
+  }
+
+  private boolean mendHit(int hit) {
+    int body = hits.body[hit];
+    int point = hits.point[hit];
+    int contact = rows.surfaceContact(body, point);
+    if (contact < 0) {
+      contact = addSurface(body, point, 0);
+      if (contact < 0) {
+        return addFace(hit);
+      }
+      if (rows.isUnmet(contact)) {
+        return true;
+      }
+    }
+    return rows.raise(contact) || addFace(hit);
+  }
+
+  private boolean addFace(int hit) {
+    int axis = hits.axis[hit];
+    if (axis == LegHits.NO_AXIS) {
+      return false;
+    }
+    Body body = scene.body(hits.body[hit]);
+    position.set(0, 0, 0);
+    position.set(axis, hits.side[hit]);
+    body.gridDirectionToWorld(position, position);
+    return rows.addFace(hits.body[hit], hits.point[hit], position, hits.gapMm[hit]);
+  }
+
+  /** Tries shorter and shorter parts of the last proposal. */
+  private boolean stepShorter(double fraction) {
+    tool.metric.toTwist(verifier.pose(), rows.problem.y, displacement, turn);
+    for (double part = 0.5; part > SMALLEST_FRACTION; part /= 2) {
+      proposeStep(part * fraction);
+      if (isFree(0, true)) {
+        commit();
+        depthMm += part * fraction * (rows.solvedDepthMm() - depthMm);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Keeps active contacts first, then those that are near. */
+  private void keepContacts() {
+    warm = 0;
+    for (int c = 0; c < rows.count(); c++) {
+      if (rows.isActive(c)) {
+        keep(c);
+      }
+    }
+    for (int c = 0; c < rows.count(); c++) {
+      if (rows.isNear(c)) {
+        keep(c);
+      }
+    }
+  }
+
+  private void keep(int contact) {
+    for (int n = 0; n < warm; n++) {
+      if (warmPoint[n] == rows.point[contact] && warmBody[n] == rows.body[contact]) {
+        return;
+      }
+    }
+    if (warm < MOST_WARM) {
+      warmBody[warm] = rows.body[contact];
+      warmPoint[warm++] = rows.point[contact];
+    }
+  }
+}
