@@ -8,6 +8,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
+import org.palpate.rigid.ToolVerifier.EditOutcome;
 import org.palpate.volume.BitCube;
 
 /**
@@ -21,7 +22,7 @@ import org.palpate.volume.BitCube;
  *       of its centre. The legs of its points lie between two balls of that radius.
  *   <li>A point or a leaf, as long as its odometer has not used up the empty cube that was found
  *       around it. Every committed motion adds the most that any point moved along an axis.
- *   <li>A leg whose two ends lie inside the same voxel, or whose bounding box is empty.
+ *   <li>A leg whose bounding box is empty.
  * </ul>
  *
  * <p>Work is counted in points looked at as if no odometer and no box had left any out. Belongs to
@@ -161,19 +162,15 @@ final class BodyVerifier {
     Arrays.fill(leafFreeUntil, -1);
   }
 
-  /**
-   * Takes over edits of the body. Points that now touch a level keep a lower one.
-   *
-   * @return whether no point touches a voxel
-   */
-  boolean takeEdits() {
+  /** Takes over edits of the body. Points that now touch a level keep a lower one. */
+  EditOutcome takeEdits() {
     changed.clear();
     if (!barrier.takeEdits(changed)) {
-      return true;
+      return EditOutcome.NONE;
     }
     forgetEmptySpace();
     if (changed.isEmpty()) {
-      return true;
+      return EditOutcome.FREE;
     }
     changed.grow(barrier.reachVoxels() + 1);
     boolean free = true;
@@ -185,7 +182,7 @@ final class BodyVerifier {
         level[n] = (byte) Math.max(0, now);
       }
     }
-    return free;
+    return free ? EditOutcome.FREE : EditOutcome.BURIED;
   }
 
   private boolean isInChange(int n) {
@@ -363,30 +360,28 @@ final class BodyVerifier {
     double x = cellsFrom.x(a, b, c);
     double y = cellsFrom.y(a, b, c);
     double z = cellsFrom.z(a, b, c);
+    BitCube cube = barrier.cubes[highest];
+    double empty = skips ? emptyAround(cube, x, y, z) : 0;
+    freeUntil[n] = odometer + empty;
+    if (empty >= travel) {
+      return;
+    }
     double toX = cellsTo.x(a, b, c);
     double toY = cellsTo.y(a, b, c);
     double toZ = cellsTo.z(a, b, c);
-    if (skips) {
-      double empty = barrier.clearance.at(x, y, z) - ROUNDING_CELLS;
-      if (empty > travel) {
-        freeUntil[n] = odometer + empty;
-        return;
-      }
-      if (isInOneCell(x, toX) && isInOneCell(y, toY) && isInOneCell(z, toZ)) {
-        return;
-      }
-      BitCube cube = barrier.cubes[highest];
-      freeUntil[n] = odometer + EmptyBox.around(cube, x, y, z) - ROUNDING_CELLS;
-      if (odometer + travel <= freeUntil[n] || EmptyBox.holds(cube, x, y, z, toX, toY, toZ)) {
-        return;
-      }
+    if (skips && EmptyBox.holds(cube, x, y, z, toX, toY, toZ)) {
+      return;
     }
     cast(n, highest, ray.from(x, y, z).to(toX, toY, toZ), hits);
   }
 
-  private static boolean isInOneCell(double from, double to) {
-    double low = Math.floor(from);
-    return from > low && to > low && to < low + 1;
+  /** Returns half the edge of an empty cube around a point, cells; less than 0 if there is none. */
+  private double emptyAround(BitCube cube, double x, double y, double z) {
+    double near = EmptyBox.around(cube, x, y, z);
+    if (near >= 2) {
+      near = Math.max(near, barrier.clearance.at(x, y, z));
+    }
+    return near - ROUNDING_CELLS;
   }
 
   private void lookAtReduced(int n, LegHits hits) {

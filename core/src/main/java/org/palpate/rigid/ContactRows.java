@@ -211,8 +211,12 @@ final class ContactRows {
     return Math.max(0, problem.y[DEPTH] / DEPTH_STIFFNESS);
   }
 
-  /** Whether the last solution is no nearer to the target, depth counted, than staying is. */
-  boolean isWorseThanStaying() {
+  /**
+   * Whether the last solution is farther from the target, depth counted, than staying is.
+   *
+   * @param allowedMm by how much it may be farther
+   */
+  boolean isWorseThanStaying(double allowedMm) {
     double stay = priced(depthMm);
     double go = priced(solvedDepthMm());
     for (int c = 0; c < DEPTH; c++) {
@@ -220,7 +224,8 @@ final class ContactRows {
       stay += problem.target[c] * problem.target[c];
       go += left * left;
     }
-    return go > stay * (1 - 1e-9) && go > 1e-18;
+    double most = Math.sqrt(Math.max(0, stay)) + allowedMm;
+    return go > most * most * (1 - 1e-9) && go > 1e-18;
   }
 
   private double priced(double depth) {

@@ -12,18 +12,21 @@ final class EmptyBox {
   };
   private static final long[] LAYERS = {0, 0xFFFFL, 0xFFFF_FFFFL, 0xFFFF_FFFF_FFFFL, -1};
 
-  /** Half the edge of a window of 4 voxels, less half a voxel for where the point lies in it. */
-  private static final double NEAR = 1.5;
+  /** The 2x2x2 voxels in the middle of a window. */
+  private static final long MIDDLE = 0x0000_0660_0660_0000L;
 
-  /** The same for 8 voxels. */
-  private static final double FAR = 3.5;
+  /** What the empty cube around a point gains if the 8 windows around its window are empty too. */
+  private static final double GAIN_OF_NEIGHBOURS = 2;
 
   /** Beyond this, coordinates have no window. */
   private static final double LARGEST = 1 << 30;
 
   private EmptyBox() {}
 
-  /** Returns half the edge of an empty cube around a point, voxels: 0, 1.5 or 3.5. */
+  /**
+   * Returns half the edge of an empty cube around a point, voxels: 0, or from 0.5 to 4 as far as
+   * the windows around the point tell.
+   */
   static double around(BitCube bits, double x, double y, double z) {
     if (!isNear(x) || !isNear(y) || !isNear(z)) {
       return 0;
@@ -31,18 +34,30 @@ final class EmptyBox {
     int i = (int) Math.floor(x + 0.5) - 2;
     int j = (int) Math.floor(y + 0.5) - 2;
     int k = (int) Math.floor(z + 0.5) - 2;
-    if (bits.window(i, j, k) != 0) {
+    long window = bits.window(i, j, k);
+    if ((window & MIDDLE) != 0) {
       return 0;
     }
+    double offX = Math.abs(x - (i + 2));
+    double offY = Math.abs(y - (j + 2));
+    double offZ = Math.abs(z - (k + 2));
+    double off = Math.max(offX, Math.max(offY, offZ));
+    if (window != 0) {
+      return 1 - off;
+    }
+    return 2 - off + (areNeighboursEmpty(bits, i, j, k) ? GAIN_OF_NEIGHBOURS : 0);
+  }
+
+  private static boolean areNeighboursEmpty(BitCube bits, int i, int j, int k) {
     for (int octant = 0; octant < 8; octant++) {
       int u = i - 2 + 4 * (octant & 1);
       int v = j - 2 + 4 * (octant >> 1 & 1);
       int w = k - 2 + 4 * (octant >> 2);
       if (bits.window(u, v, w) != 0) {
-        return NEAR;
+        return false;
       }
     }
-    return FAR;
+    return true;
   }
 
   /** Whether the bounding box of a segment is short and touches no closed solid voxel. */

@@ -2,6 +2,7 @@ package org.palpate.rigid;
 
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
+import org.palpate.rigid.ToolVerifier.EditOutcome;
 
 /**
  * Moves a rigid tool after a device pose, once a frame: to the pose nearest to the device, in the
@@ -24,6 +25,9 @@ public final class RigidSolver {
   /** How many frames may lower the potential by less than {@link #CREEP_EDGES}. */
   static final int MOST_CREEPING_FRAMES = 40;
 
+  /** Frames that count for nothing, one after the other, until the tool rests. */
+  private static final int FAILED_FRAMES_TO_REST = 3;
+
   private static final double CREEP_EDGES = 0.05;
   private static final double LEAST_FALL_EDGES = 1e-6;
 
@@ -32,6 +36,9 @@ public final class RigidSolver {
 
   /** In contact, a frame comes nearer by this or by 1.5 times the device's motion, edges. */
   private static final double CATCH_UP_EDGES = 2;
+
+  /** While the device moves, corrections shorter than this wait for the next frame, edges. */
+  private static final double CORRECTION_EDGES = 0.01;
 
   /** How many points with a reduced clearance are looked at in a frame. */
   private static final int RAISED_PER_FRAME = 400;
@@ -46,7 +53,7 @@ public final class RigidSolver {
   private final double edgeMm;
   private final double maxStepMm;
   private boolean hasTarget;
-  private boolean rests;
+  private int failedFrames;
   private int creepingFrames;
   private long work;
 
@@ -90,7 +97,15 @@ public final class RigidSolver {
     motion.reducedPoints = verifier.reducedCount();
     stepper.reset();
     hasTarget = false;
-    rests = false;
+    beginApproach();
+  }
+
+  /**
+   * Returns the last device pose that was one, with a quaternion of norm 1 on the tool's side; not
+   * to be written. The identity before the first.
+   */
+  public Pose target() {
+    return device.target();
   }
 
   /** Returns the work of the last frame, in points looked at. */
@@ -107,17 +122,13 @@ public final class RigidSolver {
   public void follow(Pose devicePose, ToolMotion motion) {
     motion.beginFrame();
     work = 0;
-    if (!verifier.takeEdits()) {
-      freeing.find(verifier.pose());
-      reset(motion);
-      motion.freed = true;
-    }
+    takeEdits(motion);
     device.take(devicePose, verifier.pose());
     if (!device.isKnown()) {
       return;
     }
     boolean moved = !hasTarget || !device.target().sameBits(lastTarget);
-    if (moved || !rests) {
+    if (moved || failedFrames < FAILED_FRAMES_TO_REST) {
       budget.begin();
       followTarget(motion, moved);
       work = budget.work();
@@ -126,13 +137,31 @@ public final class RigidSolver {
     motion.reducedPoints = verifier.reducedCount();
   }
 
+  private void takeEdits(ToolMotion motion) {
+    EditOutcome outcome = verifier.takeEdits();
+    if (outcome == EditOutcome.BURIED) {
+      freeing.find(verifier.pose());
+      reset(motion);
+      motion.freed = true;
+    } else if (outcome == EditOutcome.FREE) {
+      beginApproach();
+    }
+  }
+
+  private void beginApproach() {
+    creepingFrames = 0;
+    failedFrames = 0;
+  }
+
   private void followTarget(ToolMotion motion, boolean moved) {
     Pose target = device.target();
     double motionMm = hasTarget && moved ? tool.metric.distance(target, lastTarget) : 0;
     boolean first = !hasTarget;
     hasTarget = true;
     lastTarget.set(target);
-    creepingFrames = moved ? 0 : creepingFrames;
+    if (moved) {
+      beginApproach();
+    }
     stepper.aim(target, motion);
     double depthBefore = stepper.depthMm();
     double before = potentialMm();
@@ -146,7 +175,7 @@ public final class RigidSolver {
     } else if (motion.steps > 0) {
       verifier.raiseLevels(RAISED_PER_FRAME);
     }
-    rests = !counts && !moved;
+    failedFrames = counts ? 0 : failedFrames + 1;
     motion.contact = !arrived && (stepper.hasContacts() || !counts);
   }
 
@@ -176,6 +205,7 @@ public final class RigidSolver {
     double catchUpMm = Math.max(CATCH_UP_EDGES * edgeMm, 1.5 * motionMm);
     double before = stepper.distanceMm();
     double last = potentialMm();
+    double ceilingMm = last + riseMm;
     boolean first = true;
     while (!motion.isFull() && motion.pathMm < maxStepMm && !(budget.isSpent() && !first)) {
       if (verifier.pose().sameBits(lastTarget)) {
@@ -190,7 +220,9 @@ public final class RigidSolver {
         return;
       }
       if (!stepper.goStraight(mostMm, pathLeft)) {
-        if (!stepper.step(first ? riseMm : 0, mostMm, pathLeft)) {
+        double riseLeftMm = Math.max(0, ceilingMm - potentialMm());
+        double shortestMm = (first || motionMm == 0 ? 1e-9 : CORRECTION_EDGES) * edgeMm;
+        if (!stepper.step(Math.min(riseMm, riseLeftMm), mostMm, pathLeft, shortestMm)) {
           return;
         }
         double now = potentialMm();

@@ -48,6 +48,7 @@ final class RigidStepper {
   private ToolMotion motion;
   private Pose target;
   private double pathLeftMm;
+  private double shortestPathMm;
 
   RigidStepper(
       BodyScene scene,
@@ -184,16 +185,20 @@ final class RigidStepper {
   /**
    * Takes one step that the contacts allow.
    *
-   * @param riseMm by how much contacts below the surface may rise
+   * @param riseMm by how much contacts below the surface may rise, and the step may lead away from
+   *     the target
    * @param mostMm the longest step, in the kinetic metric
+   * @param pathMm the longest path of a point
+   * @param leastPathMm steps with shorter paths are not worth their verification
    * @return whether a step was committed
    */
-  boolean step(double riseMm, double mostMm, double pathMm) {
+  boolean step(double riseMm, double mostMm, double pathMm, double leastPathMm) {
     pathLeftMm = pathMm;
+    shortestPathMm = leastPathMm;
     begin(riseMm);
     double fraction = 0;
     for (int mend = 0; mend < MOST_MENDS && (mend == 0 || !budget.isSpent()); mend++) {
-      if (!solve()) {
+      if (!solve(riseMm)) {
         fraction = 0;
         break;
       }
@@ -245,10 +250,10 @@ final class RigidStepper {
   /**
    * Solves for the step; asks for smaller rises if they contradict or cost more than they bring.
    */
-  private boolean solve() {
+  private boolean solve(double riseMm) {
     budget.countSolve();
     boolean solved = rows.problem.solve();
-    for (int n = 0; n < 6 && (!solved || rows.isWorseThanStaying()); n++) {
+    for (int n = 0; n < 6 && (!solved || rows.isWorseThanStaying(riseMm)); n++) {
       rows.softenRises(n == 5);
       budget.countSolve();
       solved = rows.problem.solve();
@@ -264,7 +269,7 @@ final class RigidStepper {
     double longest = Math.min(StepLimits.STEP_EDGES * edgeMm, Math.min(2 * mostMm, pathLeftMm));
     double fraction = turned > largestTurn ? largestTurn / turned : 1;
     fraction = Math.min(fraction, path > longest ? longest / path : 1);
-    if (path * fraction < 1e-9 * edgeMm) {
+    if (path * fraction < shortestPathMm) {
       return 0;
     }
     proposeStep(fraction);

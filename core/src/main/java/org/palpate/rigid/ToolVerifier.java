@@ -73,13 +73,26 @@ final class ToolVerifier {
     return true;
   }
 
-  /** Takes over edits of all bodies; returns whether no point touches a voxel. */
-  boolean takeEdits() {
-    boolean free = true;
+  /** What edits of the bodies mean for a tool. */
+  enum EditOutcome {
+    /** There was no edit. */
+    NONE,
+
+    /** No point touches a voxel. */
+    FREE,
+
+    /** A point touches a voxel: the tool must be placed anew. */
+    BURIED
+  }
+
+  /** Takes over edits of all bodies since the last call. */
+  EditOutcome takeEdits() {
+    EditOutcome outcome = EditOutcome.NONE;
     for (BodyVerifier body : bodies) {
-      free &= body.takeEdits();
+      EditOutcome ofBody = body.takeEdits();
+      outcome = ofBody.ordinal() > outcome.ordinal() ? ofBody : outcome;
     }
-    return free;
+    return outcome;
   }
 
   /** Sets the pose that is proposed. */

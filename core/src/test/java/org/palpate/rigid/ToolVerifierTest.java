@@ -16,6 +16,7 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.ToolVerifier.EditOutcome;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -180,7 +181,7 @@ class ToolVerifierTest {
       }
       body.voxelsChanged(box);
       boolean free = naive.fault(pose, pose) == null;
-      assertEquals(free, verifier.takeEdits());
+      assertEquals(free ? EditOutcome.FREE : EditOutcome.BURIED, verifier.takeEdits());
       Pose moved = pose.displace(ToolScenes.vector(random, 1), new Vec3(), 1, scratch, new Pose());
       verifier.propose(moved);
       if (free) {
