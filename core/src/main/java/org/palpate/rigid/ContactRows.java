@@ -1,5 +1,6 @@
 package org.palpate.rigid;
 
+import java.util.Arrays;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 
@@ -36,6 +37,11 @@ final class ContactRows {
 
   /** Curvature of the price, so that the problem is strictly convex. */
   private static final double DEPTH_STIFFNESS = 0.3;
+
+  /** The margin that a relief asks for, edges, and its weight against the length of the motion. */
+  private static final double RELIEF_EDGES = 0.6;
+
+  private static final double RELIEF_WEIGHT = 3;
 
   /** By how much a point is raised when its leg has hit, edges, one time after the other. */
   private static final double[] RAISES_EDGES = {.02, .08, .2, .4, .7, 1.1};
@@ -77,7 +83,7 @@ final class ContactRows {
     depthMm = presentDepthMm;
     count = 0;
     problem.rows = FIRST;
-    java.util.Arrays.fill(problem.a, 0, FIRST * UNKNOWNS, 0);
+    Arrays.fill(problem.a, 0, FIRST * UNKNOWNS, 0);
     problem.a[DEPTH] = 1;
     problem.b[0] = 0;
     problem.a[UNKNOWNS + DEPTH] = -1;
@@ -231,6 +237,25 @@ final class ContactRows {
   private double priced(double depth) {
     double off = depth * DEPTH_STIFFNESS - problem.target[DEPTH];
     return off * off - problem.target[DEPTH] * problem.target[DEPTH];
+  }
+
+  /**
+   * Turns the problem of a step into that of a relief: to find the motion that gives all contacts
+   * the largest common margin, for its length. Between opposing contacts that leads to the middle.
+   * The last unknown is then the margin; contacts that contradict each other get a negative one.
+   *
+   * @param pull which fraction of the way to the target is asked for at the same time
+   */
+  void setRelief(double pull) {
+    Arrays.fill(problem.a, 0, FIRST * UNKNOWNS, 0);
+    Arrays.fill(problem.b, 0, FIRST, -1);
+    for (int c = 0; c < count; c++) {
+      problem.a[row(c) * UNKNOWNS + DEPTH] = -1 / RELIEF_WEIGHT;
+    }
+    for (int c = 0; c < DEPTH; c++) {
+      problem.target[c] *= pull;
+    }
+    problem.target[DEPTH] = RELIEF_WEIGHT * RELIEF_EDGES * edgeMm;
   }
 
   /** Whether a contact was met with equality by the last solution. */

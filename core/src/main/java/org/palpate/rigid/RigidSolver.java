@@ -40,6 +40,18 @@ public final class RigidSolver {
   /** While the device moves, corrections shorter than this wait for the next frame, edges. */
   private static final double CORRECTION_EDGES = 0.01;
 
+  /** Steps that gain less than this end a frame, edges. */
+  private static final double LEAST_GAIN_EDGES = 1e-3;
+
+  /** A frame that lowers the potential by less than this is stuck, edges. */
+  private static final double STUCK_EDGES = 0.02;
+
+  /** The most frames between two that try a relief while the device moves. */
+  private static final int MOST_PATIENCE = 16;
+
+  /** How much of the way to the device each relief of a frame asks for. */
+  private static final double[] PULLS = {0.02, 0, 0.1};
+
   /** How many points with a reduced clearance are looked at in a frame. */
   private static final int RAISED_PER_FRAME = 400;
 
@@ -55,6 +67,8 @@ public final class RigidSolver {
   private boolean hasTarget;
   private int failedFrames;
   private int creepingFrames;
+  private int reliefPatience = 1;
+  private int reliefWait;
   private long work;
 
   /**
@@ -176,7 +190,19 @@ public final class RigidSolver {
       verifier.raiseLevels(RAISED_PER_FRAME);
     }
     failedFrames = counts ? 0 : failedFrames + 1;
+    planReliefs(fallMm);
     motion.contact = !arrived && (stepper.hasContacts() || !counts);
+  }
+
+  /** Reliefs that do not help are tried less and less often while the device moves. */
+  private void planReliefs(double fallMm) {
+    if (fallMm >= STUCK_EDGES * edgeMm) {
+      reliefPatience = 1;
+      reliefWait = 0;
+    } else if (reliefWait < 0) {
+      reliefPatience = Math.min(MOST_PATIENCE, 2 * reliefPatience);
+      reliefWait = reliefPatience;
+    }
   }
 
   private double potentialMm() {
@@ -204,14 +230,12 @@ public final class RigidSolver {
   private void approach(ToolMotion motion, double motionMm, double riseMm) {
     double catchUpMm = Math.max(CATCH_UP_EDGES * edgeMm, 1.5 * motionMm);
     double before = stepper.distanceMm();
-    double last = potentialMm();
-    double ceilingMm = last + riseMm;
-    boolean first = true;
-    while (!motion.isFull() && motion.pathMm < maxStepMm && !(budget.isSpent() && !first)) {
-      if (verifier.pose().sameBits(lastTarget)) {
-        return;
-      }
-      double pathLeft = maxStepMm - motion.pathMm;
+    double ceilingMm = potentialMm() + riseMm;
+    int pulls = motionMm == 0 || reliefWait-- <= 0 ? PULLS.length : 0;
+    int reliefs = 0;
+    while (canGoOn(motion) && !verifier.pose().sameBits(lastTarget)) {
+      boolean first = motion.steps == 0;
+      double pathLeftMm = maxStepMm - motion.pathMm;
       double mostMm =
           stepper.hasContacts()
               ? catchUpMm - (before - stepper.distanceMm())
@@ -219,19 +243,26 @@ public final class RigidSolver {
       if (mostMm <= 0) {
         return;
       }
-      if (!stepper.goStraight(mostMm, pathLeft)) {
-        double riseLeftMm = Math.max(0, ceilingMm - potentialMm());
-        double shortestMm = (first || motionMm == 0 ? 1e-9 : CORRECTION_EDGES) * edgeMm;
-        if (!stepper.step(Math.min(riseMm, riseLeftMm), mostMm, pathLeft, shortestMm)) {
-          return;
-        }
-        double now = potentialMm();
-        if (now > last - 1e-3 * edgeMm) {
-          return;
-        }
-        last = now;
+      double last = potentialMm();
+      if (stepper.goStraight(mostMm, pathLeftMm)) {
+        continue;
       }
-      first = false;
+      double shortestMm = (first || motionMm == 0 ? 1e-9 : CORRECTION_EDGES) * edgeMm;
+      double mostRiseMm = Math.min(riseMm, Math.max(0, ceilingMm - last));
+      boolean stepped = stepper.step(mostRiseMm, mostMm, pathLeftMm, shortestMm);
+      boolean gained = stepped && potentialMm() <= last - LEAST_GAIN_EDGES * edgeMm;
+      boolean stuck = !gained && ceilingMm - riseMm - potentialMm() < STUCK_EDGES * edgeMm;
+      if (!gained && !(stuck && reliefs < pulls && relieve(motion, PULLS[reliefs++]))) {
+        return;
+      }
     }
+  }
+
+  private boolean canGoOn(ToolMotion motion) {
+    return !motion.isFull() && motion.pathMm < maxStepMm && !(motion.steps > 0 && budget.isSpent());
+  }
+
+  private boolean relieve(ToolMotion motion, double pull) {
+    return canGoOn(motion) && stepper.relieve(pull, maxStepMm - motion.pathMm);
   }
 }

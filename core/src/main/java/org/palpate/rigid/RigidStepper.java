@@ -25,6 +25,9 @@ final class RigidStepper {
   /** Fractions of the last proposal below this are not worth a verification. */
   private static final double SMALLEST_FRACTION = 0.05;
 
+  /** Reliefs with shorter paths are not worth their verification. */
+  private static final double SHORTEST_RELIEF_EDGES = 1e-3;
+
   final ToolVerifier verifier;
   final ContactRows rows;
 
@@ -219,6 +222,33 @@ final class RigidStepper {
     return stepped;
   }
 
+  /**
+   * Moves away from opposing contacts, into the middle between them, when nothing else leads on.
+   * The lift comes from the contacts' normals. It may lead away from the target; the steps after it
+   * have to make good for that, or the frame is taken back.
+   *
+   * @param pull which fraction of the way to the target is asked for at the same time
+   * @return whether a step was committed
+   */
+  boolean relieve(double pull, double pathMm) {
+    pathLeftMm = pathMm;
+    shortestPathMm = SHORTEST_RELIEF_EDGES * edgeMm;
+    if (!rows.areOpposed()) {
+      return false;
+    }
+    rows.setRelief(pull);
+    budget.countSolve();
+    double fraction = rows.problem.solve() ? propose(Double.POSITIVE_INFINITY) : 0;
+    if (fraction == 0) {
+      return false;
+    }
+    if (isFree(0, true)) {
+      commit();
+      return true;
+    }
+    return committedPart(fraction) > 0;
+  }
+
   private void begin(double riseMm) {
     rows.begin(verifier.pose(), depthMm);
     for (int n = 0; n < warm; n++) {
@@ -333,18 +363,23 @@ final class RigidStepper {
     return rows.addFace(hits.body[hit], hits.point[hit], position, hits.gapMm[hit]);
   }
 
-  /** Tries shorter and shorter parts of the last proposal. */
   private boolean stepShorter(double fraction) {
+    double part = committedPart(fraction);
+    depthMm += part * (rows.solvedDepthMm() - depthMm);
+    return part > 0;
+  }
+
+  /** Commits a shorter part of the last solution if one is free; returns it, or 0. */
+  private double committedPart(double fraction) {
     tool.metric.toTwist(verifier.pose(), rows.problem.y, displacement, turn);
-    for (double part = 0.5; part > SMALLEST_FRACTION; part /= 2) {
-      proposeStep(part * fraction);
+    for (double part = 0.5 * fraction; part > SMALLEST_FRACTION * fraction; part /= 2) {
+      proposeStep(part);
       if (isFree(0, true)) {
         commit();
-        depthMm += part * fraction * (rows.solvedDepthMm() - depthMm);
-        return true;
+        return part;
       }
     }
-    return false;
+    return 0;
   }
 
   /** Keeps active contacts first, then those that are near. */
