@@ -64,6 +64,14 @@ public final class RigidCoupling {
    */
   public void compute(Pose tool, Pose device, Vec3 forceNewton, Vec3 torqueNewtonMm) {
     device.differenceTo(tool, forceNewton, torqueNewtonMm, scratch);
+    scale(forceNewton, torqueNewtonMm);
+  }
+
+  /**
+   * Turns a displacement, mm, and a rotation vector, rad, from the device to the tool into force,
+   * N, and torque, N mm; see {@link CouplingRateLimit}.
+   */
+  public void scale(Vec3 forceNewton, Vec3 torqueNewtonMm) {
     forceNewton.mul(stiffnessNewtonPerMm, forceNewton);
     torqueNewtonMm.mul(rotationalStiffness, torqueNewtonMm);
   }

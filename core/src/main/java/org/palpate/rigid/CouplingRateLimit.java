@@ -1,0 +1,79 @@
+package org.palpate.rigid;
+
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Spreads jumps of the tool over some frames before the hand feels them: the displacement and
+ * rotation that the coupling turns into force and torque change in a frame by no more than the
+ * device moves, in the kinetic metric, or by a least amount if it hardly moves.
+ *
+ * <p>The tool pose itself stays as the solver says. Keeps state: haptic thread only.
+ */
+public final class CouplingRateLimit {
+  private final double squaredRadiusMm2;
+  private final double leastMm;
+  private final Quaternion scratch = new Quaternion();
+  private final Vec3 displacement = new Vec3();
+  private final Vec3 rotation = new Vec3();
+  private final Vec3 motion = new Vec3();
+  private final Vec3 turn = new Vec3();
+  private final Pose lastDevice = new Pose();
+  private boolean known;
+
+  /**
+   * Creates a limit for a tool.
+   *
+   * @param leastMm the change that is always allowed in a frame, mm
+   */
+  public CouplingRateLimit(ToolPoints tool, double leastMm) {
+    squaredRadiusMm2 = tool.rmsRadiusMm() * tool.rmsRadiusMm();
+    this.leastMm = leastMm;
+  }
+
+  /** Forgets what the hand feels; the next frame begins with what is. */
+  public void reset() {
+    known = false;
+  }
+
+  /**
+   * Writes the displacement and rotation from the device to the tool that the hand is to feel.
+   *
+   * @param displacementMm written, world mm
+   * @param rotationVector written, world axes, rad
+   * @return by how much the hand feels less than there is, mm in the kinetic metric
+   */
+  public double limit(Pose tool, Pose device, Vec3 displacementMm, Vec3 rotationVector) {
+    device.differenceTo(tool, displacementMm, rotationVector, scratch);
+    double lateMm = 0;
+    if (known) {
+      lastDevice.differenceTo(device, motion, turn, scratch);
+      double mostMm = Math.max(leastMm, length(motion, turn));
+      lateMm = approach(displacementMm, rotationVector, mostMm);
+    }
+    displacement.set(displacementMm);
+    rotation.set(rotationVector);
+    lastDevice.set(device);
+    known = true;
+    return lateMm;
+  }
+
+  /** Goes from what the hand felt last towards what is, by no more than {@code mostMm}. */
+  private double approach(Vec3 displacementMm, Vec3 rotationVector, double mostMm) {
+    displacementMm.sub(displacement, motion);
+    rotationVector.sub(rotation, turn);
+    double changeMm = length(motion, turn);
+    if (changeMm <= mostMm) {
+      return 0;
+    }
+    double fraction = mostMm / changeMm;
+    motion.mul(fraction, motion).add(displacement, displacementMm);
+    turn.mul(fraction, turn).add(rotation, rotationVector);
+    return changeMm - mostMm;
+  }
+
+  private double length(Vec3 v, Vec3 w) {
+    return Math.sqrt(v.dot(v) + squaredRadiusMm2 * w.dot(w));
+  }
+}
