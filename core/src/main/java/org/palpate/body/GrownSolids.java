@@ -9,20 +9,22 @@ import org.palpate.volume.BitCube;
  * The solids of a body with everything that lies nearer to them than a distance: what the points of
  * a tool must avoid so that the tool keeps a clearance.
  *
- * <p>The grown solids are voxels again, of the body's size or a half or a quarter of it ("cells").
- * Invariant: a cell is solid exactly if its distance from some solid voxel of the body is less than
- * the growth. A point that touches no solid cell is therefore at least that far from every voxel.
- * The grid of the cells begins {@link #padVoxels} before that of the body, so that nothing is cut
- * off at its rim.
+ * <p>The grown solids are voxels again ("cells"), whose edges are those of the body's voxels
+ * divided by a power of two for each axis, so that positions scale exactly. Invariant: a cell is
+ * solid exactly if its distance from some solid voxel of the body is less than the growth. A point
+ * that touches no solid cell is therefore at least that far from every voxel. The grid of the cells
+ * begins {@link #padVoxels} before that of the body, so that nothing is cut off at its rim.
  *
  * <p>Belongs to one thread.
  */
 public final class GrownSolids {
   /** The largest number of cells along the edge of a voxel. */
-  public static final int LARGEST_PARTS = 4;
+  public static final int LARGEST_PARTS = 8;
 
   private final BitCube bits;
-  private final int parts;
+  private final int partsX;
+  private final int partsY;
+  private final int partsZ;
   private final double growthMm;
   private final int pad;
   private final int reachX;
@@ -37,34 +39,48 @@ public final class GrownSolids {
   /**
    * Grows all solids of a cube, which stays the caller's.
    *
-   * @param parts cells along the edge of a voxel: 1, 2 or 4, so that positions scale exactly
    * @param growthMm the distance, mm, positive
+   * @param longestCellMm edges of cells are at most this long, mm, as far as {@link #LARGEST_PARTS}
+   *     cells to a voxel allow
    */
-  public GrownSolids(BitCube bits, GridMetric metric, int parts, double growthMm) {
-    if (parts != 1 && parts != 2 && parts != LARGEST_PARTS) {
-      throw new IllegalArgumentException("parts must be 1, 2 or 4: parts=" + parts);
-    }
+  public GrownSolids(BitCube bits, GridMetric metric, double growthMm, double longestCellMm) {
     if (!(growthMm > 0) || growthMm / metric.shortestEdgeMm() > 64) {
       throw new IllegalArgumentException(
           "growth must be positive and at most 64 voxels: growthMm=" + growthMm);
     }
+    if (!(longestCellMm > 0)) {
+      throw new IllegalArgumentException("cells must have an edge: longestCellMm=" + longestCellMm);
+    }
     this.bits = bits;
-    this.parts = parts;
     this.growthMm = growthMm;
-    cellX = metric.spacingX() / parts;
-    cellY = metric.spacingY() / parts;
-    cellZ = metric.spacingZ() / parts;
+    partsX = parts(metric.spacingX(), longestCellMm);
+    partsY = parts(metric.spacingY(), longestCellMm);
+    partsZ = parts(metric.spacingZ(), longestCellMm);
+    cellX = metric.spacingX() / partsX;
+    cellY = metric.spacingY() / partsY;
+    cellZ = metric.spacingZ() / partsZ;
     reachX = (int) Math.ceil(growthMm / cellX);
     reachY = (int) Math.ceil(growthMm / cellY);
     reachZ = (int) Math.ceil(growthMm / cellZ);
-    int widest = Math.max(reachX, Math.max(reachY, reachZ));
-    pad = (widest + parts - 1) / parts;
+    pad = Math.max(pad(reachX, partsX), Math.max(pad(reachY, partsY), pad(reachZ, partsZ)));
     cells =
         new BitCube(
-            (bits.sizeX() + 2 * pad) * parts,
-            (bits.sizeY() + 2 * pad) * parts,
-            (bits.sizeZ() + 2 * pad) * parts);
+            (bits.sizeX() + 2 * pad) * partsX,
+            (bits.sizeY() + 2 * pad) * partsY,
+            (bits.sizeZ() + 2 * pad) * partsZ);
     update(bits.bounds());
+  }
+
+  private static int parts(double edgeMm, double longestCellMm) {
+    int parts = 1;
+    while (parts < LARGEST_PARTS && edgeMm / parts > longestCellMm) {
+      parts *= 2;
+    }
+    return parts;
+  }
+
+  private static int pad(int reach, int parts) {
+    return (reach + parts - 1) / parts;
   }
 
   /** Returns the grown solids, a voxel a cell. */
@@ -72,9 +88,14 @@ public final class GrownSolids {
     return cells;
   }
 
-  /** Returns how many cells an edge of a voxel has. */
-  public int parts() {
-    return parts;
+  /** Returns how many cells an edge of a voxel has along an axis: 0 is x. */
+  public int parts(int axis) {
+    return axis == 0 ? partsX : axis == 1 ? partsY : partsZ;
+  }
+
+  /** Returns the edge of a cell along an axis, mm: 0 is x. */
+  public double cellMm(int axis) {
+    return axis == 0 ? cellX : axis == 1 ? cellY : cellZ;
   }
 
   /** Returns by how many voxels the grid of the cells begins before the body's. */
@@ -110,9 +131,12 @@ public final class GrownSolids {
     return most;
   }
 
-  /** Returns the coordinate in the grid of the cells of a coordinate in the grid of the body. */
-  public double toCells(double voxels) {
-    return (voxels + pad) * parts;
+  /**
+   * Returns the coordinate in the grid of the cells of a coordinate in the grid of the body, along
+   * an axis: 0 is x.
+   */
+  public double toCells(double voxels, int axis) {
+    return (voxels + pad) * parts(axis);
   }
 
   /**
@@ -126,19 +150,19 @@ public final class GrownSolids {
       return region;
     }
     region.include(
-        Math.max(0, firstCell(changed.lowX) - reachX),
-        Math.max(0, firstCell(changed.lowY) - reachY),
-        Math.max(0, firstCell(changed.lowZ) - reachZ));
+        Math.max(0, firstCell(changed.lowX, partsX) - reachX),
+        Math.max(0, firstCell(changed.lowY, partsY) - reachY),
+        Math.max(0, firstCell(changed.lowZ, partsZ) - reachZ));
     region.include(
-        Math.min(cells.sizeX() - 1, firstCell(changed.highX + 1) - 1 + reachX),
-        Math.min(cells.sizeY() - 1, firstCell(changed.highY + 1) - 1 + reachY),
-        Math.min(cells.sizeZ() - 1, firstCell(changed.highZ + 1) - 1 + reachZ));
+        Math.min(cells.sizeX() - 1, firstCell(changed.highX + 1, partsX) - 1 + reachX),
+        Math.min(cells.sizeY() - 1, firstCell(changed.highY + 1, partsY) - 1 + reachY),
+        Math.min(cells.sizeZ() - 1, firstCell(changed.highZ + 1, partsZ) - 1 + reachZ));
     clearRegion();
     growIntoRegion();
     return region;
   }
 
-  private int firstCell(int voxel) {
+  private int firstCell(int voxel, int parts) {
     return (voxel + pad) * parts;
   }
 
@@ -158,12 +182,12 @@ public final class GrownSolids {
 
   /** Grows every voxel that can reach the region. */
   private void growIntoRegion() {
-    int lowX = Math.max(0, (region.lowX - reachX) / parts - pad - 1);
-    int lowY = Math.max(0, (region.lowY - reachY) / parts - pad - 1);
-    int lowZ = Math.max(0, (region.lowZ - reachZ) / parts - pad - 1);
-    int highX = Math.min(bits.sizeX() - 1, (region.highX + reachX) / parts - pad + 1);
-    int highY = Math.min(bits.sizeY() - 1, (region.highY + reachY) / parts - pad + 1);
-    int highZ = Math.min(bits.sizeZ() - 1, (region.highZ + reachZ) / parts - pad + 1);
+    int lowX = Math.max(0, (region.lowX - reachX) / partsX - pad - 1);
+    int lowY = Math.max(0, (region.lowY - reachY) / partsY - pad - 1);
+    int lowZ = Math.max(0, (region.lowZ - reachZ) / partsZ - pad - 1);
+    int highX = Math.min(bits.sizeX() - 1, (region.highX + reachX) / partsX - pad + 1);
+    int highY = Math.min(bits.sizeY() - 1, (region.highY + reachY) / partsY - pad + 1);
+    int highZ = Math.min(bits.sizeZ() - 1, (region.highZ + reachZ) / partsZ - pad + 1);
     for (int k = lowZ; k <= highZ; k++) {
       for (int j = lowY; j <= highY; j++) {
         for (int i = lowX; i <= highX; i++) {
@@ -189,19 +213,19 @@ public final class GrownSolids {
     int aroundX = inner ? 0 : reachX;
     int aroundY = inner ? 0 : reachY;
     int aroundZ = inner ? 0 : reachZ;
-    int firstX = firstCell(i);
-    int firstY = firstCell(j);
-    int firstZ = firstCell(k);
-    int lastX = Math.min(region.highX, firstX + parts - 1 + aroundX);
-    int lastY = Math.min(region.highY, firstY + parts - 1 + aroundY);
-    int lastZ = Math.min(region.highZ, firstZ + parts - 1 + aroundZ);
+    int firstX = firstCell(i, partsX);
+    int firstY = firstCell(j, partsY);
+    int firstZ = firstCell(k, partsZ);
+    int lastX = Math.min(region.highX, firstX + partsX - 1 + aroundX);
+    int lastY = Math.min(region.highY, firstY + partsY - 1 + aroundY);
+    int lastZ = Math.min(region.highZ, firstZ + partsZ - 1 + aroundZ);
     for (int c = Math.max(region.lowZ, firstZ - aroundZ); c <= lastZ; c++) {
-      double gapZ = cellZ * gap(c, firstZ);
+      double gapZ = cellZ * gap(c, firstZ, partsZ);
       for (int b = Math.max(region.lowY, firstY - aroundY); b <= lastY; b++) {
-        double gapY = cellY * gap(b, firstY);
+        double gapY = cellY * gap(b, firstY, partsY);
         double left = growthMm * growthMm - gapZ * gapZ - gapY * gapY;
         for (int a = Math.max(region.lowX, firstX - aroundX); a <= lastX; a++) {
-          double gapX = cellX * gap(a, firstX);
+          double gapX = cellX * gap(a, firstX, partsX);
           if (gapX * gapX < left) {
             cells.set(a, b, c);
           }
@@ -211,7 +235,7 @@ public final class GrownSolids {
   }
 
   /** Returns how many cells lie between a cell and a voxel along an axis. */
-  private int gap(int cell, int firstOfVoxel) {
+  private static int gap(int cell, int firstOfVoxel, int parts) {
     return Math.max(0, Math.max(cell - (firstOfVoxel + parts), firstOfVoxel - cell - 1));
   }
 }

@@ -42,25 +42,22 @@ final class Barrier {
     cubes[0] = body.bits();
     for (int level = 1; level <= highest; level++) {
       double growthMm = clearanceOfTool.growthMm() * level / highest;
-      grown[level] = new GrownSolids(body.bits(), body.metric(), clearanceOfTool.parts(), growthMm);
+      grown[level] =
+          new GrownSolids(body.bits(), body.metric(), growthMm, clearanceOfTool.longestCellMm());
       cubes[level] = grown[level].cells();
     }
     clearance = highest == 0 ? body.clearance() : new BrickClearance(cubes[highest]);
-    cellMm = body.metric().shortestEdgeMm() / parts(highest);
+    cellMm = Math.min(cellMm(highest, 0), Math.min(cellMm(highest, 1), cellMm(highest, 2)));
     editsSeen = body.edits();
   }
 
-  private int parts(int level) {
-    return level == 0 ? 1 : grown[level].parts();
+  /** Returns the edge of a cell of a level along an axis, mm. */
+  double cellMm(int level, int axis) {
+    return level == 0 ? body.grid().spacingMm().get(axis) : grown[level].cellMm(axis);
   }
 
   private int pad(int level) {
     return level == 0 ? 0 : grown[level].padVoxels();
-  }
-
-  /** Returns how much the highest level was grown, mm. */
-  double growthMm() {
-    return highest == 0 ? 0 : grown[highest].growthMm();
   }
 
   /**
@@ -78,19 +75,22 @@ final class Barrier {
     if (level == 0) {
       return dest;
     }
-    double scale = parts(level);
-    dest.mXX *= scale;
-    dest.mXY *= scale;
-    dest.mXZ *= scale;
-    dest.mYX *= scale;
-    dest.mYY *= scale;
-    dest.mYZ *= scale;
-    dest.mZX *= scale;
-    dest.mZY *= scale;
-    dest.mZZ *= scale;
-    dest.offsetX = grown[level].toCells(toGrid.offsetX);
-    dest.offsetY = grown[level].toCells(toGrid.offsetY);
-    dest.offsetZ = grown[level].toCells(toGrid.offsetZ);
+    GrownSolids cells = grown[level];
+    double scaleX = cells.parts(0);
+    double scaleY = cells.parts(1);
+    double scaleZ = cells.parts(2);
+    dest.mXX *= scaleX;
+    dest.mXY *= scaleX;
+    dest.mXZ *= scaleX;
+    dest.mYX *= scaleY;
+    dest.mYY *= scaleY;
+    dest.mYZ *= scaleY;
+    dest.mZX *= scaleZ;
+    dest.mZY *= scaleZ;
+    dest.mZZ *= scaleZ;
+    dest.offsetX = cells.toCells(toGrid.offsetX, 0);
+    dest.offsetY = cells.toCells(toGrid.offsetY, 1);
+    dest.offsetZ = cells.toCells(toGrid.offsetZ, 2);
     return dest;
   }
 

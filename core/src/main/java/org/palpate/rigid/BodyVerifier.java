@@ -230,13 +230,6 @@ final class BodyVerifier {
     return RELATIVE_ROUNDING * far;
   }
 
-  /** Returns the most that a point moves along an axis by the proposal, mm or more. */
-  double travelMm() {
-    Vec3 spacing = barrier.body.grid().spacingMm();
-    double longest = Math.max(spacing.x, Math.max(spacing.y, spacing.z));
-    return travel * longest * barrier.cellMm / barrier.body.metric().shortestEdgeMm();
-  }
-
   /**
    * Makes the proposal the committed pose. The proposal is free, or it is a pose from which the
    * tool came in this frame and to which it is taken back.
@@ -410,9 +403,8 @@ final class BodyVerifier {
     int cell = hit.cell(hit.axis);
     boolean up = end > start;
     double gapCells = up ? cell - start : start - (cell + 1.0);
-    double edgeMm = barrier.body.grid().spacingMm().get(hit.axis);
-    double cellEdgeMm = edgeMm * barrier.cellMm / barrier.body.metric().shortestEdgeMm();
-    hits.setFace(hit.axis, up ? -1 : 1, gapCells * (atLevel == 0 ? edgeMm : cellEdgeMm));
+    double edgeMm = barrier.cellMm(atLevel, hit.axis);
+    hits.setFace(hit.axis, up ? -1 : 1, gapCells * edgeMm);
   }
 
   /**

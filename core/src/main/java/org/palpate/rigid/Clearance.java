@@ -7,12 +7,18 @@ import org.palpate.geometry.GridMetric;
  *
  * @param growthMm the points stay at least this far from every voxel, mm; 0 if only their legs must
  *     not touch
- * @param parts cells along the edge of a voxel that the grown solids are made of: 1, 2 or 4
+ * @param longestCellMm the longest edge of the cells that the grown solids are made of, mm
  * @param levels into how many steps the distance is divided for points that start nearer
  */
-public record Clearance(double growthMm, int parts, int levels) {
+public record Clearance(double growthMm, double longestCellMm, int levels) {
   /** No clearance: the legs of the points touch no voxel. */
   public static final Clearance POINTS = new Clearance(0, 1, 0);
+
+  /** Cells may be longer than the growth by this factor, so that voxels that fit are not cut. */
+  private static final double LONGEST_CELL = 1.2;
+
+  /** Points that start nearer than the clearance keep a half of it, if they have that. */
+  private static final int LEVELS = 2;
 
   /** What a clearance adds for the rounding of poses and points, mm. */
   private static final double ROUNDING_MM = 1e-6;
@@ -27,8 +33,7 @@ public record Clearance(double growthMm, int parts, int levels) {
 
   /**
    * Returns the least clearance at which the tool and a body, as solids, cannot overlap: the cover
-   * radius of the tool's points, the arc of a step above its chord, and rounding. Grown by cells no
-   * larger than a half of that, or by voxels if they are not larger.
+   * radius of the tool's points, the arc of a step above its chord, and rounding.
    *
    * @param marginMm added, mm; may be negative
    */
@@ -41,8 +46,6 @@ public record Clearance(double growthMm, int parts, int levels) {
     if (!(growthMm > 0)) {
       return POINTS;
     }
-    double longestMm = Math.max(metric.spacingX(), Math.max(metric.spacingY(), metric.spacingZ()));
-    int parts = longestMm <= 1.2 * growthMm ? 1 : longestMm <= 2.4 * growthMm ? 2 : 4;
-    return new Clearance(growthMm, parts, Math.max(1, parts / 2));
+    return new Clearance(growthMm, LONGEST_CELL * growthMm, LEVELS);
   }
 }

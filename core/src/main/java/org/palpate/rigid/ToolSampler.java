@@ -1,6 +1,10 @@
 package org.palpate.rigid;
 
 import java.util.Arrays;
+import org.palpate.body.Body;
+import org.palpate.body.Mobility;
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -99,11 +103,15 @@ public final class ToolSampler {
   }
 
   private static ToolSolid solidOf(BitCube bits, VoxelGrid grid, Vec3 reference) {
-    return (a, b, c) -> {
-      Vec3 p = new Vec3(a + reference.x, b + reference.y, c + reference.z);
-      grid.worldToGrid(p, p);
-      return bits.get((int) Math.floor(p.x), (int) Math.floor(p.y), (int) Math.floor(p.z));
-    };
+    Pose atReference = new Pose();
+    atReference.translation.set(reference);
+    AffineMap toGrid =
+        new Body("tool", bits, grid, Mobility.MOVABLE).toolToGrid(atReference, new AffineMap());
+    return (a, b, c) ->
+        bits.get(
+            (int) Math.floor(toGrid.x(a, b, c)),
+            (int) Math.floor(toGrid.y(a, b, c)),
+            (int) Math.floor(toGrid.z(a, b, c)));
   }
 
   /** Takes the coordinates of a voxel. */

@@ -11,6 +11,7 @@ import org.palpate.geometry.Vec3;
  */
 final class ToolVerifier {
   private final BodyVerifier[] bodies;
+  private final ToolInterior interior;
   private final Pose pose = new Pose();
   private final Pose candidate = new Pose();
 
@@ -26,6 +27,7 @@ final class ToolVerifier {
       Barrier barrier = new Barrier(scene.body(n), clearances[n]);
       bodies[n] = new BodyVerifier(tool, barrier, n, skips);
     }
+    interior = new ToolInterior(tool, bodies);
   }
 
   /** Returns the committed pose; not to be written. */
@@ -67,6 +69,9 @@ final class ToolVerifier {
       if (!body.place(newPose, fullClearance ? body.barrier.highest : 0)) {
         return false;
       }
+    }
+    if (interior.holdsSolid(newPose)) {
+      return false;
     }
     pose.set(newPose);
     candidate.set(newPose);

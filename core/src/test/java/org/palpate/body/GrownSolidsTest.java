@@ -15,11 +15,11 @@ class GrownSolidsTest {
 
   @Test
   void holdsExactlyTheCellsThatAreNearerThanTheGrowth() {
-    for (int parts = 1; parts <= 4; parts *= 2) {
+    for (double cell = 2; cell > 0.2; cell /= 2) {
       for (double growth : new double[] {0.3, 0.866, 1, 1.2}) {
         for (GridMetric metric : metrics()) {
           BitCube bits = RandomSolids.clutter(random, 7, 8, 6);
-          assertIsGrown(bits, metric, new GrownSolids(bits, metric, parts, growth));
+          assertIsGrown(bits, new GrownSolids(bits, metric, growth, cell));
         }
       }
     }
@@ -38,10 +38,10 @@ class GrownSolidsTest {
   void followsVoxelsThatAreAddedAndRemoved() {
     for (GridMetric metric : metrics()) {
       BitCube bits = RandomSolids.clutter(random, 12, 9, 8);
-      GrownSolids grown = new GrownSolids(bits, metric, 2, 0.9);
+      GrownSolids grown = new GrownSolids(bits, metric, 0.9, 0.6);
       for (int edit = 0; edit < 10; edit++) {
         grown.update(editBox(bits));
-        assertIsGrown(bits, metric, grown);
+        assertIsGrown(bits, grown);
       }
     }
   }
@@ -64,13 +64,22 @@ class GrownSolidsTest {
   }
 
   @Test
-  void rejectsPartsThatDoNotScaleExactly() {
+  void cutsLongEdgesSoThatCellsAreAboutCubes() {
+    GrownSolids grown = new GrownSolids(new BitCube(3, 3, 3), new GridMetric(1, 2, 5), 0.9, 1);
+    assertEquals(1, grown.parts(0));
+    assertEquals(2, grown.parts(1));
+    assertEquals(8, grown.parts(2));
+    assertEquals(0.625, grown.cellMm(2));
+  }
+
+  @Test
+  void rejectsWhatIsNoDistance() {
     GridMetric metric = new GridMetric(1, 1, 1);
     BitCube bits = new BitCube(3, 3, 3);
-    assertThrows(IllegalArgumentException.class, () -> new GrownSolids(bits, metric, 3, 1));
-    assertThrows(IllegalArgumentException.class, () -> new GrownSolids(bits, metric, 1, 0));
+    assertThrows(IllegalArgumentException.class, () -> new GrownSolids(bits, metric, 0, 1));
     assertThrows(
-        IllegalArgumentException.class, () -> new GrownSolids(bits, metric, 1, Double.NaN));
+        IllegalArgumentException.class, () -> new GrownSolids(bits, metric, Double.NaN, 1));
+    assertThrows(IllegalArgumentException.class, () -> new GrownSolids(bits, metric, 1, 0));
   }
 
   private static GridMetric[] metrics() {
@@ -79,14 +88,15 @@ class GrownSolidsTest {
     };
   }
 
-  private static void assertIsGrown(BitCube bits, GridMetric metric, GrownSolids grown) {
-    int parts = grown.parts();
-    int pad = grown.padVoxels() * parts;
+  private static void assertIsGrown(BitCube bits, GrownSolids grown) {
+    int padX = grown.padVoxels() * grown.parts(0);
+    int padY = grown.padVoxels() * grown.parts(1);
+    int padZ = grown.padVoxels() * grown.parts(2);
     BitCube cells = grown.cells();
     for (int k = 0; k < cells.sizeZ(); k++) {
       for (int j = 0; j < cells.sizeY(); j++) {
         for (int i = 0; i < cells.sizeX(); i++) {
-          double distance = distance(bits, metric, parts, i - pad, j - pad, k - pad);
+          double distance = distance(bits, grown, i - padX, j - padY, k - padZ);
           boolean expected = distance < grown.growthMm();
           assertEquals(expected, cells.get(i, j, k), "cell " + i + " " + j + " " + k);
         }
@@ -94,16 +104,15 @@ class GrownSolidsTest {
     }
   }
 
-  private static double distance(
-      BitCube bits, GridMetric metric, int parts, int cellX, int cellY, int cellZ) {
+  private static double distance(BitCube bits, GrownSolids grown, int cellX, int cellY, int cellZ) {
     double least = Double.POSITIVE_INFINITY;
     for (int k = 0; k < bits.sizeZ(); k++) {
       for (int j = 0; j < bits.sizeY(); j++) {
         for (int i = 0; i < bits.sizeX(); i++) {
           if (bits.get(i, j, k)) {
-            double x = metric.spacingX() / parts * gap(cellX, i * parts, parts);
-            double y = metric.spacingY() / parts * gap(cellY, j * parts, parts);
-            double z = metric.spacingZ() / parts * gap(cellZ, k * parts, parts);
+            double x = gapMm(grown, 0, cellX, i);
+            double y = gapMm(grown, 1, cellY, j);
+            double z = gapMm(grown, 2, cellZ, k);
             least = Math.min(least, Math.sqrt(x * x + y * y + z * z));
           }
         }
@@ -112,7 +121,9 @@ class GrownSolidsTest {
     return least;
   }
 
-  private static int gap(int cell, int voxel, int parts) {
-    return Math.max(0, Math.max(cell - voxel - parts, voxel - cell - 1));
+  private static double gapMm(GrownSolids grown, int axis, int cell, int voxel) {
+    int first = voxel * grown.parts(axis);
+    int last = first + grown.parts(axis) - 1;
+    return grown.cellMm(axis) * Math.max(0, Math.max(cell - last, first - cell) - 1);
   }
 }

@@ -199,7 +199,7 @@ class ToolVerifierTest {
     }
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("slab", bits)));
     ToolPoints tool = ToolSampler.point();
-    Clearance clearance = new Clearance(1, 2, 2); // half a voxel, then a whole one
+    Clearance clearance = new Clearance(1, 0.5, 2); // half a voxel, then a whole one
     ToolVerifier verifier = new ToolVerifier(scene, tool, new Clearance[] {clearance}, true);
     Pose pose = new Pose();
     pose.translation.set(15, 15, 10.2);

@@ -106,6 +106,31 @@ class WholeBodyTest {
   }
 
   @Test
+  void aBodyInsideTheToolCountsAsOverlap() {
+    BitCube dot = new BitCube(20, 20, 20);
+    dot.set(10, 10, 10);
+    BodyScene scene = new BodyScene(List.of(ToolScenes.unit("dot", dot)));
+    for (int kind = 0; kind < 2; kind++) {
+      BitCube cube = new BitCube(9, 9, 9);
+      for (int n = 0; n < 729; n++) {
+        cube.set(n % 9, n / 9 % 9, n / 81);
+      }
+      ToolPoints tool =
+          kind == 0
+              ? ToolSampler.ofSegment(cube, VoxelGrid.ofUnitVoxels(9, 9, 9), 1)
+              : ToolSampler.ofShape(RodShape.sphere(5), 0.8);
+      RigidSettings settings = RigidSettings.ofWholeBodies(MAX_STEP_MM, scene, tool);
+      RigidSolver solver = new RigidSolver(scene, tool, settings);
+      Pose around = new Pose();
+      around.translation.set(10.5, 10.5, 10.5);
+      assertFalse(solver.place(around, motion));
+      assertTrue(motion.freed());
+      double moved = motion.pose().translation.sub(around.translation, new Vec3()).length();
+      assertTrue(moved > 5 && moved < 12, "freed by " + moved);
+    }
+  }
+
+  @Test
   void twoHalvesCutByASawFitToTheLastDigitAndSoDoUncutOnesByTheirPoints() {
     BitCube[] sawn = halves(true);
     BitCube[] uncut = halves(false);
