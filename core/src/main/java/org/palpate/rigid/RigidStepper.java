@@ -25,6 +25,14 @@ final class RigidStepper {
   /** Fractions of the last proposal below this are not worth a verification. */
   private static final double SMALLEST_FRACTION = 0.05;
 
+  /**
+   * Points that stand near each other in the tree's order are near in space: so many on either side
+   * of a contact are looked at for one that lies lower by at least this, edges.
+   */
+  private static final int NEIGHBOURS = 48;
+
+  private static final double LOWER_EDGES = 0.1;
+
   /** Reliefs with shorter paths are not worth their verification. */
   private static final double SHORTEST_RELIEF_EDGES = 1e-3;
 
@@ -47,6 +55,7 @@ final class RigidStepper {
   private final int[] warmBody = new int[MOST_WARM];
   private final int[] warmPoint = new int[MOST_WARM];
   private int warm;
+  private int warmActive;
   private double depthMm;
   private ToolMotion motion;
   private Pose target;
@@ -72,6 +81,7 @@ final class RigidStepper {
   /** Forgets all contacts, after the tool was placed anew. */
   void reset() {
     warm = 0;
+    warmActive = 0;
     depthMm = 0;
   }
 
@@ -118,7 +128,7 @@ final class RigidStepper {
     double farMm = distanceMm();
     double longest = farMm > mostMm ? mostMm / farMm : 1;
     longest = Math.min(longest, pathLeftMm / Math.max(pathLeftMm, pathOf(1)));
-    if (longest == 1 && isBlockedAtContacts()) {
+    if (isBlockedAtContacts()) {
       return false;
     }
     for (double fraction = longest; fraction > 0.2 * longest; fraction /= 2) {
@@ -252,7 +262,10 @@ final class RigidStepper {
   private void begin(double riseMm) {
     rows.begin(verifier.pose(), depthMm);
     for (int n = 0; n < warm; n++) {
-      addSurface(warmBody[n], warmPoint[n], riseMm);
+      int contact = addSurface(warmBody[n], warmPoint[n], riseMm);
+      if (contact >= 0 && n < warmActive) {
+        addLowestNeighbour(contact, riseMm);
+      }
     }
     aimTwist();
     tool.metric.toMetric(verifier.pose(), displacement, turn, position, metric);
@@ -266,6 +279,33 @@ final class RigidStepper {
       metric[c] *= cut;
     }
     rows.setTarget(metric);
+  }
+
+  /**
+   * Adds the neighbour of an active contact that lies lowest along its normal, if it lies lower: as
+   * a curved tool rolls over a surface the contact passes on before the neighbour meets a voxel.
+   */
+  private void addLowestNeighbour(int contact, double riseMm) {
+    int point = rows.point[contact];
+    Vec3 normal = rows.normal(contact, position);
+    verifier.pose().rotation.inverseRotate(normal, normal);
+    int lowest = point;
+    double least = along(normal, point) - LOWER_EDGES * edgeMm;
+    int last = Math.min(tool.count() - 1, point + NEIGHBOURS);
+    for (int n = Math.max(0, point - NEIGHBOURS); n <= last; n++) {
+      double height = along(normal, n);
+      if (height < least) {
+        least = height;
+        lowest = n;
+      }
+    }
+    if (lowest != point && rows.surfaceContact(rows.body[contact], lowest) < 0) {
+      addSurface(rows.body[contact], lowest, riseMm);
+    }
+  }
+
+  private double along(Vec3 direction, int point) {
+    return direction.x * tool.x[point] + direction.y * tool.y[point] + direction.z * tool.z[point];
   }
 
   private int addSurface(int body, int point, double riseMm) {
@@ -390,6 +430,7 @@ final class RigidStepper {
         keep(c);
       }
     }
+    warmActive = warm;
     for (int c = 0; c < rows.count(); c++) {
       if (rows.isNear(c)) {
         keep(c);
