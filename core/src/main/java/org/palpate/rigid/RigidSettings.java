@@ -1,5 +1,8 @@
 package org.palpate.rigid;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import org.palpate.body.BodyScene;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
 
@@ -12,41 +15,40 @@ import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
  * @param skips whether verification leaves out what is proved to be empty; answers are the same
  */
 public record RigidSettings(
-    double maxStepMm, Clearance[] clearances, GreyIsosurfaceSource[] greys, boolean skips) {
+    double maxStepMm, List<Clearance> clearances, List<GreyIsosurfaceSource> greys, boolean skips) {
 
   /** Checks the step. */
   public RigidSettings {
     if (!(maxStepMm > 0)) {
       throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);
     }
-    clearances = clearances.clone();
-    greys = greys.clone();
+    clearances = List.copyOf(clearances);
+    greys = Collections.unmodifiableList(new ArrayList<>(greys));
   }
 
   /** Returns settings with one clearance for all bodies, felt by their bits alone. */
   public static RigidSettings of(double maxStepMm, Clearance clearance) {
-    Clearance[] one = {clearance};
-    return new RigidSettings(maxStepMm, one, new GreyIsosurfaceSource[0], true);
+    return new RigidSettings(maxStepMm, List.of(clearance), List.of(), true);
   }
 
   /** Returns settings with the least clearance at which no solids can overlap. */
   public static RigidSettings ofWholeBodies(double maxStepMm, BodyScene scene, ToolPoints tool) {
-    Clearance[] clearances = new Clearance[scene.count()];
-    for (int n = 0; n < clearances.length; n++) {
-      clearances[n] = Clearance.ofWholeBody(tool, scene.body(n).metric(), 0);
+    List<Clearance> clearances = new ArrayList<>();
+    for (int n = 0; n < scene.count(); n++) {
+      clearances.add(Clearance.ofWholeBody(tool, scene.body(n).metric(), 0));
     }
-    return new RigidSettings(maxStepMm, clearances, new GreyIsosurfaceSource[0], true);
+    return new RigidSettings(maxStepMm, clearances, List.of(), true);
   }
 
   Clearance[] clearancesOf(BodyScene scene) {
     Clearance[] all = new Clearance[scene.count()];
     for (int n = 0; n < all.length; n++) {
-      all[n] = clearances[clearances.length == 1 ? 0 : n];
+      all[n] = clearances.get(clearances.size() == 1 ? 0 : n);
     }
     return all;
   }
 
   GreyIsosurfaceSource grey(int body) {
-    return body < greys.length ? greys[body] : null;
+    return body < greys.size() ? greys.get(body) : null;
   }
 }

@@ -78,7 +78,7 @@ final class ToolVerifier {
     return true;
   }
 
-  /** What edits of the bodies mean for a tool. */
+  /** What edits of the bodies mean for a tool, from the mildest on. */
   enum EditOutcome {
     /** There was no edit. */
     NONE,
@@ -95,7 +95,7 @@ final class ToolVerifier {
     EditOutcome outcome = EditOutcome.NONE;
     for (BodyVerifier body : bodies) {
       EditOutcome ofBody = body.takeEdits();
-      outcome = ofBody.ordinal() > outcome.ordinal() ? ofBody : outcome;
+      outcome = ofBody.compareTo(outcome) > 0 ? ofBody : outcome;
     }
     return outcome;
   }

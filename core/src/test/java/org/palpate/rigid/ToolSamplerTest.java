@@ -150,7 +150,9 @@ class ToolSamplerTest {
     Vec3 sum = new Vec3();
     for (int n = 0; n < 1000; n++) {
       if (bits.get(n % 10, n / 10 % 10, n / 100)) {
-        Vec3 centre = new Vec3(n % 10 + 0.5, n / 10 % 10 + 0.5, n / 100 + 0.5);
+        int j = n / 10 % 10;
+        int k = n / 100;
+        Vec3 centre = new Vec3(n % 10 + 0.5, j + 0.5, k + 0.5);
         sum.add(grid.gridToWorld(centre, centre), sum);
       }
     }
