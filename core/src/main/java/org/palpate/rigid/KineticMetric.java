@@ -82,9 +82,10 @@ final class KineticMetric {
    */
   private double squaredTurn(Quaternion a, Quaternion b) {
     double w = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
-    double x = a.w * b.x - a.x * b.w - a.y * b.z + a.z * b.y;
-    double y = a.w * b.y + a.x * b.z - a.y * b.w - a.z * b.x;
-    double z = a.w * b.z - a.x * b.y + a.y * b.x - a.z * b.w;
+    // Grouped so that each pair cancels to 0 for the same bits.
+    double x = (a.w * b.x - a.x * b.w) - (a.y * b.z - a.z * b.y);
+    double y = (a.w * b.y - a.y * b.w) - (a.z * b.x - a.x * b.z);
+    double z = (a.w * b.z - a.z * b.w) - (a.x * b.y - a.y * b.x);
     return squaredRow(-(y * y + z * z), x * y - w * z, x * z + w * y)
         + squaredRow(x * y + w * z, -(x * x + z * z), y * z - w * x)
         + squaredRow(x * z - w * y, y * z + w * x, -(x * x + y * y));

@@ -1,5 +1,7 @@
 package org.palpate.rigid;
 
+import java.util.Arrays;
+
 /**
  * Finds the point nearest to a target in a few dimensions subject to linear inequalities: minimizes
  * |y - target|^2 subject to a_i . y >= b_i. The dual active-set method: starts at the target and
@@ -15,7 +17,7 @@ final class NearestPointSolver {
   static final double TOLERANCE = 1e-9;
 
   /** A row counts as dependent on the active ones below this square of its sine to their span. */
-  private static final double DEPENDENT = 1e-9;
+  private static final double DEPENDENT = 1e-12;
 
   private static final int MOST_ITERATIONS = 100;
 
@@ -38,6 +40,7 @@ final class NearestPointSolver {
   int activeCount;
 
   private final double[] coefficient;
+  private final double[] part;
   private final double[] direction;
   private final double[] factor;
   private int iterations;
@@ -51,6 +54,7 @@ final class NearestPointSolver {
     active = new int[dimension + 1];
     multiplier = new double[dimension + 1];
     coefficient = new double[dimension];
+    part = new double[dimension];
     direction = new double[dimension];
     factor = new double[dimension * dimension];
   }
@@ -116,20 +120,21 @@ final class NearestPointSolver {
     return false;
   }
 
-  /** Splits the row into its part in the span of the active rows and the direction across it. */
+  /**
+   * Splits the row into its part in the span of the active rows and the direction across it. Does
+   * so twice: what rounding leaves of the span in the direction is taken out by a second
+   * projection.
+   */
   private void project(int row) {
-    solveNormalEquations(row);
-    for (int c = 0; c < dimension; c++) {
-      double v = a[row * dimension + c];
-      for (int j = 0; j < activeCount; j++) {
-        v -= coefficient[j] * a[active[j] * dimension + c];
-      }
-      direction[c] = v;
-    }
+    System.arraycopy(a, row * dimension, direction, 0, dimension);
+    factorize();
+    Arrays.fill(coefficient, 0, activeCount, 0);
+    removeSpan();
+    removeSpan();
   }
 
-  /** Solves (N^T N) coefficient = N^T a_row by Cholesky, where N holds the active rows. */
-  private void solveNormalEquations(int row) {
+  /** Factorizes N^T N by Cholesky, where N holds the active rows. */
+  private void factorize() {
     for (int i = 0; i < activeCount; i++) {
       for (int j = 0; j <= i; j++) {
         double v = dot(active[i], active[j]);
@@ -139,18 +144,33 @@ final class NearestPointSolver {
         factor[i * dimension + j] =
             i == j ? Math.sqrt(Math.max(v, Double.MIN_NORMAL)) : v / factor[j * dimension + j];
       }
-      double v = dot(active[i], row);
-      for (int c = 0; c < i; c++) {
-        v -= factor[i * dimension + c] * coefficient[c];
+    }
+  }
+
+  /** Takes the part in the span of the active rows out of the direction. */
+  private void removeSpan() {
+    for (int i = 0; i < activeCount; i++) {
+      double v = 0;
+      for (int c = 0; c < dimension; c++) {
+        v += a[active[i] * dimension + c] * direction[c];
       }
-      coefficient[i] = v / factor[i * dimension + i];
+      for (int c = 0; c < i; c++) {
+        v -= factor[i * dimension + c] * part[c];
+      }
+      part[i] = v / factor[i * dimension + i];
     }
     for (int i = activeCount - 1; i >= 0; i--) {
-      double v = coefficient[i];
+      double v = part[i];
       for (int c = i + 1; c < activeCount; c++) {
-        v -= factor[c * dimension + i] * coefficient[c];
+        v -= factor[c * dimension + i] * part[c];
       }
-      coefficient[i] = v / factor[i * dimension + i];
+      part[i] = v / factor[i * dimension + i];
+    }
+    for (int j = 0; j < activeCount; j++) {
+      coefficient[j] += part[j];
+      for (int c = 0; c < dimension; c++) {
+        direction[c] -= part[j] * a[active[j] * dimension + c];
+      }
     }
   }
 

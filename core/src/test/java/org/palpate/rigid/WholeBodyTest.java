@@ -48,7 +48,7 @@ class WholeBodyTest {
       }
       assertTrue(judge.leastGapMm() > 0, "gap " + judge.leastGapMm());
     }
-    assertTrue(contacts > 500, "frames with contact: " + contacts);
+    assertTrue(contacts > 150, "frames with contact: " + contacts);
   }
 
   @Test
