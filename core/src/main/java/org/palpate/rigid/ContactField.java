@@ -5,13 +5,10 @@ import org.palpate.body.Body;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.smooth.field.BinaryCoefficientSource;
-import org.palpate.proxy.smooth.field.CoefficientSource;
-import org.palpate.proxy.smooth.field.GreyCoefficientSource;
+import org.palpate.proxy.smooth.field.FieldSample;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
-import org.palpate.proxy.smooth.field.IsoLevel;
 import org.palpate.proxy.smooth.field.OccupancyField;
-import org.palpate.proxy.smooth.field.SmoothingKernel;
+import org.palpate.proxy.smooth.field.SeedCell;
 
 /**
  * The smooth surface of one body as contacts see it: height over the isosurface and its normal,
@@ -34,7 +31,7 @@ final class ContactField {
   private final Body body;
   private final Barrier barrier;
   private final OccupancyField field;
-  private final IsoLevel level;
+  private final SeedCell seed = new SeedCell();
   private final CollisionScene solids;
   private final double edgeMm;
   private final Vec3 gradient = new Vec3();
@@ -50,20 +47,9 @@ final class ContactField {
     body = barrier.body;
     GridMetric metric = body.metric();
     edgeMm = metric.shortestEdgeMm();
-    Vec3 edges =
-        new Vec3(
-            metric.spacingX() / edgeMm, metric.spacingY() / edgeMm, metric.spacingZ() / edgeMm);
-    CoefficientSource source = source(metric, grey);
-    field = new OccupancyField(source, edges);
-    level = new IsoLevel(source, edges);
+    field = grey == null ? OccupancyField.ofBits(metric) : OccupancyField.ofGrey(metric, grey);
     solids = new CollisionScene(List.of(body.bits()));
     field.use(solids);
-  }
-
-  private static CoefficientSource source(GridMetric metric, GreyIsosurfaceSource grey) {
-    return grey == null
-        ? new BinaryCoefficientSource(new SmoothingKernel(metric, SmoothingKernel.FOR_BITS))
-        : new GreyCoefficientSource(new SmoothingKernel(metric, SmoothingKernel.FOR_GREY), grey);
   }
 
   /**
@@ -78,16 +64,16 @@ final class ContactField {
       editsSeen = body.edits();
       field.forget();
     }
-    field.seed(grid.x, grid.y, grid.z);
-    field.evaluate(grid.x, grid.y, grid.z);
-    gradient.set(field.gx, field.gy, field.gz);
+    FieldSample sample = field.evaluate(seed.set(grid), grid);
+    gradient.set(sample.gx(), sample.gy(), sample.gz());
     double slope = gradient.length();
     if (slope < LEAST_SLOPE) {
       return false;
     }
     gradient.mul(-1 / slope, gradient);
     heightMm =
-        level.over(field.value, gradient) * edgeMm - barrier.reachMm(clearanceLevel, gradient);
+        field.level().heightEdges(sample.occupancy(), gradient) * edgeMm
+            - barrier.reachMm(clearanceLevel, gradient);
     body.gridDirectionToWorld(gradient, normal);
     return true;
   }
