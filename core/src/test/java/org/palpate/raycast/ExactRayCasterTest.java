@@ -175,7 +175,8 @@ class ExactRayCasterTest {
 
   /** Returns a ray anywhere: from outside, along axes and diagonals, on planes and off them. */
   private static Ray longRay(SplittableRandom random) {
-    Ray ray = new Ray().from(coordinate(random, 90), coordinate(random, 61), coordinate(random, 130));
+    Ray ray =
+        new Ray().from(coordinate(random, 90), coordinate(random, 61), coordinate(random, 130));
     ray.to(coordinate(random, 90), coordinate(random, 61), coordinate(random, 130));
     switch (random.nextInt(6)) {
       case 0 -> ray.toX = ray.fromX;

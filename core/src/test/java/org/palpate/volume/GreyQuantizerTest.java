@@ -47,7 +47,8 @@ class GreyQuantizerTest {
       int value = random.nextInt(2500) - 700;
       double exact = 128 + 127.5 * (value - middle) / contrast;
       double clamped = Math.max(0, Math.min(255, exact));
-      assertEquals(clamped, levels.of(value) + 0.5, 0.6, "seed=" + seed + " " + middle + " " + value);
+      assertEquals(
+          clamped, levels.of(value) + 0.5, 0.6, "seed=" + seed + " " + middle + " " + value);
       assertEquals(levels.of(value), levels.of(value + 1e-7), 1, "seed=" + seed);
     }
   }
