@@ -46,14 +46,15 @@ final class RestRule {
     lastDevice.set(device);
   }
 
-  /**
-   * Whether a free-space motion may start at this distance from the device. Forgets earlier ones if
-   * the device has moved.
-   */
-  boolean allowsFreeMotion(Vec3 device, double distanceEdges) {
+  /** Begins a frame with the device beyond w_max; if it has moved, any free motion may start. */
+  void beginFarFrame(Vec3 device) {
     if (!device.sameBits(lastDevice)) {
       lastFreeDistanceEdges = Double.POSITIVE_INFINITY;
     }
+  }
+
+  /** Whether a free-space motion may start at this distance from the device. */
+  boolean allowsFreeMotion(double distanceEdges) {
     return lastFreeDistanceEdges - distanceEdges >= LEAST_FALL_EDGES;
   }
 

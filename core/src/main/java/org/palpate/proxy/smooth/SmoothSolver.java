@@ -130,6 +130,9 @@ public final class SmoothSolver implements ProxySolver {
     }
     useScene(newScene);
     double distanceMm = motion.distanceMm(point.position, device);
+    if (!motion.reaches(distanceMm)) {
+      restRule.beginFarFrame(device);
+    }
     if (canMoveFreely(distanceMm)) {
       motion.commit(false);
       restRule.noteFreeMotion(distanceMm / shortestMm);
@@ -165,9 +168,8 @@ public final class SmoothSolver implements ProxySolver {
     if (motion.reaches(distanceMm)) {
       return straightPath.verifyToDevice(device);
     }
-    boolean allowed = restRule.allowsFreeMotion(device, distanceMm / shortestMm);
     boolean open = field.evaluate(seed.set(point.position), point.position).isOpen();
-    return allowed && open && motion.verify(device);
+    return open && restRule.allowsFreeMotion(distanceMm / shortestMm) && motion.verify(device);
   }
 
   /** Slides along the isosurface, or follows the voxels where that gains nothing. */
