@@ -55,8 +55,8 @@ class GreyOccupancyTest {
       do {
         move(at);
       } while (isSolid(at)); // the cell of a seed is empty
-      FieldSample fresh = field(volume, UNIT).evaluate(new SeedCell().set(at), at);
-      FieldSample sample = used.evaluate(new SeedCell().set(at), at);
+      FieldSample fresh = field(volume, UNIT).evaluate(cell(at), at);
+      FieldSample sample = used.evaluate(cell(at), at);
       String where = "seed=" + SEED + " n=" + n + " at " + at;
       assertEquals(fresh.occupancy(), sample.occupancy(), where);
       assertEquals(fresh.hxy(), sample.hxy(), where);
@@ -91,7 +91,7 @@ class GreyOccupancyTest {
       int[] seed = {(int) Math.floor(at.x), (int) Math.floor(at.y), (int) Math.floor(at.z)};
       assertEquals(
           naive.occupancy(at, seed),
-          field.evaluate(new SeedCell().set(at), at).occupancy(),
+          field.evaluate(cell(at), at).occupancy(),
           1e-12,
           "seed=" + SEED + " at " + at);
     }
@@ -138,6 +138,10 @@ class GreyOccupancyTest {
       bits.set(i, j, k);
     }
     volume.set(random.nextInt(SIZES[0]), j, k, 255 * random.nextDouble());
+  }
+
+  private static SeedCell cell(Vec3 position) {
+    return new SeedCell().set(position);
   }
 
   private OccupancyField field(ScalarVolume volume, GridMetric metric) {

@@ -57,15 +57,14 @@ class OccupancyFieldTest {
       }
     }
     CollisionScene scene = new CollisionScene(List.of(wall));
-    Vec3 solidSeed = new Vec3(10, 12.5, 12.5);
+    Vec3 inSolid = new Vec3(10, 12.5, 12.5);
     Vec3 point = new Vec3(9.7, 12.5, 12.5);
     OccupancyField used = field(scene, UNIT);
-    used.evaluate(new SeedCell().set(solidSeed), solidSeed);
-    double fresh = field(scene, UNIT).evaluate(new SeedCell().set(point), point).occupancy();
-    assertEquals(fresh, used.evaluate(new SeedCell().set(point), point).occupancy());
-    double freshFromSolid =
-        field(scene, UNIT).evaluate(new SeedCell().set(solidSeed), point).occupancy();
-    assertEquals(freshFromSolid, used.evaluate(new SeedCell().set(solidSeed), point).occupancy());
+    used.evaluate(cell(inSolid), inSolid);
+    double fresh = field(scene, UNIT).evaluate(cell(point), point).occupancy();
+    assertEquals(fresh, used.evaluate(cell(point), point).occupancy());
+    double freshFromSolid = field(scene, UNIT).evaluate(cell(inSolid), point).occupancy();
+    assertEquals(freshFromSolid, used.evaluate(cell(inSolid), point).occupancy());
   }
 
   @Test
@@ -74,8 +73,8 @@ class OccupancyFieldTest {
     OccupancyField used = field(scene, UNIT);
     for (int n = 0; n < 2000; n++) {
       Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
-      FieldSample fresh = field(scene, UNIT).evaluate(new SeedCell().set(point), point);
-      FieldSample sample = used.evaluate(new SeedCell().set(point), point);
+      FieldSample fresh = field(scene, UNIT).evaluate(cell(point), point);
+      FieldSample sample = used.evaluate(cell(point), point);
       assertEquals(fresh.occupancy(), sample.occupancy(), "seed=" + SEED + " at " + point);
       assertEquals(fresh.gz(), sample.gz(), "seed=" + SEED + " at " + point);
       assertEquals(fresh.hxy(), sample.hxy(), "seed=" + SEED + " at " + point);
@@ -87,12 +86,10 @@ class OccupancyFieldTest {
     CollisionScene scene = new CollisionScene(List.of(randomBits(0.3)));
     OccupancyField field = field(scene, UNIT);
     Vec3 point = new Vec3(12.2, 13.3, 14.4);
-    long first = field.evaluate(new SeedCell().set(point), point).evaluation();
-    assertEquals(first, field.evaluate(new SeedCell().set(point), point).evaluation());
+    long first = field.evaluate(cell(point), point).evaluation();
+    assertEquals(first, field.evaluate(cell(point), point).evaluation());
     assertEquals(1, field.windowReads());
-    assertEquals(
-        first + 1,
-        field.evaluate(new SeedCell().set(point), new Vec3(12.3, 13.3, 14.4)).evaluation());
+    assertEquals(first + 1, field.evaluate(cell(point), new Vec3(12.3, 13.3, 14.4)).evaluation());
     assertEquals(1, field.windowReads());
   }
 
@@ -103,22 +100,22 @@ class OccupancyFieldTest {
     double h = 1e-5;
     for (int n = 0; n < 300; n++) {
       Vec3 p = awayFromHalves();
-      FieldSample sample = field.evaluate(new SeedCell().set(p), p);
+      FieldSample sample = field.evaluate(cell(p), p);
       double gx = sample.gx();
       double gz = sample.gz();
       double hzz = sample.hzz();
       double hxy = sample.hxy();
-      double right = field.evaluate(new SeedCell().set(p), new Vec3(p.x + h, p.y, p.z)).occupancy();
-      double left = field.evaluate(new SeedCell().set(p), new Vec3(p.x - h, p.y, p.z)).occupancy();
+      double right = field.evaluate(cell(p), new Vec3(p.x + h, p.y, p.z)).occupancy();
+      double left = field.evaluate(cell(p), new Vec3(p.x - h, p.y, p.z)).occupancy();
       assertEquals((right - left) / (2 * h), gx, 1e-6, "seed=" + SEED);
-      field.evaluate(new SeedCell().set(p), new Vec3(p.x, p.y, p.z + h));
+      field.evaluate(cell(p), new Vec3(p.x, p.y, p.z + h));
       double up = sample.occupancy();
       double upSlope = sample.gz();
-      field.evaluate(new SeedCell().set(p), new Vec3(p.x, p.y, p.z - h));
+      field.evaluate(cell(p), new Vec3(p.x, p.y, p.z - h));
       assertEquals((up - sample.occupancy()) / (2 * h * 3), gz, 1e-6, "seed=" + SEED);
       assertEquals((upSlope - sample.gz()) / (2 * h * 3), hzz, 1e-6, "seed=" + SEED);
-      double back = field.evaluate(new SeedCell().set(p), new Vec3(p.x, p.y + h, p.z)).gx();
-      double front = field.evaluate(new SeedCell().set(p), new Vec3(p.x, p.y - h, p.z)).gx();
+      double back = field.evaluate(cell(p), new Vec3(p.x, p.y + h, p.z)).gx();
+      double front = field.evaluate(cell(p), new Vec3(p.x, p.y - h, p.z)).gx();
       assertEquals((back - front) / (2 * h * 2), hxy, 1e-6, "seed=" + SEED);
     }
   }
@@ -135,14 +132,14 @@ class OccupancyFieldTest {
     }
     OccupancyField field = field(new CollisionScene(List.of(floor)), UNIT);
     Vec3 point = new Vec3(20.3, 20.4, 20 + field.level().offsetEdges());
-    FieldSample sample = field.evaluate(new SeedCell().set(point), point);
+    FieldSample sample = field.evaluate(cell(point), point);
     assertTrue(sample.hasNormal());
     assertEquals(1, sample.normal().z, 1e-9);
     assertEquals(0, sample.heightEdges(), 0.02);
     assertEquals(0, sample.boundedHeightEdges(), 0.02);
     assertEquals(0, sample.curvatureSum(), 1e-9);
     point.z += 0.5;
-    assertEquals(0.5, field.evaluate(new SeedCell().set(point), point).boundedHeightEdges(), 0.05);
+    assertEquals(0.5, field.evaluate(cell(point), point).boundedHeightEdges(), 0.05);
   }
 
   @Test
@@ -150,14 +147,14 @@ class OccupancyFieldTest {
     BitCube bits = randomBits(0.1);
     CollisionScene scene = new CollisionScene(List.of(bits));
     OccupancyField field = field(scene, UNIT);
-    Vec3 seed = new Vec3();
+    SeedCell seed = new SeedCell();
     Vec3 point = new Vec3(15.2, 15.2, 15.2);
-    double before = field.evaluate(new SeedCell().set(seed), point).occupancy();
+    double before = field.evaluate(seed, point).occupancy();
     bits.set(15, 15, 16);
     bits.set(16, 15, 16);
     field.forget();
-    double after = field.evaluate(new SeedCell().set(seed), point).occupancy();
-    assertEquals(field(scene, UNIT).evaluate(new SeedCell().set(seed), point).occupancy(), after);
+    double after = field.evaluate(seed, point).occupancy();
+    assertEquals(field(scene, UNIT).evaluate(seed, point).occupancy(), after);
     assertTrue(after > before);
   }
 
@@ -171,7 +168,7 @@ class OccupancyFieldTest {
       Vec3 inSeed = new Vec3(seed[0] + 0.5, seed[1] + 0.5, seed[2] + 0.5);
       assertEquals(
           naive.occupancy(point, seed),
-          field.evaluate(new SeedCell().set(inSeed), point).occupancy(),
+          field.evaluate(cell(inSeed), point).occupancy(),
           1e-12,
           "seed=" + SEED + " at " + point);
     }
@@ -180,6 +177,10 @@ class OccupancyFieldTest {
   /** Returns a cell at most three voxels away. */
   private int near(double coordinate) {
     return (int) Math.floor(coordinate + random.nextInt(7) - 3);
+  }
+
+  private static SeedCell cell(Vec3 position) {
+    return new SeedCell().set(position);
   }
 
   private static OccupancyField field(CollisionScene scene, GridMetric metric) {
