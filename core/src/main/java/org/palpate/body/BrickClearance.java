@@ -5,16 +5,17 @@ import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 
 /**
- * Lower bounds of the distance to the solid voxels of a bit cube: for each brick, how many bricks
- * away the nearest brick with a solid voxel is, along the axis that differs most (Chebyshev
- * distance), up to a limit.
+ * Lower bounds of the distance to the solid voxels of a bit cube. For each brick, holds the
+ * distance in bricks to the nearest brick with a solid voxel, up to a limit. This is the Chebyshev
+ * distance: the largest difference along an axis.
  *
- * <p>Invariant: no distance is larger than the true one. Added voxels must be reported; after
- * removed ones the bounds still hold. Belongs to one thread. Cost of a query: one load.
+ * <p>Invariant: no distance is larger than the true one. Added voxels must be reported; the bounds
+ * still hold after voxels are removed. Belongs to one thread. Cost of a query: one load.
  */
 public final class BrickClearance {
   /**
-   * Distances in bricks are cut off here, so that an added voxel changes a bounded neighbourhood.
+   * The largest distance that is stored, bricks, so that an added voxel changes a bounded
+   * neighbourhood.
    */
   public static final int LARGEST_BRICKS = 8;
 
@@ -26,7 +27,7 @@ public final class BrickClearance {
   private final int bricksY;
   private final int bricksZ;
 
-  /** Measures all bricks of a cube, which stays the caller's. */
+  /** Measures all bricks of a cube that the caller keeps. */
   public BrickClearance(BitCube bits) {
     this.bits = bits;
     bricksX = bits.bricksX();
@@ -67,8 +68,8 @@ public final class BrickClearance {
   }
 
   /**
-   * Replaces each value of a line by the least of max(value, steps to it): the Chebyshev distance,
-   * one axis after the other.
+   * Replaces each value of a line by the minimum of max(value, number of bricks to it) over the
+   * line. One pass for each axis gives the Chebyshev distance.
    */
   private void spreadLine(int first, int stride, int length) {
     byte[] line = new byte[length];
@@ -123,8 +124,7 @@ public final class BrickClearance {
   }
 
   /**
-   * Returns a distance, voxels along any axis, within which no solid voxel lies: the open cube of
-   * this half edge around the point is empty.
+   * Returns half the edge, in voxels, of an open cube around the point that no solid voxel reaches.
    *
    * @param x the point, grid coordinates, finite, as are y and z
    */

@@ -6,11 +6,11 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
- * The solids of a body with everything that lies nearer to them than a distance: what the points of
- * a tool must avoid so that the tool keeps a clearance.
+ * The solids of a body, grown by a distance. The points of a tool must avoid them so that the tool
+ * keeps a clearance.
  *
- * <p>The grown solids are voxels again ("cells"), whose edges are those of the body's voxels
- * divided by a power of two for each axis, so that positions scale exactly. Invariant: a cell is
+ * <p>The grown solids are made of smaller voxels, the "cells". The number of cells along the edge
+ * of a voxel is a power of two for each axis, so that positions scale exactly. Invariant: a cell is
  * solid exactly if its distance from some solid voxel of the body is less than the growth. A point
  * that touches no solid cell is therefore at least that far from every voxel. The grid of the cells
  * begins {@link #padVoxels} before that of the body, so that nothing is cut off at its rim.
@@ -37,7 +37,7 @@ public final class GrownSolids {
   private final IntBox region = new IntBox();
 
   /**
-   * Grows all solids of a cube, which stays the caller's.
+   * Grows all solids of a cube that the caller keeps.
    *
    * @param growthMm the distance, mm, positive
    * @param longestCellMm edges of cells are at most this long, mm, as far as {@link #LARGEST_PARTS}
@@ -83,12 +83,12 @@ public final class GrownSolids {
     return (reach + parts - 1) / parts;
   }
 
-  /** Returns the grown solids, a voxel a cell. */
+  /** Returns the grown solids; each voxel of this cube is a cell. */
   public BitCube cells() {
     return cells;
   }
 
-  /** Returns how many cells an edge of a voxel has along an axis: 0 is x. */
+  /** Returns the number of cells along the edge of a voxel, for an axis: 0 is x. */
   public int parts(int axis) {
     return axis == 0 ? partsX : axis == 1 ? partsY : partsZ;
   }
@@ -98,7 +98,7 @@ public final class GrownSolids {
     return axis == 0 ? cellX : axis == 1 ? cellY : cellZ;
   }
 
-  /** Returns by how many voxels the grid of the cells begins before the body's. */
+  /** Returns the number of voxels by which the grid of the cells begins before the body's grid. */
   public int padVoxels() {
     return pad;
   }
@@ -109,8 +109,8 @@ public final class GrownSolids {
   }
 
   /**
-   * Returns how far the grown solid of a voxel reaches beyond the voxel along a direction, mm: the
-   * support function of what a voxel is grown by.
+   * Returns the length by which a grown voxel reaches beyond the voxel along a direction, mm. This
+   * is the support function of the growth.
    *
    * @param normal unit, along the axes of the grid in mm
    */
@@ -131,16 +131,13 @@ public final class GrownSolids {
     return most;
   }
 
-  /**
-   * Returns the coordinate in the grid of the cells of a coordinate in the grid of the body, along
-   * an axis: 0 is x.
-   */
+  /** Converts a coordinate from the body's grid to the grid of the cells, along an axis: 0 is x. */
   public double toCells(double voxels, int axis) {
     return (voxels + pad) * parts(axis);
   }
 
   /**
-   * Makes the invariant true again after voxels in a box changed, either way.
+   * Restores the invariant after voxels in a box were added or removed.
    *
    * @return the box of cells that may have changed; owned by this, overwritten by the next call
    */
@@ -201,7 +198,10 @@ public final class GrownSolids {
     }
   }
 
-  /** An inner voxel adds its own cells alone, since its neighbours reach farther. */
+  /**
+   * Grows one voxel. An inner voxel adds its own cells alone, because adjacent voxels reach
+   * farther.
+   */
   private void growVoxel(int i, int j, int k) {
     boolean inner =
         bits.get(i - 1, j, k)

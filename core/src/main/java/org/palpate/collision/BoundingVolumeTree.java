@@ -79,7 +79,7 @@ final class BoundingVolumeTree {
   }
 
   /**
-   * Finds the boxes that share a cell with {@code query}.
+   * Finds the boxes that have a cell in common with {@code query}.
    *
    * @param dest receives the indices of the boxes, in no particular order
    * @return the number of boxes found

@@ -7,8 +7,9 @@ import org.palpate.geometry.Vec3;
  *
  * <p>The interaction point may jump, for example from the surface to the voxels in a slit, or over
  * a rim. The hand feels such a jump as a push that builds up. In one frame the force changes by at
- * most {@link #STIFFNESS_FACTOR} k times the device's motion. A device that moves less than {@link
- * ChangeBound#MIN_MOTION_EDGES} counts as moving by that, so the force always arrives.
+ * most {@link #STIFFNESS_FACTOR} k times the device's motion. A motion shorter than {@link
+ * ChangeBound#MIN_MOTION_EDGES} counts as that long, so the force reaches its target even if the
+ * device rests.
  *
  * <p>Haptic thread; allocates nothing.
  */

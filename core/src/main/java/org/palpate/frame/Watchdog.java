@@ -9,9 +9,10 @@ import org.palpate.geometry.Vec3;
  * Judges the sample of each frame: whether it is new, and if not, whether the last force may still
  * be held.
  *
- * <p>These are no new samples: a repeated one; a position that is not finite; a time before that of
- * the last sample; the last time and position again, from a device whose clock is known to run.
- * After a silence any time counts as new, so that a device whose clock was set back works again.
+ * <p>A sample is not new if it is repeated, if its position is not finite, or if its time is before
+ * that of the last sample. Nor is it new if a device whose clock is known to run sends the last
+ * time and position again. After a silence any time counts as new, so that a device whose clock was
+ * set back works again.
  *
  * <p>A gap between frames that is longer than the silence counts as a silence, for example a
  * suspended machine or a read that hangs. A frame clock that goes back restarts the silence.

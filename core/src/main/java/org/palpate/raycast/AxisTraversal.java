@@ -10,11 +10,13 @@ package org.palpate.raycast;
 final class AxisTraversal {
   /**
    * The order of two crossings is in doubt if they differ by less than this fraction of the later
-   * one.
+   * crossing.
    */
   static final double DOUBT_RELATIVE = 0x1p-48;
 
-  /** Above the error that underflow can add to a crossing, and far below any relevant parameter. */
+  /**
+   * A bound of the error that underflow can add to a crossing, far below any relevant parameter.
+   */
   static final double DOUBT_ABSOLUTE = 0x1p-1000;
 
   private double from;
@@ -33,7 +35,7 @@ final class AxisTraversal {
    */
   double next;
 
-  /** Returns the largest possible distance of a crossing computed as t from the true one. */
+  /** Returns the largest possible error of a crossing that was computed as t. */
   static double doubt(double t) {
     return t * DOUBT_RELATIVE + DOUBT_ABSOLUTE;
   }

@@ -15,7 +15,7 @@ public final class ExactPredicates {
    */
   private static final double RELATIVE_ERROR = 4 * 0x1p-53;
 
-  /** Above the absolute error that underflow of the two products can add. */
+  /** A bound of the absolute error that underflow of the two products can add. */
   private static final double UNDERFLOW_ERROR = 0x1p-1070;
 
   private final ExactProductSum sum = new ExactProductSum();

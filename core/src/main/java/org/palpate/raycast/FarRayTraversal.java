@@ -7,18 +7,21 @@ import org.palpate.volume.BitCube;
  * Traverses a ray of any length: from voxel to voxel in bricks that hold solids, and past an empty
  * brick or an empty block of bricks in one step.
  *
- * <p>The traversal ends {@link TraversalResult#IN_DOUBT} if the ray starts on a grid plane, if it
- * crosses two planes nearly at once or one nearly at its end, or if a step longer than a voxel ends
- * nearly on a plane. The loop keeps its state in local variables. So it takes half the time of the
- * traversal of {@link ExactRayCaster}, whose state is in objects.
+ * <p>The traversal ends {@link TraversalResult#IN_DOUBT} if the ray starts on a grid plane or
+ * crosses two planes nearly at once. It does so too if the ray crosses a plane nearly at its end,
+ * or if a step longer than a voxel ends nearly on a plane. The loop keeps its state in local
+ * variables and takes half the time of the traversal of {@link ExactRayCaster}, whose state is in
+ * objects.
  *
  * <p>Keeps scratch: one thread an instance.
  */
 final class FarRayTraversal {
-  /** Up to here a position on the ray is accurate to much less than {@link #POSITION_DOUBT}. */
+  /**
+   * The largest coordinate at which the error of a position is far below {@link #POSITION_DOUBT}.
+   */
   private static final double MAX_COORDINATE_VOXELS = 1 << 20;
 
-  /** A position so close to a grid plane may lie on either side of it, voxels. */
+  /** A position closer than this to a grid plane may lie on either side of it, voxels. */
   private static final double POSITION_DOUBT = 0x1p-24;
 
   private final EmptySpaceSkipper empty;
@@ -154,7 +157,7 @@ final class FarRayTraversal {
     }
   }
 
-  /** Returns the cell behind a plane that the coordinate lies on but for rounding. */
+  /** Returns the cell behind a plane on which the coordinate lies up to rounding. */
   private static int cellBeyond(double plane, int ahead) {
     return (int) Math.rint(plane) + ahead - 1;
   }

@@ -6,7 +6,7 @@ import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
 
 /**
- * Records every new sample of a device, and is otherwise that device.
+ * Records every new sample of a device and otherwise passes all calls on to it.
  *
  * <p>It wraps the device that delivers world millimetres, before {@code host} turns them into grid
  * coordinates. The recording can therefore be replayed in the world.

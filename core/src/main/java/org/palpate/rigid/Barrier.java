@@ -9,9 +9,10 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
- * What the points of a tool must not touch of one body: its voxels (level 0) or, with a clearance,
- * grown solids (levels 1 and up, each containing the one below). Most points keep the highest
- * level. A point that starts nearer keeps the highest level that it does not touch.
+ * The solids of one body that the points of a tool must not touch. Level 0 is its voxels. With a
+ * clearance, levels 1 and up are grown solids, each of which contains the level below. Most points
+ * keep the highest level. A point that starts nearer keeps the highest level that it does not
+ * touch.
  *
  * <p>Level 0 is held in the grid coordinates of the body, in which legs are recorded; the others in
  * the coordinates of their cells, whose rounding is far below the growth.

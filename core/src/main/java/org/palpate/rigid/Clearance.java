@@ -3,12 +3,12 @@ package org.palpate.rigid;
 import org.palpate.geometry.GridMetric;
 
 /**
- * How far a tool's points stay away from a body, and in which steps that distance is reached.
+ * The distance that a tool's points keep from a body, and the steps in which it is reached.
  *
  * @param growthMm the points stay at least this far from every voxel, mm; 0 if only their legs must
  *     not touch
  * @param longestCellMm the longest edge of the cells that the grown solids are made of, mm
- * @param levels into how many steps the distance is divided for points that start nearer
+ * @param levels the number of steps into which the distance is divided for points that start nearer
  */
 public record Clearance(double growthMm, double longestCellMm, int levels) {
   /** No clearance: the legs of the points touch no voxel. */
@@ -20,7 +20,7 @@ public record Clearance(double growthMm, double longestCellMm, int levels) {
   /** Points that start nearer than the clearance keep a half of it, if they have that. */
   private static final int LEVELS = 2;
 
-  /** What a clearance adds for the rounding of poses and points, mm. */
+  /** The length that a clearance adds for the rounding of poses and points, mm. */
   private static final double ROUNDING_MM = 1e-6;
 
   /** Checks the distance. */

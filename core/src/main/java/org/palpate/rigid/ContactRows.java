@@ -30,8 +30,8 @@ final class ContactRows {
   static final double LARGEST_DEPTH_EDGES = 1.2;
 
   /**
-   * What an edge of depth costs against an edge of distance from the device: more than 1, so that
-   * pressing on an open surface does not pay.
+   * The price of an edge of depth, relative to an edge of distance from the device. It is more than
+   * 1, so that pressing on an open surface does not pay.
    */
   static final double DEPTH_PRICE = 1.3;
 

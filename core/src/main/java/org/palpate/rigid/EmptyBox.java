@@ -15,7 +15,7 @@ final class EmptyBox {
   /** The 2x2x2 voxels in the middle of a window. */
   private static final long MIDDLE = 0x0000_0660_0660_0000L;
 
-  /** What the empty cube around a point gains if the 8 windows around its window are empty too. */
+  /** The gain of the empty cube around a point if the 8 windows around its window are empty too. */
   private static final double GAIN_OF_NEIGHBOURS = 2;
 
   /** Beyond this, coordinates have no window. */
@@ -25,7 +25,7 @@ final class EmptyBox {
 
   /**
    * Returns half the edge of an empty cube around a point, voxels: 0, or from 0.5 to 4 as far as
-   * the windows around the point tell.
+   * the windows around the point prove.
    */
   static double around(BitCube bits, double x, double y, double z) {
     if (!isNear(x) || !isNear(y) || !isNear(z)) {

@@ -5,18 +5,21 @@ import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 /**
- * Distances between poses of one tool: the root mean square path of its matter, mm, as if each part
- * went straight. A small twist (v, w) has the squared length |v|^2 + w.J w, where J is the inertia
+ * Distances between poses of one tool, mm: the root mean square displacement of its matter along
+ * straight lines. A small twist (v, w) has the squared length |v|^2 + w.J w, where J is the inertia
  * about the reference point for unit mass.
  *
- * <p>In metric coordinates y = (v, L^T w) with J = L L^T and w in the tool's axes the metric is the
- * identity, so the nearest pose is a nearest point. Immutable.
+ * <p>Metric coordinates are y = (v, L^T w), with J = L L^T and w in the tool's axes. In them the
+ * metric is the identity, so the nearest pose is a closest point. Immutable.
  */
 final class KineticMetric {
-  /** The covariance gets this fraction of its trace on the diagonal, so that rods can be turned. */
+  /**
+   * The fraction of the covariance's trace that is added to its diagonal, so that rods can be
+   * turned.
+   */
   private static final double ROUNDING_FRACTION = 0.01;
 
-  /** And this much, mm^2, so that a tool of one point has a metric at all. */
+  /** The variance that is added as well, mm^2, so that a tool of one point has a metric. */
   private static final double LEAST_VARIANCE_MM2 = 1e-3;
 
   private final double xx;
@@ -78,7 +81,7 @@ final class KineticMetric {
 
   /**
    * Returns the trace of (R-I) C (R-I)^T, where R is the rotation from one to the other in the
-   * tool's axes. Written by the quaternion of R, in which R-I has no cancellation.
+   * tool's axes. Uses the quaternion of R, in which R-I has no cancellation.
    */
   private double squaredTurn(Quaternion a, Quaternion b) {
     double w = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;

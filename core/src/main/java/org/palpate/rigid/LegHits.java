@@ -1,11 +1,12 @@
 package org.palpate.rigid;
 
 /**
- * The legs of a proposed motion that touch a solid, as verification found them: at most one for
- * each leaf of the tool's tree and each body, the earliest. Written by {@link BodyVerifier}.
+ * The legs of a proposed motion that touch a solid, found by verification. Holds at most one leg,
+ * the earliest to touch, for each pair of a leaf of the tool's tree and a body. Written by {@link
+ * BodyVerifier}.
  */
 final class LegHits {
-  /** Verification stops at this many: a proposal that meets more is far off anyway. */
+  /** The number of hits at which verification stops, because the proposal is far from free. */
   static final int ENOUGH = 40;
 
   /** Value of {@link #axis} if the leg starts at the voxel. */
@@ -14,7 +15,7 @@ final class LegHits {
   final int[] body = new int[ENOUGH + 1];
   final int[] point = new int[ENOUGH + 1];
 
-  /** How far along the leg the solid was met, 0 to 1. */
+  /** The fraction of the leg at which it meets the solid, 0 to 1. */
   final double[] t = new double[ENOUGH + 1];
 
   /** The grid axis across which the voxel was entered: 0 is x. */

@@ -7,12 +7,13 @@ import org.palpate.body.BodyScene;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
 
 /**
- * What a rigid solver is set up with.
+ * The settings of a rigid solver.
  *
  * @param maxStepMm the most that a point may travel in one frame, w_max, positive
  * @param clearances a clearance for each body, or a single one for all
  * @param greys the grey values of each body's voxels, or none at all; entries may be null
- * @param skips whether verification leaves out what is proved to be empty; answers are the same
+ * @param skips whether verification skips space that is proved to be empty; the answers are the
+ *     same
  */
 public record RigidSettings(
     double maxStepMm, List<Clearance> clearances, List<GreyIsosurfaceSource> greys, boolean skips) {

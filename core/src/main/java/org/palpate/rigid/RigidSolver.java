@@ -22,7 +22,7 @@ import org.palpate.rigid.ToolVerifier.EditOutcome;
  * Haptic thread only; allocates nothing.
  */
 public final class RigidSolver {
-  /** How many frames may lower the potential by less than {@link #CREEP_EDGES}. */
+  /** The number of frames that may lower the potential by less than {@link #CREEP_EDGES}. */
   static final int MOST_CREEPING_FRAMES = 40;
 
   /** Frames that count for nothing, one after the other, until the tool rests. */
@@ -49,10 +49,10 @@ public final class RigidSolver {
   /** The most frames between two that try a relief while the device moves. */
   private static final int MOST_PATIENCE = 16;
 
-  /** How much of the way to the device each relief of a frame asks for. */
+  /** The fraction of the distance to the device that each relief of a frame requests. */
   private static final double[] PULLS = {0.02, 0, 0.1};
 
-  /** How many points with a reduced clearance are looked at in a frame. */
+  /** The number of points with a reduced clearance that are looked at in a frame. */
   private static final int RAISED_PER_FRAME = 400;
 
   private final ToolPoints tool;

@@ -7,9 +7,9 @@ import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 /**
- * Moves a tool towards a target by verified steps: proposes a step that the contacts allow,
- * verifies the legs of all points, mends the proposal where legs touch, and commits what is free.
- * Keeps the contacts of the last step, with which the next one begins.
+ * Moves a tool towards a target by verified steps. Proposes a step that the contacts allow and
+ * verifies the legs of all points. If legs touch a solid, adds contacts for them and proposes
+ * again; commits only a free step. The next step begins with the contacts of the last one.
  *
  * <p>Contacts are lazy: only points whose legs have touched a solid, or that were contacts before,
  * are held to the isosurface. Haptic thread only; allocates nothing.
@@ -19,21 +19,25 @@ final class RigidStepper {
   private static final int MOST_CONTACTS_PER_MEND = 10;
   private static final int MOST_WARM = 40;
 
-  /** Targets farther than this are cut to it, so that rounding of rows does not matter, edges. */
+  /**
+   * The longest distance to a target, edges; a farther target is cut to it, so that rounding of
+   * rows does not matter.
+   */
   private static final double FARTHEST_TARGET_EDGES = 1000;
 
-  /** Fractions of the last proposal below this are not worth a verification. */
+  /** The smallest fraction of the last proposal that is worth a verification. */
   private static final double SMALLEST_FRACTION = 0.05;
 
   /**
-   * Points that stand near each other in the tree's order are near in space: so many on either side
-   * of a contact are looked at for one that lies lower by at least this, edges.
+   * The number of points on either side of a contact, in the tree's order, among which a lower one
+   * is searched. Points that are near in that order are near in space.
    */
   private static final int NEIGHBOURS = 48;
 
+  /** A point counts as lower if it lies lower by at least this, edges. */
   private static final double LOWER_EDGES = 0.1;
 
-  /** Reliefs with shorter paths are not worth their verification. */
+  /** The shortest path of a relief that is worth a verification, edges. */
   private static final double SHORTEST_RELIEF_EDGES = 1e-3;
 
   final ToolVerifier verifier;
@@ -85,12 +89,12 @@ final class RigidStepper {
     depthMm = 0;
   }
 
-  /** Returns how far below the isosurface the contacts may run, mm. */
+  /** Returns the depth below the isosurface at which contacts may slide, mm. */
   double depthMm() {
     return depthMm;
   }
 
-  /** Sets the depth back to what it was before steps that are taken back. */
+  /** Restores the depth from before the steps that are taken back. */
   void setDepthMm(double newDepthMm) {
     depthMm = newDepthMm;
   }
@@ -101,7 +105,7 @@ final class RigidStepper {
   }
 
   /**
-   * Sets where steps lead.
+   * Sets the target of the next steps.
    *
    * @param newMotion gets the committed steps
    */
@@ -116,8 +120,8 @@ final class RigidStepper {
   }
 
   /**
-   * Goes straight towards the target, by the whole distance or a half or a quarter, if nothing is
-   * in the way.
+   * Goes straight towards the target by the whole distance, a half or a quarter, if no leg touches
+   * a solid.
    *
    * @param mostMm the longest distance, in the kinetic metric
    * @return whether it went
@@ -150,7 +154,10 @@ final class RigidStepper {
     return fraction * (displacement.length() + turn.length() * tool.radiusMm());
   }
 
-  /** Tests the points that are most likely in the way before all others. */
+  /**
+   * Whether the leg of a kept contact to the target touches a solid. Contacts are the most likely
+   * points to touch, so this test comes first.
+   */
   private boolean isBlockedAtContacts() {
     verifier.propose(target);
     hits.clear();
@@ -162,7 +169,10 @@ final class RigidStepper {
     return false;
   }
 
-  /** Proposes a fraction of the twist; the whole of it towards the target is the target's bits. */
+  /**
+   * Proposes a fraction of the twist towards the target; a fraction of 1 gives exactly the target's
+   * bits.
+   */
   private void proposeTwist(double fraction) {
     if (fraction == 1) {
       candidate.set(target);
@@ -233,11 +243,11 @@ final class RigidStepper {
   }
 
   /**
-   * Moves away from opposing contacts, into the middle between them, when nothing else leads on.
-   * The lift comes from the contacts' normals. It may lead away from the target; the steps after it
-   * have to make good for that, or the frame is taken back.
+   * Moves away from opposing contacts, into the middle between them, if no other step leads on. The
+   * lift follows the contacts' normals and may lead away from the target. Later steps must make up
+   * for that; otherwise the frame is taken back.
    *
-   * @param pull which fraction of the way to the target is asked for at the same time
+   * @param pull the fraction of the distance to the target that is requested at the same time
    * @return whether a step was committed
    */
   boolean relieve(double pull, double pathMm) {
@@ -282,8 +292,9 @@ final class RigidStepper {
   }
 
   /**
-   * Adds the neighbour of an active contact that lies lowest along its normal, if it lies lower: as
-   * a curved tool rolls over a surface the contact passes on before the neighbour meets a voxel.
+   * Adds the nearby point of an active contact that lies lowest along the contact's normal, if it
+   * lies lower. If a curved tool rolls over a surface, the contact then passes on before that point
+   * meets a voxel.
    */
   private void addLowestNeighbour(int contact, double riseMm) {
     int point = rows.point[contact];
@@ -318,7 +329,8 @@ final class RigidStepper {
   }
 
   /**
-   * Solves for the step; asks for smaller rises if they contradict or cost more than they bring.
+   * Solves for the step. Reduces the rises if the contacts contradict each other or if the solution
+   * is worse than staying.
    */
   private boolean solve(double riseMm) {
     budget.countSolve();
@@ -351,7 +363,10 @@ final class RigidStepper {
     verifier.propose(candidate);
   }
 
-  /** Looks at the contacts alone, which is cheaper than at all points and finds most faults. */
+  /**
+   * Whether the legs of the contacts touch no solid. Cheaper than a test of all points, and finds
+   * most hits.
+   */
   private boolean areContactsFree() {
     hits.clear();
     for (int c = 0; c < rows.count() && !hits.isFull(); c++) {
@@ -366,7 +381,7 @@ final class RigidStepper {
     keepContacts();
   }
 
-  /** Adds or raises contacts for the earliest hits; false if nothing could be done. */
+  /** Adds or raises contacts for the earliest hits; returns false if nothing could be done. */
   private boolean mend() {
     boolean mended = false;
     for (int n = 0; n < MOST_CONTACTS_PER_MEND && hits.count() > 0; n++) {

@@ -3,18 +3,18 @@ package org.palpate.rigid;
 import java.util.Arrays;
 
 /**
- * Bounding spheres over a tool's points, in a binary tree in preorder. Each node knows where to go
- * on when it is ruled out, so that a traversal needs no stack. Reorders the points so that those of
- * a leaf stand together. Immutable once built.
+ * Bounding spheres over a tool's points, in a binary tree in preorder. Each node stores the node
+ * that follows if it is ruled out, so that a traversal needs no stack. Reorders the points so that
+ * those of a leaf are contiguous. Immutable once built.
  *
  * <p>Splits at the median of the longest side. Reference: Quinlan, Efficient distance computation
  * between non-convex objects, 1994.
  */
 final class SphereTree {
-  /** The most points of a leaf. */
+  /** The largest number of points in a leaf. */
   static final int LEAF_POINTS = 24;
 
-  /** Makes a radius cover its points although distances are rounded. */
+  /** The factor by which radii grow, so that spheres cover their points despite rounding. */
   private static final double ROUNDED_UP = 1 + 1e-12;
 
   /** Centre and radius of each node, mm in the tool frame. */
@@ -24,15 +24,18 @@ final class SphereTree {
   final double[] z;
   final double[] radius;
 
-  /** The node that follows if this one is ruled out; the next one if it is a leaf. */
+  /** The node that follows if this one is ruled out; for a leaf, the next node. */
   final int[] skip;
 
-  /** The points of a leaf; {@link #first} is negative for inner nodes. */
+  /**
+   * The index of a leaf's first point; negative for inner nodes. {@link #end} is the index after
+   * its last point.
+   */
   final int[] first;
 
   final int[] end;
 
-  /** Leaves have numbers in traversal order; negative for inner nodes. */
+  /** The number of a leaf in traversal order; negative for inner nodes. */
   final int[] leaf;
 
   /** The number of the leaf that holds a point. */
@@ -63,7 +66,7 @@ final class SphereTree {
     }
   }
 
-  /** Room while the tree grows. */
+  /** The arrays of the tree while it is built. */
   private static final class Builder {
     private final double[] px;
     private final double[] py;

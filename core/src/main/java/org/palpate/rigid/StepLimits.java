@@ -1,13 +1,13 @@
 package org.palpate.rigid;
 
 /**
- * How far a tool may go in one verified step, so that chords can stand for arcs. All lengths are in
- * shortest voxel edges of the scene.
+ * The limits of a tool's motion in one verified step, so that chords can stand for arcs. All
+ * lengths are in shortest voxel edges of the scene.
  */
 final class StepLimits {
   /**
-   * The largest distance between the arc that a point follows and the chord that is verified. In
-   * mode body the clearance contains it.
+   * The largest distance between the arc that a point follows and the chord that is verified.
+   * {@link Clearance#ofWholeBody} includes it.
    */
   static final double SAGITTA_EDGES = 1e-3;
 
@@ -17,8 +17,8 @@ final class StepLimits {
   private StepLimits() {}
 
   /**
-   * Returns the largest rotation of a step, rad. A point at distance r from the axis of the screw
-   * motion is off its chord by at most r (1 - cos(a/2)), which is at most r a^2/8.
+   * Returns the largest rotation of a step, rad. A point at distance r from the screw axis leaves
+   * its chord by at most r (1 - cos(a/2)) for a rotation a. This is at most r a^2/8.
    *
    * @param radiusMm the largest distance of a point from the reference point
    */

@@ -7,7 +7,7 @@ import org.palpate.geometry.Vec3;
  * point at the origin. Immutable; the arrays are shared with the solver and must not be written.
  */
 public final class ToolPoints {
-  /** Value of {@link #coverRadiusMm} if the points say nothing about the surface between them. */
+  /** Value of {@link #coverRadiusMm} if the points do not cover the surface between them. */
   public static final double NOT_COVERED = Double.POSITIVE_INFINITY;
 
   final double[] x;
@@ -26,7 +26,8 @@ public final class ToolPoints {
    *
    * @param coverRadiusMm every surface point of the solid lies within this distance of a point
    * @param referenceMm the reference point in the frame of the source, mm
-   * @param solid what the points were sampled from, in the tool frame; null if it is not closed
+   * @param solid the solid that the points were sampled from, in the tool frame; null if it is not
+   *     closed
    */
   ToolPoints(
       double[][] points,

@@ -16,10 +16,10 @@ final class ToolVerifier {
   private final Pose candidate = new Pose();
 
   /**
-   * Creates a verifier of a tool that stands nowhere yet.
+   * Creates a verifier of a tool that has not been placed yet.
    *
-   * @param clearances by body
-   * @param skips whether to leave out what is proved to be empty; answers are the same
+   * @param clearances one for each body
+   * @param skips whether to skip space that is proved to be empty; the answers are the same
    */
   ToolVerifier(BodyScene scene, ToolPoints tool, Clearance[] clearances, boolean skips) {
     bodies = new BodyVerifier[scene.count()];
@@ -78,7 +78,7 @@ final class ToolVerifier {
     return true;
   }
 
-  /** What edits of the bodies mean for a tool, from the mildest on. */
+  /** The effect of edits of the bodies on a tool, the mildest first. */
   enum EditOutcome {
     /** There was no edit. */
     NONE,
@@ -90,7 +90,7 @@ final class ToolVerifier {
     BURIED
   }
 
-  /** Takes over edits of all bodies since the last call. */
+  /** Applies the edits of all bodies since the last call; returns the gravest outcome. */
   EditOutcome takeEdits() {
     EditOutcome outcome = EditOutcome.NONE;
     for (BodyVerifier body : bodies) {
@@ -120,7 +120,7 @@ final class ToolVerifier {
     return free;
   }
 
-  /** Makes a proposal the committed pose that {@link #isFree} found free. */
+  /** Commits the proposal. {@link #isFree} must have found it free. */
   void commit() {
     pose.set(candidate);
     for (BodyVerifier body : bodies) {
@@ -134,7 +134,10 @@ final class ToolVerifier {
     commit();
   }
 
-  /** Raises the levels of points that have moved away; looks at a bounded number of points. */
+  /**
+   * Raises the {@link Barrier} levels of points that have moved away from a body. Looks at most at
+   * {@code most} points for each body.
+   */
   void raiseLevels(int most) {
     for (BodyVerifier body : bodies) {
       body.raiseLevels(most);

@@ -8,10 +8,10 @@ final class WorkBudget {
   private static final long QP_COST = 25;
   private static final long FIELD_COST = 10;
 
-  /** A frame may always use this much. */
+  /** The work that a frame may always use. */
   private static final long LEAST_BUDGET = 12_000;
 
-  /** And this many verifications of all points near solids. */
+  /** The number of verifications of all points near solids that a frame may use as well. */
   private static final long VERIFICATIONS = 5;
 
   private final ToolVerifier verifier;

@@ -9,20 +9,23 @@ import org.palpate.geometry.Vec3;
  *
  * <ul>
  *   <li>The proxy stays in its voxel, and the device stays on the same sides of it.
- *   <li>The device stays in its own voxel along the axes on which an attempt came as far as the
- *       device. Then mostly the same faces stop the same attempts.
- *   <li>No end comes nearer to the device than the proxy is. Ends move with the device here, as far
- *       as no face stopped them.
+ *   <li>The device stays in its own voxel along each axis on which an attempt reached the device's
+ *       coordinate. Then the same faces usually stop the same attempts.
+ *   <li>No end is nearer to the device than the proxy is. For this test, an end moves with the
+ *       device along each axis on which no face stopped it.
  * </ul>
  *
- * <p>"Mostly": an attempt that would now take another path is found late, after the proxy has left
+ * <p>"Usually": an attempt that would now take another path is found late, after the proxy has left
  * its voxel or when the device rests. Safety does not depend on it, because a skipped search leaves
  * the proxy where it is. The solver searches in full before it lets the proxy rest.
  *
  * <p>Haptic thread only; allocates nothing after construction.
  */
 final class FailedStepCache {
-  /** Six directions of three steps each make 18 ends; a search with more is not remembered. */
+  /**
+   * The largest number of ends; a search with more is not remembered. Six directions of three steps
+   * each make 18.
+   */
   private static final int CAPACITY = 24;
 
   private final GridMetric metric;
@@ -30,15 +33,15 @@ final class FailedStepCache {
   private final Vec3[] ends = new Vec3[CAPACITY];
 
   /**
-   * For each end the axes, as bits, along which it lies before the device (1, 2, 4) or beyond it
-   * (8, 16, 32).
+   * For each end, one bit for each axis: its coordinate is less (1, 2, 4) or greater (8, 16, 32)
+   * than that of the device.
    */
   private final int[] endSides = new int[CAPACITY];
 
   private final Vec3 device = new Vec3();
   private boolean known;
 
-  /** The axes, as bits, along which an attempt came as far as the device. */
+  /** The axes, as bits, along which an attempt reached the device's coordinate. */
   private int reachedAxes;
 
   private int count;

@@ -1,11 +1,11 @@
 package org.palpate.proxy.exact;
 
-/** The state of the place on top of a step beside the proxy. */
+/** The state of the position on top of a step beside the proxy. */
 enum StepTop {
   /** The proxy can go there in one leg. */
   REACHABLE,
   /**
-   * There is no step, the leg to its top is blocked, or nothing up there is nearer to the device.
+   * There is no step, the leg to its top is blocked, or no position on top is nearer to the device.
    */
   NONE,
   /** The remaining path of this frame is too short for the leg. */

@@ -21,7 +21,7 @@ import org.palpate.proxy.smooth.field.SeedCell;
  * to 13 evaluations of the field.
  */
 final class ClosestPointSearch {
-  /** How a search ended. */
+  /** The outcome of a search. */
   enum Outcome {
     /** The closest point was found. */
     CONVERGED,

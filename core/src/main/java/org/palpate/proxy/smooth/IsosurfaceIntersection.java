@@ -6,20 +6,20 @@ import org.palpate.proxy.smooth.field.OccupancyField;
 import org.palpate.proxy.smooth.field.SeedCell;
 
 /**
- * Intersects a straight segment with the isosurface, backwards from a position inside: by Newton
- * steps, and by bisection where these leave the bracket or are slow. So most evaluations lie in one
- * window.
+ * Intersects a straight segment with the isosurface. Searches backwards from a position inside, by
+ * Newton steps. Bisects if a Newton step leaves the bracket or if the steps converge slowly. Most
+ * evaluations therefore lie in one window.
  */
 final class IsosurfaceIntersection {
-  /** The greatest height above the isosurface of the position that is found. */
+  /** The greatest height of the result above the isosurface, in shortest voxel edges. */
   static final double TOLERANCE_EDGES = 0.02;
 
-  /** The height at which Newton steps aim. */
+  /** The height above the isosurface at which Newton steps aim. */
   private static final double AIM_EDGES = 0.01;
 
   private static final int MAX_ITERATIONS = 60;
 
-  /** After this many Newton steps every other iteration bisects. */
+  /** The number of Newton steps after which every other iteration bisects. */
   private static final int NEWTON_ITERATIONS = 3;
 
   private final OccupancyField field;
@@ -41,7 +41,8 @@ final class IsosurfaceIntersection {
 
   /**
    * Returns the fraction of a straight segment at which it meets the isosurface, or a little less.
-   * If the work budget is overdrawn, it is the greatest fraction known to lie above.
+   * If the work budget is overdrawn, returns the greatest fraction that is known to lie above the
+   * isosurface.
    *
    * @param last the fraction at which the search begins; nothing beyond it is visited
    * @return NaN if the segment is not inside at {@code last}

@@ -28,8 +28,8 @@ import org.palpate.statistics.SkipCounters;
  */
 public final class SmoothSolver implements ProxySolver {
   /**
-   * What a change from the isosurface to the voxel faces must gain beyond the rule, so that frames
-   * do not alternate between them.
+   * The gain beyond the rule that a change from the isosurface to the voxel faces needs, so that
+   * frames do not alternate between them.
    */
   private static final double CHANGE_TO_VOXELS_EDGES = 0.3;
 

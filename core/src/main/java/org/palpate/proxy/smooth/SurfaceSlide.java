@@ -13,7 +13,7 @@ import org.palpate.proxy.smooth.field.SeedCell;
 final class SurfaceSlide {
   private static final int MAX_ITERATIONS = 6;
 
-  /** How far a free-space motion towards the device went. */
+  /** The outcome of a free-space motion towards the device. */
   private enum Approach {
     BLOCKED,
     TO_SURFACE,

@@ -2,7 +2,7 @@ package org.palpate.volume.phantom;
 
 /** Generates the voxels of a phantom brick by brick. Keeps scratch: one thread. */
 interface BrickSource {
-  /** The answer for a brick of several labels or grey values, which are in the array. */
+  /** The result for a brick with several labels or grey values; {@code dest} then holds them. */
   int MIXED = -1;
 
   /**
@@ -17,6 +17,6 @@ interface BrickSource {
    */
   int labels(int brickX, int brickY, int brickZ, int[] dest);
 
-  /** Returns grey values in the way that {@link #labels} returns labels. */
+  /** Returns grey values, by the same rule by which {@link #labels} returns labels. */
   int greys(int brickX, int brickY, int brickZ, int[] dest);
 }

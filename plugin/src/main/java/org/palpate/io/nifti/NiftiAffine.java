@@ -16,7 +16,7 @@ import org.palpate.io.volume.VolumeFormatException;
  * @param isKnown whether the axes are those of the patient, RAS
  */
 record NiftiAffine(List<Vec3> stepsMm, Vec3 firstCentreMm, boolean isKnown) {
-  /** How far the squared quaternion may exceed 1 because of single precision. */
+  /** The largest excess of the squared quaternion over 1 that single precision can cause. */
   private static final double QUATERNION_TOLERANCE = 3 * 0x1p-23;
 
   /** Returns the position that a header gives, and notes if it gives none. */

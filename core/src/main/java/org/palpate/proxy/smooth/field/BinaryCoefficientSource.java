@@ -28,7 +28,7 @@ final class BinaryCoefficientSource implements CoefficientSource {
   /** The second sums over the rows of a layer. */
   private final long[] rowsTwice = new long[SUMS];
 
-  /** What a layer of solid voxels adds to each coefficient. */
+  /** The sum that a layer of solid voxels adds to each coefficient. */
   private final long wholeLayer;
 
   /** The second sums over the layers, for each of three coefficients along y. */

@@ -3,8 +3,8 @@ package org.palpate.proxy.smooth.field;
 import org.palpate.geometry.Vec3;
 
 /**
- * The cell from which an {@link OccupancyField} reaches empty space: the one that holds the point
- * whose side of the solids counts. Mutable; one thread.
+ * The cell from which an {@link OccupancyField} searches the connected empty space. It holds the
+ * point that decides which side of the solids counts. Mutable; one thread.
  */
 public final class SeedCell {
   private int x;

@@ -10,8 +10,8 @@ import org.palpate.geometry.GridMetric;
  * the splines interpolate between the corners. Boxes of whole voxels cancel the ripple of the
  * lattice, which B-splines of other widths leave behind.
  *
- * <p>Where the spacing differs between the axes, longer voxels get narrower boxes. So the kernel is
- * about equally wide in millimetres along every axis.
+ * <p>If the spacing differs between the axes, longer voxels get narrower boxes. The kernel is
+ * therefore about equally wide in millimetres along every axis.
  *
  * <p>References: box splines, de Boor, Hoellig and Riemenschneider 1993; normals of digital
  * surfaces by convolution, Esbelin and Malgouyres 2009, and by integral invariants, Coeurjolly,
