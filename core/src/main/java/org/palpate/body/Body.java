@@ -32,6 +32,7 @@ public final class Body {
   private final IntBox[] changes = new IntBox[REMEMBERED_EDITS];
   private final IntBox everything = new IntBox();
   private long edits;
+  private long motions;
 
   /** Creates a body at its rest position. */
   public Body(String name, BitCube bits, VoxelGrid grid, Mobility mobility) {
@@ -101,10 +102,19 @@ public final class Body {
     return pose;
   }
 
-  /** Sets the pose, from rest to present, world mm; its quaternion has the norm 1. */
+  /**
+   * Sets the pose, from rest to present, world mm; its quaternion has the norm 1. A tool that was
+   * placed among bodies refuses to go on after a body moved, until it is placed again.
+   */
   public void setPose(Pose newPose) {
     pose.set(newPose);
+    motions++;
     restToGrid.multiply(scratch.setInverse(pose), worldToGrid);
+  }
+
+  /** Returns how often the pose was set; a reader that keeps positions compares. */
+  public long motions() {
+    return motions;
   }
 
   /**

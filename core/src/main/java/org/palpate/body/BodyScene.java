@@ -30,6 +30,15 @@ public final class BodyScene {
     return bodies[index];
   }
 
+  /** Returns how often the pose of any body was set. */
+  public long motions() {
+    long sum = 0;
+    for (Body body : bodies) {
+      sum += body.motions();
+    }
+    return sum;
+  }
+
   /** Returns the shortest voxel edge of all bodies, mm. */
   public double shortestEdgeMm() {
     return shortestEdgeMm;

@@ -55,6 +55,7 @@ public final class RigidSolver {
   /** The number of points with a reduced clearance that are looked at in a frame. */
   private static final int RAISED_PER_FRAME = 400;
 
+  private final BodyScene scene;
   private final ToolPoints tool;
   private final ToolVerifier verifier;
   private final WorkBudget budget;
@@ -64,6 +65,7 @@ public final class RigidSolver {
   private final Pose lastTarget = new Pose();
   private final double edgeMm;
   private final double maxStepMm;
+  private long bodyMotions;
   private boolean hasTarget;
   private int failedFrames;
   private int creepingFrames;
@@ -77,6 +79,7 @@ public final class RigidSolver {
    * @param settings clearances by body and limits
    */
   public RigidSolver(BodyScene scene, ToolPoints tool, RigidSettings settings) {
+    this.scene = scene;
     this.tool = tool;
     maxStepMm = settings.maxStepMm();
     edgeMm = scene.shortestEdgeMm();
@@ -93,9 +96,15 @@ public final class RigidSolver {
   /**
    * Puts the tool at a pose, or at a free pose near it with the same orientation.
    *
+   * @param pose finite, with a quaternion of norm 1
    * @return whether the pose itself was free
+   * @throws IllegalArgumentException if the pose is not finite
    */
   public boolean place(Pose pose, ToolMotion motion) {
+    if (!pose.isFinite()) {
+      throw new IllegalArgumentException("the pose of a tool must be finite: pose=" + pose);
+    }
+    bodyMotions = scene.motions();
     boolean free = verifier.place(pose, false);
     if (!free) {
       freeing.find(pose);
@@ -132,8 +141,13 @@ public final class RigidSolver {
    *
    * @param devicePose where the device is, tool frame to world; anything, also what is no pose
    * @param motion the tool's motion, which {@link #place} has set
+   * @throws IllegalStateException if a body was moved since the tool was placed, because the
+   *     relative motion was not verified
    */
   public void follow(Pose devicePose, ToolMotion motion) {
+    if (scene.motions() != bodyMotions) {
+      throw new IllegalStateException("a body was moved: place the tool again");
+    }
     motion.beginFrame();
     work = 0;
     takeEdits(motion);

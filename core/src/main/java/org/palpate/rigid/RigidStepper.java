@@ -131,7 +131,10 @@ final class RigidStepper {
     aimTwist();
     double farMm = distanceMm();
     double longest = farMm > mostMm ? mostMm / farMm : 1;
-    longest = Math.min(longest, pathLeftMm / Math.max(pathLeftMm, pathOf(1)));
+    double wholePathMm = pathOf(1);
+    if (wholePathMm > pathLeftMm) {
+      longest = Math.min(longest, pathLeftMm / wholePathMm);
+    }
     if (isBlockedAtContacts()) {
       return false;
     }

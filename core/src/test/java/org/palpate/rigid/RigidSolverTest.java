@@ -3,6 +3,7 @@ package org.palpate.rigid;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -53,6 +54,45 @@ class RigidSolverTest {
         whole
             ? RigidSettings.ofWholeBodies(MAX_STEP_MM, scene, tool)
             : RigidSettings.of(MAX_STEP_MM, Clearance.POINTS));
+  }
+
+  @Test
+  void aToolRefusesToGoOnAfterABodyMoved() {
+    BodyScene scene = ToolScenes.clutter(random, 1);
+    RigidSolver solver = solver(scene, ToolSampler.point(), false);
+    Pose away = new Pose();
+    away.translation.set(300, 0, 0);
+    solver.place(away, motion);
+    Pose shifted = new Pose().set(scene.body(0).pose());
+    shifted.translation.x += 290;
+    scene.body(0).setPose(shifted);
+    assertThrows(IllegalStateException.class, () -> solver.follow(away, motion));
+    solver.place(away, motion);
+    solver.follow(away, motion);
+  }
+
+  @Test
+  void aToolIsNotPlacedAtAPoseThatIsNotFinite() {
+    RigidSolver solver = solver(ToolScenes.clutter(random, 1), ToolSampler.point(), false);
+    Pose pose = new Pose();
+    pose.translation.x = Double.NaN;
+    assertThrows(IllegalArgumentException.class, () -> solver.place(pose, motion));
+  }
+
+  @Test
+  void aPathWithoutLimitLeadsStraightToAVisibleDevice() {
+    RigidSolver solver =
+        new RigidSolver(
+            ToolScenes.phantom("plane:32"),
+            ToolSampler.point(),
+            RigidSettings.of(Double.POSITIVE_INFINITY, Clearance.POINTS));
+    Pose start = new Pose();
+    start.translation.set(16, 16, 100);
+    Pose device = new Pose();
+    device.translation.set(400, 16, 200);
+    solver.place(start, motion);
+    solver.follow(device, motion);
+    assertTrue(motion.pose().sameBits(device), "pose=" + motion.pose());
   }
 
   @Test
