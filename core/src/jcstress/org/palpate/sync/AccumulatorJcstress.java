@@ -13,8 +13,8 @@ import org.openjdk.jcstress.infra.results.DD_Result;
 import org.openjdk.jcstress.infra.results.ZZ_Result;
 
 /**
- * What the reader of an {@link Accumulator} can see of a writer that publishes meanwhile, on every
- * interleaving and compilation that jcstress tries.
+ * Checks the values that the reader of an {@link Accumulator} can see while a writer publishes, on
+ * every interleaving and compilation that jcstress tries.
  */
 public final class AccumulatorJcstress {
   private AccumulatorJcstress() {}
@@ -74,7 +74,7 @@ public final class AccumulatorJcstress {
     }
   }
 
-  /** What was published before the reader came is not lost, whatever it saw meanwhile. */
+  /** The value that was published before the reader came is not lost, whatever it saw meanwhile. */
   @JCStressTest
   @Outcome(id = "true, true", expect = Expect.ACCEPTABLE, desc = "the last value, and dirty once")
   @Outcome(expect = Expect.FORBIDDEN, desc = "lost, or dirty without a change")

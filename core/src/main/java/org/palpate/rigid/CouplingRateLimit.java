@@ -5,9 +5,9 @@ import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 /**
- * Spreads jumps of the tool over some frames before the hand feels them: the displacement and
- * rotation that the coupling turns into force and torque change in a frame by no more than the
- * device moves, in the kinetic metric, or by a least amount if it hardly moves.
+ * Spreads jumps of the tool over some frames before the hand feels them. It limits the displacement
+ * and the rotation that the coupling turns into force and torque. In a frame they change by no more
+ * than the device moves, in the kinetic metric, or by a least amount if it hardly moves.
  *
  * <p>The tool pose itself stays as the solver says. Keeps state: haptic thread only.
  */

@@ -178,10 +178,10 @@ class ArchitectureTest {
           Map.entry("volume.phantom", List.of("volume")));
 
   /**
-   * Production classes that no other production class seems to use: those for embedding programs,
-   * those that hold constants alone, which the compiler copies to where they are used, those of the
-   * benchmarks that stand in a production package to reach its factories, and rigid tools until the
-   * commands offer them.
+   * Production classes that no other production class seems to use. Some are for embedding
+   * programs. Some hold constants alone, which the compiler copies to where they are used. Some
+   * belong to the benchmarks and stand in a production package to reach its factories. Rigid tools
+   * wait for the commands that offer them.
    */
   private static final Set<String> USED_BY_OTHERS =
       new TreeSet<>(

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /** A page of GitHub's Markdown, taken apart: prose, blocks of code, code spans, links, headings. */
 final class Page {
@@ -105,6 +106,18 @@ final class Page {
         .toLowerCase(Locale.ROOT)
         .replaceAll("[^\\p{L}\\p{N} _-]", "")
         .replace(' ', '-');
+  }
+
+  /**
+   * Returns the prose in pieces that hold whole sentences: paragraphs, list items and headings.
+   * Tables are left out, and a code span or the target of a link counts as one word.
+   */
+  List<String> sentences() {
+    String text = String.join("\n", prose).replaceAll("(?m)^\\|.*$", "");
+    return Stream.of(text.split("\n\\s*\n|\n(?= *(?:[-*]|\\d+\\.) |#)"))
+        .map(piece -> SPAN.matcher(piece.replace('\n', ' ')).replaceAll("code"))
+        .map(piece -> piece.replaceAll("\\]\\([^)]*\\)", "]"))
+        .toList();
   }
 
   /** Returns runs of prose joined to one line each, because spans and links may be wrapped. */

@@ -74,6 +74,11 @@ final class Sources {
     return classes;
   }
 
+  /** Returns the text of each class by its full name, of tests too. */
+  static Map<String, String> classes() {
+    return CLASSES;
+  }
+
   /** Whether a package, a class, or a member of a class has the full name. */
   static boolean hasName(String name) {
     if (CLASSES.containsKey(name)) {

@@ -1,0 +1,66 @@
+package org.palpate.documents;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The rules for sentences that a machine can decide. A comment begins with a verb or a noun phrase,
+ * and no sentence is longer than {@link #MAX_WORDS}.
+ */
+final class JavadocRules {
+  /** The most words of a sentence. */
+  static final int MAX_WORDS = 35;
+
+  /** Words that begin a fragment instead of a sentence. */
+  private static final Set<String> NOT_FIRST =
+      Set.of(
+          "What", "How", "That", "Of", "Which", "Whose", "Since", "Where", "And", "But", "Or",
+          "So");
+
+  private static final Pattern COMMENT = Pattern.compile("/\\*\\*(.*?)\\*/", Pattern.DOTALL);
+  private static final Pattern FIRST_WORD = Pattern.compile("[A-Za-z]+");
+  private static final Pattern PARAGRAPH =
+      Pattern.compile("\\n\\s*(?=@\\w)|\\n\\s*\\n|</?(?:p|li|ul|ol|tr|td|h\\d)\\b[^>]*>");
+  private static final Pattern SENTENCE_END = Pattern.compile("(?<=[.;:!?])\\s+");
+
+  private JavadocRules() {}
+
+  /** Returns what is wrong with the Javadoc of a source file; empty if nothing is. */
+  static List<String> faultsOfSource(String source) {
+    List<String> faults = new ArrayList<>();
+    Matcher comments = COMMENT.matcher(source);
+    while (comments.find()) {
+      String text = comments.group(1).replaceAll("(?m)^\\s*\\* ?", "").strip();
+      Matcher first = FIRST_WORD.matcher(text);
+      if (first.lookingAt() && NOT_FIRST.contains(first.group())) {
+        faults.add("begins with " + first.group() + ": " + text.lines().findFirst().orElse(""));
+      }
+      faults.addAll(longSentences(proseOfJavadoc(text)));
+    }
+    return faults;
+  }
+
+  /** Returns the text of a comment without tables, drawings and inline tags. */
+  private static String proseOfJavadoc(String text) {
+    return text.replaceAll("(?s)<pre>.*?</pre>|<table.*?</table>", "\n\n")
+        .replaceAll("(?s)\\{@(?:code|literal) [^}]*}", "code")
+        .replaceAll("(?s)\\{@\\w+ ([^}]*)}", "$1");
+  }
+
+  /** Returns the sentences of a text that are too long. */
+  static List<String> longSentences(String text) {
+    List<String> faults = new ArrayList<>();
+    for (String paragraph : PARAGRAPH.split(text)) {
+      for (String sentence : SENTENCE_END.split(paragraph.strip())) {
+        int words = sentence.isBlank() ? 0 : sentence.strip().split("\\s+").length;
+        if (words > MAX_WORDS) {
+          faults.add(words + " words: " + sentence.replaceAll("\\s+", " "));
+        }
+      }
+    }
+    return faults;
+  }
+}
