@@ -4,7 +4,6 @@ import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
-import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -45,26 +44,8 @@ public final class Body {
     for (int n = 0; n < changes.length; n++) {
       changes[n] = new IntBox();
     }
-    setRestToGrid();
+    grid.worldToGrid(restToGrid);
     setPose(pose);
-  }
-
-  private void setRestToGrid() {
-    RigidTransform t = grid.gridMmToWorld();
-    Vec3 s = grid.spacingMm();
-    restToGrid.mXX = t.axisX().x / s.x;
-    restToGrid.mXY = t.axisX().y / s.x;
-    restToGrid.mXZ = t.axisX().z / s.x;
-    restToGrid.mYX = t.axisY().x / s.y;
-    restToGrid.mYY = t.axisY().y / s.y;
-    restToGrid.mYZ = t.axisY().z / s.y;
-    restToGrid.mZX = t.axisZ().x / s.z;
-    restToGrid.mZY = t.axisZ().y / s.z;
-    restToGrid.mZZ = t.axisZ().z / s.z;
-    Vec3 origin = restToGrid.transformDirection(t.origin(), new Vec3());
-    restToGrid.offsetX = -origin.x;
-    restToGrid.offsetY = -origin.y;
-    restToGrid.offsetZ = -origin.z;
   }
 
   /** Returns the name, unique in its scene. */

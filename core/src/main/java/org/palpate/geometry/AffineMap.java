@@ -115,6 +115,23 @@ public final class AffineMap {
         -(rowXLast * tx + rowYLast * ty + mZZ * tz));
   }
 
+  /**
+   * Sets the map from the world to the coordinates of a grid.
+   *
+   * @param gridMmToWorld from the grid's frame in mm to the world, orthonormal
+   * @param spacingMm the edges of a voxel, mm
+   */
+  public AffineMap setInverseGrid(RigidTransform gridMmToWorld, Vec3 spacingMm) {
+    Vec3 x = gridMmToWorld.axisX();
+    Vec3 y = gridMmToWorld.axisY();
+    Vec3 z = gridMmToWorld.axisZ();
+    Vec3 s = spacingMm;
+    setMatrix(x.x / s.x, x.y / s.x, x.z / s.x, y.x / s.y, y.y / s.y, y.z / s.y);
+    setLastRowAndOffset(z.x / s.z, z.y / s.z, z.z / s.z, 0, 0, 0);
+    Vec3 origin = transformDirection(gridMmToWorld.origin(), new Vec3());
+    return setLastRowAndOffset(mZX, mZY, mZZ, -origin.x, -origin.y, -origin.z);
+  }
+
   /** Sets the map from a grid's frame in mm to the world. */
   public AffineMap set(RigidTransform t) {
     setMatrix(t.axisX().x, t.axisY().x, t.axisZ().x, t.axisX().y, t.axisY().y, t.axisZ().y);

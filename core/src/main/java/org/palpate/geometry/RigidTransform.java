@@ -65,6 +65,20 @@ public record RigidTransform(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
         && isOrthogonal(axisZ, axisX);
   }
 
+  /**
+   * Returns a bound of the relative change of lengths, 0 for orthonormal axes: the Frobenius norm
+   * of A^T A - I, where A has the axes as columns. The transposed matrix has the same bound.
+   */
+  public double distortion() {
+    double x = axisX.dot(axisX) - 1;
+    double y = axisY.dot(axisY) - 1;
+    double z = axisZ.dot(axisZ) - 1;
+    double xy = axisX.dot(axisY);
+    double yz = axisY.dot(axisZ);
+    double zx = axisZ.dot(axisX);
+    return Math.sqrt(x * x + y * y + z * z + 2 * (xy * xy + yz * yz + zx * zx));
+  }
+
   private static boolean isUnit(Vec3 axis) {
     return Math.abs(axis.length() - 1) <= ORTHONORMAL_TOLERANCE;
   }

@@ -9,6 +9,8 @@ import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
 import org.palpate.rigid.ToolVerifier.EditOutcome;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.SphereTree;
 import org.palpate.volume.BitCube;
 
 /**
@@ -45,7 +47,7 @@ final class BodyVerifier {
 
   final AffineMap to = new AffineMap();
 
-  private final ToolPoints tool;
+  private final RigidTool tool;
   private final SphereTree tree;
   private final int index;
   private final boolean skips;
@@ -85,17 +87,17 @@ final class BodyVerifier {
    * @param index of the body in its scene, which hits carry
    * @param skips whether to leave out what is proved to be empty; answers are the same
    */
-  BodyVerifier(ToolPoints tool, Barrier barrier, int index, boolean skips) {
+  BodyVerifier(RigidTool tool, Barrier barrier, int index, boolean skips) {
     this.tool = tool;
     this.barrier = barrier;
     this.index = index;
     this.skips = skips;
-    tree = tool.tree;
+    tree = tool.tree();
     highest = barrier.highest;
     inverseCellMm = 1 / barrier.cellMm;
     level = new byte[tool.count()];
     freeUntil = new double[tool.count()];
-    leafFreeUntil = new double[tree.leaves];
+    leafFreeUntil = new double[tree.leaves()];
   }
 
   /** Returns how many points were looked at, or would have been without odometers and boxes. */
@@ -150,9 +152,9 @@ final class BodyVerifier {
 
   private boolean touches(int n, AffineMap toGrid, int atLevel) {
     barrier.toCells(toGrid, atLevel, levelTo);
-    double x = levelTo.x(tool.x[n], tool.y[n], tool.z[n]);
-    double y = levelTo.y(tool.x[n], tool.y[n], tool.z[n]);
-    double z = levelTo.z(tool.x[n], tool.y[n], tool.z[n]);
+    double x = levelTo.x(tool.x(n), tool.y(n), tool.z(n));
+    double y = levelTo.y(tool.x(n), tool.y(n), tool.z(n));
+    double z = levelTo.z(tool.x(n), tool.y(n), tool.z(n));
     return caster.cast(barrier.cubes[atLevel], ray.from(x, y, z).to(x, y, z), hit);
   }
 
@@ -256,16 +258,16 @@ final class BodyVerifier {
     int before = hits.count();
     arcPerMm = turnRad == 0 ? 0 : (1 - Math.cos(Math.min(Math.PI, turnRad) / 2)) * inverseCellMm;
     int node = 0;
-    while (node < tree.nodes) {
-      boolean isLeaf = tree.first[node] >= 0;
+    while (node < tree.nodes()) {
+      boolean isLeaf = tree.isLeaf(node);
       if (isLeaf && turnRad == 0) {
         lookAtLeaf(node, hits);
         if (hits.count() > before && (firstOnly || hits.isFull())) {
           return false;
         }
-        node = tree.skip[node];
+        node = tree.skip(node);
       } else if (isRuledOut(node)) {
-        node = tree.skip[node];
+        node = tree.skip(node);
       } else if (isLeaf) {
         return false;
       } else {
@@ -277,9 +279,9 @@ final class BodyVerifier {
 
   /** Whether all around the node is empty, as far as its points go. */
   private boolean isRuledOut(int node) {
-    double a = tree.x[node];
-    double b = tree.y[node];
-    double c = tree.z[node];
+    double a = tree.x(node);
+    double b = tree.y(node);
+    double c = tree.z(node);
     double x = cellsFrom.x(a, b, c);
     double y = cellsFrom.y(a, b, c);
     double z = cellsFrom.z(a, b, c);
@@ -287,7 +289,7 @@ final class BodyVerifier {
     double dy = Math.abs(cellsTo.y(a, b, c) - y);
     double dz = Math.abs(cellsTo.z(a, b, c) - z);
     double path = Math.max(dx, Math.max(dy, dz));
-    double radius = tree.radius[node];
+    double radius = tree.radius(node);
     double needed = radius * inverseCellMm + path + ROUNDING_CELLS;
     if (arcPerMm > 0) {
       needed += arcPerMm * (Math.sqrt(a * a + b * b + c * c) + radius);
@@ -296,16 +298,16 @@ final class BodyVerifier {
   }
 
   private void lookAtLeaf(int node, LegHits hits) {
-    int end = tree.end[node];
-    int leaf = tree.leaf[node];
-    looked += end - tree.first[node];
+    int end = tree.end(node);
+    int leaf = tree.leaf(node);
+    looked += end - tree.first(node);
     double reach = odometer + travel;
     if (skips && (reach <= leafFreeUntil[leaf] || restsFor(node, leaf))) {
       return;
     }
     int firstHit = hits.count();
     double until = Double.POSITIVE_INFINITY;
-    for (int n = tree.first[node]; n < end; n++) {
+    for (int n = tree.first(node); n < end; n++) {
       if (!(skips && reach <= freeUntil[n])) {
         look(n, hits);
         if (hits.count() > firstHit + 1) {
@@ -319,12 +321,12 @@ final class BodyVerifier {
 
   /** Whether all around the leaf is empty; if so it rests until its points may have left that. */
   private boolean restsFor(int node, int leaf) {
-    double a = tree.x[node];
-    double b = tree.y[node];
-    double c = tree.z[node];
+    double a = tree.x(node);
+    double b = tree.y(node);
+    double c = tree.z(node);
     double around =
         barrier.clearance.at(cellsFrom.x(a, b, c), cellsFrom.y(a, b, c), cellsFrom.z(a, b, c));
-    double empty = around - tree.radius[node] * inverseCellMm - ROUNDING_CELLS;
+    double empty = around - tree.radius(node) * inverseCellMm - ROUNDING_CELLS;
     if (empty <= travel) {
       return false;
     }
@@ -343,9 +345,9 @@ final class BodyVerifier {
   }
 
   private void look(int n, LegHits hits) {
-    double a = tool.x[n];
-    double b = tool.y[n];
-    double c = tool.z[n];
+    double a = tool.x(n);
+    double b = tool.y(n);
+    double c = tool.z(n);
     if (level[n] != highest) {
       lookAtReduced(n, hits);
       return;
@@ -418,7 +420,7 @@ final class BodyVerifier {
       if (now < highest && !touches(raiseNext, from, now + 1)) {
         level[raiseNext]++;
         freeUntil[raiseNext] = -1;
-        leafFreeUntil[tree.leafOfPoint[raiseNext]] = -1;
+        leafFreeUntil[tree.leafOfPoint(raiseNext)] = -1;
         reducedCount -= now + 1 == highest ? 1 : 0;
       }
     }

@@ -1,29 +1,39 @@
 package org.palpate.rigid;
 
-import org.palpate.geometry.GridMetric;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.volume.VoxelGrid;
 
 /**
- * The distance that a tool's points keep from a body, and the steps in which it is reached.
+ * The distance that the sample points of a tool keep from a body.
  *
- * @param growthMm the points stay at least this far from every voxel, mm; 0 if only their legs must
- *     not touch
- * @param longestCellMm the longest edge of the cells that the grown solids are made of, mm
- * @param levels the number of steps into which the distance is divided for points that start nearer
+ * @param growthMm the distance from every voxel, mm; 0 if only the legs must not touch a voxel
+ * @param longestCellMm the longest edge of the cells that make up the grown solids, mm
+ * @param levels the number of steps into which the distance is divided, for points that start
+ *     nearer
  */
 public record Clearance(double growthMm, double longestCellMm, int levels) {
-  /** No clearance: the legs of the points touch no voxel. */
+  /** The clearance of mode {@code points}: no leg touches a voxel, and no more. */
   public static final Clearance POINTS = new Clearance(0, 1, 0);
 
-  /** Cells may be longer than the growth by this factor, so that voxels that fit are not cut. */
+  /** The largest growth, shortest voxel edges. */
+  public static final double MOST_GROWTH_EDGES = 64;
+
+  /**
+   * Cells may be longer than the growth by this factor, so that whole voxels can serve as cells.
+   */
   private static final double LONGEST_CELL = 1.2;
 
   /** Points that start nearer than the clearance keep a half of it, if they have that. */
   private static final int LEVELS = 2;
 
-  /** The length that a clearance adds for the rounding of poses and points, mm. */
-  private static final double ROUNDING_MM = 1e-6;
+  /** The allowance for the rounding of poses and of points, mm; docs/guarantee.md derives it. */
+  static final double ROUNDING_MM = 1e-6;
 
-  /** Checks the distance. */
+  /**
+   * Checks the distance.
+   *
+   * @throws IllegalArgumentException if it is negative or not finite
+   */
   public Clearance {
     if (!(growthMm >= 0 && growthMm < Double.POSITIVE_INFINITY) || levels < 0) {
       throw new IllegalArgumentException(
@@ -32,20 +42,25 @@ public record Clearance(double growthMm, double longestCellMm, int levels) {
   }
 
   /**
-   * Returns the least clearance at which the tool and a body, as solids, cannot overlap: the cover
-   * radius of the tool's points, the arc of a step above its chord, and rounding.
+   * Returns the clearance of mode {@code body}, at which the solid of a tool and a body cannot
+   * overlap: the cover radius of the sample points, the deviation of arcs from chords, and
+   * rounding.
    *
-   * @param marginMm added, mm; may be negative
+   * @param grid the grid of the body
+   * @param marginMm the least gap between the solids, mm, at least 0
+   * @throws IllegalArgumentException if the points do not cover the tool or the margin is negative
    */
-  public static Clearance ofWholeBody(ToolPoints tool, GridMetric metric, double marginMm) {
-    if (!(tool.coverRadiusMm() < ToolPoints.NOT_COVERED)) {
+  public static Clearance ofWholeBody(RigidTool tool, VoxelGrid grid, double marginMm) {
+    if (!tool.isCovered()) {
       throw new IllegalArgumentException("the points of this tool do not cover its surface");
     }
-    double sagittaMm = StepLimits.SAGITTA_EDGES * metric.shortestEdgeMm();
-    double growthMm = tool.coverRadiusMm() + sagittaMm + ROUNDING_MM + marginMm;
-    if (!(growthMm > 0)) {
-      return POINTS;
+    if (!(marginMm >= 0)) {
+      throw new IllegalArgumentException(
+          "a negative margin needs an eroded tool: marginMm=" + marginMm);
     }
+    double sagittaMm = StepLimits.SAGITTA_EDGES * grid.metric().shortestEdgeMm();
+    double lengthMm = tool.coverRadiusMm() + sagittaMm + marginMm;
+    double growthMm = lengthMm * (1 + grid.gridMmToWorld().distortion()) + ROUNDING_MM;
     return new Clearance(growthMm, LONGEST_CELL * growthMm, LEVELS);
   }
 }

@@ -3,6 +3,7 @@ package org.palpate.rigid;
 import java.util.Arrays;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
 
 /**
  * The contacts of a step as rows of a nearest-point problem in seven unknowns: the six metric
@@ -59,7 +60,7 @@ final class ContactRows {
   private final double[] heightMm = new double[CAPACITY];
   private final int[] raises = new int[CAPACITY];
   private final boolean[] face = new boolean[CAPACITY];
-  private final ToolPoints tool;
+  private final RigidTool tool;
   private final double edgeMm;
   private final Vec3 normal = new Vec3();
   private final Vec3 scratch = new Vec3();
@@ -67,7 +68,7 @@ final class ContactRows {
   private double depthMm;
   private int count;
 
-  ContactRows(ToolPoints tool, double edgeMm) {
+  ContactRows(RigidTool tool, double edgeMm) {
     this.tool = tool;
     this.edgeMm = edgeMm;
   }
@@ -167,11 +168,11 @@ final class ContactRows {
     normalX[c] = n.x;
     normalY[c] = n.y;
     normalZ[c] = n.z;
-    double x = tool.x[ofPoint];
-    double y = tool.y[ofPoint];
-    double z = tool.z[ofPoint];
+    double x = tool.x(ofPoint);
+    double y = tool.y(ofPoint);
+    double z = tool.z(ofPoint);
     int at = row(c) * UNKNOWNS;
-    tool.metric.contactRow(pose, x, y, z, n, scratch, problem.a, at);
+    tool.metric().contactRow(pose, x, y, z, n, scratch, problem.a, at);
     problem.a[at + DEPTH] = 0;
     problem.rows = row(count);
     return c;

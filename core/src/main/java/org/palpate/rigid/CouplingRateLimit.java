@@ -3,6 +3,7 @@ package org.palpate.rigid;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
 
 /**
  * Spreads jumps of the tool over some frames before the hand feels them. It limits the displacement
@@ -27,7 +28,7 @@ public final class CouplingRateLimit {
    *
    * @param leastMm the change that is always allowed in a frame, mm
    */
-  public CouplingRateLimit(ToolPoints tool, double leastMm) {
+  public CouplingRateLimit(RigidTool tool, double leastMm) {
     squaredRadiusMm2 = tool.rmsRadiusMm() * tool.rmsRadiusMm();
     this.leastMm = leastMm;
   }

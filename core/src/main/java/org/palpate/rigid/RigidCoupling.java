@@ -3,6 +3,7 @@ package org.palpate.rigid;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
 
 /**
  * The virtual coupling between a device and a rigid tool: a spring for the displacement of the
@@ -39,7 +40,7 @@ public final class RigidCoupling {
    * Returns the coupling of a tool whose rotational stiffness is the stiffness times the squared
    * rms radius: then a rotation costs what the displacement of its matter costs.
    */
-  public static RigidCoupling of(ToolPoints tool, double stiffnessNewtonPerMm) {
+  public static RigidCoupling of(RigidTool tool, double stiffnessNewtonPerMm) {
     double radiusMm = tool.rmsRadiusMm();
     return new RigidCoupling(stiffnessNewtonPerMm, stiffnessNewtonPerMm * radiusMm * radiusMm);
   }

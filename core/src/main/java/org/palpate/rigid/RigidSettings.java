@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import org.palpate.body.BodyScene;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
+import org.palpate.rigid.tool.RigidTool;
 
 /**
  * The settings of a rigid solver.
@@ -33,10 +34,10 @@ public record RigidSettings(
   }
 
   /** Returns settings with the least clearance at which no solids can overlap. */
-  public static RigidSettings ofWholeBodies(double maxStepMm, BodyScene scene, ToolPoints tool) {
+  public static RigidSettings ofWholeBodies(double maxStepMm, BodyScene scene, RigidTool tool) {
     List<Clearance> clearances = new ArrayList<>();
     for (int n = 0; n < scene.count(); n++) {
-      clearances.add(Clearance.ofWholeBody(tool, scene.body(n).metric(), 0));
+      clearances.add(Clearance.ofWholeBody(tool, scene.body(n).grid(), 0));
     }
     return new RigidSettings(maxStepMm, clearances, List.of(), true);
   }

@@ -3,6 +3,7 @@ package org.palpate.rigid;
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 import org.palpate.rigid.ToolVerifier.EditOutcome;
+import org.palpate.rigid.tool.RigidTool;
 
 /**
  * Moves a rigid tool after a device pose, once a frame: to the pose nearest to the device, in the
@@ -56,7 +57,7 @@ public final class RigidSolver {
   private static final int RAISED_PER_FRAME = 400;
 
   private final BodyScene scene;
-  private final ToolPoints tool;
+  private final RigidTool tool;
   private final ToolVerifier verifier;
   private final WorkBudget budget;
   private final RigidStepper stepper;
@@ -78,7 +79,7 @@ public final class RigidSolver {
    *
    * @param settings clearances by body and limits
    */
-  public RigidSolver(BodyScene scene, ToolPoints tool, RigidSettings settings) {
+  public RigidSolver(BodyScene scene, RigidTool tool, RigidSettings settings) {
     this.scene = scene;
     this.tool = tool;
     maxStepMm = settings.maxStepMm();
@@ -183,7 +184,7 @@ public final class RigidSolver {
 
   private void followTarget(ToolMotion motion, boolean moved) {
     Pose target = device.target();
-    double motionMm = hasTarget && moved ? tool.metric.distance(target, lastTarget) : 0;
+    double motionMm = hasTarget && moved ? tool.metric().distance(target, lastTarget) : 0;
     boolean first = !hasTarget;
     hasTarget = true;
     lastTarget.set(target);

@@ -5,6 +5,7 @@ import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
 
 /**
  * Moves a tool towards a target by verified steps. Proposes a step that the contacts allow and
@@ -44,7 +45,7 @@ final class RigidStepper {
   final ContactRows rows;
 
   private final BodyScene scene;
-  private final ToolPoints tool;
+  private final RigidTool tool;
   private final ContactField[] fields;
   private final WorkBudget budget;
   private final double edgeMm;
@@ -68,7 +69,7 @@ final class RigidStepper {
 
   RigidStepper(
       BodyScene scene,
-      ToolPoints tool,
+      RigidTool tool,
       ToolVerifier verifier,
       ContactField[] fields,
       WorkBudget budget) {
@@ -116,7 +117,7 @@ final class RigidStepper {
 
   /** Returns the distance between the committed pose and the target, mm. */
   double distanceMm() {
-    return tool.metric.distance(verifier.pose(), target);
+    return tool.metric().distance(verifier.pose(), target);
   }
 
   /**
@@ -281,7 +282,7 @@ final class RigidStepper {
       }
     }
     aimTwist();
-    tool.metric.toMetric(verifier.pose(), displacement, turn, position, metric);
+    tool.metric().toMetric(verifier.pose(), displacement, turn, position, metric);
     double square = 0;
     for (double c : metric) {
       square += c * c;
@@ -319,7 +320,7 @@ final class RigidStepper {
   }
 
   private double along(Vec3 direction, int point) {
-    return direction.x * tool.x[point] + direction.y * tool.y[point] + direction.z * tool.z[point];
+    return direction.x * tool.x(point) + direction.y * tool.y(point) + direction.z * tool.z(point);
   }
 
   private int addSurface(int body, int point, double riseMm) {
@@ -348,7 +349,7 @@ final class RigidStepper {
 
   /** Proposes the solution, shortened to the limits of a step; returns the fraction of it, or 0. */
   private double propose(double mostMm) {
-    tool.metric.toTwist(verifier.pose(), rows.problem.y, displacement, turn);
+    tool.metric().toTwist(verifier.pose(), rows.problem.y, displacement, turn);
     double turned = turn.length();
     double path = pathOf(1);
     double longest = Math.min(StepLimits.STEP_EDGES * edgeMm, Math.min(2 * mostMm, pathLeftMm));
@@ -429,7 +430,7 @@ final class RigidStepper {
 
   /** Commits a shorter part of the last solution if one is free; returns it, or 0. */
   private double committedPart(double fraction) {
-    tool.metric.toTwist(verifier.pose(), rows.problem.y, displacement, turn);
+    tool.metric().toTwist(verifier.pose(), rows.problem.y, displacement, turn);
     for (double part = 0.5 * fraction; part > SMALLEST_FRACTION * fraction; part /= 2) {
       proposeStep(part);
       if (isFree(0, true)) {

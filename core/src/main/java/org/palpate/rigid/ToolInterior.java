@@ -3,6 +3,7 @@ package org.palpate.rigid;
 import org.palpate.body.Body;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
 import org.palpate.volume.BitCube;
 
 /**
@@ -11,13 +12,13 @@ import org.palpate.volume.BitCube;
  * they are. Only bodies with a clearance matter. Keeps scratch: one thread.
  */
 final class ToolInterior {
-  private final ToolPoints tool;
+  private final RigidTool tool;
   private final BodyVerifier[] bodies;
   private final Vec3 p = new Vec3();
   private final Vec3 low = new Vec3();
   private final Vec3 high = new Vec3();
 
-  ToolInterior(ToolPoints tool, BodyVerifier[] bodies) {
+  ToolInterior(RigidTool tool, BodyVerifier[] bodies) {
     this.tool = tool;
     this.bodies = bodies;
   }

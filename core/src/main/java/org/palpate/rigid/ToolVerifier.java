@@ -3,6 +3,7 @@ package org.palpate.rigid;
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
 
 /**
  * Decides whether a proposed motion of a tool is free of all bodies of a scene, and commits
@@ -21,7 +22,7 @@ final class ToolVerifier {
    * @param clearances one for each body
    * @param skips whether to skip space that is proved to be empty; the answers are the same
    */
-  ToolVerifier(BodyScene scene, ToolPoints tool, Clearance[] clearances, boolean skips) {
+  ToolVerifier(BodyScene scene, RigidTool tool, Clearance[] clearances, boolean skips) {
     bodies = new BodyVerifier[scene.count()];
     for (int n = 0; n < bodies.length; n++) {
       Barrier barrier = new Barrier(scene.body(n), clearances[n]);
@@ -145,7 +146,7 @@ final class ToolVerifier {
   }
 
   /** Writes the grid coordinates of a point at the committed pose. */
-  Vec3 gridPosition(int body, ToolPoints tool, int point, Vec3 dest) {
+  Vec3 gridPosition(int body, RigidTool tool, int point, Vec3 dest) {
     return bodies[body].from.transform(tool.point(point, dest), dest);
   }
 }

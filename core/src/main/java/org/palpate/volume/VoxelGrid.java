@@ -1,5 +1,6 @@
 package org.palpate.volume;
 
+import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
@@ -64,6 +65,11 @@ public record VoxelGrid(
         new RigidTransform(axes.axisX(), axes.axisY(), axes.axisZ(), corner));
   }
 
+  /** Returns the metric of the grid. */
+  public GridMetric metric() {
+    return GridMetric.of(spacingMm);
+  }
+
   /** Returns the number of voxels. */
   public long voxelCount() {
     return (long) sizeX * sizeY * sizeZ;
@@ -90,5 +96,10 @@ public record VoxelGrid(
   public Vec3 worldToGrid(Vec3 world, Vec3 dest) {
     gridMmToWorld.inverseTransform(world, dest);
     return dest.set(dest.x / spacingMm.x, dest.y / spacingMm.y, dest.z / spacingMm.z);
+  }
+
+  /** Sets {@code dest} to the map from world mm to grid coordinates, and returns it. */
+  public AffineMap worldToGrid(AffineMap dest) {
+    return dest.setInverseGrid(gridMmToWorld, spacingMm);
   }
 }

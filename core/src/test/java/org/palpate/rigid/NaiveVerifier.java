@@ -6,12 +6,13 @@ import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.raycast.Ray;
+import org.palpate.rigid.tool.RigidTool;
 import org.palpate.testing.FilteredOracle;
 
 /** Verifies a motion without culling: every leg of every point against every body, exactly. */
 final class NaiveVerifier {
   private final BodyScene scene;
-  private final ToolPoints tool;
+  private final RigidTool tool;
   private final FilteredOracle oracle = new FilteredOracle();
   private final AffineMap from = new AffineMap();
   private final AffineMap to = new AffineMap();
@@ -19,7 +20,7 @@ final class NaiveVerifier {
   private final Ray ray = new Ray();
   private long legs;
 
-  NaiveVerifier(BodyScene scene, ToolPoints tool) {
+  NaiveVerifier(BodyScene scene, RigidTool tool) {
     this.scene = scene;
     this.tool = tool;
   }

@@ -5,6 +5,7 @@ import org.palpate.body.BodyScene;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
 import org.palpate.volume.BitCube;
 
 /**
@@ -28,7 +29,7 @@ final class OverlapJudge {
    *
    * @param toolBits the voxels, of 1 mm, that the tool was made of
    */
-  OverlapJudge(BitCube toolBits, ToolPoints tool) {
+  OverlapJudge(BitCube toolBits, RigidTool tool) {
     this.toolBits = toolBits;
     reference = tool.referenceMm(new Vec3());
   }

@@ -13,6 +13,10 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.rigid.tool.BoxShape;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.RodShape;
+import org.palpate.rigid.tool.ToolSampler;
 
 /** Directions and steadiness of the force of a tool that slides over surfaces of known normals. */
 class RigidAccuracyTest {
@@ -73,7 +77,7 @@ class RigidAccuracyTest {
   void theForceOnASphereIsRadialAndSteady() {
     BodyScene scene = ToolScenes.phantom("sphere:96");
     double toolRadius = 5;
-    ToolPoints tool = ToolSampler.ofShape(RodShape.sphere(toolRadius), 0.5);
+    RigidTool tool = ToolSampler.ofShape(RodShape.sphere(toolRadius), 0.5);
     Slide slide = new Slide(scene, tool);
     slide.run(
         frame -> {
@@ -93,7 +97,7 @@ class RigidAccuracyTest {
     n.mul(1 / n.length(), n);
     double tilt = Math.acos(n.z);
     double across = Math.hypot(n.x, n.y);
-    ToolPoints tool = ToolSampler.ofShape(new BoxShape(12, 12, 4), 0.7);
+    RigidTool tool = ToolSampler.ofShape(new BoxShape(12, 12, 4), 0.7);
     Slide slide = new Slide(scene, tool);
     slide.run(
         frame -> {
@@ -111,7 +115,7 @@ class RigidAccuracyTest {
     assertTrue(slide.changeQuantile(0.99) < 0.3, "p99 of change " + slide.changeQuantile(0.99));
   }
 
-  private static RigidSolver solver(BodyScene scene, ToolPoints tool) {
+  private static RigidSolver solver(BodyScene scene, RigidTool tool) {
     return new RigidSolver(scene, tool, RigidSettings.of(MAX_STEP_MM, Clearance.POINTS));
   }
 
@@ -126,7 +130,7 @@ class RigidAccuracyTest {
     private int counted;
     private double squaredDegrees;
 
-    Slide(BodyScene scene, ToolPoints tool) {
+    Slide(BodyScene scene, RigidTool tool) {
       solver = solver(scene, tool);
       coupling = RigidCoupling.of(tool, 1);
     }

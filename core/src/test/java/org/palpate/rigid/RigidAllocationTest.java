@@ -12,6 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.RodShape;
+import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.testing.Seeds;
 
 class RigidAllocationTest {
@@ -26,7 +29,7 @@ class RigidAllocationTest {
   void warmFramesOfAToolAllocateNothing() {
     SplittableRandom random = new SplittableRandom(Seeds.seed());
     BodyScene scene = ToolScenes.clutter(random, 2);
-    ToolPoints tool = ToolSampler.ofShape(RodShape.capsule(2, 5), 0.8);
+    RigidTool tool = ToolSampler.ofShape(RodShape.capsule(2, 5), 0.8);
     RigidSettings settings = RigidSettings.ofWholeBodies(5, scene, tool);
     RigidSolver solver = new RigidSolver(scene, tool, settings);
     RigidCoupling coupling = RigidCoupling.of(tool, 1);

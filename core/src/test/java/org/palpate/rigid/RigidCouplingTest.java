@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.RodShape;
+import org.palpate.rigid.tool.ToolSampler;
 
 class RigidCouplingTest {
   private final Vec3 force = new Vec3();
@@ -30,7 +33,7 @@ class RigidCouplingTest {
 
   @Test
   void theDefaultRotationalStiffnessIsThatOfTheMatter() {
-    ToolPoints sphere = ToolSampler.ofShape(RodShape.sphere(5), 1);
+    RigidTool sphere = ToolSampler.ofShape(RodShape.sphere(5), 1);
     assertEquals(2 * 15, RigidCoupling.of(sphere, 2).rotationalStiffness(), 0.2);
     assertEquals(0, RigidCoupling.of(ToolSampler.point(), 2).rotationalStiffness());
     assertThrows(IllegalArgumentException.class, () -> new RigidCoupling(-1, 0));
@@ -49,7 +52,7 @@ class RigidCouplingTest {
 
   @Test
   void aJumpOfTheToolReachesTheHandNoFasterThanTheDeviceMoves() {
-    ToolPoints tool = ToolSampler.ofShape(RodShape.sphere(5), 1);
+    RigidTool tool = ToolSampler.ofShape(RodShape.sphere(5), 1);
     CouplingRateLimit limit = new CouplingRateLimit(tool, 0.02);
     Pose device = new Pose();
     Pose pose = new Pose();

@@ -15,6 +15,10 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.BoxShape;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.RodShape;
+import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -29,7 +33,7 @@ class RigidSolverTest {
     long legs = 0;
     for (int round = 0; legs < 1_000_000; round++) {
       BodyScene scene = ToolScenes.clutter(random, 1 + round % 3);
-      ToolPoints tool = ToolScenes.tool(random);
+      RigidTool tool = ToolScenes.tool(random);
       boolean covers = tool.coverRadiusMm() > 0 && tool.coverRadiusMm() < 1e9;
       boolean whole = covers && round % 2 == 1;
       RigidSolver solver = solver(scene, tool, whole);
@@ -47,7 +51,7 @@ class RigidSolverTest {
     }
   }
 
-  private static RigidSolver solver(BodyScene scene, ToolPoints tool, boolean whole) {
+  private static RigidSolver solver(BodyScene scene, RigidTool tool, boolean whole) {
     return new RigidSolver(
         scene,
         tool,
@@ -98,7 +102,7 @@ class RigidSolverTest {
   @Test
   void theJudgeCatchesABrokenChainAndALegThroughASolid() {
     BodyScene scene = ToolScenes.phantom("plane:32");
-    ToolPoints tool = ToolSampler.ofShape(RodShape.sphere(2), 0.7);
+    RigidTool tool = ToolSampler.ofShape(RodShape.sphere(2), 0.7);
     RigidSolver solver = solver(scene, tool, false);
     Pose pose = new Pose();
     pose.translation.set(16, 16, 40);
@@ -122,7 +126,7 @@ class RigidSolverTest {
   void aToolComesToRestBitForBitSoonAfterTheDevice() {
     for (int round = 0; round < 30; round++) {
       BodyScene scene = ToolScenes.clutter(random, 1 + round % 2);
-      ToolPoints tool = ToolScenes.tool(random);
+      RigidTool tool = ToolScenes.tool(random);
       RigidSolver solver = solver(scene, tool, false);
       solver.place(ToolScenes.pose(random, 30), motion);
       HostilePoses device = new HostilePoses(random, 25);
@@ -144,7 +148,7 @@ class RigidSolverTest {
   @Test
   void reachesAFreeDevicePoseExactly() {
     BodyScene scene = ToolScenes.phantom("sphere:32");
-    ToolPoints tool = ToolSampler.ofShape(RodShape.capsule(2, 6), 0.7);
+    RigidTool tool = ToolSampler.ofShape(RodShape.capsule(2, 6), 0.7);
     RigidSolver solver = solver(scene, tool, true);
     Pose pose = new Pose();
     pose.translation.set(60, 60, 60);
@@ -164,7 +168,7 @@ class RigidSolverTest {
     BodyScene scene = ToolScenes.phantom("plane:96");
     Vec3 n = new Vec3(0.231, 0.377, 0.894); // of the phantom
     n.mul(1 / n.length(), n);
-    ToolPoints tool = ToolSampler.ofShape(RodShape.sphere(6), 0.7);
+    RigidTool tool = ToolSampler.ofShape(RodShape.sphere(6), 0.7);
     for (int whole = 0; whole < 2; whole++) {
       RigidSolver solver = solver(scene, tool, whole == 1);
       Pose pose = new Pose();
@@ -193,7 +197,7 @@ class RigidSolverTest {
       bits.set(0, 0, 0);
       Body body = ToolScenes.unit("body", bits);
       BodyScene scene = new BodyScene(List.of(body));
-      ToolPoints tool = ToolSampler.ofShape(RodShape.sphere(4), 0.7);
+      RigidTool tool = ToolSampler.ofShape(RodShape.sphere(4), 0.7);
       RigidSolver solver = solver(scene, tool, whole == 1);
       ToolLegJudge judge = new ToolLegJudge(scene, tool);
       Pose pose = ToolScenes.pose(random, 1);
@@ -229,7 +233,7 @@ class RigidSolverTest {
     }
     Body body = ToolScenes.unit("wall", bits);
     BodyScene scene = new BodyScene(List.of(body));
-    ToolPoints tool = ToolSampler.ofShape(RodShape.sphere(3), 0.7);
+    RigidTool tool = ToolSampler.ofShape(RodShape.sphere(3), 0.7);
     RigidSolver solver = solver(scene, tool, false);
     Pose pose = new Pose();
     pose.translation.set(15, 15, 12);
@@ -258,7 +262,7 @@ class RigidSolverTest {
       bits.set(n % 24, n / 24, 12);
     }
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("wall", bits)));
-    ToolPoints tool = ToolSampler.ofShape(new BoxShape(6, 6, 2), 0.7);
+    RigidTool tool = ToolSampler.ofShape(new BoxShape(6, 6, 2), 0.7);
     for (int side = -1; side <= 1; side += 2) {
       RigidSolver solver = solver(scene, tool, false);
       ToolLegJudge judge = new ToolLegJudge(scene, tool);
@@ -281,7 +285,7 @@ class RigidSolverTest {
   void skipsChangeNoBit() {
     for (int round = 0; round < 6; round++) {
       BodyScene scene = ToolScenes.clutter(random, 1 + round % 2);
-      ToolPoints tool = ToolScenes.tool(random);
+      RigidTool tool = ToolScenes.tool(random);
       RigidSettings with = RigidSettings.of(MAX_STEP_MM, Clearance.POINTS);
       RigidSettings without =
           new RigidSettings(MAX_STEP_MM, with.clearances(), with.greys(), false);

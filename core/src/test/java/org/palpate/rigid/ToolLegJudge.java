@@ -2,6 +2,7 @@ package org.palpate.rigid;
 
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
+import org.palpate.rigid.tool.RigidTool;
 
 /**
  * Judges frame after frame whether a rigid tool kept the guarantee: each step starts bit for bit at
@@ -13,7 +14,7 @@ final class ToolLegJudge {
   private final Pose end = new Pose();
   private final double largestTurn;
 
-  ToolLegJudge(BodyScene scene, ToolPoints tool) {
+  ToolLegJudge(BodyScene scene, RigidTool tool) {
     naive = new NaiveVerifier(scene, tool);
     largestTurn = StepLimits.largestTurn(tool.radiusMm(), scene.shortestEdgeMm());
   }

@@ -10,6 +10,10 @@ import org.palpate.body.RandomSolids;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.BoxShape;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.RodShape;
+import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.phantom.Phantom;
@@ -56,15 +60,15 @@ final class ToolScenes {
   }
 
   /** Returns a tool of one of several kinds. */
-  static ToolPoints tool(SplittableRandom random) {
+  static RigidTool tool(SplittableRandom random) {
     return switch (random.nextInt(5)) {
       case 0 -> ToolSampler.point();
       case 1 -> ToolSampler.ofShape(RodShape.sphere(random.nextDouble(1, 5)), 0.8);
-      case 2 -> ToolSampler.ofShape(RodShape.probe(1, 12), 0.7);
+      case 2 -> ToolSampler.ofShape(RodShape.needle(1, 12), 0.7);
       case 3 -> ToolSampler.ofShape(new BoxShape(4, 7, 3), 0.8).thinned(20);
       default -> {
         BitCube bits = RandomSolids.clutter(random, 8, 9, 7);
-        yield ToolSampler.ofSegment(bits, VoxelGrid.ofUnitVoxels(8, 9, 7), 1);
+        yield ToolSampler.ofSegment(bits, VoxelGrid.ofUnitVoxels(8, 9, 7));
       }
     };
   }

@@ -17,6 +17,10 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.ToolVerifier.EditOutcome;
+import org.palpate.rigid.tool.BoxShape;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.RodShape;
+import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -30,25 +34,25 @@ class ToolVerifierTest {
   void answersLikeACastOfEveryLegOverChainsOfHostileMotions() {
     for (int round = 0; round < 40; round++) {
       BodyScene scene = ToolScenes.clutter(random, 1 + round % 3);
-      ToolPoints tool = ToolScenes.tool(random);
+      RigidTool tool = ToolScenes.tool(random);
       runChain(scene, tool, clearances(scene, tool, round % 2 == 0), 150);
     }
     assertTrue(freeCount > 300 && blockedCount > 300, freeCount + " free, " + blockedCount);
   }
 
-  private static Clearance[] clearances(BodyScene scene, ToolPoints tool, boolean pointsOnly) {
+  private static Clearance[] clearances(BodyScene scene, RigidTool tool, boolean pointsOnly) {
     Clearance[] result = new Clearance[scene.count()];
     for (int b = 0; b < result.length; b++) {
       boolean covered = tool.coverRadiusMm() > 0 && tool.coverRadiusMm() < 1e9;
       result[b] =
           pointsOnly || !covered
               ? Clearance.POINTS
-              : Clearance.ofWholeBody(tool, scene.body(b).metric(), 0);
+              : Clearance.ofWholeBody(tool, scene.body(b).grid(), 0);
     }
     return result;
   }
 
-  private void runChain(BodyScene scene, ToolPoints tool, Clearance[] clearances, int steps) {
+  private void runChain(BodyScene scene, RigidTool tool, Clearance[] clearances, int steps) {
     ToolVerifier quick = new ToolVerifier(scene, tool, clearances, true);
     ToolVerifier slow = new ToolVerifier(scene, tool, clearances, false);
     NaiveVerifier naive = new NaiveVerifier(scene, tool);
@@ -138,7 +142,7 @@ class ToolVerifierTest {
     BitCube bits = new BitCube(60, 60, 60);
     bits.set(17, 41, 30);
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("dot", bits)));
-    ToolPoints tool = ToolSampler.ofShape(new BoxShape(30, 1, 1), 0.7);
+    RigidTool tool = ToolSampler.ofShape(new BoxShape(30, 1, 1), 0.7);
     ToolVerifier verifier = new ToolVerifier(scene, tool, new Clearance[] {Clearance.POINTS}, true);
     Pose start = new Pose();
     start.translation.set(17, 27, 30.5); // its end swings past the dot
@@ -162,7 +166,7 @@ class ToolVerifierTest {
       bits.set(39, 39, 39);
       Body body = ToolScenes.unit("edited", bits);
       BodyScene scene = new BodyScene(List.of(body));
-      ToolPoints tool = ToolSampler.ofShape(RodShape.sphere(4), 0.7);
+      RigidTool tool = ToolSampler.ofShape(RodShape.sphere(4), 0.7);
       Clearance[] clearances = clearances(scene, tool, round % 2 == 0);
       ToolVerifier verifier = new ToolVerifier(scene, tool, clearances, true);
       NaiveVerifier naive = new NaiveVerifier(scene, tool);
@@ -198,7 +202,7 @@ class ToolVerifierTest {
       bits.set(n % 30, n / 30, 9);
     }
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("slab", bits)));
-    ToolPoints tool = ToolSampler.point();
+    RigidTool tool = ToolSampler.point();
     Clearance clearance = new Clearance(1, 0.5, 2); // half a voxel, then a whole one
     ToolVerifier verifier = new ToolVerifier(scene, tool, new Clearance[] {clearance}, true);
     Pose pose = new Pose();
@@ -233,7 +237,7 @@ class ToolVerifierTest {
     BitCube bits = new BitCube(10, 10, 10);
     bits.set(5, 5, 5);
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("dot", bits)));
-    ToolPoints tool = ToolSampler.point();
+    RigidTool tool = ToolSampler.point();
     ToolVerifier verifier = new ToolVerifier(scene, tool, new Clearance[] {Clearance.POINTS}, true);
     Pose pose = new Pose();
     pose.translation.set(5.5, 7.25, 5.5);

@@ -14,6 +14,9 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.RodShape;
+import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -30,7 +33,7 @@ class WholeBodyTest {
     for (int round = 0; round < 12; round++) {
       BodyScene scene = ToolScenes.clutter(random, 1 + round % 3);
       BitCube bits = RandomSolids.clutter(random, 8, 9, 7);
-      ToolPoints tool = ToolSampler.ofSegment(bits, VoxelGrid.ofUnitVoxels(8, 9, 7), 1);
+      RigidTool tool = ToolSampler.ofSegment(bits, VoxelGrid.ofUnitVoxels(8, 9, 7));
       OverlapJudge judge = new OverlapJudge(bits, tool);
       RigidSettings settings = RigidSettings.ofWholeBodies(MAX_STEP_MM, scene, tool);
       RigidSolver solver = new RigidSolver(scene, tool, settings);
@@ -58,7 +61,7 @@ class WholeBodyTest {
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("dot", dot)));
     BitCube one = new BitCube(1, 1, 1);
     one.set(0, 0, 0);
-    ToolPoints tool = ToolSampler.ofSegment(one, VoxelGrid.ofUnitVoxels(1, 1, 1), 1);
+    RigidTool tool = ToolSampler.ofSegment(one, VoxelGrid.ofUnitVoxels(1, 1, 1));
     OverlapJudge judge = new OverlapJudge(one, tool);
     Pose pose = new Pose();
     pose.translation.set(2.5, 1.5, 1.5); // face to face
@@ -83,14 +86,14 @@ class WholeBodyTest {
       bits.set(n % 6, n / 6 % 6, n / 36);
     }
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("slab", slab)));
-    ToolPoints tool = ToolSampler.ofSegment(bits, VoxelGrid.ofUnitVoxels(6, 6, 6), 1);
+    RigidTool tool = ToolSampler.ofSegment(bits, VoxelGrid.ofUnitVoxels(6, 6, 6));
     assertTrue(pressed(scene, tool, bits, RigidSettings.of(MAX_STEP_MM, Clearance.POINTS)) < 0.45);
     RigidSettings whole = RigidSettings.ofWholeBodies(MAX_STEP_MM, scene, tool);
     assertTrue(pressed(scene, tool, bits, whole) > 0.1);
   }
 
   /** Pushes a tilted corner against the slab; returns the least gap. */
-  private double pressed(BodyScene scene, ToolPoints tool, BitCube bits, RigidSettings settings) {
+  private double pressed(BodyScene scene, RigidTool tool, BitCube bits, RigidSettings settings) {
     RigidSolver solver = new RigidSolver(scene, tool, settings);
     OverlapJudge judge = new OverlapJudge(bits, tool);
     Pose pose = new Pose();
@@ -115,9 +118,9 @@ class WholeBodyTest {
       for (int n = 0; n < 729; n++) {
         cube.set(n % 9, n / 9 % 9, n / 81);
       }
-      ToolPoints tool =
+      RigidTool tool =
           kind == 0
-              ? ToolSampler.ofSegment(cube, VoxelGrid.ofUnitVoxels(9, 9, 9), 1)
+              ? ToolSampler.ofSegment(cube, VoxelGrid.ofUnitVoxels(9, 9, 9))
               : ToolSampler.ofShape(RodShape.sphere(5), 0.8);
       RigidSettings settings = RigidSettings.ofWholeBodies(MAX_STEP_MM, scene, tool);
       RigidSolver solver = new RigidSolver(scene, tool, settings);
@@ -141,7 +144,7 @@ class WholeBodyTest {
   private static void assertFits(BitCube[] halves, boolean whole) {
     VoxelGrid grid =
         VoxelGrid.ofUnitVoxels(halves[0].sizeX(), halves[0].sizeY(), halves[0].sizeZ());
-    ToolPoints tool = ToolSampler.ofSegment(halves[1], grid, 1);
+    RigidTool tool = ToolSampler.ofSegment(halves[1], grid);
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("low", halves[0])));
     RigidSolver solver =
         new RigidSolver(
@@ -211,7 +214,7 @@ class WholeBodyTest {
         peg.set(n % 14, n / 14 % 14, n / 196);
       }
     }
-    ToolPoints tool = ToolSampler.ofSegment(peg, VoxelGrid.ofUnitVoxels(14, 14, 36), 1);
+    RigidTool tool = ToolSampler.ofSegment(peg, VoxelGrid.ofUnitVoxels(14, 14, 36));
     for (int seed = 0; seed < 4; seed++) {
       RigidSettings settings = RigidSettings.ofWholeBodies(MAX_STEP_MM, scene, tool);
       RigidSolver solver = new RigidSolver(scene, tool, settings);

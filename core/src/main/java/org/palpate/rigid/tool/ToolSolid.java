@@ -1,4 +1,4 @@
-package org.palpate.rigid;
+package org.palpate.rigid.tool;
 
 /** The closed solid that a tool's points were sampled from, in the tool frame. Immutable. */
 @FunctionalInterface

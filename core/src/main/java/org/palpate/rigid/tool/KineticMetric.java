@@ -1,4 +1,4 @@
-package org.palpate.rigid;
+package org.palpate.rigid.tool;
 
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
@@ -12,7 +12,7 @@ import org.palpate.geometry.Vec3;
  * <p>Metric coordinates are y = (v, L^T w), with J = L L^T and w in the tool's axes. In them the
  * metric is the identity, so the nearest pose is a closest point. Immutable.
  */
-final class KineticMetric {
+public final class KineticMetric {
   /**
    * The fraction of the covariance's trace that is added to its diagonal, so that rods can be
    * turned.
@@ -62,12 +62,12 @@ final class KineticMetric {
   }
 
   /** Returns the root mean square distance of the matter from the reference point, mm. */
-  double rmsRadiusMm() {
+  public double rmsRadiusMm() {
     return rmsRadiusMm;
   }
 
   /** Returns the squared distance between two poses, mm^2; bit for bit 0 for the same bits. */
-  double squaredDistance(Pose a, Pose b) {
+  public double squaredDistance(Pose a, Pose b) {
     double dx = b.translation.x - a.translation.x;
     double dy = b.translation.y - a.translation.y;
     double dz = b.translation.z - a.translation.z;
@@ -75,7 +75,7 @@ final class KineticMetric {
   }
 
   /** Returns the distance between two poses, mm. */
-  double distance(Pose a, Pose b) {
+  public double distance(Pose a, Pose b) {
     return Math.sqrt(squaredDistance(a, b));
   }
 
@@ -107,7 +107,7 @@ final class KineticMetric {
    * @param scratch overwritten
    * @param dest six metric coordinates, mm
    */
-  void toMetric(Pose pose, Vec3 v, Vec3 w, Vec3 scratch, double[] dest) {
+  public void toMetric(Pose pose, Vec3 v, Vec3 w, Vec3 scratch, double[] dest) {
     pose.rotation.inverseRotate(w, scratch);
     dest[0] = v.x;
     dest[1] = v.y;
@@ -118,7 +118,7 @@ final class KineticMetric {
   }
 
   /** Writes the twist of six metric coordinates: the inverse of {@link #toMetric}. */
-  void toTwist(Pose pose, double[] metric, Vec3 v, Vec3 w) {
+  public void toTwist(Pose pose, double[] metric, Vec3 v, Vec3 w) {
     v.set(metric[0], metric[1], metric[2]);
     double z = metric[5] / l22;
     double y = (metric[4] - l21 * z) / l11;
@@ -136,7 +136,7 @@ final class KineticMetric {
    * @param row where to write
    * @param at index of the first of six entries
    */
-  void contactRow(
+  public void contactRow(
       Pose pose, double x, double y, double z, Vec3 normal, Vec3 scratch, double[] row, int at) {
     Vec3 n = pose.rotation.inverseRotate(normal, scratch);
     double turnX = y * n.z - z * n.y;

@@ -1,4 +1,4 @@
-package org.palpate.rigid;
+package org.palpate.rigid.tool;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -16,7 +16,7 @@ class KineticMetricTest {
   private final KineticMetric metric;
 
   KineticMetricTest() {
-    SecondMoments moments = new SecondMoments();
+    MomentSum moments = new MomentSum();
     double[] mean = new double[3];
     for (int n = 0; n < matter.length; n++) {
       matter[n] = new double[] {9 * random.nextDouble(), 4 * random.nextDouble(), 0};
@@ -26,13 +26,13 @@ class KineticMetricTest {
         mean[c] += matter[n][c] / matter.length;
       }
     }
-    assertEquals(mean[0], moments.meanX(), 1e-12);
+    assertEquals(mean[0], moments.massProperties().centroidMm().x, 1e-12);
     for (double[] p : matter) {
       for (int c = 0; c < 3; c++) {
         p[c] -= mean[c];
       }
     }
-    metric = new KineticMetric(moments.covariance());
+    metric = moments.massProperties().metric();
   }
 
   @Test

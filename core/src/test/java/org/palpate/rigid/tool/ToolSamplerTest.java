@@ -1,4 +1,4 @@
-package org.palpate.rigid;
+package org.palpate.rigid.tool;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -27,7 +27,7 @@ class ToolSamplerTest {
         RodShape.capsule(2, 9),
         RodShape.cylinder(3, 5),
         RodShape.cylinder(0.3, 20),
-        RodShape.probe(1.5, 30),
+        RodShape.needle(1.5, 30),
         new BoxShape(3, 8, 1.3),
         new BoxShape(20, 0.2, 5));
   }
@@ -36,7 +36,7 @@ class ToolSamplerTest {
   @MethodSource("shapes")
   void everySurfacePointLiesNearASample(ToolShape shape) {
     double cover = 0.7;
-    ToolPoints tool = ToolSampler.ofShape(shape, cover);
+    RigidTool tool = ToolSampler.ofShape(shape, cover);
     assertEquals(cover, tool.coverRadiusMm());
     Vec3 reference = tool.referenceMm(new Vec3());
     for (int n = 0; n < 3000; n++) {
@@ -48,7 +48,7 @@ class ToolSamplerTest {
   @ParameterizedTest
   @MethodSource("shapes")
   void everySampleLiesOnTheSurface(ToolShape shape) {
-    ToolPoints tool = ToolSampler.ofShape(shape, 0.5);
+    RigidTool tool = ToolSampler.ofShape(shape, 0.5);
     Vec3 reference = tool.referenceMm(new Vec3());
     for (int n = 0; n < tool.count(); n++) {
       Vec3 p = tool.point(n, new Vec3()).add(reference, new Vec3());
@@ -97,7 +97,7 @@ class ToolSamplerTest {
     return direction.mul(near, direction).add(inside, direction);
   }
 
-  private static double nearest(ToolPoints tool, Vec3 p) {
+  private static double nearest(RigidTool tool, Vec3 p) {
     double least = Double.POSITIVE_INFINITY;
     for (int n = 0; n < tool.count(); n++) {
       least = Math.min(least, tool.point(n, new Vec3()).sub(p, new Vec3()).length());
@@ -114,15 +114,15 @@ class ToolSamplerTest {
     double length = 3;
     double volumes = r * r * length + 2.0 / 3 * r * r * r;
     double expected = -2.0 / 3 * r * r * r * (length / 2 + 3.0 / 8 * r) / volumes;
-    Vec3 ofProbe = ToolSampler.ofShape(RodShape.probe(r, length), 1).referenceMm(new Vec3());
+    Vec3 ofProbe = ToolSampler.ofShape(RodShape.needle(r, length), 1).referenceMm(new Vec3());
     assertEquals(expected, ofProbe.z, 0.01);
   }
 
   @Test
   void theRadiusOfGyrationIsThatOfTheSolid() {
-    ToolPoints sphere = ToolSampler.ofShape(RodShape.sphere(5), 1);
+    RigidTool sphere = ToolSampler.ofShape(RodShape.sphere(5), 1);
     assertEquals(Math.sqrt(3.0 / 5) * 5, sphere.rmsRadiusMm(), 0.01);
-    ToolPoints box = ToolSampler.ofShape(new BoxShape(2, 4, 6), 1);
+    RigidTool box = ToolSampler.ofShape(new BoxShape(2, 4, 6), 1);
     assertEquals(Math.sqrt((4 + 16 + 36) / 12.0), box.rmsRadiusMm(), 0.01);
   }
 
@@ -130,16 +130,14 @@ class ToolSamplerTest {
   void samplesTheRimOfASegmentSoThatItsFacesAreCovered() {
     BitCube bits = randomSegment();
     VoxelGrid grid = obliqueGrid(bits, new Vec3(0.7, 1, 2.9));
-    for (int parts = 1; parts <= 2; parts++) {
-      ToolPoints tool = ToolSampler.ofSegment(bits, grid, parts);
-      Vec3 reference = tool.referenceMm(new Vec3());
-      for (int n = 0; n < 2000; n++) {
-        Vec3 p = grid.gridToWorld(openFacePoint(bits), new Vec3()).sub(reference, new Vec3());
-        assertTrue(nearest(tool, p) <= tool.coverRadiusMm() + 1e-9);
-      }
-      for (int n = 0; n < tool.count(); n++) {
-        assertTrue(tool.solid().contains(tool.x[n], tool.y[n], tool.z[n]));
-      }
+    RigidTool tool = ToolSampler.ofSegment(bits, grid);
+    Vec3 reference = tool.referenceMm(new Vec3());
+    for (int n = 0; n < 2000; n++) {
+      Vec3 p = grid.gridToWorld(openFacePoint(bits), new Vec3()).sub(reference, new Vec3());
+      assertTrue(nearest(tool, p) <= tool.coverRadiusMm() + 1e-9);
+    }
+    for (int n = 0; n < tool.count(); n++) {
+      assertTrue(tool.solid().contains(tool.x(n), tool.y(n), tool.z(n)));
     }
   }
 
@@ -157,16 +155,16 @@ class ToolSamplerTest {
       }
     }
     sum.mul(1.0 / bits.solidCount(), sum);
-    Vec3 reference = ToolSampler.ofSegment(bits, grid, 1).referenceMm(new Vec3());
+    Vec3 reference = ToolSampler.ofSegment(bits, grid).referenceMm(new Vec3());
     assertEquals(0, sum.sub(reference, sum).length(), 1e-9);
   }
 
   @Test
   void thinningKeepsTheMatterAndSaysThatTheSurfaceIsNotCovered() {
-    ToolPoints whole = ToolSampler.ofShape(RodShape.sphere(5), 0.3);
-    ToolPoints thin = whole.thinned(50);
+    RigidTool whole = ToolSampler.ofShape(RodShape.sphere(5), 0.3);
+    RigidTool thin = whole.thinned(50);
     assertEquals(50, thin.count());
-    assertEquals(ToolPoints.NOT_COVERED, thin.coverRadiusMm());
+    assertEquals(RigidTool.NOT_COVERED, thin.coverRadiusMm());
     assertEquals(whole.rmsRadiusMm(), thin.rmsRadiusMm());
     double widest = 0;
     for (int n = 0; n < whole.count(); n++) {
@@ -180,7 +178,7 @@ class ToolSamplerTest {
   void aToolWithoutMatterIsRejected() {
     BitCube none = new BitCube(3, 3, 3);
     VoxelGrid grid = VoxelGrid.ofUnitVoxels(3, 3, 3);
-    assertThrows(IllegalArgumentException.class, () -> ToolSampler.ofSegment(none, grid, 1));
+    assertThrows(IllegalArgumentException.class, () -> ToolSampler.ofSegment(none, grid));
     assertThrows(IllegalArgumentException.class, () -> RodShape.cylinder(2, 0));
     assertThrows(IllegalArgumentException.class, () -> RodShape.sphere(Double.NaN));
     assertThrows(IllegalArgumentException.class, () -> new BoxShape(1, -1, 1));
@@ -188,19 +186,19 @@ class ToolSamplerTest {
 
   @Test
   void theSpheresOfTheTreeHoldTheirPoints() {
-    ToolPoints tool = ToolSampler.ofShape(RodShape.capsule(5, 20), 0.4);
-    SphereTree tree = tool.tree;
+    RigidTool tool = ToolSampler.ofShape(RodShape.capsule(5, 20), 0.4);
+    SphereTree tree = tool.tree();
     boolean[] seen = new boolean[tool.count()];
-    for (int node = 0; node < tree.nodes; node++) {
-      for (int inner = node; inner < tree.skip[node]; inner++) {
-        for (int n = tree.first[inner]; n >= 0 && n < tree.end[inner]; n++) {
+    for (int node = 0; node < tree.nodes(); node++) {
+      for (int inner = node; inner < tree.skip(node); inner++) {
+        for (int n = tree.first(inner); n >= 0 && n < tree.end(inner); n++) {
           Vec3 p = tool.point(n, new Vec3());
-          Vec3 centre = new Vec3(tree.x[node], tree.y[node], tree.z[node]);
-          assertTrue(p.sub(centre, p).length() <= tree.radius[node]);
+          Vec3 centre = new Vec3(tree.x(node), tree.y(node), tree.z(node));
+          assertTrue(p.sub(centre, p).length() <= tree.radius(node));
           seen[n] = true;
         }
       }
-      assertFalse(tree.first[node] >= 0 && tree.skip[node] != node + 1);
+      assertFalse(tree.first(node) >= 0 && tree.skip(node) != node + 1);
     }
     for (boolean s : seen) {
       assertTrue(s);

@@ -1,50 +1,37 @@
-package org.palpate.rigid;
+package org.palpate.rigid.tool;
 
 import java.util.Arrays;
 
 /**
- * Bounding spheres over a tool's points, in a binary tree in preorder. Each node stores the node
- * that follows if it is ruled out, so that a traversal needs no stack. Reorders the points so that
- * those of a leaf are contiguous. Immutable once built.
+ * A binary tree of bounding spheres over the points of a tool. Nodes are numbered in preorder. Each
+ * node knows the node that follows if its subtree is culled, so that a traversal needs no stack.
+ * The points of a leaf are contiguous.
  *
- * <p>Splits at the median of the longest side. Reference: Quinlan, Efficient distance computation
- * between non-convex objects, 1994.
+ * <p>Nodes are split at the median of their longest side. Reference: Quinlan, Efficient distance
+ * computation between non-convex objects, 1994.
+ *
+ * <p>Frame: the tool frame, mm. Immutable; any thread.
  */
-final class SphereTree {
+public final class SphereTree {
   /** The largest number of points in a leaf. */
   static final int LEAF_POINTS = 24;
 
-  /** The factor by which radii grow, so that spheres cover their points despite rounding. */
+  /** The factor by which radii grow, so that spheres contain their points despite rounding. */
   private static final double ROUNDED_UP = 1 + 1e-12;
 
-  /** Centre and radius of each node, mm in the tool frame. */
-  final double[] x;
+  private final double[] x;
+  private final double[] y;
+  private final double[] z;
+  private final double[] radius;
+  private final int[] skip;
+  private final int[] first;
+  private final int[] end;
+  private final int[] leaf;
+  private final int[] leafOfPoint;
+  private final int nodes;
+  private final int leaves;
 
-  final double[] y;
-  final double[] z;
-  final double[] radius;
-
-  /** The node that follows if this one is ruled out; for a leaf, the next node. */
-  final int[] skip;
-
-  /**
-   * The index of a leaf's first point; negative for inner nodes. {@link #end} is the index after
-   * its last point.
-   */
-  final int[] first;
-
-  final int[] end;
-
-  /** The number of a leaf in traversal order; negative for inner nodes. */
-  final int[] leaf;
-
-  /** The number of the leaf that holds a point. */
-  final int[] leafOfPoint;
-
-  final int nodes;
-  final int leaves;
-
-  /** Builds the tree over points and reorders them. */
+  /** Builds the tree over points, and reorders them so that those of a leaf are contiguous. */
   SphereTree(double[] px, double[] py, double[] pz) {
     Builder builder = new Builder(px, py, pz);
     builder.build(0, px.length);
@@ -64,6 +51,66 @@ final class SphereTree {
         Arrays.fill(leafOfPoint, first[node], end[node], leaf[node]);
       }
     }
+  }
+
+  /** Returns the number of nodes; the root is node 0. */
+  public int nodes() {
+    return nodes;
+  }
+
+  /** Returns the number of leaves. */
+  public int leaves() {
+    return leaves;
+  }
+
+  /** Returns the x coordinate of the centre of a node's sphere, mm. */
+  public double x(int node) {
+    return x[node];
+  }
+
+  /** Returns the y coordinate of the centre of a node's sphere, mm. */
+  public double y(int node) {
+    return y[node];
+  }
+
+  /** Returns the z coordinate of the centre of a node's sphere, mm. */
+  public double z(int node) {
+    return z[node];
+  }
+
+  /** Returns the radius of a node's sphere, mm. */
+  public double radius(int node) {
+    return radius[node];
+  }
+
+  /** Returns the node that follows the subtree of a node; {@link #nodes} after the last one. */
+  public int skip(int node) {
+    return skip[node];
+  }
+
+  /** Whether the node is a leaf. */
+  public boolean isLeaf(int node) {
+    return first[node] >= 0;
+  }
+
+  /** Returns the index of the first point of a leaf; negative for an inner node. */
+  public int first(int node) {
+    return first[node];
+  }
+
+  /** Returns the index after the last point of a leaf. */
+  public int end(int node) {
+    return end[node];
+  }
+
+  /** Returns the number of a leaf in preorder; negative for an inner node. */
+  public int leaf(int node) {
+    return leaf[node];
+  }
+
+  /** Returns the number of the leaf that holds a point. */
+  public int leafOfPoint(int point) {
+    return leafOfPoint[point];
   }
 
   /** The arrays of the tree while it is built. */

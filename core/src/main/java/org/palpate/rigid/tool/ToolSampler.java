@@ -1,0 +1,111 @@
+package org.palpate.rigid.tool;
+
+import org.palpate.geometry.Vec3;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Makes rigid tools: from a shape by even samples of its surface, from a segment by the centres of
+ * its rim voxels. A rim voxel is a solid voxel with an empty neighbour across a face.
+ *
+ * <p>A tool may be eroded: then its sample points lie on the surface of the part of the solid that
+ * is deeper than a given depth. Such a tool may overlap a body by that depth and no more, in mode
+ * {@code body}. Erosion changes neither the reference point nor the metric.
+ */
+public final class ToolSampler {
+  private ToolSampler() {}
+
+  /** Returns a tool of a single point, which has no extent. */
+  public static RigidTool point() {
+    double[][] origin = {{0}, {0}, {0}};
+    KineticMetric metric = new KineticMetric(0, 0, 0, 0, 0, 0);
+    return new RigidTool(origin, metric, 0, new Vec3(), (a, b, c) -> false);
+  }
+
+  /**
+   * Samples a shape. The reference point is its centroid.
+   *
+   * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
+   */
+  public static RigidTool ofShape(ToolShape shape, double coverRadiusMm) {
+    return ofErodedShape(shape, coverRadiusMm, 0);
+  }
+
+  /**
+   * Samples an eroded shape. The reference point is the centroid of the whole shape.
+   *
+   * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
+   * @param depthMm the depth of the erosion, mm; 0 for none
+   * @throws IllegalArgumentException if no point of the shape is that deep
+   */
+  public static RigidTool ofErodedShape(ToolShape shape, double coverRadiusMm, double depthMm) {
+    if (!(coverRadiusMm > 0)) {
+      throw new IllegalArgumentException("coverRadiusMm must be positive: " + coverRadiusMm);
+    }
+    ToolShape eroded = depthMm == 0 ? shape : shape.eroded(depthMm).orElse(null);
+    if (eroded == null) {
+      throw nothingLeft(depthMm);
+    }
+    MassProperties mass = shape.massProperties();
+    Vec3 reference = mass.centroidMm();
+    PointList points = new PointList();
+    eroded.sampleSurface(coverRadiusMm, points);
+    ToolSolid solid =
+        (a, b, c) -> eroded.contains(a + reference.x, b + reference.y, c + reference.z);
+    return new RigidTool(
+        points.relativeTo(reference), mass.metric(), coverRadiusMm, reference, solid);
+  }
+
+  /**
+   * Samples a segment by its rim voxels. The reference point is the mean of the centres of all
+   * solid voxels; at the identity orientation the tool's axes are the world's. Long voxels are cut
+   * into parts that are about cubes.
+   *
+   * @param bits the segment, which the caller no longer changes
+   * @param grid the segment's grid
+   * @throws IllegalArgumentException if the segment has no voxels
+   */
+  public static RigidTool ofSegment(BitCube bits, VoxelGrid grid) {
+    return ofErodedSegment(bits, grid, 0);
+  }
+
+  /**
+   * Samples an eroded segment by its rim voxels. The reference point is the mean of the centres of
+   * all solid voxels of the whole segment.
+   *
+   * @param bits the segment, which the caller no longer changes
+   * @param depthMm the depth of the erosion, mm; 0 for none
+   * @throws IllegalArgumentException if the segment has no voxels, or none that is that deep
+   */
+  public static RigidTool ofErodedSegment(BitCube bits, VoxelGrid grid, double depthMm) {
+    if (bits.solidCount() == 0) {
+      throw new IllegalArgumentException("the tool's segment has no voxels");
+    }
+    VoxelSolid whole = new VoxelSolid(bits, grid);
+    VoxelSolid sampled = whole.refined(depthMm == 0 ? Double.POSITIVE_INFINITY : depthMm);
+    if (depthMm > 0) {
+      sampled = sampled.eroded(depthMm);
+    }
+    if (sampled.bits().solidCount() == 0) {
+      throw nothingLeft(depthMm);
+    }
+    return ofVoxels(sampled, whole.massProperties());
+  }
+
+  private static RigidTool ofVoxels(VoxelSolid solid, MassProperties mass) {
+    Vec3 reference = mass.centroidMm();
+    PointList points = new PointList();
+    solid.sampleRim(points);
+    return new RigidTool(
+        points.relativeTo(reference),
+        mass.metric(),
+        solid.coverRadiusMm(),
+        reference,
+        solid.relativeTo(reference));
+  }
+
+  private static IllegalArgumentException nothingLeft(double depthMm) {
+    return new IllegalArgumentException(
+        "no point of the tool lies deeper than " + depthMm + " mm below its surface");
+  }
+}
