@@ -29,6 +29,12 @@ public final class DeviceState {
   /** Pressed buttons; bit 0 is the first button. */
   public int buttons;
 
+  /**
+   * Whether the probe was put at this position without a motion that leads to it. The frame then
+   * sets its tool free there. Only a device without a hand, such as a mouse, does this.
+   */
+  public boolean relocated;
+
   /** Copies another state into this one. */
   public DeviceState set(DeviceState other) {
     positionMm.set(other.positionMm);
@@ -38,6 +44,7 @@ public final class DeviceState {
     qw = other.qw;
     timeNanos = other.timeNanos;
     buttons = other.buttons;
+    relocated = other.relocated;
     return this;
   }
 }

@@ -115,6 +115,7 @@ public final class HapticFrame {
    */
   public FrameOutcome run(long nowNanos) {
     advanceClock(nowNanos);
+    sample.relocated = false; // Most devices never set it.
     ReadStatus status = device.read(sample);
     if (status == ReadStatus.DISCONNECTED) {
       release();
@@ -198,6 +199,8 @@ public final class HapticFrame {
     deviceGrid.set(sample.positionMm);
     if (!placed) {
       placePoint();
+    } else if (sample.relocated) {
+      relocatePoint();
     }
     solver.follow(scene, deviceGrid, point);
     if (contactForce.settings().distinguishesObjects()) {
@@ -215,12 +218,27 @@ public final class HapticFrame {
     }
   }
 
+  /** Sets the point free at a device that jumped, or as near to it as the solids permit. */
+  private void relocatePoint() {
+    point.position.set(deviceGrid);
+    if (touchesSolid()) {
+      setFree(deviceGrid);
+    } else {
+      beginAnew();
+    }
+  }
+
   private boolean touchesSolid() {
     return scene.touches(point.position.x, point.position.y, point.position.z);
   }
 
   private void setFree(Vec3 from) {
     nearestFreeVoxel.find(scene, from, point.position);
+    beginAnew();
+  }
+
+  /** Begins a new chain of legs at the present position, with a force that rises from zero. */
+  private void beginAnew() {
     solver.reset();
     freed = true;
     ramp.start();

@@ -10,7 +10,8 @@ import org.palpate.geometry.Vec3;
 
 /**
  * A mouse as a haptic device without force. The position approaches the pointer smoothly, no faster
- * than a hand. Any thread moves the pointer; the haptic thread reads the device.
+ * than a hand, or jumps to where the user presses anew. Any thread moves the pointer; the haptic
+ * thread reads the device.
  */
 public final class MouseDevice implements HapticDevice {
   /** Part of the remaining distance to the pointer that one sample covers. */
@@ -19,9 +20,21 @@ public final class MouseDevice implements HapticDevice {
   private final DeviceSpecification specification;
   private final long intervalNanos;
   private final Vec3 position = new Vec3();
-  private volatile Vec3 target;
+  private volatile Motion motion;
   private volatile boolean closed;
   private long reads;
+
+  /** The number of jumps that the haptic thread has made. */
+  private long jumpsMade;
+
+  /**
+   * The motion that the user asks for.
+   *
+   * @param jumps number of jumps so far
+   * @param from the position of the last jump
+   * @param target the position to approach
+   */
+  private record Motion(long jumps, Vec3 from, Vec3 target) {}
 
   /**
    * Creates a device that rests beside the region until the pointer moves.
@@ -31,8 +44,8 @@ public final class MouseDevice implements HapticDevice {
    */
   public MouseDevice(HandTarget region, long intervalNanos) {
     this.intervalNanos = intervalNanos;
-    target = beside(region);
-    position.set(target);
+    position.set(beside(region));
+    motion = new Motion(0, position, new Vec3().set(position));
     specification =
         new DeviceSpecification(
             "mouse",
@@ -55,8 +68,25 @@ public final class MouseDevice implements HapticDevice {
   }
 
   /** Sets the position that the device approaches, world mm. Any thread. */
-  public void moveTo(Vec3 worldMm) {
-    target = new Vec3().set(worldMm);
+  public synchronized void moveTo(Vec3 worldMm) {
+    Motion now = motion;
+    motion = new Motion(now.jumps, now.from, new Vec3().set(worldMm));
+  }
+
+  /**
+   * Jumps to a position, and approaches another one from there. The interaction point is set free
+   * at the first position, or as near to it as the solids permit. Any thread.
+   *
+   * @param fromMm a place without solids, world mm
+   * @param toMm the position to approach, world mm
+   */
+  public synchronized void jump(Vec3 fromMm, Vec3 toMm) {
+    motion = new Motion(motion.jumps + 1, new Vec3().set(fromMm), new Vec3().set(toMm));
+  }
+
+  /** Whether the device has jumped, because the user pressed somewhere. Any thread. */
+  boolean hasJumped() {
+    return motion.jumps > 0;
   }
 
   @Override
@@ -69,14 +99,25 @@ public final class MouseDevice implements HapticDevice {
     if (closed) {
       return ReadStatus.DISCONNECTED;
     }
-    Vec3 end = target;
+    Motion now = motion;
+    boolean jumps = now.jumps != jumpsMade;
+    if (jumps) {
+      jumpsMade = now.jumps;
+      position.set(now.from);
+    } else {
+      approach(now.target);
+    }
+    state.positionMm.set(position);
+    state.relocated = jumps;
+    state.timeNanos = reads++ * intervalNanos;
+    return ReadStatus.FRESH;
+  }
+
+  private void approach(Vec3 end) {
     position.set(
         position.x + (end.x - position.x) * APPROACH_FRACTION_PER_SAMPLE,
         position.y + (end.y - position.y) * APPROACH_FRACTION_PER_SAMPLE,
         position.z + (end.z - position.z) * APPROACH_FRACTION_PER_SAMPLE);
-    state.positionMm.set(position);
-    state.timeNanos = reads++ * intervalNanos;
-    return ReadStatus.FRESH;
   }
 
   @Override

@@ -15,15 +15,22 @@ import org.palpate.scene.MovableSlices;
 final class SessionOverlay {
   private static final long UPDATE_NANOS = 500_000_000;
 
+  /** Time for which a hint is shown. */
+  private static final long HINT_NANOS = 4_000_000_000L;
+
   private final TouchSession session;
   private final HapticDevice device;
   private final Optional<MovableSlices> slices;
   private volatile boolean invalid;
+  private volatile Hint hint = new Hint("", 0);
   private List<String> lines = List.of();
   private long updateNanos;
   private long lastFrames;
   private long lastApplications;
   private double lastProgress;
+
+  /** A line that is shown for a while. */
+  private record Hint(String text, long sinceNanos) {}
 
   SessionOverlay(TouchSession session, HapticDevice device, Optional<MovableSlices> slices) {
     this.session = session;
@@ -36,6 +43,35 @@ final class SessionOverlay {
     invalid = true;
   }
 
+  /** Shows a line for a few seconds; an empty one removes the last. */
+  void hint(String text) {
+    if (!text.isEmpty() || !hint.text.isEmpty()) {
+      hint = new Hint(text, System.nanoTime());
+      invalid = true;
+    }
+  }
+
+  private void dropOldHint(long now) {
+    Hint shown = hint;
+    if (!shown.text.isEmpty() && now - shown.sinceNanos > HINT_NANOS) {
+      hint("");
+    }
+  }
+
+  /** Returns the hint, or else how to begin with the mouse. */
+  private String hintLine() {
+    String text = hint.text;
+    if (!text.isEmpty()) {
+      return text;
+    }
+    if (device instanceof MouseTakeover takeover && !takeover.mouse().hasJumped()) {
+      return "drag on the surface to touch with the mouse";
+    }
+    return device instanceof MouseDevice mouse && !mouse.hasJumped()
+        ? "press on the surface and drag to touch"
+        : "";
+  }
+
   /**
    * Returns new lines twice a second while something changes, otherwise the same lines, which cause
    * no redraw.
@@ -46,6 +82,7 @@ final class SessionOverlay {
    */
   List<String> update(long applications, double progress, String triangles) {
     long now = System.nanoTime();
+    dropOldHint(now);
     boolean changed = applications != lastApplications || progress != lastProgress;
     if (invalid || (changed && now - updateNanos >= UPDATE_NANOS)) {
       invalid = false;
@@ -78,7 +115,8 @@ final class SessionOverlay {
         tuningLine(),
         slices.map(MovableSlices::line).orElse(""),
         surfaces,
-        "h: help");
+        "h: help",
+        hintLine());
   }
 
   private String tuningLine() {

@@ -74,7 +74,8 @@ public final class SessionView implements AutoCloseable {
    * @param session the session to show
    * @param volume the drawn segments; their bits may be a copy of those that are touched
    * @param axes orientation of the volume's world axes
-   * @param device the device of the session; the mouse moves it if it is a {@link MouseDevice}
+   * @param device the device of the session; the mouse moves it if it is a {@link MouseDevice}, and
+   *     takes it over if it is a {@link MouseTakeover}
    * @param listener receives reports
    */
   public SessionView(
@@ -157,14 +158,27 @@ public final class SessionView implements AutoCloseable {
     input.onKey(',', "less friction", () -> applyAndShow(tuning::decreaseFriction));
     input.onKey(
         'n', "next solver: smooth, guarded, paper, dot", () -> applyAndShow(tuning::nextSolver));
-    if (device instanceof MouseDevice mouse) {
-      input.setPointer(mouse::moveTo);
-    }
+    mouse().ifPresent(mouse -> addMouse(input, mouse));
     if (device instanceof WorkspaceDevice mapped) {
       input.onKey(
           ' ', "clutch: hold or release the point", () -> applyAndShow(() -> toggleClutch(mapped)));
     }
     slices.ifPresent(planes -> addSliceKeys(input, planes));
+  }
+
+  /** Returns the mouse as a device, if it is one or may become one. */
+  private Optional<MouseDevice> mouse() {
+    return device instanceof MouseDevice mouse
+        ? Optional.of(mouse)
+        : device instanceof MouseTakeover takeover
+            ? Optional.of(takeover.mouse())
+            : Optional.empty();
+  }
+
+  private void addMouse(WindowInput input, MouseDevice mouse) {
+    MouseTouch touch = new MouseTouch(volume, mouse, overlay::hint);
+    input.setPointer(touch);
+    input.onKey('c', "free the point: withdraw it from the surface", touch::free);
   }
 
   private void addSliceKeys(WindowInput input, MovableSlices planes) {

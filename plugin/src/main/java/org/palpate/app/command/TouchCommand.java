@@ -22,6 +22,7 @@ import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
+import org.palpate.host.MouseTakeover;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.host.TrajectoryRecording;
@@ -145,8 +146,7 @@ public final class TouchCommand implements Callable<Integer> {
     ContactScene scene = contact.scene(source, segments);
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
-    try (HapticDevice opened =
-        choice.open(target, source.header().coordinateSystem(), loop.periodNanos())) {
+    try (HapticDevice opened = open(choice, source, target, loop.periodNanos())) {
       Optional<ViewOptions> view = view(source);
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
       TouchReport measured = run(scene, opened, choice, loop, record, view, axes);
@@ -160,6 +160,16 @@ public final class TouchCommand implements Callable<Integer> {
       report.write();
       return measured.exitCode();
     }
+  }
+
+  /** Opens the device; the mouse may take a simulated hand over if there is a window. */
+  private HapticDevice open(
+      DeviceChoice choice, VolumeSource source, HandTarget target, long periodNanos)
+      throws IOException {
+    HapticDevice opened = choice.open(target, source.header().coordinateSystem(), periodNanos);
+    return hasWindow() && choice.device().isSimulated()
+        ? new MouseTakeover(opened, target, periodNanos)
+        : opened;
   }
 
   /** Rejects options that would otherwise be ignored silently. */

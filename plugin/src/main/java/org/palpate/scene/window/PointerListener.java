@@ -1,14 +1,14 @@
 package org.palpate.scene.window;
 
-import org.palpate.geometry.Vec3;
-
 /** Receives the mouse as a device. Called on the thread that draws. */
-@FunctionalInterface
 public interface PointerListener {
   /**
-   * Receives a position while the mouse button is held down.
+   * Receives a spot while the mouse button is held down.
    *
-   * @param worldMm the target of the device, slightly below the surface under the mouse, world mm
+   * @return whether there is something to touch; if not, a drag that begins here turns the scene
    */
-  void moved(Vec3 worldMm);
+  boolean press(PointerSpot spot);
+
+  /** Reports that a press began on the background, where there is nothing to touch. */
+  void pressedBackground();
 }

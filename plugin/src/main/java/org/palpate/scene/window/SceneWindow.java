@@ -299,16 +299,16 @@ public final class SceneWindow implements AutoCloseable {
       renderer.draw(gl, state, gl.getDefaultDrawFramebuffer(), width, height, 1);
       drawnTriangles = renderer.drawnTriangles();
       allTriangles = renderer.allTriangles();
-      input.pick(at -> pick(gl, state, width, height, at));
+      input.pick((x, y) -> pick(gl, state, width, height, x, y));
       Consumer<Picture> taker = snapshot.getAndSet(null);
       if (taker != null) {
         taker.accept(PixelReader.read(gl, width, height));
       }
     }
 
-    private Optional<Vec3> pick(GL3 gl, SceneState state, int width, int height, double[] at) {
+    private Optional<Vec3> pick(GL3 gl, SceneState state, int width, int height, int x, int y) {
       Vec3 shown = new Vec3();
-      return renderer.pick(gl, state, at[0], at[1], width, height, 1, shown)
+      return renderer.pick(gl, state, x, y, width, height, 1, shown)
           ? Optional.of(shown)
           : Optional.empty();
     }

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import java.util.function.IntSupplier;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.SceneModel;
@@ -22,9 +22,12 @@ import org.palpate.scene.Stereo;
 /**
  * The actions of mouse and keys.
  *
- * <p>Left drag touches if the mouse is the device, otherwise it turns the scene. Right drag turns;
- * middle drag, or left drag with Shift, moves. The wheel zooms or, while touching, changes the
- * pressure.
+ * <p>A left drag that begins on a surface touches it if the mouse is a device; any other left drag
+ * turns the scene. Right drag turns; middle drag, or left drag with Shift, moves. The wheel zooms
+ * or, while touching, changes the pressure.
+ *
+ * <p>What lies under a press is known once the drawing thread has looked; until then the press does
+ * nothing.
  */
 public final class WindowInput extends MouseAdapter {
   private static final double RADIANS_PER_HEIGHT = Math.PI;
@@ -36,16 +39,35 @@ public final class WindowInput extends MouseAdapter {
   private final IntSupplier width;
   private final IntSupplier height;
   private final Map<Character, Key> keys = new LinkedHashMap<>();
-  private final AtomicReference<double[]> requestedPick = new AtomicReference<>();
+  private final AtomicReference<Pick> requestedPick = new AtomicReference<>();
+  private final AtomicReference<Gesture> gesture = new AtomicReference<>(Gesture.NONE);
   private volatile Optional<PointerListener> pointer = Optional.empty();
   private volatile double pressFraction = 0.02;
   private boolean helpShown;
-  private boolean touching;
   private int lastX;
   private int lastY;
 
   /** The action of a key; {@code repeats} means that it repeats while the key is held down. */
   private record Key(String help, Runnable action, boolean repeats) {}
+
+  /** The action of the mouse while a button is held down. */
+  private enum Gesture {
+    NONE,
+    /** A press of which the drawing thread has not yet said whether it met a surface. */
+    UNDECIDED,
+    TOUCH,
+    TURN,
+    MOVE
+  }
+
+  /**
+   * A request to find what lies under the mouse.
+   *
+   * @param x pixels from the left
+   * @param y pixels from the top
+   * @param begins whether a press begins there
+   */
+  private record Pick(int x, int y, boolean begins) {}
 
   WindowInput(SceneModel model, IntSupplier width, IntSupplier height) {
     this.model = model;
@@ -129,7 +151,7 @@ public final class WindowInput extends MouseAdapter {
     List<String> lines = new ArrayList<>();
     lines.add(
         pointer.isPresent()
-            ? "left drag: touch     right drag: turn     middle drag: move"
+            ? "drag on a surface: touch     right drag, or beside it: turn     middle drag: move"
             : "drag: turn     middle or Shift drag: move");
     lines.add(
         pointer.isPresent()
@@ -163,9 +185,23 @@ public final class WindowInput extends MouseAdapter {
   public void mousePressed(MouseEvent event) {
     lastX = event.getX();
     lastY = event.getY();
-    touching =
-        pointer.isPresent() && event.getButton() == MouseEvent.BUTTON1 && !event.isShiftDown();
-    touch(event);
+    gesture.set(gestureOf(event));
+    if (gesture.get() == Gesture.UNDECIDED) {
+      requestPick(event, true);
+    }
+  }
+
+  private Gesture gestureOf(MouseEvent event) {
+    boolean left = event.getButton() == MouseEvent.BUTTON1;
+    if (event.getButton() == MouseEvent.BUTTON2 || (left && event.isShiftDown())) {
+      return Gesture.MOVE;
+    }
+    return left && pointer.isPresent() ? Gesture.UNDECIDED : Gesture.TURN;
+  }
+
+  private void requestPick(MouseEvent event, boolean begins) {
+    requestedPick.set(new Pick(event.getX(), event.getY(), begins));
+    model.requestRedraw();
   }
 
   @Override
@@ -174,21 +210,22 @@ public final class WindowInput extends MouseAdapter {
     double dy = (event.getY() - lastY) / (double) Math.max(1, height.getAsInt());
     lastX = event.getX();
     lastY = event.getY();
-    if (touching) {
-      touch(event);
-    } else if (event.isButtonDown(MouseEvent.BUTTON2) || event.isShiftDown()) {
-      model.moveCamera(camera -> camera.pan(dx, -dy), true);
-    } else {
-      model.moveCamera(
-          camera -> camera.orbit(dx * RADIANS_PER_HEIGHT, -dy * RADIANS_PER_HEIGHT), true);
+    switch (gesture.get()) {
+      case TOUCH -> requestPick(event, false);
+      case MOVE -> model.moveCamera(camera -> camera.pan(dx, -dy), true);
+      case TURN ->
+          model.moveCamera(
+              camera -> camera.orbit(dx * RADIANS_PER_HEIGHT, -dy * RADIANS_PER_HEIGHT), true);
+      default -> {
+        // The next drag will know.
+      }
     }
   }
 
   @Override
   public void mouseReleased(MouseEvent event) {
-    boolean wasMoving = !touching;
-    touching = false;
-    if (wasMoving) {
+    Gesture ended = gesture.getAndSet(Gesture.NONE);
+    if (ended == Gesture.TURN || ended == Gesture.MOVE) {
       model.moveCamera(camera -> camera, false);
     }
   }
@@ -196,34 +233,43 @@ public final class WindowInput extends MouseAdapter {
   @Override
   public void mouseWheelMoved(MouseEvent event) {
     double steps = event.getRotation()[1];
-    if (touching) {
+    if (gesture.get() == Gesture.TOUCH) {
       double pressed = pressFraction * Math.pow(ZOOM_STEP, -steps);
       pressFraction = Math.max(MIN_PRESS, Math.min(MAX_PRESS, pressed));
-      touch(event);
+      requestPick(event, false);
     } else {
       model.moveCamera(camera -> camera.zoom(Math.pow(ZOOM_STEP, steps)), false);
     }
   }
 
-  private void touch(MouseEvent event) {
-    if (touching) {
-      requestedPick.set(new double[] {event.getX(), event.getY()});
-      model.requestRedraw();
+  /**
+   * Finds the point under the mouse if one was requested. Called by the drawing thread.
+   *
+   * @param finder returns the point that a pixel shows, scene frame; the pixel counts from the
+   *     upper left
+   */
+  void pick(BiFunction<Integer, Integer, Optional<Vec3>> finder) {
+    Pick pick = requestedPick.getAndSet(null);
+    if (pick == null || pointer.isEmpty()) {
+      return;
+    }
+    Optional<Vec3> found = finder.apply(pick.x, pick.y);
+    boolean touches = found.isPresent() && pointer.get().press(spot(found.get(), pick.begins));
+    if (pick.begins && found.isEmpty()) {
+      pointer.get().pressedBackground();
+    }
+    if (pick.begins) {
+      // A button that was released meanwhile leaves no gesture.
+      gesture.compareAndSet(Gesture.UNDECIDED, touches ? Gesture.TOUCH : Gesture.TURN);
     }
   }
 
-  /** Finds the point under the mouse if one was requested. Called by the drawing thread. */
-  void pick(Function<double[], Optional<Vec3>> finder) {
-    double[] at = requestedPick.getAndSet(null);
-    if (at != null) {
-      finder.apply(at).ifPresent(this::movePointer);
-    }
-  }
-
-  private void movePointer(Vec3 onSurface) {
+  private PointerSpot spot(Vec3 onSurface, boolean begins) {
     SceneState state = model.state();
-    Vec3 pressed = state.camera().back().mul(-pressFraction * state.radiusMm(), new Vec3());
-    Vec3 world = model.axes().toSceneOrBack(onSurface.add(pressed, pressed), pressed);
-    pointer.ifPresent(listener -> listener.moved(world));
+    Vec3 eye = model.axes().toSceneOrBack(state.camera().eye(), new Vec3());
+    Vec3 surface = model.axes().toSceneOrBack(onSurface, new Vec3());
+    // A drawn surface may lie a voxel in front of what is touched.
+    double depthMm = pressFraction * state.radiusMm() + state.detailMm();
+    return new PointerSpot(eye, surface, depthMm, begins);
   }
 }

@@ -1,0 +1,55 @@
+package org.palpate.host;
+
+import org.palpate.device.DeviceDecorator;
+import org.palpate.device.DeviceState;
+import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.ReadStatus;
+import org.palpate.geometry.Vec3;
+
+/**
+ * A simulated hand that the mouse takes over as soon as the user presses with it. Threads are those
+ * of {@link MouseDevice}.
+ */
+public final class MouseTakeover extends DeviceDecorator {
+  private final MouseDevice mouse;
+  private final long intervalNanos;
+  private long reads;
+
+  /**
+   * Wraps a simulated hand.
+   *
+   * @param hand delivers the samples until the mouse presses; its clock is ignored
+   * @param region the region to touch, world mm
+   * @param intervalNanos time between two samples, positive
+   */
+  public MouseTakeover(HapticDevice hand, HandTarget region, long intervalNanos) {
+    super(hand);
+    mouse = new MouseDevice(region, intervalNanos);
+    this.intervalNanos = intervalNanos;
+  }
+
+  /** Returns the mouse. */
+  MouseDevice mouse() {
+    return mouse;
+  }
+
+  /** Reads the hand, or the mouse once it has pressed. */
+  @Override
+  public ReadStatus read(DeviceState state) {
+    ReadStatus status = mouse.hasJumped() ? mouse.read(state) : device.read(state);
+    state.timeNanos = reads++ * intervalNanos;
+    return status;
+  }
+
+  @Override
+  public boolean write(Vec3 forceNewton) {
+    return mouse.hasJumped() ? mouse.write(forceNewton) : device.write(forceNewton);
+  }
+
+  @Override
+  public void close() {
+    mouse.close();
+    device.close();
+  }
+}

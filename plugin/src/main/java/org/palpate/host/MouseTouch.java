@@ -1,0 +1,232 @@
+package org.palpate.host;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.Vec3;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.RayCaster;
+import org.palpate.raycast.RayHit;
+import org.palpate.scene.window.PointerListener;
+import org.palpate.scene.window.PointerSpot;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Touches with the mouse what the user sees: a press begins in front of the first solid on the line
+ * of sight and goes on into it, so that the point meets the face that was pressed.
+ *
+ * <p>The drawing thread presses; any thread frees the point. It reads the drawn voxels without a
+ * lock, so a voxel that changes meanwhile may count as it was. The haptic frame checks the place
+ * again before it sets the point free there.
+ */
+final class MouseTouch implements PointerListener {
+  static final String NOTHING_THERE = "nothing to touch there: press on a surface";
+
+  /** The start of a press lies this many of the longest voxel edges in front of the surface. */
+  private static final double CLEAR_VOXELS = 1.5;
+
+  /** A drawn surface lies this many voxels from a solid at most. */
+  private static final int DRAWN_VOXELS = 2;
+
+  /** The direction of a press comes from the solids within this many voxels. */
+  private static final double NORMAL_VOXELS = 3;
+
+  /** The most voxels along an axis that the direction of a press looks at, to either side. */
+  private static final double MAX_NORMAL_REACH = 12;
+
+  /** The least cosine between the line of sight and the direction of a press. */
+  private static final double LEAST_INWARD = 0.1;
+
+  /** A drag that goes deeper than this many times its width has left one surface for another. */
+  private static final double STEEPEST = 4;
+
+  /** The least change of depth that may be a jump to another surface, as part of the radius. */
+  private static final double JUMP_FRACTION = 0.03;
+
+  /** The distance to which a freed point withdraws from the surface, as part of the radius. */
+  private static final double WITHDRAWAL_FRACTION = 0.15;
+
+  private final VoxelGrid grid;
+  private final CollisionScene scene;
+  private final MouseDevice mouse;
+  private final Consumer<String> hints;
+  private final double voxelMm;
+  private final double radiusMm;
+  private final RayCaster caster = new ExactRayCaster();
+  private final Ray ray = new Ray();
+  private final RayHit hit = new RayHit();
+
+  /** The last spot on a solid; empty if the last press met none. */
+  private Optional<Vec3> lastFaceMm = Optional.empty();
+
+  private volatile Optional<Vec3> withdrawnMm = Optional.empty();
+
+  /**
+   * Creates a listener.
+   *
+   * @param volume the drawn segments
+   * @param mouse the device to move
+   * @param hints receives a line if there is nothing to touch; empty if there is
+   */
+  MouseTouch(SegmentedVolume volume, MouseDevice mouse, Consumer<String> hints) {
+    grid = volume.grid();
+    List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
+    scene = new CollisionScene(cubes);
+    this.mouse = mouse;
+    this.hints = hints;
+    Vec3 spacing = grid.spacingMm();
+    voxelMm = Math.max(spacing.x, Math.max(spacing.y, spacing.z));
+    radiusMm = mouse.specification().workspaceRadiusMm();
+  }
+
+  @Override
+  public boolean press(PointerSpot spot) {
+    Optional<Vec3> face = face(spot);
+    if (face.isPresent()) {
+      press(spot, face.get());
+      hints.accept("");
+    } else if (spot.begins()) {
+      pressedBackground();
+    }
+    boolean touches = face.isPresent();
+    lastFaceMm = face;
+    return touches;
+  }
+
+  @Override
+  public void pressedBackground() {
+    lastFaceMm = Optional.empty();
+    hints.accept(NOTHING_THERE);
+  }
+
+  /** Withdraws device and point to a place in front of the last spot. Any thread. */
+  void free() {
+    withdrawnMm.ifPresent(place -> mouse.jump(place, place));
+  }
+
+  /**
+   * Returns the point at which the line of sight meets the first solid, world mm; empty if no solid
+   * is near the spot or the viewer is inside one.
+   */
+  private Optional<Vec3> face(PointerSpot spot) {
+    Vec3 sight = spot.surfaceMm().sub(spot.eyeMm(), new Vec3());
+    double reach = 1 + DRAWN_VOXELS * voxelMm / sight.length();
+    Vec3 beyond = spot.eyeMm().add(sight.mul(reach, sight), sight);
+    Optional<Vec3> straight = firstHit(spot.eyeMm(), beyond);
+    return straight.isPresent()
+        ? straight
+        : solidNear(spot.surfaceMm()).flatMap(solid -> firstHit(spot.eyeMm(), solid));
+  }
+
+  private Optional<Vec3> firstHit(Vec3 fromMm, Vec3 toMm) {
+    Vec3 from = grid.worldToGrid(fromMm, new Vec3());
+    Vec3 to = grid.worldToGrid(toMm, new Vec3());
+    boolean hits =
+        from.isFinite()
+            && to.isFinite()
+            && scene.cast(caster, ray.from(from.x, from.y, from.z).to(to.x, to.y, to.z), hit);
+    return hits && hit.t > 0
+        ? Optional.of(along(fromMm, toMm, hit.t * toMm.sub(fromMm, new Vec3()).length()))
+        : Optional.empty();
+  }
+
+  /** Returns the centre of a solid voxel next to a drawn point, world mm: the nearest one. */
+  private Optional<Vec3> solidNear(Vec3 drawnMm) {
+    Vec3 at = grid.worldToGrid(drawnMm, new Vec3());
+    int i = (int) Math.floor(at.x);
+    int j = (int) Math.floor(at.y);
+    int k = (int) Math.floor(at.z);
+    Optional<Vec3> nearest = Optional.empty();
+    double least = Double.POSITIVE_INFINITY;
+    for (int z = k - DRAWN_VOXELS; z <= k + DRAWN_VOXELS; z++) {
+      for (int y = j - DRAWN_VOXELS; y <= j + DRAWN_VOXELS; y++) {
+        for (int x = i - DRAWN_VOXELS; x <= i + DRAWN_VOXELS; x++) {
+          Vec3 centre = grid.gridToWorld(new Vec3(x + 0.5, y + 0.5, z + 0.5), new Vec3());
+          double distance = centre.sub(drawnMm, new Vec3()).length();
+          if (distance < least && scene.isSolid(x, y, z)) {
+            least = distance;
+            nearest = Optional.of(centre);
+          }
+        }
+      }
+    }
+    return nearest;
+  }
+
+  /**
+   * Returns a unit vector into the solid at a face, so that the point stays where it was pressed:
+   * towards the mean of the solid voxels around it, or along the line of sight if that leads out.
+   */
+  private Vec3 inward(Vec3 eyeMm, Vec3 faceMm) {
+    Vec3 sight = unit(faceMm.sub(eyeMm, new Vec3()));
+    Vec3 sum = new Vec3();
+    Vec3 spacing = grid.spacingMm();
+    Vec3 at = grid.worldToGrid(faceMm, new Vec3());
+    double reach = NORMAL_VOXELS * voxelMm;
+    int i = (int) Math.min(MAX_NORMAL_REACH, reach / spacing.x);
+    int j = (int) Math.min(MAX_NORMAL_REACH, reach / spacing.y);
+    int k = (int) Math.min(MAX_NORMAL_REACH, reach / spacing.z);
+    for (int z = -k; z <= k; z++) {
+      for (int y = -j; y <= j; y++) {
+        for (int x = -i; x <= i; x++) {
+          addIfSolid(Math.floor(at.x) + x, Math.floor(at.y) + y, Math.floor(at.z) + z, faceMm, sum);
+        }
+      }
+    }
+    boolean isClear = sum.length() > 0 && sum.dot(sight) >= LEAST_INWARD * sum.length();
+    return isClear ? unit(sum) : sight;
+  }
+
+  /** Adds the direction from a face to the centre of voxel (i,j,k) if it is solid and near. */
+  private void addIfSolid(double i, double j, double k, Vec3 faceMm, Vec3 sum) {
+    if (scene.isSolid((int) i, (int) j, (int) k)) {
+      Vec3 centre = grid.gridToWorld(new Vec3(i + 0.5, j + 0.5, k + 0.5), new Vec3());
+      centre.sub(faceMm, centre);
+      if (centre.length() <= NORMAL_VOXELS * voxelMm) {
+        sum.add(centre, sum);
+      }
+    }
+  }
+
+  private static Vec3 unit(Vec3 vector) {
+    return vector.mul(1 / vector.length(), vector);
+  }
+
+  private void press(PointerSpot spot, Vec3 faceMm) {
+    Vec3 eye = spot.eyeMm();
+    double distance = faceMm.sub(eye, new Vec3()).length();
+    Vec3 targetMm = inward(eye, faceMm);
+    targetMm.mul(spot.depthMm(), targetMm).add(faceMm, targetMm);
+    double clear = Math.min(CLEAR_VOXELS * voxelMm, distance / 2);
+    double withdrawal = Math.min(Math.max(WITHDRAWAL_FRACTION * radiusMm, clear), distance / 2);
+    withdrawnMm = Optional.of(along(eye, faceMm, distance - withdrawal));
+    if (spot.begins() || isAnotherSurface(eye, faceMm)) {
+      mouse.jump(along(eye, faceMm, distance - clear), targetMm);
+    } else {
+      mouse.moveTo(targetMm);
+    }
+  }
+
+  /** Whether a drag went from one surface to another, as from a nose to the wall behind it. */
+  private boolean isAnotherSurface(Vec3 eyeMm, Vec3 faceMm) {
+    if (lastFaceMm.isEmpty()) {
+      return true;
+    }
+    Vec3 moved = faceMm.sub(lastFaceMm.get(), new Vec3());
+    Vec3 sight = faceMm.sub(eyeMm, new Vec3());
+    double deeper = Math.abs(moved.dot(sight)) / sight.length();
+    double wide = Math.sqrt(Math.max(0, moved.dot(moved) - deeper * deeper));
+    return deeper > STEEPEST * wide + JUMP_FRACTION * radiusMm;
+  }
+
+  /** Returns the point at a distance from {@code fromMm} on the line to {@code toMm}. */
+  private static Vec3 along(Vec3 fromMm, Vec3 toMm, double distanceMm) {
+    Vec3 way = toMm.sub(fromMm, new Vec3());
+    return way.mul(distanceMm / way.length(), way).add(fromMm, way);
+  }
+}

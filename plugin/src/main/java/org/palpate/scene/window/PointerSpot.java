@@ -1,0 +1,13 @@
+package org.palpate.scene.window;
+
+import org.palpate.geometry.Vec3;
+
+/**
+ * A spot of the picture that the user presses with the mouse. World mm; read-only.
+ *
+ * @param eyeMm position of the viewer
+ * @param surfaceMm the point that the picture shows under the mouse
+ * @param depthMm how deep the user presses, along the line of sight
+ * @param begins whether a press begins here; otherwise it goes on from the last spot
+ */
+public record PointerSpot(Vec3 eyeMm, Vec3 surfaceMm, double depthMm, boolean begins) {}
