@@ -71,6 +71,19 @@ public final class GrownSolids {
     update(bits.bounds());
   }
 
+  /**
+   * Returns the memory that grown solids of these settings take, bytes; may exceed what there is.
+   */
+  public static double bytesFor(
+      BitCube bits, GridMetric metric, double growthMm, double longestCellMm) {
+    int partsX = parts(metric.spacingX(), longestCellMm);
+    int partsY = parts(metric.spacingY(), longestCellMm);
+    int partsZ = parts(metric.spacingZ(), longestCellMm);
+    double pad = 2 * (growthMm / metric.shortestEdgeMm() + 1);
+    double voxels = (bits.sizeX() + pad) * (bits.sizeY() + pad) * (bits.sizeZ() + pad);
+    return voxels * partsX * partsY * partsZ / 8;
+  }
+
   private static int parts(double edgeMm, double longestCellMm) {
     int parts = 1;
     while (parts < LARGEST_PARTS && edgeMm / parts > longestCellMm) {

@@ -39,7 +39,7 @@ class ArchitectureTest {
       Map.ofEntries(
           Map.entry("app", List.of("app.command")),
           Map.entry("app.command", List.of("app.output", "realtime")),
-          Map.entry("app.options", List.of("app.process", "host", "io")),
+          Map.entry("app.options", List.of("app.process", "host", "tool")),
           Map.entry("app.output", List.of("app.options")),
           Map.entry("app.process", List.of("display", "io.volume")),
           Map.entry(
@@ -175,6 +175,7 @@ class ArchitectureTest {
           Map.entry("scijava", List.of("app")),
           Map.entry("statistics", List.of()),
           Map.entry("sync", List.of("geometry")),
+          Map.entry("tool", List.of("io", "rigid")),
           Map.entry("volume", List.of("geometry")),
           Map.entry("volume.phantom", List.of("volume")));
 
@@ -187,14 +188,12 @@ class ArchitectureTest {
   private static final Set<String> USED_BY_OTHERS =
       new TreeSet<>(
           List.of(
+              BASE + "app.options.ToolOptions",
               BASE + "device.jni.FrameLayout",
               BASE + "edit.BrushEdit",
               BASE + "rigid.CouplingRateLimit",
               BASE + "rigid.RigidCoupling",
               BASE + "rigid.RigidSolver",
-              BASE + "rigid.tool.BoxShape",
-              BASE + "rigid.tool.RodShape",
-              BASE + "rigid.tool.ToolSampler",
               BASE + "scene.Palette",
               BASE + "scene.gl.SceneRendererVariants",
               BASE + "scene.gl.Shaders",

@@ -81,8 +81,8 @@ public final class ToolSampler {
     if (bits.solidCount() == 0) {
       throw new IllegalArgumentException("the tool's segment has no voxels");
     }
-    VoxelSolid whole = new VoxelSolid(bits, grid);
-    VoxelSolid sampled = whole.refined(depthMm == 0 ? Double.POSITIVE_INFINITY : depthMm);
+    VoxelSolid whole = new VoxelSolid(bits, grid).cropped();
+    VoxelSolid sampled = whole.refined(longestEdgeMm(depthMm));
     if (depthMm > 0) {
       sampled = sampled.eroded(depthMm);
     }
@@ -90,6 +90,16 @@ public final class ToolSampler {
       throw nothingLeft(depthMm);
     }
     return ofVoxels(sampled, whole.massProperties());
+  }
+
+  /** Layers that are thinner than a voxel need voxels that are as thin. */
+  private static double longestEdgeMm(double depthMm) {
+    return depthMm == 0 ? Double.POSITIVE_INFINITY : depthMm;
+  }
+
+  /** Returns the memory that a tool of a segment takes while it is made, bytes. */
+  public static double bytesFor(BitCube bits, VoxelGrid grid, double depthMm) {
+    return new VoxelSolid(bits, grid).refinedBytes(longestEdgeMm(depthMm));
   }
 
   private static RigidTool ofVoxels(VoxelSolid solid, MassProperties mass) {

@@ -1,7 +1,8 @@
 package org.palpate.rigid.tool;
 
 import org.palpate.geometry.AffineMap;
-import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -48,6 +49,20 @@ record VoxelSolid(BitCube bits, VoxelGrid grid) {
     }
   }
 
+  /** Returns the solid on the smallest grid that contains it. */
+  VoxelSolid cropped() {
+    IntBox box = bits.bounds();
+    int sizeX = box.highX - box.lowX + 1;
+    int sizeY = box.highY - box.lowY + 1;
+    int sizeZ = box.highZ - box.lowZ + 1;
+    BitCube inside = new BitCube(sizeX, sizeY, sizeZ);
+    forEachSolid((i, j, k) -> inside.set(i - box.lowX, j - box.lowY, k - box.lowZ));
+    Vec3 corner = grid.gridToWorld(new Vec3(box.lowX, box.lowY, box.lowZ), new Vec3());
+    RigidTransform t = grid.gridMmToWorld();
+    RigidTransform moved = new RigidTransform(t.axisX(), t.axisY(), t.axisZ(), corner);
+    return new VoxelSolid(inside, new VoxelGrid(sizeX, sizeY, sizeZ, grid.spacingMm(), moved));
+  }
+
   /**
    * Returns the same solid made of smaller voxels that are about cubes.
    *
@@ -55,27 +70,40 @@ record VoxelSolid(BitCube bits, VoxelGrid grid) {
    *     the shortest edge allow
    */
   VoxelSolid refined(double longestEdgeMm) {
-    double shortestMm = GridMetric.of(grid.spacingMm()).shortestEdgeMm();
-    double edgeMm = Math.max(Math.min(longestEdgeMm, shortestMm), shortestMm / MOST_PARTS);
-    int partsX = parts(grid.spacingMm().x, edgeMm);
-    int partsY = parts(grid.spacingMm().y, edgeMm);
-    int partsZ = parts(grid.spacingMm().z, edgeMm);
+    Vec3 s = grid.spacingMm();
+    double edgeMm = edgeMm(longestEdgeMm);
+    int partsX = parts(s.x, edgeMm);
+    int partsY = parts(s.y, edgeMm);
+    int partsZ = parts(s.z, edgeMm);
     if (partsX == 1 && partsY == 1 && partsZ == 1) {
       return this;
     }
     BitCube fine = new BitCube(bits.sizeX() * partsX, bits.sizeY() * partsY, bits.sizeZ() * partsZ);
     forEachSolid(
         (i, j, k) -> fill(fine, i * partsX, j * partsY, k * partsZ, partsX, partsY, partsZ));
-    Vec3 s = grid.spacingMm();
     Vec3 spacing = new Vec3(s.x / partsX, s.y / partsY, s.z / partsZ);
     return new VoxelSolid(
         fine,
         new VoxelGrid(fine.sizeX(), fine.sizeY(), fine.sizeZ(), spacing, grid.gridMmToWorld()));
   }
 
-  /**
-   * Returns into how many parts an edge is cut; an edge that is too long by rounding is not cut.
-   */
+  /** Returns the memory of the cropped solid after {@link #refined} and an erosion, bytes. */
+  double refinedBytes(double longestEdgeMm) {
+    IntBox box = bits.bounds();
+    Vec3 s = grid.spacingMm();
+    double edgeMm = edgeMm(longestEdgeMm);
+    double x = (box.highX - box.lowX + 1.0) * parts(s.x, edgeMm);
+    double y = (box.highY - box.lowY + 1.0) * parts(s.y, edgeMm);
+    double z = (box.highZ - box.lowZ + 1.0) * parts(s.z, edgeMm);
+    return x * y * z / 4;
+  }
+
+  private double edgeMm(double longestEdgeMm) {
+    double shortestMm = grid.metric().shortestEdgeMm();
+    return Math.max(Math.min(longestEdgeMm, shortestMm), shortestMm / MOST_PARTS);
+  }
+
+  /** Returns the number of parts of an edge; 1 if only rounding makes the edge too long. */
   private static int parts(double edgeMm, double longestMm) {
     return Math.max(1, (int) Math.ceil(edgeMm / longestMm - 1e-9));
   }
@@ -137,13 +165,6 @@ record VoxelSolid(BitCube bits, VoxelGrid grid) {
 
   private static int reach(double depthMm, double spacingMm) {
     return (int) Math.min(1 << 20, depthMm / spacingMm);
-  }
-
-  /** Returns the number of solid voxels with an empty neighbour across a face. */
-  int rimCount() {
-    int[] count = {0};
-    forEachSolid((i, j, k) -> count[0] += isRim(i, j, k) ? 1 : 0);
-    return count[0];
   }
 
   /** Adds the centres of all rim voxels, world mm. */

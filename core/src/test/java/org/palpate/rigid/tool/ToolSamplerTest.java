@@ -174,6 +174,113 @@ class ToolSamplerTest {
     assertSame(whole, whole.thinned(whole.count()));
   }
 
+  @ParameterizedTest
+  @MethodSource("shapes")
+  void theMassOfAShapeIsThatOfItsCells(ToolShape shape) {
+    Vec3 low = shape.low();
+    Vec3 size = shape.high().sub(low, new Vec3());
+    MomentSum sum = new MomentSum();
+    int cells = 60;
+    for (int n = 0; n < cells * cells * cells; n++) {
+      double x = low.x + size.x * (n % cells + 0.5) / cells;
+      double y = low.y + size.y * (n / cells % cells + 0.5) / cells;
+      double z = low.z + size.z * (Math.floorDiv(n, cells * cells) + 0.5) / cells;
+      if (shape.contains(x, y, z)) {
+        sum.add(x, y, z);
+      }
+    }
+    MassProperties cellwise = sum.massProperties();
+    MassProperties exact = shape.massProperties();
+    double cell = size.x * size.y * size.z / (cells * cells * cells);
+    assertEquals(1, cellwise.volumeMm3() * cell / exact.volumeMm3(), 0.01);
+    assertEquals(cellwise.centroidMm().z, exact.centroidMm().z, 0.01 * size.z);
+    double radius = exact.metric().rmsRadiusMm();
+    assertEquals(1, cellwise.metric().rmsRadiusMm() / radius, 0.005);
+  }
+
+  @ParameterizedTest
+  @MethodSource("shapes")
+  void erosionOfAShapeKeepsExactlyWhatIsDeeper(ToolShape shape) {
+    Vec3 low = shape.low();
+    Vec3 size = shape.high().sub(low, new Vec3());
+    double depth = 0.3 * Math.min(size.x, Math.min(size.y, size.z));
+    ToolShape eroded = shape.eroded(depth).orElseThrow();
+    for (int n = 0; n < 4000; n++) {
+      double x = low.x + random.nextDouble() * size.x;
+      double y = low.y + random.nextDouble() * size.y;
+      double z = low.z + random.nextDouble() * size.z;
+      if (eroded.contains(x, y, z)) {
+        assertBallInside(shape, new Vec3(x, y, z), depth - 1e-9);
+      } else {
+        assertFalse(isBallInside(shape, new Vec3(x, y, z), depth * 1.05), shape.toString());
+      }
+    }
+    assertTrue(shape.eroded(size.length()).isEmpty());
+  }
+
+  private void assertBallInside(ToolShape shape, Vec3 centre, double radius) {
+    assertTrue(isBallInside(shape, centre, radius), shape + " at " + centre);
+  }
+
+  /** Whether many points of a sphere lie in a shape. */
+  private boolean isBallInside(ToolShape shape, Vec3 centre, double radius) {
+    int points = 3000;
+    for (int n = 0; n < points; n++) {
+      double z = 1 - (2 * n + 1.0) / points;
+      double flat = Math.sqrt(1 - z * z);
+      double x = centre.x + radius * flat * Math.cos(2.4 * n);
+      double y = centre.y + radius * flat * Math.sin(2.4 * n);
+      if (!shape.contains(x, y, centre.z + radius * z)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  @Test
+  void erosionOfASegmentKeepsEveryPointThatIsDeeper() {
+    BitCube bits = new BitCube(10, 10, 10);
+    for (int n = 0; n < 1000; n++) {
+      if (Math.hypot(n % 10 - 4.2, Math.hypot(n / 10 % 10 - 4.5, n / 100 - 5)) < 4.4) {
+        bits.set(n % 10, n / 10 % 10, n / 100);
+      }
+    }
+    VoxelGrid grid = obliqueGrid(bits, new Vec3(1, 0.8, 2));
+    VoxelSolid whole = new VoxelSolid(bits, grid);
+    for (double depth : new double[] {0.05, 0.3, 0.8, 1.1, 2}) {
+      VoxelSolid fine = whole.refined(depth);
+      VoxelSolid eroded = fine.eroded(depth);
+      assertTrue(depth < 0.1 || eroded.bits().solidCount() < fine.bits().solidCount());
+      RigidTool tool = ToolSampler.ofErodedSegment(bits, grid, depth);
+      Vec3 reference = tool.referenceMm(new Vec3());
+      for (int n = 0; n < 3000; n++) {
+        Vec3 p = new Vec3(random.nextDouble(10), random.nextDouble(10), random.nextDouble(10));
+        boolean isDeep = depthOf(bits, grid, p) > depth;
+        Vec3 world = grid.gridToWorld(p, p).sub(reference, new Vec3());
+        if (isDeep) {
+          assertTrue(tool.solid().contains(world.x, world.y, world.z), "depth " + depth);
+        }
+      }
+    }
+  }
+
+  /** Returns the distance of a point from the nearest empty voxel, mm. */
+  private static double depthOf(BitCube bits, VoxelGrid grid, Vec3 p) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int n = 0; n < 12 * 12 * 12; n++) {
+      int i = n % 12 - 1;
+      int j = n / 12 % 12 - 1;
+      int k = n / 144 - 1;
+      if (!bits.get(i, j, k)) {
+        double x = Math.max(0, Math.max(i - p.x, p.x - i - 1)) * grid.spacingMm().x;
+        double y = Math.max(0, Math.max(j - p.y, p.y - j - 1)) * grid.spacingMm().y;
+        double z = Math.max(0, Math.max(k - p.z, p.z - k - 1)) * grid.spacingMm().z;
+        least = Math.min(least, Math.sqrt(x * x + y * y + z * z));
+      }
+    }
+    return least;
+  }
+
   @Test
   void aToolWithoutMatterIsRejected() {
     BitCube none = new BitCube(3, 3, 3);

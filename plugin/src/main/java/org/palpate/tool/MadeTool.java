@@ -1,0 +1,90 @@
+package org.palpate.tool;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.GrownSolids;
+import org.palpate.io.file.NumberText;
+import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.rigid.Clearance;
+import org.palpate.rigid.tool.RigidTool;
+
+/**
+ * A rigid tool that was made as the user asked, and the clearance that it keeps.
+ *
+ * @param name the tool as it was written
+ * @param tool the tool
+ * @param clearance the clearance that it keeps
+ * @param files the files from which it was made, which no output may replace
+ * @param notes what the user should know, a sentence each
+ */
+public record MadeTool(
+    String name, RigidTool tool, ClearanceChoice clearance, List<Path> files, List<String> notes) {
+
+  /** Copies the lists. */
+  public MadeTool {
+    files = List.copyOf(files);
+    notes = List.copyOf(notes);
+  }
+
+  /**
+   * Returns the smallest gap that is guaranteed between the solids of tool and bodies, mm: negative
+   * if they may overlap by that depth, empty in mode {@code points}.
+   */
+  public OptionalDouble clearanceMm() {
+    return clearance.wholeBody() ? OptionalDouble.of(clearance.marginMm()) : OptionalDouble.empty();
+  }
+
+  /**
+   * Returns the clearance from each body of a scene, in its order.
+   *
+   * @throws VolumeFormatException if the clearance is too large for a body's voxels, or the grown
+   *     solids do not fit in memory
+   */
+  public List<Clearance> clearances(BodyScene scene) throws VolumeFormatException {
+    List<Clearance> result = new ArrayList<>();
+    double bytes = 0;
+    for (int n = 0; n < scene.count(); n++) {
+      Clearance ofBody = clearanceFrom(scene.body(n));
+      bytes += bytesFor(scene.body(n), ofBody);
+      result.add(ofBody);
+    }
+    MemoryCheck.require(bytes, "the clearance of the tool", "--tool " + name);
+    return result;
+  }
+
+  private Clearance clearanceFrom(Body body) throws VolumeFormatException {
+    if (!clearance.wholeBody()) {
+      return Clearance.POINTS;
+    }
+    Clearance ofBody = Clearance.ofWholeBody(tool, body.grid(), Math.max(0, clearance.marginMm()));
+    double mostMm = Clearance.MOST_GROWTH_EDGES * body.metric().shortestEdgeMm();
+    if (ofBody.growthMm() > mostMm) {
+      throw new VolumeFormatException(
+          "its points would keep "
+              + NumberText.display(ofBody.growthMm())
+              + " mm from "
+              + body.name()
+              + ", more than "
+              + NumberText.display(Clearance.MOST_GROWTH_EDGES)
+              + " voxels",
+          "--tool " + name,
+          "choose a smaller --clearance or a tool of smaller voxels, or write --clearance points");
+    }
+    return ofBody;
+  }
+
+  private static double bytesFor(Body body, Clearance clearance) {
+    double bytes = 0;
+    for (int level = 1; clearance.growthMm() > 0 && level <= clearance.levels(); level++) {
+      bytes +=
+          GrownSolids.bytesFor(
+              body.bits(), body.metric(), clearance.growthMm(), clearance.longestCellMm());
+    }
+    return bytes;
+  }
+}

@@ -1,0 +1,196 @@
+package org.palpate.tool;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.VolumeFiles;
+import org.palpate.io.file.NumberText;
+import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.label.SegmentBuilder;
+import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.rigid.tool.ToolShape;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Makes the tool that a user asked for. The spacing of its sample points follows from the voxels of
+ * the scene: mode {@code body} then keeps a gap of about half a voxel.
+ */
+public final class ToolMaker {
+  /** The most sample points of a shape; a larger one is sampled more coarsely. */
+  static final int MOST_POINTS_OF_SHAPE = 100_000;
+
+  /** The most sample points of any tool. */
+  static final int MOST_POINTS = 1_000_000;
+
+  /**
+   * The cover radius of a shape, shortest voxel edges of the scene. A little below a half, so that
+   * the clearance with its allowances is a half and fills whole cells.
+   */
+  private static final double COVER_EDGES = 0.498;
+
+  /** The coarsest cover radius of a large shape, as a multiple of the finest. */
+  private static final double COARSEST = 8;
+
+  private final ToolRequest request;
+  private final double edgeMm;
+  private final CoordinateSystem world;
+  private final List<Path> files = new ArrayList<>();
+  private final List<String> notes = new ArrayList<>();
+
+  private ToolMaker(ToolRequest request, double edgeMm, CoordinateSystem world) {
+    this.request = request;
+    this.edgeMm = edgeMm;
+    this.world = world;
+  }
+
+  /**
+   * Makes a tool.
+   *
+   * @param edgeMm the shortest voxel edge of the scene, mm
+   * @param world the directions of the world axes, into which files are converted
+   * @throws VolumeFormatException if a file cannot be read, or nothing or too much would be left of
+   *     the tool
+   */
+  public static MadeTool make(ToolRequest request, double edgeMm, CoordinateSystem world)
+      throws VolumeFormatException {
+    return new ToolMaker(request, edgeMm, world).make();
+  }
+
+  private MadeTool make() throws VolumeFormatException {
+    ClearanceChoice clearance =
+        request
+            .clearance()
+            .orElse(request.points().isPresent() ? ClearanceChoice.POINTS : ClearanceChoice.BODY);
+    double depthMm = Math.max(0, -clearance.marginMm());
+    RigidTool whole = sampled(depthMm);
+    RigidTool tool = request.points().isPresent() ? thinned(whole) : whole;
+    return new MadeTool(name(), tool, clearance, files, notes);
+  }
+
+  private String name() {
+    if (request.spec() instanceof ToolSpec.Shape shape) {
+      return shape.text();
+    }
+    return request.spec() instanceof ToolSpec.VolumeFile volume
+        ? volume.file().toString()
+        : "point";
+  }
+
+  private RigidTool sampled(double depthMm) throws VolumeFormatException {
+    if (request.spec() instanceof ToolSpec.Shape shape) {
+      return ofShape(shape.shape(), depthMm);
+    }
+    if (request.spec() instanceof ToolSpec.VolumeFile volume) {
+      return ofVolume(volume.file(), depthMm);
+    }
+    return ToolSampler.point();
+  }
+
+  private RigidTool thinned(RigidTool whole) {
+    RigidTool tool = whole.thinned(request.points().getAsInt());
+    if (!tool.isCovered()) {
+      notes.add(
+          "The tool has "
+              + tool.count()
+              + " of its "
+              + whole.count()
+              + " points, so only these points keep clear of solids, not the whole tool.");
+    }
+    return tool;
+  }
+
+  private RigidTool ofShape(ToolShape shape, double depthMm) throws VolumeFormatException {
+    double finestMm = COVER_EDGES * edgeMm;
+    double coverMm = finestMm;
+    while (shape.areaMm2() / (2 * coverMm * coverMm) > MOST_POINTS_OF_SHAPE) {
+      coverMm *= 2;
+      if (coverMm > COARSEST * finestMm) {
+        throw new VolumeFormatException(
+            "the tool is too large for voxels of " + NumberText.display(edgeMm) + " mm",
+            "--tool " + name(),
+            "choose a smaller tool; lengths are in mm");
+      }
+    }
+    try {
+      return ToolSampler.ofErodedShape(shape, coverMm, depthMm);
+    } catch (IllegalArgumentException e) {
+      throw nothingLeft(depthMm, e);
+    }
+  }
+
+  private RigidTool ofVolume(Path file, double depthMm) throws VolumeFormatException {
+    VolumeReader reader = VolumeFiles.open(file, ReadOptions.defaults());
+    files.addAll(reader.files());
+    SegmentSpec spec = request.segment().orElse(SegmentSpec.nonzero("tool"));
+    BitCube bits = SegmentBuilder.read(reader, List.of(spec)).segments().get(0).bits();
+    if (bits.solidCount() == 0) {
+      throw new VolumeFormatException(
+          "no voxel of the tool is solid",
+          file,
+          "choose its voxels with --tool-segment; palpate info --volume prints the values");
+    }
+    return ofVoxels(bits, inWorld(reader, file), depthMm);
+  }
+
+  private RigidTool ofVoxels(BitCube bits, VoxelGrid grid, double depthMm)
+      throws VolumeFormatException {
+    MemoryCheck.require(ToolSampler.bytesFor(bits, grid, depthMm), "the tool", "--tool " + name());
+    try {
+      RigidTool tool = ToolSampler.ofErodedSegment(bits, grid, depthMm);
+      if (tool.count() > MOST_POINTS) {
+        throw new VolumeFormatException(
+            "the tool has "
+                + NumberText.count(tool.count())
+                + " points, more than "
+                + NumberText.count(MOST_POINTS),
+            "--tool " + name(),
+            "crop its segment or resample it to larger voxels");
+      }
+      return tool;
+    } catch (IllegalArgumentException e) {
+      throw nothingLeft(depthMm, e);
+    }
+  }
+
+  private VolumeFormatException nothingLeft(double depthMm, IllegalArgumentException cause) {
+    return new VolumeFormatException(
+        "no part of the tool lies deeper than "
+            + NumberText.display(depthMm)
+            + " mm below its surface",
+        "--clearance " + NumberText.display(-depthMm),
+        "choose a margin nearer to 0",
+        cause);
+  }
+
+  /** Returns the grid of a volume with its axes turned into those of the world of the scene. */
+  private VoxelGrid inWorld(VolumeReader reader, Path file) {
+    VoxelGrid grid = reader.header().grid();
+    CoordinateSystem own = reader.header().coordinateSystem();
+    Optional<Vec3> signs = AxisSigns.between(own, world);
+    if (signs.isEmpty()) {
+      notes.add("The world axes of " + file + " are taken as those of the scene.");
+      return grid;
+    }
+    RigidTransform t = grid.gridMmToWorld();
+    return new VoxelGrid(
+        grid.sizeX(),
+        grid.sizeY(),
+        grid.sizeZ(),
+        grid.spacingMm(),
+        new RigidTransform(
+            AxisSigns.apply(signs.get(), t.axisX()),
+            AxisSigns.apply(signs.get(), t.axisY()),
+            AxisSigns.apply(signs.get(), t.axisZ()),
+            AxisSigns.apply(signs.get(), t.origin())));
+  }
+}
