@@ -35,9 +35,14 @@ std::atomic<bool> running{false};
 std::thread scheduler;
 thread_local bool inFrame = false;
 
+/** The stack is bounded: a session that stays unplugged for long pushes an error at every call. */
+constexpr size_t kMostErrors = 1000;
+
 void push(unsigned code) {
   const std::lock_guard<std::mutex> lock(guard);
-  errors.push_back({code, 0, 0});
+  if (errors.size() < kMostErrors) {
+    errors.push_back({code, 0, 0});
+  }
 }
 
 void fail(const Call& call) {
