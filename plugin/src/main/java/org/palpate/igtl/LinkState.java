@@ -1,0 +1,45 @@
+package org.palpate.igtl;
+
+import java.util.List;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+
+/**
+ * The state of a session as clients see it. A {@link LinkSource} fills it; one thread uses it.
+ *
+ * <p>Positions are in mm, forces in N, torques in N mm; all along the patient's axes right,
+ * anterior, superior.
+ */
+public final class LinkState {
+  /**
+   * A named position.
+   *
+   * @param name the name
+   * @param position RAS, mm
+   */
+  public record Landmark(String name, Vec3 position) {}
+
+  /** Where the hand holds the device. */
+  public final Vec3 devicePosition = new Vec3();
+
+  /** The orientation of the device. */
+  public final Quaternion deviceOrientation = new Quaternion();
+
+  /** The position of the tool: of the interaction point, or of the reference point. */
+  public final Vec3 toolPosition = new Vec3();
+
+  /** The orientation of the tool. */
+  public final Quaternion toolOrientation = new Quaternion();
+
+  /** The force on the hand, N. */
+  public final Vec3 force = new Vec3();
+
+  /** The torque on the hand, N mm. */
+  public final Vec3 torque = new Vec3();
+
+  /** Whether the tool is in contact. */
+  public boolean contact;
+
+  /** The landmarks; replaced, not changed, when one is added or removed. */
+  public List<Landmark> landmarks = List.of();
+}
