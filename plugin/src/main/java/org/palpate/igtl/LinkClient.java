@@ -21,14 +21,25 @@ final class LinkClient {
   private static final int MAX_REPLIES = 16;
   private static final long POLL_MILLIS = 100;
 
-  /**
-   * One update of the state.
-   *
-   * @param state messages that a later update makes obsolete
-   * @param landmarks messages that are sent if the client does not have this version yet
-   * @param landmarksVersion the version of the landmarks, from 1
-   */
-  record Update(byte[] state, byte[] landmarks, long landmarksVersion) {}
+  /** One update of the state; not changed once made. */
+  static final class Update {
+    private final byte[] state;
+    private final byte[] landmarks;
+    private final long landmarksVersion;
+
+    /**
+     * Creates an update that keeps the arrays.
+     *
+     * @param state messages that a later update makes obsolete
+     * @param landmarks messages that are sent if the client does not have this version yet
+     * @param landmarksVersion the version of the landmarks, from 1
+     */
+    Update(byte[] state, byte[] landmarks, long landmarksVersion) {
+      this.state = state;
+      this.landmarks = landmarks;
+      this.landmarksVersion = landmarksVersion;
+    }
+  }
 
   private final Socket socket;
   private final LinkListener listener;
@@ -42,7 +53,6 @@ final class LinkClient {
   /** Signals that there is something to write; it holds at most one signal. */
   private final BlockingQueue<Boolean> signal = new ArrayBlockingQueue<>(1);
 
-  private volatile long dropped;
   private volatile boolean closed;
 
   LinkClient(
@@ -64,15 +74,8 @@ final class LinkClient {
 
   /** Replaces the update that is to be written next. Server thread; never waits. */
   void offer(Update update) {
-    if (newest.getAndSet(update) != null) {
-      dropped++; // one writer: the server's thread
-    }
+    newest.set(update);
     signal.offer(Boolean.TRUE);
-  }
-
-  /** Returns how many updates were replaced before the client took them. */
-  long dropped() {
-    return dropped;
   }
 
   private void writeAll() {
@@ -86,11 +89,11 @@ final class LinkClient {
         }
         Update update = newest.getAndSet(null);
         if (update != null) {
-          if (update.landmarksVersion() != landmarksSent) {
-            out.write(update.landmarks());
-            landmarksSent = update.landmarksVersion();
+          if (update.landmarksVersion != landmarksSent) {
+            out.write(update.landmarks);
+            landmarksSent = update.landmarksVersion;
           }
-          out.write(update.state());
+          out.write(update.state);
         }
       }
     } catch (IOException e) {

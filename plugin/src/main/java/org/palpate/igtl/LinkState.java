@@ -19,7 +19,7 @@ public final class LinkState {
    */
   public record Landmark(String name, Vec3 position) {}
 
-  /** Where the hand holds the device. */
+  /** The position of the device. */
   public final Vec3 devicePosition = new Vec3();
 
   /** The orientation of the device. */

@@ -86,6 +86,12 @@ class MessageReaderTest {
             assertTrue(at < header.length, "the body was read");
             return header[at++] & 0xff;
           }
+
+          @Override
+          public int read(byte[] dest, int offset, int length) {
+            dest[offset] = (byte) read();
+            return 1;
+          }
         };
     LinkProtocolException e =
         assertThrows(

@@ -128,6 +128,7 @@ class ArchitectureTest {
                   "proxy.smooth",
                   "recording",
                   "scene.window")),
+          Map.entry("igtl", List.of("geometry")),
           Map.entry("imagej", List.of("imagej.session")),
           Map.entry("imagej.annotation", List.of("imagej.stack", "io.table")),
           Map.entry("imagej.dialog", List.of("imagej.stack")),
@@ -191,6 +192,7 @@ class ArchitectureTest {
               BASE + "app.options.ToolOptions",
               BASE + "device.jni.FrameLayout",
               BASE + "edit.BrushEdit",
+              BASE + "igtl.LinkServer",
               BASE + "rigid.CouplingRateLimit",
               BASE + "rigid.RigidCoupling",
               BASE + "rigid.RigidSolver",
@@ -398,6 +400,7 @@ class ArchitectureTest {
                             "..recording..",
                             "..scene..",
                             "..host..",
+                            "..igtl..",
                             "..app..",
                             "..benchmarks..")
                         .negate()))

@@ -24,6 +24,7 @@ final class JavadocRules {
   private static final Pattern FIRST_WORD = Pattern.compile("[A-Za-z]+");
   private static final Pattern PARAGRAPH =
       Pattern.compile("\\n\\s*(?=@\\w)|\\n\\s*\\n|</?(?:p|li|ul|ol|tr|td|h\\d)\\b[^>]*>");
+  private static final Pattern BLANKS = Pattern.compile("\\s+");
   private static final Pattern SENTENCE_END = Pattern.compile("(?<=[.;:!?])\\s+");
 
   private JavadocRules() {}
@@ -53,14 +54,17 @@ final class JavadocRules {
   /** Returns the sentences of a text that are too long. */
   static List<String> longSentences(String text) {
     List<String> faults = new ArrayList<>();
-    for (String paragraph : PARAGRAPH.split(text)) {
-      for (String sentence : SENTENCE_END.split(paragraph.strip())) {
-        int words = sentence.isBlank() ? 0 : sentence.strip().split("\\s+").length;
-        if (words > MAX_WORDS) {
-          faults.add(words + " words: " + sentence.replaceAll("\\s+", " "));
-        }
-      }
-    }
+    PARAGRAPH
+        .splitAsStream(text)
+        .flatMap(paragraph -> SENTENCE_END.splitAsStream(paragraph.strip()))
+        .filter(sentence -> words(sentence) > MAX_WORDS)
+        .forEach(
+            sentence ->
+                faults.add(words(sentence) + " words: " + sentence.replaceAll("\\s+", " ")));
     return faults;
+  }
+
+  private static long words(String sentence) {
+    return BLANKS.splitAsStream(sentence.strip()).filter(word -> !word.isEmpty()).count();
   }
 }
