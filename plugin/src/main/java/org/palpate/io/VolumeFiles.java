@@ -1,5 +1,7 @@
 package org.palpate.io;
 
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -46,18 +48,45 @@ public final class VolumeFiles {
    * Opens a volume: reads its header and checks its sizes against the length of its files. Reads no
    * voxel, and costs little memory whatever the header claims.
    *
-   * @param file a file, or a folder of DICOM files or of raw slices
+   * @param file a file, or a folder of DICOM files, TIFF slices or raw slices
    * @throws VolumeFormatException if it is no volume, is damaged, or needs another option
    */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
     if (Files.isDirectory(file) && options.raw().isEmpty()) {
-      return DicomReader.openFolder(file, options);
+      return openFolder(file, options);
     }
     ReadOptionChecks.refuseSeriesOption(options, file);
     if (options.raw().isPresent()) {
       return RawReader.open(file, options.raw().get(), options);
     }
     return LabelledReader.of(openFile(file, options), file);
+  }
+
+  /** Opens a folder of TIFF slices, or else one of DICOM files. */
+  private static VolumeReader openFolder(Path folder, ReadOptions options)
+      throws VolumeFormatException {
+    List<Path> slices = TiffReader.filesOf(folder);
+    if (slices.isEmpty() || hasDicomFile(folder)) {
+      return DicomReader.openFolder(folder, options);
+    }
+    ReadOptionChecks.refuseSeriesOption(options, folder);
+    return TiffReader.openSlices(folder, slices, options);
+  }
+
+  private static boolean hasDicomFile(Path folder) throws VolumeFormatException {
+    try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
+      for (Path entry : entries) {
+        if (Files.isRegularFile(entry)
+            && DicomReader.accepts(InputFiles.firstBytes(entry, START_BYTES), entry)) {
+          return true;
+        }
+      }
+      return false;
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException e) {
+      throw InputFiles.unreadableFile(folder, e);
+    }
   }
 
   private static VolumeReader openFile(Path file, ReadOptions options)

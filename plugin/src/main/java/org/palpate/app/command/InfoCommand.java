@@ -69,7 +69,7 @@ public final class InfoCommand implements Callable<Integer> {
     printHeader(source);
     out.flush();
     ValueStatistics statistics = new ValueStatistics(source.header());
-    source.reader().read(statistics);
+    source.reader().readLayers(statistics);
     ValueStatistics.Summary found = statistics.summary();
     printValues(found);
     List<Segment> segments = segments(source, found);

@@ -28,7 +28,10 @@ public final class VolumeOptions {
   @Option(
       names = "--time",
       paramLabel = "N",
-      description = "Time step or component of a file with several, counted from 0.")
+      description = {
+        "Time, echo, stack or component of a file or series with several, counted from 0.",
+        "palpate info prints what there is to choose from."
+      })
   private Integer time;
 
   @Option(
@@ -56,7 +59,7 @@ public final class VolumeOptions {
       paramLabel = "NAME=SPEC",
       description = {
         "A solid segment; may be repeated. SPEC is >=1500, 300..900, label:7,"
-            + " label:7,8,12 or nonzero. Default for a mask or label volume: one segment for each"
+            + " label:7,8,12, name:Mandible or nonzero. Default for a mask or label volume: one segment for each"
             + " label."
       })
   private List<String> segments = List.of();

@@ -203,7 +203,7 @@ public final class VolumeSource {
 
   private ValueStatistics.Summary statistics() throws VolumeFormatException {
     ValueStatistics statistics = new ValueStatistics(header());
-    reader.read(statistics);
+    reader.readLayers(statistics);
     return statistics.summary();
   }
 

@@ -11,7 +11,7 @@ public record NonSpatialAxis(int position, int count, int chosen) {
   public static final NonSpatialAxis NONE = new NonSpatialAxis(3, 1, 0);
 
   /** Returns how many samples of one step are contiguous in a slice of the given size. */
-  int contiguousSamples(int sizeX, int sizeY) {
+  public int contiguousSamples(int sizeX, int sizeY) {
     return switch (position) {
       case 0 -> 1;
       case 1 -> sizeX;

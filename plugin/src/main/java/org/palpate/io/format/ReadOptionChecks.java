@@ -20,18 +20,33 @@ public final class ReadOptionChecks {
    */
   public static int chosenStep(int count, ReadOptions options, Path file, List<String> notes)
       throws VolumeFormatException {
+    return chosenStep(count, count + " time steps or components", options, file, notes);
+  }
+
+  /**
+   * Returns the step to read, from 0. If there are several, a note reports the choice.
+   *
+   * @param count how many there are, at least 1
+   * @param what what there is to choose from, in words: "3 times of 5 slices"
+   * @throws VolumeFormatException if there are several and none, or one that does not exist, was
+   *     chosen
+   */
+  public static int chosenStep(
+      int count, String what, ReadOptions options, Path file, List<String> notes)
+      throws VolumeFormatException {
     OptionalInt chosen = options.timeStep();
     if (count == 1 && chosen.orElse(0) == 0) {
       return 0;
     }
     if (chosen.isEmpty() || chosen.getAsInt() < 0 || chosen.getAsInt() >= count) {
-      throw refusal(count, chosen, file);
+      throw refusal(count, what, chosen, file);
     }
     notes.add("step " + chosen.getAsInt() + " of " + count + ", counted from 0");
     return chosen.getAsInt();
   }
 
-  private static VolumeFormatException refusal(int count, OptionalInt chosen, Path file) {
+  private static VolumeFormatException refusal(
+      int count, String what, OptionalInt chosen, Path file) {
     if (count == 1) {
       return new VolumeFormatException(
           "the file has a single time step, no step " + chosen.getAsInt(),
@@ -41,7 +56,7 @@ public final class ReadOptionChecks {
     String last = Integer.toString(count - 1);
     return new VolumeFormatException(
         chosen.isEmpty()
-            ? "the file has " + count + " time steps or components"
+            ? "the file has " + what
             : "the file has no step " + chosen.getAsInt() + ", only 0 to " + last,
         file,
         "choose one with --time 0 to --time " + last);

@@ -35,6 +35,11 @@ public record LabelledReader(VolumeReader volume, VolumeHeader header) implement
   }
 
   @Override
+  public void readLayers(SliceSink sink) throws VolumeFormatException {
+    volume.readLayers(sink);
+  }
+
+  @Override
   public String sourceName() {
     return volume.sourceName();
   }

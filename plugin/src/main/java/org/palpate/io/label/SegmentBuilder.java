@@ -13,8 +13,8 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Builds segments of a volume in one pass, without keeping its values. Four slices make a layer of
- * bricks, which is then stored.
+ * Builds segments of a volume in one pass, without keeping its values. A voxel belongs to a segment
+ * if its value in any layer does. Four slices make a layer of bricks, which is then stored.
  */
 public final class SegmentBuilder implements SliceSink {
   private static final int[] PALETTE = {
@@ -25,6 +25,7 @@ public final class SegmentBuilder implements SliceSink {
   private final VoxelGrid grid;
   private final List<SegmentAccumulator> layers = new ArrayList<>();
   private final Optional<LabelLookup> dispatch;
+  private int brickZ;
 
   /**
    * Creates a builder of segments by rules.
@@ -54,8 +55,13 @@ public final class SegmentBuilder implements SliceSink {
     VoxelGrid grid = reader.header().grid();
     String purpose = specs.size() == 1 ? "one segment" : specs.size() + " segments";
     MemoryCheck.require(bytesFor(grid, specs.size()), purpose, reader.sourceName());
-    SegmentBuilder builder = new SegmentBuilder(grid, specs, reader.header().values().isInteger());
-    reader.read(builder);
+    List<SegmentSpec> resolved = new ArrayList<>();
+    for (SegmentSpec spec : specs) {
+      resolved.add(spec.resolved(reader.header().labels()));
+    }
+    SegmentBuilder builder =
+        new SegmentBuilder(grid, resolved, reader.header().values().isInteger());
+    reader.readLayers(builder);
     return builder.build();
   }
 
@@ -66,18 +72,24 @@ public final class SegmentBuilder implements SliceSink {
 
   @Override
   public void accept(int k, VoxelSlice slice) {
+    if (k >> BitCube.BRICK_SHIFT != brickZ) {
+      storeBrickLayer();
+      brickZ = k >> BitCube.BRICK_SHIFT;
+    }
     if (dispatch.isPresent()) {
       dispatch.get().addSlice(k, slice);
     } else {
       layers.forEach(layer -> layer.addSlice(k, slice));
     }
-    if ((k & 3) == 3 || k == grid.sizeZ() - 1) {
-      layers.forEach(layer -> layer.storeBrickLayer(k >> BitCube.BRICK_SHIFT));
-    }
+  }
+
+  private void storeBrickLayer() {
+    layers.forEach(layer -> layer.storeBrickLayer(brickZ));
   }
 
   /** Returns the segments after the last slice. */
   private SegmentedVolume build() {
+    storeBrickLayer();
     return new SegmentedVolume(grid, layers.stream().map(SegmentAccumulator::segment).toList());
   }
 }

@@ -1,7 +1,10 @@
 package org.palpate.io.label;
 
 import java.util.Arrays;
+import java.util.Map;
+import java.util.Optional;
 import org.palpate.io.file.NumberParser;
+import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
@@ -36,6 +39,18 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
     @Override
     public boolean selects(double value) {
       return value < 0 || value > 0;
+    }
+  }
+
+  /**
+   * Selects the labels that a table gives a name. {@link #resolved} makes labels of it.
+   *
+   * @param name the name in the table
+   */
+  public record Named(String name) implements Rule {
+    @Override
+    public boolean selects(double value) {
+      throw new IllegalStateException("name:" + name + " is not resolved");
     }
   }
 
@@ -81,6 +96,30 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
     return new SegmentSpec(name, new Nonzero(), ANY_COLOUR);
   }
 
+  /**
+   * Returns this specification with the labels of a table instead of a name.
+   *
+   * @throws VolumeFormatException if the table is absent or has no label of this name
+   */
+  public SegmentSpec resolved(Optional<LabelTable> table) throws VolumeFormatException {
+    if (!(rule instanceof Named named)) {
+      return this;
+    }
+    Map<Long, LabelTable.Label> labels = table.map(LabelTable::labels).orElse(Map.of());
+    long[] found =
+        labels.entrySet().stream()
+            .filter(entry -> entry.getValue().name().equals(named.name()))
+            .mapToLong(Map.Entry::getKey)
+            .toArray();
+    if (found.length == 0) {
+      throw new VolumeFormatException(
+          labels.isEmpty() ? "the volume names no label" : "the volume has no label of this name",
+          OPTION + name + "=name:" + named.name(),
+          "choose one that palpate info prints, or write label:7");
+    }
+    return new SegmentSpec(name, new Labels(found), rgb);
+  }
+
   /** Returns this specification with a colour, 0xRRGGBB. */
   public SegmentSpec withRgb(int colour) {
     return new SegmentSpec(name, rule, colour);
@@ -88,7 +127,7 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
 
   /**
    * Parses {@code bone=>=1500}, {@code soft=300..900}, {@code jaw=label:7}, {@code
-   * jaws=label:7,8,12} or {@code all=nonzero}.
+   * jaws=label:7,8,12}, {@code jaw=name:Mandible} or {@code all=nonzero}.
    *
    * @throws VolumeFormatException if the text has another form
    */
@@ -101,6 +140,9 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
     String rule = text.substring(equals + 1).strip();
     if (rule.equals("nonzero")) {
       return nonzero(name);
+    }
+    if (rule.startsWith("name:") && !rule.substring(5).isBlank()) {
+      return new SegmentSpec(name, new Named(rule.substring(5).strip()), ANY_COLOUR);
     }
     if (rule.startsWith("label:")) {
       return labels(name, parseLabels(rule.substring(6), text));
@@ -141,6 +183,6 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
     return new VolumeFormatException(
         what,
         OPTION + text,
-        "write 'bone=>=1500', 'soft=300..900', 'jaw=label:7,8' or 'all=nonzero'");
+        "write 'bone=>=1500', 'soft=300..900', 'jaw=label:7,8', 'jaw=name:Mandible' or 'all=nonzero'");
   }
 }

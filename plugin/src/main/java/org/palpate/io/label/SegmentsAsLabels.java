@@ -66,6 +66,18 @@ public final class SegmentsAsLabels implements VolumeReader {
     }
   }
 
+  @Override
+  public void readLayers(SliceSink sink) throws VolumeFormatException {
+    VoxelSlice slice = MemoryCheck.slice(volume.grid(), true, sourceName());
+    for (int k = 0; k < volume.grid().sizeZ(); k++) {
+      for (int n = 0; n < volume.segments().size(); n++) {
+        java.util.Arrays.fill(slice.integers(), 0);
+        paint(volume.segments().get(n).bits(), k, n + 1, slice);
+        sink.accept(k, slice);
+      }
+    }
+  }
+
   private static void paint(BitCube bits, int k, int label, VoxelSlice slice) {
     for (int brickY = 0; brickY < bits.bricksY(); brickY++) {
       for (int brickX = 0; brickX < bits.bricksX(); brickX++) {

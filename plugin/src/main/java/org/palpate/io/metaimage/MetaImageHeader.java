@@ -40,7 +40,7 @@ record MetaImageHeader(
     try (InputStream in = InputFiles.open(file, 0)) {
       HeaderLineReader lines = new HeaderLineReader(in, file);
       String line = lines.next();
-      for (; line != null && !fields.containsKey(LAST_KEY); line = lines.next()) {
+      for (; line != null; line = lines.next()) {
         if (!line.isBlank()) {
           parseLine(line, file, fields);
         }
@@ -70,7 +70,15 @@ record MetaImageHeader(
       throw new VolumeFormatException(
           "the line '" + shown + "' of the header is no field", file, "export the file again");
     }
-    fields.put(line.substring(0, equals).strip(), line.substring(equals + 1).strip());
+    String key = line.substring(0, equals).strip();
+    String value = line.substring(equals + 1).strip();
+    if (key.equals("ObjectType") && !value.equalsIgnoreCase("Image")) {
+      throw new VolumeFormatException(
+          "the ObjectType \"" + value + "\" is no image",
+          file,
+          "give the image from which it was made (ObjectType = Image)");
+    }
+    fields.put(key, value);
   }
 
   /**

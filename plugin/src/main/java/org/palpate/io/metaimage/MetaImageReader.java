@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
 import org.palpate.io.format.ConcatenatedInputStream;
 import org.palpate.io.format.FilePattern;
@@ -63,6 +64,7 @@ public final class MetaImageReader {
 
   private VolumeReader open() throws VolumeFormatException {
     VoxelType type = type();
+    noteIntensityFunction();
     sizes = sizes();
     channels = NumberParser.positiveInt(header.first("1", "ElementNumberOfChannels"));
     if (channels < 1) {
@@ -90,6 +92,20 @@ public final class MetaImageReader {
     long offset = data.start().offset();
     return new ConcatenatedInputStream(
         data.files(), file -> InputFiles.open(file, offset), Long.MAX_VALUE);
+  }
+
+  /** Notes a rescaling that the header states; it is left out, as ITK does. */
+  private void noteIntensityFunction() {
+    String slope = header.first("1", "ElementToIntensityFunctionSlope");
+    String offset = header.first("0", "ElementToIntensityFunctionOffset");
+    if (NumberParser.number(slope) != 1 || NumberParser.number(offset) != 0) {
+      notes.add(
+          "the values are the stored ones, as in ITK: the header's intensity function, "
+              + slope
+              + " times the value plus "
+              + offset
+              + ", is not applied");
+    }
   }
 
   private List<Path> files(List<Path> dataFiles) {
@@ -127,7 +143,8 @@ public final class MetaImageReader {
       throw header.refusal("the file has both several time steps and several channels");
     }
     int count = Math.max(steps, channels);
-    int step = ReadOptionChecks.chosenStep(count, options, header.file(), notes);
+    String what = count + (channels > 1 ? " channels (numbers in a voxel)" : " times");
+    int step = ReadOptionChecks.chosenStep(count, what, options, header.file(), notes);
     return count == 1 ? NonSpatialAxis.NONE : new NonSpatialAxis(channels > 1 ? 0 : 3, count, step);
   }
 
@@ -144,6 +161,14 @@ public final class MetaImageReader {
         direction.set(c, matrix == null ? (c == axis ? 1 : 0) : matrix[axis * n + c]);
       }
       steps[axis] = direction.mul(spacing[axis], direction);
+      if (spacing[axis] < 0) {
+        notes.add(
+            "the spacing along "
+                + "xyz".charAt(axis)
+                + " is stated as "
+                + NumberText.display(spacing[axis])
+                + ": that axis runs backward");
+      }
     }
     if (n == 2) {
       notes.add("a single slice: the slice spacing is taken to be the pixel spacing");

@@ -2,6 +2,7 @@ package org.palpate.io.nifti;
 
 import java.util.List;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.format.Grids;
 import org.palpate.io.volume.VolumeFormatException;
 
@@ -19,12 +20,20 @@ record NiftiAffine(List<Vec3> stepsMm, Vec3 firstCentreMm, boolean isKnown) {
   /** The largest excess of the squared quaternion over 1 that single precision can cause. */
   private static final double QUATERNION_TOLERANCE = 3 * 0x1p-23;
 
-  /** Returns the position that a header gives, and notes if it gives none. */
+  /** The part of a voxel by which two positions may differ through single precision. */
+  private static final double POSITION_TOLERANCE_VOXELS = 0.01;
+
+  /** Returns the position that a header gives, and notes if it gives none, or two. */
   static NiftiAffine of(NiftiHeader header, List<String> notes) throws VolumeFormatException {
     double mm = mmPerUnit(header);
     if (header.sformCode() > 0) {
-      return bySform(header).scaled(mm);
+      NiftiAffine sform = bySform(header).scaled(mm);
+      if (header.qformCode() > 0) {
+        noteDisagreement(header, sform, mm, notes);
+      }
+      return sform;
     }
+    noteNegativeSpacing(header, notes);
     if (header.qformCode() > 0) {
       return byQform(header).scaled(mm);
     }
@@ -36,6 +45,61 @@ record NiftiAffine(List<Vec3> stepsMm, Vec3 firstCentreMm, boolean isKnown) {
                 Math.abs(header.pixdim(2)),
                 header.dim(0) < 3 ? 1 : Math.abs(header.pixdim(3))));
     return new NiftiAffine(List.of(steps), new Vec3(), false).scaled(mm);
+  }
+
+  /** Notes a quaternion that places a corner of the volume elsewhere than the matrix does. */
+  private static void noteDisagreement(
+      NiftiHeader header, NiftiAffine sform, double mm, List<String> notes) {
+    double apart;
+    try {
+      apart = sform.largestDistance(byQform(header).scaled(mm), header);
+    } catch (VolumeFormatException e) {
+      notes.add("the quaternion (qform) is no rotation: the matrix (sform) is used");
+      return;
+    }
+    double voxel =
+        Math.min(
+            sform.stepsMm.get(0).length(),
+            Math.min(sform.stepsMm.get(1).length(), sform.stepsMm.get(2).length()));
+    if (!(apart <= POSITION_TOLERANCE_VOXELS * voxel)) {
+      notes.add(
+          "the file states two positions that differ by up to "
+              + rounded(apart)
+              + " mm: its matrix (sform) is used, not its quaternion (qform)");
+    }
+  }
+
+  private static String rounded(double mm) {
+    return NumberText.display(Math.rint(mm * 1000) / 1000);
+  }
+
+  /** Returns the largest distance between the corners of the volume in two positions, mm. */
+  private double largestDistance(NiftiAffine other, NiftiHeader header) {
+    double largest = 0;
+    for (int corner = 0; corner < 8; corner++) {
+      Vec3 apart = firstCentreMm.sub(other.firstCentreMm, new Vec3());
+      for (int axis = 0; axis < 3; axis++) {
+        double voxels =
+            header.dim(0) > axis ? (corner >> axis & 1) * (header.dim(axis + 1) - 1) : 0;
+        Vec3 step = stepsMm.get(axis).sub(other.stepsMm.get(axis), new Vec3());
+        apart.add(step.mul(voxels, step), apart);
+      }
+      largest = Math.max(largest, apart.length());
+    }
+    return largest;
+  }
+
+  private static void noteNegativeSpacing(NiftiHeader header, List<String> notes) {
+    for (int axis = 0; axis < Math.min(3, header.dim(0)); axis++) {
+      if (header.pixdim(axis + 1) < 0) {
+        notes.add(
+            "the spacing along "
+                + "xyz".charAt(axis)
+                + " is stated as "
+                + NumberText.display(header.pixdim(axis + 1))
+                + (header.qformCode() > 0 ? ": that axis runs backward" : ": its size is used"));
+      }
+    }
   }
 
   private NiftiAffine scaled(double mm) {

@@ -12,7 +12,8 @@ import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
- * The fields of a NIfTI header, by their offsets in bytes.
+ * The fields of a NIfTI header, by their offsets in bytes. An Analyze 7.5 header has the sizes, the
+ * type and the spacing at the same offsets as NIfTI-1, and no position.
  *
  * <pre>
  *              NIfTI-1        NIfTI-2
@@ -30,7 +31,7 @@ import org.palpate.io.volume.VolumeFormatException;
  *   srow       280 float[12]  400 double[12]
  * </pre>
  *
- * <p>Source: nifti1.h and nifti2.h, nifti.nimh.nih.gov.
+ * <p>Source: nifti1.h and nifti2.h, nifti.nimh.nih.gov; dbh.h of Analyze 7.5.
  */
 final class NiftiHeader {
   private static final int LENGTH_1 = 348;
@@ -40,12 +41,14 @@ final class NiftiHeader {
   private final ByteBuffer bytes;
   private final boolean second;
   private final boolean pair;
+  private final boolean analyze;
 
-  private NiftiHeader(Path file, ByteBuffer bytes, boolean second, boolean pair) {
+  private NiftiHeader(Path file, ByteBuffer bytes, boolean second, boolean pair, boolean analyze) {
     this.file = file;
     this.bytes = bytes;
     this.second = second;
     this.pair = pair;
+    this.analyze = analyze;
   }
 
   /** Returns whether a file with these first bytes, decompressed, is a NIfTI file. */
@@ -68,14 +71,19 @@ final class NiftiHeader {
     ByteBuffer bytes = ByteBuffer.wrap(start).order(order(start));
     boolean second = bytes.getInt(0) == LENGTH_2 && start.length >= LENGTH_2;
     String magic = magic(start, second);
-    boolean known = second ? magic.matches("n[+i]2") : magic.matches("n[+i]1");
-    if (!known || (!second && bytes.getInt(0) != LENGTH_1)) {
-      throw new VolumeFormatException(
-          "the file has no NIfTI header; it may be Analyze 7.5, which cannot be read",
-          file,
-          "convert it to NIfTI with the program that wrote it");
+    boolean lengthFits = second || bytes.getInt(0) == LENGTH_1;
+    if (lengthFits && magic.matches(second ? "n[+i]2" : "n[+i]1")) {
+      return new NiftiHeader(file, bytes, second, magic.charAt(1) == 'i', false);
     }
-    return new NiftiHeader(file, bytes, second, magic.charAt(1) == 'i');
+    int axes = bytes.getShort(40);
+    boolean isAnalyze = lengthFits && !second && axes >= 2 && axes <= 7;
+    if (isAnalyze && InputFiles.hasEnding(file, ".hdr", ".hdr.gz")) {
+      return new NiftiHeader(file, bytes, false, true, true);
+    }
+    throw new VolumeFormatException(
+        "the file has no header of NIfTI or Analyze 7.5",
+        file,
+        "export it again; an Analyze volume is a pair of files, .hdr and .img");
   }
 
   /** Returns the first bytes of a file, decompressed if it is gzip. */
@@ -118,14 +126,19 @@ final class NiftiHeader {
     return pair;
   }
 
+  /** Whether the header is Analyze 7.5, which states no position. */
+  boolean isAnalyze() {
+    return analyze;
+  }
+
   /** Returns the length of the header in bytes. */
   int length() {
     return second ? LENGTH_2 : LENGTH_1;
   }
 
-  /** Returns the name of the format, NIfTI-1 or NIfTI-2. */
+  /** Returns the name of the format. */
   String formatName() {
-    return second ? "NIfTI-2" : "NIfTI-1";
+    return analyze ? "Analyze 7.5" : second ? "NIfTI-2" : "NIfTI-1";
   }
 
   /** Returns the number of axes for n = 0, else the size along axis n. */
@@ -150,7 +163,7 @@ final class NiftiHeader {
 
   /** Returns the slope, 0 for no scaling. */
   double slope() {
-    return real(112, 176, 0);
+    return analyze ? 0 : real(112, 176, 0);
   }
 
   /** Returns the intercept. */
@@ -160,22 +173,22 @@ final class NiftiHeader {
 
   /** Whether the file declares that its values are labels. */
   boolean isLabels() {
-    return (second ? bytes.getInt(504) : bytes.getShort(68)) == 1002;
+    return !analyze && (second ? bytes.getInt(504) : bytes.getShort(68)) == 1002;
   }
 
   /** Returns the unit of length: 1 metre, 2 millimetre, 3 micrometre, 0 unknown. */
   int lengthUnit() {
-    return (second ? bytes.getInt(500) : bytes.get(123)) & 7;
+    return analyze ? 0 : (second ? bytes.getInt(500) : bytes.get(123)) & 7;
   }
 
   /** Returns the code of the quaternion's coordinate system, 0 for none. */
   int qformCode() {
-    return second ? bytes.getInt(344) : bytes.getShort(252);
+    return analyze ? 0 : second ? bytes.getInt(344) : bytes.getShort(252);
   }
 
   /** Returns the code of the matrix's coordinate system, 0 for none. */
   int sformCode() {
-    return second ? bytes.getInt(348) : bytes.getShort(254);
+    return analyze ? 0 : second ? bytes.getInt(348) : bytes.getShort(254);
   }
 
   /** Returns quaternion b, c, d for n = 0 to 2 and offset x, y, z for n = 3 to 5. */

@@ -11,8 +11,11 @@ import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
 import org.palpate.io.format.Grids;
 import org.palpate.io.format.InputFiles;
+import org.palpate.io.format.Luminance;
+import org.palpate.io.format.LuminanceSampleStream;
 import org.palpate.io.format.NonSpatialAxis;
 import org.palpate.io.format.ReadOptionChecks;
+import org.palpate.io.format.SampleStream;
 import org.palpate.io.format.Scaling;
 import org.palpate.io.format.StreamVolumeReader;
 import org.palpate.io.volume.CoordinateSystem;
@@ -20,17 +23,22 @@ import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeHeader.ValueRange;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Reads NIfTI-1 and NIfTI-2, in one file or as a pair, plain or gzip. World coordinates are RAS.
+ * Reads NIfTI-1 and NIfTI-2, in one file or as a pair, plain or gzip, and pairs of Analyze 7.5.
+ * World coordinates are RAS; those of Analyze 7.5 are unknown.
  *
- * <p>Source: nifti1.h and nifti2.h, nifti.nimh.nih.gov.
+ * <p>Source: nifti1.h and nifti2.h, nifti.nimh.nih.gov; dbh.h of Analyze 7.5.
  */
 public final class NiftiReader {
   private static final String[] ENDINGS = {".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz"};
+
+  private static final int RGB24 = 128;
+  private static final int RGBA32 = 2304;
 
   private NiftiReader() {}
 
@@ -59,26 +67,39 @@ public final class NiftiReader {
     VoxelGrid grid =
         Grids.of(sizes, place.stepsMm().toArray(new Vec3[0]), place.firstCentreMm(), headerFile);
     boolean gzip = BinaryData.isGzip(InputFiles.firstBytes(dataFile, 2));
+    int components = components(header);
     BinaryData data =
         new BinaryData(
             List.of(dataFile),
             new BinaryData.Start(offset(header), false, gzip),
             type,
             header.order(),
-            scaling,
-            byteCount(header, grid, extra, type));
+            components > 1 ? Scaling.NONE : scaling,
+            byteCount(header, grid, extra, type.bytes() * components));
     data.requireFileLengths();
+    if (components > 1) {
+      notes.add(Luminance.NOTE);
+    }
+    noteAnalyze(header, notes);
+    SampleStream.Opener opener =
+        components > 1 ? () -> new LuminanceSampleStream(data.open(), components) : data;
     VolumeHeader described =
         new VolumeHeader(
-            header.formatName() + (gzip ? ", gzip" : ""),
+            header.formatName() + colourName(header) + (gzip ? ", gzip" : ""),
             grid,
             type,
-            scaling.range(type),
+            components > 1 ? ValueRange.of(type) : scaling.range(type),
             place.isKnown() ? CoordinateSystem.RAS : CoordinateSystem.UNKNOWN,
             header.isLabels() ? Optional.of(LabelTable.EMPTY) : Optional.empty(),
             notes);
     List<Path> files = header.isPair() ? List.of(headerFile, dataFile) : List.of(headerFile);
-    return new StreamVolumeReader(described, files, data, extra, options.progress());
+    return new StreamVolumeReader(described, files, opener, extra, options.progress());
+  }
+
+  private static void noteAnalyze(NiftiHeader header, List<String> notes) {
+    if (header.isAnalyze()) {
+      notes.add("Analyze 7.5 states no unit of length: taken as mm");
+    }
   }
 
   /**
@@ -138,13 +159,13 @@ public final class NiftiReader {
   }
 
   private static long byteCount(
-      NiftiHeader header, VoxelGrid grid, NonSpatialAxis extra, VoxelType type)
+      NiftiHeader header, VoxelGrid grid, NonSpatialAxis extra, int bytesPerVoxel)
       throws VolumeFormatException {
-    double bytes = (double) grid.voxelCount() * extra.count() * type.bytes();
+    double bytes = (double) grid.voxelCount() * extra.count() * bytesPerVoxel;
     if (bytes > 0x1p60) {
       throw header.refusal("the sizes make more than 2^60 bytes");
     }
-    return grid.voxelCount() * extra.count() * type.bytes();
+    return grid.voxelCount() * extra.count() * bytesPerVoxel;
   }
 
   private static long offset(NiftiHeader header) throws VolumeFormatException {
@@ -182,16 +203,32 @@ public final class NiftiReader {
       case 768 -> VoxelType.UINT32;
       case 1024 -> VoxelType.INT64;
       case 1280 -> VoxelType.UINT64;
+      case RGB24, RGBA32 -> {
+        if (header.isAnalyze()) {
+          throw unusable(header, "colours (RGB24)");
+        }
+        yield VoxelType.UINT8;
+      }
+      case 1 -> throw unusable(header, "single bits");
       case 32, 1792, 2048 -> throw unusable(header, "complex numbers");
-      case 128, 2304 -> throw unusable(header, "colours (RGB)");
+      case 1536 -> throw unusable(header, "floating point of 128 bits");
       default -> throw unusable(header, "of the unknown type " + header.datatype());
     };
+  }
+
+  private static String colourName(NiftiHeader header) {
+    return header.datatype() == RGB24 ? ", RGB24" : header.datatype() == RGBA32 ? ", RGBA32" : "";
+  }
+
+  /** Returns the parts of a voxel: 1, or those of a colour. */
+  private static int components(NiftiHeader header) {
+    return header.datatype() == RGB24 ? 3 : header.datatype() == RGBA32 ? 4 : 1;
   }
 
   private static VolumeFormatException unusable(NiftiHeader header, String what) {
     return new VolumeFormatException(
         "the voxels are " + what + ", not single numbers",
         header.file(),
-        "convert the file to integers or floats first");
+        "convert the file to integers or floats, as in: fslmaths IN OUT -odt float");
   }
 }

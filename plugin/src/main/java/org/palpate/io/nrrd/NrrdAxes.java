@@ -8,6 +8,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.format.Grids;
 import org.palpate.io.format.NonSpatialAxis;
 import org.palpate.io.format.ReadOptionChecks;
@@ -20,7 +21,8 @@ import org.palpate.volume.VoxelGrid;
  * The meaning of the axes of a NRRD.
  *
  * @param grid the three spatial axes
- * @param extra the non-spatial axis
+ * @param extra the non-spatial axis; its step is chosen if it is neither of colours nor of layers
+ * @param extraKind the meaning of the non-spatial axis
  * @param coordinateSystem directions of the world axes in the patient
  * @param sampleCount samples over all axes
  * @param notes assumptions that the user should know
@@ -28,13 +30,37 @@ import org.palpate.volume.VoxelGrid;
 record NrrdAxes(
     VoxelGrid grid,
     NonSpatialAxis extra,
+    ExtraKind extraKind,
     CoordinateSystem coordinateSystem,
     long sampleCount,
     List<String> notes) {
   private static final int MAX_AXES = 16;
   private static final Set<String> SPACE_KINDS = Set.of("domain", "space", "???", "none");
+  private static final Set<String> MANY_NUMBERS =
+      Set.of(
+          "vector",
+          "covariant-vector",
+          "normal",
+          "point",
+          "complex",
+          "2-vector",
+          "3-vector",
+          "3-gradient",
+          "3-normal",
+          "4-vector",
+          "quaternion");
   private static final Pattern VECTOR = Pattern.compile("\\(([^()]*)\\)|(none)");
   private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
+
+  /** The meanings of a non-spatial axis. */
+  enum ExtraKind {
+    /** No axis, or one of whose steps one is chosen. */
+    STEPS,
+    /** Red, green, blue and perhaps opacity. */
+    COLOUR,
+    /** Labels that may overlap. */
+    LAYERS
+  }
 
   /** Interprets the axes of a header. */
   static NrrdAxes of(NrrdHeader header, ReadOptions options) throws VolumeFormatException {
@@ -46,6 +72,7 @@ record NrrdAxes(
     private final NrrdHeader header;
     private final ReadOptions options;
     private final List<String> notes = new ArrayList<>();
+    private ExtraKind extraKind = ExtraKind.STEPS;
     private int[] sizes;
     private Vec3[] directions; // null for a non-spatial axis, or if the header has none
 
@@ -65,7 +92,7 @@ record NrrdAxes(
       List<Integer> space = spaceAxes(dimension);
       NonSpatialAxis extra = extraAxis(space);
       VoxelGrid grid = grid(space);
-      return new NrrdAxes(grid, extra, coordinateSystem(), samples, notes);
+      return new NrrdAxes(grid, extra, extraKind, coordinateSystem(), samples, notes);
     }
 
     private int[] sizes(int dimension) throws VolumeFormatException {
@@ -150,6 +177,7 @@ record NrrdAxes(
 
     private NonSpatialAxis extraAxis(List<Integer> space) throws VolumeFormatException {
       NonSpatialAxis extra = NonSpatialAxis.NONE;
+      String kind = "";
       for (int axis = 0; axis < sizes.length; axis++) {
         int here = axis;
         if (!space.contains(axis) && sizes[axis] > 1) {
@@ -160,10 +188,66 @@ record NrrdAxes(
           // two spatial axes are followed by an implied third one of one voxel
           int place = position == space.size() ? 3 : position;
           extra = new NonSpatialAxis(place, sizes[axis], 0);
+          kind = kind(axis);
         }
       }
-      int step = ReadOptionChecks.chosenStep(extra.count(), options, header.file(), notes);
+      extraKind = extraKind(kind, extra);
+      if (extraKind != ExtraKind.STEPS) {
+        return extra;
+      }
+      int step =
+          ReadOptionChecks.chosenStep(
+              extra.count(), steps(kind, extra.count()), options, header.file(), notes);
       return new NonSpatialAxis(extra.position(), extra.count(), step);
+    }
+
+    private static String steps(String kind, int count) {
+      return switch (kind) {
+        case "time" -> count + " times";
+        case "list" -> "a list of " + count + " volumes";
+        default -> count + " time steps or components";
+      };
+    }
+
+    private String kind(int axis) {
+      String[] kinds = header.words("kinds");
+      return axis < kinds.length ? kinds[axis].toLowerCase(Locale.ROOT) : "";
+    }
+
+    /**
+     * Returns the meaning of the non-spatial axis.
+     *
+     * @throws VolumeFormatException if its numbers are no values of their own, and none is chosen
+     */
+    private ExtraKind extraKind(String kind, NonSpatialAxis extra) throws VolumeFormatException {
+      if (options.timeStep().isPresent() || extra.count() == 1) {
+        return ExtraKind.STEPS;
+      }
+      if (kind.equals("list") && hasSeveralLayers()) {
+        return ExtraKind.LAYERS;
+      }
+      boolean rgb = kind.matches("rgba?-color|[34]-color");
+      if (rgb && extra.position() == 0 && extra.count() == (kind.matches("rgba.*|4.*") ? 4 : 3)) {
+        return ExtraKind.COLOUR;
+      }
+      if (kind.endsWith("-color")) {
+        throw noScan("the voxels are colours of " + extra.count() + " numbers", kind, extra);
+      }
+      if (MANY_NUMBERS.contains(kind) || kind.contains("matrix")) {
+        throw noScan("the voxels are vectors of " + extra.count() + " numbers", kind, extra);
+      }
+      return ExtraKind.STEPS;
+    }
+
+    private boolean hasSeveralLayers() {
+      return SlicerSegments.of(header).segments().stream().anyMatch(s -> s.layer() > 0);
+    }
+
+    private VolumeFormatException noScan(String what, String kind, NonSpatialAxis extra) {
+      return new VolumeFormatException(
+          what + " (kind " + kind + "), not the values of a scan",
+          header.file(),
+          "choose one of the numbers with --time 0 to --time " + (extra.count() - 1));
     }
 
     private VoxelGrid grid(List<Integer> space) throws VolumeFormatException {
@@ -218,6 +302,14 @@ record NrrdAxes(
       }
       if (!Double.isNaN(low)) {
         centre.set(n, node ? low : low + spacing / 2);
+      }
+      if (spacing < 0) {
+        notes.add(
+            "the spacing along "
+                + "xyz".charAt(n)
+                + " is stated as "
+                + NumberText.display(spacing)
+                + ": that axis runs backward");
       }
       step.set(n, spacing);
       return step;

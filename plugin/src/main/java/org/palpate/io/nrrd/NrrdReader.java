@@ -3,6 +3,10 @@ package org.palpate.io.nrrd;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import org.palpate.io.format.Luminance;
+import org.palpate.io.format.LuminanceSampleStream;
+import org.palpate.io.format.NonSpatialAxis;
 import org.palpate.io.format.StreamVolumeReader;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
@@ -35,17 +39,70 @@ public final class NrrdReader {
     VoxelType type = type(header);
     NrrdAxes axes = NrrdAxes.of(header, options);
     NrrdData data = NrrdData.of(header, type, axes.sampleCount());
-    VolumeHeader described =
-        new VolumeHeader(
-            "NRRD, " + data.encoding().description(),
-            axes.grid(),
-            type,
-            ValueRange.of(type),
-            axes.coordinateSystem(),
-            SlicerLabels.of(header),
-            axes.notes());
+    return switch (axes.extraKind()) {
+      case STEPS -> {
+        VolumeHeader described = described(header, axes, data, ValueRange.of(type));
+        yield new StreamVolumeReader(
+            described, files(header, data), data, axes.extra(), options.progress());
+      }
+      case COLOUR -> luminance(header, axes, data, options);
+      case LAYERS -> layers(header, axes, data, options);
+    };
+  }
+
+  private static VolumeHeader described(
+      NrrdHeader header, NrrdAxes axes, NrrdData data, ValueRange values) {
+    SlicerSegments segments = SlicerSegments.of(header);
+    return new VolumeHeader(
+        "NRRD, " + data.encoding().description(),
+        axes.grid(),
+        data.type(),
+        values,
+        axes.coordinateSystem(),
+        axes.extraKind() == NrrdAxes.ExtraKind.LAYERS
+            ? Optional.of(segments.numbered())
+            : segments.table(axes.extra().chosen()),
+        axes.notes());
+  }
+
+  private static VolumeReader luminance(
+      NrrdHeader header, NrrdAxes axes, NrrdData data, ReadOptions options)
+      throws VolumeFormatException {
+    VoxelType type = data.type();
+    if (type != VoxelType.UINT8 && type != VoxelType.UINT16) {
+      throw header.refusal("the voxels are colours of " + type.description());
+    }
+    axes.notes().add(Luminance.NOTE);
     return new StreamVolumeReader(
-        described, files(header, data), data, axes.extra(), options.progress());
+        described(header, axes, data, ValueRange.of(type)),
+        files(header, data),
+        () -> new LuminanceSampleStream(data.open(), axes.extra().count()),
+        NonSpatialAxis.NONE,
+        options.progress());
+  }
+
+  private static VolumeReader layers(
+      NrrdHeader header, NrrdAxes axes, NrrdData data, ReadOptions options)
+      throws VolumeFormatException {
+    SlicerSegments segments = SlicerSegments.of(header);
+    int last = segments.segments().size();
+    if (!data.type().fitsInt()) {
+      throw header.refusal("the labels are of " + data.type().description());
+    }
+    axes.notes()
+        .add(
+            axes.extra().count()
+                + " layers of segments that may overlap: each segment has a value of its own, from"
+                + " 1 to "
+                + last
+                + "; a label without a segment is left out; --time reads one layer alone");
+    return new LayeredLabelReader(
+        described(header, axes, data, new ValueRange(0, last, true)),
+        files(header, data),
+        data,
+        axes.extra(),
+        segments,
+        options.progress());
   }
 
   private static List<Path> files(NrrdHeader header, NrrdData data) {

@@ -53,17 +53,27 @@ final class ImagejDescription {
 
   /** Returns the distance between slices in its own unit, or NaN if it is absent. */
   double spacing() {
-    return Math.abs(NumberParser.number(values.getOrDefault("spacing", "")));
+    return NumberParser.number(values.getOrDefault("spacing", ""));
+  }
+
+  /** Returns the number of slices that it states; 0 if it states none. */
+  int slices() {
+    return Math.max(0, NumberParser.positiveInt(values.getOrDefault("slices", "0")));
+  }
+
+  /** Returns its unit of length as it is written; empty if it has none. */
+  String unit() {
+    return values.getOrDefault("unit", "");
   }
 
   /** Returns the millimetres in its unit of length, or NaN if it has none. */
   double mmPerUnit() {
-    return switch (values.getOrDefault("unit", "").toLowerCase(Locale.ROOT)) {
+    return switch (unit().toLowerCase(Locale.ROOT)) {
       case "mm", "millimeter", "millimetre" -> 1;
       case "cm" -> 10;
       case "m", "meter" -> 1000;
       case "inch", "inches" -> 25.4;
-      case "micron", "microns", "um", "\u00b5m", "\\u00b5m", "micrometer" -> 1e-3;
+      case "micron", "microns", "um", "\u00b5m", "\u03bcm", "\\u00b5m", "micrometer" -> 1e-3;
       case "nm" -> 1e-6;
       default -> Double.NaN;
     };

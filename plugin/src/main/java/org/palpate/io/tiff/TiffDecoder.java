@@ -12,11 +12,13 @@ import java.util.zip.InflaterInputStream;
 import org.palpate.io.codec.LzwInputStream;
 import org.palpate.io.codec.PackBitsInputStream;
 import org.palpate.io.format.BinarySampleStream;
+import org.palpate.io.format.Luminance;
 import org.palpate.io.format.SampleStream;
 import org.palpate.io.format.Scaling;
 import org.palpate.io.volume.VoxelSlice;
+import org.palpate.io.volume.VoxelType;
 
-/** Decodes pages of a TIFF into slices, strip by strip or tile by tile. */
+/** Decodes pages of one TIFF file into slices, strip by strip or tile by tile. */
 final class TiffDecoder {
   private final FileChannel channel;
   private final ByteOrder order;
@@ -32,38 +34,110 @@ final class TiffDecoder {
 
   /** Fills a slice with a page that passed {@link TiffPage#check}. */
   void decode(TiffPage page, VoxelSlice dest) throws IOException {
-    int sample = page.type().bytes();
-    int rowBytes = Math.multiplyExact(page.width(), sample);
-    pageBytes = atLeast(pageBytes, Math.multiplyExact(rowBytes, page.height()));
-    int across = (page.width() - 1) / page.tileWidth() + 1;
-    int down = (page.height() - 1) / page.tileHeight() + 1;
-    for (int n = 0; n < across * down; n++) {
-      decodeTile(page, n, (n % across) * page.tileWidth(), (n / across) * page.tileHeight());
+    int planeBytes = Math.multiplyExact(dest.count(), bytesOfPixel(page));
+    pageBytes = atLeast(pageBytes, Math.multiplyExact(planeBytes, page.pixels().planes()));
+    int across = page.tilesAcross();
+    int perPlane = across * page.tilesDown();
+    for (int n = 0; n < perPlane * page.pixels().planes(); n++) {
+      int inPlane = n % perPlane;
+      decodeTile(
+          page,
+          n,
+          (inPlane % across) * page.tileWidth(),
+          (inPlane / across) * page.tileHeight(),
+          n / perPlane * planeBytes);
     }
-    InputStream bytes = new ByteArrayInputStream(pageBytes, 0, rowBytes * page.height());
-    try (SampleStream samples = new BinarySampleStream(bytes, page.type(), order, scaling)) {
+    if (page.pixels().samples() == 1) {
+      readGrey(page, dest);
+    } else {
+      readFirstOrLuminance(page, planeBytes, dest);
+    }
+    page.greyPalette().ifPresent(palette -> lookUp(palette, dest.integers()));
+  }
+
+  private static int bytesOfPixel(TiffPage page) {
+    return page.pixels().type().bytes() * page.pixels().interleaved();
+  }
+
+  private void readGrey(TiffPage page, VoxelSlice dest) throws IOException {
+    VoxelType type = page.pixels().type();
+    InputStream bytes = new ByteArrayInputStream(pageBytes, 0, dest.count() * type.bytes());
+    try (SampleStream samples = new BinarySampleStream(bytes, type, order, scaling)) {
       samples.read(dest, 0, dest.count());
     }
   }
 
-  private void decodeTile(TiffPage page, int n, int x, int y) throws IOException {
-    int sample = page.type().bytes();
+  /** Reads the luminance of a colour, or the first sample of grey with transparency. */
+  private void readFirstOrLuminance(TiffPage page, int planeBytes, VoxelSlice dest)
+      throws IOException {
+    VoxelType type = page.pixels().type();
+    int pixelStep = bytesOfPixel(page);
+    int sampleStep = page.pixels().isPlanar() ? planeBytes : type.bytes();
+    byte[] grey = new byte[Math.multiplyExact(dest.count(), type.bytes())];
+    ByteBuffer in = ByteBuffer.wrap(pageBytes).order(order);
+    ByteBuffer out = ByteBuffer.wrap(grey).order(order);
+    for (int n = 0; n < dest.count(); n++) {
+      int at = n * pixelStep;
+      if (!page.pixels().isColour()) {
+        System.arraycopy(pageBytes, at, grey, n * type.bytes(), type.bytes());
+      } else if (type.bytes() == 1) {
+        int red = pageBytes[at] & 0xff;
+        int green = pageBytes[at + sampleStep] & 0xff;
+        grey[n] = (byte) Luminance.of(red, green, pageBytes[at + 2 * sampleStep] & 0xff);
+      } else {
+        int red = in.getShort(at) & 0xffff;
+        int green = in.getShort(at + sampleStep) & 0xffff;
+        int blue = in.getShort(at + 2 * sampleStep) & 0xffff;
+        out.putShort(2 * n, (short) Luminance.of(red, green, blue));
+      }
+    }
+    pageBytes = grey;
+    readGrey(page, dest);
+  }
+
+  private static void lookUp(int[] palette, int[] values) {
+    for (int n = 0; n < values.length; n++) {
+      values[n] = palette[values[n]];
+    }
+  }
+
+  /**
+   * Decodes a strip or tile into the page.
+   *
+   * @param x where it begins, pixels
+   * @param y where it begins, pixels
+   * @param plane where its plane begins in the page, bytes
+   */
+  private void decodeTile(TiffPage page, int n, int x, int y, int plane) throws IOException {
+    TiffPixels pixels = page.pixels();
     int rows = page.isTiled() ? page.tileHeight() : Math.min(page.tileHeight(), page.height() - y);
-    int tileRow = page.tileWidth() * sample;
-    tileBytes = atLeast(tileBytes, tileRow * rows);
+    int tileRow = Math.toIntExact(pixels.rowBytes(page.tileWidth()));
+    tileBytes = atLeast(tileBytes, Math.multiplyExact(tileRow, rows));
     byte[] stored = bytes((long) page.offsets()[n], (int) page.byteCounts()[n]);
+    if (pixels.isLowestBitFirst()) {
+      RowUnpacker.reverseBits(stored);
+    }
     try (InputStream in = decompressed(stored, page.compression())) {
       if (in.readNBytes(tileBytes, 0, tileRow * rows) < tileRow * rows) {
         throw new EOFException("a strip or tile is incomplete");
       }
     }
-    int kept = Math.min(page.tileWidth(), page.width() - x) * sample;
+    TiffPredictor predictor = new TiffPredictor(page.predictor(), order);
+    int kept = Math.min(page.tileWidth(), page.width() - x) * pixels.interleaved();
+    int size = pixels.type().bytes();
     for (int row = 0; row < Math.min(rows, page.height() - y); row++) {
-      if (page.predictor() == 2) {
-        undoHorizontalPredictor(row * tileRow, page.tileWidth(), sample);
+      predictor.undo(
+          tileBytes,
+          row * tileRow,
+          page.tileWidth() * pixels.interleaved(),
+          pixels.bits() / 8,
+          pixels.interleaved());
+      int at = plane + ((y + row) * page.width() + x) * size * pixels.interleaved();
+      if (pixels.isPlain()) {
+        System.arraycopy(tileBytes, row * tileRow, pageBytes, at, kept * size);
+      } else {
+        RowUnpacker.unpack(pixels, tileBytes, row * tileRow, kept, order, pageBytes, at);
       }
-      System.arraycopy(
-          tileBytes, row * tileRow, pageBytes, ((y + row) * page.width() + x) * sample, kept);
     }
   }
 
@@ -75,24 +149,6 @@ final class TiffDecoder {
       case 32773 -> new PackBitsInputStream(in);
       default -> in;
     };
-  }
-
-  /**
-   * Reverses horizontal differencing, in which a sample is stored as its difference from the left
-   * one.
-   */
-  private void undoHorizontalPredictor(int from, int count, int sample) {
-    ByteBuffer row = ByteBuffer.wrap(tileBytes).order(order);
-    for (int n = 1; n < count; n++) {
-      int at = from + n * sample;
-      int left = at - sample;
-      switch (sample) {
-        case 1 -> tileBytes[at] += tileBytes[left];
-        case 2 -> row.putShort(at, (short) (row.getShort(at) + row.getShort(left)));
-        case 4 -> row.putInt(at, row.getInt(at) + row.getInt(left));
-        default -> row.putLong(at, row.getLong(at) + row.getLong(left));
-      }
-    }
   }
 
   private byte[] bytes(long at, int count) throws IOException {

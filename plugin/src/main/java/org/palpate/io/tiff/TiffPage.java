@@ -2,26 +2,45 @@ package org.palpate.io.tiff;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
 import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.VolumeFormatException;
-import org.palpate.io.volume.VoxelType;
 
 /** One page of a TIFF, with the meaning of its tags. */
 final class TiffPage {
   static final Set<Integer> KNOWN_TAGS =
       Set.of(
-          254, 256, 257, 258, 259, 262, 270, 273, 277, 278, 279, 282, 283, 284, 296, 317, 322, 323,
-          324, 325, 339);
+          254, 256, 257, 258, 259, 262, 266, 270, 273, 277, 278, 279, 282, 283, 284, 296, 317, 320,
+          322, 323, 324, 325, 339);
 
   private final TiffFile tiff;
   private final Map<Integer, double[]> tags;
+  private final TiffPixels pixels;
 
   TiffPage(TiffFile tiff, Map<Integer, double[]> tags) {
     this.tiff = tiff;
     this.tags = tags;
+    pixels =
+        new TiffPixels(
+            (int) value(277, 1),
+            (int) value(258, 1),
+            (int) value(339, 1),
+            (int) value(262, TiffPixels.BLACK_IS_ZERO),
+            value(284, 1) == 2 && value(277, 1) > 1,
+            value(266, 1) == 2);
+  }
+
+  /** Returns the file that holds the page. */
+  TiffFile tiff() {
+    return tiff;
+  }
+
+  /** Returns the layout of the pixels. */
+  TiffPixels pixels() {
+    return pixels;
   }
 
   /** Whether the page is a reduced copy of another page. */
@@ -68,6 +87,16 @@ final class TiffPage {
     return rows >= 1 && rows < height() ? (int) rows : height();
   }
 
+  /** Returns the number of strips or tiles side by side. */
+  int tilesAcross() throws VolumeFormatException {
+    return (width() - 1) / tileWidth() + 1;
+  }
+
+  /** Returns the number of strips or tiles below one another. */
+  int tilesDown() throws VolumeFormatException {
+    return (height() - 1) / tileHeight() + 1;
+  }
+
   /** Returns the file offset of each strip or tile. */
   double[] offsets() throws VolumeFormatException {
     return required(isTiled() ? 324 : 273, "offsets");
@@ -77,7 +106,7 @@ final class TiffPage {
   double[] byteCounts() throws VolumeFormatException {
     int tag = isTiled() ? 325 : 279;
     if (!tags.containsKey(tag) && compression() == 1 && offsets().length == 1) {
-      return new double[] {(double) width() * height() * type().bytes()};
+      return new double[] {(double) pixels.rowBytes(width()) * height()};
     }
     return required(tag, "byte counts");
   }
@@ -106,29 +135,24 @@ final class TiffPage {
   }
 
   /**
-   * Returns the type of a pixel.
+   * Returns the grey values of a palette without colours, by its index; empty if there is none.
    *
-   * @throws VolumeFormatException if it is colour or cannot be read
+   * <p>A palette with colours gives no values: its indices are the values.
    */
-  VoxelType type() throws VolumeFormatException {
-    int bits = (int) value(258, 1);
-    int format = (int) value(339, 1);
-    if (value(277, 1) != 1) {
-      throw refusal(
-          "the pixels are colours, " + NumberText.display(value(277, 1)) + " samples a pixel");
+  Optional<int[]> greyPalette() {
+    double[] map = tags.getOrDefault(320, new double[0]);
+    int count = 1 << Math.min(16, Math.max(0, pixels.bits()));
+    if (pixels.photometric() != TiffPixels.PALETTE || map.length != 3 * count) {
+      return Optional.empty();
     }
-    String name = (format == 2 ? "int" : format == 3 ? "float" : "uint") + bits;
-    return switch (name) {
-      case "uint8" -> VoxelType.UINT8;
-      case "int8" -> VoxelType.INT8;
-      case "uint16" -> VoxelType.UINT16;
-      case "int16" -> VoxelType.INT16;
-      case "uint32" -> VoxelType.UINT32;
-      case "int32" -> VoxelType.INT32;
-      case "float32" -> VoxelType.FLOAT32;
-      case "float64" -> VoxelType.FLOAT64;
-      default -> throw refusal("the pixels are " + name + ", which cannot be read");
-    };
+    int[] greys = new int[count];
+    for (int n = 0; n < count; n++) {
+      if (map[n] != map[n + count] || map[n] != map[n + 2 * count]) {
+        return Optional.empty();
+      }
+      greys[n] = (int) map[n] >> 8 & 0xff;
+    }
+    return Optional.of(greys);
   }
 
   /**
@@ -138,18 +162,14 @@ final class TiffPage {
    */
   void check() throws VolumeFormatException {
     int compression = compression();
-    if (compression != 1
-        && compression != 5
-        && compression != 8
-        && compression != 32946
-        && compression != 32773) {
-      throw refusal("the compression " + compression + " cannot be read");
+    if (compressionName(compression).isEmpty()) {
+      throw conversion("the compression is " + otherCompression(compression));
     }
-    if (predictor() < 1 || predictor() > 2) {
-      throw refusal("the predictor " + predictor() + " cannot be read");
+    if (!pixels.fault().isEmpty()) {
+      throw refusal(pixels.fault());
     }
-    double pieces =
-        Math.ceil((double) width() / tileWidth()) * Math.ceil((double) height() / tileHeight());
+    checkPredictor();
+    double pieces = (double) tilesAcross() * tilesDown() * pixels.planes();
     if (offsets().length < pieces || byteCounts().length < pieces) {
       throw refusal(
           "the page has "
@@ -163,13 +183,58 @@ final class TiffPage {
         throw InputFiles.truncatedFile(tiff.file(), end, (double) tiff.length(), "");
       }
     }
-    double bytes = (double) width() * height() * type().bytes();
-    double tileBytes = (double) tileWidth() * tileHeight() * type().bytes();
+    double bytes = (double) pixels.rowBytes(width()) * height() * pixels.planes();
+    double tileBytes = (double) pixels.rowBytes(tileWidth()) * tileHeight();
     double most = (double) tiff.length() * maxExpansion(compression);
     if (bytes > most || tileBytes > most + 4096 || tileBytes > Integer.MAX_VALUE - 8) {
       throw InputFiles.truncatedFile(
           tiff.file(), bytes, (double) tiff.length(), compression == 1 ? "" : "compressed");
     }
+  }
+
+  private void checkPredictor() throws VolumeFormatException {
+    boolean usable =
+        switch (predictor()) {
+          case TiffPredictor.NONE -> true;
+          case TiffPredictor.HORIZONTAL -> pixels.bits() % 8 == 0;
+          case TiffPredictor.FLOATING_POINT -> pixels.isFloat();
+          default -> false;
+        };
+    if (!usable) {
+      throw conversion(
+          "the predictor " + predictor() + " does not fit pixels of " + pixels.bits() + " bits");
+    }
+  }
+
+  /** Returns the name of a compression that can be read; empty for any other. */
+  static String compressionName(int compression) {
+    return switch (compression) {
+      case 1 -> "uncompressed";
+      case 5 -> "LZW";
+      case 8, 32946 -> "deflate";
+      case 32773 -> "PackBits";
+      default -> "";
+    };
+  }
+
+  private static String otherCompression(int compression) {
+    return switch (compression) {
+          case 2, 3, 4 -> "CCITT fax";
+          case 6, 7 -> "JPEG";
+          case 33003, 33005, 34712 -> "JPEG 2000";
+          case 34887 -> "LERC";
+          case 34925 -> "LZMA";
+          case 50000 -> "ZSTD";
+          case 50001 -> "WebP";
+          case 50002 -> "JPEG XL";
+          default -> "of the unknown kind " + compression;
+        }
+        + ", which cannot be read";
+  }
+
+  private VolumeFormatException conversion(String what) {
+    return new VolumeFormatException(
+        what, tiff.file(), "convert it with: tiffcp -c lzw IN OUT (free, from libtiff)");
   }
 
   /** Returns the most bytes that one compressed byte can become. */

@@ -2,66 +2,46 @@ package org.palpate.io.tiff;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
-import java.util.Optional;
-import org.palpate.geometry.Vec3;
-import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
-import org.palpate.io.format.Grids;
+import org.palpate.io.format.InputFiles;
 import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.format.NaturalOrder;
 import org.palpate.io.format.NonSpatialAxis;
-import org.palpate.io.format.ReadOptionChecks;
-import org.palpate.io.format.Scaling;
 import org.palpate.io.format.StreamVolumeReader;
-import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.SliceSink;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
-import org.palpate.volume.VoxelGrid;
 
 /**
- * Reads TIFF stacks, one page a slice. Understands the spacing, calibration, time frames and
- * channels of ImageJ, and its large stacks with a single page.
+ * Reads TIFF stacks, one page a slice, and folders of TIFF slices. Understands the spacing,
+ * calibration, times and channels of ImageJ and of OME-XML, and ImageJ's large stacks with a single
+ * page.
  *
- * <p>Source: TIFF Revision 6.0; ImageJ's description tag as its TiffEncoder writes it.
+ * <p>Source: TIFF Revision 6.0; ImageJ's description tag as its TiffEncoder writes it; OME-TIFF
+ * specification.
  */
 public final class TiffReader implements VolumeReader {
-  private final TiffFile tiff;
-  private final ReadOptions options;
-  private final List<String> notes = new ArrayList<>();
-  private final List<TiffPage> slices = new ArrayList<>();
-  private final VolumeHeader header;
-  private final Scaling scaling;
+  private static final int MAX_FILES = 100_000;
 
-  private TiffReader(TiffFile tiff, ReadOptions options) throws VolumeFormatException {
-    this.tiff = tiff;
+  private final TiffStack stack;
+  private final Path source;
+  private final List<Path> files;
+  private final ReadOptions options;
+
+  private TiffReader(TiffStack stack, Path source, List<Path> files, ReadOptions options) {
+    this.stack = stack;
+    this.source = source;
+    this.files = files;
     this.options = options;
-    List<TiffPage> pages = new ArrayList<>();
-    for (Map<Integer, double[]> tags : tiff.pages()) {
-      TiffPage page = new TiffPage(tiff, tags);
-      if (!page.isReduced()) {
-        pages.add(page);
-      }
-    }
-    if (pages.isEmpty()) {
-      throw new VolumeFormatException("the file has no page", tiff.file(), "save the stack again");
-    }
-    TiffPage first = pages.get(0);
-    first.check();
-    ImagejDescription imagej = ImagejDescription.of(first.description());
-    chooseSlices(pages, imagej);
-    for (TiffPage slice : slices) {
-      requireSamePixels(first, slice);
-    }
-    scaling = imagej.scaling();
-    header = header(first, imagej);
   }
 
   /** Returns whether a file with these first bytes is a TIFF file. */
@@ -76,144 +56,112 @@ public final class TiffReader implements VolumeReader {
    *     option
    */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
-    TiffReader reader = new TiffReader(TiffFile.read(file), options);
-    return reader.isContiguousStack() ? reader.contiguousStack() : reader;
+    TiffReader reader =
+        new TiffReader(TiffStack.of(TiffFile.read(file), options), file, List.of(file), options);
+    return reader.stack.isContiguous() ? reader.contiguousStack() : reader;
   }
 
-  private void chooseSlices(List<TiffPage> pages, ImagejDescription imagej)
+  /**
+   * Returns the TIFF files of a folder in the natural order of their names, in which 2 comes before
+   * 10.
+   */
+  public static List<Path> filesOf(Path folder) throws VolumeFormatException {
+    List<Path> found = new ArrayList<>();
+    try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
+      for (Path entry : entries) {
+        if (isTiffFile(entry) && found.size() < MAX_FILES) {
+          found.add(entry);
+        }
+      }
+    } catch (IOException e) {
+      throw InputFiles.unreadableFile(folder, e);
+    }
+    found.sort(NaturalOrder.OF_FILE_NAMES);
+    return found;
+  }
+
+  private static boolean isTiffFile(Path file) throws VolumeFormatException {
+    return InputFiles.hasEnding(file, ".tif", ".tiff")
+        && !file.getFileName().toString().startsWith(".")
+        && Files.isRegularFile(file)
+        && TiffFile.isTiff(InputFiles.firstBytes(file, 4));
+  }
+
+  /**
+   * Opens files of one page each as the slices of one stack.
+   *
+   * @param slices the files in the order of the slices, at least one
+   * @throws VolumeFormatException if a file is damaged, or differs from the others
+   */
+  public static VolumeReader openSlices(Path folder, List<Path> slices, ReadOptions options)
       throws VolumeFormatException {
-    int told = imagej.channels() * imagej.frames();
-    int extra = told > 1 && pages.size() % told == 0 ? told : 1;
-    int step = ReadOptionChecks.chosenStep(extra, options, tiff.file(), notes);
-    int depth = pages.size() / extra;
-    int channels = extra == 1 ? 1 : imagej.channels();
-    int frame = step / channels;
-    int channel = step % channels;
-    for (int k = 0; k < depth; k++) {
-      slices.add(pages.get((frame * depth + k) * channels + channel));
+    List<TiffFile> tiffs = new ArrayList<>();
+    for (Path slice : slices) {
+      tiffs.add(TiffFile.read(slice));
     }
+    return new TiffReader(TiffStack.ofSlices(folder, tiffs, options), folder, slices, options);
   }
 
-  private void requireSamePixels(TiffPage first, TiffPage page) throws VolumeFormatException {
-    page.check();
-    if (page.width() != first.width()
-        || page.height() != first.height()
-        || page.type() != first.type()) {
-      throw page.refusal("the pages differ in size or type");
-    }
-  }
-
-  private VolumeHeader header(TiffPage first, ImagejDescription imagej)
-      throws VolumeFormatException {
-    int depth = Math.max(slices.size(), contiguousSliceCount(first, imagej));
-    VoxelGrid grid =
-        Grids.ofSpacing(
-            new int[] {first.width(), first.height(), depth}, spacing(first, imagej), tiff.file());
-    return new VolumeHeader(
-        "TIFF" + (imagej.isImagej() ? " of ImageJ" : "") + ", " + compressionName(first),
-        grid,
-        first.type(),
-        scaling.range(first.type()),
-        CoordinateSystem.UNKNOWN,
-        Optional.empty(),
-        notes);
-  }
-
-  /** Returns the number of slices that ImageJ stored after its only page, or 1. */
-  private int contiguousSliceCount(TiffPage first, ImagejDescription imagej)
-      throws VolumeFormatException {
-    boolean stacked =
-        slices.size() == 1 && imagej.images() > 1 && first.compression() == 1 && !first.isTiled();
-    if (!stacked) {
-      return 1;
-    }
-    if (imagej.channels() * imagej.frames() > 1) {
-      throw first.refusal("the file is a hyperstack without pages");
-    }
-    double sliceBytes = (double) first.width() * first.height() * first.type().bytes();
-    double found = Math.floor((tiff.length() - first.offsets()[0]) / sliceBytes);
-    if (imagej.images() > found) {
-      throw new VolumeFormatException(
-          "the description promises "
-              + imagej.images()
-              + " slices but the file has room for at most "
-              + NumberText.display(found),
-          tiff.file(),
-          "copy the file again; if that does not help, export it again");
-    }
-    return imagej.images();
-  }
-
-  private boolean isContiguousStack() {
-    return header.grid().sizeZ() > slices.size();
-  }
-
+  /** Reads the slices that ImageJ stored one after another behind a single page. */
   private VolumeReader contiguousStack() throws VolumeFormatException {
-    TiffPage first = slices.get(0);
+    TiffPage first = stack.slices().get(0);
+    PlaneTable planes = stack.planes();
+    long sliceBytes = first.pixels().rowBytes(first.width()) * first.height();
+    long timeBytes = sliceBytes * planes.slices() * planes.channels();
+    int time = stack.chosen() / planes.channels();
     BinaryData data =
         new BinaryData(
-            files(),
-            new BinaryData.Start((long) first.offsets()[0], false, false),
-            first.type(),
-            tiff.order(),
-            scaling,
-            header.grid().voxelCount() * first.type().bytes());
-    return new StreamVolumeReader(header, files(), data, NonSpatialAxis.NONE, options.progress());
-  }
-
-  private Vec3 spacing(TiffPage first, ImagejDescription imagej) {
-    double mm = imagej.mmPerUnit();
-    if (Double.isNaN(mm) && first.resolutionUnit() == 3) {
-      mm = 10;
-    }
-    double x = mm / first.resolution(282);
-    double y = mm / first.resolution(283);
-    if (!(x > 0 && y > 0) || Double.isInfinite(x) || Double.isInfinite(y)) {
-      notes.add("the pixel size is unknown: 1 mm assumed");
-      mm = 1;
-      x = 1;
-      y = 1;
-    }
-    double z = imagej.spacing() * mm;
-    if (!(z > 0) || Double.isInfinite(z)) {
-      notes.add("the slice spacing is unknown: taken to be the pixel spacing");
-      z = x;
-    }
-    return new Vec3(x, y, z);
-  }
-
-  private static String compressionName(TiffPage page) {
-    return switch (page.compression()) {
-      case 1 -> "uncompressed";
-      case 5 -> "LZW";
-      case 32773 -> "PackBits";
-      default -> "deflate";
-    };
+            files,
+            new BinaryData.Start((long) first.offsets()[0] + time * timeBytes, false, false),
+            first.pixels().type(),
+            first.tiff().order(),
+            stack.scaling(),
+            timeBytes);
+    NonSpatialAxis channels =
+        planes.channels() == 1
+            ? NonSpatialAxis.NONE
+            : new NonSpatialAxis(2, planes.channels(), stack.chosen() % planes.channels());
+    return new StreamVolumeReader(stack.header(), files, data, channels, options.progress());
   }
 
   @Override
   public VolumeHeader header() {
-    return header;
+    return stack.header();
   }
 
   @Override
   public void read(SliceSink sink) throws VolumeFormatException {
+    VolumeHeader header = header();
     VoxelSlice slice = MemoryCheck.slice(header.grid(), header.values().isInteger(), sourceName());
-    MemoryCheck.require(4.0 * slice.count() * header.type().bytes(), "one page", sourceName());
+    List<TiffPage> slices = stack.slices();
+    TiffPixels pixels = slices.get(0).pixels();
+    double pageBytes = (double) slice.count() * header.type().bytes() * pixels.samples();
+    MemoryCheck.require(4.0 * pageBytes, "one page", sourceName());
     int k = 0;
+    while (k < slices.size()) {
+      k = readFile(k, slice, sink);
+    }
+  }
+
+  /** Reads slices from k on as long as they stand in one file, and returns the next one. */
+  private int readFile(int from, VoxelSlice slice, SliceSink sink) throws VolumeFormatException {
+    List<TiffPage> slices = stack.slices();
+    TiffFile tiff = slices.get(from).tiff();
+    int k = from;
     try (FileChannel channel = FileChannel.open(tiff.file())) {
-      TiffDecoder decoder = new TiffDecoder(channel, tiff.order(), scaling);
-      for (; k < slices.size(); k++) {
+      TiffDecoder decoder = new TiffDecoder(channel, tiff.order(), stack.scaling());
+      for (; k < slices.size() && slices.get(k).tiff() == tiff; k++) {
         decoder.decode(slices.get(k), slice);
         sink.accept(k, slice);
         options.progress().slicesRead(k + 1, slices.size());
       }
+      return k;
     } catch (VolumeFormatException e) {
       throw e;
     } catch (IOException e) {
       throw new VolumeFormatException(
-          String.format(Locale.ROOT, "page %d is damaged (%s)", k + 1, e.getMessage()),
-          sourceName(),
+          String.format(Locale.ROOT, "slice %d is damaged (%s)", k + 1, e.getMessage()),
+          tiff.file(),
           "copy or export the file again",
           e);
     }
@@ -221,11 +169,11 @@ public final class TiffReader implements VolumeReader {
 
   @Override
   public String sourceName() {
-    return tiff.file().toString();
+    return source.toString();
   }
 
   @Override
   public List<Path> files() {
-    return List.of(tiff.file());
+    return files;
   }
 }

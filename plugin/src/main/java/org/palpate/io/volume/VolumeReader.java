@@ -20,6 +20,17 @@ public interface VolumeReader {
    */
   void read(SliceSink sink) throws VolumeFormatException;
 
+  /**
+   * Reads all slices as {@link #read} does, but hands a slice over once for each layer of labels
+   * that overlap. Each label has the same value in every layer, and 0 is empty. Without overlap
+   * there is a single layer.
+   *
+   * @throws VolumeFormatException if the voxels cannot be read
+   */
+  default void readLayers(SliceSink sink) throws VolumeFormatException {
+    read(sink);
+  }
+
   /** Returns the source as messages name it: a path or a phantom. */
   String sourceName();
 
