@@ -89,6 +89,9 @@ class MessageReaderTest {
 
           @Override
           public int read(byte[] dest, int offset, int length) {
+            if (length == 0) {
+              return 0;
+            }
             dest[offset] = (byte) read();
             return 1;
           }
