@@ -32,6 +32,7 @@ import org.palpate.geometry.Vec3;
 public class CrossingBenchmark {
   private final DeviceState state = new DeviceState();
   private final Vec3 forceNewton = new Vec3(1, 2, 3);
+  private final Vec3 torqueNewtonMm = new Vec3(30, 20, 10);
   private NativeDevice device;
 
   /** Opens the device. */
@@ -50,7 +51,7 @@ public class CrossingBenchmark {
   @Benchmark
   public boolean readAndWrite() {
     device.read(state);
-    return device.write(forceNewton);
+    return device.write(forceNewton, torqueNewtonMm);
   }
 
   /** Makes two calls that do nothing. */

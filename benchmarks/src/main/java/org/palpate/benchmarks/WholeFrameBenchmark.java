@@ -21,7 +21,7 @@ import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.exact.GuardedSolver;
@@ -52,7 +52,7 @@ public class WholeFrameBenchmark {
   public String frameOf;
 
   private final SampleRecorder recorder = new SampleRecorder();
-  private HapticFrame frame;
+  private PointFrame frame;
   private long nowNanos;
 
   /** Makes the phantom and the hand. */
@@ -68,7 +68,7 @@ public class WholeFrameBenchmark {
     HapticDevice device = whole ? new RecordingDevice(hand, recorder) : hand;
     TouchProperties touch = new TouchProperties(new Accumulator());
     frame =
-        new HapticFrame(
+        new PointFrame(
             device,
             new GuardedSolver(metric, 8),
             scene,

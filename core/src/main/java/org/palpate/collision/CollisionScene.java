@@ -18,7 +18,7 @@ import org.palpate.volume.BitCube;
  *
  * <p>Thread: the haptic thread alone calls this class, and it alone changes the cubes, between
  * frames. Any other thread queues its edits, see {@code org.palpate.edit.EditQueue}. After a change
- * of the solids, call {@code ProxySolver.reset}; {@code org.palpate.frame.HapticFrame} does both.
+ * of the solids, call {@code ProxySolver.reset}; {@code org.palpate.frame.PointFrame} does both.
  *
  * <p>Cost: a query looks at every cube of a scene of up to 8. A larger scene has a broad phase, so
  * that a query looks only at the cubes whose bounds are near. Queries allocate nothing and throw no

@@ -26,8 +26,8 @@ public abstract class DeviceDecorator implements HapticDevice {
   }
 
   @Override
-  public boolean write(Vec3 forceNewton) {
-    return device.write(forceNewton);
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
+    return device.write(forceNewton, torqueNewtonMm);
   }
 
   @Override

@@ -11,6 +11,9 @@ package org.palpate.device;
  *     own motion
  * @param workspaceRadiusMm radius of the ball that the probe reaches
  * @param reportIntervalNanos usual time between samples; 0 if every read is a sample
+ * @param hasOrientation whether samples carry the orientation of the probe
+ * @param maxTorqueNewtonMm nominal maximum, N mm; 0 for a device without torque, infinity for one
+ *     without a limit
  */
 public record DeviceSpecification(
     String name,
@@ -18,4 +21,26 @@ public record DeviceSpecification(
     double maxForceNewton,
     double maxStiffnessNewtonPerMm,
     double workspaceRadiusMm,
-    long reportIntervalNanos) {}
+    long reportIntervalNanos,
+    boolean hasOrientation,
+    double maxTorqueNewtonMm) {
+
+  /** Makes the specification of a device that has neither orientation nor torque. */
+  public DeviceSpecification(
+      String name,
+      String serial,
+      double maxForceNewton,
+      double maxStiffnessNewtonPerMm,
+      double workspaceRadiusMm,
+      long reportIntervalNanos) {
+    this(
+        name,
+        serial,
+        maxForceNewton,
+        maxStiffnessNewtonPerMm,
+        workspaceRadiusMm,
+        reportIntervalNanos,
+        false,
+        0);
+  }
+}

@@ -1,9 +1,11 @@
 package org.palpate.device;
 
+import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 /**
- * One sample of a device. A mutable carrier. Nothing is checked: a position may be NaN.
+ * One sample of a device. A mutable carrier. Nothing is checked: a position or an orientation may
+ * be NaN.
  *
  * <p>The device states its frame; {@link HapticDevice} uses world millimetres.
  */
@@ -11,17 +13,8 @@ public final class DeviceState {
   /** Position of the probe, mm. */
   public final Vec3 positionMm = new Vec3();
 
-  /** The x component of the orientation, a unit quaternion; (0,0,0,1) if the device has none. */
-  public double qx;
-
-  /** The y component of the orientation. */
-  public double qy;
-
-  /** The z component of the orientation. */
-  public double qz;
-
-  /** The real component of the orientation. */
-  public double qw = 1;
+  /** Orientation of the probe, of norm 1; the identity if the device has none. */
+  public final Quaternion orientation = new Quaternion();
 
   /** Time of the sample on the device's own clock. */
   public long timeNanos;
@@ -38,10 +31,7 @@ public final class DeviceState {
   /** Copies another state into this one. */
   public DeviceState set(DeviceState other) {
     positionMm.set(other.positionMm);
-    qx = other.qx;
-    qy = other.qy;
-    qz = other.qz;
-    qw = other.qw;
+    orientation.set(other.orientation);
     timeNanos = other.timeNanos;
     buttons = other.buttons;
     relocated = other.relocated;

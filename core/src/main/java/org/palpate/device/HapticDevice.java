@@ -5,7 +5,7 @@ import org.palpate.geometry.Vec3;
 /**
  * A haptic device. The haptic thread reads and writes it once a frame.
  *
- * <p>Positions are in world millimetres, and forces in newtons along the world's axes. {@link
+ * <p>Positions are in world millimetres, and forces and torques along the world's axes. {@link
  * WorkspaceDevice} maps a device's own frame to the world.
  */
 public interface HapticDevice extends AutoCloseable {
@@ -21,12 +21,14 @@ public interface HapticDevice extends AutoCloseable {
   ReadStatus read(DeviceState state);
 
   /**
-   * Sends a force, which the device exerts until the next one.
+   * Sends a force and a torque, which the device exerts until the next ones.
    *
    * @param forceNewton on the hand; finite and already limited
+   * @param torqueNewtonMm on the hand about the probe's position, N mm; finite and already limited.
+   *     A device without torque ignores it.
    * @return false if the device could not be reached
    */
-  boolean write(Vec3 forceNewton);
+  boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm);
 
   /** Returns one line on why the device delivers nothing more; empty while it works. Any thread. */
   default String ending() {
@@ -34,8 +36,8 @@ public interface HapticDevice extends AutoCloseable {
   }
 
   /**
-   * Sends zero force if the device can still be reached, then releases the device. Any thread; a
-   * second call does no harm.
+   * Sends zero force and torque if the device can still be reached, then releases the device. Any
+   * thread; a second call does no harm.
    */
   @Override
   void close();

@@ -4,7 +4,7 @@ import org.palpate.geometry.Vec3;
 
 /**
  * A device that delivers the samples of a trajectory, one a read, and disconnects after the last.
- * It ignores forces. Haptic thread; {@link #close} is for any thread.
+ * It ignores forces and torques. Haptic thread; {@link #close} is for any thread.
  */
 public final class ReplayDevice implements HapticDevice {
   private final DeviceSpecification specification;
@@ -19,7 +19,15 @@ public final class ReplayDevice implements HapticDevice {
    */
   public ReplayDevice(String name, Trajectory trajectory) {
     specification =
-        new DeviceSpecification(name, "", Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0, 0);
+        new DeviceSpecification(
+            name,
+            "",
+            Double.POSITIVE_INFINITY,
+            Double.POSITIVE_INFINITY,
+            0,
+            0,
+            true,
+            Double.POSITIVE_INFINITY);
     this.trajectory = trajectory;
   }
 
@@ -43,7 +51,7 @@ public final class ReplayDevice implements HapticDevice {
   }
 
   @Override
-  public boolean write(Vec3 forceNewton) {
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
     return !closed;
   }
 

@@ -1,6 +1,7 @@
 package org.palpate.device;
 
 import java.util.Arrays;
+import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -22,7 +23,8 @@ public final class Trajectory {
   private double[] positions;
 
   /**
-   * Null as long as every orientation is (0,0,0,1). An array of its own keeps the positions dense.
+   * Null as long as every orientation is the identity. An array of its own keeps the positions
+   * dense.
    */
   private double[] quaternions;
 
@@ -54,12 +56,12 @@ public final class Trajectory {
 
   /** Adds a sample without orientation. */
   public void add(double timeMs, double x, double y, double z) {
-    add(timeMs, x, y, z, 0, 0, 0, 1);
+    add(timeMs, x, y, z, 1, 0, 0, 0);
   }
 
-  /** Adds a sample with an orientation as a unit quaternion. */
+  /** Adds a sample with an orientation: a Hamilton quaternion of norm 1, real component first. */
   public void add(
-      double timeMs, double x, double y, double z, double qx, double qy, double qz, double qw) {
+      double timeMs, double x, double y, double z, double qw, double qx, double qy, double qz) {
     if (size == timesMs.length) {
       grow();
     }
@@ -67,11 +69,11 @@ public final class Trajectory {
     positions[at] = x;
     positions[at + 1] = y;
     positions[at + 2] = z;
-    if (quaternions == null && !isIdentity(qx, qy, qz, qw)) {
+    if (quaternions == null && !isIdentity(qw, qx, qy, qz)) {
       quaternions = identities(timesMs.length);
     }
     if (quaternions != null) {
-      putQuaternion(size * DOUBLES_PER_QUATERNION, qx, qy, qz, qw);
+      putQuaternion(size * DOUBLES_PER_QUATERNION, qw, qx, qy, qz);
     }
     timesMs[size++] = timeMs;
   }
@@ -85,8 +87,8 @@ public final class Trajectory {
     }
   }
 
-  /** Whether the quaternion is bit for bit (0,0,0,1), so that leaving it out loses no sign. */
-  private static boolean isIdentity(double qx, double qy, double qz, double qw) {
+  /** Whether the quaternion is bit for bit the identity, so that leaving it out loses no sign. */
+  private static boolean isIdentity(double qw, double qx, double qy, double qz) {
     return Double.doubleToRawLongBits(qx) == 0
         && Double.doubleToRawLongBits(qy) == 0
         && Double.doubleToRawLongBits(qz) == 0
@@ -95,17 +97,17 @@ public final class Trajectory {
 
   private static double[] identities(int capacity) {
     double[] quaternions = new double[capacity * DOUBLES_PER_QUATERNION];
-    for (int at = 3; at < quaternions.length; at += DOUBLES_PER_QUATERNION) {
+    for (int at = 0; at < quaternions.length; at += DOUBLES_PER_QUATERNION) {
       quaternions[at] = 1;
     }
     return quaternions;
   }
 
-  private void putQuaternion(int at, double qx, double qy, double qz, double qw) {
-    quaternions[at] = qx;
-    quaternions[at + 1] = qy;
-    quaternions[at + 2] = qz;
-    quaternions[at + 3] = qw;
+  private void putQuaternion(int at, double qw, double qx, double qy, double qz) {
+    quaternions[at] = qw;
+    quaternions[at + 1] = qx;
+    quaternions[at + 2] = qy;
+    quaternions[at + 3] = qz;
   }
 
   /** Returns the number of samples. */
@@ -127,22 +129,16 @@ public final class Trajectory {
   /** Writes a sample into {@code dest}, except for its buttons. */
   public void read(int sample, DeviceState dest) {
     position(sample, dest.positionMm);
-    readOrientation(sample, dest);
+    orientation(sample, dest.orientation);
     dest.timeNanos = Math.round(timesMs[sample] * NANOS_PER_MS);
   }
 
-  private void readOrientation(int sample, DeviceState dest) {
+  /** Writes the orientation of a sample into {@code dest}. */
+  public Quaternion orientation(int sample, Quaternion dest) {
     if (quaternions == null) {
-      dest.qx = 0;
-      dest.qy = 0;
-      dest.qz = 0;
-      dest.qw = 1;
-      return;
+      return dest.setIdentity();
     }
     int at = sample * DOUBLES_PER_QUATERNION;
-    dest.qx = quaternions[at];
-    dest.qy = quaternions[at + 1];
-    dest.qz = quaternions[at + 2];
-    dest.qw = quaternions[at + 3];
+    return dest.set(quaternions[at], quaternions[at + 1], quaternions[at + 2], quaternions[at + 3]);
   }
 }

@@ -96,6 +96,16 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
     return deviceToWorld.inverseRotate(dest, dest);
   }
 
+  /**
+   * Writes the device's torque for a torque in the world into {@code dest}, N mm. The device does
+   * as large a part of the spring's work by turning as by moving, so the torque is divided by the
+   * largest scale.
+   */
+  public Vec3 toDeviceTorque(Vec3 worldNewtonMm, Vec3 dest) {
+    deviceToWorld.inverseRotate(worldNewtonMm, dest);
+    return dest.mul(1 / largestScale(), dest);
+  }
+
   private static double determinant(RigidTransform t) {
     Vec3 x = t.axisX();
     Vec3 y = t.axisY();

@@ -1,18 +1,19 @@
 package org.palpate.device;
 
+import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
  * Maps a device's own frame to the world by a {@link Workspace}, a clutch and two speeds.
  *
- * <p>While the clutch is held, the interaction point rests and there is no force. The hand can then
- * return to a position with more room. After the release the force returns over {@link
+ * <p>While the clutch is held, position and orientation rest and there is no force. The hand can
+ * then return to a pose with more room. After the release the force returns over {@link
  * #RETURN_NANOS}. The speed button switches between full and fine motion about the present
- * position.
+ * position; rotation is never scaled.
  *
- * <p>Buttons and orientation pass through. A position that is not finite passes too and changes
- * nothing of the mapping.
+ * <p>Buttons pass through. A position that is not finite passes too and changes nothing of the
+ * mapping; so does an orientation.
  *
  * <p>The haptic thread reads and writes the device and owns its state. Allocates nothing.
  */
@@ -23,7 +24,7 @@ public final class WorkspaceDevice extends DeviceDecorator {
   private final Workspace workspace;
   private final Controls controls;
   private final DeviceSpecification specification;
-  private final double[] rotation;
+  private final Quaternion rotation;
   private final DeviceState raw = new DeviceState();
 
   /** Displacement of the device from its origin, world mm, at the present speed. */
@@ -32,13 +33,20 @@ public final class WorkspaceDevice extends DeviceDecorator {
   /** World position of the device's origin, mm. */
   private final Vec3 originMm;
 
+  /** Turns the mapped orientation, world axes, so that a release of the clutch turns nothing. */
+  private final Quaternion clutchTurn = new Quaternion();
+
+  private final Quaternion mapped = new Quaternion();
   private final Vec3 lastPositionMm = new Vec3();
+  private final Quaternion lastOrientation = new Quaternion();
   private final Vec3 deviceNewton = new Vec3();
+  private final Vec3 deviceNewtonMm = new Vec3();
   private double speed = 1;
   private int lastButtons;
   private boolean hasPosition;
   private volatile boolean clutchRequested;
   private boolean clutched;
+  private boolean wasClutched;
   private boolean returning;
   private long releasedNanos;
   private double forceFactor = 1;
@@ -80,10 +88,15 @@ public final class WorkspaceDevice extends DeviceDecorator {
             own.maxForceNewton(),
             workspace.stiffnessNewtonPerMm(own, 1),
             own.workspaceRadiusMm() * workspace.largestScale(),
-            own.reportIntervalNanos());
+            own.reportIntervalNanos(),
+            own.hasOrientation(),
+            own.maxTorqueNewtonMm() * workspace.largestScale());
   }
 
-  /** Returns the device as the world sees it: stiffness per world mm, radius in world mm. */
+  /**
+   * Returns the device as the world sees it: stiffness per world mm, radius in world mm, and the
+   * torque in the world that becomes the device's maximum.
+   */
   @Override
   public DeviceSpecification specification() {
     return specification;
@@ -156,22 +169,33 @@ public final class WorkspaceDevice extends DeviceDecorator {
     }
   }
 
-  /** Multiplies the quaternion of the workspace by that of the device. */
+  /** Turns the device's orientation into the world's; keeps the last one while clutched. */
   private void mapOrientation(DeviceState state) {
-    double x = rotation[0];
-    double y = rotation[1];
-    double z = rotation[2];
-    double w = rotation[3];
-    state.qx = w * raw.qx + x * raw.qw + y * raw.qz - z * raw.qy;
-    state.qy = w * raw.qy - x * raw.qz + y * raw.qw + z * raw.qx;
-    state.qz = w * raw.qz + x * raw.qy - y * raw.qx + z * raw.qw;
-    state.qw = w * raw.qw - x * raw.qx - y * raw.qy - z * raw.qz;
+    rotation.multiply(raw.orientation, mapped);
+    if (wasClutched && !clutched) {
+      mapped.conjugate(clutchTurn);
+      lastOrientation.multiply(clutchTurn, clutchTurn);
+    }
+    wasClutched = clutched;
+    if (clutched) {
+      state.orientation.set(lastOrientation);
+    } else {
+      clutchTurn.multiply(mapped, state.orientation);
+      keepOrientation(state.orientation);
+    }
+  }
+
+  private void keepOrientation(Quaternion orientation) {
+    if (orientation.isFinite()) {
+      lastOrientation.set(orientation);
+    }
   }
 
   @Override
-  public boolean write(Vec3 forceNewton) {
-    workspace.toDeviceForce(forceNewton, deviceNewton);
-    return device.write(deviceNewton.mul(forceFactor, deviceNewton));
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
+    workspace.toDeviceForce(forceNewton, deviceNewton).mul(forceFactor, deviceNewton);
+    workspace.toDeviceTorque(torqueNewtonMm, deviceNewtonMm).mul(forceFactor, deviceNewtonMm);
+    return device.write(deviceNewton, deviceNewtonMm);
   }
 
   /** Holds the clutch as its button does, or releases it, from the next sample on. Any thread. */
@@ -189,8 +213,8 @@ public final class WorkspaceDevice extends DeviceDecorator {
     return clutched;
   }
 
-  /** Returns the unit quaternion (x, y, z, w) of a rotation. */
-  private static double[] quaternion(RigidTransform t) {
+  /** Returns the quaternion of a rotation. */
+  private static Quaternion quaternion(RigidTransform t) {
     double xx = t.axisX().x;
     double yy = t.axisY().y;
     double zz = t.axisZ().z;
@@ -202,7 +226,7 @@ public final class WorkspaceDevice extends DeviceDecorator {
   }
 
   /** Returns the components with their signs, of which the largest component is positive. */
-  private static double[] withSigns(RigidTransform t, double x, double y, double z, double w) {
+  private static Quaternion withSigns(RigidTransform t, double x, double y, double z, double w) {
     double yz = t.axisZ().y + t.axisY().z;
     double zx = t.axisX().z + t.axisZ().x;
     double xy = t.axisY().x + t.axisX().y;
@@ -211,14 +235,14 @@ public final class WorkspaceDevice extends DeviceDecorator {
     double ofZ = t.axisX().y - t.axisY().x;
     double largest = Math.max(Math.max(x, y), Math.max(z, w));
     if (w == largest) {
-      return new double[] {Math.copySign(x, ofX), Math.copySign(y, ofY), Math.copySign(z, ofZ), w};
+      return new Quaternion(w, Math.copySign(x, ofX), Math.copySign(y, ofY), Math.copySign(z, ofZ));
     }
     if (x == largest) {
-      return new double[] {x, Math.copySign(y, xy), Math.copySign(z, zx), Math.copySign(w, ofX)};
+      return new Quaternion(Math.copySign(w, ofX), x, Math.copySign(y, xy), Math.copySign(z, zx));
     }
     if (y == largest) {
-      return new double[] {Math.copySign(x, xy), y, Math.copySign(z, yz), Math.copySign(w, ofY)};
+      return new Quaternion(Math.copySign(w, ofY), Math.copySign(x, xy), y, Math.copySign(z, yz));
     }
-    return new double[] {Math.copySign(x, zx), Math.copySign(y, yz), z, Math.copySign(w, ofZ)};
+    return new Quaternion(Math.copySign(w, ofZ), Math.copySign(x, zx), Math.copySign(y, yz), z);
   }
 }

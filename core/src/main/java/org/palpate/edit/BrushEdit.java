@@ -86,6 +86,11 @@ public final class BrushEdit extends Edit {
     return visited;
   }
 
+  @Override
+  IntBox voxels() {
+    return box;
+  }
+
   private void brushVoxel(BitCube bits) {
     double square = metric.squaredDistance(centre.x, centre.y, centre.z, i + 0.5, j + 0.5, k + 0.5);
     if (square > radiusMm * radiusMm) {

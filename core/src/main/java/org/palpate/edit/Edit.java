@@ -2,6 +2,7 @@ package org.palpate.edit;
 
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -43,6 +44,9 @@ public abstract sealed class Edit permits VoxelEdit, BrushEdit, SwapEdit, GreyEd
    * @return number of visited voxels, at least 1
    */
   abstract int apply(CollisionScene scene, int maxVoxels);
+
+  /** Returns a box around the voxels that the edit may change; empty if it changes none. */
+  abstract IntBox voxels();
 
   /** Marks the edit as complete. Haptic thread, after its last write. */
   final void finish() {

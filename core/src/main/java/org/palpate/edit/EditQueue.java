@@ -17,6 +17,7 @@ public final class EditQueue {
   private final VoxelGrid grid;
   private final GridMetric metric;
   private final int segments;
+  private final boolean swaps;
   private final AtomicReferenceArray<Edit> slots;
   private final AtomicLong offered = new AtomicLong();
   private final AtomicLong taken = new AtomicLong();
@@ -33,6 +34,18 @@ public final class EditQueue {
    * @param capacity number of edits that may wait, at least 1
    */
   public EditQueue(VoxelGrid grid, int segments, int capacity) {
+    this(grid, segments, capacity, true);
+  }
+
+  /**
+   * Returns a queue that refuses a {@link SwapEdit}, for bodies, which keep their cubes for good.
+   */
+  public static EditQueue ofBodies(VoxelGrid grid, int segments) {
+    return new EditQueue(grid, segments, DEFAULT_CAPACITY, false);
+  }
+
+  private EditQueue(VoxelGrid grid, int segments, int capacity, boolean swaps) {
+    this.swaps = swaps;
     this.grid = grid;
     metric = GridMetric.of(grid.spacingMm());
     this.segments = segments;
@@ -49,6 +62,10 @@ public final class EditQueue {
     if (edit.segment() < 0 || edit.segment() >= segments) {
       throw new IllegalArgumentException(
           "no such segment: segment=" + edit.segment() + " segments=" + segments);
+    }
+    if (!swaps && edit instanceof SwapEdit) {
+      throw new IllegalArgumentException(
+          "a body keeps its cube; change its voxels instead: segment=" + edit.segment());
     }
     edit.prepare(grid, metric);
     while (true) {
@@ -80,6 +97,11 @@ public final class EditQueue {
    * @return whether any voxel may have changed
    */
   public boolean applyTo(CollisionScene scene, int maxVoxels) {
+    return applyTo(scene, maxVoxels, EditListener.NONE);
+  }
+
+  /** Applies waiting edits as the other method does, and reports each to a listener. */
+  public boolean applyTo(CollisionScene scene, int maxVoxels, EditListener listener) {
     int left = maxVoxels;
     while (left > 0) {
       int slot = (int) (taken.getPlain() % slots.length());
@@ -88,6 +110,7 @@ public final class EditQueue {
         break;
       }
       left -= edit.apply(scene, left);
+      listener.applied(edit.segment(), edit.voxels());
       if (edit.isDone()) {
         slots.set(slot, null);
         taken.setRelease(taken.getPlain() + 1);

@@ -2,6 +2,7 @@ package org.palpate.edit;
 
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
 import org.palpate.volume.VoxelGrid;
@@ -13,6 +14,7 @@ import org.palpate.volume.VoxelGrid;
 public final class GreyEdit extends Edit {
   private final GreyIsosurfaceSource source;
   private final GreyIsosurface replacement;
+  private final IntBox none = new IntBox();
 
   /**
    * Makes an edit.
@@ -48,5 +50,10 @@ public final class GreyEdit extends Edit {
     source.replace(replacement);
     finish();
     return 1;
+  }
+
+  @Override
+  IntBox voxels() {
+    return none;
   }
 }

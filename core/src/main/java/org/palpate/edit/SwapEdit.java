@@ -2,6 +2,7 @@ package org.palpate.edit;
 
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
@@ -14,6 +15,7 @@ import org.palpate.volume.VoxelGrid;
  */
 public final class SwapEdit extends Edit {
   private final BitCube replacement;
+  private final IntBox all = new IntBox();
   private BitCube replaced;
 
   /**
@@ -25,6 +27,8 @@ public final class SwapEdit extends Edit {
   public SwapEdit(int segment, BitCube replacement) {
     super(segment);
     this.replacement = replacement;
+    all.include(0, 0, 0);
+    all.include(replacement.sizeX() - 1, replacement.sizeY() - 1, replacement.sizeZ() - 1);
   }
 
   /**
@@ -58,5 +62,10 @@ public final class SwapEdit extends Edit {
     replaced = scene.replace(segment(), replacement);
     finish();
     return 1;
+  }
+
+  @Override
+  IntBox voxels() {
+    return all;
   }
 }

@@ -2,6 +2,7 @@ package org.palpate.edit;
 
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
@@ -11,6 +12,7 @@ public final class VoxelEdit extends Edit {
   private final int j;
   private final int k;
   private final boolean solid;
+  private final IntBox voxel = new IntBox();
 
   /**
    * Makes an edit of voxel (i,j,k).
@@ -24,6 +26,7 @@ public final class VoxelEdit extends Edit {
     this.j = j;
     this.k = k;
     this.solid = solid;
+    voxel.include(i, j, k);
   }
 
   @Override
@@ -44,5 +47,10 @@ public final class VoxelEdit extends Edit {
     }
     finish();
     return 1;
+  }
+
+  @Override
+  IntBox voxels() {
+    return voxel;
   }
 }

@@ -3,7 +3,8 @@ package org.palpate.force;
 import org.palpate.geometry.Vec3;
 
 /**
- * Limits a force to the capabilities of the device.
+ * Limits a force to the capabilities of the device; another instance limits the torque, in N mm
+ * instead of N.
  *
  * <p>The result is finite or zero, no longer than the maximum, and changes no faster than the slew
  * rate. The maximum keeps the direction of the force. Haptic thread; allocates nothing.

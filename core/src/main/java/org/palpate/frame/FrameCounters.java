@@ -2,14 +2,7 @@ package org.palpate.frame;
 
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
-import org.palpate.collision.CollisionScene;
-import org.palpate.force.ContactForce;
-import org.palpate.force.ForceLimiter;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.ProxySolver;
-import org.palpate.statistics.SkipCounters;
-import org.palpate.statistics.SkipKind;
 
 /**
  * Counts the frames of a session and what happened in them; {@link FrameStatistics} is a copy.
@@ -23,23 +16,24 @@ final class FrameCounters {
   private long contactFrames;
   private long freed;
   private long unreached;
+  private long badOrientations;
   private double maxForceNewton;
-
-  /** Sums what each former solver had skipped when the next one replaced it. */
-  private final SkipCounters skippedByFormer = new SkipCounters();
-
-  /** Sums what each later solver had already skipped when it came into use. */
-  private final SkipCounters skippedBeforeUse = new SkipCounters();
+  private double maxTorqueNewtonMm;
 
   /** Counts a frame. Haptic thread. */
-  void countFrame(InteractionPoint point, Vec3 forceNewton, boolean wasFreed) {
+  void countFrame(boolean touches, Vec3 forceNewton, boolean wasFreed) {
     double newton = forceNewton.length();
-    contactFrames += point.contact ? 1 : 0;
+    contactFrames += touches ? 1 : 0;
     freed += wasFreed ? 1 : 0;
     maxForceNewton = Math.max(maxForceNewton, newton);
-    contact.lazySet(point.contact ? 1 : 0);
+    contact.lazySet(touches ? 1 : 0);
     forceBits.lazySet(Double.doubleToRawLongBits(newton));
     frames.lazySet(frames.getPlain() + 1);
+  }
+
+  /** Takes note of a torque. Haptic thread. */
+  void countTorque(Vec3 torqueNewtonMm) {
+    maxTorqueNewtonMm = Math.max(maxTorqueNewtonMm, torqueNewtonMm.length());
   }
 
   /** Counts a force that did not reach the device. Haptic thread. */
@@ -47,10 +41,9 @@ final class FrameCounters {
     unreached++;
   }
 
-  /** Keeps the counts of a solver that is replaced. Haptic thread. */
-  void changeSolver(ProxySolver former, ProxySolver next) {
-    former.addSkips(skippedByFormer);
-    next.addSkips(skippedBeforeUse);
+  /** Counts an orientation that was none. Haptic thread. */
+  void countBadOrientation() {
+    badOrientations++;
   }
 
   /** Returns the number of the last counted frame, from 0. Haptic thread. */
@@ -77,35 +70,22 @@ final class FrameCounters {
    * Returns a copy of all counts, with those that the parts of a frame keep for themselves.
    * Allocates. Haptic thread, or any thread after the last frame.
    */
-  FrameStatistics statistics(
-      Watchdog watchdog,
-      ProxySolver solver,
-      CollisionScene scene,
-      ContactForce force,
-      ForceLimiter limiter) {
+  FrameStatistics statistics(Watchdog watchdog, Map<String, Long> skipped, long forceNotFinite) {
     return new FrameStatistics(
         frames(),
         contactFrames,
         freed,
         maxForceNewton,
-        skipped(solver, scene, force),
+        maxTorqueNewtonMm,
+        skipped,
         new FrameStatistics.Faults(
             watchdog.held(),
             watchdog.notFinite(),
+            badOrientations,
             watchdog.backwardTimes() + watchdog.stoppedTimes(),
             watchdog.silences(),
             watchdog.gaps() + watchdog.clockSetBacks(),
-            limiter.notFinite(),
+            forceNotFinite,
             unreached));
-  }
-
-  private Map<String, Long> skipped(ProxySolver solver, CollisionScene scene, ContactForce force) {
-    SkipCounters all = new SkipCounters();
-    all.add(skippedByFormer);
-    solver.addSkips(all);
-    all.subtract(skippedBeforeUse);
-    scene.addSkips(all);
-    all.add(SkipKind.FRICTION, force.frictionSkipped());
-    return all.byKey();
   }
 }

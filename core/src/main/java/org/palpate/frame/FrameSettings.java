@@ -15,6 +15,8 @@ import org.palpate.force.ForceSettings;
  * @param silenceNanos time without a new sample for which the last force is held; {@link
  *     #NO_SILENCE} for a replay, in which time means nothing
  * @param editVoxelsAFrame number of voxels that edits may visit in one frame, at least 1
+ * @param maxTorqueNewtonMm the longest torque; 0 for none, infinity for no limit
+ * @param slewNewtonMmPerMs the fastest change of the torque; infinity for no limit
  */
 public record FrameSettings(
     ForceSettings force,
@@ -22,12 +24,14 @@ public record FrameSettings(
     double slewNewtonPerMs,
     long rampNanos,
     long silenceNanos,
-    int editVoxelsAFrame) {
+    int editVoxelsAFrame,
+    double maxTorqueNewtonMm,
+    double slewNewtonMmPerMs) {
 
   /** Lets a device be silent for ever. */
   public static final long NO_SILENCE = Long.MAX_VALUE;
 
-  /** The least time in which a force may rise from zero to the device's maximum, ms. */
+  /** The least time in which a force or a torque may rise from zero to the device's maximum, ms. */
   public static final double FULL_FORCE_MS = 4;
 
   /** The usual number of voxels, which take some ten microseconds of a frame. */
@@ -44,16 +48,40 @@ public record FrameSettings(
     }
   }
 
-  /** Returns the settings of a live session: the device's maximum force, slew rate and silence. */
+  /** Makes settings without torque. */
+  public FrameSettings(
+      ForceSettings force,
+      double maxForceNewton,
+      double slewNewtonPerMs,
+      long rampNanos,
+      long silenceNanos,
+      int editVoxelsAFrame) {
+    this(
+        force,
+        maxForceNewton,
+        slewNewtonPerMs,
+        rampNanos,
+        silenceNanos,
+        editVoxelsAFrame,
+        0,
+        Double.POSITIVE_INFINITY);
+  }
+
+  /** Returns the settings of a live session: the device's maxima, slew rates and silence. */
   public static FrameSettings live(DeviceSpecification device, ForceSettings force) {
-    double max = device.maxForceNewton();
     return new FrameSettings(
         force,
-        max,
-        max > 0 ? max / FULL_FORCE_MS : Double.POSITIVE_INFINITY,
+        device.maxForceNewton(),
+        slewPerMs(device.maxForceNewton()),
         ForceRamp.DEFAULT_NANOS,
         Watchdog.silenceNanosFor(device),
-        DEFAULT_EDIT_VOXELS_A_FRAME);
+        DEFAULT_EDIT_VOXELS_A_FRAME,
+        device.maxTorqueNewtonMm(),
+        slewPerMs(device.maxTorqueNewtonMm()));
+  }
+
+  private static double slewPerMs(double max) {
+    return max > 0 ? max / FULL_FORCE_MS : Double.POSITIVE_INFINITY;
   }
 
   /** Returns these settings with {@code newton} as maximum force, if it is lower. */
@@ -64,6 +92,8 @@ public record FrameSettings(
         slewNewtonPerMs,
         rampNanos,
         silenceNanos,
-        editVoxelsAFrame);
+        editVoxelsAFrame,
+        maxTorqueNewtonMm,
+        slewNewtonMmPerMs);
   }
 }

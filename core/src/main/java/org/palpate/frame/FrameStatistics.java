@@ -9,6 +9,7 @@ import java.util.Map;
  * @param contactFrames frames that ended in contact
  * @param freed frames that set the point free, at the start or because a solid came to it
  * @param maxForceNewton length of the longest force that was written
+ * @param maxTorqueNewtonMm length of the longest torque that was written
  * @param skipped how often work was skipped, by {@link org.palpate.statistics.SkipKind#key}
  * @param faults faults of device and clocks
  */
@@ -17,6 +18,7 @@ public record FrameStatistics(
     long contactFrames,
     long freed,
     double maxForceNewton,
+    double maxTorqueNewtonMm,
     Map<String, Long> skipped,
     Faults faults) {
 
@@ -24,17 +26,20 @@ public record FrameStatistics(
    * Faults that the frames met and handled.
    *
    * @param held frames without a new sample
-   * @param notFinite samples that were NaN or infinite
+   * @param notFinite samples whose position was NaN or infinite
+   * @param badOrientations samples of a tool that kept the last orientation, because theirs was
+   *     none
    * @param badTimes samples whose time went back or stood still
    * @param silences silences of the device
    * @param clockJumps gaps between frames that were longer than a silence, and backward steps of
    *     the clock
-   * @param forceNotFinite forces that were not finite and became zero
+   * @param forceNotFinite forces and torques that were not finite and became zero
    * @param unreached forces that did not reach the device
    */
   public record Faults(
       long held,
       long notFinite,
+      long badOrientations,
       long badTimes,
       long silences,
       long clockJumps,

@@ -1,61 +1,53 @@
 package org.palpate.frame;
 
-import org.palpate.collision.CollisionScene;
-import org.palpate.collision.NearestFreeVoxel;
+import java.util.Map;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
-import org.palpate.edit.EditQueue;
-import org.palpate.force.ContactForce;
 import org.palpate.force.ForceLimiter;
 import org.palpate.force.ForceRamp;
-import org.palpate.force.ForceSettings;
-import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
-import org.palpate.proxy.InteractionPoint;
-import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.TouchedObjectFinder;
 
 /**
- * Runs one haptic frame, from the device's sample to the force on the hand.
+ * Runs one haptic frame, from the device's sample to force and torque on the hand. A {@link
+ * PointFrame} moves an interaction point, a {@link ToolFrame} a rigid tool. Everything around the
+ * tool is here, once: reading, the watchdog, ramp and limits, writing, counting.
  *
  * <pre>
  *   HapticFrame frame =
- *       new HapticFrame(deviceInGrid, solver, scene, metric,
+ *       new PointFrame(deviceInGrid, solver, scene, metric,
  *           FrameSettings.live(device.specification(), ForceSettings.of(0.5, 0.2)),
  *           new EditQueue(grid, 1), touchProperties::publish);
  *   while (frame.run(System.nanoTime()) == FrameOutcome.RUNNING) { ... }
  *   frame.release();
  * </pre>
  *
- * <p>A frame is a plain method without a thread or a clock of its own. The device delivers grid
- * coordinates and takes newtons along the grid's axes; {@code host} wraps a real one accordingly.
+ * <p>A frame is a plain method without a thread or a clock of its own.
  *
  * <p>Belongs to the haptic thread, except for the methods that state any thread. A frame allocates
  * nothing and takes no lock.
  */
-public final class HapticFrame {
-  private static final Vec3 NO_FORCE = new Vec3();
+public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
+  private static final Vec3 ZERO = new Vec3();
+
+  /** The device's last sample, unchecked. */
+  final DeviceState sample = new DeviceState();
+
+  /** The last written force on the hand, N. */
+  final Vec3 forceNewton = new Vec3();
+
+  /** The last written torque on the hand about the tool's reference point, N mm. */
+  final Vec3 torqueNewtonMm = new Vec3();
+
+  final FrameCounters counters = new FrameCounters();
 
   private final HapticDevice device;
-  private final CollisionScene scene;
   private final FrameSettings settings;
-  private final EditQueue edits;
-  private final FramePublisher publisher;
-  private final NearestFreeVoxel nearestFreeVoxel;
-  private final TouchedObjectFinder touchedObject = new TouchedObjectFinder();
-  private final ContactForce contactForce;
-  private final ForceLimiter limiter;
+  private final ForceLimiter forceLimiter;
+  private final ForceLimiter torqueLimiter;
+  private final boolean givesTorque;
   private final ForceRamp ramp;
   private final Watchdog watchdog;
-  private final FrameCounters counters = new FrameCounters();
-
-  private final DeviceState sample = new DeviceState();
-  private final Vec3 deviceGrid = new Vec3();
-  private final InteractionPoint point = new InteractionPoint();
-  private final Vec3 forceNewton = new Vec3();
-  private ProxySolver solver;
-  private boolean placed;
   private boolean freed;
   private boolean followed;
 
@@ -65,50 +57,29 @@ public final class HapticFrame {
   private long sinceForceNanos;
   private long unreachableNanos;
 
-  private volatile ForceSettings requestedForce;
-  private volatile ProxySolver requestedSolver;
-
   /**
    * Makes a frame that has not run yet.
    *
    * @param device read and written once a frame, never closed
-   * @param solver moves the interaction point; belongs to the frame from now on
-   * @param scene the solids
-   * @param metric the spacing of the scene's grid
-   * @param edits changes of the scene, applied before the point moves
-   * @param publisher receives each frame's result
    */
-  public HapticFrame(
-      HapticDevice device,
-      ProxySolver solver,
-      CollisionScene scene,
-      GridMetric metric,
-      FrameSettings settings,
-      EditQueue edits,
-      FramePublisher publisher) {
+  HapticFrame(HapticDevice device, FrameSettings settings) {
     this.device = device;
-    this.solver = solver;
-    this.scene = scene;
     this.settings = settings;
-    this.edits = edits;
-    this.publisher = publisher;
-    nearestFreeVoxel = new NearestFreeVoxel(metric);
-    contactForce = new ContactForce(metric, settings.force());
-    limiter = new ForceLimiter(settings.maxForceNewton(), settings.slewNewtonPerMs());
+    forceLimiter = new ForceLimiter(settings.maxForceNewton(), settings.slewNewtonPerMs());
+    torqueLimiter = new ForceLimiter(settings.maxTorqueNewtonMm(), settings.slewNewtonMmPerMs());
+    givesTorque = settings.maxTorqueNewtonMm() > 0;
     ramp = new ForceRamp(settings.rampNanos());
     watchdog = new Watchdog(settings.silenceNanos());
-    requestedForce = settings.force();
-    requestedSolver = solver;
   }
 
   /**
-   * Runs one frame: reads the device, applies requests and edits, follows the device with the
-   * interaction point, computes and limits the force, writes it and publishes the result.
+   * Runs one frame: reads the device, applies requests and edits, follows the device with the tool,
+   * computes and limits force and torque, writes them and publishes the result.
    *
-   * <p>The watchdog decides whether the point follows, or the last force is held or dropped. There
-   * is no step of its own for the collision candidates: the {@link CollisionScene} updates them
-   * within {@code follow}, when a query leaves the region that its last search covered. A search at
-   * the beginning of each frame would cost more, because most frames need none.
+   * <p>The watchdog decides whether the tool follows, or the last force is held or dropped. There
+   * is no step of its own for the collision candidates: a solver updates them within {@code
+   * follow}, when a query leaves the region that the last search covered. A search at the beginning
+   * of each frame would cost more, because most frames need none.
    *
    * @param nowNanos the beginning of the frame on the caller's clock, which may jump
    * @return whether the session goes on
@@ -123,7 +94,7 @@ public final class HapticFrame {
     }
     beginFrame();
     applyRequests();
-    applyEdits();
+    applyEdits(settings.editVoxelsAFrame());
     applyVerdict(watchdog.judge(status, sample, nowNanos));
     if (followed) {
       follow();
@@ -131,7 +102,8 @@ public final class HapticFrame {
       limitForce();
     }
     writeForce();
-    publish();
+    countFrame();
+    publish(counters.lastFrame());
     return outcome();
   }
 
@@ -147,36 +119,11 @@ public final class HapticFrame {
     freed = false;
   }
 
-  private void applyRequests() {
-    contactForce.change(requestedForce);
-    ProxySolver requested = requestedSolver;
-    if (requested != solver) {
-      changeSolver(requested);
-    }
-  }
+  /** Applies what other threads requested. */
+  abstract void applyRequests();
 
-  private void changeSolver(ProxySolver next) {
-    counters.changeSolver(solver, next);
-    solver = next;
-    solver.reset();
-    point.surfaceHeightMm = 0;
-    point.limitsForceRate = false;
-    freePointFromSolid(); // A baseline may have left it in a solid, where no other solver starts.
-  }
-
-  private void applyEdits() {
-    boolean changed = edits.applyTo(scene, settings.editVoxelsAFrame());
-    if (changed && placed) {
-      solver.reset();
-      freePointFromSolid();
-    }
-  }
-
-  private void freePointFromSolid() {
-    if (placed && touchesSolid()) {
-      setFree(point.position);
-    }
-  }
+  /** Applies waiting edits, and sets the tool free if a solid came to it. */
+  abstract void applyEdits(int maxVoxels);
 
   /**
    * Decides between following a new sample, holding the last force and dropping it. After a silence
@@ -185,83 +132,65 @@ public final class HapticFrame {
   private void applyVerdict(Watchdog.Verdict verdict) {
     followed = verdict == Watchdog.Verdict.FRESH || verdict == Watchdog.Verdict.RESUMED;
     if (!followed) {
-      point.legs.clear();
+      rest();
     }
     if (verdict == Watchdog.Verdict.SILENT) {
       dropForce();
     } else if (verdict == Watchdog.Verdict.RESUMED) {
       ramp.start();
-      limiter.reset();
+      resetLimiters();
     }
   }
 
-  private void follow() {
-    deviceGrid.set(sample.positionMm);
-    if (!placed) {
-      placePoint();
-    } else if (sample.relocated) {
-      relocatePoint();
-    }
-    solver.follow(scene, deviceGrid, point);
-    if (contactForce.settings().distinguishesObjects()) {
-      touchedObject.find(scene, deviceGrid, point);
-    }
-  }
+  /** Leaves the tool where it is in a frame without a new sample. */
+  abstract void rest();
 
-  /** Starts the point at the device, or as near to it as the solids permit. */
-  private void placePoint() {
-    placed = true;
-    point.position.set(deviceGrid);
-    solver.reset();
-    if (touchesSolid()) {
-      setFree(deviceGrid);
-    }
-  }
+  /** Moves the tool after the new sample. */
+  abstract void follow();
 
-  /** Sets the point free at a device that jumped, or as near to it as the solids permit. */
-  private void relocatePoint() {
-    point.position.set(deviceGrid);
-    if (touchesSolid()) {
-      setFree(deviceGrid);
-    } else {
-      beginAnew();
-    }
-  }
-
-  private boolean touchesSolid() {
-    return scene.touches(point.position.x, point.position.y, point.position.z);
-  }
-
-  private void setFree(Vec3 from) {
-    nearestFreeVoxel.find(scene, from, point.position);
-    beginAnew();
-  }
-
-  /** Begins a new chain of legs at the present position, with a force that rises from zero. */
-  private void beginAnew() {
-    solver.reset();
+  /** Drops the force and lets it return from zero, because the tool was set free. */
+  final void setFree() {
     freed = true;
     ramp.start();
     dropForce();
   }
 
   private void computeForce() {
-    contactForce.compute(point, deviceGrid, sinceForceNanos, forceNewton);
+    computeForce(sinceForceNanos);
     sinceForceNanos = 0;
     forceNewton.mul(ramp.factor(), forceNewton);
   }
 
+  /**
+   * Writes force and torque without the limits of the device.
+   *
+   * @param sinceLastNanos time since they were computed last
+   */
+  abstract void computeForce(long sinceLastNanos);
+
   private void limitForce() {
-    limiter.clamp(forceNewton, elapsedNanos);
+    forceLimiter.clamp(forceNewton, elapsedNanos);
+    if (givesTorque) {
+      torqueNewtonMm.mul(ramp.factor(), torqueNewtonMm);
+      torqueLimiter.clamp(torqueNewtonMm, elapsedNanos);
+    } else {
+      torqueNewtonMm.set(0, 0, 0);
+    }
   }
 
   private void dropForce() {
     forceNewton.set(0, 0, 0);
-    limiter.reset();
+    torqueNewtonMm.set(0, 0, 0);
+    resetLimiters();
+  }
+
+  private void resetLimiters() {
+    forceLimiter.reset();
+    torqueLimiter.reset();
   }
 
   private void writeForce() {
-    boolean reached = device.write(forceNewton);
+    boolean reached = device.write(forceNewton, torqueNewtonMm);
     if (reached) {
       unreachableNanos = 0;
     } else {
@@ -270,10 +199,18 @@ public final class HapticFrame {
     }
   }
 
-  private void publish() {
-    counters.countFrame(point, forceNewton, freed);
-    publisher.publish(deviceGrid, point.position, forceNewton, point.contact, counters.lastFrame());
+  private void countFrame() {
+    counters.countFrame(isTouching(), forceNewton, freed);
+    if (givesTorque) {
+      counters.countTorque(torqueNewtonMm);
+    }
   }
+
+  /** Whether the tool is in contact. */
+  abstract boolean isTouching();
+
+  /** Publishes the result of the frame. */
+  abstract void publish(long frame);
 
   private FrameOutcome outcome() {
     return unreachableNanos > settings.silenceNanos()
@@ -282,30 +219,14 @@ public final class HapticFrame {
   }
 
   /**
-   * Sends zero force at once, without the slew limit. Haptic thread, after the last frame.
+   * Sends zero force and torque at once, without the slew limit. Haptic thread, after the last
+   * frame.
    *
    * @return false if the device could not be reached
    */
   public boolean release() {
     dropForce();
-    return device.write(NO_FORCE);
-  }
-
-  /** Changes materials and friction from the next frame on. Any thread. */
-  public void requestForce(ForceSettings requested) {
-    requestedForce = requested;
-  }
-
-  /**
-   * Changes the solver from the next frame on. The solver then belongs to the frame. Any thread.
-   */
-  public void requestSolver(ProxySolver requested) {
-    requestedSolver = requested;
-  }
-
-  /** Returns the interaction point with the legs of the last frame. It belongs to the frame. */
-  public InteractionPoint point() {
-    return point;
+    return device.write(ZERO, ZERO);
   }
 
   /** Returns the device's last sample, unchecked. It belongs to the frame. */
@@ -318,12 +239,17 @@ public final class HapticFrame {
     return forceNewton;
   }
 
-  /** Whether the last frame set the point free, so that a new chain of legs begins. */
+  /** Returns the last written torque about the tool's reference point, N mm. */
+  public Vec3 torqueNewtonMm() {
+    return torqueNewtonMm;
+  }
+
+  /** Whether the last frame set the tool free, so that a new chain of legs begins. */
   public boolean wasFreed() {
     return freed;
   }
 
-  /** Whether the last frame had a new sample and moved the point after it. */
+  /** Whether the last frame had a new sample and moved the tool after it. */
   public boolean followed() {
     return followed;
   }
@@ -352,6 +278,10 @@ public final class HapticFrame {
    * Returns the statistics so far. Allocates. Haptic thread, or any thread after the last frame.
    */
   public FrameStatistics statistics() {
-    return counters.statistics(watchdog, solver, scene, contactForce, limiter);
+    long notFinite = forceLimiter.notFinite() + torqueLimiter.notFinite();
+    return counters.statistics(watchdog, skipped(), notFinite);
   }
+
+  /** Returns how often work was skipped, by key. */
+  abstract Map<String, Long> skipped();
 }

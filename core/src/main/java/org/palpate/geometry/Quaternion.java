@@ -10,8 +10,17 @@ package org.palpate.geometry;
  * <p>Reference: Sola, Quaternion kinematics for the error-state Kalman filter, 2017.
  */
 public final class Quaternion {
+  /** A norm that differs from 1 by more than this is no rounding of an orientation. */
+  public static final double NORM_TOLERANCE = 1e-3;
+
   /** Norms outside of this range and its reciprocal are rejected: their squares may be unsafe. */
   private static final double LARGEST_NORM = 1e100;
+
+  /**
+   * A norm this near to 1 is one that was divided by its norm; so to normalize twice changes no
+   * bit.
+   */
+  private static final double NORM_ROUNDING = 0x1p-50;
 
   /** Below this angle, rad, sin(a/2)/a is 1/2 to the last bit. */
   private static final double SMALL_ANGLE = 1e-9;
@@ -93,16 +102,24 @@ public final class Quaternion {
     return Math.sqrt(dot(this));
   }
 
+  /** Whether the norm is 1 up to {@link #NORM_TOLERANCE}, as that of an orientation is. */
+  public boolean isNearUnit() {
+    return Math.abs(norm() - 1) <= NORM_TOLERANCE;
+  }
+
   /**
-   * Scales this to the norm 1. Leaves it as it is, and returns false, if it has no direction: a
-   * component that is not finite, or a norm of 0.
+   * Scales this to the norm 1, to some units in the last place. Leaves it as it is if it has that
+   * norm already. Leaves it as it is too, and returns false, if it has no direction: a component
+   * that is not finite, or a norm of 0.
    */
   public boolean normalize() {
     double norm = norm();
     if (!(norm <= LARGEST_NORM && norm >= 1 / LARGEST_NORM)) {
       return false;
     }
-    set(w / norm, x / norm, y / norm, z / norm);
+    if (Math.abs(norm - 1) > NORM_ROUNDING) {
+      set(w / norm, x / norm, y / norm, z / norm);
+    }
     return true;
   }
 

@@ -16,7 +16,7 @@ public final class SampleRecorder {
 
   private static final int TIME = 0;
   private static final int X = 1;
-  private static final int QX = 4;
+  private static final int QW = 4;
   private static final int BUTTONS = 8;
   private static final int WORDS_A_SAMPLE = 9;
 
@@ -62,10 +62,10 @@ public final class SampleRecorder {
     for (int axis = 0; axis < 3; axis++) {
       ring[from + X + axis] = Double.doubleToRawLongBits(sample.positionMm.get(axis));
     }
-    ring[from + QX] = Double.doubleToRawLongBits(sample.qx);
-    ring[from + QX + 1] = Double.doubleToRawLongBits(sample.qy);
-    ring[from + QX + 2] = Double.doubleToRawLongBits(sample.qz);
-    ring[from + QX + 3] = Double.doubleToRawLongBits(sample.qw);
+    ring[from + QW] = Double.doubleToRawLongBits(sample.orientation.w);
+    ring[from + QW + 1] = Double.doubleToRawLongBits(sample.orientation.x);
+    ring[from + QW + 2] = Double.doubleToRawLongBits(sample.orientation.y);
+    ring[from + QW + 3] = Double.doubleToRawLongBits(sample.orientation.z);
     ring[from + BUTTONS] = sample.buttons;
     written.setRelease(at + 1);
   }
@@ -94,10 +94,10 @@ public final class SampleRecorder {
     for (int axis = 0; axis < 3; axis++) {
       out.positionMm.set(axis, Double.longBitsToDouble(ring[from + X + axis]));
     }
-    out.qx = Double.longBitsToDouble(ring[from + QX]);
-    out.qy = Double.longBitsToDouble(ring[from + QX + 1]);
-    out.qz = Double.longBitsToDouble(ring[from + QX + 2]);
-    out.qw = Double.longBitsToDouble(ring[from + QX + 3]);
+    out.orientation.w = Double.longBitsToDouble(ring[from + QW]);
+    out.orientation.x = Double.longBitsToDouble(ring[from + QW + 1]);
+    out.orientation.y = Double.longBitsToDouble(ring[from + QW + 2]);
+    out.orientation.z = Double.longBitsToDouble(ring[from + QW + 3]);
     out.buttons = (int) ring[from + BUTTONS];
   }
 

@@ -6,14 +6,14 @@ import java.util.function.DoubleFunction;
 import org.palpate.device.DeviceState;
 
 /**
- * Writes samples as the rows of a trajectory file, {@code t_ms,x,y,z,qx,qy,qz,qw,flags}.
+ * Writes samples as the rows of a trajectory file, {@code t_ms,x,y,z,qw,qx,qy,qz,flags}.
  *
  * <p>Times are milliseconds from the first sample. Positions are those of the device; NaN and
  * infinities are spelt as in Java. One thread.
  */
 public final class TrajectoryWriter implements SampleRecorder.Sink {
   /** The first line of a trajectory file. */
-  public static final String HEADER = "t_ms,x,y,z,qx,qy,qz,qw,flags";
+  public static final String HEADER = "t_ms,x,y,z,qw,qx,qy,qz,flags";
 
   private static final double NANOS_PER_MS = 1e6;
 
@@ -46,10 +46,10 @@ public final class TrajectoryWriter implements SampleRecorder.Sink {
       append(sample.positionMm.x);
       append(sample.positionMm.y);
       append(sample.positionMm.z);
-      append(sample.qx);
-      append(sample.qy);
-      append(sample.qz);
-      append(sample.qw);
+      append(sample.orientation.w);
+      append(sample.orientation.x);
+      append(sample.orientation.y);
+      append(sample.orientation.z);
       out.append(Integer.toString(flags.code())).append('\n');
     } catch (IOException e) {
       throw new UncheckedIOException(e);

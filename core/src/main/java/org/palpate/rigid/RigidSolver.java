@@ -149,7 +149,7 @@ public final class RigidSolver {
     if (scene.motions() != bodyMotions) {
       throw new IllegalStateException("a body was moved: place the tool again");
     }
-    motion.beginFrame();
+    motion.rest();
     work = 0;
     takeEdits(motion);
     device.take(devicePose, verifier.pose());

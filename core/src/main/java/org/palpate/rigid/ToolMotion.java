@@ -66,8 +66,8 @@ public final class ToolMotion {
     return reducedPoints;
   }
 
-  /** Begins a frame at the pose where the last one ended. */
-  void beginFrame() {
+  /** Leaves the tool where it is for a frame in which no solver moves it. */
+  public void rest() {
     path[0].set(path[steps]);
     steps = 0;
     pathMm = 0;

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 class SimulatedDeviceTest {
@@ -37,9 +38,33 @@ class SimulatedDeviceTest {
     for (int frame = 0; frame < 1000; frame++) {
       pushed.read(state);
       free.read(other);
-      assertTrue(pushed.write(new Vec3(frame, -1, 2)));
+      assertTrue(pushed.write(new Vec3(frame, -1, 2), new Vec3(0, frame, 0)));
       assertTrue(state.positionMm.sameBits(other.positionMm));
     }
+  }
+
+  @Test
+  void aHandThatTurnsMovesAsOneThatDoesNot() {
+    SimulatedDevice plain = new SimulatedDevice(7, ball(), MS);
+    SimulatedDevice turning = SimulatedDevice.withOrientation(7, ball(), MS);
+    assertFalse(plain.specification().hasOrientation());
+    assertTrue(turning.specification().hasOrientation());
+    DeviceState other = new DeviceState();
+    Quaternion last = new Quaternion();
+    double widest = 0;
+    double fastest = 0;
+    for (int frame = 0; frame < FRAMES; frame++) {
+      plain.read(state);
+      turning.read(other);
+      assertTrue(state.positionMm.sameBits(other.positionMm), "frame=" + frame);
+      assertTrue(state.orientation.sameBits(new Quaternion()));
+      assertEquals(1, other.orientation.norm(), 1e-15);
+      widest = Math.max(widest, other.orientation.angle());
+      fastest = Math.max(fastest, last.conjugate(last).multiply(other.orientation, last).angle());
+      last.set(other.orientation);
+    }
+    assertTrue(widest > 1 && widest < 1.7, "widest=" + widest);
+    assertTrue(fastest > 0.05 && fastest < 0.7, "fastest=" + fastest);
   }
 
   @Test
@@ -100,7 +125,7 @@ class SimulatedDeviceTest {
     device.close();
     device.close();
     assertEquals(ReadStatus.DISCONNECTED, device.read(state));
-    assertFalse(device.write(new Vec3()));
+    assertFalse(device.write(new Vec3(), new Vec3()));
   }
 
   @Test

@@ -17,7 +17,7 @@ class TrajectoryTest {
       Trajectory trajectory = new Trajectory();
       for (int n = 0; n < SAMPLES; n++) {
         boolean turned = n >= first;
-        trajectory.add(n, n, -n, Double.NaN, turned ? -0.0 : 0, turned ? n : 0, 0, turned ? 0 : 1);
+        trajectory.add(n, n, -n, Double.NaN, turned ? 0 : 1, turned ? -0.0 : 0, turned ? n : 0, 0);
       }
       assertEquals(SAMPLES, trajectory.size());
       for (int n = 0; n < SAMPLES; n++) {
@@ -30,10 +30,10 @@ class TrajectoryTest {
     trajectory.read(n, state);
     assertTrue(state.positionMm.sameBits(new Vec3(n, -n, Double.NaN)));
     assertTrue(trajectory.position(n, new Vec3()).sameBits(state.positionMm));
-    assertEquals(turned ? -0.0 : 0.0, state.qx);
-    assertEquals(turned ? n : 0.0, state.qy);
-    assertEquals(0.0, state.qz);
-    assertEquals(turned ? 0.0 : 1.0, state.qw);
+    assertEquals(turned ? -0.0 : 0.0, state.orientation.x);
+    assertEquals(turned ? n : 0.0, state.orientation.y);
+    assertEquals(0.0, state.orientation.z);
+    assertEquals(turned ? 0.0 : 1.0, state.orientation.w);
     assertEquals(n, trajectory.timeMs(n));
     assertEquals(n * 1_000_000L, state.timeNanos);
   }
@@ -41,24 +41,24 @@ class TrajectoryTest {
   @Test
   void anArrayOfPositionsHasEvenTimesAndNoOrientation() {
     Trajectory trajectory = Trajectory.ofPositions(new double[] {1, 2, 3, 4, 5, 6}, 0.5);
-    state.qx = 1;
-    state.qw = 0;
+    state.orientation.x = 1;
+    state.orientation.w = 0;
     trajectory.read(1, state);
     assertEquals(2, trajectory.size());
     assertTrue(state.positionMm.sameBits(new Vec3(4, 5, 6)));
     assertEquals(500_000, state.timeNanos);
-    assertEquals(0, state.qx);
-    assertEquals(1, state.qw);
+    assertEquals(0, state.orientation.x);
+    assertEquals(1, state.orientation.w);
   }
 
   @Test
   void samplesCanBeAddedToAnArrayOfPositions() {
     Trajectory trajectory = Trajectory.ofPositions(new double[3], 1);
-    trajectory.add(1, 7, 8, 9, 0, 1, 0, 0);
+    trajectory.add(1, 7, 8, 9, 0, 0, 1, 0);
     trajectory.read(0, state);
-    assertEquals(1, state.qw);
+    assertEquals(1, state.orientation.w);
     trajectory.read(1, state);
-    assertEquals(1, state.qy);
+    assertEquals(1, state.orientation.y);
     assertEquals(9, state.positionMm.z);
   }
 }

@@ -7,13 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 class WorkspaceDeviceTest {
   private static final long SEED = seed();
   private static final DeviceSpecification OMNI =
-      new DeviceSpecification("omni", "7", 3.3, 0.7, 80, 1_000_000);
+      new DeviceSpecification("omni", "7", 3.3, 0.7, 80, 1_000_000, true, 188);
 
   private final Random random = new Random(SEED);
 
@@ -27,6 +28,7 @@ class WorkspaceDeviceTest {
   private static final class SettableDevice implements HapticDevice {
     final DeviceState next = new DeviceState();
     final Vec3 feltNewton = new Vec3();
+    final Vec3 feltNewtonMm = new Vec3();
 
     @Override
     public DeviceSpecification specification() {
@@ -41,8 +43,9 @@ class WorkspaceDeviceTest {
     }
 
     @Override
-    public boolean write(Vec3 forceNewton) {
+    public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
       feltNewton.set(forceNewton);
+      feltNewtonMm.set(torqueNewtonMm);
       return true;
     }
 
@@ -116,10 +119,10 @@ class WorkspaceDeviceTest {
       Vec3 axis = randomVec(1);
       axis.mul(1 / axis.length(), axis);
       double half = random.nextDouble() * 3;
-      hand.next.qx = axis.x * Math.sin(half);
-      hand.next.qy = axis.y * Math.sin(half);
-      hand.next.qz = axis.z * Math.sin(half);
-      hand.next.qw = Math.cos(half);
+      hand.next.orientation.x = axis.x * Math.sin(half);
+      hand.next.orientation.y = axis.y * Math.sin(half);
+      hand.next.orientation.z = axis.z * Math.sin(half);
+      hand.next.orientation.w = Math.cos(half);
       DeviceState seen = readOnce(hand, new Workspace(frame, new Vec3(1, 1, 1)));
       Vec3 arrow = randomVec(1);
       Vec3 expected = frame.rotate(rotated(hand.next, arrow), new Vec3());
@@ -136,13 +139,13 @@ class WorkspaceDeviceTest {
 
   /** Rotates a vector by the quaternion of a state, by v + 2 u x (u x v + w v). */
   private static Vec3 rotated(DeviceState q, Vec3 v) {
-    double ax = q.qy * v.z - q.qz * v.y + q.qw * v.x;
-    double ay = q.qz * v.x - q.qx * v.z + q.qw * v.y;
-    double az = q.qx * v.y - q.qy * v.x + q.qw * v.z;
+    double ax = q.orientation.y * v.z - q.orientation.z * v.y + q.orientation.w * v.x;
+    double ay = q.orientation.z * v.x - q.orientation.x * v.z + q.orientation.w * v.y;
+    double az = q.orientation.x * v.y - q.orientation.y * v.x + q.orientation.w * v.z;
     return new Vec3(
-        v.x + 2 * (q.qy * az - q.qz * ay),
-        v.y + 2 * (q.qz * ax - q.qx * az),
-        v.z + 2 * (q.qx * ay - q.qy * ax));
+        v.x + 2 * (q.orientation.y * az - q.orientation.z * ay),
+        v.y + 2 * (q.orientation.z * ax - q.orientation.x * az),
+        v.z + 2 * (q.orientation.x * ay - q.orientation.y * ax));
   }
 
   @Test
@@ -208,8 +211,51 @@ class WorkspaceDeviceTest {
 
   private static double felt(WorkspaceDevice device, SettableDevice hand, DeviceState state) {
     device.read(state);
-    device.write(new Vec3(2, 0, 0));
+    device.write(new Vec3(2, 0, 0), new Vec3());
     return hand.feltNewton.x;
+  }
+
+  @Test
+  void theClutchHoldsTheOrientationAndItsReleaseTurnsNothing() {
+    SettableDevice hand = new SettableDevice();
+    WorkspaceDevice device =
+        new WorkspaceDevice(hand, randomWorkspace(), WorkspaceDevice.Controls.standard());
+    DeviceState state = new DeviceState();
+    hand.next.orientation.setRotationVector(randomVec(1));
+    device.read(state);
+    Quaternion held = new Quaternion().set(state.orientation);
+    device.holdClutch(true);
+    hand.next.orientation.setRotationVector(randomVec(1));
+    device.read(state);
+    assertTrue(held.sameBits(state.orientation));
+    device.holdClutch(false);
+    device.read(state);
+    assertEquals(1, Math.abs(held.dot(state.orientation)), 1e-12);
+    device.read(state);
+    assertEquals(1, Math.abs(held.dot(state.orientation)), 1e-12);
+    Quaternion before = new Quaternion().set(hand.next.orientation);
+    hand.next.orientation.setRotationVector(randomVec(1));
+    device.read(state);
+    double turned = before.conjugate(before).multiply(hand.next.orientation, before).angle();
+    double seen = held.conjugate(held).multiply(state.orientation, held).angle();
+    assertEquals(turned, seen, 1e-9);
+  }
+
+  @Test
+  void theTorqueIsTurnedLikeTheFrameAndDividedByTheScale() {
+    SettableDevice hand = new SettableDevice();
+    Workspace workspace = randomWorkspace();
+    WorkspaceDevice device =
+        new WorkspaceDevice(hand, workspace, WorkspaceDevice.Controls.standard());
+    device.read(new DeviceState());
+    Vec3 torque = randomVec(50);
+    device.write(new Vec3(), torque);
+    Vec3 back = workspace.deviceToWorld().rotate(hand.feltNewtonMm, new Vec3());
+    back.mul(workspace.largestScale(), back);
+    assertTrue(back.sub(torque, new Vec3()).length() < 1e-9, back + " " + torque);
+    assertEquals(
+        OMNI.maxTorqueNewtonMm() * workspace.largestScale(),
+        device.specification().maxTorqueNewtonMm());
   }
 
   @Test

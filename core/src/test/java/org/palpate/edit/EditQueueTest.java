@@ -16,7 +16,7 @@ import org.palpate.device.HandTarget;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.ManualClock;
 import org.palpate.proxy.exact.GuardedSolver;
@@ -118,8 +118,8 @@ class EditQueueTest {
             Seeds.seed(),
             HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1),
             ManualClock.MS);
-    HapticFrame frame =
-        new HapticFrame(
+    PointFrame frame =
+        new PointFrame(
             device,
             new GuardedSolver(Floor.METRIC, 8),
             floor.scene,
@@ -139,7 +139,7 @@ class EditQueueTest {
     assertTrue(floor.edits.completed() > 1000, "edits=" + floor.edits.completed());
   }
 
-  private int judgeFrames(HapticFrame frame, AtomicReference<Vec3> near, int frames) {
+  private int judgeFrames(PointFrame frame, AtomicReference<Vec3> near, int frames) {
     int freed = 0;
     Vec3 last = new Vec3();
     for (int n = 0; n < frames; n++) {
@@ -160,7 +160,7 @@ class EditQueueTest {
     return freed;
   }
 
-  private static Vec3 startOf(HapticFrame frame) {
+  private static Vec3 startOf(PointFrame frame) {
     return frame.point().legs.count() == 0
         ? frame.point().position
         : new Vec3(

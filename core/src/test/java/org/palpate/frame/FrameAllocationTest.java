@@ -8,6 +8,9 @@ import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
@@ -24,6 +27,12 @@ import org.palpate.loop.ThreadSetup;
 import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.recording.RecordingDevice;
 import org.palpate.recording.SampleRecorder;
+import org.palpate.rigid.RigidCoupling;
+import org.palpate.rigid.RigidSettings;
+import org.palpate.rigid.RigidSolver;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.RodShape;
+import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.TouchProperties;
 import org.palpate.testing.Floor;
@@ -53,8 +62,8 @@ class FrameAllocationTest {
     HandTarget target = HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1);
     SimulatedDevice hand = new SimulatedDevice(7, target, ManualClock.MS);
     MeasuringDevice measured = new MeasuringDevice(new RecordingDevice(hand, recorder));
-    HapticFrame frame =
-        new HapticFrame(
+    PointFrame frame =
+        new PointFrame(
             measured,
             new GuardedSolver(Floor.METRIC, 8),
             floor.scene,
@@ -72,6 +81,41 @@ class FrameAllocationTest {
     assertTrue(counts.contactFrames() > counts.frames() / 10, counts.toString());
     assertTrue(counts.freed() > 0, "solids came to the point");
     assertTrue(accumulator.take());
+    long last = allocated.get(allocated.size() - 1);
+    assertEquals(0, last, "bytes by rounds of " + FRAMES + " frames: " + allocated);
+  }
+
+  @Test
+  void aHundredThousandWarmFramesOfARigidToolAllocateNothing() {
+    for (int i = 0; i < waiting.length; i++) {
+      Vec3 centre = new Vec3(3 + i % 26, 3 + i / 26 % 26, 8);
+      waiting[i] = new BrushEdit(0, centre, 2.6, i % 2 == 0);
+    }
+    BodyScene bodies =
+        new BodyScene(List.of(new Body("floor", floor.bits, Floor.GRID, Mobility.FIXED)));
+    RigidTool tool = ToolSampler.ofShape(RodShape.capsule(1, 4), 0.7);
+    HandTarget target = HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1);
+    SimulatedDevice hand = SimulatedDevice.withOrientation(7, target, ManualClock.MS);
+    ToolFrame frame =
+        new ToolFrame(
+            new MeasuringDevice(new RecordingDevice(hand, recorder)),
+            bodies,
+            tool,
+            new RigidSolver(bodies, tool, RigidSettings.ofWholeBodies(8, bodies, tool)),
+            RigidCoupling.of(tool, 0.5),
+            FrameSettings.live(hand.specification(), Floor.settings().force()),
+            floor.edits,
+            ToolFramePublisher.NONE);
+    LoopSettings settings =
+        new LoopSettings(
+            ManualClock.MS, clock, clock, ThreadSetup.NONE, () -> {}, 1000 * ManualClock.MS);
+    HapticLoop loop = new HapticLoop(frame, settings, end -> {});
+    loop.run();
+    assertEquals(LoopEnd.Cause.DEVICE_GONE, loop.end().cause());
+    FrameStatistics counts = frame.statistics();
+    assertTrue(counts.contactFrames() > counts.frames() / 10, counts.toString());
+    assertTrue(counts.freed() > 0, "solids came to the tool");
+    assertTrue(counts.maxTorqueNewtonMm() > 0);
     long last = allocated.get(allocated.size() - 1);
     assertEquals(0, last, "bytes by rounds of " + FRAMES + " frames: " + allocated);
   }
@@ -113,8 +157,8 @@ class FrameAllocationTest {
     }
 
     @Override
-    public boolean write(Vec3 forceNewton) {
-      return device.write(forceNewton);
+    public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
+      return device.write(forceNewton, torqueNewtonMm);
     }
 
     @Override

@@ -32,7 +32,7 @@ class HapticFrameTest {
   @Test
   void theForceIsStiffnessTimesDepth() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     assertEquals(1.5, device.lastForce().z, 1e-5);
     assertEquals(0, device.lastForce().x);
@@ -47,7 +47,7 @@ class HapticFrameTest {
   @Test
   void aRepeatedSampleHoldsTheForceBitForBit() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     device.script = (read, state) -> ReadStatus.REPEATED;
     Vec3 held = device.lastForce();
@@ -61,7 +61,7 @@ class HapticFrameTest {
   @Test
   void afterTwentyMillisecondsOfSilenceTheForceIsZeroAndThenRampedBack() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     ScriptedDevice.Script speaking = device.script;
     device.script = (read, state) -> ReadStatus.REPEATED;
@@ -87,7 +87,7 @@ class HapticFrameTest {
   void samplesThatAreNotFiniteAreIgnored() {
     double[] bad = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     Vec3 held = device.lastForce();
     Vec3 position = new Vec3().set(frame.point().position);
@@ -103,7 +103,7 @@ class HapticFrameTest {
   @Test
   void samplesOfABackwardTimeAreIgnoredUntilASilenceHasPassed() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     device.script = (read, state) -> fresh(state, read - 1000, 16, 16, 20);
     run(frame, 20);
@@ -116,13 +116,13 @@ class HapticFrameTest {
   @Test
   void aDeviceWithAStoppedClockIsSilentButADeviceWithoutAClockIsNot() {
     ScriptedDevice stuck = descendsTo(5);
-    HapticFrame frame = floor.frame(stuck);
+    PointFrame frame = floor.frame(stuck);
     run(frame, 20);
     stuck.script = (read, state) -> fresh(state, 19, 16, 16, 5);
     run(frame, 21);
     assertEquals(0, stuck.lastForce().length());
     ScriptedDevice clockless = new ScriptedDevice((read, state) -> fresh(state, 0, 16, 16, 5));
-    HapticFrame other = floor.frame(clockless);
+    PointFrame other = floor.frame(clockless);
     run(other, 200);
     assertEquals(0, other.statistics().faults().held());
   }
@@ -130,7 +130,7 @@ class HapticFrameTest {
   @Test
   void afterAMachineWasSuspendedTheForceStartsFromZero() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     nowNanos += 3_600_000 * MS;
     run(frame, 1);
@@ -143,7 +143,7 @@ class HapticFrameTest {
   @Test
   void aFrameClockThatGoesBackIsCountedAndChangesNoForce() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     nowNanos -= 3_600_000 * MS;
     run(frame, 30);
@@ -154,7 +154,7 @@ class HapticFrameTest {
   @Test
   void aFrameClockThatStandsStillKeepsTheForceUntilTimePasses() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     for (int n = 0; n < 50; n++) {
       assertEquals(FrameOutcome.RUNNING, frame.run(nowNanos));
@@ -169,7 +169,7 @@ class HapticFrameTest {
   @Test
   void aDeviceThatDisappearsBetweenReadAndWriteGetsZeroForceLast() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     ScriptedDevice.Script speaking = device.script;
     device.script =
@@ -189,7 +189,7 @@ class HapticFrameTest {
   @Test
   void aPointThatStartsInASolidIsSetFreeAndTheForceIsRamped() {
     ScriptedDevice device = ScriptedDevice.at(16.25, 16.25, 6.5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 1);
     assertTrue(frame.wasFreed());
     assertEquals(0, device.lastForce().length());
@@ -204,7 +204,7 @@ class HapticFrameTest {
   @Test
   void aPointToWhichASolidComesIsSetFreeAndTheForceIsRamped() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     Vec3 p = frame.point().position;
     floor.edits.offer(
@@ -221,7 +221,7 @@ class HapticFrameTest {
   @Test
   void aRemovedSolidLetsThePointFollow() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     floor.edits.offer(new BrushEdit(0, new Vec3(16, 16, 6), 3, false));
     run(frame, 20);
@@ -233,7 +233,7 @@ class HapticFrameTest {
   @Test
   void aLargeBrushTakesABoundedNumberOfVoxelsAFrame() {
     ScriptedDevice device = ScriptedDevice.at(2, 2, 30);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     BrushEdit brush = new BrushEdit(0, new Vec3(16, 16, 20), 5, true);
     floor.edits.offer(brush);
     int frames = 0;
@@ -252,7 +252,7 @@ class HapticFrameTest {
   @Test
   void aSwapTakesOneFrameAndReturnsTheReplacedCube() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     SwapEdit swap = new SwapEdit(0, new org.palpate.volume.BitCube(32, 32, 32));
     assertThrows(IllegalStateException.class, swap::replaced);
@@ -265,7 +265,7 @@ class HapticFrameTest {
   @Test
   void aDeviceThatDisconnectsGetsZeroForceLast() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     device.script = (read, state) -> ReadStatus.DISCONNECTED;
     assertEquals(FrameOutcome.DEVICE_GONE, frame.run(nowNanos));
@@ -276,7 +276,7 @@ class HapticFrameTest {
   @Test
   void aDeviceThatCannotBeWrittenToForTwentyMillisecondsIsGone() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     device.reachable = false;
     run(frame, 20);
@@ -288,7 +288,7 @@ class HapticFrameTest {
   void theForceIsLimitedToTheMaximumAndTheSlew() {
     ScriptedDevice device = descendsTo(1);
     FrameSettings limited = new FrameSettings(ForceSettings.of(0.5, 0.2), 2, 0.25, 0, 20 * MS, 64);
-    HapticFrame frame = floor.frame(device, limited);
+    PointFrame frame = floor.frame(device, limited);
     Vec3 last = new Vec3();
     for (int i = 0; i < 40; i++) {
       run(frame, 1);
@@ -302,7 +302,7 @@ class HapticFrameTest {
   @Test
   void stiffnessAndSolverCanBeChangedWhileFramesRun() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 20);
     frame.requestForce(ForceSettings.of(1, 0));
     frame.requestSolver(new GuardedSolver(Floor.METRIC, 8));
@@ -313,7 +313,7 @@ class HapticFrameTest {
   @Test
   void skipsCountOnceIfSolversTakeTurns() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     CollisionOnlySolver none = new CollisionOnlySolver(new ExactRayCaster(), Floor.METRIC);
     for (int turn = 0; turn < 3; turn++) {
       frame.requestSolver(none);
@@ -327,7 +327,7 @@ class HapticFrameTest {
   @Test
   void aSolverThatReceivesAPointInASolidStartsFromAFreePoint() {
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     frame.requestSolver((scene, d, point) -> point.position.set(d)); // enters the floor
     run(frame, 20);
     assertTrue(isBuried(frame));
@@ -337,7 +337,7 @@ class HapticFrameTest {
     assertFalse(isBuried(frame));
   }
 
-  private boolean isBuried(HapticFrame frame) {
+  private boolean isBuried(PointFrame frame) {
     Vec3 p = frame.point().position;
     return floor.scene.touches(p.x, p.y, p.z);
   }
@@ -347,8 +347,8 @@ class HapticFrameTest {
     Accumulator accumulator = new Accumulator();
     TouchProperties touch = new TouchProperties(accumulator);
     ScriptedDevice device = descendsTo(5);
-    HapticFrame frame =
-        new HapticFrame(
+    PointFrame frame =
+        new PointFrame(
             device,
             new GuardedSolver(Floor.METRIC, 8),
             floor.scene,
@@ -375,7 +375,7 @@ class HapticFrameTest {
                     16 + 9 * StrictMath.sin(read * 0.01),
                     16,
                     12 + 10 * StrictMath.cos(read % 1000 * 0.006)));
-    HapticFrame frame = floor.frame(device);
+    PointFrame frame = floor.frame(device);
     run(frame, 5000);
     device.script = (read, state) -> fresh(state, read, 16.125, 16.25, 20.375);
     run(frame, 10);
@@ -383,7 +383,7 @@ class HapticFrameTest {
     assertEquals(0, device.lastForce().length());
   }
 
-  private void run(HapticFrame frame, int frames) {
+  private void run(PointFrame frame, int frames) {
     for (int i = 0; i < frames; i++) {
       assertEquals(FrameOutcome.RUNNING, frame.run(nowNanos));
       nowNanos += MS;

@@ -18,7 +18,7 @@ import org.palpate.testing.ScriptedDevice;
 class RelocationTest {
   private final Floor floor = Floor.make();
   private final ScriptedDevice device = ScriptedDevice.at(16, 16, 5);
-  private final HapticFrame frame = floor.frame(device);
+  private final PointFrame frame = floor.frame(device);
   private long nowNanos = 1;
   private int reads;
 

@@ -41,6 +41,22 @@ class QuaternionTest {
   }
 
   @Test
+  void normalizingTwiceChangesNoBit() {
+    for (int n = 0; n < 100_000; n++) {
+      Quaternion q =
+          new Quaternion(
+              random.nextDouble(-1, 1),
+              random.nextDouble(-1, 1),
+              random.nextDouble(-1, 1),
+              random.nextDouble(-1, 1));
+      assertTrue(q.normalize());
+      Quaternion again = new Quaternion().set(q);
+      assertTrue(again.normalize());
+      assertTrue(again.sameBits(q), () -> Seeds.seed() + " " + q);
+    }
+  }
+
+  @Test
   void obeysHamiltonsRules() {
     Quaternion i = new Quaternion(0, 1, 0, 0);
     Quaternion j = new Quaternion(0, 0, 1, 0);

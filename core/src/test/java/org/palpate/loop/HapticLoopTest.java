@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.palpate.device.ReadStatus;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.testing.Floor;
 import org.palpate.testing.ScriptedDevice;
@@ -112,7 +112,7 @@ class HapticLoopTest {
         (scene, d, point) -> {
           throw fault;
         };
-    HapticFrame frame = slewed();
+    PointFrame frame = slewed();
     device.script =
         (read, state) -> {
           if (read == 50) {
@@ -346,7 +346,7 @@ class HapticLoopTest {
     }
   }
 
-  private HapticFrame slewed() {
+  private PointFrame slewed() {
     FrameSettings settings = new FrameSettings(Floor.settings().force(), 10, 0.25, 0, 20 * MS, 64);
     return floor.frame(device, settings);
   }

@@ -129,10 +129,10 @@ class SampleRecorderTest {
     thread.close();
     assertEquals(
         """
-        t_ms,x,y,z,qx,qy,qz,qw,flags
-        0.0,0.1,2.0,-3.0,0.0,0.0,0.0,1.0,0
-        2.0,0.1,2.0,-3.0,0.0,0.0,0.0,1.0,0
-        4.0,NaN,2.0,-3.0,0.0,0.0,0.0,1.0,1
+        t_ms,x,y,z,qw,qx,qy,qz,flags
+        0.0,0.1,2.0,-3.0,1.0,0.0,0.0,0.0,0
+        2.0,0.1,2.0,-3.0,1.0,0.0,0.0,0.0,0
+        4.0,NaN,2.0,-3.0,1.0,0.0,0.0,0.0,1
         """,
         file.toString());
   }
@@ -144,7 +144,7 @@ class SampleRecorderTest {
     assertEquals(device.specification(), recording.specification());
     device.reachable = false;
     assertEquals("the cable is out", recording.ending());
-    assertFalse(recording.write(new Vec3()));
+    assertFalse(recording.write(new Vec3(), new Vec3()));
     recording.close();
     assertEquals(1, device.closed);
   }
@@ -167,10 +167,10 @@ class SampleRecorderTest {
   private void fill(SplittableRandom random) {
     sample.timeNanos = random.nextLong();
     sample.positionMm.set(anyDouble(random), anyDouble(random), anyDouble(random));
-    sample.qx = anyDouble(random);
-    sample.qy = anyDouble(random);
-    sample.qz = anyDouble(random);
-    sample.qw = anyDouble(random);
+    sample.orientation.x = anyDouble(random);
+    sample.orientation.y = anyDouble(random);
+    sample.orientation.z = anyDouble(random);
+    sample.orientation.w = anyDouble(random);
     sample.buttons = (int) random.nextLong();
   }
 
@@ -183,10 +183,10 @@ class SampleRecorderTest {
         sent.positionMm.sameBits(got.positionMm)
             && sent.timeNanos == got.timeNanos
             && sent.buttons == got.buttons
-            && Double.compare(sent.qx, got.qx) == 0
-            && Double.compare(sent.qy, got.qy) == 0
-            && Double.compare(sent.qz, got.qz) == 0
-            && Double.compare(sent.qw, got.qw) == 0;
+            && Double.compare(sent.orientation.x, got.orientation.x) == 0
+            && Double.compare(sent.orientation.y, got.orientation.y) == 0
+            && Double.compare(sent.orientation.z, got.orientation.z) == 0
+            && Double.compare(sent.orientation.w, got.orientation.w) == 0;
     assertTrue(same, where);
   }
 }

@@ -113,7 +113,7 @@ class RigidSolverTest {
     solver.follow(pose, motion);
     assertEquals(1, motion.steps());
     assertNull(judge.fault(motion));
-    motion.beginFrame();
+    motion.rest();
     motion.path[0].translation.z = Math.nextUp(39.0);
     assertTrue(judge.fault(motion).contains("starts at"));
     motion.path[0].translation.z = 39;

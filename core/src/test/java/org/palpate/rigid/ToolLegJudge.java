@@ -29,6 +29,12 @@ final class ToolLegJudge {
     return naive.fault(end, end);
   }
 
+  /** Begins a chain of legs at the beginning of a frame, as {@link #begin} does. */
+  String beginOfFrame(ToolMotion motion) {
+    end.set(motion.pathPose(0));
+    return naive.fault(end, end);
+  }
+
   /** Returns what is wrong with the last frame, or null. */
   String fault(ToolMotion motion) {
     if (motion.freed()) {

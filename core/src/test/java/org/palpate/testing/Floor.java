@@ -6,7 +6,7 @@ import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.loop.ManualClock;
 import org.palpate.proxy.exact.GuardedSolver;
@@ -61,13 +61,13 @@ public final class Floor {
   }
 
   /** Returns a frame with the usual settings and the solver {@code guarded}. */
-  public HapticFrame frame(ScriptedDevice device) {
+  public PointFrame frame(ScriptedDevice device) {
     return frame(device, settings());
   }
 
   /** Returns a frame with the solver {@code guarded}. */
-  public HapticFrame frame(ScriptedDevice device, FrameSettings settings) {
-    return new HapticFrame(
+  public PointFrame frame(ScriptedDevice device, FrameSettings settings) {
+    return new PointFrame(
         device, new GuardedSolver(METRIC, 8), scene, METRIC, settings, edits, FramePublisher.NONE);
   }
 }

@@ -9,7 +9,7 @@ import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.ManualClock;
 
-/** A device that a test scripts read by read, and that records the written forces. */
+/** A device that a test scripts read by read, and that records the written forces and torques. */
 public final class ScriptedDevice implements HapticDevice {
   /** The behaviour of a read. */
   public interface Script {
@@ -18,6 +18,7 @@ public final class ScriptedDevice implements HapticDevice {
   }
 
   public final List<Vec3> forces = new ArrayList<>();
+  public final List<Vec3> torques = new ArrayList<>();
   public Script script;
   public RuntimeException onWrite;
   public boolean reachable = true;
@@ -45,9 +46,14 @@ public final class ScriptedDevice implements HapticDevice {
     return forces.get(forces.size() - 1);
   }
 
+  /** Returns the last written torque. */
+  public Vec3 lastTorque() {
+    return torques.get(torques.size() - 1);
+  }
+
   @Override
   public DeviceSpecification specification() {
-    return new DeviceSpecification("scripted", "", 10, 1, 100, 0);
+    return new DeviceSpecification("scripted", "", 10, 1, 100, 0, true, 200);
   }
 
   @Override
@@ -61,7 +67,7 @@ public final class ScriptedDevice implements HapticDevice {
   }
 
   @Override
-  public boolean write(Vec3 forceNewton) {
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
     if (onWrite != null) {
       throw onWrite;
     }
@@ -69,6 +75,7 @@ public final class ScriptedDevice implements HapticDevice {
       return false;
     }
     forces.add(new Vec3().set(forceNewton));
+    torques.add(new Vec3().set(torqueNewtonMm));
     return true;
   }
 
@@ -76,6 +83,7 @@ public final class ScriptedDevice implements HapticDevice {
   public void close() {
     if (closed++ == 0 && reachable) {
       forces.add(new Vec3());
+      torques.add(new Vec3());
     }
   }
 }

@@ -14,7 +14,7 @@ import org.palpate.force.FrictionForm;
 import org.palpate.force.Material;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.ProxySolver;
@@ -220,16 +220,16 @@ public final class ContactScene {
    *     GridDevice}
    * @param publisher receives the result of each frame on the haptic thread
    */
-  public HapticFrame newFrame(
+  public PointFrame newFrame(
       HapticDevice gridDevice, FrameSettings frame, FramePublisher publisher) {
-    return new HapticFrame(
+    return new PointFrame(
         gridDevice, newSolver(), newCollisionScene(), metric, frame, edits, publisher);
   }
 
   /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */
-  HapticFrame newWarmUpFrame(HapticDevice gridDevice, FrameSettings frame) {
+  PointFrame newWarmUpFrame(HapticDevice gridDevice, FrameSettings frame) {
     EditQueue none = new EditQueue(volume.grid(), volume.segments().size(), 1);
-    return new HapticFrame(
+    return new PointFrame(
         gridDevice, newSolver(), newCollisionScene(), metric, frame, none, FramePublisher.NONE);
   }
 }

@@ -3,7 +3,7 @@ package org.palpate.host;
 import java.util.List;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.force.ForceSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 
 /**
  * Changes stiffness, friction and the solver in steps while the user touches. Each change takes
@@ -23,7 +23,7 @@ public final class ContactTuning {
   private static final List<SolverKind> SOLVERS =
       List.of(SolverKind.SMOOTH, SolverKind.GUARDED, SolverKind.PAPER, SolverKind.DOT);
 
-  private final HapticFrame frame;
+  private final PointFrame frame;
   private final ContactScene scene;
   private final double maxNewtonPerMm;
   private ForceSettings force;
@@ -31,7 +31,7 @@ public final class ContactTuning {
 
   /** Starts from the settings that the frame was created with. */
   ContactTuning(
-      HapticFrame frame, ContactScene scene, ForceSettings force, DeviceSpecification device) {
+      PointFrame frame, ContactScene scene, ForceSettings force, DeviceSpecification device) {
     this.frame = frame;
     this.scene = scene;
     this.force = force;

@@ -39,12 +39,14 @@ public final class GridDevice extends DeviceDecorator {
   }
 
   /**
-   * Sends a force.
+   * Sends a force and a torque.
    *
    * @param forceNewton force on the hand along the grid's axes, N
+   * @param torqueNewtonMm torque on the hand along the world's axes, N mm; a point has none
    */
   @Override
-  public boolean write(Vec3 forceNewton) {
-    return device.write(grid.gridMmToWorld().rotate(forceNewton, forceWorldNewton));
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
+    grid.gridMmToWorld().rotate(forceNewton, forceWorldNewton);
+    return device.write(forceWorldNewton, torqueNewtonMm);
   }
 }

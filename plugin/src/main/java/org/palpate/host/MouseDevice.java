@@ -121,7 +121,7 @@ public final class MouseDevice implements HapticDevice {
   }
 
   @Override
-  public boolean write(Vec3 forceNewton) {
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
     return !closed;
   }
 

@@ -43,8 +43,10 @@ public final class MouseTakeover extends DeviceDecorator {
   }
 
   @Override
-  public boolean write(Vec3 forceNewton) {
-    return mouse.hasJumped() ? mouse.write(forceNewton) : device.write(forceNewton);
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
+    return mouse.hasJumped()
+        ? mouse.write(forceNewton, torqueNewtonMm)
+        : device.write(forceNewton, torqueNewtonMm);
   }
 
   @Override

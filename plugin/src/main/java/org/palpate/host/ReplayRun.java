@@ -8,7 +8,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.frame.Watchdog;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
@@ -64,7 +64,7 @@ public final class ReplayRun {
   public FrameStatistics run(FrameSink sink) throws IOException {
     TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
     HapticDevice gridDevice = world ? new GridDevice(device, scene.grid()) : device;
-    HapticFrame frame = scene.newFrame(gridDevice, frameSettings(), FramePublisher.NONE);
+    PointFrame frame = scene.newFrame(gridDevice, frameSettings(), FramePublisher.NONE);
     Vec3 point = new Vec3();
     Vec3 force = new Vec3();
     for (int n = 0; n < trajectory.size(); n++) {
@@ -89,7 +89,7 @@ public final class ReplayRun {
         FrameSettings.DEFAULT_EDIT_VOXELS_A_FRAME);
   }
 
-  private void toTrajectory(HapticFrame frame, Vec3 point, Vec3 force) {
+  private void toTrajectory(PointFrame frame, Vec3 point, Vec3 force) {
     point.set(frame.point().position);
     force.set(frame.forceNewton());
     if (world) {

@@ -7,7 +7,7 @@ import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.loop.HapticLoop;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopReport;
@@ -78,7 +78,7 @@ public final class TouchSession implements AutoCloseable {
       Consumer<LoopEnd> listener) {
     device = recorder.isPresent() ? new RecordingDevice(worldDevice, recorder.get()) : worldDevice;
     FrameSettings frameSettings = scene.liveFrame(worldDevice.specification(), defaultNewtonPerMm);
-    HapticFrame frame =
+    PointFrame frame =
         scene.newFrame(new GridDevice(device, scene.grid()), frameSettings, properties::publish);
     tuning = new ContactTuning(frame, scene, frameSettings.force(), worldDevice.specification());
     Runnable warmUp = warmUp(scene, frameSettings, settings.periodNanos());
@@ -89,7 +89,7 @@ public final class TouchSession implements AutoCloseable {
       ContactScene scene, FrameSettings frameSettings, long periodNanos) {
     HandTarget target = scene.handTarget();
     HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, periodNanos);
-    HapticFrame frame = scene.newWarmUpFrame(new GridDevice(hand, scene.grid()), frameSettings);
+    PointFrame frame = scene.newWarmUpFrame(new GridDevice(hand, scene.grid()), frameSettings);
     return new WarmUp(frame, WARM_UP_MIN_FRAMES, WARM_UP_NANOS, NanoClock.SYSTEM);
   }
 

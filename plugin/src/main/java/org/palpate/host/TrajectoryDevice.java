@@ -19,7 +19,14 @@ final class TrajectoryDevice implements HapticDevice {
 
   private static final DeviceSpecification SPECIFICATION =
       new DeviceSpecification(
-          "replay", "", Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0, FRAME_NANOS);
+          "replay",
+          "",
+          Double.POSITIVE_INFINITY,
+          Double.POSITIVE_INFINITY,
+          0,
+          FRAME_NANOS,
+          true,
+          Double.POSITIVE_INFINITY);
 
   private final Trajectory trajectory;
   private final boolean ownTimes;
@@ -63,7 +70,7 @@ final class TrajectoryDevice implements HapticDevice {
   }
 
   @Override
-  public boolean write(Vec3 forceNewton) {
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
     return true;
   }
 

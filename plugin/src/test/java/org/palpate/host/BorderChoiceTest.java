@@ -14,7 +14,7 @@ import org.palpate.device.SimulatedDevice;
 import org.palpate.edit.BrushEdit;
 import org.palpate.edit.SwapEdit;
 import org.palpate.frame.FramePublisher;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
@@ -47,7 +47,7 @@ class BorderChoiceTest {
           }
           result[3 * FRAMES] += contact ? 1 : 0;
         };
-    HapticFrame frame =
+    PointFrame frame =
         scene.newFrame(
             new GridDevice(new SimulatedDevice(1, scene.handTarget(), PERIOD_NANOS), scene.grid()),
             scene.liveFrame(DEVICE, 0.4),

@@ -10,7 +10,7 @@ import org.palpate.device.SimulatedDevice;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.volume.phantom.Phantom;
 
 class ContactTuningTest {
@@ -28,7 +28,7 @@ class ContactTuningTest {
               0.2,
               OptionalDouble.empty(),
               OptionalDouble.empty()));
-  private final HapticFrame frame =
+  private final PointFrame frame =
       scene.newFrame(
           new GridDevice(new SimulatedDevice(1, scene.handTarget(), PERIOD_NANOS), scene.grid()),
           scene.liveFrame(DEVICE, 0.4),

@@ -46,7 +46,7 @@ public final class CustomDevice implements HapticDevice {
   }
 
   @Override
-  public boolean write(Vec3 forceNewton) {
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
     lastNewton = forceNewton.length(); // A real device would send it to its motors.
     return !closed;
   }

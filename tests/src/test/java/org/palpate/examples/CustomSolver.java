@@ -8,7 +8,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
@@ -66,8 +66,8 @@ public final class CustomSolver implements ProxySolver {
     }
     GridMetric metric = GridMetric.of(volume.grid().spacingMm());
     ReplayDevice device = new ReplayDevice("push", trajectory);
-    HapticFrame frame =
-        new HapticFrame(
+    PointFrame frame =
+        new PointFrame(
             device,
             new CustomSolver(metric, 3),
             new CollisionScene(volume.segments().stream().map(s -> s.bits()).toList()),

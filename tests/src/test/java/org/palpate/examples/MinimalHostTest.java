@@ -49,7 +49,7 @@ class MinimalHostTest {
     }
 
     @Override
-    public synchronized boolean write(Vec3 forceNewton) {
+    public synchronized boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
       lastForce.set(forceNewton);
       return true;
     }

@@ -22,7 +22,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.LegPath;
@@ -63,7 +63,7 @@ class ConcurrentEditsTest {
   private final Ray ray = new Ray();
   private final Vec3 at = new Vec3();
   private final AtomicLong framesRun = new AtomicLong();
-  private HapticFrame frame;
+  private PointFrame frame;
   private long freed;
   private long legs;
   private long freedNanos = -RAMP_NANOS;
@@ -109,8 +109,8 @@ class ConcurrentEditsTest {
     }
   }
 
-  private HapticFrame frame(ProxySolver solver) {
-    return new HapticFrame(
+  private PointFrame frame(ProxySolver solver) {
+    return new PointFrame(
         new SimulatedDevice(
             Seeds.seed(), HandTarget.ofBox(new Vec3(12, 12, 4), new Vec3(20, 20, 14), 1), MS),
         solver,

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.ManualClock;
@@ -48,7 +48,7 @@ class MouseTouchTest {
   private String hint = "none";
   private MouseDevice mouse;
   private MouseTouch touch;
-  private HapticFrame frame;
+  private PointFrame frame;
   private LegJudge judge;
   private Vec3 lastDevice;
   private long nowNanos;

@@ -17,7 +17,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.Median;
@@ -44,7 +44,7 @@ public final class LongRun {
   private final SegmentedVolume head = Phantom.parse("head:128").segments();
   private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
   private final ReplayDevice device;
-  private final HapticFrame frame;
+  private final PointFrame frame;
   private long nowNanos;
 
   /**
@@ -72,7 +72,7 @@ public final class LongRun {
     device = new ReplayDevice("closed motion", motion(seed));
     List<Segment> segments = head.segments();
     frame =
-        new HapticFrame(
+        new PointFrame(
             device,
             solver.factory().make(metric, 8),
             new CollisionScene(segments.stream().map(Segment::bits).toList()),

@@ -113,7 +113,7 @@ final class Plant implements HapticDevice {
   }
 
   @Override
-  public boolean write(Vec3 forceNewton) {
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
     // The force written after sample n arrives in slot n + delay; advance() reads its sample's
     // slot.
     pending[(int) ((samples + sampling.delaySamples()) % pending.length)].set(forceNewton);

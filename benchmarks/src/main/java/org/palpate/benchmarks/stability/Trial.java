@@ -5,7 +5,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.volume.VoxelGrid;
@@ -75,7 +75,7 @@ public record Trial(
   /** Runs the trial with a stiffness, N/m. */
   public Outcome run(double newtonPerM) {
     Plant plant = new Plant(device, grip, sampling, reach(), TouchedShape.VOXEL_MM);
-    HapticFrame frame = frame(plant, newtonPerM);
+    PointFrame frame = frame(plant, newtonPerM);
     long period = sampling.periodNanos();
     long now = 0;
     while (frame.run(now) == FrameOutcome.RUNNING) {
@@ -113,7 +113,7 @@ public record Trial(
     return 2 * device.handleKg() / device.dampingNewtonSecondPerM();
   }
 
-  private HapticFrame frame(Plant plant, double newtonPerM) {
+  private PointFrame frame(Plant plant, double newtonPerM) {
     double voxel = TouchedShape.VOXEL_MM;
     GridMetric metric = new GridMetric(voxel, voxel, voxel);
     ForceSettings force = ForceSettings.of(newtonPerM * 1e-3, FRICTION);
@@ -129,7 +129,7 @@ public record Trial(
                 live.silenceNanos(),
                 live.editVoxelsAFrame());
     VoxelGrid unit = VoxelGrid.ofUnitVoxels(1, 1, 1);
-    return new HapticFrame(
+    return new PointFrame(
         plant,
         solver.factory().make(metric, 8 * voxel),
         shape.scene(),

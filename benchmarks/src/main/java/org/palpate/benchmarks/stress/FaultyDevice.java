@@ -66,7 +66,7 @@ final class FaultyDevice implements HapticDevice {
 
   /** Fails sometimes, and rarely twice in a row. */
   @Override
-  public boolean write(Vec3 forceNewton) {
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
     lastForce.set(forceNewton);
     boolean reached = random.nextInt(50) != 0 || unreached > 2;
     unreached = reached ? 0 : unreached + 1;

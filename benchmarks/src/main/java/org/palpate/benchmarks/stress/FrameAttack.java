@@ -12,7 +12,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.LegPath;
@@ -84,7 +84,7 @@ public final class FrameAttack {
     private final FaultyDevice device;
     private final CollisionScene collisionScene;
     private final EditQueue queue;
-    private final HapticFrame frame;
+    private final PointFrame frame;
     private final Vec3 before = new Vec3();
     private final Vec3 at = new Vec3();
     private final Vec3 start = new Vec3();
@@ -104,7 +104,7 @@ public final class FrameAttack {
               bits.sizeX(), bits.sizeY(), bits.sizeZ(), spacing, RigidTransform.identity());
       queue = new EditQueue(grid, 1);
       frame =
-          new HapticFrame(
+          new PointFrame(
               device,
               newSolver(),
               collisionScene,

@@ -9,7 +9,7 @@ import org.HdrHistogram.Histogram;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.GridDevice;
@@ -91,7 +91,7 @@ final class SyncTrial implements AutoCloseable {
 
   private SyncRow loop(SyncMethod method, int round, double seconds, FramePublisher publisher) {
     SimulatedDevice hand = new SimulatedDevice(SEED, contact.handTarget(), PERIOD_NANOS);
-    HapticFrame frame =
+    PointFrame frame =
         contact.newFrame(
             new GridDevice(hand, contact.grid()),
             contact.liveFrame(hand.specification(), ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM),

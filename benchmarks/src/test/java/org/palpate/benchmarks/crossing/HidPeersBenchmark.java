@@ -39,6 +39,7 @@ public class HidPeersBenchmark {
 
   private final DeviceState state = new DeviceState();
   private final Vec3 forceNewton = new Vec3(0.1, 0.2, 0.3);
+  private final Vec3 torqueNewtonMm = new Vec3(30, 20, 10);
   private final byte[] in = new byte[IN_BYTES];
   private final byte[] out = new byte[OUT_BYTES];
   private NativeDevice device;
@@ -63,14 +64,14 @@ public class HidPeersBenchmark {
   @Benchmark
   public boolean palpate() {
     device.read(state);
-    return device.write(forceNewton);
+    return device.write(forceNewton, torqueNewtonMm);
   }
 
   /** Uses Palpate without a device, not even hidapi. */
   @Benchmark
   public boolean palpateEmpty() {
     empty.read(state);
-    return empty.write(forceNewton);
+    return empty.write(forceNewton, torqueNewtonMm);
   }
 
   /** Uses JNA with direct mapping. */

@@ -81,7 +81,7 @@ class ClosedLoopTest {
       if (sample.positionMm.x > 0) {
         return frame;
       }
-      plant.write(frame == 0 ? new Vec3(100, 0, 0) : new Vec3());
+      plant.write(frame == 0 ? new Vec3(100, 0, 0) : new Vec3(), new Vec3());
     }
     return -1;
   }

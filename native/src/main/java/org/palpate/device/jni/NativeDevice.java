@@ -12,17 +12,19 @@ import org.palpate.geometry.Vec3;
  * A device behind the C++ layer. A frame reads it with one native call and writes it with another,
  * through one direct buffer and without allocation.
  *
- * <p>Positions and forces are in the device's frame: millimetres and newtons, x to the right, y up,
- * z towards the person; {@link org.palpate.device.WorkspaceDevice} maps them to the world.
+ * <p>Poses, forces and torques are in the device's frame: x to the right, y up, z towards the
+ * person; {@link org.palpate.device.WorkspaceDevice} maps them to the world.
  *
- * <p>The C++ layer limits every force to the device's limits. It sends no force until the hand has
- * held the device still, and sends zero force if samples stay away. Each device has a watchdog of
- * its own in case this process stops.
+ * <p>The C++ layer limits every force and torque to the device's limits. It sends no force until
+ * the hand has held the device still, and sends zero force if samples stay away. Each device has a
+ * watchdog of its own in case this process stops.
  *
  * <p>One thread reads and writes; any thread may close.
  */
 public final class NativeDevice implements HapticDevice {
   private static final int CLOSE_WAIT_MILLIS = 500;
+  private static final double MM_PER_METRE = 1000;
+  private static final double METRE_PER_MM = 1 / MM_PER_METRE;
   private static final ReadStatus[] STATUSES = ReadStatus.values();
 
   private final long handle;
@@ -43,7 +45,9 @@ public final class NativeDevice implements HapticDevice {
             numbers[0],
             numbers[1],
             numbers[2],
-            (long) numbers[3]);
+            (long) numbers[3],
+            texts.first("orientation").equals("yes"),
+            MM_PER_METRE * numbers[5]);
   }
 
   @Override
@@ -65,31 +69,24 @@ public final class NativeDevice implements HapticDevice {
     state.positionMm.x = frame.getDouble(FrameLayout.POSITION_MM);
     state.positionMm.y = frame.getDouble(FrameLayout.POSITION_MM + 8);
     state.positionMm.z = frame.getDouble(FrameLayout.POSITION_MM + 16);
-    state.qx = frame.getDouble(FrameLayout.ORIENTATION);
-    state.qy = frame.getDouble(FrameLayout.ORIENTATION + 8);
-    state.qz = frame.getDouble(FrameLayout.ORIENTATION + 16);
-    state.qw = frame.getDouble(FrameLayout.ORIENTATION + 24);
+    state.orientation.x = frame.getDouble(FrameLayout.ORIENTATION);
+    state.orientation.y = frame.getDouble(FrameLayout.ORIENTATION + 8);
+    state.orientation.z = frame.getDouble(FrameLayout.ORIENTATION + 16);
+    state.orientation.w = frame.getDouble(FrameLayout.ORIENTATION + 24);
     state.buttons = frame.getInt(FrameLayout.BUTTONS);
   }
 
   @Override
-  public boolean write(Vec3 forceNewton) {
-    frame.putDouble(FrameLayout.FORCE_NEWTON, forceNewton.x);
-    frame.putDouble(FrameLayout.FORCE_NEWTON + 8, forceNewton.y);
-    frame.putDouble(FrameLayout.FORCE_NEWTON + 16, forceNewton.z);
+  public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
+    put(FrameLayout.FORCE_NEWTON, forceNewton, 1);
+    put(FrameLayout.TORQUE_NEWTON_METRE, torqueNewtonMm, METRE_PER_MM);
     return NativeCalls.write(handle);
   }
 
-  /**
-   * Sets the torque that every later write sends with its force; initially zero. Devices without
-   * torque ignore it. Haptic thread.
-   *
-   * @param torqueNewtonMetre the torque on the hand, device frame
-   */
-  public void torque(Vec3 torqueNewtonMetre) {
-    frame.putDouble(FrameLayout.TORQUE_NEWTON_METRE, torqueNewtonMetre.x);
-    frame.putDouble(FrameLayout.TORQUE_NEWTON_METRE + 8, torqueNewtonMetre.y);
-    frame.putDouble(FrameLayout.TORQUE_NEWTON_METRE + 16, torqueNewtonMetre.z);
+  private void put(int at, Vec3 v, double factor) {
+    frame.putDouble(at, factor * v.x);
+    frame.putDouble(at + 8, factor * v.y);
+    frame.putDouble(at + 16, factor * v.z);
   }
 
   /** Whether the force is zero because the hand has not yet held the device still. Any thread. */

@@ -33,8 +33,8 @@ class NativeDeviceTest {
       for (int i = 1; i <= 1000; i++) {
         assertEquals(ReadStatus.FRESH, device.read(state));
         assertEquals(i, state.timeNanos);
-        assertEquals(1.0, state.qw);
-        assertTrue(device.write(new Vec3(i, 0, 0)));
+        assertEquals(1.0, state.orientation.w);
+        assertTrue(device.write(new Vec3(i, 0, 0), new Vec3(0, i, 0)));
       }
     }
   }
@@ -45,7 +45,7 @@ class NativeDeviceTest {
     device.close();
     device.close();
     assertEquals(ReadStatus.DISCONNECTED, device.read(new DeviceState()));
-    assertFalse(device.write(new Vec3()));
+    assertFalse(device.write(new Vec3(), new Vec3()));
     assertEquals("", device.ending());
   }
 

@@ -30,6 +30,8 @@ final class DeviceMonitor {
   /** Fraction of the device's maximum force, strong enough to feel and harmless. */
   private static final double PUSH_FRACTION = 0.1;
 
+  private static final Vec3 NO_TORQUE = new Vec3();
+
   private final NativeDevice device;
   private final PrintWriter out;
   private final InputStream keys;
@@ -84,7 +86,7 @@ final class DeviceMonitor {
   private boolean step(long nanos) {
     ReadStatus status = device.read(state);
     forceNewton.set(0, isPushing(nanos) ? pushNewton() : 0, 0);
-    return status != ReadStatus.DISCONNECTED && device.write(forceNewton);
+    return status != ReadStatus.DISCONNECTED && device.write(forceNewton, NO_TORQUE);
   }
 
   private boolean isPushing(long nanos) {

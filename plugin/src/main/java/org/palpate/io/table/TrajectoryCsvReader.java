@@ -11,32 +11,35 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import org.palpate.geometry.Quaternion;
 import org.palpate.io.file.NumberText;
 
 /**
  * Reads a trajectory: a header that names {@code t_ms,x,y,z} in any order, optionally {@code
- * qx,qy,qz,qw} and other columns, then a line for each sample. Empty lines and lines that start
- * with # are skipped.
+ * qw,qx,qy,qz} and other columns, then a line for each sample. Empty lines and lines that start
+ * with # are skipped. Quaternions are scaled to the norm 1.
  */
 public final class TrajectoryCsvReader {
   private static final List<String> NEEDED = List.of("t_ms", "x", "y", "z");
-  private static final List<String> ROTATION = List.of("qx", "qy", "qz", "qw");
-  private static final double[] NO_ROTATION = {0, 0, 0, 1};
+  private static final List<String> ROTATION = List.of("qw", "qx", "qy", "qz");
+  private static final double[] NO_ROTATION = {1, 0, 0, 0};
 
   /** Receives samples in order. */
   @FunctionalInterface
   public interface SampleSink {
     /**
-     * Receives a sample: time in ms, position, and a unit quaternion, (0,0,0,1) if there is none.
+     * Receives a sample: time in ms, position, and orientation, the identity if there is none. In
+     * an unchecked file the quaternion may be anything.
      */
     void add(
-        double timeMs, double x, double y, double z, double qx, double qy, double qz, double qw);
+        double timeMs, double x, double y, double z, double qw, double qx, double qy, double qz);
   }
 
   private final Path file;
   private final boolean checked;
   private final double[] needed = new double[NEEDED.size()];
   private final double[] rotation = new double[ROTATION.size()];
+  private final Quaternion quaternion = new Quaternion();
   private int[] neededColumns = {};
   private int[] rotationColumns = {};
   private double lastMs = Double.NEGATIVE_INFINITY;
@@ -51,7 +54,8 @@ public final class TrajectoryCsvReader {
   /**
    * Reads a file to its end.
    *
-   * @param checked whether NaN, infinity and times that run backward are refused
+   * @param checked whether NaN, infinity, times that run backward and quaternions whose norm is not
+   *     1 are refused
    * @return the number of samples, at least 1
    * @throws CsvFormatException if the file is missing or not understood; the message names the line
    */
@@ -107,6 +111,7 @@ public final class TrajectoryCsvReader {
     read(words, neededColumns, NEEDED, needed);
     if (rotationColumns.length > 0) {
       read(words, rotationColumns, ROTATION, rotation);
+      normalizeRotation();
     } else {
       System.arraycopy(NO_ROTATION, 0, rotation, 0, NO_ROTATION.length);
     }
@@ -131,6 +136,25 @@ public final class TrajectoryCsvReader {
         rotation[1],
         rotation[2],
         rotation[3]);
+  }
+
+  private void normalizeRotation() throws CsvFormatException {
+    quaternion.set(rotation[0], rotation[1], rotation[2], rotation[3]);
+    if (quaternion.isNearUnit()) {
+      quaternion.normalize();
+      rotation[0] = quaternion.w;
+      rotation[1] = quaternion.x;
+      rotation[2] = quaternion.y;
+      rotation[3] = quaternion.z;
+    } else if (checked) {
+      throw new CsvFormatException(
+          "the quaternion qw,qx,qy,qz has the norm "
+              + NumberText.text(quaternion.norm())
+              + " instead of 1",
+          file,
+          lineNumber,
+          "normalize it, or accept it with --raw-device");
+    }
   }
 
   private void read(String[] words, int[] columns, List<String> names, double[] dest)

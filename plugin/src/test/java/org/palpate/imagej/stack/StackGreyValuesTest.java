@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReplayDevice;
 import org.palpate.device.Trajectory;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
@@ -104,7 +104,7 @@ class StackGreyValuesTest {
     StackVolume volume = StackVolume.shownIn(image);
     PixelSnapshot pixels = new PixelSnapshot(volume);
     ContactScene scene = scene(pixels);
-    HapticFrame frame = pressed(scene);
+    PointFrame frame = pressed(scene);
     int n = run(frame, 1);
     double before = point.z;
     int voxels;
@@ -150,7 +150,7 @@ class StackGreyValuesTest {
   }
 
   /** Returns a frame whose device descends onto the plane and stays two voxels below it. */
-  private HapticFrame pressed(ContactScene scene) {
+  private PointFrame pressed(ContactScene scene) {
     Trajectory down = new Trajectory();
     for (int n = 0; n < 20_000; n++) {
       down.add(n, 16.3, 15.8, Math.max(TOP - 2, TOP + 4 - n * 0.02));
@@ -163,7 +163,7 @@ class StackGreyValuesTest {
   }
 
   /** Runs a thousand frames from a number on; returns the next number. */
-  private static int run(HapticFrame frame, int from) {
+  private static int run(PointFrame frame, int from) {
     for (int n = from; n < from + 1000; n++) {
       frame.run(n * 1_000_000L);
     }

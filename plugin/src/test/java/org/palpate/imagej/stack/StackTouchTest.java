@@ -28,7 +28,7 @@ import org.palpate.device.ReplayDevice;
 import org.palpate.device.Trajectory;
 import org.palpate.edit.EditQueue;
 import org.palpate.frame.FramePublisher;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.CollisionChoice;
@@ -106,7 +106,7 @@ class StackTouchTest {
     ContactScene scene = scene(StackGeometry.of(image), segments);
     EditQueue edits = scene.edits();
     BitCube bits = segments.get(0).bits();
-    HapticFrame frame = frame(scene);
+    PointFrame frame = frame(scene);
     List<String> seen = new ArrayList<>();
     try (StackSynchronizer synchronizer = synchronizer(volume, scene, false, seen)) {
       assertEquals(0, synchronizer.applyChanges());
@@ -213,7 +213,7 @@ class StackTouchTest {
   }
 
   /** Returns a frame whose device rests in the middle of the stack. */
-  private static HapticFrame frame(ContactScene scene) {
+  private static PointFrame frame(ContactScene scene) {
     Trajectory rest = new Trajectory();
     for (int n = 0; n < 10_000; n++) {
       rest.add(n, 5.5, 4.5, 3.5);

@@ -9,7 +9,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.HapticFrame;
+import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.GridDevice;
@@ -24,7 +24,7 @@ import org.palpate.volume.VoxelGrid;
 final class HapticExperimentFrame implements ExperimentFrame {
   private static final long SEED = 1;
 
-  private final HapticFrame frame;
+  private final PointFrame frame;
 
   /** Creates a frame over all segments of a volume. */
   HapticExperimentFrame(SegmentedVolume volume) {
@@ -35,7 +35,7 @@ final class HapticExperimentFrame implements ExperimentFrame {
         new GridDevice(new SimulatedDevice(SEED, target, Experiment.PERIOD_NANOS), grid);
     List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
     frame =
-        new HapticFrame(
+        new PointFrame(
             device,
             new SmoothSolver(metric, ContactSettings.defaultMaxStepMm(grid.spacingMm())),
             new CollisionScene(cubes),

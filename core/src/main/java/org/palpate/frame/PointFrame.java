@@ -1,0 +1,205 @@
+package org.palpate.frame;
+
+import java.util.Map;
+import org.palpate.collision.CollisionScene;
+import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.device.HapticDevice;
+import org.palpate.edit.EditQueue;
+import org.palpate.force.ContactForce;
+import org.palpate.force.ForceSettings;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.TouchedObjectFinder;
+import org.palpate.statistics.SkipCounters;
+import org.palpate.statistics.SkipKind;
+
+/**
+ * The frame of an interaction point on one grid. The device delivers grid coordinates and takes
+ * newtons along the grid's axes; {@code host} wraps a real one accordingly. The torque is zero.
+ *
+ * <p>Threads are those of {@link HapticFrame}.
+ */
+public final class PointFrame extends HapticFrame {
+  private final CollisionScene scene;
+  private final EditQueue edits;
+  private final FramePublisher publisher;
+  private final NearestFreeVoxel nearestFreeVoxel;
+  private final TouchedObjectFinder touchedObject = new TouchedObjectFinder();
+  private final ContactForce contactForce;
+
+  /** Sums what each former solver had skipped when the next one replaced it. */
+  private final SkipCounters skippedByFormer = new SkipCounters();
+
+  /** Sums what each later solver had already skipped when it came into use. */
+  private final SkipCounters skippedBeforeUse = new SkipCounters();
+
+  private final Vec3 deviceGrid = new Vec3();
+  private final InteractionPoint point = new InteractionPoint();
+  private ProxySolver solver;
+  private boolean placed;
+
+  private volatile ForceSettings requestedForce;
+  private volatile ProxySolver requestedSolver;
+
+  /**
+   * Makes a frame that has not run yet.
+   *
+   * @param device read and written once a frame, never closed
+   * @param solver moves the interaction point; belongs to the frame from now on
+   * @param scene the solids
+   * @param metric the spacing of the scene's grid
+   * @param edits changes of the scene, applied before the point moves
+   * @param publisher receives each frame's result
+   */
+  public PointFrame(
+      HapticDevice device,
+      ProxySolver solver,
+      CollisionScene scene,
+      GridMetric metric,
+      FrameSettings settings,
+      EditQueue edits,
+      FramePublisher publisher) {
+    super(device, settings);
+    this.solver = solver;
+    this.scene = scene;
+    this.edits = edits;
+    this.publisher = publisher;
+    nearestFreeVoxel = new NearestFreeVoxel(metric);
+    contactForce = new ContactForce(metric, settings.force());
+    requestedForce = settings.force();
+    requestedSolver = solver;
+  }
+
+  @Override
+  void applyRequests() {
+    contactForce.change(requestedForce);
+    ProxySolver requested = requestedSolver;
+    if (requested != solver) {
+      changeSolver(requested);
+    }
+  }
+
+  private void changeSolver(ProxySolver next) {
+    solver.addSkips(skippedByFormer);
+    next.addSkips(skippedBeforeUse);
+    solver = next;
+    solver.reset();
+    point.surfaceHeightMm = 0;
+    point.limitsForceRate = false;
+    freePointFromSolid(); // A baseline may have left it in a solid, where no other solver starts.
+  }
+
+  @Override
+  void applyEdits(int maxVoxels) {
+    boolean changed = edits.applyTo(scene, maxVoxels);
+    if (changed && placed) {
+      solver.reset();
+      freePointFromSolid();
+    }
+  }
+
+  private void freePointFromSolid() {
+    if (placed && touchesSolid()) {
+      setFree(point.position);
+    }
+  }
+
+  @Override
+  void rest() {
+    point.legs.clear();
+  }
+
+  @Override
+  void follow() {
+    deviceGrid.set(sample.positionMm);
+    if (!placed) {
+      placePoint();
+    } else if (sample.relocated) {
+      relocatePoint();
+    }
+    solver.follow(scene, deviceGrid, point);
+    if (contactForce.settings().distinguishesObjects()) {
+      touchedObject.find(scene, deviceGrid, point);
+    }
+  }
+
+  /** Starts the point at the device, or as near to it as the solids permit. */
+  private void placePoint() {
+    placed = true;
+    point.position.set(deviceGrid);
+    solver.reset();
+    if (touchesSolid()) {
+      setFree(deviceGrid);
+    }
+  }
+
+  /** Sets the point free at a device that jumped, or as near to it as the solids permit. */
+  private void relocatePoint() {
+    point.position.set(deviceGrid);
+    if (touchesSolid()) {
+      setFree(deviceGrid);
+    } else {
+      beginAnew();
+    }
+  }
+
+  private boolean touchesSolid() {
+    return scene.touches(point.position.x, point.position.y, point.position.z);
+  }
+
+  private void setFree(Vec3 from) {
+    nearestFreeVoxel.find(scene, from, point.position);
+    beginAnew();
+  }
+
+  /** Begins a new chain of legs at the present position, with a force that rises from zero. */
+  private void beginAnew() {
+    solver.reset();
+    setFree();
+  }
+
+  @Override
+  void computeForce(long sinceLastNanos) {
+    contactForce.compute(point, deviceGrid, sinceLastNanos, forceNewton);
+  }
+
+  @Override
+  boolean isTouching() {
+    return point.contact;
+  }
+
+  @Override
+  void publish(long frame) {
+    publisher.publish(deviceGrid, point.position, forceNewton, point.contact, frame);
+  }
+
+  /** Changes materials and friction from the next frame on. Any thread. */
+  public void requestForce(ForceSettings requested) {
+    requestedForce = requested;
+  }
+
+  /**
+   * Changes the solver from the next frame on. The solver then belongs to the frame. Any thread.
+   */
+  public void requestSolver(ProxySolver requested) {
+    requestedSolver = requested;
+  }
+
+  /** Returns the interaction point with the legs of the last frame. It belongs to the frame. */
+  public InteractionPoint point() {
+    return point;
+  }
+
+  @Override
+  Map<String, Long> skipped() {
+    SkipCounters all = new SkipCounters();
+    all.add(skippedByFormer);
+    solver.addSkips(all);
+    all.subtract(skippedBeforeUse);
+    scene.addSkips(all);
+    all.add(SkipKind.FRICTION, contactForce.frictionSkipped());
+    return all.byKey();
+  }
+}

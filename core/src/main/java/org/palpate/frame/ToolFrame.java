@@ -1,0 +1,175 @@
+package org.palpate.frame;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.palpate.body.BodyScene;
+import org.palpate.collision.CollisionScene;
+import org.palpate.device.HapticDevice;
+import org.palpate.edit.EditListener;
+import org.palpate.edit.EditQueue;
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.rigid.CouplingRateLimit;
+import org.palpate.rigid.RigidCoupling;
+import org.palpate.rigid.RigidSolver;
+import org.palpate.rigid.ToolMotion;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.statistics.SkipCounters;
+import org.palpate.volume.BitCube;
+
+/**
+ * The frame of a rigid tool among bodies. The device delivers poses in the world and takes force
+ * and torque along the world's axes, about the tool's reference point.
+ *
+ * <p>A sample whose orientation is none, such as a NaN or a zero quaternion, keeps the last
+ * orientation that was one. A quaternion and its negative are the same orientation.
+ *
+ * <p>Threads are those of {@link HapticFrame}.
+ */
+public final class ToolFrame extends HapticFrame {
+  /**
+   * The least change of what the coupling feels in a frame, in shortest voxel edges, so that a jump
+   * of the tool reaches a hand at rest too.
+   */
+  private static final double LEAST_CHANGE_EDGES = 0.05;
+
+  private final BodyScene bodies;
+  private final CollisionScene cubes;
+  private final RigidSolver solver;
+  private final CouplingRateLimit rateLimit;
+  private final EditQueue edits;
+  private final EditListener editListener = this::noteEdit;
+  private final ToolFramePublisher publisher;
+  private final ToolMotion motion = new ToolMotion();
+  private final Pose devicePose = new Pose();
+  private final Quaternion checked = new Quaternion();
+  private RigidCoupling coupling;
+  private boolean placed;
+
+  private volatile RigidCoupling requestedCoupling;
+
+  /**
+   * Makes a frame that has not run yet.
+   *
+   * @param device read and written once a frame, never closed
+   * @param bodies the solids, in the order of the segments that edits change
+   * @param solver moves {@code tool} among the bodies; belongs to the frame from now on
+   * @param coupling turns the distance between device and tool into force and torque
+   * @param edits changes of the bodies' voxels, applied before the tool moves
+   * @param publisher receives each frame's result
+   */
+  public ToolFrame(
+      HapticDevice device,
+      BodyScene bodies,
+      RigidTool tool,
+      RigidSolver solver,
+      RigidCoupling coupling,
+      FrameSettings settings,
+      EditQueue edits,
+      ToolFramePublisher publisher) {
+    super(device, settings);
+    this.bodies = bodies;
+    this.solver = solver;
+    this.coupling = coupling;
+    this.edits = edits;
+    this.publisher = publisher;
+    cubes = new CollisionScene(cubesOf(bodies));
+    rateLimit = new CouplingRateLimit(tool, LEAST_CHANGE_EDGES * bodies.shortestEdgeMm());
+    requestedCoupling = coupling;
+  }
+
+  private static List<BitCube> cubesOf(BodyScene bodies) {
+    List<BitCube> cubes = new ArrayList<>();
+    for (int n = 0; n < bodies.count(); n++) {
+      cubes.add(bodies.body(n).bits());
+    }
+    return cubes;
+  }
+
+  @Override
+  void applyRequests() {
+    coupling = requestedCoupling;
+  }
+
+  /** Applies edits. The solver takes note of them before its next motion. */
+  @Override
+  void applyEdits(int maxVoxels) {
+    edits.applyTo(cubes, maxVoxels, editListener);
+  }
+
+  private void noteEdit(int segment, IntBox voxels) {
+    bodies.body(segment).voxelsChanged(voxels);
+  }
+
+  @Override
+  void rest() {
+    motion.rest();
+  }
+
+  @Override
+  void follow() {
+    takePose();
+    boolean relocated = placed && sample.relocated;
+    boolean free = (placed && !relocated) || solver.place(devicePose, motion);
+    placed = true;
+    solver.follow(devicePose, motion);
+    if (relocated || !free || motion.freed()) {
+      rateLimit.reset();
+      setFree();
+    }
+  }
+
+  private void takePose() {
+    devicePose.translation.set(sample.positionMm);
+    if (checked.set(sample.orientation).isNearUnit()) {
+      checked.normalize();
+      devicePose.rotation.set(checked);
+    } else {
+      counters.countBadOrientation();
+    }
+  }
+
+  @Override
+  void computeForce(long sinceLastNanos) {
+    rateLimit.limit(motion.pose(), solver.target(), forceNewton, torqueNewtonMm);
+    coupling.scale(forceNewton, torqueNewtonMm);
+  }
+
+  @Override
+  boolean isTouching() {
+    return motion.contact();
+  }
+
+  @Override
+  void publish(long frame) {
+    publisher.publish(
+        devicePose, motion.pose(), forceNewton, torqueNewtonMm, motion.contact(), frame);
+  }
+
+  /** Changes the stiffness from the next frame on. Any thread. */
+  public void requestCoupling(RigidCoupling requested) {
+    requestedCoupling = requested;
+  }
+
+  /** Returns the tool's motion in the last frame. It belongs to the frame. */
+  public ToolMotion motion() {
+    return motion;
+  }
+
+  /** Returns the device pose that the last frame followed, world mm. It belongs to the frame. */
+  public Pose devicePose() {
+    return devicePose;
+  }
+
+  /** Returns the work of the last frame, in points looked at. */
+  public long work() {
+    return solver.work();
+  }
+
+  @Override
+  Map<String, Long> skipped() {
+    return new SkipCounters().byKey();
+  }
+}
