@@ -58,8 +58,8 @@ public final class VolumeOptions {
       names = "--segment",
       paramLabel = "NAME=SPEC",
       description = {
-        "A solid segment; may be repeated. SPEC is >=1500, 300..900, label:7,"
-            + " label:7,8,12, name:Mandible or nonzero. Default for a mask or label volume: one segment for each"
+        "A solid segment; may be repeated. SPEC is >=1500, 300..900, label:7, label:7,8,12,"
+            + " name:Mandible or nonzero. Default for a mask or label volume: one segment for each"
             + " label."
       })
   private List<String> segments = List.of();

@@ -2,6 +2,7 @@ package org.palpate.io.dicom;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,7 +11,7 @@ import org.palpate.io.file.NumberParser;
 /** The attributes of a DICOM file or of a sequence item, limited to those of {@link DicomTag}. */
 final class DicomDataSet {
   private final Map<Integer, String> texts = new HashMap<>();
-  private final Map<Integer, Integer> numbers = new HashMap<>();
+  private final Map<Integer, int[]> numbers = new HashMap<>();
   private final Map<Integer, List<DicomDataSet>> sequences = new HashMap<>();
 
   /** Stores a text attribute without its padding. */
@@ -23,9 +24,11 @@ final class DicomDataSet {
     texts.put(tag, value.substring(0, end).stripLeading());
   }
 
-  /** Stores a numeric attribute. */
-  void put(int tag, int number) {
-    numbers.put(tag, number);
+  /** Stores a numeric attribute of one or several numbers; ignores an empty one. */
+  void put(int tag, int... values) {
+    if (values.length > 0) {
+      numbers.put(tag, values.clone());
+    }
   }
 
   /** Appends a new item to a sequence and returns it. */
@@ -45,9 +48,28 @@ final class DicomDataSet {
     return texts.getOrDefault(tag, "");
   }
 
-  /** Returns the number of an attribute, or the fallback if it is absent. */
+  /** Returns the first number of an attribute, or the fallback if it is absent. */
   int number(int tag, int fallback) {
-    return numbers.getOrDefault(tag, fallback);
+    int[] found = numbers.get(tag);
+    return found == null ? fallback : found[0];
+  }
+
+  /** Returns all numbers of an attribute; empty if it is absent. */
+  int[] numbers(int tag) {
+    int[] found = numbers.get(tag);
+    return found == null ? new int[0] : found.clone();
+  }
+
+  /**
+   * Returns all decimals of an attribute; empty if it is absent. A word that is no number gives
+   * NaN.
+   */
+  double[] decimals(int tag) {
+    String text = text(tag);
+    if (text.isEmpty()) {
+      return new double[0];
+    }
+    return Arrays.stream(text.split("\\\\", -1)).mapToDouble(NumberParser::number).toArray();
   }
 
   /**
@@ -55,14 +77,13 @@ final class DicomDataSet {
    * that is no number, or another count, gives NaN.
    */
   double[] decimals(int tag, int count) {
-    String text = text(tag);
-    if (text.isEmpty()) {
+    double[] decimals = decimals(tag);
+    if (decimals.length == 0) {
       return null;
     }
-    String[] words = text.split("\\\\", -1);
-    double[] decimals = new double[count];
-    for (int n = 0; n < count; n++) {
-      decimals[n] = words.length == count ? NumberParser.number(words[n]) : Double.NaN;
+    if (decimals.length != count) {
+      decimals = new double[count];
+      Arrays.fill(decimals, Double.NaN);
     }
     return decimals;
   }

@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.util.List;
 import org.palpate.io.dicom.DicomParser.PixelDataItem;
 import org.palpate.io.file.NumberParser;
-import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.VolumeFormatException;
 
 /**
@@ -30,14 +29,11 @@ record DicomFile(
     ByteOrder order,
     List<PixelDataItem> pixelDataItems,
     boolean encapsulated) {
-  private static final int PREAMBLE = 128;
-  private static final String CONVERT = "convert it with gdcmconv --raw IN OUT (free, from GDCM)";
+  /** The first attribute of group 2, as a little-endian number reads it. */
+  private static final int META_LENGTH = 0x0000_0002;
 
-  /** Returns whether a file with these first bytes is a DICOM file. */
-  static boolean isDicom(byte[] start) {
-    return start.length >= PREAMBLE + 4
-        && new String(start, PREAMBLE, 4, StandardCharsets.ISO_8859_1).equals("DICM");
-  }
+  /** The remedy for an encoding that cannot be read. */
+  static final String CONVERT = "convert it with gdcmconv --raw IN OUT (free, from GDCM)";
 
   /** Reads the attributes of a file, and no pixel. */
   static DicomFile read(Path file) throws VolumeFormatException {
@@ -53,7 +49,7 @@ record DicomFile(
 
   private static DicomFile read(Path file, DicomBytes bytes) throws IOException {
     DicomDataSet meta = new DicomDataSet();
-    long body = readMeta(bytes, meta);
+    long body = bodyStart(bytes, meta);
     String uid = meta.text(DicomTag.TRANSFER_SYNTAX);
     if (uid.isEmpty()) {
       throw new VolumeFormatException(
@@ -82,11 +78,34 @@ record DicomFile(
     }
   }
 
+  /**
+   * Returns the offset of the data set, after the preamble and group 2 if the file has them, and
+   * stores the transfer syntax.
+   */
+  private static long bodyStart(DicomBytes bytes, DicomDataSet meta) throws IOException {
+    int count = (int) Math.min(bytes.length(), DicomRecognizer.START_BYTES);
+    byte[] start = new byte[count];
+    bytes.at(0, count, ByteOrder.LITTLE_ENDIAN).get(start);
+    if (DicomRecognizer.hasPreamble(start)) {
+      return readMeta(bytes, DicomRecognizer.PREAMBLE + 4, meta);
+    }
+    if (!DicomRecognizer.isBare(start)) {
+      throw new IOException("neither the letters DICM nor attributes are at its start");
+    }
+    ByteBuffer first = ByteBuffer.wrap(start).order(ByteOrder.LITTLE_ENDIAN);
+    if (first.getInt(0) == META_LENGTH) {
+      return readMeta(bytes, 0, meta);
+    }
+    String uid =
+        DicomRecognizer.isExplicit(first, 0) ? TransferSyntax.EXPLICIT : TransferSyntax.IMPLICIT;
+    meta.put(DicomTag.TRANSFER_SYNTAX, uid.getBytes(StandardCharsets.ISO_8859_1));
+    return 0;
+  }
+
   /** Reads group 2, which is always explicit and little-endian, and returns the offset after it. */
-  private static long readMeta(DicomBytes bytes, DicomDataSet meta) throws IOException {
-    long at = PREAMBLE + 4;
+  private static long readMeta(DicomBytes bytes, long at, DicomDataSet meta) throws IOException {
     ByteBuffer first = bytes.at(at, 12, ByteOrder.LITTLE_ENDIAN);
-    if (first.getInt(0) != 0x0000_0002) {
+    if (first.getInt(0) != META_LENGTH) {
       throw new IOException("group 2 is missing");
     }
     long end = at + 12 + (first.getInt(8) & 0xffffffffL);
@@ -132,9 +151,19 @@ record DicomFile(
     return attributes.number(DicomTag.SIGNED, 0) == 1;
   }
 
-  /** Returns the size of one decoded frame in bytes. */
+  /** Returns the numbers that a pixel has: 1 for grey values, 3 for colours. */
+  int samples() {
+    return attributes.number(DicomTag.SAMPLES, 1);
+  }
+
+  /** Returns the bits of one decoded frame. Frames of 1 bit a pixel share bytes. */
+  long frameBits() {
+    return (long) rows() * columns() * samples() * bitsAllocated();
+  }
+
+  /** Returns the size of one decoded frame in bytes, rounded up. */
   long frameBytes() {
-    return (long) rows() * columns() * (bitsAllocated() / 8);
+    return (frameBits() + 7) / 8;
   }
 
   /** Returns the number of frames, 1 if the file does not name it. */
@@ -145,93 +174,6 @@ record DicomFile(
       throw refusal("the number of frames is '" + text + "'", "export the file again");
     }
     return count;
-  }
-
-  /**
-   * Checks that the pixels are grey, can be decoded, and are complete.
-   *
-   * @throws VolumeFormatException if they are not
-   */
-  void check() throws VolumeFormatException {
-    if (!hasPixels()) {
-      throw refusal("the file has no image", "give a file or folder of an image series");
-    }
-    if (syntax.coding() == TransferSyntax.Coding.UNREADABLE) {
-      throw refusal(
-          "the image is compressed as " + syntax.name() + ", which cannot be read", CONVERT);
-    }
-    if (attributes.number(DicomTag.SAMPLES, 1) != 1) {
-      throw refusal("the pixels are colours, not grey values", "give a grey series");
-    }
-    if (attributes.text(DicomTag.MODALITY).equals("RTDOSE")) {
-      throw refusal("the file is a dose grid (RTDOSE), not a scan", "give the scan of the plan");
-    }
-    if (bitsAllocated() == 1) {
-      throw refusal(
-          "the file is a DICOM segmentation of one bit a pixel, which cannot be read",
-          "save it as a label volume (NRRD or NIfTI), for example with 3D Slicer");
-    }
-    boolean bitsMakeSense =
-        bitsStored() >= 1 && highBit() >= bitsStored() - 1 && highBit() < bitsAllocated();
-    if ((bitsAllocated() != 8 && bitsAllocated() != 16 && bitsAllocated() != 32)
-        || !bitsMakeSense) {
-      throw refusal(
-          "the pixels use "
-              + bitsStored()
-              + " of "
-              + bitsAllocated()
-              + " bits, of which the highest is bit "
-              + highBit(),
-          CONVERT);
-    }
-    if (rows() < 1 || columns() < 1) {
-      throw refusal("the size is " + columns() + "x" + rows(), "export the file again");
-    }
-    checkPixelDataItems();
-  }
-
-  private void checkPixelDataItems() throws VolumeFormatException {
-    boolean plain = syntax.coding() == TransferSyntax.Coding.PLAIN;
-    if (plain == encapsulated) {
-      throw refusal(
-          "the pixels are not encoded as the transfer syntax " + syntax.name() + " requires",
-          CONVERT);
-    }
-    double needed = (double) frameBytes() * frameCount();
-    if (plain && pixelDataItems.get(0).length() < needed) {
-      throw InputFiles.truncatedFile(file, needed, (double) pixelDataItems.get(0).length(), "");
-    }
-    requireInflatable(needed);
-    if (!plain && pixelDataItems.size() < frameCount()) {
-      throw refusal(
-          "the header promises "
-              + frameCount()
-              + " frames but the file has "
-              + pixelDataItems.size()
-              + " fragments",
-          CONVERT);
-    }
-    if (!plain && frameCount() > 1 && pixelDataItems.size() != frameCount()) {
-      throw refusal("a frame is split into several fragments", CONVERT);
-    }
-  }
-
-  /** Refuses more pixels than the compressed bytes can hold. */
-  private void requireInflatable(double needed) throws VolumeFormatException {
-    double stored = 0;
-    for (PixelDataItem piece : pixelDataItems) {
-      stored += piece.length();
-    }
-    double most =
-        switch (syntax.coding()) {
-          case RLE -> 64; // 128 bytes of 2
-          case JPEG_LOSSLESS -> 8.0 * bitsAllocated() / 8; // at least a bit for each pixel
-          case JPEG_2000 -> 20_000; // a uniform image of 2000x2000 takes about 400 bytes
-          default -> Double.POSITIVE_INFINITY;
-        };
-    if (needed > stored * most) {
-      throw InputFiles.truncatedFile(file, needed, stored, "compressed");
-    }
   }
 
   /** Returns an exception that names this file. */

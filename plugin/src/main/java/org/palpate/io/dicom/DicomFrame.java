@@ -13,8 +13,14 @@ import org.palpate.io.volume.VolumeFormatException;
  * @param index the frame in the file, from 0
  * @param plane its position in the patient, if the file names it
  * @param scaling maps stored numbers to values
+ * @param attributes the attributes of the frame
  */
-record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scaling scaling) {
+record DicomFrame(
+    DicomFile dicom,
+    int index,
+    Optional<ImagePlane> plane,
+    Scaling scaling,
+    FrameAttributes attributes) {
 
   /**
    * The position of a frame in patient coordinates (LPS).
@@ -31,6 +37,11 @@ record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scalin
       Vec3 columnDirection,
       double columnSpacingMm,
       double rowSpacingMm) {
+
+    /** Returns this plane at another position. */
+    ImagePlane at(Vec3 other) {
+      return new ImagePlane(other, rowDirection, columnDirection, columnSpacingMm, rowSpacingMm);
+    }
 
     /** Returns the unit normal of the frame. */
     Vec3 normal() {
@@ -53,74 +64,16 @@ record DicomFrame(DicomFile dicom, int index, Optional<ImagePlane> plane, Scalin
           "the header promises " + count + " frames, more than the file can have",
           "export the file again");
     }
+    if (DicomDose.isDose(dicom)) {
+      return DicomDose.frames(dicom, count);
+    }
     DicomFrame[] frames = new DicomFrame[count];
-    List<DicomDataSet> groups = dicom.attributes().items(DicomTag.FRAME_GROUPS);
-    List<DicomDataSet> shared = dicom.attributes().items(DicomTag.SHARED_GROUPS);
+    List<FrameAttributes> attributes = FrameAttributes.of(dicom, count);
     for (int n = 0; n < count; n++) {
-      DicomDataSet own = n < groups.size() ? groups.get(n) : new DicomDataSet();
-      DicomDataSet common = shared.isEmpty() ? new DicomDataSet() : shared.get(0);
-      Lookup lookup = new Lookup(dicom, own, common);
+      FrameAttributes own = attributes.get(n);
       // the position of the file is that of a frame only if there is one
-      frames[n] = new DicomFrame(dicom, n, lookup.plane(count == 1), lookup.scaling());
+      frames[n] = new DicomFrame(dicom, n, own.plane(count == 1), own.scaling(), own);
     }
     return List.of(frames);
-  }
-
-  /**
-   * Looks up the attributes of a frame: first its own, then the shared ones, then those of the
-   * file.
-   */
-  private record Lookup(DicomFile dicom, DicomDataSet own, DicomDataSet shared) {
-
-    Optional<ImagePlane> plane(boolean single) throws VolumeFormatException {
-      double[] position = decimals(DicomTag.PLANE_POSITION_SEQUENCE, DicomTag.POSITION, 3, single);
-      double[] axes = decimals(DicomTag.PLANE_ORIENTATION_SEQUENCE, DicomTag.ORIENTATION, 6, true);
-      double[] spacing =
-          decimals(DicomTag.PIXEL_MEASURES_SEQUENCE, DicomTag.PIXEL_SPACING, 2, true);
-      if (position == null || axes == null || spacing == null) {
-        return Optional.empty();
-      }
-      Vec3 rowDirection = new Vec3(axes[0], axes[1], axes[2]);
-      Vec3 columnDirection = new Vec3(axes[3], axes[4], axes[5]);
-      ImagePlane plane =
-          new ImagePlane(
-              new Vec3(position[0], position[1], position[2]),
-              rowDirection,
-              columnDirection,
-              spacing[1],
-              spacing[0]);
-      if (!plane.position().isFinite()
-          || !(spacing[0] > 0 && spacing[1] > 0)
-          || !plane.normal().isFinite()) {
-        throw dicom.refusal(
-            "the position, orientation or pixel spacing is invalid", "export the series again");
-      }
-      return Optional.of(plane);
-    }
-
-    Scaling scaling() throws VolumeFormatException {
-      double[] slope = decimals(DicomTag.VALUE_SEQUENCE, DicomTag.SLOPE, 1, true);
-      double[] intercept = decimals(DicomTag.VALUE_SEQUENCE, DicomTag.INTERCEPT, 1, true);
-      Scaling scaling =
-          new Scaling(slope == null ? 1 : slope[0], intercept == null ? 0 : intercept[0]);
-      if (!Double.isFinite(scaling.slope())
-          || scaling.slope() == 0
-          || !Double.isFinite(scaling.intercept())) {
-        throw dicom.refusal("the rescale slope or intercept is invalid", "export the series again");
-      }
-      return scaling;
-    }
-
-    private double[] decimals(int sequence, int tag, int count, boolean alsoOfFile) {
-      for (DicomDataSet group : List.of(own, shared)) {
-        for (DicomDataSet item : group.items(sequence)) {
-          double[] found = item.decimals(tag, count);
-          if (found != null) {
-            return found;
-          }
-        }
-      }
-      return alsoOfFile ? dicom.attributes().decimals(tag, count) : null;
-    }
   }
 }

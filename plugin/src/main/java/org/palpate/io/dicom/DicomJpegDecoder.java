@@ -4,18 +4,24 @@ import com.github.jaiimageio.jpeg2000.impl.J2KImageReaderSpi;
 import com.twelvemonkeys.imageio.plugins.jpeg.JPEGImageReaderSpi;
 import java.awt.image.Raster;
 import java.io.IOException;
+import java.util.Iterator;
+import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.spi.IIORegistry;
 import javax.imageio.spi.ImageReaderSpi;
 import javax.imageio.stream.ImageInputStream;
 import org.palpate.io.codec.EofLimitedImageStream;
 import org.palpate.io.codec.Jpeg2000Validator;
+import org.palpate.io.codec.JpegLsDecoder;
+import org.palpate.io.format.Luminance;
 
 /**
- * Decodes frames of lossless JPEG and reversible JPEG 2000 with libraries that restore every pixel.
- * The size in the stream is checked before a library reads it.
+ * Decodes frames of JPEG: lossless and reversible JPEG 2000 with libraries that restore every
+ * pixel, baseline with the JDK, JPEG-LS with {@link JpegLsDecoder}. The size in the stream is
+ * checked before anything is decoded.
  */
 final class DicomJpegDecoder {
+  private static final int JPEG_BASELINE = 0xFFC0;
   private static final int JPEG_LOSSLESS = 0xFFC3;
   private static final int JPEG_SCAN = 0xFFDA;
   private static final int JPEG_END = 0xFFD9;
@@ -25,18 +31,50 @@ final class DicomJpegDecoder {
 
   private DicomJpegDecoder() {}
 
-  /** Decodes one frame into the low bits of {@code stored}. */
+  /** Decodes one frame into the low bits of {@code stored}; colours become luminance. */
   static void decode(DicomFile dicom, byte[] bytes, int[] stored, int count) throws IOException {
+    if (dicom.syntax().coding() == TransferSyntax.Coding.JPEG_LS) {
+      JpegLsDecoder.decode(bytes, dicom.columns(), dicom.rows(), stored);
+      return;
+    }
     Raster raster =
-        dicom.syntax().coding() == TransferSyntax.Coding.JPEG_2000
-            ? jpeg2000Raster(dicom, bytes)
-            : jpegRaster(dicom, bytes);
+        switch (dicom.syntax().coding()) {
+          case JPEG_2000 -> jpeg2000Raster(dicom, bytes);
+          case JPEG -> baselineRaster(dicom, bytes);
+          default -> jpegRaster(dicom, bytes);
+        };
     if (raster.getWidth() != dicom.columns()
         || raster.getHeight() != dicom.rows()
-        || raster.getNumBands() != 1) {
+        || raster.getNumBands() != dicom.samples()) {
       throw new IOException("the JPEG stream has another size than the DICOM header");
     }
     raster.getSamples(0, 0, raster.getWidth(), raster.getHeight(), 0, stored);
+    if (raster.getNumBands() == 3) {
+      toLuminance(raster, stored, count);
+    }
+  }
+
+  private static void toLuminance(Raster raster, int[] stored, int count) {
+    int[] green = new int[count];
+    int[] blue = new int[count];
+    raster.getSamples(0, 0, raster.getWidth(), raster.getHeight(), 1, green);
+    raster.getSamples(0, 0, raster.getWidth(), raster.getHeight(), 2, blue);
+    for (int n = 0; n < count; n++) {
+      stored[n] = Luminance.of(stored[n], green[n], blue[n]);
+    }
+  }
+
+  /** Decodes JPEG of 8 bit with the reader of the JDK, in red, green and blue if it has colours. */
+  private static Raster baselineRaster(DicomFile dicom, byte[] bytes) throws IOException {
+    checkJpeg(dicom, bytes, JPEG_BASELINE);
+    Iterator<ImageReader> readers = ImageIO.getImageReadersByFormatName("jpeg");
+    while (readers.hasNext()) {
+      ImageReaderSpi spi = readers.next().getOriginatingProvider();
+      if (spi.getClass().getName().startsWith("com.sun.imageio.")) {
+        return raster(spi, bytes);
+      }
+    }
+    throw dicom.refusal("this Java has no reader of JPEG", DicomFile.CONVERT);
   }
 
   private static Raster jpeg2000Raster(DicomFile dicom, byte[] bytes) throws IOException {
@@ -45,7 +83,7 @@ final class DicomJpegDecoder {
   }
 
   private static Raster jpegRaster(DicomFile dicom, byte[] bytes) throws IOException {
-    checkJpeg(dicom, bytes);
+    checkJpeg(dicom, bytes, JPEG_LOSSLESS);
     try {
       return raster(registeredJpeg(), padded(bytes));
     } catch (IOException e) {
@@ -113,10 +151,10 @@ final class DicomJpegDecoder {
     }
   }
 
-  private static void checkJpeg(DicomFile dicom, byte[] bytes) throws IOException {
+  private static void checkJpeg(DicomFile dicom, byte[] bytes, int wanted) throws IOException {
     for (int at = 2; at + 4 <= bytes.length; at += 2 + word(bytes, at + 2)) {
       int marker = word(bytes, at);
-      if (marker == JPEG_LOSSLESS) {
+      if (marker == wanted) {
         requireSize(dicom, word(bytes, at + 7), word(bytes, at + 5));
         return;
       }
@@ -124,7 +162,7 @@ final class DicomJpegDecoder {
         break;
       }
     }
-    throw new IOException("the JPEG stream is not lossless");
+    throw new IOException("the JPEG stream is not " + dicom.syntax().name());
   }
 
   private static void requireSize(DicomFile dicom, int width, int height) throws IOException {

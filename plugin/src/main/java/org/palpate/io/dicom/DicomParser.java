@@ -3,8 +3,11 @@ package org.palpate.io.dicom;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import org.palpate.io.file.NumberText;
 
 /**
  * Finds the attributes of {@link DicomTag} and the pixel data in a DICOM data set, and skips all
@@ -16,8 +19,10 @@ final class DicomParser {
   private static final long UNDEFINED = 0xffffffffL;
   private static final int MAX_DEPTH = 16;
   private static final int MAX_VALUE_BYTES = 1024;
+  private static final int MAX_LONG_VALUE_BYTES = 1 << 20;
   private static final int MAX_FRAGMENTS = 1 << 20;
-  private static final String LONG_VRS = "OB OW OF OD OL OV SQ SV UC UN UR UT UV";
+  private static final Set<String> LONG_VRS =
+      Set.of("OB", "OW", "OF", "OD", "OL", "OV", "SQ", "SV", "UC", "UN", "UR", "UT", "UV");
 
   private final DicomBytes bytes;
   private final ByteOrder order;
@@ -131,33 +136,32 @@ final class DicomParser {
   }
 
   private void putValue(int tag, String vr, int length, DicomDataSet into) throws IOException {
-    if (!DicomTag.VALUES.contains(tag) || length > MAX_VALUE_BYTES) {
+    boolean number = DicomTag.NUMBERS.contains(tag);
+    boolean real = DicomTag.DOUBLES.contains(tag);
+    boolean isLong = tag == DicomTag.FRAME_OFFSETS;
+    if ((!number && !real && !DicomTag.TEXTS.contains(tag))
+        || length > (isLong ? MAX_LONG_VALUE_BYTES : MAX_VALUE_BYTES)) {
       return;
     }
     ByteBuffer value = bytes.at(at, length, order);
-    if (vr.equals("US") || vr.equals("SS") || (vr.isEmpty() && isNumber(tag))) {
-      if (length >= 2) {
-        into.put(tag, value.getShort(0) & 0xffff);
-      }
-      return;
+    if (number) {
+      into.put(tag, numbers(tag, vr, value));
+    } else if (real && length >= 8) {
+      into.put(tag, NumberText.text(value.getDouble(0)).getBytes(StandardCharsets.ISO_8859_1));
+    } else if (!real) {
+      byte[] text = new byte[length];
+      value.get(text);
+      into.put(tag, text);
     }
-    byte[] text = new byte[length];
-    value.get(text);
-    into.put(tag, text);
   }
 
-  private static boolean isNumber(int tag) {
-    return switch (tag) {
-      case DicomTag.SAMPLES,
-          DicomTag.ROWS,
-          DicomTag.COLUMNS,
-          DicomTag.BITS_ALLOCATED,
-          DicomTag.BITS_STORED,
-          DicomTag.HIGH_BIT,
-          DicomTag.SIGNED ->
-          true;
-      default -> false;
-    };
+  private static int[] numbers(int tag, String vr, ByteBuffer value) {
+    boolean wide = vr.equals("UL") || (vr.isEmpty() && tag == DicomTag.TEMPORAL_INDEX);
+    int[] numbers = new int[value.remaining() / (wide ? 4 : 2)];
+    for (int n = 0; n < numbers.length; n++) {
+      numbers[n] = wide ? value.getInt(4 * n) : value.getShort(2 * n) & 0xffff;
+    }
+    return numbers;
   }
 
   private void putPixelData(int tag, long length, long end) throws IOException {
@@ -213,8 +217,13 @@ final class DicomParser {
     return vr;
   }
 
+  /** Whether values of a representation have a length of four bytes. */
+  static boolean isLong(String vr) {
+    return LONG_VRS.contains(vr);
+  }
+
   private long length(String vr) throws IOException {
-    if (!vr.isEmpty() && !LONG_VRS.contains(vr)) {
+    if (!vr.isEmpty() && !isLong(vr)) {
       int length = bytes.at(at, 2, order).getShort() & 0xffff;
       at += 2;
       return length;

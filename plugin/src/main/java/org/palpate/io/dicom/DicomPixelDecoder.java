@@ -1,66 +1,103 @@
 package org.palpate.io.dicom;
 
 import java.io.ByteArrayInputStream;
+import java.io.Closeable;
 import java.io.EOFException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.file.Path;
 import org.palpate.io.codec.PackBitsInputStream;
 import org.palpate.io.dicom.DicomParser.PixelDataItem;
 import org.palpate.io.format.Scaling;
 import org.palpate.io.volume.VoxelSlice;
 
-/** Decodes frames of DICOM files into slices. */
-final class DicomPixelDecoder {
+/**
+ * Decodes frames of DICOM files into slices. Keeps the file of the last frame open, so that a
+ * deflated file is inflated once.
+ */
+final class DicomPixelDecoder implements Closeable {
   private int[] stored = new int[0];
+  private Path openFile;
+  private DicomBytes source;
 
-  /** Fills a slice with the values of a frame whose file passed {@link DicomFile#check}. */
+  /** Fills a slice with the values of a frame whose file passed {@link DicomImageChecks#check}. */
   void decode(DicomFrame frame, VoxelSlice dest) throws IOException {
-    DicomFile dicom = frame.dicom();
-    int count = dest.count();
+    int[] numbers = storedValues(frame.dicom(), frame.index(), dest.count());
+    scale(frame.dicom(), frame.scaling(), numbers, dest);
+  }
+
+  /** Returns the stored numbers of a frame, valid until the next call. */
+  int[] storedValues(DicomFile dicom, int index, int count) throws IOException {
     if (stored.length < count) {
       stored = new int[count];
     }
     switch (dicom.syntax().coding()) {
-      case PLAIN ->
-          unpackStoredValues(plainBytes(frame), dicom.order(), dicom.bitsAllocated(), count);
-      case RLE ->
-          unpackStoredValues(
-              decodeRunLengths(frame), ByteOrder.BIG_ENDIAN, dicom.bitsAllocated(), count);
-      default -> DicomJpegDecoder.decode(dicom, fragmentBytes(frame), stored, count);
+      case PLAIN -> {
+        boolean planar = dicom.attributes().number(DicomTag.PLANAR, 0) == 1;
+        unpack(dicom, plainBytes(dicom, index), dicom.order(), planar, count);
+      }
+      case RLE -> unpack(dicom, decodeRunLengths(dicom, index), ByteOrder.BIG_ENDIAN, false, count);
+      default -> DicomJpegDecoder.decode(dicom, fragmentBytes(dicom, index), stored, count);
     }
-    scale(dicom, frame.scaling(), dest);
+    return stored;
   }
 
-  private static byte[] plainBytes(DicomFrame frame) throws IOException {
-    DicomFile dicom = frame.dicom();
+  private void unpack(DicomFile dicom, byte[] bytes, ByteOrder order, boolean planar, int count) {
+    if (DicomColours.isColour(dicom)) {
+      DicomColours.toLuminance(dicom, bytes, planar, count, stored);
+    } else {
+      unpackStoredValues(bytes, order, dicom.bitsAllocated(), count);
+    }
+  }
+
+  /** Returns the bytes of a frame of native pixels, whose bits begin at a whole byte. */
+  private byte[] plainBytes(DicomFile dicom, int index) throws IOException {
     int bytes = Math.toIntExact(dicom.frameBytes());
-    long place = dicom.pixelDataItems().get(0).place() + frame.index() * dicom.frameBytes();
-    try (DicomBytes source =
-        dicom.deflatedFrom() < 0
-            ? DicomBytes.open(dicom.file())
-            : DicomBytes.inflated(dicom.file(), dicom.deflatedFrom())) {
-      return copy(source.at(place, bytes, dicom.order()));
+    return nativeBytes(dicom, index * dicom.frameBytes(), bytes);
+  }
+
+  /** Returns some bytes of native pixels. */
+  byte[] nativeBytes(DicomFile dicom, long from, int count) throws IOException {
+    long place = dicom.pixelDataItems().get(0).place() + from;
+    return copy(source(dicom).at(place, count, dicom.order()));
+  }
+
+  private DicomBytes source(DicomFile dicom) throws IOException {
+    if (!dicom.file().equals(openFile)) {
+      close();
+      source =
+          dicom.deflatedFrom() < 0
+              ? DicomBytes.open(dicom.file())
+              : DicomBytes.inflated(dicom.file(), dicom.deflatedFrom());
+      openFile = dicom.file();
+    }
+    return source;
+  }
+
+  @Override
+  public void close() throws IOException {
+    openFile = null;
+    if (source != null) {
+      source.close();
+      source = null;
     }
   }
 
   /**
    * Returns the compressed bytes of a frame: its fragment, or all fragments if there is one frame.
    */
-  private static byte[] fragmentBytes(DicomFrame frame) throws IOException {
-    DicomFile dicom = frame.dicom();
+  private byte[] fragmentBytes(DicomFile dicom, int index) throws IOException {
     boolean all = dicom.frameCount() == 1;
     long length = 0;
     for (int n = 0; n < dicom.pixelDataItems().size(); n++) {
-      length += all || n == frame.index() ? dicom.pixelDataItems().get(n).length() : 0;
+      length += all || n == index ? dicom.pixelDataItems().get(n).length() : 0;
     }
     ByteBuffer bytes = ByteBuffer.allocate(Math.toIntExact(length));
-    try (DicomBytes source = DicomBytes.open(dicom.file())) {
-      for (int n = 0; n < dicom.pixelDataItems().size(); n++) {
-        if (all || n == frame.index()) {
-          PixelDataItem piece = dicom.pixelDataItems().get(n);
-          bytes.put(source.at(piece.place(), (int) piece.length(), dicom.order()));
-        }
+    for (int n = 0; n < dicom.pixelDataItems().size(); n++) {
+      if (all || n == index) {
+        PixelDataItem piece = dicom.pixelDataItems().get(n);
+        bytes.put(source(dicom).at(piece.place(), (int) piece.length(), dicom.order()));
       }
     }
     return bytes.array();
@@ -79,14 +116,13 @@ final class DicomPixelDecoder {
    *
    * @return pixels, big-endian
    */
-  private static byte[] decodeRunLengths(DicomFrame frame) throws IOException {
-    DicomFile dicom = frame.dicom();
-    byte[] bytes = fragmentBytes(frame);
+  private byte[] decodeRunLengths(DicomFile dicom, int index) throws IOException {
+    byte[] bytes = fragmentBytes(dicom, index);
     if (bytes.length < 64) {
       throw new EOFException("an RLE frame is shorter than its header");
     }
     ByteBuffer head = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
-    int planes = dicom.bitsAllocated() / 8;
+    int planes = dicom.samples() * dicom.bitsAllocated() / 8;
     if (head.getInt(0) != planes) {
       throw new IOException("an RLE frame has " + head.getInt(0) + " segments, not " + planes);
     }
@@ -128,7 +164,7 @@ final class DicomPixelDecoder {
   }
 
   /** Extracts the stored bits with their sign, and scales them. */
-  private void scale(DicomFile dicom, Scaling scaling, VoxelSlice dest) {
+  private static void scale(DicomFile dicom, Scaling scaling, int[] stored, VoxelSlice dest) {
     int up = 31 - dicom.highBit();
     int down = 32 - dicom.bitsStored();
     boolean signed = dicom.isSigned();

@@ -7,8 +7,9 @@ import java.util.List;
 import java.util.Optional;
 import org.palpate.io.dicom.DicomSeriesGeometry.SliceInterpolation;
 import org.palpate.io.dicom.DicomSeriesGeometry.SortedSeries;
+import org.palpate.io.format.InputFiles;
+import org.palpate.io.format.Luminance;
 import org.palpate.io.format.MemoryCheck;
-import org.palpate.io.format.ReadOptionChecks;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.ReadProgress;
@@ -40,7 +41,7 @@ public final class DicomReader implements VolumeReader {
 
   /** Returns whether a file with these first bytes is a DICOM file. */
   public static boolean accepts(byte[] start, Path file) {
-    return DicomFile.isDicom(start);
+    return DicomRecognizer.isDicom(start);
   }
 
   /**
@@ -49,7 +50,7 @@ public final class DicomReader implements VolumeReader {
    * @throws VolumeFormatException if the file is no volume, is damaged, or needs another option
    */
   public static VolumeReader open(Path file, ReadOptions options) throws VolumeFormatException {
-    return of(List.of(DicomFile.read(file)), file.toString(), options);
+    return of(List.of(DicomFile.read(file)), file.toString(), List.of(), options);
   }
 
   /**
@@ -59,22 +60,29 @@ public final class DicomReader implements VolumeReader {
    */
   public static VolumeReader openFolder(Path folder, ReadOptions options)
       throws VolumeFormatException {
-    return of(DicomSeriesFinder.find(folder, options), folder.toString(), options);
+    DicomSeriesFinder.Found found = DicomSeriesFinder.find(folder, options);
+    return of(found.files(), folder.toString(), found.notes(), options);
   }
 
   /** Returns a reader of files that belong to one series. */
-  private static VolumeReader of(List<DicomFile> files, String place, ReadOptions options)
+  private static VolumeReader of(
+      List<DicomFile> files, String place, List<String> notesSoFar, ReadOptions options)
       throws VolumeFormatException {
+    DicomFile first = files.get(0);
+    List<String> notes = new ArrayList<>(notesSoFar);
+    if (DicomSegmentation.isSegmentation(first)) {
+      return DicomSegmentationReader.open(files, place, notes, options);
+    }
     List<DicomFrame> frames = new ArrayList<>();
     for (DicomFile file : files) {
-      file.check();
-      requireSamePixels(files.get(0), file);
+      DicomImageChecks.check(file);
+      requireSamePixels(first, file);
       frames.addAll(DicomFrame.of(file));
     }
-    List<String> notes = new ArrayList<>();
-    ReadOptionChecks.chosenStep(1, options, Path.of(place), notes);
+    frames = DicomDuplicates.drop(frames, notes);
+    frames = DicomSteps.select(frames, place, options, notes);
     SortedSeries series = DicomSeriesGeometry.arrange(frames, place, options.resample(), notes);
-    DicomFile first = files.get(0);
+    addPixelNotes(first, notes);
     VolumeHeader header =
         new VolumeHeader(
             "DICOM, " + first.syntax().name(),
@@ -87,10 +95,27 @@ public final class DicomReader implements VolumeReader {
     return new DicomReader(series, place, header, options.progress());
   }
 
+  private static void addPixelNotes(DicomFile first, List<String> notes) {
+    if (DicomDose.isDose(first)) {
+      notes.add(DicomDose.note(first));
+    }
+    if (DicomColours.isColour(first)) {
+      notes.add(Luminance.NOTE);
+    }
+    if (first.attributes().text(DicomTag.PHOTOMETRIC).equals("MONOCHROME1")) {
+      notes.add("low values are shown white (MONOCHROME1); values are read as they are stored");
+    }
+    if (first.attributes().text(DicomTag.LOSSY).equals("01")
+        || first.syntax().coding() == TransferSyntax.Coding.JPEG) {
+      notes.add("the pixels were compressed with loss");
+    }
+  }
+
   private static void requireSamePixels(DicomFile first, DicomFile file)
       throws VolumeFormatException {
     if (file.rows() != first.rows()
         || file.columns() != first.columns()
+        || file.samples() != first.samples()
         || type(file) != type(first)) {
       throw file.refusal(
           "the image differs in size or type from the first of its series",
@@ -133,17 +158,22 @@ public final class DicomReader implements VolumeReader {
     VoxelSlice slice = MemoryCheck.slice(header.grid(), header.values().isInteger(), place);
     MemoryCheck.require(8.0 * slice.count(), "decoding one frame", place);
     VoxelSlice next = null;
-    DicomPixelDecoder pixels = new DicomPixelDecoder();
-    for (int k = 0; k < series.slices().size(); k++) {
-      SliceInterpolation weight = series.slices().get(k);
-      decode(pixels, weight.frame(), slice);
-      if (weight.nextWeight() > 0) {
-        next = next == null ? MemoryCheck.slice(header.grid(), slice.isInteger(), place) : next;
-        decode(pixels, weight.frame() + 1, next);
-        interpolate(slice, next, weight.nextWeight());
+    try (DicomPixelDecoder pixels = new DicomPixelDecoder()) {
+      for (int k = 0; k < series.slices().size(); k++) {
+        SliceInterpolation weight = series.slices().get(k);
+        decode(pixels, weight.frame(), slice);
+        if (weight.nextWeight() > 0) {
+          next = next == null ? MemoryCheck.slice(header.grid(), slice.isInteger(), place) : next;
+          decode(pixels, weight.frame() + 1, next);
+          interpolate(slice, next, weight.nextWeight());
+        }
+        sink.accept(k, slice);
+        progress.slicesRead(k + 1, series.slices().size());
       }
-      sink.accept(k, slice);
-      progress.slicesRead(k + 1, series.slices().size());
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException e) {
+      throw InputFiles.unreadableFile(series.frames().get(0).dicom().file(), e);
     }
   }
 

@@ -5,12 +5,14 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.format.InputFiles;
 import org.palpate.io.volume.ReadOptions;
@@ -21,49 +23,100 @@ import org.palpate.io.volume.VolumeFormatException;
  * selects one.
  */
 final class DicomSeriesFinder {
-  private static final int START_BYTES = 132;
   private static final int MAX_LISTED = 6;
 
   private DicomSeriesFinder() {}
+
+  /**
+   * The files of a series.
+   *
+   * @param files at least one
+   * @param notes what was left out of the folder
+   */
+  record Found(List<DicomFile> files, List<String> notes) {}
 
   /**
    * Returns the files of one series, the only one or the one that the options choose.
    *
    * @throws VolumeFormatException if the folder has no series, or several and none is chosen
    */
-  static List<DicomFile> find(Path folder, ReadOptions options) throws VolumeFormatException {
-    List<List<DicomFile>> series = series(pictures(folder));
+  static Found find(Path folder, ReadOptions options) throws VolumeFormatException {
+    List<Path> paths = new ArrayList<>();
+    List<Path> subfolders = new ArrayList<>();
+    list(folder, paths, subfolders);
+    List<Path> strangers = new ArrayList<>();
+    List<List<DicomFile>> series = series(pictures(paths, strangers));
     if (series.isEmpty()) {
-      throw new VolumeFormatException(
-          "the folder has no DICOM image",
-          folder,
-          "name the folder that directly contains the files, or a single file");
+      throw withoutImage(folder, subfolders);
     }
-    return chosen(series, folder, options);
+    List<String> notes = new ArrayList<>();
+    if (!strangers.isEmpty()) {
+      notes.add("left out, because no DICOM image: " + fileList(strangers));
+    }
+    List<Path> others = DicomSubfolders.withImages(subfolders);
+    if (!others.isEmpty()) {
+      notes.add("the images of sub-folders are not read: " + fileList(others));
+    }
+    return new Found(chosen(series, folder, options), notes);
   }
 
-  private static List<DicomFile> pictures(Path folder) throws VolumeFormatException {
-    List<Path> paths = new ArrayList<>();
+  private static void list(Path folder, List<Path> files, List<Path> subfolders)
+      throws VolumeFormatException {
     try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
       for (Path entry : entries) {
-        if (Files.isRegularFile(entry)) {
-          paths.add(entry);
+        if (Files.isDirectory(entry)) {
+          subfolders.add(entry);
+        } else if (Files.isRegularFile(entry)) {
+          files.add(entry);
         }
       }
     } catch (IOException e) {
       throw InputFiles.unreadableFile(folder, e);
     }
-    Collections.sort(paths); // the order of the folder differs between systems
+    Collections.sort(files); // the order of the folder differs between systems
+    Collections.sort(subfolders);
+  }
+
+  private static VolumeFormatException withoutImage(Path folder, List<Path> subfolders) {
+    List<Path> others = DicomSubfolders.withImages(subfolders);
+    if (others.isEmpty()) {
+      return new VolumeFormatException(
+          "the folder has no DICOM image",
+          folder,
+          "name the folder that directly contains the files, or a single file");
+    }
+    return new VolumeFormatException(
+        "the folder has no DICOM image of its own, but its sub-folders have: " + fileList(others),
+        folder,
+        "name one of them, or put the files of one series into one folder");
+  }
+
+  /** Returns the images among some files; the rest is added to the strangers. */
+  private static List<DicomFile> pictures(List<Path> paths, List<Path> strangers)
+      throws VolumeFormatException {
     List<DicomFile> pictures = new ArrayList<>();
     for (Path path : paths) {
-      if (DicomFile.isDicom(InputFiles.firstBytes(path, START_BYTES))) {
-        DicomFile file = DicomFile.read(path);
-        if (file.hasPixels()) {
-          pictures.add(file);
-        }
-      }
+      byte[] start = InputFiles.firstBytes(path, DicomRecognizer.START_BYTES);
+      boolean listOfFiles = path.getFileName().toString().equalsIgnoreCase("DICOMDIR");
+      Optional<DicomFile> file =
+          listOfFiles || !DicomRecognizer.isDicom(start)
+              ? Optional.empty()
+              : Optional.of(DicomFile.read(path)).filter(DicomFile::hasPixels);
+      file.ifPresentOrElse(pictures::add, () -> strangers.add(path));
     }
     return pictures;
+  }
+
+  /** Lists the names of some files. */
+  static String fileList(Collection<Path> files) {
+    String names =
+        files.stream()
+            .limit(MAX_LISTED)
+            .map(file -> file.getFileName().toString())
+            .collect(Collectors.joining(", "));
+    return files.size() > MAX_LISTED
+        ? names + " and " + (files.size() - MAX_LISTED) + " more"
+        : names;
   }
 
   /** Groups files by series, size and orientation, so that a localizer is a series of its own. */

@@ -88,13 +88,9 @@ final class DicomSeriesGeometry {
       depth = (int) Math.rint((alongNormalMm[depth - 1] - alongNormalMm[0]) / stepMm) + 1;
       step.mul(stepMm / step.length(), step);
     }
-    Vec3[] steps = {
-      plane(0).rowDirection().mul(plane(0).columnSpacingMm(), new Vec3()),
-      plane(0).columnDirection().mul(plane(0).rowSpacingMm(), new Vec3()),
-      step
-    };
     int[] sizes = {frames.get(0).dicom().columns(), frames.get(0).dicom().rows(), depth};
-    VoxelGrid grid = Grids.of(sizes, steps, plane(0).position(), java.nio.file.Path.of(name));
+    VoxelGrid grid =
+        Grids.of(sizes, steps(plane(0), step), plane(0).position(), java.nio.file.Path.of(name));
     return new SortedSeries(frames, grid, weights(depth), true);
   }
 
@@ -102,7 +98,10 @@ final class DicomSeriesGeometry {
     return frames.get(n).plane().orElseThrow();
   }
 
-  /** Stacks frames without positions in file order; all must come from one file. */
+  /**
+   * Stacks frames without positions of their own in file order; all must come from one file, which
+   * must state their distance.
+   */
   private SortedSeries withoutPositions() throws VolumeFormatException {
     DicomFile dicom = frames.get(0).dicom();
     if (frames.stream().anyMatch(frame -> !frame.dicom().file().equals(dicom.file()))) {
@@ -110,21 +109,55 @@ final class DicomSeriesGeometry {
           "some of the images have no position",
           "name one file, or a folder with one series that has positions");
     }
-    double[] spacing = dicom.attributes().decimals(DicomTag.PIXEL_SPACING, 2);
-    double[] slices = dicom.attributes().decimals(DicomTag.SLICE_SPACING, 1);
-    notes.add("the images have no position: stacked in file order at the origin");
-    if (spacing == null) {
-      notes.add("the pixel size is unknown: 1 mm assumed");
-      spacing = new double[] {1, 1};
+    double[] slices =
+        frames
+            .get(0)
+            .attributes()
+            .decimals(DicomTag.PIXEL_MEASURES_SEQUENCE, DicomTag.SLICE_SPACING, 1, true);
+    if (slices == null && frames.size() > 1) {
+      throw refusal(
+          "the "
+              + frames.size()
+              + " frames have neither positions nor SpacingBetweenSlices, as in a film",
+          "give a series whose images have positions");
     }
-    if (slices == null) {
-      notes.add("the slice spacing is unknown: taken to be the pixel spacing");
-      slices = new double[] {spacing[1]};
-    }
+    double[] position = dicom.attributes().decimals(DicomTag.POSITION, 3);
+    double[] axes = dicom.attributes().decimals(DicomTag.ORIENTATION, 6);
+    boolean known = frames.size() > 1 && position != null && axes != null;
+    ImagePlane first = known ? frames.get(0).attributes().plane(position, axes) : unplaced();
+    double step = slices == null ? first.columnSpacingMm() : slices[0];
+    notes.add(
+        slices == null
+            ? "the image has no position, and the slice spacing is taken to be the pixel spacing"
+            : "the frames have no positions of their own: they are stacked in file order, "
+                + mm(step)
+                + " mm apart (SpacingBetweenSlices)");
+    Vec3[] steps = steps(first, first.normal().mul(step, new Vec3()));
     int[] sizes = {dicom.columns(), dicom.rows(), frames.size()};
-    Vec3 spacingMm = new Vec3(spacing[1], spacing[0], slices[0]);
-    VoxelGrid grid = Grids.ofSpacing(sizes, spacingMm, dicom.file());
-    return new SortedSeries(frames, grid, weights(frames.size()), false);
+    VoxelGrid grid = Grids.of(sizes, steps, first.position(), dicom.file());
+    return new SortedSeries(frames, grid, weights(frames.size()), known);
+  }
+
+  /** Returns a plane at the origin along the axes of the world. */
+  private ImagePlane unplaced() throws VolumeFormatException {
+    double[] none = {0, 0, 0};
+    double[] axes = {1, 0, 0, 0, 1, 0};
+    FrameAttributes attributes = frames.get(0).attributes();
+    if (attributes.decimals(DicomTag.PIXEL_MEASURES_SEQUENCE, DicomTag.PIXEL_SPACING, 2, true)
+        != null) {
+      return attributes.plane(none, axes);
+    }
+    notes.add("the pixel size is unknown: 1 mm assumed");
+    return new ImagePlane(
+        new Vec3(), new Vec3(axes[0], axes[1], axes[2]), new Vec3(axes[3], axes[4], axes[5]), 1, 1);
+  }
+
+  private static Vec3[] steps(ImagePlane plane, Vec3 step) {
+    return new Vec3[] {
+      plane.rowDirection().mul(plane.columnSpacingMm(), new Vec3()),
+      plane.columnDirection().mul(plane.rowSpacingMm(), new Vec3()),
+      step
+    };
   }
 
   private void requireParallel() throws VolumeFormatException {

@@ -183,6 +183,7 @@ public record SegmentSpec(String name, Rule rule, int rgb) {
     return new VolumeFormatException(
         what,
         OPTION + text,
-        "write 'bone=>=1500', 'soft=300..900', 'jaw=label:7,8', 'jaw=name:Mandible' or 'all=nonzero'");
+        "write 'bone=>=1500', 'soft=300..900', 'jaw=label:7,8', 'jaw=name:Mandible' or"
+            + " 'all=nonzero'");
   }
 }

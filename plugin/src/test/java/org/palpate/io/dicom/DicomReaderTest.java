@@ -38,6 +38,7 @@ class DicomReaderTest {
     "MR_small_jp2klossless.dcm, f891ef3b",
     "emri_small.dcm, c781bf1f",
     "image_dfl.dcm, b3163987",
+    "MR_small_jpeg_ls_lossless.dcm, f891ef3b",
   })
   void singleFilesAgreeWithPydicom(String name, String crc) throws Exception {
     assertEquals(crc, VoxelCrc.of(open("formats/dicom/" + name)));
@@ -71,10 +72,8 @@ class DicomReaderTest {
 
   @ParameterizedTest
   @CsvSource({
-    "formats/dicom/MR_small_jpeg_ls_lossless.dcm, JPEG-LS Lossless",
-    "formats/dicom/liver.dcm, segmentation",
     "formats/malformed/MR_truncated.dcm, damaged",
-    "formats/malformed/badVR.dcm, dose",
+    "formats/malformed/badVR.dcm, frames is",
     "formats/malformed/meta_missing_tsyntax.dcm, no transfer syntax",
     "formats/malformed/no_meta.dcm, DICM",
     "formats/malformed/rtplan_truncated.dcm, a",

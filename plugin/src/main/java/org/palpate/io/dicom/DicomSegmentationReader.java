@@ -1,0 +1,223 @@
+package org.palpate.io.dicom;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.palpate.io.dicom.DicomSegmentation.Kind;
+import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.format.ReadOptionChecks;
+import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.ReadProgress;
+import org.palpate.io.volume.SliceSink;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.io.volume.VolumeHeader.ValueRange;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.io.volume.VoxelSlice;
+import org.palpate.io.volume.VoxelType;
+
+/**
+ * Reads a DICOM segmentation object as labels: the value of a voxel is the number of its segment.
+ * Where segments overlap, the one of the higher number covers the others in a plain reading.
+ */
+final class DicomSegmentationReader implements VolumeReader {
+  /** The least share of the maximum with which a fractional voxel belongs to its segment. */
+  private static final double LEAST_FRACTION = 0.5;
+
+  private final DicomSegmentation segmentation;
+  private final List<List<Integer>> framesOfSlice;
+  private final VolumeHeader header;
+  private final String place;
+  private final ReadProgress progress;
+
+  private DicomSegmentationReader(
+      DicomSegmentation segmentation,
+      List<List<Integer>> framesOfSlice,
+      VolumeHeader header,
+      String place,
+      ReadProgress progress) {
+    this.segmentation = segmentation;
+    this.framesOfSlice = framesOfSlice;
+    this.header = header;
+    this.place = place;
+    this.progress = progress;
+  }
+
+  /**
+   * Opens a segmentation object.
+   *
+   * @param notes what a reader should know already
+   * @throws VolumeFormatException if there are several files, or the object is incomplete
+   */
+  static VolumeReader open(
+      List<DicomFile> files, String place, List<String> notes, ReadOptions options)
+      throws VolumeFormatException {
+    if (files.size() > 1) {
+      throw new VolumeFormatException(
+          "the series has " + files.size() + " segmentation objects", place, "name one of them");
+    }
+    DicomSegmentation segmentation = DicomSegmentation.of(files.get(0));
+    ReadOptionChecks.chosenStep(1, options, Path.of(place), notes);
+    SegmentationGrid grid = SegmentationGrid.of(segmentation.dicom(), notes);
+    addNotes(segmentation, notes);
+    long most = segmentation.table().labels().keySet().stream().reduce(1L, Math::max);
+    most = segmentation.kind() == Kind.LABEL_MAP ? (1L << files.get(0).bitsAllocated()) - 1 : most;
+    VolumeHeader header =
+        new VolumeHeader(
+            "DICOM segmentation, "
+                + segmentation.kind().text()
+                + ", "
+                + segmentation.dicom().syntax().name(),
+            grid.grid(),
+            most <= VoxelType.UINT8.high() ? VoxelType.UINT8 : VoxelType.UINT16,
+            new ValueRange(0, most, true),
+            CoordinateSystem.LPS,
+            Optional.of(segmentation.table()),
+            notes);
+    return new DicomSegmentationReader(
+        segmentation, framesOfSlice(segmentation, grid), header, place, options.progress());
+  }
+
+  private static void addNotes(DicomSegmentation segmentation, List<String> notes) {
+    if (segmentation.kind() == Kind.FRACTIONAL) {
+      notes.add(
+          "the segments are fractional: a voxel belongs to one from "
+              + LEAST_FRACTION
+              + " of the maximum on");
+    }
+    if (segmentation.kind() != Kind.LABEL_MAP && segmentation.table().labels().size() > 1) {
+      notes.add(
+          "each segment is read whole; where segments overlap, slices and exported labels show the"
+              + " last");
+    }
+    if (!segmentation.namesWithoutFrame().isEmpty()) {
+      notes.add("segments without a voxel: " + String.join(", ", segmentation.namesWithoutFrame()));
+    }
+  }
+
+  /** Returns the frames of each slice, by the number of their segment. */
+  private static List<List<Integer>> framesOfSlice(
+      DicomSegmentation segmentation, SegmentationGrid grid) {
+    List<List<Integer>> slices = new ArrayList<>();
+    for (int k = 0; k < grid.grid().sizeZ(); k++) {
+      slices.add(new ArrayList<>());
+    }
+    for (int n = 0; n < grid.sliceOfFrame().size(); n++) {
+      slices.get(grid.sliceOfFrame().get(n)).add(n);
+    }
+    for (List<Integer> slice : slices) {
+      slice.sort(java.util.Comparator.comparing(segmentation.segmentOfFrame()::get));
+    }
+    return slices;
+  }
+
+  @Override
+  public VolumeHeader header() {
+    return header;
+  }
+
+  @Override
+  public void read(SliceSink sink) throws VolumeFormatException {
+    read(sink, false);
+  }
+
+  @Override
+  public void readLayers(SliceSink sink) throws VolumeFormatException {
+    read(sink, true);
+  }
+
+  private void read(SliceSink sink, boolean layers) throws VolumeFormatException {
+    VoxelSlice slice = MemoryCheck.slice(header.grid(), true, place);
+    MemoryCheck.require(12.0 * slice.count(), "decoding one frame", place);
+    int[] labels = new int[slice.count()];
+    try (DicomPixelDecoder pixels = new DicomPixelDecoder()) {
+      for (int k = 0; k < framesOfSlice.size(); k++) {
+        Arrays.fill(slice.integers(), 0);
+        for (int frame : framesOfSlice.get(k)) {
+          decode(pixels, frame, labels);
+          if (layers && overlaps(labels, slice.integers())) {
+            sink.accept(k, slice);
+            Arrays.fill(slice.integers(), 0);
+          }
+          paint(labels, slice.integers());
+        }
+        sink.accept(k, slice);
+        progress.slicesRead(k + 1, framesOfSlice.size());
+      }
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException | ArithmeticException e) {
+      throw new VolumeFormatException(
+          "the pixels are damaged (" + e.getMessage() + ")",
+          segmentation.dicom().file(),
+          "copy or export the file again",
+          e);
+    }
+  }
+
+  private static boolean overlaps(int[] labels, int[] painted) {
+    for (int n = 0; n < labels.length; n++) {
+      if (labels[n] != 0 && painted[n] != 0 && labels[n] != painted[n]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static void paint(int[] labels, int[] dest) {
+    for (int n = 0; n < labels.length; n++) {
+      if (labels[n] != 0) {
+        dest[n] = labels[n];
+      }
+    }
+  }
+
+  /** Fills {@code dest} with the number of the segment of each pixel of a frame, 0 outside. */
+  private void decode(DicomPixelDecoder pixels, int frame, int[] dest) throws IOException {
+    DicomFile dicom = segmentation.dicom();
+    int segment = segmentation.segmentOfFrame().get(frame);
+    if (dicom.bitsAllocated() == 1) {
+      decodeBits(pixels, frame, segment, dest);
+      return;
+    }
+    int[] stored = pixels.storedValues(dicom, frame, dest.length);
+    int most = dicom.attributes().number(DicomTag.MOST_FRACTION, 255);
+    int background = dicom.attributes().number(DicomTag.PADDING, 0);
+    for (int n = 0; n < dest.length; n++) {
+      dest[n] =
+          switch (segmentation.kind()) {
+            case BINARY -> stored[n] != 0 ? segment : 0;
+            case FRACTIONAL -> stored[n] >= LEAST_FRACTION * most && stored[n] > 0 ? segment : 0;
+            case LABEL_MAP -> stored[n] == background ? 0 : stored[n];
+          };
+    }
+  }
+
+  /** Decodes a frame of one bit a pixel. Frames follow each other without filling up bytes. */
+  private void decodeBits(DicomPixelDecoder pixels, int frame, int segment, int[] dest)
+      throws IOException {
+    long first = (long) frame * dest.length;
+    long from = first >> 3;
+    int count = Math.toIntExact(((first + dest.length + 7) >> 3) - from);
+    byte[] bytes = pixels.nativeBytes(segmentation.dicom(), from, count);
+    int shift = (int) (first & 7);
+    for (int n = 0; n < dest.length; n++) {
+      int bit = n + shift;
+      dest[n] = (bytes[bit >> 3] >> (bit & 7) & 1) != 0 ? segment : 0;
+    }
+  }
+
+  @Override
+  public String sourceName() {
+    return place;
+  }
+
+  @Override
+  public List<Path> files() {
+    return List.of(segmentation.dicom().file());
+  }
+}
