@@ -84,10 +84,16 @@ public final class Body {
   }
 
   /**
-   * Sets the pose, from rest to present, world mm; its quaternion has the norm 1. A tool that was
-   * placed among bodies refuses to go on after a body moved, until it is placed again.
+   * Sets the pose, from rest to present, world mm. A tool that was placed among bodies refuses to
+   * go on after a body moved, until it is placed again.
+   *
+   * @throws IllegalArgumentException if the pose is not finite or its quaternion has not the norm 1
    */
   public void setPose(Pose newPose) {
+    if (!newPose.isFinite() || !newPose.rotation.isUnit()) {
+      throw new IllegalArgumentException(
+          "the pose of a body must be finite with a unit quaternion: pose=" + newPose);
+    }
     pose.set(newPose);
     motions++;
     restToGrid.multiply(scratch.setInverse(pose), worldToGrid);

@@ -25,6 +25,9 @@ public final class Quaternion {
   /** Below this angle, rad, sin(a/2)/a is 1/2 to the last bit. */
   private static final double SMALL_ANGLE = 1e-9;
 
+  /** The largest error of the squared norm of a unit quaternion: some thousand roundings. */
+  private static final double UNIT_TOLERANCE = 1e-12;
+
   public double w = 1;
   public double x;
   public double y;
@@ -121,6 +124,11 @@ public final class Quaternion {
       set(w / norm, x / norm, y / norm, z / norm);
     }
     return true;
+  }
+
+  /** Whether the norm is 1 up to rounding: its square differs from 1 by at most 1e-12. */
+  public boolean isUnit() {
+    return Math.abs(dot(this) - 1) <= UNIT_TOLERANCE;
   }
 
   /** Writes minus this, the same rotation. */

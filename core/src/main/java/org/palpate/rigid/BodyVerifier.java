@@ -14,35 +14,36 @@ import org.palpate.rigid.tool.SphereTree;
 import org.palpate.volume.BitCube;
 
 /**
- * Decides for one body whether a proposed motion of a tool is free: no leg of any point touches the
- * barrier. A leg is the exact segment between the point's coordinates at the committed and at the
- * proposed pose. The answer is that of casting every leg exactly; what is left out is proved to be
- * empty:
+ * Verifies proposed motions of a tool against one body: whether any leg touches a solid. A leg is
+ * the exact segment between a point's coordinates at the committed pose and at the proposed one.
+ * The answer is that of casting every leg exactly. What is skipped is proved to be empty:
  *
  * <ul>
  *   <li>A node of the tool's tree, if all around its centre is empty up to its radius plus the path
- *       of its centre. The legs of its points lie between two balls of that radius.
- *   <li>A point or a leaf, as long as its odometer has not used up the empty cube that was found
- *       around it. Every committed motion adds the most that any point moved along an axis.
+ *       of its centre. The legs of its points lie within that distance.
+ *   <li>A point or a leaf, until its odometer has used up the empty cube that was found around it.
+ *       Each committed motion adds the longest motion of any point along an axis.
  *   <li>A leg whose bounding box is empty.
  * </ul>
  *
- * <p>Work is counted in points looked at as if no odometer and no box had left any out. Belongs to
- * the haptic thread; allocates nothing.
+ * <p>Work is counted in tested points, as if odometers and boxes had skipped none. Belongs to the
+ * haptic thread; allocates nothing.
  */
 final class BodyVerifier {
-  /** Covers the rounding of coordinates where clearances are compared, cells. */
-  private static final double ROUNDING_CELLS = 1e-6;
+  /** The least allowance for the rounding of coordinates where clearances are compared, cells. */
+  private static final double LEAST_ROUNDING_CELLS = 1e-6;
 
-  /** Rounding of a coordinate relative to the offset of its map: a few units in the last place. */
+  /**
+   * The rounding of a coordinate relative to the offset of its map: some units in the last place.
+   */
   private static final double RELATIVE_ROUNDING = 0x1p-49;
 
-  /** The odometer starts anew here, before its rounding could matter. */
+  /** The odometer is reset here, before its own rounding could matter. */
   private static final double LONGEST_ODOMETER = 1 << 20;
 
-  final Barrier barrier;
+  final ClearanceLevels levels;
 
-  /** Maps of the committed and the proposed pose to the body's grid. */
+  /** The maps of the committed and of the proposed pose to the body's grid. */
   final AffineMap from = new AffineMap();
 
   final AffineMap to = new AffineMap();
@@ -68,18 +69,24 @@ final class BodyVerifier {
   private final double[] freeUntil;
   private final double[] leafFreeUntil;
 
-  /** The most that any point moves along an axis by the proposal, cells, rounded up. */
+  /** The longest motion of any point along an axis by the proposal, cells, rounded up. */
   private double travel;
 
-  /** By how much points may leave their chords in a step with a large turn, per mm of radius. */
+  /**
+   * The allowance for the rounding of coordinates at the committed and the proposed pose, cells.
+   */
+  private double roundingCells;
+
+  /** The largest deviation of an arc from its chord, cells for each mm of radius. */
   private double arcPerMm;
 
   private final ExactRayCaster caster = new ExactRayCaster();
   private final Ray ray = new Ray();
   private final RayHit hit = new RayHit();
+  private final IntBox edited = new IntBox();
   private final IntBox changed = new IntBox();
   private final Vec3 position = new Vec3();
-  private long looked;
+  private long tested;
 
   /**
    * Creates a verifier.
@@ -87,25 +94,27 @@ final class BodyVerifier {
    * @param index of the body in its scene, which hits carry
    * @param skips whether to leave out what is proved to be empty; answers are the same
    */
-  BodyVerifier(RigidTool tool, Barrier barrier, int index, boolean skips) {
+  BodyVerifier(RigidTool tool, ClearanceLevels levels, int index, boolean skips) {
     this.tool = tool;
-    this.barrier = barrier;
+    this.levels = levels;
     this.index = index;
     this.skips = skips;
     tree = tool.tree();
-    highest = barrier.highest;
-    inverseCellMm = 1 / barrier.cellMm;
+    highest = levels.highest;
+    inverseCellMm = 1 / levels.cellMm;
     level = new byte[tool.count()];
     freeUntil = new double[tool.count()];
     leafFreeUntil = new double[tree.leaves()];
   }
 
-  /** Returns how many points were looked at, or would have been without odometers and boxes. */
-  long looked() {
-    return looked;
+  /**
+   * Returns the number of points that were tested, or would have been without odometers and boxes.
+   */
+  long tested() {
+    return tested;
   }
 
-  /** Returns how many points keep less than the full clearance. */
+  /** Returns the number of points that keep less than the full clearance. */
   int reducedCount() {
     return reducedCount;
   }
@@ -116,14 +125,15 @@ final class BodyVerifier {
   }
 
   /**
-   * Puts the tool at a pose without a motion. Points that touch a level keep a lower one.
+   * Places the tool at a pose without a motion. A point keeps the highest level that it does not
+   * touch.
    *
-   * @param least the lowest level that points may have
-   * @return whether no point touches that lowest level; if not, nothing was changed but the levels
+   * @param least the lowest level that points may keep
+   * @return whether each point keeps at least that level; if not, only levels have changed
    */
   boolean place(Pose pose, int least) {
-    barrier.body.toolToGrid(pose, to);
-    barrier.toCells(to, highest, cellsTo);
+    levels.body.toolToGrid(pose, to);
+    levels.toCells(to, highest, cellsTo);
     reducedCount = 0;
     for (int n = 0; n < tool.count(); n++) {
       int free = freeLevel(n, to, highest);
@@ -135,7 +145,7 @@ final class BodyVerifier {
     }
     from.set(to);
     cellsFrom.set(cellsTo);
-    forgetEmptySpace();
+    resetOdometer();
     return true;
   }
 
@@ -151,30 +161,35 @@ final class BodyVerifier {
   }
 
   private boolean touches(int n, AffineMap toGrid, int atLevel) {
-    barrier.toCells(toGrid, atLevel, levelTo);
+    levels.toCells(toGrid, atLevel, levelTo);
     double x = levelTo.x(tool.x(n), tool.y(n), tool.z(n));
     double y = levelTo.y(tool.x(n), tool.y(n), tool.z(n));
     double z = levelTo.z(tool.x(n), tool.y(n), tool.z(n));
-    return caster.cast(barrier.cubes[atLevel], ray.from(x, y, z).to(x, y, z), hit);
+    return caster.cast(levels.cubes[atLevel], ray.from(x, y, z).to(x, y, z), hit);
   }
 
-  private void forgetEmptySpace() {
+  private void resetOdometer() {
     odometer = 0;
     Arrays.fill(freeUntil, -1);
     Arrays.fill(leafFreeUntil, -1);
   }
 
-  /** Takes over edits of the body. Points that now touch a level keep a lower one. */
+  /** Returns the box of the voxels that the last call of {@link #takeEdits} found to be edited. */
+  IntBox editedVoxels() {
+    return edited;
+  }
+
+  /** Applies edits of the body. Points that now touch their level keep a lower one. */
   EditOutcome takeEdits() {
-    changed.clear();
-    if (!barrier.takeEdits(changed)) {
+    edited.clear();
+    if (!levels.takeEdits(edited)) {
       return EditOutcome.NONE;
     }
-    forgetEmptySpace();
-    if (changed.isEmpty()) {
+    resetOdometer();
+    if (edited.isEmpty()) {
       return EditOutcome.FREE;
     }
-    changed.grow(barrier.reachVoxels() + 1);
+    changed.set(edited).grow(levels.reachVoxels() + 1);
     boolean free = true;
     for (int n = 0; n < tool.count(); n++) {
       if (isInChange(n)) {
@@ -184,7 +199,7 @@ final class BodyVerifier {
         level[n] = (byte) Math.max(0, now);
       }
     }
-    return free ? EditOutcome.FREE : EditOutcome.BURIED;
+    return free ? EditOutcome.FREE : EditOutcome.COLLIDING;
   }
 
   private boolean isInChange(int n) {
@@ -197,14 +212,15 @@ final class BodyVerifier {
         && position.z <= changed.highZ + 1;
   }
 
-  /** Sets the pose that is proposed. */
+  /** Proposes a motion from the committed pose to another. */
   void propose(Pose candidate) {
-    barrier.body.toolToGrid(candidate, to);
-    barrier.toCells(to, highest, cellsTo);
+    levels.body.toolToGrid(candidate, to);
+    levels.toCells(to, highest, cellsTo);
+    roundingCells = LEAST_ROUNDING_CELLS + rounding();
     travel = longestMotion();
   }
 
-  /** Returns the most that a point moves along an axis, cells, rounded up. */
+  /** Returns the longest motion of any point along an axis, cells, rounded up. */
   private double longestMotion() {
     AffineMap a = cellsFrom;
     AffineMap b = cellsTo;
@@ -219,7 +235,7 @@ final class BodyVerifier {
     return (Math.abs(offset) + turned) * (1 + 1e-12);
   }
 
-  /** Returns a bound of what rounding adds to the motion of a point, cells. */
+  /** Returns a bound of the rounding of a coordinate and of a motion, cells. */
   private double rounding() {
     double far =
         Math.abs(cellsFrom.offsetX)
@@ -233,26 +249,27 @@ final class BodyVerifier {
   }
 
   /**
-   * Makes the proposal the committed pose. The proposal is free, or it is a pose from which the
-   * tool came in this frame and to which it is taken back.
+   * Commits the proposal. It is free, or it is a pose at which the tool was committed in this frame
+   * and to which it is taken back.
    */
   void commit() {
     odometer += travel;
     from.set(to);
     cellsFrom.set(cellsTo);
     if (odometer > LONGEST_ODOMETER) {
-      forgetEmptySpace();
+      resetOdometer();
     }
   }
 
   /**
-   * Looks for legs of the proposal that touch the barrier.
+   * Finds the legs of the proposal that touch a solid.
    *
-   * @param turnRad rotation of the proposal if it is too large for chords to stand for arcs, else
-   *     0; then whole nodes must be ruled out with their arcs
-   * @param firstOnly whether to stop at the first leg that touches
-   * @param hits gets the earliest hit of each leaf
-   * @return whether no leg touches
+   * @param turnRad the rotation of the proposal, rad, if chords cannot stand for its arcs; else 0.
+   *     If it is not 0, the proposal is free only if whole nodes are culled together with their
+   *     arcs
+   * @param firstOnly whether to stop at the first leg that touches a solid
+   * @param hits receives the earliest hit of each leaf
+   * @return whether no leg touches a solid
    */
   boolean isFree(double turnRad, boolean firstOnly, LegHits hits) {
     int before = hits.count();
@@ -261,12 +278,12 @@ final class BodyVerifier {
     while (node < tree.nodes()) {
       boolean isLeaf = tree.isLeaf(node);
       if (isLeaf && turnRad == 0) {
-        lookAtLeaf(node, hits);
+        testLeaf(node, hits);
         if (hits.count() > before && (firstOnly || hits.isFull())) {
           return false;
         }
         node = tree.skip(node);
-      } else if (isRuledOut(node)) {
+      } else if (isCulled(node)) {
         node = tree.skip(node);
       } else if (isLeaf) {
         return false;
@@ -277,8 +294,8 @@ final class BodyVerifier {
     return hits.count() == before;
   }
 
-  /** Whether all around the node is empty, as far as its points go. */
-  private boolean isRuledOut(int node) {
+  /** Whether all around a node is empty as far as its points move. */
+  private boolean isCulled(int node) {
     double a = tree.x(node);
     double b = tree.y(node);
     double c = tree.z(node);
@@ -290,26 +307,26 @@ final class BodyVerifier {
     double dz = Math.abs(cellsTo.z(a, b, c) - z);
     double path = Math.max(dx, Math.max(dy, dz));
     double radius = tree.radius(node);
-    double needed = radius * inverseCellMm + path + ROUNDING_CELLS;
+    double needed = radius * inverseCellMm + path + roundingCells;
     if (arcPerMm > 0) {
       needed += arcPerMm * (Math.sqrt(a * a + b * b + c * c) + radius);
     }
-    return barrier.clearance.at(x, y, z) > needed;
+    return levels.clearance.at(x, y, z) > needed;
   }
 
-  private void lookAtLeaf(int node, LegHits hits) {
+  private void testLeaf(int node, LegHits hits) {
     int end = tree.end(node);
     int leaf = tree.leaf(node);
-    looked += end - tree.first(node);
+    tested += end - tree.first(node);
     double reach = odometer + travel;
-    if (skips && (reach <= leafFreeUntil[leaf] || restsFor(node, leaf))) {
+    if (skips && (reach <= leafFreeUntil[leaf] || isLeafInEmptySpace(node, leaf))) {
       return;
     }
     int firstHit = hits.count();
     double until = Double.POSITIVE_INFINITY;
     for (int n = tree.first(node); n < end; n++) {
       if (!(skips && reach <= freeUntil[n])) {
-        look(n, hits);
+        testLeg(n, hits);
         if (hits.count() > firstHit + 1) {
           hits.keepEarliestFrom(firstHit);
         }
@@ -319,14 +336,16 @@ final class BodyVerifier {
     leafFreeUntil[leaf] = until;
   }
 
-  /** Whether all around the leaf is empty; if so it rests until its points may have left that. */
-  private boolean restsFor(int node, int leaf) {
+  /**
+   * Whether all around a leaf is empty; then it is skipped until its points may leave that space.
+   */
+  private boolean isLeafInEmptySpace(int node, int leaf) {
     double a = tree.x(node);
     double b = tree.y(node);
     double c = tree.z(node);
     double around =
-        barrier.clearance.at(cellsFrom.x(a, b, c), cellsFrom.y(a, b, c), cellsFrom.z(a, b, c));
-    double empty = around - tree.radius(node) * inverseCellMm - ROUNDING_CELLS;
+        levels.clearance.at(cellsFrom.x(a, b, c), cellsFrom.y(a, b, c), cellsFrom.z(a, b, c));
+    double empty = around - tree.radius(node) * inverseCellMm - roundingCells;
     if (empty <= travel) {
       return false;
     }
@@ -334,28 +353,28 @@ final class BodyVerifier {
     return true;
   }
 
-  /** Looks at one point's leg, with its odometer. Returns whether it is free. */
+  /** Whether the leg of one point touches no solid. */
   boolean isPointFree(int n, LegHits hits) {
-    looked++;
+    tested++;
     int before = hits.count();
     if (!(skips && odometer + travel <= freeUntil[n])) {
-      look(n, hits);
+      testLeg(n, hits);
     }
     return hits.count() == before;
   }
 
-  private void look(int n, LegHits hits) {
+  private void testLeg(int n, LegHits hits) {
     double a = tool.x(n);
     double b = tool.y(n);
     double c = tool.z(n);
     if (level[n] != highest) {
-      lookAtReduced(n, hits);
+      testReduced(n, hits);
       return;
     }
     double x = cellsFrom.x(a, b, c);
     double y = cellsFrom.y(a, b, c);
     double z = cellsFrom.z(a, b, c);
-    BitCube cube = barrier.cubes[highest];
+    BitCube cube = levels.cubes[highest];
     double empty = skips ? emptyAround(cube, x, y, z) : 0;
     freeUntil[n] = odometer + empty;
     if (empty >= travel) {
@@ -374,15 +393,15 @@ final class BodyVerifier {
   private double emptyAround(BitCube cube, double x, double y, double z) {
     double near = EmptyBox.around(cube, x, y, z);
     if (near >= 2) {
-      near = Math.max(near, barrier.clearance.at(x, y, z));
+      near = Math.max(near, levels.clearance.at(x, y, z));
     }
-    return near - ROUNDING_CELLS;
+    return near - roundingCells;
   }
 
-  private void lookAtReduced(int n, LegHits hits) {
+  private void testReduced(int n, LegHits hits) {
     int at = level[n];
-    barrier.toCells(from, at, levelFrom);
-    barrier.toCells(to, at, levelTo);
+    levels.toCells(from, at, levelFrom);
+    levels.toCells(to, at, levelTo);
     levelFrom.transform(tool.point(n, position), position);
     ray.from(position.x, position.y, position.z);
     levelTo.transform(tool.point(n, position), position);
@@ -392,7 +411,7 @@ final class BodyVerifier {
   }
 
   private void cast(int n, int atLevel, Ray leg, LegHits hits) {
-    if (!caster.cast(barrier.cubes[atLevel], leg, hit)) {
+    if (!caster.cast(levels.cubes[atLevel], leg, hit)) {
       return;
     }
     freeUntil[n] = -1;
@@ -405,13 +424,13 @@ final class BodyVerifier {
     int cell = hit.cell(hit.axis);
     boolean up = end > start;
     double gapCells = up ? cell - start : start - (cell + 1.0);
-    double edgeMm = barrier.cellMm(atLevel, hit.axis);
+    double edgeMm = levels.cellMm(atLevel, hit.axis);
     hits.setFace(hit.axis, up ? -1 : 1, gapCells * edgeMm);
   }
 
   /**
-   * Raises the levels of points that have moved away from the body. Looks at a bounded number of
-   * points and goes on with the next ones when it is called again.
+   * Raises the levels of points that have moved away from the body. Tests a bounded number of
+   * points; the next call goes on with the others.
    */
   void raiseLevels(int most) {
     for (int n = 0; n < most && reducedCount > 0; n++) {

@@ -29,7 +29,7 @@ final class ContactField {
   double heightMm;
 
   private final Body body;
-  private final Barrier barrier;
+  private final ClearanceLevels levels;
   private final OccupancyField field;
   private final SeedCell seed = new SeedCell();
   private final CollisionScene solids;
@@ -42,9 +42,9 @@ final class ContactField {
    *
    * @param grey the grey values of which the voxels were made, or null
    */
-  ContactField(Barrier barrier, GreyIsosurfaceSource grey) {
-    this.barrier = barrier;
-    body = barrier.body;
+  ContactField(ClearanceLevels levels, GreyIsosurfaceSource grey) {
+    this.levels = levels;
+    body = levels.body;
     GridMetric metric = body.metric();
     edgeMm = metric.shortestEdgeMm();
     field = grey == null ? OccupancyField.ofBits(metric) : OccupancyField.ofGrey(metric, grey);
@@ -56,7 +56,7 @@ final class ContactField {
    * Evaluates height and normal at a point that lies in an empty voxel.
    *
    * @param grid the point, grid coordinates
-   * @param clearanceLevel the level of the barrier that the point keeps
+   * @param clearanceLevel the level of the levels that the point keeps
    * @return whether there is a surface near
    */
   boolean evaluate(Vec3 grid, int clearanceLevel) {
@@ -73,7 +73,7 @@ final class ContactField {
     gradient.mul(-1 / slope, gradient);
     heightMm =
         field.level().heightEdges(sample.occupancy(), gradient) * edgeMm
-            - barrier.reachMm(clearanceLevel, gradient);
+            - levels.reachMm(clearanceLevel, gradient);
     body.gridDirectionToWorld(gradient, normal);
     return true;
   }

@@ -64,6 +64,7 @@ public final class RigidSolver {
   private final FreePoseSearch freeing;
   private final DevicePoseFilter device = new DevicePoseFilter();
   private final Pose lastTarget = new Pose();
+  private final Pose start = new Pose();
   private final double edgeMm;
   private final double maxStepMm;
   private long bodyMotions;
@@ -88,7 +89,7 @@ public final class RigidSolver {
     budget = new WorkBudget(verifier);
     ContactField[] fields = new ContactField[scene.count()];
     for (int n = 0; n < fields.length; n++) {
-      fields[n] = new ContactField(verifier.body(n).barrier, settings.grey(n));
+      fields[n] = new ContactField(verifier.body(n).levels, settings.grey(n));
     }
     stepper = new RigidStepper(scene, tool, verifier, fields, budget);
     freeing = new FreePoseSearch(verifier, edgeMm);
@@ -97,18 +98,20 @@ public final class RigidSolver {
   /**
    * Puts the tool at a pose, or at a free pose near it with the same orientation.
    *
-   * @param pose finite, with a quaternion of norm 1
+   * @param pose finite, with a quaternion that can be normalized
    * @return whether the pose itself was free
-   * @throws IllegalArgumentException if the pose is not finite
+   * @throws IllegalArgumentException if the pose is none
    */
   public boolean place(Pose pose, ToolMotion motion) {
-    if (!pose.isFinite()) {
-      throw new IllegalArgumentException("the pose of a tool must be finite: pose=" + pose);
+    start.set(pose);
+    if (!pose.isFinite() || !start.rotation.normalize()) {
+      throw new IllegalArgumentException(
+          "the pose of a tool must be finite with a rotation: pose=" + pose);
     }
     bodyMotions = scene.motions();
-    boolean free = verifier.place(pose, false);
+    boolean free = verifier.place(start, false);
     if (!free) {
-      freeing.find(pose);
+      freeing.find(start);
     }
     reset(motion);
     motion.freed = !free;
@@ -162,13 +165,14 @@ public final class RigidSolver {
       followTarget(motion, moved);
       work = budget.work();
     }
+    verifier.continueEnclosureCheck();
     motion.depthMm = stepper.depthMm();
     motion.reducedPoints = verifier.reducedCount();
   }
 
   private void takeEdits(ToolMotion motion) {
     EditOutcome outcome = verifier.takeEdits();
-    if (outcome == EditOutcome.BURIED) {
+    if (outcome == EditOutcome.COLLIDING) {
       freeing.find(verifier.pose());
       reset(motion);
       motion.freed = true;

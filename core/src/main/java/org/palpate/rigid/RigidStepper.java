@@ -187,11 +187,11 @@ final class RigidStepper {
   }
 
   private boolean isFree(double largeTurn, boolean firstOnly) {
-    long before = verifier.looked();
+    long before = verifier.tested();
     hits.clear();
     boolean free = verifier.isFree(largeTurn, firstOnly, hits);
     if (free && largeTurn == 0) {
-      budget.countVerification(verifier.looked() - before);
+      budget.countVerification(verifier.tested() - before);
     }
     return free;
   }

@@ -6,13 +6,14 @@ import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
 
 /**
- * Decides whether a proposed motion of a tool is free of all bodies of a scene, and commits
- * motions. Nothing else changes the committed pose, so nothing that was not verified is ever
- * committed. Haptic thread only; allocates nothing.
+ * Verifies proposed motions of a tool against all bodies of a scene, and commits them. Nothing else
+ * changes the committed pose, so only verified motions are ever committed.
+ *
+ * <p>Haptic thread only; allocates nothing.
  */
 final class ToolVerifier {
   private final BodyVerifier[] bodies;
-  private final ToolInterior interior;
+  private final EnclosureCheck enclosure;
   private final Pose pose = new Pose();
   private final Pose candidate = new Pose();
 
@@ -25,10 +26,10 @@ final class ToolVerifier {
   ToolVerifier(BodyScene scene, RigidTool tool, Clearance[] clearances, boolean skips) {
     bodies = new BodyVerifier[scene.count()];
     for (int n = 0; n < bodies.length; n++) {
-      Barrier barrier = new Barrier(scene.body(n), clearances[n]);
-      bodies[n] = new BodyVerifier(tool, barrier, n, skips);
+      ClearanceLevels levels = new ClearanceLevels(scene.body(n), clearances[n]);
+      bodies[n] = new BodyVerifier(tool, levels, n, skips);
     }
-    interior = new ToolInterior(tool, bodies);
+    enclosure = new EnclosureCheck(tool, bodies);
   }
 
   /** Returns the committed pose; not to be written. */
@@ -36,47 +37,71 @@ final class ToolVerifier {
     return pose;
   }
 
+  /** Returns the verifier of a body by the body's index. */
   BodyVerifier body(int index) {
     return bodies[index];
   }
 
-  /** Returns the points looked at so far, as {@link BodyVerifier#looked} counts them. */
-  long looked() {
+  /** Returns the number of points tested so far; see {@link BodyVerifier#tested}. */
+  long tested() {
     long sum = 0;
     for (BodyVerifier body : bodies) {
-      sum += body.looked();
-    }
-    return sum;
-  }
-
-  /** Returns how many points keep less than the full clearance of some body. */
-  int reducedCount() {
-    int sum = 0;
-    for (BodyVerifier body : bodies) {
-      sum += body.reducedCount();
+      sum += body.tested();
     }
     return sum;
   }
 
   /**
-   * Puts the tool at a pose without a motion. If it returns false, place it elsewhere before any
-   * motion.
+   * Returns the number of points that keep less than the full clearance of some body. Returns at
+   * least 1 as long as it is not known that the tool encloses no solid.
+   */
+  int reducedCount() {
+    int sum = 0;
+    for (BodyVerifier body : bodies) {
+      sum += body.reducedCount();
+    }
+    return sum == 0 && enclosure.isPending() ? 1 : sum;
+  }
+
+  private boolean isAnyPointReduced() {
+    for (BodyVerifier body : bodies) {
+      if (body.reducedCount() > 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Places the tool at a pose without a motion. If it returns false, the tool must be placed
+   * elsewhere before any motion.
    *
+   * @param newPose finite, with a unit quaternion
    * @param fullClearance whether all points must keep the full clearance
    * @return whether the pose is free
    */
   boolean place(Pose newPose, boolean fullClearance) {
     for (BodyVerifier body : bodies) {
-      if (!body.place(newPose, fullClearance ? body.barrier.highest : 0)) {
+      if (!body.place(newPose, fullClearance ? body.levels.highest : 0)) {
         return false;
       }
     }
-    if (interior.holdsSolid(newPose)) {
+    if (enclosure.enclosesAny(newPose)) {
       return false;
     }
     pose.set(newPose);
     candidate.set(newPose);
+    beginOrEndEnclosureCheck();
     return true;
+  }
+
+  /** Solids may pass between points that keep less than their clearance, and only there. */
+  private void beginOrEndEnclosureCheck() {
+    if (isAnyPointReduced()) {
+      enclosure.begin();
+    } else {
+      enclosure.end();
+    }
   }
 
   /** The effect of edits of the bodies on a tool, the mildest first. */
@@ -87,21 +112,29 @@ final class ToolVerifier {
     /** No point touches a voxel. */
     FREE,
 
-    /** A point touches a voxel: the tool must be placed anew. */
-    BURIED
+    /** A point touches a voxel, or the tool encloses one: the tool must be placed anew. */
+    COLLIDING
   }
 
-  /** Applies the edits of all bodies since the last call; returns the gravest outcome. */
+  /** Applies the edits of all bodies since the last call, and returns the gravest outcome. */
   EditOutcome takeEdits() {
     EditOutcome outcome = EditOutcome.NONE;
     for (BodyVerifier body : bodies) {
       EditOutcome ofBody = body.takeEdits();
       outcome = ofBody.compareTo(outcome) > 0 ? ofBody : outcome;
     }
-    return outcome;
+    if (outcome != EditOutcome.FREE) {
+      return outcome;
+    }
+    if (enclosure.isPending() || isAnyPointReduced()) {
+      enclosure.begin();
+    } else if (enclosure.enclosesEdited(pose)) {
+      return EditOutcome.COLLIDING;
+    }
+    return EditOutcome.FREE;
   }
 
-  /** Sets the pose that is proposed. */
+  /** Proposes a motion from the committed pose to another. */
   void propose(Pose proposal) {
     candidate.set(proposal);
     for (BodyVerifier body : bodies) {
@@ -136,12 +169,19 @@ final class ToolVerifier {
   }
 
   /**
-   * Raises the {@link Barrier} levels of points that have moved away from a body. Looks at most at
+   * Raises the {@link ClearanceLevels} of points that have moved away from a body. Tests at most
    * {@code most} points for each body.
    */
   void raiseLevels(int most) {
     for (BodyVerifier body : bodies) {
       body.raiseLevels(most);
+    }
+  }
+
+  /** Goes on to examine whether the tool encloses a solid, once no point is reduced any more. */
+  void continueEnclosureCheck() {
+    if (enclosure.isPending() && !isAnyPointReduced()) {
+      enclosure.continueAt(pose);
     }
   }
 

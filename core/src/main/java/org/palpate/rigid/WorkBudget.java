@@ -15,7 +15,7 @@ final class WorkBudget {
   private static final long VERIFICATIONS = 5;
 
   private final ToolVerifier verifier;
-  private long lookedBefore;
+  private long testedBefore;
   private long extra;
   private long largestVerification;
 
@@ -24,7 +24,7 @@ final class WorkBudget {
   }
 
   void begin() {
-    lookedBefore = verifier.looked();
+    testedBefore = verifier.tested();
     extra = 0;
     largestVerification -= largestVerification >> 5;
   }
@@ -38,13 +38,13 @@ final class WorkBudget {
   }
 
   /** Takes note of how many points a complete verification looked at. */
-  void countVerification(long looked) {
-    largestVerification = Math.max(largestVerification, looked);
+  void countVerification(long tested) {
+    largestVerification = Math.max(largestVerification, tested);
   }
 
   /** Returns the work of the frame so far. */
   long work() {
-    return verifier.looked() - lookedBefore + extra;
+    return verifier.tested() - testedBefore + extra;
   }
 
   boolean isSpent() {

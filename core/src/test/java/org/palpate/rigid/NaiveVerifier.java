@@ -56,13 +56,13 @@ final class NaiveVerifier {
       AffineMap cells = new AffineMap();
       for (int n = 0; n < tool.count(); n++) {
         int level = verifier.level(n);
-        verifier.barrier.toCells(scene.body(b).toolToGrid(start, from), level, cells);
+        verifier.levels.toCells(scene.body(b).toolToGrid(start, from), level, cells);
         cells.transform(tool.point(n, p), p);
         ray.from(p.x, p.y, p.z);
-        verifier.barrier.toCells(scene.body(b).toolToGrid(end, to), level, cells);
+        verifier.levels.toCells(scene.body(b).toolToGrid(end, to), level, cells);
         cells.transform(tool.point(n, p), p);
         ray.to(p.x, p.y, p.z);
-        if (oracle.touchesAny(verifier.barrier.cubes[level], ray)) {
+        if (oracle.touchesAny(verifier.levels.cubes[level], ray)) {
           return false;
         }
       }

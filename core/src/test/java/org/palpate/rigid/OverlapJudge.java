@@ -1,37 +1,73 @@
 package org.palpate.rigid;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Pose;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.BoxShape;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
 
 /**
- * Judges by brute force whether a tool that was made of unit voxels overlaps a body: every voxel of
- * the tool, as a turned box, against every solid voxel of the body near it, by separating axes.
- * Sees neither sample points nor clearances.
+ * Judges by brute force whether a tool that is made of boxes overlaps a body: every box of the
+ * tool, turned, against every solid voxel of the body near it, by separating axes. Sees neither
+ * sample points nor clearances.
  */
 final class OverlapJudge {
   /** Boxes whose interiors share less than this along some axis only touch, mm. */
   private static final double TOUCHING_MM = 1e-9;
 
-  private final BitCube toolBits;
-  private final Vec3 reference;
+  /** Centre and half edges of each box, tool frame, mm. */
+  private final List<double[]> boxes = new ArrayList<>();
+
+  /** The directions of the edges of all boxes in the tool frame. */
+  private final Vec3[] edges;
+
   private final AffineMap map = new AffineMap();
   private final Vec3 centre = new Vec3();
   private final double[][] toolAxes = new double[3][3];
+  private double[] half;
   private double leastGapMm = Double.POSITIVE_INFINITY;
 
   /**
-   * Creates a judge.
+   * Creates a judge of a tool of voxels.
    *
-   * @param toolBits the voxels, of 1 mm, that the tool was made of
+   * @param toolBits the voxels that the tool was made of
    */
+  OverlapJudge(BitCube toolBits, VoxelGrid grid, RigidTool tool) {
+    RigidTransform t = grid.gridMmToWorld();
+    edges = new Vec3[] {t.axisX(), t.axisY(), t.axisZ()};
+    Vec3 reference = tool.referenceMm(new Vec3());
+    Vec3 s = grid.spacingMm();
+    for (int n = 0; n < toolBits.sizeX() * toolBits.sizeY() * toolBits.sizeZ(); n++) {
+      int i = n % toolBits.sizeX();
+      int j = n / toolBits.sizeX() % toolBits.sizeY();
+      int k = n / toolBits.sizeX() / toolBits.sizeY();
+      if (toolBits.get(i, j, k)) {
+        Vec3 c = grid.gridToWorld(new Vec3(i + 0.5, j + 0.5, k + 0.5), new Vec3());
+        c.sub(reference, c);
+        boxes.add(new double[] {c.x, c.y, c.z, s.x / 2, s.y / 2, s.z / 2});
+      }
+    }
+  }
+
+  /** Creates a judge of a tool of unit voxels. */
   OverlapJudge(BitCube toolBits, RigidTool tool) {
-    this.toolBits = toolBits;
-    reference = tool.referenceMm(new Vec3());
+    this(
+        toolBits,
+        VoxelGrid.ofUnitVoxels(toolBits.sizeX(), toolBits.sizeY(), toolBits.sizeZ()),
+        tool);
+  }
+
+  /** Creates a judge of a cuboid around the reference point. */
+  OverlapJudge(BoxShape box) {
+    edges = new Vec3[] {new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1)};
+    boxes.add(new double[] {0, 0, 0, box.edgeX() / 2, box.edgeY() / 2, box.edgeZ() / 2});
   }
 
   /** Returns a lower bound of the least gap between voxels that was seen so far, mm. */
@@ -53,33 +89,26 @@ final class OverlapJudge {
     Vec3 spacing = body.grid().spacingMm();
     setToolAxes(spacing);
     boolean any = false;
-    for (int n = 0; n < toolBits.sizeX() * toolBits.sizeY() * toolBits.sizeZ(); n++) {
-      int i = n % toolBits.sizeX();
-      int j = n / toolBits.sizeX() % toolBits.sizeY();
-      int k = n / toolBits.sizeX() / toolBits.sizeY();
-      if (toolBits.get(i, j, k)) {
-        centre.set(i + 0.5, j + 0.5, k + 0.5).sub(reference, centre);
-        map.transform(centre, centre);
-        any |= meetsAny(body.bits(), spacing);
-      }
+    for (double[] box : boxes) {
+      map.transform(centre.set(box[0], box[1], box[2]), centre);
+      half = new double[] {box[3], box[4], box[5]};
+      any |= meetsAny(body.bits(), spacing);
     }
     return any;
   }
 
   /** Writes the axes of the tool's voxels, unit, along the axes of the body's grid in mm. */
   private void setToolAxes(Vec3 spacing) {
-    double[][] rows = {
-      {map.mXX, map.mXY, map.mXZ}, {map.mYX, map.mYY, map.mYZ}, {map.mZX, map.mZY, map.mZZ}
-    };
     for (int axis = 0; axis < 3; axis++) {
+      Vec3 turned = map.transformDirection(edges[axis], new Vec3());
       for (int c = 0; c < 3; c++) {
-        toolAxes[axis][c] = rows[c][axis] * spacing.get(c);
+        toolAxes[axis][c] = turned.get(c) * spacing.get(c);
       }
     }
   }
 
   private boolean meetsAny(BitCube bits, Vec3 spacing) {
-    double reachMm = 1.8;
+    double reachMm = Math.sqrt(dot(half, half)) + 0.5;
     boolean any = false;
     for (int k = low(centre.z, reachMm / spacing.z); k <= centre.z + reachMm / spacing.z; k++) {
       for (int j = low(centre.y, reachMm / spacing.y); j <= centre.y + reachMm / spacing.y; j++) {
@@ -127,7 +156,7 @@ final class OverlapJudge {
     double reach = 0;
     for (int c = 0; c < 3; c++) {
       reach += Math.abs(direction[c]) * spacing.get(c) / 2;
-      reach += Math.abs(dot(direction, toolAxes[c])) / 2;
+      reach += Math.abs(dot(direction, toolAxes[c])) * half[c];
     }
     return (Math.abs(dot(direction, between)) - reach) / length;
   }

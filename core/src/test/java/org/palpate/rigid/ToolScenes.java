@@ -52,7 +52,8 @@ final class ToolScenes {
     return new BodyScene(list);
   }
 
-  private static VoxelGrid obliqueGrid(BitCube bits, Vec3 spacing) {
+  /** Returns a grid with oblique axes. */
+  static VoxelGrid obliqueGrid(BitCube bits, Vec3 spacing) {
     RigidTransform axes =
         new RigidTransform(
             new Vec3(0, 0.6, 0.8), new Vec3(1, 0, 0), new Vec3(0, 0.8, -0.6), new Vec3(-9, -9, 2));

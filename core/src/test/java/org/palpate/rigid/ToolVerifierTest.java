@@ -12,6 +12,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
@@ -23,6 +24,7 @@ import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
 
 class ToolVerifierTest {
   private final SplittableRandom random = new SplittableRandom(Seeds.seed());
@@ -96,7 +98,7 @@ class ToolVerifierTest {
     assertEquals(slowHits.count(), quickHits.count());
     assertTrue(Arrays.equals(slowHits.point, quickHits.point));
     assertTrue(Arrays.equals(slowHits.t, quickHits.t));
-    assertEquals(slow.looked(), quick.looked(), "work is counted as if nothing were left out");
+    assertEquals(slow.tested(), quick.tested(), "work is counted as if nothing were left out");
     return free;
   }
 
@@ -180,12 +182,15 @@ class ToolVerifierTest {
         int i = random.nextInt(12, 29);
         int j = random.nextInt(12, 29);
         int k = random.nextInt(12, 29);
-        bits.set(i, j, k);
-        box.include(i, j, k);
+        Vec3 centre = new Vec3(i + 0.5, j + 0.5, k + 0.5);
+        if (centre.sub(pose.translation, centre).length() > 4) { // the tool does not enclose it
+          bits.set(i, j, k);
+          box.include(i, j, k);
+        }
       }
       body.voxelsChanged(box);
       boolean free = naive.fault(pose, pose) == null;
-      assertEquals(free ? EditOutcome.FREE : EditOutcome.BURIED, verifier.takeEdits());
+      assertEquals(free ? EditOutcome.FREE : EditOutcome.COLLIDING, verifier.takeEdits());
       Pose moved = pose.displace(ToolScenes.vector(random, 1), new Vec3(), 1, scratch, new Pose());
       verifier.propose(moved);
       if (free) {
@@ -193,6 +198,69 @@ class ToolVerifierTest {
         assertEquals(expected, verifier.isFree(0, true, new LegHits()));
       }
     }
+  }
+
+  @Test
+  void anEditInsideTheToolIsSeenAlthoughItTouchesNoPoint() {
+    BitCube bits = new BitCube(40, 40, 40);
+    bits.set(39, 39, 39);
+    Body body = ToolScenes.unit("edited", bits);
+    BodyScene scene = new BodyScene(List.of(body));
+    RigidTool tool = ToolSampler.ofShape(RodShape.sphere(8), 0.7);
+    for (int mode = 0; mode < 2; mode++) {
+      ToolVerifier verifier =
+          new ToolVerifier(scene, tool, clearances(scene, tool, mode == 0), true);
+      Pose pose = new Pose();
+      pose.translation.set(20, 20, 20);
+      assertTrue(verifier.place(pose, true));
+      IntBox box = new IntBox();
+      box.include(21, 19, 20);
+      bits.set(21, 19, 20);
+      body.voxelsChanged(box);
+      assertEquals(
+          mode == 0 ? EditOutcome.FREE : EditOutcome.COLLIDING,
+          verifier.takeEdits(),
+          "mode " + mode);
+      bits.clear(21, 19, 20);
+      body.voxelsChanged(box);
+      assertEquals(EditOutcome.FREE, verifier.takeEdits());
+    }
+  }
+
+  @Test
+  void aSolidThatPassedBetweenReducedPointsIsFoundInsideTheTool() {
+    BitCube bits = new BitCube(3, 3, 3);
+    bits.set(1, 1, 1);
+    VoxelGrid fine =
+        new VoxelGrid(
+            3, 3, 3, new Vec3(0.1, 0.1, 0.1), VoxelGrid.ofUnitVoxels(3, 3, 3).gridMmToWorld());
+    Body dot = new Body("dot", bits, fine, Mobility.FIXED);
+    BodyScene scene = new BodyScene(List.of(dot));
+    BitCube cube = new BitCube(8, 8, 8);
+    for (int n = 0; n < 512; n++) {
+      cube.set(n % 8, n / 8 % 8, n / 64);
+    }
+    RigidTool tool = ToolSampler.ofSegment(cube, VoxelGrid.ofUnitVoxels(8, 8, 8));
+    Clearance[] clearance = {Clearance.ofWholeBody(tool, fine, 0)};
+    ToolVerifier verifier = new ToolVerifier(scene, tool, clearance, true);
+    Pose pose = new Pose();
+    pose.translation.set(0.15, 0.15, 4.3); // the dot is 0.1 below the middle of four points
+    assertFalse(verifier.place(pose, true));
+    assertTrue(verifier.place(pose, false));
+    assertEquals(4, verifier.reducedCount());
+    assertTrue(goTo(verifier, 2.0), "the dot passes between the points");
+    verifier.raiseLevels(tool.count());
+    verifier.raiseLevels(tool.count());
+    for (int frame = 0; frame < 200; frame++) {
+      verifier.continueEnclosureCheck();
+      assertEquals(1, verifier.reducedCount(), "the tool encloses the dot");
+    }
+    verifier.place(pose, false);
+    assertTrue(goTo(verifier, 7));
+    verifier.raiseLevels(tool.count());
+    verifier.raiseLevels(tool.count());
+    verifier.continueEnclosureCheck();
+    assertEquals(0, verifier.reducedCount(), "the tool encloses nothing");
   }
 
   @Test
@@ -217,6 +285,10 @@ class ToolVerifierTest {
     assertFalse(goTo(verifier, 10.49));
     assertTrue(goTo(verifier, 11.1));
     verifier.raiseLevels(10);
+    assertEquals(1, verifier.reducedCount(), "it is not known yet that the tool encloses nothing");
+    for (int frame = 0; frame < 10; frame++) {
+      verifier.continueEnclosureCheck();
+    }
     assertEquals(0, verifier.reducedCount());
     assertFalse(goTo(verifier, 10.99));
   }

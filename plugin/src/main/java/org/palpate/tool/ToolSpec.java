@@ -9,7 +9,7 @@ import org.palpate.rigid.tool.BoxShape;
 import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolShape;
 
-/** What a tool is made from, as the value of {@code --tool} says. Immutable. */
+/** The source of a tool, as the value of {@code --tool} says. Immutable. */
 public sealed interface ToolSpec {
   /** The longest radius or edge of a shape, mm. */
   double LONGEST_MM = 1e6;

@@ -17,7 +17,7 @@ import org.palpate.volume.BitCube;
  * <p>Level 0 is held in the grid coordinates of the body, in which legs are recorded; the others in
  * the coordinates of their cells, whose rounding is far below the growth.
  */
-final class Barrier {
+final class ClearanceLevels {
   final Body body;
 
   /** The cubes by level. */
@@ -35,7 +35,7 @@ final class Barrier {
   private final GrownSolids[] grown;
   private long editsSeen;
 
-  Barrier(Body body, Clearance clearanceOfTool) {
+  ClearanceLevels(Body body, Clearance clearanceOfTool) {
     this.body = body;
     highest = clearanceOfTool.growthMm() > 0 ? Math.max(1, clearanceOfTool.levels()) : 0;
     grown = new GrownSolids[highest + 1];
