@@ -1,6 +1,7 @@
 package org.palpate.device;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
@@ -27,6 +28,9 @@ public final class Trajectory {
    * dense.
    */
   private double[] quaternions;
+
+  /** The samples at which the device jumped. */
+  private final BitSet relocations = new BitSet();
 
   private int size;
 
@@ -110,6 +114,11 @@ public final class Trajectory {
     quaternions[at + 3] = qz;
   }
 
+  /** Marks the last sample as one at which the device jumped, see {@link DeviceState#relocated}. */
+  public void markRelocated() {
+    relocations.set(size - 1);
+  }
+
   /** Returns the number of samples. */
   public int size() {
     return size;
@@ -131,6 +140,7 @@ public final class Trajectory {
     position(sample, dest.positionMm);
     orientation(sample, dest.orientation);
     dest.timeNanos = Math.round(timesMs[sample] * NANOS_PER_MS);
+    dest.relocated = relocations.get(sample);
   }
 
   /** Writes the orientation of a sample into {@code dest}. */

@@ -20,6 +20,11 @@ public final class SampleRecorder {
   private static final int BUTTONS = 8;
   private static final int WORDS_A_SAMPLE = 9;
 
+  /** The lower half of the word of the buttons; the upper half holds {@link #RELOCATED}. */
+  private static final long BUTTONS_MASK = 0xffffffffL;
+
+  private static final long RELOCATED = 1L << 32;
+
   private final long[] ring;
   private final int capacity;
   private final AtomicLong written = new AtomicLong();
@@ -66,7 +71,7 @@ public final class SampleRecorder {
     ring[from + QW + 1] = Double.doubleToRawLongBits(sample.orientation.x);
     ring[from + QW + 2] = Double.doubleToRawLongBits(sample.orientation.y);
     ring[from + QW + 3] = Double.doubleToRawLongBits(sample.orientation.z);
-    ring[from + BUTTONS] = sample.buttons;
+    ring[from + BUTTONS] = (sample.buttons & BUTTONS_MASK) | (sample.relocated ? RELOCATED : 0);
     written.setRelease(at + 1);
   }
 
@@ -99,6 +104,7 @@ public final class SampleRecorder {
     out.orientation.y = Double.longBitsToDouble(ring[from + QW + 2]);
     out.orientation.z = Double.longBitsToDouble(ring[from + QW + 3]);
     out.buttons = (int) ring[from + BUTTONS];
+    out.relocated = (ring[from + BUTTONS] & RELOCATED) != 0;
   }
 
   private SampleFlags flags() {

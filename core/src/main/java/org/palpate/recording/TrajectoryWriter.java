@@ -15,6 +15,9 @@ public final class TrajectoryWriter implements SampleRecorder.Sink {
   /** The first line of a trajectory file. */
   public static final String HEADER = "t_ms,x,y,z,qw,qx,qy,qz,flags";
 
+  /** The code in the column {@code flags} of a sample at which the device jumped. */
+  public static final int RELOCATED_FLAG = 4;
+
   private static final double NANOS_PER_MS = 1e6;
 
   private final Appendable out;
@@ -50,7 +53,8 @@ public final class TrajectoryWriter implements SampleRecorder.Sink {
       append(sample.orientation.x);
       append(sample.orientation.y);
       append(sample.orientation.z);
-      out.append(Integer.toString(flags.code())).append('\n');
+      int code = flags.code() + (sample.relocated ? RELOCATED_FLAG : 0);
+      out.append(Integer.toString(code)).append('\n');
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

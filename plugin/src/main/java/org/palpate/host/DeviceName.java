@@ -8,13 +8,11 @@ import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReplayDevice;
 import org.palpate.device.SimulatedDevice;
-import org.palpate.device.Trajectory;
 import org.palpate.device.Workspace;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.device.jni.DeviceCatalog;
 import org.palpate.device.jni.DeviceException;
 import org.palpate.force.ForceSettings;
-import org.palpate.io.table.TrajectoryCsvReader;
 
 /**
  * Names a device as users write it, {@code NAME} or {@code NAME:ID}, and opens it.
@@ -101,9 +99,7 @@ public record DeviceName(String name, String id) {
   }
 
   private HapticDevice openReplay() throws IOException {
-    Trajectory trajectory = new Trajectory();
-    TrajectoryCsvReader.read(Path.of(id), false, trajectory::add);
-    return new ReplayDevice(toString(), trajectory);
+    return new ReplayDevice(toString(), TrajectoryFile.read(Path.of(id), false));
   }
 
   private HapticDevice openReal(Function<DeviceSpecification, Workspace> fit)

@@ -9,6 +9,7 @@ import java.util.List;
 import org.palpate.device.Trajectory;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
+import org.palpate.host.TrajectoryFile;
 import org.palpate.imagej.dialog.FilePaths;
 import org.palpate.imagej.dialog.HelpText;
 import org.palpate.imagej.dialog.TouchOptions;
@@ -19,7 +20,6 @@ import org.palpate.imagej.stack.StackGreyValues;
 import org.palpate.imagej.stack.StackSegments;
 import org.palpate.imagej.stack.StackVolume;
 import org.palpate.imagej.stack.TouchRefusedException;
-import org.palpate.io.table.TrajectoryCsvReader;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
@@ -53,13 +53,11 @@ public final class ReplayTrajectory extends PalpateCommand {
   }
 
   private static Trajectory read(Path file) throws TouchRefusedException {
-    Trajectory trajectory = new Trajectory();
     try {
-      TrajectoryCsvReader.read(file, true, trajectory::add);
+      return TrajectoryFile.read(file, true);
     } catch (IOException e) {
       throw new TouchRefusedException("The trajectory cannot be read: " + e.getMessage());
     }
-    return trajectory;
   }
 
   private static void replay(StackVolume volume, TouchOptions options, Trajectory trajectory)

@@ -5,19 +5,30 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.palpate.device.HapticDevice;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.FrameStatistics;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.ManualClock;
 import org.palpate.proxy.LegPath;
 import org.palpate.raycast.Ray;
+import org.palpate.recording.RecordingDevice;
+import org.palpate.recording.SampleRecorder;
+import org.palpate.recording.TrajectoryWriter;
 import org.palpate.scene.window.PointerSpot;
 import org.palpate.testing.ExactOracle;
 import org.palpate.testing.LegJudge;
@@ -46,6 +57,7 @@ class MouseTouchTest {
 
   private final BitCube bits = new BitCube(EDGE, EDGE, EDGE);
   private String hint = "none";
+  private ContactScene scene;
   private MouseDevice mouse;
   private MouseTouch touch;
   private PointFrame frame;
@@ -225,6 +237,35 @@ class MouseTouchTest {
     assertEquals(2, frame.statistics().freed());
   }
 
+  @Test
+  void aRecordedSessionOfTheMouseReplaysToTheSameBits(@TempDir Path folder) throws Exception {
+    hollowBall();
+    Path file = folder.resolve("t.csv");
+    SampleRecorder recorder = new SampleRecorder();
+    start(SolverKind.SMOOTH, device -> new RecordingDevice(device, recorder));
+    List<Vec3> points = new ArrayList<>();
+    for (int n = 0; n < 3; n++) {
+      Vec3 eye = new Vec3(n == 1 ? -100 : 100, 20, 10 * n).add(centreMm(), new Vec3());
+      touch.press(new PointerSpot(eye, seen(eye, centreMm()), DEPTH_MM, true));
+      for (int m = 0; m < 200; m++) {
+        runFrames(1);
+        points.add(new Vec3().set(frame.point().position));
+      }
+    }
+    try (Writer writer = Files.newBufferedWriter(file)) {
+      recorder.drainTo(new TrajectoryWriter(writer, Double::toString));
+    }
+    List<Vec3> replayed = new ArrayList<>();
+    FrameStatistics statistics =
+        new ReplayRun(scene, TrajectoryFile.read(file, true), true, false)
+            .run((n, d, p, f, state, freed) -> replayed.add(new Vec3().set(state.position)));
+    assertEquals(3, statistics.freed());
+    assertEquals(points.size() + 1, replayed.size());
+    for (int n = 0; n < points.size(); n++) {
+      assertTrue(points.get(n).sameBits(replayed.get(n + 1)), "frame " + n);
+    }
+  }
+
   private void hollowBall() {
     Vec3 middle = new Vec3(MIDDLE, MIDDLE, MIDDLE);
     ball(bits, middle, 20);
@@ -256,13 +297,17 @@ class MouseTouchTest {
   }
 
   private void start(SolverKind solver) {
+    start(solver, device -> device);
+  }
+
+  private void start(SolverKind solver, UnaryOperator<HapticDevice> around) {
     SegmentedVolume volume =
         new SegmentedVolume(GRID, List.of(new Segment("ball", bits, 0xffffff)));
-    ContactScene scene = new ContactScene(volume, ContactSettings.standard(solver));
+    scene = new ContactScene(volume, ContactSettings.standard(solver));
     mouse = new MouseDevice(scene.handTarget(), ManualClock.MS);
     touch = new MouseTouch(volume, mouse, text -> hint = text);
     FrameSettings settings = scene.liveFrame(mouse.specification(), 0.5);
-    GridDevice device = new GridDevice(mouse, GRID);
+    GridDevice device = new GridDevice(around.apply(mouse), GRID);
     frame = scene.newFrame(device, settings, FramePublisher.NONE);
     runFrame();
     judge = new LegJudge(bits, frame.point().position);

@@ -8,7 +8,7 @@ import org.palpate.device.Trajectory;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
-import org.palpate.io.table.TrajectoryCsvReader;
+import org.palpate.host.TrajectoryFile;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.TouchMarks;
@@ -39,8 +39,7 @@ final class LastContactMarks {
    * @return the marks of the last frame with contact; of the last frame if there was no contact
    */
   static TouchMarks of(Path file, ContactScene scene, WorldAxes axes) throws IOException {
-    Trajectory trajectory = new Trajectory();
-    TrajectoryCsvReader.read(file, true, trajectory::add);
+    Trajectory trajectory = TrajectoryFile.read(file, true);
     LastContactMarks marks = new LastContactMarks(axes);
     new ReplayRun(scene, trajectory, true, false).run(marks::take);
     return new TouchMarks(

@@ -22,7 +22,7 @@ import org.palpate.frame.FrameStatistics;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
 import org.palpate.host.ReplayTiming;
-import org.palpate.io.table.TrajectoryCsvReader;
+import org.palpate.host.TrajectoryFile;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -102,8 +102,7 @@ public final class ReplayCommand implements Callable<Integer> {
     inputs.add(trajectoryFile);
     Report report = new Report("replay", output.report(), inputs);
     ReplayTables tables = ReplayTables.checked(framesFile, legsFile, output.report(), inputs);
-    Trajectory trajectory = new Trajectory();
-    TrajectoryCsvReader.read(trajectoryFile, !rawDevice, trajectory::add);
+    Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
     SegmentedVolume segments = source.segments(spec.commandLine().getErr());
     ContactScene scene = contact.scene(source, segments);
     FrameStatistics statistics =

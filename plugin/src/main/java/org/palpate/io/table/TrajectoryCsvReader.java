@@ -16,13 +16,18 @@ import org.palpate.io.file.NumberText;
 
 /**
  * Reads a trajectory: a header that names {@code t_ms,x,y,z} in any order, optionally {@code
- * qw,qx,qy,qz} and other columns, then a line for each sample. Empty lines and lines that start
- * with # are skipped. Quaternions are scaled to the norm 1.
+ * qw,qx,qy,qz}, {@code flags} and other columns, then a line for each sample. Empty lines and lines
+ * that start with # are skipped. Quaternions are scaled to the norm 1.
  */
 public final class TrajectoryCsvReader {
   private static final List<String> NEEDED = List.of("t_ms", "x", "y", "z");
   private static final List<String> ROTATION = List.of("qw", "qx", "qy", "qz");
   private static final double[] NO_ROTATION = {1, 0, 0, 0};
+
+  private static final String FLAGS = "flags";
+
+  /** The flag of a sample at which the device jumped. */
+  private static final int RELOCATED_FLAG = 4;
 
   /** Receives samples in order. */
   @FunctionalInterface
@@ -33,6 +38,9 @@ public final class TrajectoryCsvReader {
      */
     void add(
         double timeMs, double x, double y, double z, double qw, double qx, double qy, double qz);
+
+    /** Reports that the device jumped at the sample that was added last. */
+    default void markRelocated() {}
   }
 
   private final Path file;
@@ -42,6 +50,7 @@ public final class TrajectoryCsvReader {
   private final Quaternion quaternion = new Quaternion();
   private int[] neededColumns = {};
   private int[] rotationColumns = {};
+  private int flagsColumn = -1;
   private double lastMs = Double.NEGATIVE_INFINITY;
   private long lineNumber;
   private long samples;
@@ -105,6 +114,7 @@ public final class TrajectoryCsvReader {
     }
     int[] columns = ROTATION.stream().mapToInt(names::indexOf).toArray();
     rotationColumns = Arrays.stream(columns).allMatch(n -> n >= 0) ? columns : new int[0];
+    flagsColumn = names.indexOf(FLAGS);
   }
 
   private void readSample(String[] words, SampleSink sink) throws CsvFormatException {
@@ -136,6 +146,18 @@ public final class TrajectoryCsvReader {
         rotation[1],
         rotation[2],
         rotation[3]);
+    if (isRelocated(words)) {
+      sink.markRelocated();
+    }
+  }
+
+  /** Whether the flags say that the device jumped; a column of other programs says nothing. */
+  private boolean isRelocated(String[] words) {
+    if (flagsColumn < 0 || flagsColumn >= words.length) {
+      return false;
+    }
+    String word = words[flagsColumn].strip();
+    return word.matches("[0-7]") && (Integer.parseInt(word) & RELOCATED_FLAG) != 0;
   }
 
   private void normalizeRotation() throws CsvFormatException {
