@@ -11,9 +11,7 @@ import org.palpate.raycast.RayCaster;
 import org.palpate.raycast.RayHit;
 import org.palpate.scene.window.PointerListener;
 import org.palpate.scene.window.PointerSpot;
-import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
-import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -52,7 +50,7 @@ final class MouseTouch implements PointerListener {
   private static final double WITHDRAWAL_FRACTION = 0.15;
 
   private final VoxelGrid grid;
-  private final CollisionScene scene;
+  private final DrawnSolids solids;
   private final MouseDevice mouse;
   private final Consumer<String> hints;
   private final double voxelMm;
@@ -60,6 +58,8 @@ final class MouseTouch implements PointerListener {
   private final RayCaster caster = new ExactRayCaster();
   private final Ray ray = new Ray();
   private final RayHit hit = new RayHit();
+  private List<Segment> segments = List.of();
+  private CollisionScene scene = new CollisionScene(List.of());
 
   /** The last spot on a solid; empty if the last press met none. */
   private Optional<Vec3> lastFaceMm = Optional.empty();
@@ -69,14 +69,13 @@ final class MouseTouch implements PointerListener {
   /**
    * Creates a listener.
    *
-   * @param volume the drawn segments
+   * @param solids the drawn segments
    * @param mouse the device to move
    * @param hints receives a line if there is nothing to touch; empty if there is
    */
-  MouseTouch(SegmentedVolume volume, MouseDevice mouse, Consumer<String> hints) {
-    grid = volume.grid();
-    List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
-    scene = new CollisionScene(cubes);
+  MouseTouch(DrawnSolids solids, MouseDevice mouse, Consumer<String> hints) {
+    this.solids = solids;
+    grid = solids.volume().grid();
     this.mouse = mouse;
     this.hints = hints;
     Vec3 spacing = grid.spacingMm();
@@ -86,6 +85,10 @@ final class MouseTouch implements PointerListener {
 
   @Override
   public boolean press(PointerSpot spot) {
+    if (segments != solids.segments()) {
+      segments = solids.segments();
+      scene = solids.newScene();
+    }
     Optional<Vec3> face = face(spot);
     if (face.isPresent()) {
       press(spot, face.get());

@@ -23,11 +23,13 @@ final class SessionOverlay {
   private final Optional<MovableSlices> slices;
   private volatile boolean invalid;
   private volatile Hint hint = new Hint("", 0);
+  private volatile String touched = "contact";
   private List<String> lines = List.of();
   private long updateNanos;
   private long lastFrames;
   private long lastApplications;
   private double lastProgress;
+  private String lastTriangles = "";
 
   /** A line that is shown for a while. */
   private record Hint(String text, long sinceNanos) {}
@@ -49,6 +51,11 @@ final class SessionOverlay {
       hint = new Hint(text, System.nanoTime());
       invalid = true;
     }
+  }
+
+  /** Sets the name of the segment that is touched while there is contact. */
+  void touches(Optional<String> segment) {
+    touched = segment.orElse("contact");
   }
 
   private void dropOldHint(long now) {
@@ -83,7 +90,10 @@ final class SessionOverlay {
   List<String> update(long applications, double progress, String triangles) {
     long now = System.nanoTime();
     dropOldHint(now);
-    boolean changed = applications != lastApplications || progress != lastProgress;
+    boolean changed =
+        applications != lastApplications
+            || progress != lastProgress
+            || !triangles.equals(lastTriangles);
     if (invalid || (changed && now - updateNanos >= UPDATE_NANOS)) {
       invalid = false;
       LoopStatus status = session.status();
@@ -92,6 +102,7 @@ final class SessionOverlay {
       lastFrames = status.frames();
       lastApplications = applications;
       lastProgress = progress;
+      lastTriangles = triangles;
     }
     return lines;
   }
@@ -111,7 +122,7 @@ final class SessionOverlay {
   private List<String> lines(LoopStatus status, String rate, String surfaces) {
     return List.of(
         format("%slate %.0f µs", rate, status.latestLatenessNanos() / 1e3),
-        format("%.2f N   %s", status.forceNewton(), status.contact() ? "contact" : "free"),
+        format("%.2f N   %s", status.forceNewton(), status.contact() ? touched : "free"),
         tuningLine(),
         slices.map(MovableSlices::line).orElse(""),
         surfaces,

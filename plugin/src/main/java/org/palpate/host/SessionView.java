@@ -52,6 +52,8 @@ public final class SessionView implements AutoCloseable {
 
   private final TouchSession session;
   private final SegmentedVolume volume;
+  private final DrawnSolids solids;
+  private final TouchedSegment touched;
   private final HapticDevice device;
   private final Listener listener;
   private final ViewOptions options;
@@ -62,6 +64,7 @@ public final class SessionView implements AutoCloseable {
   private final SynchronizationThread synchronization;
   private final Thread opening;
   private final Vec3 point = new Vec3();
+  private final Vec3 deviceGrid = new Vec3();
   private volatile Vec3 proxyGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
   private volatile SceneLoader loader;
   private volatile SceneWindow window;
@@ -98,9 +101,12 @@ public final class SessionView implements AutoCloseable {
     this.session = session;
     this.options = options;
     this.volume = volume;
+    solids = new DrawnSolids(volume);
+    touched = new TouchedSegment(solids);
     this.device = device;
     this.listener = listener;
     model = new SceneModel(axes, Theme.DARK);
+    model.setUpsideDown(options.upsideDown());
     slices = options.slices().map(start -> new MovableSlices(model, start));
     overlay = new SessionOverlay(session, device, slices);
     synchronizer =
@@ -117,9 +123,13 @@ public final class SessionView implements AutoCloseable {
   }
 
   private void tick() {
+    if (synchronizer.applications() > 0 && session.properties().touch().contact()) {
+      overlay.touches(touched.name(proxyGrid, deviceGrid));
+    }
     synchronizer.run();
     if (synchronizer.applications() > 0) {
       session.properties().touch().interactionPoint(point);
+      session.properties().touch().device(deviceGrid);
       proxyGrid = new Vec3().set(point);
       slices.ifPresent(planes -> planes.follow(point));
     }
@@ -164,6 +174,9 @@ public final class SessionView implements AutoCloseable {
           ' ', "clutch: hold or release the point", () -> applyAndShow(() -> toggleClutch(mapped)));
     }
     slices.ifPresent(planes -> addSliceKeys(input, planes));
+    if (!volume.segments().isEmpty()) {
+      input.addLegend();
+    }
   }
 
   /** Returns the mouse as a device, if it is one or may become one. */
@@ -176,7 +189,7 @@ public final class SessionView implements AutoCloseable {
   }
 
   private void addMouse(WindowInput input, MouseDevice mouse) {
-    MouseTouch touch = new MouseTouch(volume, mouse, overlay::hint);
+    MouseTouch touch = new MouseTouch(solids, mouse, overlay::hint);
     input.setPointer(touch);
     input.onKey('c', "free the point: withdraw it from the surface", touch::free);
   }

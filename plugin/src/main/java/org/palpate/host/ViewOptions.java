@@ -16,14 +16,17 @@ import org.palpate.scene.window.ScenePanel;
  * @param slices planes of grey values with keys that switch and move them, if wanted
  * @param panel the component inside another program's window that shows the view; if empty, the
  *     view opens its own window
+ * @param upsideDown whether the picture is turned by half a turn, for a file whose axes point the
+ *     wrong way
  */
 public record ViewOptions(
     List<Optional<GreyRange>> greys,
     Optional<MovableSlices.Start> slices,
-    Optional<ScenePanel> panel) {
+    Optional<ScenePanel> panel,
+    boolean upsideDown) {
   /** Surfaces made of bits, in a window of their own. */
   public static final ViewOptions PLAIN =
-      new ViewOptions(List.of(), Optional.empty(), Optional.empty());
+      new ViewOptions(List.of(), Optional.empty(), Optional.empty(), false);
 
   /** Copies the list. */
   public ViewOptions {
@@ -32,6 +35,6 @@ public record ViewOptions(
 
   /** Returns a copy that shows the view inside another program's window. */
   public ViewOptions in(ScenePanel component) {
-    return new ViewOptions(greys, slices, Optional.of(component));
+    return new ViewOptions(greys, slices, Optional.of(component), upsideDown);
   }
 }

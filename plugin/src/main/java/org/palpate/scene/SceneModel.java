@@ -9,6 +9,7 @@ import java.util.function.UnaryOperator;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.SceneState.DrawnObject;
+import org.palpate.scene.SceneState.LegendEntry;
 import org.palpate.scene.SceneState.Look;
 
 /**
@@ -30,6 +31,8 @@ public final class SceneModel {
   private List<String> overlay = List.of();
   private List<String> help = List.of();
   private List<NamedPoint> landmarks = List.of();
+  private Optional<Integer> legendSelection = Optional.empty();
+  private boolean upsideDown;
   private Look look;
   private long staticRevision;
   private boolean moving;
@@ -92,10 +95,16 @@ public final class SceneModel {
   /** Moves the camera so that it sees everything from one side. */
   public void look(StandardView view, double aspect) {
     synchronized (this) {
-      camera = Camera.seeing(middle, corners(), view, aspect);
+      Camera seeing = Camera.seeing(middle, corners(), view, aspect);
+      camera = upsideDown ? seeing.upsideDown() : seeing;
       staticRevision = REVISIONS.incrementAndGet();
     }
     requestRedraw();
+  }
+
+  /** Turns the pictures of {@link #look} by half a turn, for files whose axes are upside down. */
+  public synchronized void setUpsideDown(boolean turned) {
+    upsideDown = turned;
   }
 
   /**
@@ -155,6 +164,36 @@ public final class SceneModel {
           return differs;
         },
         true);
+  }
+
+  /** Whether a segment is shown. */
+  synchronized boolean isVisible(SceneObject object) {
+    return object.visible;
+  }
+
+  /** Returns the colour of a segment, 0xRRGGBB. */
+  synchronized int colour(SceneObject object) {
+    return object.rgb;
+  }
+
+  /** Shows the legend with one segment selected. */
+  void setLegend(int selected) {
+    change(
+        () -> {
+          boolean differs = !legendSelection.equals(Optional.of(selected));
+          legendSelection = Optional.of(selected);
+          return differs;
+        },
+        false);
+  }
+
+  private List<LegendEntry> legend() {
+    List<LegendEntry> entries = new ArrayList<>();
+    for (SceneObject object : legendSelection.isPresent() ? objects : List.<SceneObject>of()) {
+      boolean selected = entries.size() == legendSelection.get();
+      entries.add(new LegendEntry(object.name(), object.rgb, object.visible, selected));
+    }
+    return entries;
   }
 
   /** Moves a segment. */
@@ -240,7 +279,8 @@ public final class SceneModel {
         look,
         staticRevision,
         moving,
-        landmarks);
+        landmarks,
+        legend());
   }
 
   private interface Change {

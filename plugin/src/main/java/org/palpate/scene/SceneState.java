@@ -20,6 +20,7 @@ import org.palpate.geometry.Vec3;
  * @param staticRevision changes with everything except marks and text
  * @param moving whether the camera is moving, so that speed matters more than detail
  * @param landmarks landmarks in the scene frame
+ * @param legend the segments with their colours; empty if no legend is shown
  */
 public record SceneState(
     List<DrawnObject> objects,
@@ -33,7 +34,8 @@ public record SceneState(
     Look look,
     long staticRevision,
     boolean moving,
-    List<NamedPoint> landmarks) {
+    List<NamedPoint> landmarks,
+    List<LegendEntry> legend) {
 
   /** Copies the lists. */
   public SceneState {
@@ -41,6 +43,7 @@ public record SceneState(
     overlay = List.copyOf(overlay);
     help = List.copyOf(help);
     landmarks = List.copyOf(landmarks);
+    legend = List.copyOf(legend);
   }
 
   /**
@@ -49,6 +52,14 @@ public record SceneState(
    * @param pose transform from grid mm to the scene frame
    */
   public record DrawnObject(SceneObject object, int rgb, double opacity, RigidTransform pose) {}
+
+  /**
+   * A segment in the legend.
+   *
+   * @param visible whether it is drawn
+   * @param selected whether keys act on it
+   */
+  public record LegendEntry(String name, int rgb, boolean visible, boolean selected) {}
 
   /** The general appearance. */
   public record Look(Theme theme, WorldAxes axes, Stereo stereo, Optional<SlicePlanes> slices) {

@@ -65,7 +65,8 @@ public final class TouchCommand implements Callable<Integer> {
   private static final double MAX_RATE_HZ = 100_000;
 
   /** Options that have no effect without a window. */
-  private static final List<String> WINDOW_OPTIONS = List.of("--slices", "--surface");
+  private static final List<String> WINDOW_OPTIONS =
+      List.of("--slices", "--surface", "--upside-down");
 
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
@@ -102,6 +103,11 @@ public final class TouchCommand implements Callable<Integer> {
 
   @Option(names = "--seconds", paramLabel = "S", description = "Ends after S seconds.")
   private Double seconds;
+
+  @Option(
+      names = "--upside-down",
+      description = "Turns the picture by half a turn, for a file whose axes point the wrong way.")
+  private boolean upsideDown;
 
   @Option(names = "--headless", description = "Opens no window.")
   private boolean headless;
@@ -280,6 +286,7 @@ public final class TouchCommand implements Callable<Integer> {
     }
     Optional<MovableSlices.Start> planes = slices.start(source);
     return Optional.of(
-        new ViewOptions(surface.greys(source, source.hasGreyValues()), planes, Optional.empty()));
+        new ViewOptions(
+            surface.greys(source, source.hasGreyValues()), planes, Optional.empty(), upsideDown));
   }
 }

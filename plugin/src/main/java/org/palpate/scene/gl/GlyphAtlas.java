@@ -14,16 +14,21 @@ import java.nio.ByteBuffer;
 
 /** The glyphs of one text size in one texture. */
 final class GlyphAtlas {
-  private static final String EXTRA = "°·×µ–—±→←↑↓≥≤";
+  private static final String EXTRA = "–—→←↑↓≥≤…▸■□";
   private static final int FIRST = 32;
   private static final int PLAIN = 95;
+
+  /** Letters of western European languages, which names of segments may contain. */
+  private static final int FIRST_LATIN = 160;
+
+  private static final int LATIN = 96;
   private static final int COLUMNS = 16;
 
   private final int[] texture = new int[1];
   private final int cellWidth;
   private final int cellHeight;
   private final int ascent;
-  private final int[] advance = new int[PLAIN + EXTRA.length()];
+  private final int[] advance = new int[PLAIN + LATIN + EXTRA.length()];
   private final int width;
   private final int height;
 
@@ -48,13 +53,22 @@ final class GlyphAtlas {
   }
 
   private static char character(int index) {
-    return index < PLAIN ? (char) (FIRST + index) : EXTRA.charAt(index - PLAIN);
+    if (index < PLAIN) {
+      return (char) (FIRST + index);
+    }
+    int latin = index - PLAIN;
+    return latin < LATIN ? (char) (FIRST_LATIN + latin) : EXTRA.charAt(latin - LATIN);
   }
 
   private static int index(char character) {
+    if (character >= FIRST && character < FIRST + PLAIN) {
+      return character - FIRST;
+    }
+    if (character >= FIRST_LATIN && character < FIRST_LATIN + LATIN) {
+      return PLAIN + character - FIRST_LATIN;
+    }
     int extra = EXTRA.indexOf(character);
-    boolean plain = character >= FIRST && character < FIRST + PLAIN;
-    return plain ? character - FIRST : extra >= 0 ? PLAIN + extra : '?' - FIRST;
+    return extra >= 0 ? PLAIN + LATIN + extra : '?' - FIRST;
   }
 
   private BufferedImage paint(Font font) {
@@ -112,22 +126,24 @@ final class GlyphAtlas {
   }
 
   /**
-   * Adds a line of text to a batch.
+   * Adds a line of text to a batch. It begins at a whole pixel, so that each glyph keeps its own
+   * cell of the texture.
    *
    * @param x left edge, pixels from the left
    * @param y upper edge, pixels from the top
    */
   void add(OverlayBatch batch, String text, double x, double y) {
-    double at = x;
+    double at = Math.rint(x);
+    double upper = Math.rint(y);
     for (int i = 0; i < text.length(); i++) {
       int index = index(text.charAt(i));
       double left = index % COLUMNS * cellWidth;
       double top = index / COLUMNS * cellHeight;
       batch.rectangle(
           at - 2,
-          y,
+          upper,
           at - 2 + cellWidth,
-          y + cellHeight,
+          upper + cellHeight,
           left / width,
           top / height,
           (left + cellWidth) / width,

@@ -21,6 +21,7 @@ import org.palpate.scene.Stereo;
  */
 public final class SceneRenderer {
   private static final int EYES = 2;
+  private static final double PIXEL_CENTRE = 0.5;
 
   private final boolean cullsOutsideView;
   private final boolean reusesStatic;
@@ -36,6 +37,7 @@ public final class SceneRenderer {
   private SlicePainter slices;
   private int[] emptyArray;
   private long staticReused;
+  private double textScale = 1;
 
   /** Creates a renderer; {@link #init} prepares its context. */
   public SceneRenderer() {
@@ -72,6 +74,16 @@ public final class SceneRenderer {
       staticPictures[eye] = new GlFramebuffer();
       staticRevision[eye] = -1;
     }
+  }
+
+  /** Sets the pixels of a window for one pixel of text, for displays with fine pixels. */
+  public void setTextScale(double pixels) {
+    textScale = pixels;
+  }
+
+  /** Returns the place of the legend in the last picture. Any thread. */
+  public LegendArea legend() {
+    return overlay == null ? LegendArea.NONE : overlay.legend();
   }
 
   /** Returns how many surface bricks were not drawn so far because they were outside the view. */
@@ -145,7 +157,7 @@ public final class SceneRenderer {
     composed.bind(gl);
     landmarks.draw(gl, state, toEye, projection);
     state.marks().ifPresent(shown -> marks.draw(gl, state, shown, toEye, projection));
-    overlay.draw(gl, state, projection.times(toEye), width, height, scale);
+    overlay.draw(gl, state, projection.times(toEye), width, height, scale * textScale);
   }
 
   private void drawStatic(
@@ -204,8 +216,8 @@ public final class SceneRenderer {
     }
     gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, staticPictures[0].framebuffer());
     FloatBuffer depth = Buffers.newDirectFloatBuffer(1);
-    int column = (int) (x * scale);
-    int row = (int) ((height - 1 - y) * scale);
+    int column = (int) ((x + PIXEL_CENTRE) * scale);
+    int row = (int) ((height - PIXEL_CENTRE - y) * scale);
     gl.glReadPixels(column, row, 1, 1, GL2ES2.GL_DEPTH_COMPONENT, GL.GL_FLOAT, depth);
     gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, 0);
     double found = depth.get(0);
@@ -213,7 +225,12 @@ public final class SceneRenderer {
       return false;
     }
     Unprojection.toScene(
-        state, (double) width / height, 2 * x / width - 1, 1 - 2 * y / height, found, dest);
+        state,
+        (double) width / height,
+        2 * (x + PIXEL_CENTRE) / width - 1,
+        1 - 2 * (y + PIXEL_CENTRE) / height,
+        found,
+        dest);
     return true;
   }
 

@@ -168,7 +168,10 @@ final class Shaders {
       }
       """;
 
-  /** Letters and panels; a negative texture coordinate stands for a panel. */
+  /**
+   * Letters and panels; the texture coordinate -1 stands for a panel. Rounding may make that of a
+   * letter slightly negative.
+   */
   static final String FLAT_FRAGMENT =
       """
       in vec2 at;
@@ -176,7 +179,7 @@ final class Shaders {
       uniform sampler2D atlas;
       out vec4 result;
       void main() {
-        float cover = at.x < 0.0 ? 1.0 : texture(atlas, at).r;
+        float cover = at.x < -0.5 ? 1.0 : texture(atlas, at).r;
         result = vec4(tint.rgb, tint.a * cover);
       }
       """;

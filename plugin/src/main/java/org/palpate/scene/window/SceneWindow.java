@@ -68,7 +68,8 @@ public final class SceneWindow implements AutoCloseable {
       throws GraphicsException {
     this(model, Optional.empty(), onEnd);
     window.setTitle(title);
-    window.setSize(width, height);
+    double scale = DisplayScale.ofDesktop();
+    window.setSize((int) Math.round(width * scale), (int) Math.round(height * scale));
   }
 
   /** Creates a window inside another program's window; otherwise as the other constructor. */
@@ -86,7 +87,9 @@ public final class SceneWindow implements AutoCloseable {
     drawing = new DrawThread(this::draw, this::fail);
     try {
       window = GLWindow.create(capabilities(profile));
-      input = new WindowInput(model, window::getSurfaceWidth, window::getSurfaceHeight);
+      input =
+          new WindowInput(
+              model, window::getSurfaceWidth, window::getSurfaceHeight, renderer::legend);
       window.addGLEventListener(new Drawing());
       window.addWindowListener(new WindowEvents());
       window.addMouseListener(input);
@@ -263,6 +266,15 @@ public final class SceneWindow implements AutoCloseable {
     }
   }
 
+  private double textScale() {
+    return panel.map(shown -> DisplayScale.of(shown.component())).orElseGet(this::ownTextScale);
+  }
+
+  private double ownTextScale() {
+    double byNewt = (double) window.getSurfaceWidth() / Math.max(1, window.getWidth());
+    return Math.max(1, byNewt) * DisplayScale.ofDesktop();
+  }
+
   private final class WindowEvents extends WindowAdapter {
     @Override
     public void windowDestroyNotify(WindowEvent event) {
@@ -296,6 +308,7 @@ public final class SceneWindow implements AutoCloseable {
       int width = drawable.getSurfaceWidth();
       int height = drawable.getSurfaceHeight();
       SceneState state = model.state();
+      renderer.setTextScale(textScale());
       renderer.draw(gl, state, gl.getDefaultDrawFramebuffer(), width, height, 1);
       drawnTriangles = renderer.drawnTriangles();
       allTriangles = renderer.allTriangles();

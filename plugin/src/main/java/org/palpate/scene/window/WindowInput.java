@@ -13,11 +13,14 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiFunction;
 import java.util.function.IntSupplier;
+import java.util.function.Supplier;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.SceneLegend;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.SceneState;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
+import org.palpate.scene.gl.LegendArea;
 
 /**
  * The actions of mouse and keys.
@@ -38,11 +41,13 @@ public final class WindowInput extends MouseAdapter {
   private final SceneModel model;
   private final IntSupplier width;
   private final IntSupplier height;
+  private final Supplier<LegendArea> legendArea;
   private final Map<Character, Key> keys = new LinkedHashMap<>();
   private final AtomicReference<Pick> requestedPick = new AtomicReference<>();
   private final AtomicReference<Gesture> gesture = new AtomicReference<>(Gesture.NONE);
   private volatile Optional<PointerListener> pointer = Optional.empty();
   private volatile double pressFraction = 0.02;
+  private Optional<SceneLegend> legend = Optional.empty();
   private boolean helpShown;
   private int lastX;
   private int lastY;
@@ -69,8 +74,10 @@ public final class WindowInput extends MouseAdapter {
    */
   private record Pick(int x, int y, boolean begins) {}
 
-  WindowInput(SceneModel model, IntSupplier width, IntSupplier height) {
+  WindowInput(
+      SceneModel model, IntSupplier width, IntSupplier height, Supplier<LegendArea> legendArea) {
     this.model = model;
+    this.legendArea = legendArea;
     this.width = width;
     this.height = height;
     addViewKeys();
@@ -122,6 +129,15 @@ public final class WindowInput extends MouseAdapter {
     }
   }
 
+  /** Shows a legend with keys and clicks. Before the window is shown. */
+  public void addLegend() {
+    SceneLegend shown = new SceneLegend(model);
+    legend = Optional.of(shown);
+    onKey('j', "legend: next segment", shown::selectNext);
+    onKey('v', "legend: hide or show it (or click its name)", shown::toggle);
+    onKey('i', "legend: next colour (or click its colour)", shown::nextColour);
+  }
+
   /** Makes the mouse the device. */
   public void setPointer(PointerListener listener) {
     pointer = Optional.of(listener);
@@ -149,14 +165,15 @@ public final class WindowInput extends MouseAdapter {
 
   private List<String> helpLines() {
     List<String> lines = new ArrayList<>();
-    lines.add(
-        pointer.isPresent()
-            ? "drag on a surface: touch     right drag, or beside it: turn     middle drag: move"
-            : "drag: turn     middle or Shift drag: move");
-    lines.add(
-        pointer.isPresent()
-            ? "wheel: nearer, or press harder while touching"
-            : "wheel: nearer or further");
+    if (pointer.isPresent()) {
+      lines.add("left drag on a surface   touch");
+      lines.add("wheel during it   press deeper");
+      lines.add("right drag, or beside it   turn");
+    } else {
+      lines.add("drag   turn");
+    }
+    lines.add("middle or Shift drag   move");
+    lines.add("wheel   nearer or further");
     synchronized (keys) {
       keys.forEach((key, action) -> lines.add(name(key) + "   " + action.help));
     }
@@ -185,10 +202,30 @@ public final class WindowInput extends MouseAdapter {
   public void mousePressed(MouseEvent event) {
     lastX = event.getX();
     lastY = event.getY();
+    if (pressLegend(event)) {
+      gesture.set(Gesture.NONE);
+      return;
+    }
     gesture.set(gestureOf(event));
     if (gesture.get() == Gesture.UNDECIDED) {
       requestPick(event, true);
     }
+  }
+
+  /** Hides or shows the segment of the legend under the mouse, or changes its colour. */
+  private boolean pressLegend(MouseEvent event) {
+    LegendArea area = legendArea.get();
+    int segment = area.segmentAt(event.getX(), event.getY());
+    if (segment < 0 || legend.isEmpty()) {
+      return false;
+    }
+    legend.get().select(segment);
+    if (area.isColour(event.getX())) {
+      legend.get().nextColour();
+    } else {
+      legend.get().toggle();
+    }
+    return true;
   }
 
   private Gesture gestureOf(MouseEvent event) {
