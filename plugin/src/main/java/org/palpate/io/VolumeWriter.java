@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.zip.GZIPOutputStream;
+import org.palpate.io.dicom.DicomSegmentationWriter;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.format.InputFiles;
 import org.palpate.io.format.MemoryCheck;
@@ -19,8 +20,9 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
 
 /**
- * Writes a volume as NRRD or NIfTI, chosen by the ending of the target's name, slice by slice. The
- * target is replaced only when the file is complete, and an input is never overwritten.
+ * Writes a volume as NRRD or NIfTI, or its labels as DICOM, chosen by the ending of the target's
+ * name, slice by slice. The target is replaced only when the file is complete, and an input is
+ * never overwritten.
  */
 public final class VolumeWriter {
   private VolumeWriter() {}
@@ -28,7 +30,7 @@ public final class VolumeWriter {
   /**
    * Writes all values of a volume in the narrowest type that holds what its header allows.
    *
-   * @param target ends in {@code .nrrd}, {@code .nii} or {@code .nii.gz}
+   * @param target ends in {@code .nrrd}, {@code .nii}, {@code .nii.gz} or {@code .dcm}
    * @throws VolumeFormatException if the volume cannot be read or the target cannot be written
    */
   public static void write(VolumeReader volume, Path target) throws VolumeFormatException {
@@ -36,6 +38,10 @@ public final class VolumeWriter {
     String name = lowerCaseName(target);
     boolean nifti = isNifti(name);
     refuseInputs(volume, target);
+    if (isDicom(target)) {
+      writeSegmentation(volume, target);
+      return;
+    }
     VoxelType type = type(volume.header());
     byte[] header =
         nifti
@@ -65,6 +71,23 @@ public final class VolumeWriter {
     }
   }
 
+  private static void writeSegmentation(VolumeReader volume, Path target)
+      throws VolumeFormatException {
+    try (AtomicFile file = new AtomicFile(target)) {
+      DicomSegmentationWriter.write(volume, file.stream());
+      file.stream().flush();
+      file.commit();
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new VolumeFormatException(
+          "the file cannot be written (" + e.getMessage() + ")",
+          target,
+          "choose a folder that exists, may be written to and has room",
+          e);
+    }
+  }
+
   private static OutputStream writeGzip(
       VolumeReader volume, VoxelType type, OutputStream out, byte[] header) throws IOException {
     GZIPOutputStream gzip = new GZIPOutputStream(out, InputFiles.BUFFER_BYTES);
@@ -81,9 +104,11 @@ public final class VolumeWriter {
    */
   public static void checkName(Path target) throws VolumeFormatException {
     String name = lowerCaseName(target);
-    if (!isNifti(name) && !name.endsWith(".nrrd")) {
+    if (!isNifti(name) && !isDicom(target) && !name.endsWith(".nrrd")) {
       throw new VolumeFormatException(
-          "volumes cannot be written in this format", target, "name it .nrrd, .nii or .nii.gz");
+          "volumes cannot be written in this format",
+          target,
+          "name it .nrrd, .nii or .nii.gz, or .dcm for segments");
     }
   }
 
@@ -93,6 +118,11 @@ public final class VolumeWriter {
 
   private static boolean isNifti(String name) {
     return name.endsWith(".nii") || name.endsWith(".nii.gz");
+  }
+
+  /** Returns whether a target is written as a DICOM segmentation, which holds segments only. */
+  public static boolean isDicom(Path target) {
+    return lowerCaseName(target).endsWith(".dcm");
   }
 
   private static void refuseInputs(VolumeReader volume, Path target) throws VolumeFormatException {

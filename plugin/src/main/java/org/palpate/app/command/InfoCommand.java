@@ -12,6 +12,7 @@ import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.Report;
+import org.palpate.app.process.PalpateException;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.OrientationText;
 import org.palpate.io.VolumeWriter;
@@ -41,6 +42,7 @@ import picocli.CommandLine.Spec;
       "  palpate info --volume scan.nrrd",
       "  palpate info --volume scan.nrrd --segment 'bone=>=1500' --report info.json",
       "  palpate info --volume scan.nrrd --segment 'bone=>=1500' --export bone.nii.gz",
+      "  palpate info --volume labels.nii.gz --export segments.dcm",
       "  palpate info --volume slices.raw --raw 256x256x113:u16be:1,1,2",
       "  palpate info --phantom torus:192"
     })
@@ -54,7 +56,7 @@ public final class InfoCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description = {
         "Writes the volume to a .nrrd, .nii or .nii.gz file; with --segment, the segments as"
-            + " labels."
+            + " labels. A .dcm file is a DICOM segmentation of the segments."
       })
   private Path export;
 
@@ -163,8 +165,14 @@ public final class InfoCommand implements Callable<Integer> {
 
   private void export(VolumeSource source, List<Segment> segments) throws IOException {
     VolumeHeader header = source.header();
+    if (VolumeWriter.isDicom(export) && segments.isEmpty()) {
+      throw PalpateException.wrongUse(
+          "DICOM is written for segments only, and none is chosen",
+          "--export " + export,
+          "choose segments with --segment, or name the file .nrrd or .nii.gz");
+    }
     VolumeReader written =
-        source.requested().isEmpty()
+        source.requested().isEmpty() && !VolumeWriter.isDicom(export)
             ? source.reader()
             : new SegmentsAsLabels(
                 new SegmentedVolume(header.grid(), segments), header.coordinateSystem());
