@@ -84,6 +84,21 @@ public record FrameSettings(
     return max > 0 ? max / FULL_FORCE_MS : Double.POSITIVE_INFINITY;
   }
 
+  /**
+   * Returns these settings with this as the longest torque, N mm, and with no limit to its slew.
+   */
+  public FrameSettings withTorque(double newtonMm) {
+    return new FrameSettings(
+        force,
+        maxForceNewton,
+        slewNewtonPerMs,
+        rampNanos,
+        silenceNanos,
+        editVoxelsAFrame,
+        newtonMm,
+        Double.POSITIVE_INFINITY);
+  }
+
   /** Returns these settings with {@code newton} as maximum force, if it is lower. */
   public FrameSettings withMaxForce(double newton) {
     return new FrameSettings(

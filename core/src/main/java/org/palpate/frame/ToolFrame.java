@@ -16,7 +16,6 @@ import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
 import org.palpate.rigid.tool.RigidTool;
-import org.palpate.statistics.SkipCounters;
 import org.palpate.volume.BitCube;
 
 /**
@@ -170,6 +169,6 @@ public final class ToolFrame extends HapticFrame {
 
   @Override
   Map<String, Long> skipped() {
-    return new SkipCounters().byKey();
+    return Map.of(); // The verifier proves space empty without counting it.
   }
 }

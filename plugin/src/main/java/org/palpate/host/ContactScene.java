@@ -3,6 +3,9 @@ package org.palpate.host;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
 import org.palpate.collision.CollisionScene;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
@@ -130,6 +133,20 @@ public final class ContactScene {
   /** Returns the region and surface points that a simulated hand presses, world mm. */
   public HandTarget handTarget() {
     return HandTargetFinder.of(volume);
+  }
+
+  /** Returns the source of the grey values, if there is one. */
+  Optional<GreyIsosurfaceSource> greySource() {
+    return grey;
+  }
+
+  /** Returns new bodies, one for each segment in their order, which share the segments' voxels. */
+  public BodyScene newBodies() {
+    VoxelGrid grid = volume.grid();
+    return new BodyScene(
+        volume.segments().stream()
+            .map(segment -> new Body(segment.name(), segment.bits(), grid, Mobility.FIXED))
+            .toList());
   }
 
   /** Returns a new collision scene in which each segment is one object. */

@@ -64,22 +64,26 @@ public final class ReplayRun {
   public FrameStatistics run(FrameSink sink) throws IOException {
     TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
     HapticDevice gridDevice = world ? new GridDevice(device, scene.grid()) : device;
-    PointFrame frame = scene.newFrame(gridDevice, frameSettings(), FramePublisher.NONE);
+    PointFrame frame = scene.newFrame(gridDevice, frameSettings(scene, raw), FramePublisher.NONE);
     Vec3 point = new Vec3();
     Vec3 force = new Vec3();
     for (int n = 0; n < trajectory.size(); n++) {
-      frame.run(raw ? n * TrajectoryDevice.FRAME_NANOS : timeNanos(n));
+      frame.run(frameNanos(trajectory, n, raw));
       toTrajectory(frame, point, force);
       sink.accept(n, device.lastPosition(), point, force, frame.point(), frame.wasFreed());
     }
     return frame.statistics();
   }
 
-  private long timeNanos(int sample) {
-    return Math.round(trajectory.timeMs(sample) * NANOS_PER_MS);
+  /** Returns the time at which the frame of a sample begins. */
+  static long frameNanos(Trajectory trajectory, int sample, boolean raw) {
+    return raw
+        ? sample * TrajectoryDevice.FRAME_NANOS
+        : Math.round(trajectory.timeMs(sample) * NANOS_PER_MS);
   }
 
-  private FrameSettings frameSettings() {
+  /** Returns the settings for the frames of a replay. */
+  static FrameSettings frameSettings(ContactScene scene, boolean raw) {
     return new FrameSettings(
         scene.force(ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM),
         scene.settings().maxForceNewton().orElse(Double.POSITIVE_INFINITY),

@@ -73,12 +73,21 @@ public final class ReplayTiming {
    * @param passes number of passes, more than {@link #UNCOUNTED_PASSES}
    */
   public NanosPerFrame run(int passes) {
+    return measure(passes, devices.length, this::placeAtFirstSample, this::pass);
+  }
+
+  /**
+   * Measures passes.
+   *
+   * @param begin runs before each pass, and is not measured
+   */
+  static NanosPerFrame measure(int passes, int frames, Runnable begin, Runnable pass) {
     double[] nanos = new double[passes];
-    for (int pass = 0; pass < passes; pass++) {
-      placeAtFirstSample();
+    for (int n = 0; n < passes; n++) {
+      begin.run();
       long startNanos = System.nanoTime();
-      pass();
-      nanos[pass] = (double) (System.nanoTime() - startNanos) / devices.length;
+      pass.run();
+      nanos[n] = (double) (System.nanoTime() - startNanos) / frames;
     }
     double[] counted = Arrays.copyOfRange(nanos, UNCOUNTED_PASSES, passes);
     Arrays.sort(counted);

@@ -189,10 +189,8 @@ class ArchitectureTest {
   private static final Set<String> USED_BY_OTHERS =
       new TreeSet<>(
           List.of(
-              BASE + "app.options.ToolOptions",
               BASE + "device.jni.FrameLayout",
               BASE + "edit.BrushEdit",
-              BASE + "frame.ToolFrame",
               BASE + "igtl.LinkServer",
               BASE + "scene.Palette",
               BASE + "scene.gl.SceneRendererVariants",

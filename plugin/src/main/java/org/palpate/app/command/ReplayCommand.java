@@ -11,18 +11,25 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.OutputOptions;
+import org.palpate.app.options.ToolOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.FaultFields;
 import org.palpate.app.output.ReplayTables;
 import org.palpate.app.output.Report;
+import org.palpate.app.output.ToolReport;
+import org.palpate.app.output.ToolTables;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.Trajectory;
 import org.palpate.frame.FrameStatistics;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
 import org.palpate.host.ReplayTiming;
+import org.palpate.host.ToolReplay;
+import org.palpate.host.ToolReplayTiming;
+import org.palpate.host.ToolScene;
 import org.palpate.host.TrajectoryFile;
+import org.palpate.tool.MadeTool;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -40,6 +47,7 @@ import picocli.CommandLine.Spec;
       "  palpate replay --trajectory t.csv --out frames.csv",
       "  palpate replay --volume scan.nrrd --segment 'bone=>=1500' --trajectory t.csv \\",
       "    --out frames.csv --legs legs.csv --solver guarded --report r.json",
+      "  palpate replay --tool sphere:4 --trajectory t.csv --out frames.csv --legs legs.csv",
       "  palpate replay --phantom sphere:192 --coordinates grid --trajectory t.csv --repeat 12 \\",
       "    --report time.json"
     })
@@ -53,34 +61,54 @@ public final class ReplayCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
+  @Mixin private ToolOptions tool;
   @Mixin private OutputOptions output;
 
   @Option(
       names = "--trajectory",
       paramLabel = "T.csv",
       required = true,
-      description = "Device positions: a header t_ms,x,y,z, then one row for each frame.")
+      description =
+          "Device positions: a header t_ms,x,y,z, then one row for each frame. For a tool also"
+              + " qw,qx,qy,qz.")
   private Path trajectoryFile;
 
   @Option(
       names = "--coordinates",
       paramLabel = "world|grid",
       defaultValue = "world",
-      description = "Coordinates of the positions: world mm or grid. Default: ${DEFAULT-VALUE}.")
+      description =
+          "Coordinates of the positions: world mm or, for a point, grid. Default:"
+              + " ${DEFAULT-VALUE}.")
   private Coordinates coordinates;
 
   @Option(
       names = "--out",
       paramLabel = "FRAMES.csv",
       description =
-          "Writes one row for each frame: device, interaction point, force, contact and path.")
+          "Writes one row for each frame: device, interaction point or tool pose, force, contact"
+              + " and path; for a tool also orientations and torque.")
   private Path framesFile;
 
   @Option(
       names = "--legs",
       paramLabel = "LEGS.csv",
-      description = "Writes every leg of the interaction point in grid coordinates.")
+      description =
+          "Writes every leg of the interaction point, or of each point of a tool, in grid"
+              + " coordinates.")
   private Path legsFile;
+
+  @Option(
+      names = "--legs-every",
+      paramLabel = "N",
+      description = "Of a tool, writes the legs of those points alone whose index N divides.")
+  private Integer legsEvery;
+
+  @Option(
+      names = "--legs-frames",
+      paramLabel = "A..B",
+      description = "Of a tool, writes the legs of frames A to B alone, counted from 0.")
+  private String legsFrames;
 
   @Option(
       names = "--repeat",
@@ -96,6 +124,11 @@ public final class ReplayCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     checkRepeat();
+    tool.checkOthers(spec.commandLine().getParseResult());
+    return tool.isRigid() ? replayTool() : replayPoint();
+  }
+
+  private int replayPoint() throws IOException {
     boolean world = coordinates == Coordinates.world;
     VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
@@ -113,10 +146,57 @@ public final class ReplayCommand implements Callable<Integer> {
     }
     putStatistics(report, statistics);
     if (repeat != null) {
-      time(new ReplayTiming(scene, trajectory, world), report);
+      putTime(new ReplayTiming(scene, trajectory, world).run(repeat), report);
     }
     report.write();
     return 0;
+  }
+
+  private int replayTool() throws IOException {
+    if (coordinates == Coordinates.grid) {
+      throw PalpateException.wrongUse(
+          "a tool moves in the world",
+          "--coordinates grid with --tool",
+          "give a trajectory in world mm");
+    }
+    ToolTables.LegSelection selection = ToolTables.LegSelection.parse(legsEvery, legsFrames);
+    VolumeSource source = VolumeSource.open(volume);
+    MadeTool made = tool.make(source.header());
+    List<Path> inputs = new ArrayList<>(source.files());
+    inputs.add(trajectoryFile);
+    inputs.addAll(made.files());
+    Report report = new Report("replay", output.report(), inputs);
+    ReplayTables tables = ReplayTables.checked(framesFile, legsFile, output.report(), inputs);
+    Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
+    made.notes().forEach(spec.commandLine().getErr()::println);
+    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
+    ToolScene scene = tool.scene(contact.scene(source, segments), made);
+    ToolReplay.Result result = run(scene, trajectory, tables, selection);
+    ToolReport measured = new ToolReport(made, tool.massKg());
+    measured.print(result, spec.commandLine().getOut());
+    if (report.isWanted()) {
+      report.putVolume(source, segments.segments());
+    }
+    measured.putInto(report, result);
+    if (repeat != null) {
+      putTime(new ToolReplayTiming(scene, trajectory).run(repeat), report);
+    }
+    report.write();
+    return 0;
+  }
+
+  private ToolReplay.Result run(
+      ToolScene scene,
+      Trajectory trajectory,
+      ReplayTables tables,
+      ToolTables.LegSelection selection)
+      throws IOException {
+    try (tables) {
+      ToolTables rows = tables.openForTool(trajectory, scene, selection);
+      ToolReplay.Result result = new ToolReplay(scene, trajectory, rawDevice).run(rows);
+      tables.commit();
+      return result;
+    }
   }
 
   private void checkRepeat() {
@@ -162,8 +242,7 @@ public final class ReplayCommand implements Callable<Integer> {
         .put("faults", FaultFields.of(statistics.faults()));
   }
 
-  private void time(ReplayTiming timing, Report report) {
-    ReplayTiming.NanosPerFrame nanos = timing.run(repeat);
+  private void putTime(ReplayTiming.NanosPerFrame nanos, Report report) {
     Map<String, Object> field = new LinkedHashMap<>();
     field.put("min", nanos.min());
     field.put("median", nanos.median());

@@ -1,11 +1,28 @@
 package org.palpate.app.options;
 
+import java.util.List;
+import java.util.OptionalDouble;
+import org.palpate.app.process.PalpateException;
+import org.palpate.body.BodyScene;
+import org.palpate.host.ContactScene;
+import org.palpate.host.ToolScene;
 import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeHeader;
+import org.palpate.tool.MadeTool;
+import org.palpate.tool.ToolMaker;
 import org.palpate.tool.ToolRequest;
+import org.palpate.tool.ToolSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParseResult;
 
 /** The options that choose the tool and its clearance. */
 public final class ToolOptions {
+  private static final List<String> OF_POINTS =
+      List.of("--solver", "--collision", "--border", "--friction", "--friction-form", "--material");
+
+  private static final List<String> OF_RIGID_TOOLS =
+      List.of("--rotational-stiffness", "--mass", "--legs-every", "--legs-frames");
+
   @Option(
       names = "--tool",
       paramLabel = "SPEC",
@@ -42,6 +59,97 @@ public final class ToolOptions {
             + " that depth. Default: body, or points with --points."
       })
   private String clearance;
+
+  @Option(
+      names = "--rotational-stiffness",
+      paramLabel = "N MM/RAD",
+      description =
+          "Torque of a tool for each radian between device and tool. Default: the stiffness times"
+              + " the squared rms radius of the tool.")
+  private Double rotationalStiffness;
+
+  @Option(
+      names = "--mass",
+      paramLabel = "KG",
+      description =
+          "Mass of the tool, of even density. The report states it; the motion of a tool among"
+              + " fixed bodies does not depend on it.")
+  private Double mass;
+
+  /** Whether the tool is more than a point. */
+  public boolean isRigid() throws VolumeFormatException {
+    return !(request().spec() instanceof ToolSpec.Point);
+  }
+
+  /**
+   * Returns the torque per angle, N mm/rad; empty for the default.
+   *
+   * @throws PalpateException exit code 2, if it is not positive
+   */
+  public OptionalDouble rotationalStiffness() {
+    return positive("--rotational-stiffness", rotationalStiffness);
+  }
+
+  /**
+   * Returns the mass, kg, if it was given.
+   *
+   * @throws PalpateException exit code 2, if it is not positive
+   */
+  public OptionalDouble massKg() {
+    return positive("--mass", mass);
+  }
+
+  private static OptionalDouble positive(String option, Double value) {
+    if (value == null) {
+      return OptionalDouble.empty();
+    }
+    if (!(value > 0) || value.isInfinite()) {
+      throw PalpateException.wrongUse(
+          "a positive number is needed", option + " " + value, "try " + option + " 1");
+    }
+    return OptionalDouble.of(value);
+  }
+
+  /**
+   * Checks that no option was given that does not fit the tool.
+   *
+   * @throws PalpateException exit code 2, if one was
+   */
+  public void checkOthers(ParseResult given) throws VolumeFormatException {
+    List<String> unfit = isRigid() ? OF_POINTS : OF_RIGID_TOOLS;
+    for (String option : unfit) {
+      if (given.hasMatchedOption(option)) {
+        throw PalpateException.wrongUse(
+            isRigid()
+                ? "this option is for a point alone"
+                : "this option is for a rigid tool alone",
+            option + " with --tool " + tool,
+            "leave one of them out");
+      }
+    }
+  }
+
+  /**
+   * Returns the tool of a scene, in the world of its volume.
+   *
+   * @throws VolumeFormatException if an option is wrong, a file cannot be read, or nothing would be
+   *     left of the tool
+   */
+  public MadeTool make(VolumeHeader header) throws VolumeFormatException {
+    double edgeMm = header.grid().metric().shortestEdgeMm();
+    return ToolMaker.make(request(), edgeMm, header.coordinateSystem());
+  }
+
+  /**
+   * Returns the scene of a tool among the segments of a contact scene.
+   *
+   * @throws VolumeFormatException if the clearance is too large or does not fit in memory
+   */
+  public ToolScene scene(ContactScene scene, MadeTool made) throws VolumeFormatException {
+    BodyScene bodies = scene.newBodies();
+    return new ToolScene(
+        scene, bodies, made.tool(), made.clearances(bodies), rotationalStiffness());
+  }
 
   /**
    * Returns the tool that was asked for.

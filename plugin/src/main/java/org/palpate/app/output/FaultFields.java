@@ -8,6 +8,13 @@ import org.palpate.frame.FrameStatistics;
 public final class FaultFields {
   private FaultFields() {}
 
+  /** Returns the fields of a rigid tool, which meets orientations too. */
+  public static Map<String, Object> ofTool(FrameStatistics.Faults faults) {
+    Map<String, Object> fields = of(faults);
+    fields.put("bad_orientations", faults.badOrientations());
+    return fields;
+  }
+
   /** Returns the fields in the order of the report. */
   public static Map<String, Object> of(FrameStatistics.Faults faults) {
     Map<String, Object> fields = new LinkedHashMap<>();

@@ -10,9 +10,12 @@ import org.palpate.app.process.PalpateException;
 import org.palpate.device.Trajectory;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ReplayRun;
+import org.palpate.host.ToolScene;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.table.FramesCsvWriter;
 import org.palpate.io.table.LegsCsvWriter;
+import org.palpate.io.table.ToolFramesCsvWriter;
+import org.palpate.io.table.ToolLegsCsvWriter;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.LegPath;
 
@@ -61,6 +64,20 @@ public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
     if (legsFile.isPresent()) {
       legs = new LegsCsvWriter(newFile(legsFile.get()).stream());
     }
+  }
+
+  /** Opens the tables of a rigid tool for the frames of a trajectory. */
+  public ToolTables openForTool(
+      Trajectory replayed, ToolScene scene, ToolTables.LegSelection selection) throws IOException {
+    Optional<ToolFramesCsvWriter> toolFrames = Optional.empty();
+    if (framesFile.isPresent()) {
+      toolFrames = Optional.of(new ToolFramesCsvWriter(newFile(framesFile.get()).stream()));
+    }
+    Optional<ToolLegsCsvWriter> toolLegs = Optional.empty();
+    if (legsFile.isPresent()) {
+      toolLegs = Optional.of(new ToolLegsCsvWriter(newFile(legsFile.get()).stream()));
+    }
+    return new ToolTables(replayed, scene, selection, toolFrames, toolLegs);
   }
 
   private AtomicFile newFile(Path target) throws IOException {

@@ -9,7 +9,7 @@ import org.palpate.geometry.Vec3;
  * one thread.
  */
 public final class FramesCsvWriter {
-  private static final String HEADER = "frame,t_ms,dx,dy,dz,px,py,pz,fx,fy,fz,contact,path";
+  static final String HEADER = "frame,t_ms,dx,dy,dz,px,py,pz,fx,fy,fz,contact,path";
 
   private final CsvWriter rows;
 

@@ -1,0 +1,91 @@
+package org.palpate.app.output;
+
+import java.io.PrintWriter;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.palpate.frame.FrameStatistics;
+import org.palpate.host.ToolReplay;
+import org.palpate.tool.MadeTool;
+
+/** Reports what a rigid tool is and what its frames did. One thread. */
+public final class ToolReport {
+  /** The solver of every rigid tool, in reports. */
+  public static final String SOLVER = "rigid";
+
+  private final MadeTool made;
+  private final OptionalDouble massKg;
+
+  /**
+   * Creates a report of a tool.
+   *
+   * @param massKg the mass that the user stated, if any
+   */
+  public ToolReport(MadeTool made, OptionalDouble massKg) {
+    this.made = made;
+    this.massKg = massKg;
+  }
+
+  /** Prints a summary of a replay. */
+  public void print(ToolReplay.Result result, PrintWriter out) {
+    FrameStatistics counts = result.statistics();
+    out.println(
+        String.format(
+            Locale.ROOT,
+            "%,d frames, %,d in contact, set free %,d times, largest force %.3f N, largest torque"
+                + " %.3f N mm (%s, %,d points)",
+            counts.frames(),
+            counts.contactFrames(),
+            counts.freed(),
+            counts.maxForceNewton(),
+            counts.maxTorqueNewtonMm(),
+            made.name(),
+            made.tool().count()));
+  }
+
+  /** Adds the fields of a replay to a report. */
+  public void putInto(Report report, ToolReplay.Result result) {
+    FrameStatistics counts = result.statistics();
+    report
+        .put("frames", counts.frames())
+        .put("contact_frames", counts.contactFrames())
+        .put("freed", counts.freed())
+        .put("max_force_n", counts.maxForceNewton())
+        .put("max_torque_nmm", counts.maxTorqueNewtonMm())
+        .put("solver", SOLVER)
+        .put("collision", "exact")
+        .put("tool", tool(result.mostReduced()))
+        .put("work", work(result.work()))
+        .put("skipped", counts.skipped())
+        .put("faults", FaultFields.ofTool(counts.faults()));
+  }
+
+  /**
+   * Returns what the tool is.
+   *
+   * @param mostReduced the most points that kept less than their clearance in any frame
+   */
+  public Map<String, Object> tool(int mostReduced) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("spec", made.name());
+    fields.put("points", made.tool().count());
+    made.clearanceMm()
+        .ifPresent(
+            mm -> {
+              fields.put("clearance_mm", mm);
+              fields.put("clearance_reduced", mostReduced);
+            });
+    massKg.ifPresent(kg -> fields.put("mass_kg", kg));
+    return fields;
+  }
+
+  private static Map<String, Object> work(ToolReplay.Work work) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("p50", work.p50());
+    fields.put("p99", work.p99());
+    fields.put("p99_9", work.p999());
+    fields.put("max", work.max());
+    return fields;
+  }
+}

@@ -1,0 +1,126 @@
+package org.palpate.app.output;
+
+import java.io.IOException;
+import java.util.Optional;
+import org.palpate.app.process.PalpateException;
+import org.palpate.device.DeviceState;
+import org.palpate.device.Trajectory;
+import org.palpate.frame.ToolFrame;
+import org.palpate.geometry.Pose;
+import org.palpate.host.ToolLegs;
+import org.palpate.host.ToolReplay;
+import org.palpate.host.ToolScene;
+import org.palpate.io.table.ToolFramesCsvWriter;
+import org.palpate.io.table.ToolLegsCsvWriter;
+
+/** The tables that a replay of a rigid tool writes, each only if it was asked for. One thread. */
+public final class ToolTables implements ToolReplay.FrameSink {
+  private final Trajectory trajectory;
+  private final Optional<ToolFramesCsvWriter> frames;
+  private final Optional<ToolLegsCsvWriter> legs;
+  private final LegSelection selection;
+  private final ToolLegs list;
+  private final Pose device = new Pose();
+
+  /**
+   * The legs to write.
+   *
+   * @param every only points whose index is divisible by this, at least 1
+   * @param first the first frame, counted from 0
+   * @param last the last frame
+   */
+  public record LegSelection(int every, int first, int last) {
+    /** Every leg. */
+    public static final LegSelection ALL = new LegSelection(1, 0, Integer.MAX_VALUE);
+
+    /**
+     * Parses the values of the options; null for one that was not given.
+     *
+     * @throws PalpateException exit code 2, if a value is not understood
+     */
+    public static LegSelection parse(Integer every, String range) {
+      if (every != null && every < 1) {
+        throw PalpateException.wrongUse(
+            "a number from 1 on is needed", "--legs-every " + every, "try --legs-every 10");
+      }
+      String[] ends = range == null ? new String[0] : range.split("\\.\\.", -1);
+      int first = range == null ? ALL.first : frame(ends, 0, range);
+      int last = range == null ? ALL.last : frame(ends, 1, range);
+      if (ends.length > 2 || first > last) {
+        throw wrongRange(range);
+      }
+      return new LegSelection(every == null ? 1 : every, first, last);
+    }
+
+    private static int frame(String[] ends, int index, String range) {
+      try {
+        int frame = ends.length == 2 ? Integer.parseInt(ends[index].strip()) : -1;
+        if (frame >= 0) {
+          return frame;
+        }
+      } catch (NumberFormatException e) {
+        throw wrongRange(range);
+      }
+      throw wrongRange(range);
+    }
+
+    private static PalpateException wrongRange(String range) {
+      return PalpateException.wrongUse(
+          "a range of frames is needed",
+          "--legs-frames " + range,
+          "write A..B with the first and the last frame, as in --legs-frames 0..999");
+    }
+
+    private boolean contains(int frame) {
+      return frame >= first && frame <= last;
+    }
+  }
+
+  /**
+   * Makes the tables. {@link ReplayTables} opens and commits their files.
+   *
+   * @param selection the legs to write
+   * @param frames the rows of frames, if they are wanted
+   * @param legs the rows of legs, if they are wanted
+   */
+  ToolTables(
+      Trajectory trajectory,
+      ToolScene scene,
+      LegSelection selection,
+      Optional<ToolFramesCsvWriter> frames,
+      Optional<ToolLegsCsvWriter> legs) {
+    this.trajectory = trajectory;
+    this.selection = selection;
+    this.frames = frames;
+    this.legs = legs;
+    list = new ToolLegs(scene.bodies(), scene.tool());
+  }
+
+  @Override
+  public void accept(int number, ToolFrame frame) throws IOException {
+    if (frames.isPresent()) {
+      addFrame(frames.get(), number, frame);
+    }
+    if (legs.isPresent() && selection.contains(number)) {
+      ToolLegsCsvWriter rows = legs.get();
+      list.list(
+          frame.motion(),
+          frame.wasFreed(),
+          selection.every(),
+          (leg, body, point, start, end) -> rows.add(number, leg, body, point, start, end));
+    }
+  }
+
+  private void addFrame(ToolFramesCsvWriter rows, int number, ToolFrame frame) throws IOException {
+    DeviceState sample = frame.sample();
+    rows.add(
+        number,
+        trajectory.timeMs(number),
+        device.set(sample.positionMm, sample.orientation),
+        frame.motion().pose(),
+        frame.forceNewton(),
+        frame.torqueNewtonMm(),
+        frame.motion().contact(),
+        list.longestPathMm(frame.motion()));
+  }
+}

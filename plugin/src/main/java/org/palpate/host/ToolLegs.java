@@ -1,0 +1,104 @@
+package org.palpate.host;
+
+import java.io.IOException;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.rigid.ToolMotion;
+import org.palpate.rigid.tool.RigidTool;
+
+/**
+ * Lists the legs of a tool's points in a frame, from the poses that the solver committed, with the
+ * same bits as those that were verified. One thread.
+ */
+public final class ToolLegs {
+  private final BodyScene bodies;
+  private final RigidTool tool;
+  private final AffineMap[] maps = new AffineMap[ToolMotion.MOST_STEPS + 1];
+  private final Vec3 start = new Vec3();
+  private final Vec3 end = new Vec3();
+
+  /** Receives legs. */
+  @FunctionalInterface
+  public interface LegSink {
+    /**
+     * Receives a leg. The vectors belong to the list and change with the next leg.
+     *
+     * @param leg its number among the legs of this point and body in the frame, from 0; {@link
+     *     #RELEASED} if the tool was set free, with the same start and end
+     * @param body index of the body
+     * @param point index of the tool's point
+     * @param start grid coordinates of the body
+     * @param end grid coordinates of the body
+     */
+    void accept(int leg, int body, int point, Vec3 start, Vec3 end) throws IOException;
+  }
+
+  /** The number of a leg at which the tool is set free and a new chain begins. */
+  public static final int RELEASED = -1;
+
+  /** Makes a list for a tool among bodies. */
+  public ToolLegs(BodyScene bodies, RigidTool tool) {
+    this.bodies = bodies;
+    this.tool = tool;
+    for (int n = 0; n < maps.length; n++) {
+      maps[n] = new AffineMap();
+    }
+  }
+
+  /**
+   * Lists the legs of the last frame: by body, then by point, then in time. A point at rest
+   * relative to a body has no leg.
+   *
+   * @param freed whether the tool was set free, so that each point begins with a release
+   * @param every only points whose index is divisible by this, at least 1
+   */
+  public void list(ToolMotion motion, boolean freed, int every, LegSink sink) throws IOException {
+    for (int b = 0; b < bodies.count(); b++) {
+      Body body = bodies.body(b);
+      for (int pose = 0; pose <= motion.steps(); pose++) {
+        body.toolToGrid(motion.pathPose(pose), maps[pose]);
+      }
+      for (int point = 0; point < tool.count(); point += every) {
+        listPoint(motion.steps(), freed, b, point, sink);
+      }
+    }
+  }
+
+  private void listPoint(int steps, boolean freed, int body, int point, LegSink sink)
+      throws IOException {
+    maps[0].transform(tool.point(point, start), start);
+    if (freed) {
+      sink.accept(RELEASED, body, point, start, start);
+    }
+    int leg = 0;
+    for (int step = 0; step < steps; step++) {
+      maps[step + 1].transform(tool.point(point, end), end);
+      if (!end.sameBits(start)) {
+        sink.accept(leg++, body, point, start, end);
+        start.set(end);
+      }
+    }
+  }
+
+  /** Returns the longest path of a point in the last frame, world mm. */
+  public double longestPathMm(ToolMotion motion) {
+    double longest = 0;
+    for (int point = 0; motion.steps() > 0 && point < tool.count(); point++) {
+      double length = 0;
+      for (int step = 0; step < motion.steps(); step++) {
+        worldPosition(motion.pathPose(step), point, start);
+        worldPosition(motion.pathPose(step + 1), point, end);
+        length += end.sub(start, end).length();
+      }
+      longest = Math.max(longest, length);
+    }
+    return longest;
+  }
+
+  private void worldPosition(Pose pose, int point, Vec3 dest) {
+    pose.transform(tool.point(point, dest), dest);
+  }
+}

@@ -1,0 +1,95 @@
+package org.palpate.host;
+
+import java.io.IOException;
+import java.util.Arrays;
+import org.palpate.device.Trajectory;
+import org.palpate.force.ForceSettings;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.FrameStatistics;
+import org.palpate.frame.ToolFrame;
+import org.palpate.frame.ToolFramePublisher;
+
+/**
+ * Runs the frames of a rigid tool over a recorded trajectory in world mm, one frame a sample. It
+ * uses no clock, so the same input gives the same bits. One thread.
+ *
+ * <p>Times and raw samples are treated as in a {@link ReplayRun}.
+ */
+public final class ToolReplay {
+  private final ToolScene scene;
+  private final Trajectory trajectory;
+  private final boolean raw;
+
+  /** Receives the result of each frame. */
+  @FunctionalInterface
+  public interface FrameSink {
+    /**
+     * Receives a frame.
+     *
+     * @param number of the frame, from 0
+     * @param frame with its sample, motion, force and torque, until the next frame
+     */
+    void accept(int number, ToolFrame frame) throws IOException;
+  }
+
+  /**
+   * The work of the frames, in points looked at.
+   *
+   * @param p50 median
+   * @param p99 99th percentile
+   * @param p999 99.9th percentile
+   * @param max the most
+   */
+  public record Work(long p50, long p99, long p999, long max) {
+    private static Work of(long[] work) {
+      Arrays.sort(work);
+      return new Work(
+          quantile(work, 0.5), quantile(work, 0.99), quantile(work, 0.999), quantile(work, 1));
+    }
+
+    private static long quantile(long[] sorted, double fraction) {
+      int rank = (int) Math.ceil(fraction * sorted.length);
+      return sorted[Math.max(0, rank - 1)];
+    }
+  }
+
+  /**
+   * The result of a replay.
+   *
+   * @param mostReduced the most points that kept less than their clearance in any frame
+   */
+  public record Result(FrameStatistics statistics, Work work, int mostReduced) {}
+
+  /**
+   * Creates a replay.
+   *
+   * @param raw whether samples are treated as in a live session
+   */
+  public ToolReplay(ToolScene scene, Trajectory trajectory, boolean raw) {
+    this.scene = scene;
+    this.trajectory = trajectory;
+    this.raw = raw;
+  }
+
+  /** Runs every frame once from a fresh start. */
+  public Result run(FrameSink sink) throws IOException {
+    TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
+    FrameSettings settings =
+        ReplayRun.frameSettings(scene.contactScene(), raw).withTorque(Double.POSITIVE_INFINITY);
+    ToolFrame frame =
+        scene.newFrame(
+            device,
+            settings,
+            scene.coupling(ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM),
+            ToolFramePublisher.NONE);
+    long[] work = new long[trajectory.size()];
+    int mostReduced = 0;
+    for (int n = 0; n < work.length; n++) {
+      frame.run(ReplayRun.frameNanos(trajectory, n, raw));
+      work[n] = frame.followed() ? frame.work() : 0;
+      mostReduced = Math.max(mostReduced, frame.motion().reducedPoints());
+      sink.accept(n, frame);
+    }
+    return new Result(frame.statistics(), Work.of(work), mostReduced);
+  }
+}

@@ -1,0 +1,153 @@
+package org.palpate.host;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.palpate.body.BodyScene;
+import org.palpate.device.DeviceSpecification;
+import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
+import org.palpate.edit.EditQueue;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.ToolFrame;
+import org.palpate.frame.ToolFramePublisher;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
+import org.palpate.rigid.Clearance;
+import org.palpate.rigid.RigidCoupling;
+import org.palpate.rigid.RigidSettings;
+import org.palpate.rigid.RigidSolver;
+import org.palpate.rigid.tool.RigidTool;
+
+/**
+ * A rigid tool among the segments of a contact scene, each of which is a body. Builds its frames.
+ *
+ * <p>The solver is built once, because grown solids take time and memory. One frame uses it at a
+ * time: a warm-up first, then the session. Any thread may build; what is built belongs to the
+ * thread that runs it. World millimetres.
+ */
+public final class ToolScene {
+  private final ContactScene scene;
+  private final BodyScene bodies;
+  private final RigidTool tool;
+  private final OptionalDouble rotationalStiffness;
+  private final RigidSolver solver;
+  private final EditQueue edits;
+
+  /**
+   * Creates a scene.
+   *
+   * @param scene the volume, its contact settings and its grey values
+   * @param bodies the bodies that {@link ContactScene#newBodies} returned
+   * @param clearances the clearance from each body
+   * @param rotationalStiffness torque per angle, N mm/rad; if empty, the stiffness times the
+   *     squared rms radius of the tool
+   */
+  public ToolScene(
+      ContactScene scene,
+      BodyScene bodies,
+      RigidTool tool,
+      List<Clearance> clearances,
+      OptionalDouble rotationalStiffness) {
+    this.scene = scene;
+    this.bodies = bodies;
+    this.tool = tool;
+    this.rotationalStiffness = rotationalStiffness;
+    List<GreyIsosurfaceSource> greys = scene.greySource().map(List::of).orElse(List.of());
+    solver =
+        new RigidSolver(
+            bodies, tool, new RigidSettings(scene.maxStepMm(), clearances, greys, true));
+    edits = EditQueue.ofBodies(scene.grid(), bodies.count());
+  }
+
+  /** Returns the volume, its contact settings and its grey values. */
+  public ContactScene contactScene() {
+    return scene;
+  }
+
+  /** Returns the bodies, in the order of the segments. */
+  public BodyScene bodies() {
+    return bodies;
+  }
+
+  /** Returns the tool. */
+  public RigidTool tool() {
+    return tool;
+  }
+
+  /** Returns the solver, which one frame uses at a time. */
+  RigidSolver solver() {
+    return solver;
+  }
+
+  /** Returns the queue that takes changes of the bodies while a session runs. Any thread. */
+  public EditQueue edits() {
+    return edits;
+  }
+
+  /**
+   * Returns the coupling of the tool.
+   *
+   * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan
+   */
+  public RigidCoupling coupling(double defaultNewtonPerMm) {
+    double newtonPerMm = scene.settings().stiffnessNewtonPerMm().orElse(defaultNewtonPerMm);
+    return rotationalStiffness.isPresent()
+        ? new RigidCoupling(newtonPerMm, rotationalStiffness.getAsDouble())
+        : RigidCoupling.of(tool, newtonPerMm);
+  }
+
+  /** Returns the settings for the frames of a live session; see {@link ContactScene#liveFrame}. */
+  public FrameSettings liveFrame(DeviceSpecification device, double defaultNewtonPerMm) {
+    return scene.liveFrame(device, defaultNewtonPerMm);
+  }
+
+  /**
+   * Returns the region and the points that a simulated hand presses with the tool, world mm. The
+   * points lie above the surface by the distance of the tool's nearest sample point from its
+   * reference point, so that the tool meets the surface about where the hand presses.
+   */
+  public HandTarget handTarget() {
+    HandTarget target = scene.handTarget();
+    double standOffMm = nearestPointMm();
+    Vec3 middle = target.lowMm().add(target.highMm(), new Vec3()).mul(0.5, new Vec3());
+    List<Vec3> raised =
+        target.surfaceMm().stream().map(point -> raised(point, middle, standOffMm)).toList();
+    return new HandTarget(target.lowMm(), target.highMm(), target.voxelMm(), raised);
+  }
+
+  private double nearestPointMm() {
+    double least = Double.POSITIVE_INFINITY;
+    Vec3 point = new Vec3();
+    for (int n = 0; n < tool.count(); n++) {
+      least = Math.min(least, tool.point(n, point).length());
+    }
+    return least;
+  }
+
+  private static Vec3 raised(Vec3 point, Vec3 middle, double byMm) {
+    Vec3 outward = point.sub(middle, new Vec3());
+    double length = outward.length();
+    return length > 0 ? outward.mul(1 + byMm / length, outward).add(middle, outward) : point;
+  }
+
+  /**
+   * Returns a new frame that applies queued edits.
+   *
+   * @param worldDevice delivers world mm and takes forces and torques along the world's axes
+   * @param publisher receives the result of each frame on the haptic thread
+   */
+  public ToolFrame newFrame(
+      HapticDevice worldDevice,
+      FrameSettings frame,
+      RigidCoupling coupling,
+      ToolFramePublisher publisher) {
+    return new ToolFrame(worldDevice, bodies, tool, solver, coupling, frame, edits, publisher);
+  }
+
+  /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */
+  ToolFrame newWarmUpFrame(HapticDevice worldDevice, FrameSettings frame, RigidCoupling coupling) {
+    EditQueue none = EditQueue.ofBodies(scene.grid(), bodies.count());
+    return new ToolFrame(
+        worldDevice, bodies, tool, solver, coupling, frame, none, ToolFramePublisher.NONE);
+  }
+}
