@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.io.File;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -13,6 +14,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.app.PalpateCommandLine;
@@ -23,6 +26,10 @@ import org.palpate.volume.phantom.Phantom;
 
 /** Runs every example that the documents show, and checks what it prints. */
 class ExamplesTest {
+  /** The jars that module plugin marks as optional, by the start of their names. */
+  private static final Pattern OPTIONAL =
+      Pattern.compile("^(jogl|gluegen|ij|picocli|scijava)-.*\\.jar$");
+
   private static final BitCube SPHERE =
       Phantom.parse("sphere:64").segments().segments().get(0).bits();
   private static final Pattern POSITION = Pattern.compile("\\(([^,]+), ([^,]+), ([^)]+)\\)");
@@ -52,6 +59,31 @@ class ExamplesTest {
     }
     // README names this figure.
     assertEquals(19.5, force(lines.get(10)), 0.05, lines.get(10));
+  }
+
+  @Test
+  void filesAreTouchedWithoutTheOptionalLibraries() throws Exception {
+    Path scan = folder.resolve("sphere.nrrd");
+    int exitCode =
+        new PalpateCommandLine(new PrintStream(OutputStream.nullOutputStream()), System.err)
+            .run("info", "--phantom", "sphere:48:grey", "--export", scan.toString());
+    assertEquals(0, exitCode);
+    String classPath =
+        Stream.of(System.getProperty("java.class.path").split(File.pathSeparator, -1))
+            .filter(entry -> !OPTIONAL.matcher(Path.of(entry).getFileName().toString()).find())
+            .collect(Collectors.joining(File.pathSeparator));
+    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    String example = TouchOffline.class.getName();
+
+    Process process =
+        new ProcessBuilder(java, "-cp", classPath, example, scan.toString(), "ball=>=500")
+            .redirectErrorStream(true)
+            .start();
+    String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+    assertEquals(0, process.waitFor(), out);
+    assertEquals(11, out.lines().count(), out);
+    assertTrue(force(out.lines().toList().get(10)) > 1, out);
   }
 
   @Test
