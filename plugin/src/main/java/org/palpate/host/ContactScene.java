@@ -195,6 +195,15 @@ public final class ContactScene {
   }
 
   /**
+   * Returns the stiffness for a device without a maximum of its own, N per mm of scan: 0.5 for
+   * scenes from 32 mm to 1 m, more for smaller ones, so that these are felt as well, and less for
+   * larger ones.
+   */
+  public double defaultStiffnessNewtonPerMm() {
+    return DefaultStiffness.newtonPerMm(grid());
+  }
+
+  /**
    * Returns stiffness, friction and damping of each segment.
    *
    * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan

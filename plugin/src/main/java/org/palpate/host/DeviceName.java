@@ -12,7 +12,6 @@ import org.palpate.device.Workspace;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.device.jni.DeviceCatalog;
 import org.palpate.device.jni.DeviceException;
-import org.palpate.force.ForceSettings;
 
 /**
  * Names a device as users write it, {@code NAME} or {@code NAME:ID}, and opens it.
@@ -109,11 +108,11 @@ public record DeviceName(String name, String id) {
     return new WorkspaceDevice(device, workspace, WorkspaceDevice.Controls.standard());
   }
 
-  /** Returns the stiffness to use if the user gives none, N per mm of scan. */
-  public double defaultStiffnessNewtonPerMm(HapticDevice opened) {
+  /** Returns the stiffness to use in a scene if the user gives none, N per mm of scan. */
+  public double defaultStiffnessNewtonPerMm(HapticDevice opened, ContactScene scene) {
     return isReal()
         ? STIFFNESS_FRACTION * opened.specification().maxStiffnessNewtonPerMm()
-        : ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM;
+        : scene.defaultStiffnessNewtonPerMm();
   }
 
   /** Returns the text that {@link #parse} reads. */

@@ -18,6 +18,11 @@ public record MaterialOverride(
     OptionalDouble friction,
     OptionalDouble slidingFriction,
     OptionalDouble dampingNewtonSecondPerMm) {
+  /** The largest stiffness, N/mm. A force from a stiffer one may overflow. */
+  private static final double MAX_STIFFNESS = 1e6;
+
+  /** The least stiffness of a whole scene, N/mm. */
+  private static final double MIN_STIFFNESS = 1e-6;
 
   /** Overrides nothing. */
   public static final MaterialOverride NONE =
@@ -61,11 +66,17 @@ public record MaterialOverride(
     }
   }
 
+  /** Whether a stiffness, N/mm, can be felt at all and gives forces that are numbers. */
+  public static boolean isFeasibleStiffness(double newtonPerMm) {
+    return newtonPerMm >= MIN_STIFFNESS && newtonPerMm <= MAX_STIFFNESS;
+  }
+
   /**
    * Returns a copy with one more value; this object if the name is unknown or already has a value.
    */
   private MaterialOverride with(String name, OptionalDouble value) {
-    if (name.equals("stiffness") && stiffnessNewtonPerMm.isEmpty()) {
+    boolean isFeasible = value.orElse(0) <= MAX_STIFFNESS;
+    if (name.equals("stiffness") && stiffnessNewtonPerMm.isEmpty() && isFeasible) {
       return new MaterialOverride(value, friction, slidingFriction, dampingNewtonSecondPerMm);
     }
     if (name.equals("friction") && friction.isEmpty()) {

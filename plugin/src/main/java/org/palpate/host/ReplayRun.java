@@ -4,7 +4,6 @@ import java.io.IOException;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.Trajectory;
 import org.palpate.force.ForceRamp;
-import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
@@ -85,7 +84,7 @@ public final class ReplayRun {
   /** Returns the settings for the frames of a replay. */
   static FrameSettings frameSettings(ContactScene scene, boolean raw) {
     return new FrameSettings(
-        scene.force(ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM),
+        scene.force(scene.defaultStiffnessNewtonPerMm()),
         scene.settings().maxForceNewton().orElse(Double.POSITIVE_INFINITY),
         Double.POSITIVE_INFINITY,
         ForceRamp.DEFAULT_NANOS,

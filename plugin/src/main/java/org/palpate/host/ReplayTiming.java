@@ -6,7 +6,6 @@ import org.palpate.collision.NearestFreeVoxel;
 import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
 import org.palpate.force.ContactForce;
-import org.palpate.force.ForceSettings;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.Median;
 import org.palpate.proxy.InteractionPoint;
@@ -38,8 +37,7 @@ public final class ReplayTiming {
     collisionScene = scene.newCollisionScene();
     solver = scene.newSolver();
     contactForce =
-        new ContactForce(
-            scene.metric(), scene.force(ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM));
+        new ContactForce(scene.metric(), scene.force(scene.defaultStiffnessNewtonPerMm()));
     nearestFree = new NearestFreeVoxel(scene.metric());
     devices = positions(scene, trajectory, world);
   }

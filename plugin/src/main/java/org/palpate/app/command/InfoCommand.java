@@ -80,7 +80,9 @@ public final class InfoCommand implements Callable<Integer> {
       export(source, segments);
     }
     if (source.requested().isEmpty() && source.isIntensities(found)) {
-      line("segments", "none chosen; for example " + source.suggestion(found));
+      line(
+          "segments",
+          "none chosen; for example " + source.suggestion(found) + source.reason(found));
     }
     double bytes = SegmentBuilder.bytesFor(source.header().grid(), segments.size());
     line("memory", NumberText.bytes(bytes) + " for the segments");

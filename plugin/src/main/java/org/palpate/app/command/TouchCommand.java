@@ -255,7 +255,7 @@ public final class TouchCommand implements Callable<Integer> {
             new TouchSession(
                 scene,
                 opened,
-                choice.defaultStiffness(opened),
+                choice.defaultStiffness(opened, scene),
                 loop.with(realtime, realtime),
                 Optional.ofNullable(recording).map(TrajectoryRecording::recorder),
                 end -> {})) {

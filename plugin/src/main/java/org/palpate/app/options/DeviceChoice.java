@@ -12,6 +12,7 @@ import org.palpate.device.Workspace;
 import org.palpate.device.jni.DeviceException;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.host.ContactScene;
 import org.palpate.host.DeviceName;
 import org.palpate.io.volume.CoordinateSystem;
 
@@ -121,9 +122,9 @@ public record DeviceChoice(DeviceName device, boolean fitEachAxis) {
     return new RigidTransform(right, up, towardsUser, new Vec3());
   }
 
-  /** Returns the stiffness to use if the user gives none, N per mm of scan. */
-  public double defaultStiffness(HapticDevice opened) {
-    return device.defaultStiffnessNewtonPerMm(opened);
+  /** Returns the stiffness to use in a scene if the user gives none, N per mm of scan. */
+  public double defaultStiffness(HapticDevice opened, ContactScene scene) {
+    return device.defaultStiffnessNewtonPerMm(opened, scene);
   }
 
   /** Returns the argument of {@code --device}. */

@@ -17,6 +17,7 @@ import org.palpate.io.VolumeDigest;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.label.SegmentBuilder;
+import org.palpate.io.label.SegmentProposal;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.label.ValueStatistics;
 import org.palpate.io.volume.LabelTable;
@@ -247,26 +248,37 @@ public final class VolumeSource {
             + " to "
             + NumberText.display(found.high()),
         name,
-        "choose with --segment, for example " + suggestion(found));
+        "choose with --segment, for example " + suggestion(found) + reason(found));
   }
 
   /** Returns arguments for the user to try. */
   public String suggestion(ValueStatistics.Summary found) {
     List<String> suggestions = new ArrayList<>();
     if (phantom.isPresent()) {
-      phantom.get().thresholds().forEach(t -> suggestions.add(argument(t.name(), t.atLeast())));
-    } else if (found.thresholds().size() == 2) {
-      suggestions.add(argument("bone", found.thresholds().get(1)));
-      suggestions.add(argument("tissue", found.thresholds().get(0)));
+      phantom
+          .get()
+          .thresholds()
+          .forEach(t -> suggestions.add(argument(t.name(), rounded(t.atLeast()))));
     } else {
-      suggestions.add("--segment all=nonzero");
+      SegmentProposal.of(found)
+          .forEach(
+              proposal ->
+                  suggestions.add(
+                      argument(
+                          proposal.name(),
+                          proposal.isExact() ? proposal.atLeast() : rounded(proposal.atLeast()))));
     }
-    return String.join(" or ", suggestions);
+    return suggestions.isEmpty() ? "--segment all=nonzero" : String.join(" or ", suggestions);
+  }
+
+  /** Returns the reason for the suggestion in brackets; empty for a phantom. */
+  public String reason(ValueStatistics.Summary found) {
+    String reason = phantom.isPresent() ? "" : SegmentProposal.reason(found);
+    return reason.isEmpty() ? "" : " (" + reason + ")";
   }
 
   private static String argument(String name, double atLeast) {
-    return String.format(
-        Locale.ROOT, "--segment '%s=>=%s'", name, NumberText.display(rounded(atLeast)));
+    return String.format(Locale.ROOT, "--segment '%s=>=%s'", name, NumberText.display(atLeast));
   }
 
   /** Rounds to three digits, because a threshold is only a suggestion. */

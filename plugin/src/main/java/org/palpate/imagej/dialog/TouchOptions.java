@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.host.ContactSettings;
+import org.palpate.host.MaterialOverride;
 import org.palpate.host.SolverKind;
 import org.palpate.imagej.stack.SegmentColour;
 import org.palpate.imagej.stack.SegmentRange;
@@ -58,7 +59,6 @@ public record TouchOptions(
   private static final String PREFIX = "palpate.";
   private static final String SIMULATED = "simulated";
   private static final int THRESHOLD_COLUMNS = 10;
-  private static final double DEFAULT_UPPER = 65535;
 
   /**
    * Asks the user, or takes the values that a macro gives.
@@ -71,13 +71,13 @@ public record TouchOptions(
     ImageProcessor shown = volume.image().getProcessor();
     boolean threshold = shown.getMinThreshold() != ImageProcessor.NO_THRESHOLD;
     Calibration values = volume.image().getCalibration();
-    double lower =
-        threshold ? values.getCValue(shown.getMinThreshold()) : Prefs.get(PREFIX + "lower", 1);
-    double upper =
-        threshold
-            ? values.getCValue(shown.getMaxThreshold())
-            : Prefs.get(PREFIX + "upper", DEFAULT_UPPER);
+    StackProposal proposal = StackProposal.of(volume, Macro.getOptions() != null);
+    double lower = threshold ? values.getCValue(shown.getMinThreshold()) : proposal.lower();
+    double upper = threshold ? values.getCValue(shown.getMaxThreshold()) : proposal.upper();
     GenericDialog dialog = new GenericDialog(title);
+    if (!threshold && !proposal.reason().isEmpty()) {
+      dialog.addMessage(proposal.reason());
+    }
     addSegment(dialog, lower, upper);
     addContact(dialog);
     if (live) {
@@ -215,6 +215,9 @@ public record TouchOptions(
     if (!labels && !(lower <= upper)) {
       throw new TouchRefusedException(
           "The lower threshold " + lower + " is above the upper threshold " + upper + ".");
+    }
+    if (stiffnessNewtonPerMm > 0 && !MaterialOverride.isFeasibleStiffness(stiffnessNewtonPerMm)) {
+      throw new TouchRefusedException("The stiffness must be from 1e-6 to 1e6 N/mm, or 0.");
     }
     if (!(stiffnessNewtonPerMm >= 0) || !(friction >= 0) || !(seconds >= 0)) {
       throw new TouchRefusedException("Stiffness, friction and time must be 0 or more.");

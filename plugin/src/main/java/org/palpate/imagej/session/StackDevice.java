@@ -4,6 +4,7 @@ import java.io.IOException;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.jni.DeviceException;
+import org.palpate.host.ContactScene;
 import org.palpate.host.DeviceName;
 import org.palpate.imagej.dialog.FilePaths;
 import org.palpate.imagej.dialog.StackWorkspace;
@@ -21,19 +22,20 @@ record StackDevice(HapticDevice device, double defaultNewtonPerMm) {
    * Opens a device.
    *
    * @param choice the text of the dialog
-   * @param target the region that must be in reach, world mm
+   * @param scene the solids, which must be in reach
    * @param workspace maps the workspace of a real device to the stack
    * @param periodNanos time between two samples of a simulated hand or the mouse
    * @throws TouchRefusedException if there is no such device, or it cannot be opened
    */
   static StackDevice open(
-      String choice, HandTarget target, StackWorkspace workspace, long periodNanos)
+      String choice, ContactScene scene, StackWorkspace workspace, long periodNanos)
       throws TouchRefusedException {
+    HandTarget target = scene.handTarget();
     DeviceName name = checked(DeviceName.parse(choice));
     try {
       HapticDevice device =
           name.open(target, periodNanos, specification -> workspace.of(specification, target));
-      return new StackDevice(device, name.defaultStiffnessNewtonPerMm(device));
+      return new StackDevice(device, name.defaultStiffnessNewtonPerMm(device, scene));
     } catch (IOException e) {
       throw new TouchRefusedException("The trajectory cannot be read: " + e.getMessage());
     } catch (DeviceException e) {

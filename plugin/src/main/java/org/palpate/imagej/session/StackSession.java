@@ -95,8 +95,7 @@ public final class StackSession implements AutoCloseable {
             StackGreyValues.surface(pixels, volume.slices(), geometry.grid(), ranges));
     LoopSettings loop = LoopSettings.ofRate(RATE_HZ).with(realtime, realtime);
     StackDevice device =
-        StackDevice.open(
-            options.device(), scene.handTarget(), options.workspace(), loop.periodNanos());
+        StackDevice.open(options.device(), scene, options.workspace(), loop.periodNanos());
     button = new LandmarkButton(device.device());
     session =
         new TouchSession(scene, button, device.defaultNewtonPerMm(), loop, recorder, end -> {});

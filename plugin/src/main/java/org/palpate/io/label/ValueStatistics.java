@@ -26,6 +26,12 @@ public final class ValueStatistics implements SliceSink {
 
   private static final int BINS = 1 << 16;
 
+  /** The least fraction of the voxels that are air, and that are soft tissue, in a CT scan. */
+  private static final double MIN_CT_FRACTION = 0.01;
+
+  /** The largest fraction of voxels below air; scanners fill the corners with such values. */
+  private static final double MAX_PADDING_FRACTION = 0.5;
+
   private final Optional<LabelTable> table;
   private final boolean exact;
   private final int exactLow;
@@ -50,8 +56,11 @@ public final class ValueStatistics implements SliceSink {
 
   /** Creates a survey of the volume with this header. */
   public ValueStatistics(VolumeHeader header) {
-    VolumeHeader.ValueRange range = header.values();
-    table = header.labels();
+    this(header.values(), header.labels());
+  }
+
+  private ValueStatistics(VolumeHeader.ValueRange range, Optional<LabelTable> table) {
+    this.table = table;
     exact = range.isInteger() && range.high() - range.low() < BINS;
     exactLow = exact ? (int) range.low() : 0;
   }
@@ -126,7 +135,47 @@ public final class ValueStatistics implements SliceSink {
     if (exact) {
       collectExact();
     }
-    return new Summary(low, high, notFinite, labels(), thresholds());
+    return new Summary(low, high, notFinite, labels(), thresholds(), isHounsfield());
+  }
+
+  /**
+   * Whether the values look like Hounsfield units: a part lies near air, a part near water, some
+   * are as dense as bone, and none is beyond what scanners store.
+   */
+  private boolean isHounsfield() {
+    double all = 0;
+    double padding = 0;
+    double air = 0;
+    double tissue = 0;
+    for (int n = 0; n < BINS; n++) {
+      double value = exact ? (double) n + exactLow : binValue(n);
+      all += bins[n];
+      padding += value < -1100 ? bins[n] : 0;
+      air += value >= -1100 && value <= -900 ? bins[n] : 0;
+      tissue += value >= -200 && value <= 200 ? bins[n] : 0;
+    }
+    return low >= Short.MIN_VALUE
+        && low <= -900
+        && high >= 300
+        && high <= Short.MAX_VALUE
+        && padding <= MAX_PADDING_FRACTION * all
+        && air >= MIN_CT_FRACTION * all
+        && tissue >= MIN_CT_FRACTION * all;
+  }
+
+  /** Returns the statistics of a sample of single values, without labels. */
+  public static Summary ofSample(double[] values) {
+    ValueStatistics statistics =
+        new ValueStatistics(
+            new VolumeHeader.ValueRange(-Double.MAX_VALUE, Double.MAX_VALUE, false),
+            Optional.empty());
+    for (double value : values) {
+      if (Double.isFinite(value)) {
+        statistics.bins[bin(value + 0.0)]++;
+        statistics.count(value + 0.0, false);
+      }
+    }
+    return statistics.summary();
   }
 
   private void collectExact() {
@@ -203,9 +252,15 @@ public final class ValueStatistics implements SliceSink {
    * @param labels the labels of a mask or a label volume, without background; empty for intensities
    * @param thresholds two values that separate intensities, ascending; empty if there are fewer
    *     than three values
+   * @param hounsfield whether the values look like Hounsfield units of a CT scan
    */
   public record Summary(
-      double low, double high, long notFinite, List<Long> labels, List<Double> thresholds) {
+      double low,
+      double high,
+      long notFinite,
+      List<Long> labels,
+      List<Double> thresholds,
+      boolean hounsfield) {
     /** Copies the lists. */
     public Summary {
       labels = List.copyOf(labels);
