@@ -11,6 +11,7 @@ import org.palpate.io.file.NumberText;
 import org.palpate.io.format.MemoryCheck;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.mesh.MeshFiles;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
@@ -18,6 +19,7 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.rigid.tool.ToolShape;
+import org.palpate.rigid.tool.TriangleMesh;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
@@ -40,6 +42,18 @@ public final class ToolMaker {
 
   /** The coarsest cover radius of a large shape, as a multiple of the finest. */
   private static final double COARSEST = 8;
+
+  /** The edge of the voxels of a closed mesh, shortest voxel edges of the scene. */
+  private static final double VOXEL_EDGES = 0.5;
+
+  /** About the number of rim voxels of a mesh for each of its squares of one voxel edge. */
+  private static final double RIM_VOXELS = 2;
+
+  /** About the number of samples of an open mesh for each square of one cover radius. */
+  private static final double POINTS_OF_OPEN_MESH = 1.2;
+
+  /** The longest side of the box around a mesh, shortest voxel edges of the scene. */
+  private static final double LONGEST_EDGES = 4000;
 
   private final ToolRequest request;
   private final double edgeMm;
@@ -67,12 +81,13 @@ public final class ToolMaker {
   }
 
   private MadeTool make() throws VolumeFormatException {
+    Optional<TriangleMesh> mesh = readMesh();
+    boolean isOpen = mesh.isPresent() && !mesh.get().isClosed();
+    boolean pointsOnly = isOpen || request.points().isPresent();
     ClearanceChoice clearance =
-        request
-            .clearance()
-            .orElse(request.points().isPresent() ? ClearanceChoice.POINTS : ClearanceChoice.BODY);
+        request.clearance().orElse(pointsOnly ? ClearanceChoice.POINTS : ClearanceChoice.BODY);
     double depthMm = Math.max(0, -clearance.marginMm());
-    RigidTool whole = sampled(depthMm);
+    RigidTool whole = mesh.isPresent() ? ofMesh(mesh.get(), depthMm) : sampled(depthMm);
     RigidTool tool = request.points().isPresent() ? thinned(whole) : whole;
     return new MadeTool(name(), tool, clearance, files, notes);
   }
@@ -81,9 +96,20 @@ public final class ToolMaker {
     if (request.spec() instanceof ToolSpec.Shape shape) {
       return shape.text();
     }
+    if (request.spec() instanceof ToolSpec.MeshFile mesh) {
+      return mesh.file().toString();
+    }
     return request.spec() instanceof ToolSpec.VolumeFile volume
         ? volume.file().toString()
         : "point";
+  }
+
+  private Optional<TriangleMesh> readMesh() throws VolumeFormatException {
+    if (request.spec() instanceof ToolSpec.MeshFile mesh) {
+      files.add(mesh.file());
+      return Optional.of(MeshFiles.read(mesh.file()));
+    }
+    return Optional.empty();
   }
 
   private RigidTool sampled(double depthMm) throws VolumeFormatException {
@@ -110,19 +136,69 @@ public final class ToolMaker {
   }
 
   private RigidTool ofShape(ToolShape shape, double depthMm) throws VolumeFormatException {
-    double finestMm = COVER_EDGES * edgeMm;
-    double coverMm = finestMm;
-    while (shape.areaMm2() / (2 * coverMm * coverMm) > MOST_POINTS_OF_SHAPE) {
-      coverMm *= 2;
-      if (coverMm > COARSEST * finestMm) {
+    double coverMm = lengthFor(shape.areaMm2() / 2, COVER_EDGES * edgeMm);
+    try {
+      return ToolSampler.ofErodedShape(shape, coverMm, depthMm);
+    } catch (IllegalArgumentException e) {
+      throw nothingLeft(depthMm, e);
+    }
+  }
+
+  /**
+   * Returns the finest of some lengths, each twice the one before, that is not too fine.
+   *
+   * @param areaMm2 the number of points times the squared length, mm^2
+   * @param finestMm the finest length, mm
+   */
+  private double lengthFor(double areaMm2, double finestMm) throws VolumeFormatException {
+    double lengthMm = finestMm;
+    while (areaMm2 / (lengthMm * lengthMm) > MOST_POINTS_OF_SHAPE) {
+      lengthMm *= 2;
+      if (lengthMm > COARSEST * finestMm) {
         throw new VolumeFormatException(
             "the tool is too large for voxels of " + NumberText.display(edgeMm) + " mm",
             "--tool " + name(),
             "choose a smaller tool; lengths are in mm");
       }
     }
+    return lengthMm;
+  }
+
+  private RigidTool ofMesh(TriangleMesh mesh, double depthMm) throws VolumeFormatException {
+    Vec3 size = mesh.high().sub(mesh.low(), new Vec3());
+    double longestMm = Math.max(size.x, Math.max(size.y, size.z));
+    if (longestMm > LONGEST_EDGES * edgeMm) {
+      throw new VolumeFormatException(
+          "the mesh is "
+              + NumberText.display(Math.rint(longestMm))
+              + " mm long, too large for voxels of "
+              + NumberText.display(edgeMm)
+              + " mm",
+          "--tool " + name(),
+          "scale it to mm");
+    }
+    if (mesh.isClosed()) {
+      return ofClosedMesh(mesh, size, depthMm);
+    }
+    if (depthMm > 0) {
+      throw new VolumeFormatException(
+          "the mesh is open and has no inside",
+          "--tool " + name(),
+          "close it, or choose --clearance points, body or a positive margin");
+    }
+    notes.add("The mesh is open, so its surface is sampled and nothing counts as its inside.");
+    double coverMm = lengthFor(POINTS_OF_OPEN_MESH * mesh.areaMm2(), COVER_EDGES * edgeMm);
+    return ToolSampler.ofSurface(mesh, coverMm);
+  }
+
+  private RigidTool ofClosedMesh(TriangleMesh mesh, Vec3 size, double depthMm)
+      throws VolumeFormatException {
+    double voxelMm = lengthFor(RIM_VOXELS * mesh.areaMm2(), VOXEL_EDGES * edgeMm);
+    double voxels = (size.x / voxelMm + 3) * (size.y / voxelMm + 3) * (size.z / voxelMm + 3) / 4;
+    double parts = depthMm == 0 ? 1 : Math.pow(Math.max(1, Math.ceil(voxelMm / depthMm)), 3);
+    MemoryCheck.require(voxels * parts, "the voxels of the tool", "--tool " + name());
     try {
-      return ToolSampler.ofErodedShape(shape, coverMm, depthMm);
+      return ToolSampler.ofClosedMesh(mesh, voxelMm, depthMm);
     } catch (IllegalArgumentException e) {
       throw nothingLeft(depthMm, e);
     }

@@ -11,8 +11,8 @@ import org.palpate.io.volume.VolumeFormatException;
  * @param spec what it is made from
  * @param segment the voxels of a volume file that are the tool; all values but 0 if empty
  * @param points the most sample points of the tool; all that there are if empty
- * @param clearance the clearance; if empty, {@code points} for a tool with a given number of points
- *     and else {@code body}
+ * @param clearance the clearance; if empty, {@code points} for an open mesh and for a tool with a
+ *     given number of points, and else {@code body}
  */
 public record ToolRequest(
     ToolSpec spec,

@@ -4,6 +4,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
 import org.palpate.io.file.NumberParser;
+import org.palpate.io.mesh.MeshFiles;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.rigid.tool.BoxShape;
 import org.palpate.rigid.tool.RodShape;
@@ -23,6 +24,9 @@ public sealed interface ToolSpec {
    * @param text as it was written
    */
   record Shape(String text, ToolShape shape) implements ToolSpec {}
+
+  /** A mesh file: STL, OBJ or PLY. */
+  record MeshFile(Path file) implements ToolSpec {}
 
   /** A segment of a volume file. */
   record VolumeFile(Path file) implements ToolSpec {}
@@ -97,7 +101,8 @@ public sealed interface ToolSpec {
       if (word.isEmpty() || (word.indexOf('.') < 0 && word.indexOf('/') < 0)) {
         throw unknown(word, null);
       }
-      return new VolumeFile(Path.of(word));
+      Path file = Path.of(word);
+      return MeshFiles.accepts(file) ? new MeshFile(file) : new VolumeFile(file);
     } catch (InvalidPathException e) {
       throw unknown(word, e);
     }

@@ -1,6 +1,6 @@
 /**
- * Makes rigid tools from what a user writes: shapes, and segments of volume files.
+ * Makes rigid tools from what a user writes: shapes, meshes, and segments of volume files.
  *
- * <p>Uses {@code rigid} and {@code io}. One thread. World millimetres.
+ * <p>Uses {@code rigid}, {@code io} and {@code io.mesh}. One thread. World millimetres.
  */
 package org.palpate.tool;

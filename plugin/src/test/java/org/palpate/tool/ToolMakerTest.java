@@ -95,6 +95,33 @@ class ToolMakerTest {
   }
 
   @Test
+  void aClosedMeshIsVoxelizedAndAnOpenOneIsSampled() throws Exception {
+    String vertices =
+        "v 10 0 0\nv 16 0 0\nv 10 6 0\nv 16 6 0\nv 10 0 6\nv 16 0 6\nv 10 6 6\nv 16 6 6\n";
+    String sides = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\n";
+    Path open = Files.writeString(folder.resolve("open.obj"), vertices + sides);
+    Path closed = Files.writeString(folder.resolve("closed.obj"), vertices + sides + "f 2 4 8 6\n");
+    MadeTool solid = make(closed.toString(), null, null, null);
+    Vec3 reference = solid.tool().referenceMm(new Vec3());
+    assertEquals(0, reference.sub(new Vec3(13, 3, 3), reference).length(), 1e-9);
+    assertEquals(OptionalDouble.of(0), solid.clearanceMm());
+    assertTrue(solid.tool().solid().contains(2.9, -2.9, 2.9));
+    assertEquals(List.of(closed), solid.files());
+    MadeTool sheet = make(open.toString(), null, null, null);
+    assertEquals(13 - 0.6, sheet.tool().referenceMm(new Vec3()).x, 1e-9);
+    assertEquals(OptionalDouble.empty(), sheet.clearanceMm());
+    assertTrue(sheet.notes().get(0).contains("open"), sheet.notes().toString());
+    assertEquals(OptionalDouble.of(0), make(open.toString(), null, null, "body").clearanceMm());
+    assertTrue(refusal(open.toString(), null, null, "-1").contains("no inside"));
+    assertTrue(make(closed.toString(), null, null, "-1").tool().radiusMm() < 4.5);
+    assertTrue(refusal(closed.toString(), null, null, "-4").contains("lies deeper"));
+    assertTrue(refusal(closed.toString(), "a=nonzero", null, null).contains("segments"));
+    Path large =
+        Files.writeString(folder.resolve("large.obj"), vertices.replace("16", "9e6") + sides);
+    assertTrue(refusal(large.toString(), null, null, null).contains("scale it to mm"));
+  }
+
+  @Test
   void aFileThatIsMissingOrNoVolumeIsRefusedInOneLine() throws Exception {
     assertTrue(refusal("none.nrrd", null, null, null).contains("no such file"));
     Path text = Files.writeString(folder.resolve("a.txt"), "hello");

@@ -33,6 +33,8 @@ class ToolRequestTest {
   void aNameWithADotOrASlashIsAFile() throws Exception {
     assertInstanceOf(ToolSpec.VolumeFile.class, ToolSpec.parse("fragment.nrrd"));
     assertInstanceOf(ToolSpec.VolumeFile.class, ToolSpec.parse("scans/folder"));
+    assertInstanceOf(ToolSpec.MeshFile.class, ToolSpec.parse("plate.STL"));
+    assertInstanceOf(ToolSpec.MeshFile.class, ToolSpec.parse("a/plate.obj"));
     assertInstanceOf(ToolSpec.VolumeFile.class, ToolSpec.parse("sphere.nii.gz"));
   }
 

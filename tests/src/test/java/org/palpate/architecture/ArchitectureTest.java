@@ -150,6 +150,7 @@ class ArchitectureTest {
           Map.entry("io.file", List.of()),
           Map.entry("io.format", List.of("io.volume")),
           Map.entry("io.label", List.of("io.format")),
+          Map.entry("io.mesh", List.of("io.format", "rigid.tool")),
           Map.entry("io.metaimage", List.of("io.format")),
           Map.entry("io.nifti", List.of("io.format")),
           Map.entry("io.nrrd", List.of("io.codec", "io.format")),
@@ -176,7 +177,7 @@ class ArchitectureTest {
           Map.entry("scijava", List.of("app")),
           Map.entry("statistics", List.of()),
           Map.entry("sync", List.of("geometry")),
-          Map.entry("tool", List.of("io", "rigid")),
+          Map.entry("tool", List.of("io", "io.mesh", "rigid")),
           Map.entry("volume", List.of("geometry")),
           Map.entry("volume.phantom", List.of("volume")));
 

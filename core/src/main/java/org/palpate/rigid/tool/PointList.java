@@ -28,6 +28,26 @@ final class PointList implements ToolShape.PointSink {
     return count;
   }
 
+  double x(int index) {
+    return x[index];
+  }
+
+  double y(int index) {
+    return y[index];
+  }
+
+  double z(int index) {
+    return z[index];
+  }
+
+  /** Returns the squared distance of a point from another, mm^2. */
+  double squaredDistance(int index, Vec3 p) {
+    double dx = x[index] - p.x;
+    double dy = y[index] - p.y;
+    double dz = z[index] - p.z;
+    return dx * dx + dy * dy + dz * dz;
+  }
+
   /** Returns the coordinates x, y and z of all points relative to an origin. */
   double[][] relativeTo(Vec3 origin) {
     return new double[][] {

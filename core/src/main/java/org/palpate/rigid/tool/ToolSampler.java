@@ -102,6 +102,43 @@ public final class ToolSampler {
     return new VoxelSolid(bits, grid).refinedBytes(longestEdgeMm(depthMm));
   }
 
+  /**
+   * Voxelizes a closed mesh and samples the voxels of its rim. The voxels contain the whole solid
+   * of the mesh. The reference point is the centroid of its volume, and the tool's axes are those
+   * of the mesh.
+   *
+   * @param edgeMm the edge of a voxel, mm
+   * @param depthMm the depth of an erosion, mm; 0 for none
+   * @throws IllegalArgumentException if the mesh is not closed, or no point is that deep
+   */
+  public static RigidTool ofClosedMesh(TriangleMesh mesh, double edgeMm, double depthMm) {
+    if (!mesh.isClosed()) {
+      throw new IllegalArgumentException("the mesh is not closed");
+    }
+    VoxelSolid solid = new MeshVoxelizer(mesh, edgeMm).voxelize().cropped();
+    if (depthMm > 0) {
+      solid = solid.refined(depthMm).eroded(depthMm);
+    }
+    if (solid.bits().solidCount() == 0) {
+      throw nothingLeft(depthMm);
+    }
+    return ofVoxels(solid, mesh.massProperties());
+  }
+
+  /**
+   * Samples the surface of a mesh that need not be closed. The reference point is the centroid of
+   * its area, or of its volume if it is closed.
+   *
+   * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
+   */
+  public static RigidTool ofSurface(TriangleMesh mesh, double coverRadiusMm) {
+    MassProperties mass = mesh.massProperties();
+    Vec3 reference = mass.centroidMm();
+    PointList points = new SurfaceSampler(coverRadiusMm).sample(mesh);
+    return new RigidTool(
+        points.relativeTo(reference), mass.metric(), coverRadiusMm, reference, null);
+  }
+
   private static RigidTool ofVoxels(VoxelSolid solid, MassProperties mass) {
     Vec3 reference = mass.centroidMm();
     PointList points = new PointList();

@@ -28,8 +28,9 @@ public final class ToolOptions {
       paramLabel = "SPEC",
       description = {
         "The tool: point, sphere:R, capsule:R,L (L between the centres of its ends), cylinder:R,L,"
-            + " box:A,B,C, needle:R,L (L without its round tip), or a volume file. Lengths in mm;"
-            + " shapes are centred and lie along z. Default: ${DEFAULT-VALUE}."
+            + " box:A,B,C, needle:R,L (L without its round tip), a mesh (STL, OBJ, PLY in mm) or a"
+            + " volume file. Lengths in mm; shapes are centred and lie along z. Default:"
+            + " ${DEFAULT-VALUE}."
       },
       defaultValue = "point")
   private String tool;
@@ -56,7 +57,7 @@ public final class ToolOptions {
       description = {
         "Clearance of the tool: points (no point enters a solid), body (tool and solids do not"
             + " overlap), or a margin in mm between them. A negative margin lets them overlap by"
-            + " that depth. Default: body, or points with --points."
+            + " that depth. Default: body; points for an open mesh and with --points."
       })
   private String clearance;
 
