@@ -9,10 +9,10 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * A solid that stands in a scene: voxels on a grid of their own, and a pose that maps the rest
- * position of the grid in the world to its present one.
+ * A solid in a scene: voxels on a grid of their own, and a pose that maps the rest position of the
+ * grid in the world to its present one.
  *
- * <p>Belongs to the haptic thread. Whoever edits the voxels must call {@link #voxelsChanged}.
+ * <p>Belongs to the haptic thread. Code that edits the voxels must call {@link #voxelsChanged}.
  */
 public final class Body {
   private static final int REMEMBERED_EDITS = 64;
@@ -99,7 +99,7 @@ public final class Body {
     restToGrid.multiply(scratch.setInverse(pose), worldToGrid);
   }
 
-  /** Returns how often the pose was set; a reader that keeps positions compares. */
+  /** Returns the number of times that the pose was set, so that others notice a motion. */
   public long motions() {
     return motions;
   }
@@ -118,14 +118,14 @@ public final class Body {
     return pose.rotation.rotate(direction, dest);
   }
 
-  /** Returns how often voxels were edited; whoever keeps something of them compares. */
+  /** Returns the number of edits of the voxels, so that others notice an edit. */
   public long edits() {
     return edits;
   }
 
   /**
-   * Returns the box of voxels that an edit may have changed; not to be written. An edit that is
-   * long past returns the box of the whole grid.
+   * Returns the box of voxels that an edit may have changed; not to be written. For an edit long
+   * ago it is the box of the whole grid.
    *
    * @param edit the number of the edit: from 0 to {@link #edits} - 1
    */
@@ -139,7 +139,7 @@ public final class Body {
     return changes[(int) (edit % REMEMBERED_EDITS)];
   }
 
-  /** Takes note that voxels in a box were added or removed. */
+  /** Records an edit: voxels in a box were added or removed. */
   public void voxelsChanged(IntBox box) {
     changes[(int) (edits++ % REMEMBERED_EDITS)].set(box);
     clearance.solidsAdded(box);

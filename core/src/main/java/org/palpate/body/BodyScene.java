@@ -30,7 +30,7 @@ public final class BodyScene {
     return bodies[index];
   }
 
-  /** Returns how often the pose of any body was set. */
+  /** Returns the number of times that the pose of any body was set. */
   public long motions() {
     long sum = 0;
     for (Body body : bodies) {

@@ -9,13 +9,13 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 /**
- * The solids of one body that the points of a tool must not touch. Level 0 is its voxels. With a
- * clearance, levels 1 and up are grown solids, each of which contains the level below. Most points
- * keep the highest level. A point that starts nearer keeps the highest level that it does not
- * touch.
+ * The solids of one body that the sample points of a tool must not touch, by levels of clearance.
+ * Level 0 is the voxels. With a clearance, the levels above are grown solids, each of which
+ * contains the level below. Most points keep the highest level. A point that starts nearer keeps
+ * the highest level that it does not touch.
  *
- * <p>Level 0 is held in the grid coordinates of the body, in which legs are recorded; the others in
- * the coordinates of their cells, whose rounding is far below the growth.
+ * <p>Level 0 is in the grid coordinates of the body, in which legs are recorded. The others are in
+ * the coordinates of their cells, whose rounding is far below the growth. Haptic thread only.
  */
 final class ClearanceLevels {
   final Body body;
@@ -23,7 +23,7 @@ final class ClearanceLevels {
   /** The cubes by level. */
   final BitCube[] cubes;
 
-  /** The level that points keep if they do not start nearer. */
+  /** The level of points that do not start nearer. */
   final int highest;
 
   /** Lower bounds of the distance to the cube of the highest level, in its cells. */
@@ -52,7 +52,7 @@ final class ClearanceLevels {
     editsSeen = body.edits();
   }
 
-  /** Returns the edge of a cell of a level along an axis, mm. */
+  /** Returns the edge of a cell of a level along an axis, mm: 0 is x. */
   double cellMm(int level, int axis) {
     return level == 0 ? body.grid().spacingMm().get(axis) : grown[level].cellMm(axis);
   }
@@ -62,7 +62,7 @@ final class ClearanceLevels {
   }
 
   /**
-   * Returns how far the cells of a level reach beyond a voxel along a direction, mm.
+   * Returns the length by which the cells of a level reach beyond a voxel along a direction, mm.
    *
    * @param normal unit, along the axes of the body's grid in mm
    */
@@ -70,7 +70,7 @@ final class ClearanceLevels {
     return level == 0 ? 0 : grown[level].reachMm(normal);
   }
 
-  /** Turns a map to the body's grid into one to the cells of a level. Level 0 keeps its bits. */
+  /** Writes the map to the cells of a level that follows from a map to the body's grid. */
   AffineMap toCells(AffineMap toGrid, int level, AffineMap dest) {
     dest.set(toGrid);
     if (level == 0) {
@@ -96,9 +96,9 @@ final class ClearanceLevels {
   }
 
   /**
-   * Takes over edits of the body since the last call.
+   * Applies the edits of the body since the last call.
    *
-   * @param changed grown by the voxels that changed, body's grid
+   * @param changed the box that is extended to contain the edited voxels, grid coordinates
    * @return whether there was an edit
    */
   boolean takeEdits(IntBox changed) {
@@ -123,7 +123,7 @@ final class ClearanceLevels {
     return true;
   }
 
-  /** Returns how many voxels the highest level reaches beyond a solid voxel. */
+  /** Returns the number of voxels by which the highest level reaches beyond a solid voxel. */
   int reachVoxels() {
     return pad(highest);
   }

@@ -11,21 +11,22 @@ import org.palpate.proxy.smooth.field.OccupancyField;
 import org.palpate.proxy.smooth.field.SeedCell;
 
 /**
- * The smooth surface of one body as contacts see it: height over the isosurface and its normal,
- * from the same occupancy field on which the point solver slides. With a clearance the surface runs
- * higher by what the grown solids reach beyond the body along the normal.
+ * The smooth surface of one body for contacts: the height of a point over the isosurface, and the
+ * normal. Both come from the occupancy field on which the point solver {@code smooth} slides. With
+ * a clearance, the surface lies higher by the length by which the grown solids reach beyond the
+ * body along the normal.
  *
- * <p>The only class of this package that knows the field. Haptic thread only; an evaluation
- * allocates nothing.
+ * <p>No other class of this package uses the field. Haptic thread only; an evaluation allocates
+ * nothing.
  */
 final class ContactField {
-  /** Below this slope, per edge, there is no surface near. */
+  /** The least slope of the field near a surface, 1/edge. */
   private static final double LEAST_SLOPE = 1e-4;
 
-  /** The normal at the point that was evaluated last, unit, world axes. */
+  /** The normal at the last point that was evaluated, unit, world axes. */
   final Vec3 normal = new Vec3();
 
-  /** Its height over the surface, mm; negative below. */
+  /** The height of that point over the surface, mm; negative below it. */
   double heightMm;
 
   private final Body body;
@@ -40,7 +41,7 @@ final class ContactField {
   /**
    * Creates the field of a body.
    *
-   * @param grey the grey values of which the voxels were made, or null
+   * @param grey the grey values from which the voxels were made, or null
    */
   ContactField(ClearanceLevels levels, GreyIsosurfaceSource grey) {
     this.levels = levels;
@@ -56,7 +57,7 @@ final class ContactField {
    * Evaluates height and normal at a point that lies in an empty voxel.
    *
    * @param grid the point, grid coordinates
-   * @param clearanceLevel the level of the levels that the point keeps
+   * @param clearanceLevel the clearance level that the point keeps
    * @return whether there is a surface near
    */
   boolean evaluate(Vec3 grid, int clearanceLevel) {

@@ -3,12 +3,12 @@ package org.palpate.rigid;
 import org.palpate.geometry.Pose;
 
 /**
- * Makes a target of whatever a device reports: a unit quaternion on the tool's side, positions that
- * doubles can resolve. A report that is no pose (a NaN, an infinity, a quaternion without
- * direction) leaves the target as it was.
+ * Makes the target of a frame from a device report. The quaternion is normalized and has the sign
+ * that is nearer to the tool's; positions are clamped to what doubles can resolve. A report with a
+ * NaN, an infinity or a quaternion of norm 0 is ignored. Haptic thread only.
  */
 final class DevicePoseFilter {
-  /** Farther out than this along an axis, positions are cut off, mm. */
+  /** Positions are clamped to this along each axis, mm. */
   private static final double FARTHEST_MM = 1e9;
 
   private final Pose target = new Pose();
@@ -20,7 +20,7 @@ final class DevicePoseFilter {
     known = false;
   }
 
-  /** Whether there was a pose so far. */
+  /** Whether any report was a pose so far. */
   boolean isKnown() {
     return known;
   }
@@ -31,8 +31,9 @@ final class DevicePoseFilter {
   }
 
   /**
-   * Takes a report.
+   * Updates the target from a report.
    *
+   * @param device the report, which need not be a pose
    * @param tool the tool pose, which decides between a quaternion and its negative
    */
   void take(Pose device, Pose tool) {

@@ -2,7 +2,7 @@ package org.palpate.rigid;
 
 import org.palpate.volume.BitCube;
 
-/** Quick proofs that voxels around a point or a short segment are empty, by whole windows. */
+/** Quick tests whether the voxels around a point or a short segment are empty, by windows. */
 final class EmptyBox {
   private static final long[] COLUMNS = {
     0, 0x1111_1111_1111_1111L, 0x3333_3333_3333_3333L, 0x7777_7777_7777_7777L, -1
@@ -15,10 +15,12 @@ final class EmptyBox {
   /** The 2x2x2 voxels in the middle of a window. */
   private static final long MIDDLE = 0x0000_0660_0660_0000L;
 
-  /** The gain of the empty cube around a point if the 8 windows around its window are empty too. */
+  /**
+   * The growth of the empty cube around a point if the 8 windows around its window are empty too.
+   */
   private static final double GAIN_OF_NEIGHBOURS = 2;
 
-  /** Beyond this, coordinates have no window. */
+  /** Coordinates beyond this have no window. */
   private static final double LARGEST = 1 << 30;
 
   private EmptyBox() {}

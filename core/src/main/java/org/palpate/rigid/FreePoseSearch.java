@@ -3,19 +3,21 @@ package org.palpate.rigid;
 import org.palpate.geometry.Pose;
 
 /**
- * Finds where a tool is set free that starts in a solid or to which a solid came: a free pose with
- * the orientation kept, at the shortest of a growing series of distances along 26 directions.
+ * Finds a free pose for a tool that collides at its start or after an edit. The orientation is
+ * kept. Translations along 26 directions are tried at growing distances, and the first free pose is
+ * taken.
  *
- * <p>Allocates nothing. Cost: most poses are ruled out by their first points; a tool that is buried
- * deeply takes some thousand poses. Every tool comes free at last, since all is empty beyond the
+ * <p>Haptic thread only; allocates nothing. Most poses are rejected by their first points, and a
+ * deep collision takes some thousand poses. The search ends, because all is empty beyond the
  * bodies.
  */
 final class FreePoseSearch {
   private static final int DIRECTIONS = 26;
 
-  /** Distances grow by this, edges, or by a part of what they are. */
+  /** The least difference of two distances, edges. */
   private static final double STEP_EDGES = 0.5;
 
+  /** The least difference of two distances as a part of the distance. */
   private static final double GROWTH = 0.02;
 
   private final ToolVerifier verifier;
@@ -28,9 +30,9 @@ final class FreePoseSearch {
     this.edgeMm = edgeMm;
   }
 
-  /** Places the tool at a free pose near {@code buried}. */
-  void find(Pose buried) {
-    start.set(buried);
+  /** Places the tool at a free pose near a colliding one. */
+  void find(Pose colliding) {
+    start.set(colliding);
     double distanceMm = STEP_EDGES * edgeMm;
     while (!placeAt(distanceMm)) {
       distanceMm += Math.max(STEP_EDGES * edgeMm, GROWTH * distanceMm);

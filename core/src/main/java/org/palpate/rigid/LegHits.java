@@ -1,31 +1,31 @@
 package org.palpate.rigid;
 
 /**
- * The legs of a proposed motion that touch a solid, found by verification. Holds at most one leg,
- * the earliest to touch, for each pair of a leaf of the tool's tree and a body. Written by {@link
- * BodyVerifier}.
+ * The legs of a proposed motion that touch a solid. Verification adds at most one leg for each leaf
+ * of the tool's tree and body: the one that touches first. Written by {@link BodyVerifier}; haptic
+ * thread only.
  */
 final class LegHits {
   /** The number of hits at which verification stops, because the proposal is far from free. */
-  static final int ENOUGH = 40;
+  static final int CAPACITY = 40;
 
-  /** Value of {@link #axis} if the leg starts at the voxel. */
+  /** The value of {@link #axis} for a leg that starts at the voxel. */
   static final int NO_AXIS = -1;
 
-  final int[] body = new int[ENOUGH + 1];
-  final int[] point = new int[ENOUGH + 1];
+  final int[] body = new int[CAPACITY + 1];
+  final int[] point = new int[CAPACITY + 1];
 
-  /** The fraction of the leg at which it meets the solid, 0 to 1. */
-  final double[] t = new double[ENOUGH + 1];
+  /** The fraction of the leg before it meets the solid, 0 to 1. */
+  final double[] t = new double[CAPACITY + 1];
 
-  /** The grid axis across which the voxel was entered: 0 is x. */
-  final int[] axis = new int[ENOUGH + 1];
+  /** The grid axis along which the leg enters the voxel: 0 is x. */
+  final int[] axis = new int[CAPACITY + 1];
 
   /** The direction along that axis from the voxel to the leg's start: 1 or -1. */
-  final int[] side = new int[ENOUGH + 1];
+  final int[] side = new int[CAPACITY + 1];
 
   /** The distance from the leg's start to the plane of the voxel's face, mm. */
-  final double[] gapMm = new double[ENOUGH + 1];
+  final double[] gapMm = new double[CAPACITY + 1];
 
   private int count;
 
@@ -38,10 +38,10 @@ final class LegHits {
   }
 
   boolean isFull() {
-    return count >= ENOUGH;
+    return count >= CAPACITY;
   }
 
-  /** Adds a hit without a face. */
+  /** Adds a hit whose face is not known. */
   void add(int ofBody, int ofPoint, double atT) {
     body[count] = ofBody;
     point[count] = ofPoint;
@@ -57,7 +57,7 @@ final class LegHits {
     gapMm[count - 1] = distanceMm;
   }
 
-  /** Keeps of all hits from index {@code first} on only the earliest. */
+  /** Removes all hits from index {@code first} on but the earliest. */
   void keepEarliestFrom(int first) {
     for (int n = first + 1; n < count; n++) {
       if (t[n] < t[first]) {
@@ -81,7 +81,7 @@ final class LegHits {
   }
 
   private void swap(int a, int b) {
-    int spare = ENOUGH;
+    int spare = CAPACITY;
     copy(a, spare);
     copy(b, a);
     copy(spare, b);

@@ -23,7 +23,9 @@ final class NearestPointSolver {
 
   final int dimension;
 
-  /** Rows of {@link #dimension} entries; the first {@link #rows} count. */
+  /**
+   * The rows of the constraints, {@link #dimension} entries each; the first {@link #rows} count.
+   */
   final double[] a;
 
   final double[] b;
@@ -32,7 +34,7 @@ final class NearestPointSolver {
   /** The solution. */
   final double[] y;
 
-  /** The rows that are met with equality at the solution, and their multipliers. */
+  /** The rows that are met with equality at the solution. */
   final int[] active;
 
   final double[] multiplier;
@@ -59,7 +61,9 @@ final class NearestPointSolver {
     factor = new double[dimension * dimension];
   }
 
-  /** Solves; false if the constraints contradict each other or rounding spoils the answer. */
+  /**
+   * Solves; returns false if the constraints contradict each other or rounding prevents an answer.
+   */
   boolean solve() {
     System.arraycopy(target, 0, y, 0, dimension);
     activeCount = 0;
@@ -95,7 +99,7 @@ final class NearestPointSolver {
     return sum;
   }
 
-  /** Goes on until the row is met with equality, dropping active rows that are in the way. */
+  /** Makes a row active; drops active rows whose multipliers would turn negative. */
   private boolean activate(int row) {
     double own = 0;
     while (iterations++ < MOST_ITERATIONS) {
@@ -121,9 +125,8 @@ final class NearestPointSolver {
   }
 
   /**
-   * Splits the row into its part in the span of the active rows and the direction across it. Does
-   * so twice: what rounding leaves of the span in the direction is taken out by a second
-   * projection.
+   * Splits a row into its part in the span of the active rows and the direction orthogonal to it.
+   * Projects twice, because rounding leaves some of the span in the direction the first time.
    */
   private void project(int row) {
     System.arraycopy(a, row * dimension, direction, 0, dimension);
@@ -147,7 +150,7 @@ final class NearestPointSolver {
     }
   }
 
-  /** Takes the part in the span of the active rows out of the direction. */
+  /** Subtracts the part in the span of the active rows from the direction. */
   private void removeSpan() {
     for (int i = 0; i < activeCount; i++) {
       double v = 0;

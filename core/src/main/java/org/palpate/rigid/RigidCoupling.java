@@ -37,8 +37,8 @@ public final class RigidCoupling {
   }
 
   /**
-   * Returns the coupling of a tool whose rotational stiffness is the stiffness times the squared
-   * rms radius: then a rotation costs what the displacement of its matter costs.
+   * Returns the coupling of a tool with the stiffness times its squared rms radius as rotational
+   * stiffness. Then a rotation costs as much energy as the displacement of the tool's matter.
    */
   public static RigidCoupling of(RigidTool tool, double stiffnessNewtonPerMm) {
     double radiusMm = tool.rmsRadiusMm();

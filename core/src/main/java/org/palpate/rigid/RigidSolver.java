@@ -6,55 +6,62 @@ import org.palpate.rigid.ToolVerifier.EditOutcome;
 import org.palpate.rigid.tool.RigidTool;
 
 /**
- * Moves a rigid tool after a device pose, once a frame: to the pose nearest to the device, in the
- * kinetic metric, that the contacts allow.
+ * Moves a rigid tool after a device, once a frame: towards the pose that is nearest to the device
+ * pose, in the kinetic metric, among those that the contacts allow.
  *
- * <p>Guarantee: the tool moves by steps whose legs were all verified exactly, see {@link
- * ToolVerifier}, whatever the contacts say.
+ * <p>Guarantee: the tool moves by steps whose legs {@link ToolVerifier} has verified exactly. It
+ * does not depend on contacts or on floating-point mathematics.
  *
- * <p>Rest: a frame counts only if it lowers a potential, the distance to the device plus the priced
- * depth of the contacts, by a least amount; else it is taken back. While the device moves the
- * potential may rise by a little. For a device at rest the least amount grows from frame to frame
- * that creeps, so the tool rests, bit for bit, after at most {@link #MOST_CREEPING_FRAMES} of
- * those; frames that do not creep lower the potential by a fixed amount, so there are finitely
- * many.
+ * <p>Rest: each frame has a potential, the distance from the device plus the cost of the contacts'
+ * depth. While the device rests, a frame is kept only if it lowers the potential; otherwise it is
+ * taken back. A frame that lowers it by less than a fixed amount creeps, and at most {@link
+ * #MOST_CREEPING_FRAMES} frames may creep. The others lower it by that amount, so there are
+ * finitely many. Hence the tool comes to rest, bit for bit. While the device moves, the potential
+ * may rise a little.
  *
- * <p>Work is bounded by {@link WorkBudget}; a frame that has spent it goes on in the next one.
+ * <p>{@link WorkBudget} bounds the work. A frame that has spent it ends, and the next one goes on.
  * Haptic thread only; allocates nothing.
  */
 public final class RigidSolver {
-  /** The number of frames that may lower the potential by less than {@link #CREEP_EDGES}. */
+  /** The most frames that may lower the potential by less than {@link #CREEP_EDGES}. */
   static final int MOST_CREEPING_FRAMES = 40;
 
-  /** Frames that count for nothing, one after the other, until the tool rests. */
+  /** The number of frames in a row that are taken back before the tool rests. */
   private static final int FAILED_FRAMES_TO_REST = 3;
 
+  /** A frame creeps if it lowers the potential by less than this, edges. */
   private static final double CREEP_EDGES = 0.05;
+
+  /** A frame that creeps must lower the potential by this at least, edges. */
   private static final double LEAST_FALL_EDGES = 1e-6;
 
-  /** The potential may rise by a half of the device's motion, and no more than this, edges. */
+  /**
+   * The most that the potential may rise in a frame, edges; half of the device's motion if less.
+   */
   private static final double MOST_RISE_EDGES = 0.1;
 
-  /** In contact, a frame comes nearer by this or by 1.5 times the device's motion, edges. */
+  /** The longest approach of a frame in contact, edges; 1.5 times the device's motion if more. */
   private static final double CATCH_UP_EDGES = 2;
 
-  /** While the device moves, corrections shorter than this wait for the next frame, edges. */
+  /**
+   * While the device moves, later steps of a frame that are shorter than this are left out, edges.
+   */
   private static final double CORRECTION_EDGES = 0.01;
 
-  /** Steps that gain less than this end a frame, edges. */
+  /** A step that lowers the potential by less than this ends its frame, edges. */
   private static final double LEAST_GAIN_EDGES = 1e-3;
 
   /** A frame that lowers the potential by less than this is stuck, edges. */
   private static final double STUCK_EDGES = 0.02;
 
-  /** The most frames between two that try a relief while the device moves. */
-  private static final int MOST_PATIENCE = 16;
+  /** The most frames between two that try a lift while the device moves. */
+  private static final int LONGEST_LIFT_WAIT = 16;
 
-  /** The fraction of the distance to the device that each relief of a frame requests. */
+  /** The fractions of the motion to the device that the lifts of a frame request, in order. */
   private static final double[] PULLS = {0.02, 0, 0.1};
 
-  /** The number of points with a reduced clearance that are looked at in a frame. */
-  private static final int RAISED_PER_FRAME = 400;
+  /** The number of points whose clearance levels are tested in a frame. */
+  private static final int LEVELS_PER_FRAME = 400;
 
   private final BodyScene scene;
   private final RigidTool tool;
@@ -71,8 +78,8 @@ public final class RigidSolver {
   private boolean hasTarget;
   private int failedFrames;
   private int creepingFrames;
-  private int reliefPatience = 1;
-  private int reliefWait;
+  private int liftBackoff = 1;
+  private int liftWait;
   private long work;
 
   /**
@@ -96,11 +103,11 @@ public final class RigidSolver {
   }
 
   /**
-   * Puts the tool at a pose, or at a free pose near it with the same orientation.
+   * Places the tool at a pose, or at a free pose near it with the same orientation.
    *
    * @param pose finite, with a quaternion that can be normalized
    * @return whether the pose itself was free
-   * @throws IllegalArgumentException if the pose is none
+   * @throws IllegalArgumentException if the pose is not finite or has no rotation
    */
   public boolean place(Pose pose, ToolMotion motion) {
     start.set(pose);
@@ -135,7 +142,7 @@ public final class RigidSolver {
     return device.target();
   }
 
-  /** Returns the work of the last frame, in points looked at. */
+  /** Returns the work of the last frame, in units of {@link WorkBudget}. */
   public long work() {
     return work;
   }
@@ -143,7 +150,8 @@ public final class RigidSolver {
   /**
    * Runs one frame.
    *
-   * @param devicePose where the device is, tool frame to world; anything, also what is no pose
+   * @param devicePose the device pose, tool frame to world; one that is not finite or has no
+   *     rotation is ignored
    * @param motion the tool's motion, which {@link #place} has set
    * @throws IllegalStateException if a body was moved since the tool was placed, because the
    *     relative motion was not verified
@@ -202,33 +210,34 @@ public final class RigidSolver {
     approach(motion, first ? Double.POSITIVE_INFINITY : motionMm, riseMm);
     double fallMm = before - potentialMm();
     boolean arrived = verifier.pose().sameBits(target);
-    boolean counts = motion.steps > 0 && (arrived || isEnough(fallMm, moved, riseMm));
-    if (!counts && motion.steps > 0) {
+    boolean isKept = motion.steps > 0 && (arrived || isAcceptable(fallMm, moved, riseMm));
+    if (!isKept && motion.steps > 0) {
       takeBack(motion, depthBefore);
     } else if (motion.steps > 0) {
-      verifier.raiseLevels(RAISED_PER_FRAME);
+      verifier.raiseLevels(LEVELS_PER_FRAME);
     }
-    failedFrames = counts ? 0 : failedFrames + 1;
-    planReliefs(fallMm);
-    motion.contact = !arrived && (stepper.hasContacts() || !counts);
+    failedFrames = isKept ? 0 : failedFrames + 1;
+    planLifts(fallMm);
+    motion.contact = !arrived && (stepper.hasContacts() || !isKept);
   }
 
-  /** Reliefs that do not help are tried less and less often while the device moves. */
-  private void planReliefs(double fallMm) {
+  /** Makes lifts rarer while they do not help and the device moves. */
+  private void planLifts(double fallMm) {
     if (fallMm >= STUCK_EDGES * edgeMm) {
-      reliefPatience = 1;
-      reliefWait = 0;
-    } else if (reliefWait < 0) {
-      reliefPatience = Math.min(MOST_PATIENCE, 2 * reliefPatience);
-      reliefWait = reliefPatience;
+      liftBackoff = 1;
+      liftWait = 0;
+    } else if (liftWait < 0) {
+      liftBackoff = Math.min(LONGEST_LIFT_WAIT, 2 * liftBackoff);
+      liftWait = liftBackoff;
     }
   }
 
   private double potentialMm() {
-    return stepper.distanceMm() + ContactRows.DEPTH_PRICE * stepper.depthMm();
+    return stepper.distanceMm() + ContactConstraints.DEPTH_COST * stepper.depthMm();
   }
 
-  private boolean isEnough(double fallMm, boolean moved, double riseMm) {
+  /** Whether a frame that lowers the potential by some mm is kept. */
+  private boolean isAcceptable(double fallMm, boolean moved, double riseMm) {
     if (moved) {
       return fallMm >= -riseMm;
     }
@@ -245,14 +254,19 @@ public final class RigidSolver {
     stepper.setDepthMm(depthBefore);
   }
 
-  /** Takes steps until the target is reached, nothing is gained, or work or path is spent. */
+  /**
+   * Takes steps until the tool arrives, a step gains nothing, or the work or the path is spent.
+   *
+   * @param motionMm the motion of the device since the last frame, mm in the kinetic metric
+   * @param riseMm the most that the potential may rise, mm
+   */
   private void approach(ToolMotion motion, double motionMm, double riseMm) {
     double catchUpMm = Math.max(CATCH_UP_EDGES * edgeMm, 1.5 * motionMm);
     double before = stepper.distanceMm();
     double ceilingMm = potentialMm() + riseMm;
-    int pulls = motionMm == 0 || reliefWait-- <= 0 ? PULLS.length : 0;
-    int reliefs = 0;
-    while (canGoOn(motion) && !verifier.pose().sameBits(lastTarget)) {
+    int pulls = motionMm == 0 || liftWait-- <= 0 ? PULLS.length : 0;
+    int lifts = 0;
+    while (canContinue(motion) && !verifier.pose().sameBits(lastTarget)) {
       boolean first = motion.steps == 0;
       double pathLeftMm = maxStepMm - motion.pathMm;
       double mostMm =
@@ -263,7 +277,7 @@ public final class RigidSolver {
         return;
       }
       double last = potentialMm();
-      if (stepper.goStraight(mostMm, pathLeftMm)) {
+      if (stepper.stepStraight(mostMm, pathLeftMm)) {
         continue;
       }
       double shortestMm = (first || motionMm == 0 ? 1e-9 : CORRECTION_EDGES) * edgeMm;
@@ -271,17 +285,17 @@ public final class RigidSolver {
       boolean stepped = stepper.step(mostRiseMm, mostMm, pathLeftMm, shortestMm);
       boolean gained = stepped && potentialMm() <= last - LEAST_GAIN_EDGES * edgeMm;
       boolean stuck = !gained && ceilingMm - riseMm - potentialMm() < STUCK_EDGES * edgeMm;
-      if (!gained && !(stuck && reliefs < pulls && relieve(motion, PULLS[reliefs++]))) {
+      if (!gained && !(stuck && lifts < pulls && lift(motion, PULLS[lifts++]))) {
         return;
       }
     }
   }
 
-  private boolean canGoOn(ToolMotion motion) {
+  private boolean canContinue(ToolMotion motion) {
     return !motion.isFull() && motion.pathMm < maxStepMm && !(motion.steps > 0 && budget.isSpent());
   }
 
-  private boolean relieve(ToolMotion motion, double pull) {
-    return canGoOn(motion) && stepper.relieve(pull, maxStepMm - motion.pathMm);
+  private boolean lift(ToolMotion motion, double pull) {
+    return canContinue(motion) && stepper.lift(pull, maxStepMm - motion.pathMm);
   }
 }

@@ -8,41 +8,44 @@ import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
 
 /**
- * Moves a tool towards a target by verified steps. Proposes a step that the contacts allow and
- * verifies the legs of all points. If legs touch a solid, adds contacts for them and proposes
- * again; commits only a free step. The next step begins with the contacts of the last one.
+ * Moves a tool towards a target by verified steps. A step is proposed such that the known contacts
+ * allow it, and the legs of all points are verified. If legs touch a solid, contacts are added for
+ * them and the step is proposed again. Only a free step is committed. The next step begins with the
+ * contacts of the last one.
  *
- * <p>Contacts are lazy: only points whose legs have touched a solid, or that were contacts before,
- * are held to the isosurface. Haptic thread only; allocates nothing.
+ * <p>Contacts are generated lazily: only points whose legs have touched a solid, or that were
+ * contacts before, are held to the isosurface. Haptic thread only; allocates nothing.
  */
 final class RigidStepper {
-  private static final int MOST_MENDS = 14;
-  private static final int MOST_CONTACTS_PER_MEND = 10;
-  private static final int MOST_WARM = 40;
+  /** The most proposals of a step. */
+  private static final int MOST_PROPOSALS = 14;
 
-  /**
-   * The longest distance to a target, edges; a farther target is cut to it, so that rounding of
-   * rows does not matter.
-   */
+  /** The most contacts that are added after a proposal whose legs touch a solid. */
+  private static final int MOST_NEW_CONTACTS = 10;
+
+  /** The most contacts that the next step begins with. */
+  private static final int MOST_KEPT_CONTACTS = 40;
+
+  /** The distance beyond which a target is replaced by a nearer one, edges, against rounding. */
   private static final double FARTHEST_TARGET_EDGES = 1000;
 
-  /** The smallest fraction of the last proposal that is worth a verification. */
+  /** The smallest fraction of a blocked proposal that is tried. */
   private static final double SMALLEST_FRACTION = 0.05;
 
   /**
-   * The number of points on either side of a contact, in the tree's order, among which a lower one
-   * is searched. Points that are near in that order are near in space.
+   * The number of points on either side of a contact among which a lower one is searched. Points
+   * that are near in the order of the tree are near in space.
    */
-  private static final int NEIGHBOURS = 48;
+  private static final int NEIGHBOURING_POINTS = 48;
 
-  /** A point counts as lower if it lies lower by at least this, edges. */
+  /** The least difference of height at which a point counts as lower, edges. */
   private static final double LOWER_EDGES = 0.1;
 
-  /** The shortest path of a relief that is worth a verification, edges. */
-  private static final double SHORTEST_RELIEF_EDGES = 1e-3;
+  /** The shortest path of a lift that is proposed, edges. */
+  private static final double SHORTEST_LIFT_EDGES = 1e-3;
 
   final ToolVerifier verifier;
-  final ContactRows rows;
+  final ContactConstraints contacts;
 
   private final BodyScene scene;
   private final RigidTool tool;
@@ -57,10 +60,10 @@ final class RigidStepper {
   private final Vec3 turn = new Vec3();
   private final Vec3 position = new Vec3();
   private final double[] metric = new double[6];
-  private final int[] warmBody = new int[MOST_WARM];
-  private final int[] warmPoint = new int[MOST_WARM];
-  private int warm;
-  private int warmActive;
+  private final int[] keptBody = new int[MOST_KEPT_CONTACTS];
+  private final int[] keptPoint = new int[MOST_KEPT_CONTACTS];
+  private int kept;
+  private int keptActive;
   private double depthMm;
   private ToolMotion motion;
   private Pose target;
@@ -79,14 +82,14 @@ final class RigidStepper {
     this.fields = fields;
     this.budget = budget;
     edgeMm = scene.shortestEdgeMm();
-    rows = new ContactRows(tool, edgeMm);
+    contacts = new ContactConstraints(tool, edgeMm);
     largestTurn = StepLimits.largestTurn(tool.radiusMm(), edgeMm);
   }
 
-  /** Forgets all contacts, after the tool was placed anew. */
+  /** Removes all contacts, after the tool was placed anew. */
   void reset() {
-    warm = 0;
-    warmActive = 0;
+    kept = 0;
+    keptActive = 0;
     depthMm = 0;
   }
 
@@ -95,14 +98,14 @@ final class RigidStepper {
     return depthMm;
   }
 
-  /** Restores the depth from before the steps that are taken back. */
+  /** Restores the depth that was valid before steps that are taken back. */
   void setDepthMm(double newDepthMm) {
     depthMm = newDepthMm;
   }
 
-  /** Whether any contact of the last step is kept. */
+  /** Whether the next step begins with contacts. */
   boolean hasContacts() {
-    return warm > 0;
+    return kept > 0;
   }
 
   /**
@@ -121,13 +124,13 @@ final class RigidStepper {
   }
 
   /**
-   * Goes straight towards the target by the whole distance, a half or a quarter, if no leg touches
+   * Moves straight towards the target by the whole distance, a half or a quarter, if no leg touches
    * a solid.
    *
    * @param mostMm the longest distance, in the kinetic metric
-   * @return whether it went
+   * @return whether a step was committed
    */
-  boolean goStraight(double mostMm, double pathMm) {
+  boolean stepStraight(double mostMm, double pathMm) {
     pathLeftMm = pathMm;
     aimTwist();
     double farMm = distanceMm();
@@ -165,8 +168,8 @@ final class RigidStepper {
   private boolean isBlockedAtContacts() {
     verifier.propose(target);
     hits.clear();
-    for (int n = 0; n < warm; n++) {
-      if (!verifier.body(warmBody[n]).isPointFree(warmPoint[n], hits)) {
+    for (int n = 0; n < kept; n++) {
+      if (!verifier.body(keptBody[n]).isPointFree(keptPoint[n], hits)) {
         return true;
       }
     }
@@ -212,11 +215,11 @@ final class RigidStepper {
   /**
    * Takes one step that the contacts allow.
    *
-   * @param riseMm by how much contacts below the surface may rise, and the step may lead away from
-   *     the target
+   * @param riseMm the most that contacts below the surface may rise, and that the step may lead
+   *     away from the target, mm
    * @param mostMm the longest step, in the kinetic metric
    * @param pathMm the longest path of a point
-   * @param leastPathMm steps with shorter paths are not worth their verification
+   * @param leastPathMm steps with shorter paths are not proposed
    * @return whether a step was committed
    */
   boolean step(double riseMm, double mostMm, double pathMm, double leastPathMm) {
@@ -224,7 +227,7 @@ final class RigidStepper {
     shortestPathMm = leastPathMm;
     begin(riseMm);
     double fraction = 0;
-    for (int mend = 0; mend < MOST_MENDS && (mend == 0 || !budget.isSpent()); mend++) {
+    for (int n = 0; n < MOST_PROPOSALS && (n == 0 || !budget.isSpent()); n++) {
       if (!solve(riseMm)) {
         fraction = 0;
         break;
@@ -237,7 +240,7 @@ final class RigidStepper {
         accept(fraction);
         return true;
       }
-      if (!mend()) {
+      if (!addContactsOfHits()) {
         break;
       }
     }
@@ -254,15 +257,15 @@ final class RigidStepper {
    * @param pull the fraction of the distance to the target that is requested at the same time
    * @return whether a step was committed
    */
-  boolean relieve(double pull, double pathMm) {
+  boolean lift(double pull, double pathMm) {
     pathLeftMm = pathMm;
-    shortestPathMm = SHORTEST_RELIEF_EDGES * edgeMm;
-    if (!rows.areOpposed()) {
+    shortestPathMm = SHORTEST_LIFT_EDGES * edgeMm;
+    if (!contacts.areOpposed()) {
       return false;
     }
-    rows.setRelief(pull);
+    contacts.setLift(pull);
     budget.countSolve();
-    double fraction = rows.problem.solve() ? propose(Double.POSITIVE_INFINITY) : 0;
+    double fraction = contacts.problem.solve() ? propose(Double.POSITIVE_INFINITY) : 0;
     if (fraction == 0) {
       return false;
     }
@@ -274,11 +277,11 @@ final class RigidStepper {
   }
 
   private void begin(double riseMm) {
-    rows.begin(verifier.pose(), depthMm);
-    for (int n = 0; n < warm; n++) {
-      int contact = addSurface(warmBody[n], warmPoint[n], riseMm);
-      if (contact >= 0 && n < warmActive) {
-        addLowestNeighbour(contact, riseMm);
+    contacts.begin(verifier.pose(), depthMm);
+    for (int n = 0; n < kept; n++) {
+      int contact = addSurface(keptBody[n], keptPoint[n], riseMm);
+      if (contact >= 0 && n < keptActive) {
+        addRollingContact(contact, riseMm);
       }
     }
     aimTwist();
@@ -292,30 +295,30 @@ final class RigidStepper {
     for (int c = 0; c < metric.length; c++) {
       metric[c] *= cut;
     }
-    rows.setTarget(metric);
+    contacts.setTarget(metric);
   }
 
   /**
-   * Adds the nearby point of an active contact that lies lowest along the contact's normal, if it
-   * lies lower. If a curved tool rolls over a surface, the contact then passes on before that point
-   * meets a voxel.
+   * Adds a contact for the neighbour of an active contact that lies lowest along the normal, if it
+   * lies lower than the contact. So when a curved tool rolls over a surface, the contact passes to
+   * the next point before that point meets a voxel.
    */
-  private void addLowestNeighbour(int contact, double riseMm) {
-    int point = rows.point[contact];
-    Vec3 normal = rows.normal(contact, position);
+  private void addRollingContact(int contact, double riseMm) {
+    int point = contacts.point[contact];
+    Vec3 normal = contacts.normal(contact, position);
     verifier.pose().rotation.inverseRotate(normal, normal);
     int lowest = point;
     double least = along(normal, point) - LOWER_EDGES * edgeMm;
-    int last = Math.min(tool.count() - 1, point + NEIGHBOURS);
-    for (int n = Math.max(0, point - NEIGHBOURS); n <= last; n++) {
+    int last = Math.min(tool.count() - 1, point + NEIGHBOURING_POINTS);
+    for (int n = Math.max(0, point - NEIGHBOURING_POINTS); n <= last; n++) {
       double height = along(normal, n);
       if (height < least) {
         least = height;
         lowest = n;
       }
     }
-    if (lowest != point && rows.surfaceContact(rows.body[contact], lowest) < 0) {
-      addSurface(rows.body[contact], lowest, riseMm);
+    if (lowest != point && contacts.surfaceContact(contacts.body[contact], lowest) < 0) {
+      addSurface(contacts.body[contact], lowest, riseMm);
     }
   }
 
@@ -328,7 +331,7 @@ final class RigidStepper {
     verifier.gridPosition(body, tool, point, position);
     ContactField field = fields[body];
     return field.evaluate(position, verifier.body(body).level(point))
-        ? rows.addSurface(body, point, field, riseMm)
+        ? contacts.addSurface(body, point, field, riseMm)
         : -1;
   }
 
@@ -338,18 +341,18 @@ final class RigidStepper {
    */
   private boolean solve(double riseMm) {
     budget.countSolve();
-    boolean solved = rows.problem.solve();
-    for (int n = 0; n < 6 && (!solved || rows.isWorseThanStaying(riseMm)); n++) {
-      rows.softenRises(n == 5);
+    boolean solved = contacts.problem.solve();
+    for (int n = 0; n < 6 && (!solved || contacts.isWorseThanStaying(riseMm)); n++) {
+      contacts.relaxRises(n == 5);
       budget.countSolve();
-      solved = rows.problem.solve();
+      solved = contacts.problem.solve();
     }
     return solved;
   }
 
   /** Proposes the solution, shortened to the limits of a step; returns the fraction of it, or 0. */
   private double propose(double mostMm) {
-    tool.metric().toTwist(verifier.pose(), rows.problem.y, displacement, turn);
+    tool.metric().toTwist(verifier.pose(), contacts.problem.y, displacement, turn);
     double turned = turn.length();
     double path = pathOf(1);
     double longest = Math.min(StepLimits.STEP_EDGES * edgeMm, Math.min(2 * mostMm, pathLeftMm));
@@ -373,41 +376,41 @@ final class RigidStepper {
    */
   private boolean areContactsFree() {
     hits.clear();
-    for (int c = 0; c < rows.count() && !hits.isFull(); c++) {
-      verifier.body(rows.body[c]).isPointFree(rows.point[c], hits);
+    for (int c = 0; c < contacts.count() && !hits.isFull(); c++) {
+      verifier.body(contacts.body[c]).isPointFree(contacts.point[c], hits);
     }
     return hits.count() == 0;
   }
 
   private void accept(double fraction) {
     commit();
-    depthMm += fraction * (rows.solvedDepthMm() - depthMm);
+    depthMm += fraction * (contacts.solvedDepthMm() - depthMm);
     keepContacts();
   }
 
-  /** Adds or raises contacts for the earliest hits; returns false if nothing could be done. */
-  private boolean mend() {
-    boolean mended = false;
-    for (int n = 0; n < MOST_CONTACTS_PER_MEND && hits.count() > 0; n++) {
-      mended |= mendHit(hits.takeEarliest());
+  /** Adds or raises contacts for the earliest hits; returns whether any contact has changed. */
+  private boolean addContactsOfHits() {
+    boolean changed = false;
+    for (int n = 0; n < MOST_NEW_CONTACTS && hits.count() > 0; n++) {
+      changed |= addContactOfHit(hits.takeEarliest());
     }
-    return mended;
+    return changed;
   }
 
-  private boolean mendHit(int hit) {
+  private boolean addContactOfHit(int hit) {
     int body = hits.body[hit];
     int point = hits.point[hit];
-    int contact = rows.surfaceContact(body, point);
+    int contact = contacts.surfaceContact(body, point);
     if (contact < 0) {
       contact = addSurface(body, point, 0);
       if (contact < 0) {
         return addFace(hit);
       }
-      if (rows.isUnmet(contact)) {
+      if (contacts.isViolated(contact)) {
         return true;
       }
     }
-    return rows.raise(contact) || addFace(hit);
+    return contacts.raise(contact) || addFace(hit);
   }
 
   private boolean addFace(int hit) {
@@ -419,18 +422,18 @@ final class RigidStepper {
     position.set(0, 0, 0);
     position.set(axis, hits.side[hit]);
     body.gridDirectionToWorld(position, position);
-    return rows.addFace(hits.body[hit], hits.point[hit], position, hits.gapMm[hit]);
+    return contacts.addFace(hits.body[hit], hits.point[hit], position, hits.gapMm[hit]);
   }
 
   private boolean stepShorter(double fraction) {
     double part = committedPart(fraction);
-    depthMm += part * (rows.solvedDepthMm() - depthMm);
+    depthMm += part * (contacts.solvedDepthMm() - depthMm);
     return part > 0;
   }
 
   /** Commits a shorter part of the last solution if one is free; returns it, or 0. */
   private double committedPart(double fraction) {
-    tool.metric().toTwist(verifier.pose(), rows.problem.y, displacement, turn);
+    tool.metric().toTwist(verifier.pose(), contacts.problem.y, displacement, turn);
     for (double part = 0.5 * fraction; part > SMALLEST_FRACTION * fraction; part /= 2) {
       proposeStep(part);
       if (isFree(0, true)) {
@@ -443,29 +446,29 @@ final class RigidStepper {
 
   /** Keeps active contacts first, then those that are near. */
   private void keepContacts() {
-    warm = 0;
-    for (int c = 0; c < rows.count(); c++) {
-      if (rows.isActive(c)) {
+    kept = 0;
+    for (int c = 0; c < contacts.count(); c++) {
+      if (contacts.isActive(c)) {
         keep(c);
       }
     }
-    warmActive = warm;
-    for (int c = 0; c < rows.count(); c++) {
-      if (rows.isNear(c)) {
+    keptActive = kept;
+    for (int c = 0; c < contacts.count(); c++) {
+      if (contacts.isNear(c)) {
         keep(c);
       }
     }
   }
 
   private void keep(int contact) {
-    for (int n = 0; n < warm; n++) {
-      if (warmPoint[n] == rows.point[contact] && warmBody[n] == rows.body[contact]) {
+    for (int n = 0; n < kept; n++) {
+      if (keptPoint[n] == contacts.point[contact] && keptBody[n] == contacts.body[contact]) {
         return;
       }
     }
-    if (warm < MOST_WARM) {
-      warmBody[warm] = rows.body[contact];
-      warmPoint[warm++] = rows.point[contact];
+    if (kept < MOST_KEPT_CONTACTS) {
+      keptBody[kept] = contacts.body[contact];
+      keptPoint[kept++] = contacts.point[contact];
     }
   }
 }

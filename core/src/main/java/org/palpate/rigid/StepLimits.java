@@ -1,14 +1,11 @@
 package org.palpate.rigid;
 
 /**
- * The limits of a tool's motion in one verified step, so that chords can stand for arcs. All
- * lengths are in shortest voxel edges of the scene.
+ * Limits of a step of a tool. They keep the arc of each point near its chord, which is what
+ * verification tests. Lengths are in shortest voxel edges of the scene.
  */
 final class StepLimits {
-  /**
-   * The largest distance between the arc that a point follows and the chord that is verified.
-   * {@link Clearance#ofWholeBody} includes it.
-   */
+  /** The largest deviation of an arc from its chord; {@link Clearance#ofWholeBody} adds it. */
   static final double SAGITTA_EDGES = 1e-3;
 
   /** The longest path of a point in one step towards contacts. */
@@ -17,8 +14,8 @@ final class StepLimits {
   private StepLimits() {}
 
   /**
-   * Returns the largest rotation of a step, rad. A point at distance r from the screw axis leaves
-   * its chord by at most r (1 - cos(a/2)) for a rotation a. This is at most r a^2/8.
+   * Returns the largest rotation of a step, rad. A point at distance r from the axis leaves its
+   * chord by at most r (1 - cos(a/2)) for a rotation by a. This is at most r a^2/8.
    *
    * @param radiusMm the largest distance of a point from the reference point
    */

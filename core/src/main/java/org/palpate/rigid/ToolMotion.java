@@ -61,7 +61,10 @@ public final class ToolMotion {
     return depthMm;
   }
 
-  /** Returns how many points keep less than the full clearance of some body. */
+  /**
+   * Returns the number of points that keep less than the full clearance of some body. As long as it
+   * is not 0, the whole-tool theorem does not hold.
+   */
   public int reducedPoints() {
     return reducedPoints;
   }

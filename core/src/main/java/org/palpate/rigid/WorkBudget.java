@@ -1,52 +1,60 @@
 package org.palpate.rigid;
 
 /**
- * Bounds the work of a frame by counting it: a look at a point costs 1, about 50 ns. Counted as if
- * nothing had been left out, so that the same poses give the same bits with and without skips.
+ * Counts the work of a frame and bounds it. The unit is the test of one point, about 50 ns. Work is
+ * counted as if nothing were skipped, so that results are the same with and without skips. Haptic
+ * thread only.
  */
 final class WorkBudget {
-  private static final long QP_COST = 25;
+  /** The work of solving a nearest-point problem. */
+  private static final long SOLVE_COST = 25;
+
+  /** The work of evaluating the field at a point. */
   private static final long FIELD_COST = 10;
 
   /** The work that a frame may always use. */
   private static final long LEAST_BUDGET = 12_000;
 
-  /** The number of verifications of all points near solids that a frame may use as well. */
+  /** The number of complete verifications that a frame may always use. */
   private static final long VERIFICATIONS = 5;
 
   private final ToolVerifier verifier;
   private long testedBefore;
-  private long extra;
+  private long otherWork;
   private long largestVerification;
 
   WorkBudget(ToolVerifier verifier) {
     this.verifier = verifier;
   }
 
+  /** Begins a frame. */
   void begin() {
     testedBefore = verifier.tested();
-    extra = 0;
+    otherWork = 0;
     largestVerification -= largestVerification >> 5;
   }
 
+  /** Counts the solution of a nearest-point problem. */
   void countSolve() {
-    extra += QP_COST;
+    otherWork += SOLVE_COST;
   }
 
+  /** Counts an evaluation of the field. */
   void countField() {
-    extra += FIELD_COST;
+    otherWork += FIELD_COST;
   }
 
-  /** Takes note of how many points a complete verification looked at. */
+  /** Counts the points that a complete verification tested. */
   void countVerification(long tested) {
     largestVerification = Math.max(largestVerification, tested);
   }
 
   /** Returns the work of the frame so far. */
   long work() {
-    return verifier.tested() - testedBefore + extra;
+    return verifier.tested() - testedBefore + otherWork;
   }
 
+  /** Whether the frame must end. */
   boolean isSpent() {
     return work() >= Math.max(LEAST_BUDGET, VERIFICATIONS * largestVerification);
   }

@@ -196,8 +196,7 @@ class ArchitectureTest {
               BASE + "scene.Palette",
               BASE + "scene.gl.SceneRendererVariants",
               BASE + "scene.gl.Shaders",
-              BASE + "scene.window.OffscreenRendererVariants",
-              BASE + "tool.ToolMaker"));
+              BASE + "scene.window.OffscreenRendererVariants"));
 
   /** Packages with native methods: JNI in {@code device.jni}, bindings of JNA in the others. */
   private static final Set<String> HAVE_NATIVE_METHODS =

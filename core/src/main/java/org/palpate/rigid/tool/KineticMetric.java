@@ -17,9 +17,9 @@ public final class KineticMetric {
    * The fraction of the covariance's trace that is added to its diagonal, so that rods can be
    * turned.
    */
-  private static final double ROUNDING_FRACTION = 0.01;
+  private static final double ADDED_FRACTION = 0.01;
 
-  /** The variance that is added as well, mm^2, so that a tool of one point has a metric. */
+  /** The variance that is added too, mm^2, so that a tool of a single point has a metric. */
   private static final double LEAST_VARIANCE_MM2 = 1e-3;
 
   private final double xx;
@@ -45,7 +45,7 @@ public final class KineticMetric {
    */
   KineticMetric(double... covariance) {
     double trace = covariance[0] + covariance[1] + covariance[2];
-    double added = ROUNDING_FRACTION * trace + LEAST_VARIANCE_MM2;
+    double added = ADDED_FRACTION * trace + LEAST_VARIANCE_MM2;
     rmsRadiusMm = Math.sqrt(trace);
     xx = covariance[0] + added;
     yy = covariance[1] + added;
@@ -66,7 +66,7 @@ public final class KineticMetric {
     return rmsRadiusMm;
   }
 
-  /** Returns the squared distance between two poses, mm^2; bit for bit 0 for the same bits. */
+  /** Returns the squared distance between two poses, mm^2; exactly 0 for the same bits. */
   public double squaredDistance(Pose a, Pose b) {
     double dx = b.translation.x - a.translation.x;
     double dy = b.translation.y - a.translation.y;

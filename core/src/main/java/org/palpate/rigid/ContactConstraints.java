@@ -6,53 +6,58 @@ import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
 
 /**
- * The contacts of a step as rows of a nearest-point problem in seven unknowns: the six metric
- * coordinates of the step, and how far below the isosurface the contacts may run ("depth").
+ * The contacts of a step as linear constraints of a nearest-point problem. It has seven unknowns:
+ * the six metric coordinates of the step, and the depth to which contacts may sink below the
+ * isosurface.
  *
- * <p>A surface contact asks its point to stay above the isosurface less the depth, to first order.
- * Depth has a price, so it is 0 unless it buys a larger approach to the device: in the open it
- * never does, between opposing walls it does. The depth is continuous; so is the change from
- * surface to voxels. A contact whose leg has hit a voxel all the same is raised by hard steps, and
- * at last becomes a contact with the face of the voxel.
+ * <p>A surface contact requires that its point stays above the isosurface less the depth, to first
+ * order. Depth costs more than distance from the device, so it is 0 unless it allows a larger
+ * approach. On an open surface it never does; between opposing walls it does. Depth is continuous,
+ * so a contact does not jump from the surface to the voxels. If the leg of a contact hits a voxel
+ * nevertheless, the height that the contact requires is raised step by step. At last the contact
+ * becomes one with the face of the voxel.
  *
  * <p>Reference: constraint-based six-degree-of-freedom god object, Ortega, Redon and Coquillart
- * 2007; the metric is theirs, the surface and the depth are ours. Haptic thread only.
+ * 2007. The metric is theirs; surface and depth are ours. Haptic thread only; allocates nothing.
  */
-final class ContactRows {
+final class ContactConstraints {
   static final int CAPACITY = 96;
 
   private static final int UNKNOWNS = 7;
   private static final int DEPTH = 6;
 
-  /** Rows for the least and the largest depth come first. */
-  private static final int FIRST = 2;
+  /** The rows before the contacts: they bound the depth from below and above. */
+  private static final int DEPTH_ROWS = 2;
 
-  /** The largest depth, edges: from the isosurface down to the bare voxels and a little more. */
+  /**
+   * The largest depth, edges: it reaches from the isosurface to a little below the voxels' faces.
+   */
   static final double LARGEST_DEPTH_EDGES = 1.2;
 
   /**
-   * The price of an edge of depth, relative to an edge of distance from the device. It is more than
-   * 1, so that pressing on an open surface does not pay.
+   * The cost of depth relative to the cost of an equal distance from the device. It is more than 1,
+   * so that pressing on an open surface causes no depth.
    */
-  static final double DEPTH_PRICE = 1.3;
+  static final double DEPTH_COST = 1.3;
 
-  /** Curvature of the price, so that the problem is strictly convex. */
-  private static final double DEPTH_STIFFNESS = 0.3;
+  /** The scale of the unknown for depth; a quadratic cost keeps the problem strictly convex. */
+  private static final double DEPTH_SCALE = 0.3;
 
-  /** The margin that a relief asks for, edges, and its weight against the length of the motion. */
-  private static final double RELIEF_EDGES = 0.6;
+  /** The gap that a lift between opposing contacts aims at, edges. */
+  private static final double LIFT_EDGES = 0.6;
 
-  private static final double RELIEF_WEIGHT = 3;
+  /** The weight of that gap against the length of the motion. */
+  private static final double LIFT_WEIGHT = 3;
 
-  /** By how much a point is raised when its leg has hit, edges, one time after the other. */
+  /** The heights by which a contact is raised after each hit of its leg, edges. */
   private static final double[] RAISES_EDGES = {.02, .08, .2, .4, .7, 1.1};
 
-  /** A contact counts as pressed if its height is below this, edges. */
+  /** A contact is near if its point is lower than this over the surface, edges. */
   private static final double NEAR_EDGES = 0.3;
 
   final int[] body = new int[CAPACITY];
   final int[] point = new int[CAPACITY];
-  final NearestPointSolver problem = new NearestPointSolver(UNKNOWNS, CAPACITY + FIRST);
+  final NearestPointSolver problem = new NearestPointSolver(UNKNOWNS, CAPACITY + DEPTH_ROWS);
 
   private final double[] normalX = new double[CAPACITY];
   private final double[] normalY = new double[CAPACITY];
@@ -68,7 +73,7 @@ final class ContactRows {
   private double depthMm;
   private int count;
 
-  ContactRows(RigidTool tool, double edgeMm) {
+  ContactConstraints(RigidTool tool, double edgeMm) {
     this.tool = tool;
     this.edgeMm = edgeMm;
   }
@@ -76,36 +81,36 @@ final class ContactRows {
   /**
    * Begins a step without contacts.
    *
-   * @param from the pose from which the step leads; kept
-   * @param presentDepthMm the depth of the present contacts
+   * @param from the pose at which the step begins; kept
+   * @param presentDepthMm the depth of the present contacts, mm
    */
   void begin(Pose from, double presentDepthMm) {
     pose = from;
     depthMm = presentDepthMm;
     count = 0;
-    problem.rows = FIRST;
-    Arrays.fill(problem.a, 0, FIRST * UNKNOWNS, 0);
+    problem.rows = DEPTH_ROWS;
+    Arrays.fill(problem.a, 0, DEPTH_ROWS * UNKNOWNS, 0);
     problem.a[DEPTH] = 1;
     problem.b[0] = 0;
     problem.a[UNKNOWNS + DEPTH] = -1;
-    problem.b[1] = -DEPTH_STIFFNESS * LARGEST_DEPTH_EDGES * edgeMm;
+    problem.b[1] = -DEPTH_SCALE * LARGEST_DEPTH_EDGES * edgeMm;
   }
 
   int count() {
     return count;
   }
 
-  /** Sets where the step should lead: six metric coordinates, mm. */
+  /** Sets the motion to the device: six metric coordinates, mm. */
   void setTarget(double[] metric) {
     double square = 0;
     for (int c = 0; c < DEPTH; c++) {
       problem.target[c] = metric[c];
       square += metric[c] * metric[c];
     }
-    problem.target[DEPTH] = -DEPTH_PRICE * Math.sqrt(square) / DEPTH_STIFFNESS;
+    problem.target[DEPTH] = -DEPTH_COST * Math.sqrt(square) / DEPTH_SCALE;
   }
 
-  /** Returns the contact of a point with the surface of a body, or -1. */
+  /** Returns the index of the contact of a point with the surface of a body, or -1. */
   int surfaceContact(int ofBody, int ofPoint) {
     for (int c = 0; c < count; c++) {
       if (point[c] == ofPoint && body[c] == ofBody && !face[c]) {
@@ -118,20 +123,26 @@ final class ContactRows {
   /**
    * Adds a contact with the surface that a field has just evaluated at the point.
    *
-   * @param mostRiseMm by how much a point deeper than the present depth must rise at most
-   * @return its index, or -1 if there is no room
+   * @param mostRiseMm the most that a point below the present depth is required to rise, mm
+   * @return its index, or -1 if there are too many contacts
    */
   int addSurface(int ofBody, int ofPoint, ContactField field, double mostRiseMm) {
     int c = add(ofBody, ofPoint, field.normal, false);
     if (c >= 0) {
       heightMm[c] = field.heightMm;
       problem.b[row(c)] = Math.min(-field.heightMm, depthMm + mostRiseMm);
-      problem.a[row(c) * UNKNOWNS + DEPTH] = 1 / DEPTH_STIFFNESS;
+      problem.a[row(c) * UNKNOWNS + DEPTH] = 1 / DEPTH_SCALE;
     }
     return c;
   }
 
-  /** Adds a contact with the face of a voxel; the normal is unit, world axes. */
+  /**
+   * Adds a contact with the face of a voxel, or tightens it.
+   *
+   * @param faceNormal unit, world axes
+   * @param gapMm the distance of the point from the face, mm
+   * @return whether the contact is new or tighter
+   */
   boolean addFace(int ofBody, int ofPoint, Vec3 faceNormal, double gapMm) {
     double need = Math.min(0, SHORT_OF_FACE_EDGES * edgeMm - gapMm);
     for (int c = 0; c < count; c++) {
@@ -179,13 +190,13 @@ final class ContactRows {
   }
 
   private static int row(int contact) {
-    return contact + FIRST;
+    return contact + DEPTH_ROWS;
   }
 
   /**
-   * Raises the point of a surface contact beyond what the last solution gave it.
+   * Raises the height that a surface contact requires, because its leg has hit a voxel.
    *
-   * @return false if it was raised as often as makes sense
+   * @return false if it was raised by all of {@link #RAISES_EDGES} before
    */
   boolean raise(int c) {
     if (raises[c] == RAISES_EDGES.length) {
@@ -196,13 +207,13 @@ final class ContactRows {
     return true;
   }
 
-  /** Whether the last solution left the point of a contact lower than the contact asks for. */
-  boolean isUnmet(int c) {
+  /** Whether the last solution violates a contact. */
+  boolean isViolated(int c) {
     return problem.along(row(c)) < problem.b[row(c)] - 1e-3 * edgeMm;
   }
 
-  /** Halves all rises; with {@code none}, lets no contact ask for a rise. */
-  void softenRises(boolean none) {
+  /** Halves the rises that contacts require; with {@code none}, lets none require a rise. */
+  void relaxRises(boolean none) {
     for (int c = 0; c < count; c++) {
       double need = problem.b[row(c)];
       boolean isHard = problem.a[row(c) * UNKNOWNS + DEPTH] == 0;
@@ -215,17 +226,17 @@ final class ContactRows {
 
   /** Returns the depth of the last solution, mm. */
   double solvedDepthMm() {
-    return Math.max(0, problem.y[DEPTH] / DEPTH_STIFFNESS);
+    return Math.max(0, problem.y[DEPTH] / DEPTH_SCALE);
   }
 
   /**
-   * Whether the last solution is farther from the target, depth counted, than staying is.
+   * Whether the last solution costs more than staying: distance from the target and depth.
    *
-   * @param allowedMm by how much it may be farther
+   * @param allowedMm the excess that is allowed, mm
    */
   boolean isWorseThanStaying(double allowedMm) {
-    double stay = priced(depthMm);
-    double go = priced(solvedDepthMm());
+    double stay = cost(depthMm);
+    double go = cost(solvedDepthMm());
     for (int c = 0; c < DEPTH; c++) {
       double left = problem.y[c] - problem.target[c];
       stay += problem.target[c] * problem.target[c];
@@ -235,31 +246,31 @@ final class ContactRows {
     return go > most * most * (1 - 1e-9) && go > 1e-18;
   }
 
-  private double priced(double depth) {
-    double off = depth * DEPTH_STIFFNESS - problem.target[DEPTH];
+  private double cost(double depth) {
+    double off = depth * DEPTH_SCALE - problem.target[DEPTH];
     return off * off - problem.target[DEPTH] * problem.target[DEPTH];
   }
 
   /**
-   * Turns the problem of a step into that of a relief: to find the motion that gives all contacts
-   * the largest common margin, for its length. Between opposing contacts that leads to the middle.
-   * The last unknown is then the margin; contacts that contradict each other get a negative one.
+   * Turns the problem of a step into that of a lift: to find a short motion that gives all contacts
+   * a large common gap. Between opposing contacts it leads to the middle. The last unknown is then
+   * the gap, which is negative if the contacts contradict each other.
    *
-   * @param pull which fraction of the way to the target is asked for at the same time
+   * @param pull the fraction of the motion to the target that is requested at the same time
    */
-  void setRelief(double pull) {
-    Arrays.fill(problem.a, 0, FIRST * UNKNOWNS, 0);
-    Arrays.fill(problem.b, 0, FIRST, -1);
+  void setLift(double pull) {
+    Arrays.fill(problem.a, 0, DEPTH_ROWS * UNKNOWNS, 0);
+    Arrays.fill(problem.b, 0, DEPTH_ROWS, -1);
     for (int c = 0; c < count; c++) {
-      problem.a[row(c) * UNKNOWNS + DEPTH] = -1 / RELIEF_WEIGHT;
+      problem.a[row(c) * UNKNOWNS + DEPTH] = -1 / LIFT_WEIGHT;
     }
     for (int c = 0; c < DEPTH; c++) {
       problem.target[c] *= pull;
     }
-    problem.target[DEPTH] = RELIEF_WEIGHT * RELIEF_EDGES * edgeMm;
+    problem.target[DEPTH] = LIFT_WEIGHT * LIFT_EDGES * edgeMm;
   }
 
-  /** Whether a contact was met with equality by the last solution. */
+  /** Whether a contact is active in the last solution: met with equality. */
   boolean isActive(int c) {
     for (int n = 0; n < problem.activeCount; n++) {
       if (problem.active[n] == row(c)) {
@@ -279,7 +290,7 @@ final class ContactRows {
     return dest.set(normalX[c], normalY[c], normalZ[c]);
   }
 
-  /** Whether two near contacts push against each other. */
+  /** Whether the normals of two near contacts point against each other. */
   boolean areOpposed() {
     for (int a = 0; a < count; a++) {
       for (int b = 0; isNear(a) && b < a; b++) {
