@@ -35,21 +35,35 @@ final class ClearanceLevels {
   private final GrownSolids[] grown;
   private long editsSeen;
 
+  /** Grows the solids of a body by the clearance of a tool, and by parts of it. */
   ClearanceLevels(Body body, Clearance clearanceOfTool) {
     this.body = body;
-    highest = clearanceOfTool.growthMm() > 0 ? Math.max(1, clearanceOfTool.levels()) : 0;
+    double growthMm = clearanceOfTool.growthMm();
+    GrownSolids whole = growthMm > 0 ? grown(body, clearanceOfTool, growthMm) : null;
+    highest = whole == null ? 0 : levels(clearanceOfTool, whole);
     grown = new GrownSolids[highest + 1];
     cubes = new BitCube[highest + 1];
     cubes[0] = body.bits();
     for (int level = 1; level <= highest; level++) {
-      double growthMm = clearanceOfTool.growthMm() * level / highest;
       grown[level] =
-          new GrownSolids(body.bits(), body.metric(), growthMm, clearanceOfTool.longestCellMm());
+          level == highest ? whole : grown(body, clearanceOfTool, growthMm * level / highest);
       cubes[level] = grown[level].cells();
     }
     clearance = highest == 0 ? body.clearance() : new BrickClearance(cubes[highest]);
     cellMm = Math.min(cellMm(highest, 0), Math.min(cellMm(highest, 1), cellMm(highest, 2)));
     editsSeen = body.edits();
+  }
+
+  private static GrownSolids grown(Body body, Clearance clearance, double growthMm) {
+    return new GrownSolids(body.bits(), body.metric(), growthMm, clearance.longestCellMm());
+  }
+
+  /**
+   * Returns the number of levels; 1 if cells are so large that parts of the growth would be alike.
+   */
+  private static int levels(Clearance clearance, GrownSolids whole) {
+    double cellMm = Math.min(whole.cellMm(0), Math.min(whole.cellMm(1), whole.cellMm(2)));
+    return clearance.growthMm() <= cellMm ? 1 : Math.max(1, clearance.levels());
   }
 
   /** Returns the edge of a cell of a level along an axis, mm: 0 is x. */

@@ -66,7 +66,7 @@ public record MadeTool(
     if (ofBody.growthMm() > mostMm) {
       throw new VolumeFormatException(
           "its points would keep "
-              + NumberText.display(ofBody.growthMm())
+              + NumberText.display(Math.rint(1000 * ofBody.growthMm()) / 1000)
               + " mm from "
               + body.name()
               + ", more than "
