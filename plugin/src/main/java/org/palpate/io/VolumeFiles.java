@@ -106,7 +106,8 @@ public final class VolumeFiles {
   private static VolumeFormatException unknownFormat(Path file) {
     if (InputFiles.hasEnding(file, ".dcm", ".ima")) {
       return new VolumeFormatException(
-          "the file is named like DICOM but lacks the letters DICM after its first 128 bytes",
+          "the file is named like DICOM but has neither the letters DICM after its first 128 bytes"
+              + " nor attributes at its start",
           file,
           "export it again, or convert it with gdcmconv --raw IN OUT (free, from GDCM)");
     }

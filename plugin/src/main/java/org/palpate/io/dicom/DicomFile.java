@@ -171,7 +171,7 @@ record DicomFile(
     String text = attributes.text(DicomTag.FRAMES);
     int count = text.isEmpty() ? 1 : NumberParser.positiveInt(text);
     if (count < 1) {
-      throw refusal("the number of frames is '" + text + "'", "export the file again");
+      throw refusal("the number of frames is no positive integer", "export the file again");
     }
     return count;
   }

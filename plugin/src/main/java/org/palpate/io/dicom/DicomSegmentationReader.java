@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.io.dicom.DicomSegmentation.Kind;
@@ -132,18 +133,16 @@ final class DicomSegmentationReader implements VolumeReader {
 
   private void read(SliceSink sink, boolean layers) throws VolumeFormatException {
     VoxelSlice slice = MemoryCheck.slice(header.grid(), true, place);
-    MemoryCheck.require(12.0 * slice.count(), "decoding one frame", place);
-    int[] labels = new int[slice.count()];
+    MemoryCheck.require(8.0 * slice.count(), "decoding one frame", place);
     try (DicomPixelDecoder pixels = new DicomPixelDecoder()) {
       for (int k = 0; k < framesOfSlice.size(); k++) {
         Arrays.fill(slice.integers(), 0);
         for (int frame : framesOfSlice.get(k)) {
-          decode(pixels, frame, labels);
-          if (layers && overlaps(labels, slice.integers())) {
-            sink.accept(k, slice);
-            Arrays.fill(slice.integers(), 0);
+          if (segmentation.kind() == Kind.LABEL_MAP) {
+            paintLabels(pixels, frame, slice.integers());
+          } else {
+            paintSegment(pixels, frame, k, slice, layers ? sink : null);
           }
-          paint(labels, slice.integers());
         }
         sink.accept(k, slice);
         progress.slicesRead(k + 1, framesOfSlice.size());
@@ -159,56 +158,72 @@ final class DicomSegmentationReader implements VolumeReader {
     }
   }
 
-  private static boolean overlaps(int[] labels, int[] painted) {
-    for (int n = 0; n < labels.length; n++) {
-      if (labels[n] != 0 && painted[n] != 0 && labels[n] != painted[n]) {
+  private void paintLabels(DicomPixelDecoder pixels, int frame, int[] dest) throws IOException {
+    DicomFile dicom = segmentation.dicom();
+    int background = dicom.attributes().number(DicomTag.PADDING, 0);
+    int[] stored = pixels.storedValues(dicom, frame, dest.length);
+    for (int n = 0; n < dest.length; n++) {
+      dest[n] = stored[n] == background ? 0 : stored[n];
+    }
+  }
+
+  /**
+   * Paints the segment of a frame into a slice.
+   *
+   * @param sink receives what the slice holds already if the segment overlaps it, and the slice is
+   *     then empty; null if the segment covers it
+   */
+  private void paintSegment(
+      DicomPixelDecoder pixels, int frame, int k, VoxelSlice slice, SliceSink sink)
+      throws IOException {
+    int segment = segmentation.segmentOfFrame().get(frame);
+    int[] dest = slice.integers();
+    BitSet inside = inside(pixels, frame, dest.length);
+    if (sink != null && overlaps(inside, segment, dest)) {
+      sink.accept(k, slice);
+      Arrays.fill(dest, 0);
+    }
+    for (int n = inside.nextSetBit(0); n >= 0; n = inside.nextSetBit(n + 1)) {
+      dest[n] = segment;
+    }
+  }
+
+  private static boolean overlaps(BitSet inside, int segment, int[] painted) {
+    for (int n = inside.nextSetBit(0); n >= 0; n = inside.nextSetBit(n + 1)) {
+      if (painted[n] != 0 && painted[n] != segment) {
         return true;
       }
     }
     return false;
   }
 
-  private static void paint(int[] labels, int[] dest) {
-    for (int n = 0; n < labels.length; n++) {
-      if (labels[n] != 0) {
-        dest[n] = labels[n];
+  /** Returns the pixels of a frame that belong to its segment. */
+  private BitSet inside(DicomPixelDecoder pixels, int frame, int count) throws IOException {
+    DicomFile dicom = segmentation.dicom();
+    if (dicom.bitsAllocated() == 1) {
+      return packedBits(pixels, frame, count);
+    }
+    boolean fractional = segmentation.kind() == Kind.FRACTIONAL;
+    int most = dicom.attributes().number(DicomTag.MOST_FRACTION, 255);
+    double least = fractional ? Math.max(1, LEAST_FRACTION * most) : 1;
+    int[] stored = pixels.storedValues(dicom, frame, count);
+    BitSet inside = new BitSet(count);
+    for (int n = 0; n < count; n++) {
+      if (stored[n] >= least) {
+        inside.set(n);
       }
     }
+    return inside;
   }
 
-  /** Fills {@code dest} with the number of the segment of each pixel of a frame, 0 outside. */
-  private void decode(DicomPixelDecoder pixels, int frame, int[] dest) throws IOException {
-    DicomFile dicom = segmentation.dicom();
-    int segment = segmentation.segmentOfFrame().get(frame);
-    if (dicom.bitsAllocated() == 1) {
-      decodeBits(pixels, frame, segment, dest);
-      return;
-    }
-    int[] stored = pixels.storedValues(dicom, frame, dest.length);
-    int most = dicom.attributes().number(DicomTag.MOST_FRACTION, 255);
-    int background = dicom.attributes().number(DicomTag.PADDING, 0);
-    for (int n = 0; n < dest.length; n++) {
-      dest[n] =
-          switch (segmentation.kind()) {
-            case BINARY -> stored[n] != 0 ? segment : 0;
-            case FRACTIONAL -> stored[n] >= LEAST_FRACTION * most && stored[n] > 0 ? segment : 0;
-            case LABEL_MAP -> stored[n] == background ? 0 : stored[n];
-          };
-    }
-  }
-
-  /** Decodes a frame of one bit a pixel. Frames follow each other without filling up bytes. */
-  private void decodeBits(DicomPixelDecoder pixels, int frame, int segment, int[] dest)
-      throws IOException {
-    long first = (long) frame * dest.length;
+  /** Returns a frame of one bit a pixel. Frames follow each other without filling up bytes. */
+  private BitSet packedBits(DicomPixelDecoder pixels, int frame, int count) throws IOException {
+    long first = (long) frame * count;
     long from = first >> 3;
-    int count = Math.toIntExact(((first + dest.length + 7) >> 3) - from);
-    byte[] bytes = pixels.nativeBytes(segmentation.dicom(), from, count);
+    int bytes = Math.toIntExact(((first + count + 7) >> 3) - from);
     int shift = (int) (first & 7);
-    for (int n = 0; n < dest.length; n++) {
-      int bit = n + shift;
-      dest[n] = (bytes[bit >> 3] >> (bit & 7) & 1) != 0 ? segment : 0;
-    }
+    BitSet bits = BitSet.valueOf(pixels.nativeBytes(segmentation.dicom(), from, bytes));
+    return bits.get(shift, shift + count);
   }
 
   @Override

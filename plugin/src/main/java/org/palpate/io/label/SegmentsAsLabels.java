@@ -70,15 +70,23 @@ public final class SegmentsAsLabels implements VolumeReader {
   public void readLayers(SliceSink sink) throws VolumeFormatException {
     VoxelSlice slice = MemoryCheck.slice(volume.grid(), true, sourceName());
     for (int k = 0; k < volume.grid().sizeZ(); k++) {
+      boolean empty = true;
       for (int n = 0; n < volume.segments().size(); n++) {
-        java.util.Arrays.fill(slice.integers(), 0);
-        paint(volume.segments().get(n).bits(), k, n + 1, slice);
+        if (paint(volume.segments().get(n).bits(), k, n + 1, slice)) {
+          sink.accept(k, slice);
+          java.util.Arrays.fill(slice.integers(), 0);
+          empty = false;
+        }
+      }
+      if (empty) {
         sink.accept(k, slice);
       }
     }
   }
 
-  private static void paint(BitCube bits, int k, int label, VoxelSlice slice) {
+  /** Paints a slice of a segment and returns whether it has a voxel there. */
+  private static boolean paint(BitCube bits, int k, int label, VoxelSlice slice) {
+    boolean painted = false;
     for (int brickY = 0; brickY < bits.bricksY(); brickY++) {
       for (int brickX = 0; brickX < bits.bricksX(); brickX++) {
         long word = bits.brick(brickX, brickY, k >> BitCube.BRICK_SHIFT);
@@ -89,8 +97,10 @@ public final class SegmentsAsLabels implements VolumeReader {
           int j = (brickY << BitCube.BRICK_SHIFT) + (bit >> 2);
           slice.integers()[j * slice.sizeX() + i] = label;
         }
+        painted |= layer != 0;
       }
     }
+    return painted;
   }
 
   @Override

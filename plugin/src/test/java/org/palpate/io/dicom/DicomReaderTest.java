@@ -73,7 +73,7 @@ class DicomReaderTest {
   @ParameterizedTest
   @CsvSource({
     "formats/malformed/MR_truncated.dcm, damaged",
-    "formats/malformed/badVR.dcm, frames is",
+    "formats/malformed/badVR.dcm, frames is no",
     "formats/malformed/meta_missing_tsyntax.dcm, no transfer syntax",
     "formats/malformed/no_meta.dcm, DICM",
     "formats/malformed/rtplan_truncated.dcm, a",
