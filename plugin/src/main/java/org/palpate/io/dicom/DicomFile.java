@@ -20,6 +20,7 @@ import org.palpate.io.volume.VolumeFormatException;
  * @param order the byte order
  * @param pixelDataItems one item of native pixel data, or the fragments of encapsulated ones
  * @param encapsulated whether the items are fragments
+ * @param swapped whether native pixels are big-endian words, in which bytes stand in pairs
  */
 record DicomFile(
     Path file,
@@ -28,9 +29,12 @@ record DicomFile(
     long deflatedFrom,
     ByteOrder order,
     List<PixelDataItem> pixelDataItems,
-    boolean encapsulated) {
+    boolean encapsulated,
+    boolean swapped) {
   /** The first attribute of group 2, as a little-endian number reads it. */
   private static final int META_LENGTH = 0x0000_0002;
+
+  private static final int META_GROUP = 2;
 
   /** The remedy for an encoding that cannot be read. */
   static final String CONVERT = "convert it with gdcmconv --raw IN OUT (free, from GDCM)";
@@ -70,7 +74,8 @@ record DicomFile(
               deflated ? body : -1,
               order,
               List.copyOf(parser.pixelDataItems()),
-              parser.isEncapsulated());
+              parser.isEncapsulated(),
+              parser.areWords() && order == ByteOrder.BIG_ENDIAN);
       if (parser.isFloating()) {
         throw dicom.refusal("the pixels are floating-point numbers", CONVERT);
       }
@@ -93,7 +98,7 @@ record DicomFile(
       throw new IOException("neither the letters DICM nor attributes are at its start");
     }
     ByteBuffer first = ByteBuffer.wrap(start).order(ByteOrder.LITTLE_ENDIAN);
-    if (first.getInt(0) == META_LENGTH) {
+    if (first.getShort(0) == META_GROUP) {
       return readMeta(bytes, 0, meta);
     }
     String uid =
@@ -105,15 +110,14 @@ record DicomFile(
   /** Reads group 2, which is always explicit and little-endian, and returns the offset after it. */
   private static long readMeta(DicomBytes bytes, long at, DicomDataSet meta) throws IOException {
     ByteBuffer first = bytes.at(at, 12, ByteOrder.LITTLE_ENDIAN);
-    if (first.getInt(0) != META_LENGTH) {
-      throw new IOException("group 2 is missing");
+    long end = bytes.length();
+    if (first.getInt(0) == META_LENGTH) {
+      end = at + 12 + (first.getInt(8) & 0xffffffffL);
+      if (end > bytes.length()) {
+        throw new IOException("group 2 is longer than the file");
+      }
     }
-    long end = at + 12 + (first.getInt(8) & 0xffffffffL);
-    if (end > bytes.length()) {
-      throw new IOException("group 2 is longer than the file");
-    }
-    new DicomParser(bytes, at + 12, ByteOrder.LITTLE_ENDIAN).parse(end, true, meta);
-    return end;
+    return new DicomParser(bytes, at, ByteOrder.LITTLE_ENDIAN).parseMeta(end, meta);
   }
 
   /** Whether the file has pixel data. */

@@ -17,6 +17,7 @@ import org.palpate.io.file.NumberText;
  */
 final class DicomParser {
   private static final long UNDEFINED = 0xffffffffL;
+  private static final int META_GROUP = 2;
   private static final int MAX_DEPTH = 16;
   private static final int MAX_VALUE_BYTES = 1024;
   private static final int MAX_LONG_VALUE_BYTES = 1 << 20;
@@ -30,6 +31,7 @@ final class DicomParser {
   private final List<PixelDataItem> pixelDataItems = new ArrayList<>();
   private boolean encapsulated;
   private boolean floating;
+  private boolean words;
 
   /**
    * The position of pixel data in the file, in bytes.
@@ -51,8 +53,11 @@ final class DicomParser {
     parse(end, explicit, into, 0);
   }
 
-  /** Returns the offset of the parser. */
-  long place() {
+  /** Parses the attributes of group 2, which are explicit, and returns the offset after them. */
+  long parseMeta(long end, DicomDataSet into) throws IOException {
+    while (at < end && (bytes.at(at, 2, order).getShort(0) & 0xffff) == META_GROUP) {
+      parseElement(tag(), end, true, into, 0);
+    }
     return at;
   }
 
@@ -64,6 +69,11 @@ final class DicomParser {
   /** Whether the pixel data are encapsulated. */
   boolean isEncapsulated() {
     return encapsulated;
+  }
+
+  /** Whether native pixels are words of 16 bits, which the byte order swaps. */
+  boolean areWords() {
+    return words;
   }
 
   /** Whether pixels are floating-point numbers. */
@@ -97,7 +107,7 @@ final class DicomParser {
             || (vr.isEmpty() && DicomTag.SEQUENCES.contains(tag))
             || ((vr.isEmpty() || vr.equals("UN")) && length == UNDEFINED && tag != DicomTag.PIXELS);
     if (isPixels(tag) && depth == 0) {
-      putPixelData(tag, length, end);
+      putPixelData(tag, vr, length, end);
     } else if (sequence) {
       parseSequence(tag, length, explicit && !vr.equals("UN"), into, depth);
     } else if (length == UNDEFINED) {
@@ -164,8 +174,9 @@ final class DicomParser {
     return numbers;
   }
 
-  private void putPixelData(int tag, long length, long end) throws IOException {
+  private void putPixelData(int tag, String vr, long length, long end) throws IOException {
     floating = tag != DicomTag.PIXELS;
+    words = vr.equals("OW");
     encapsulated = length == UNDEFINED;
     if (!encapsulated) {
       pixelDataItems.add(new PixelDataItem(at, length));

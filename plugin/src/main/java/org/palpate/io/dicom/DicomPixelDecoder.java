@@ -53,8 +53,22 @@ final class DicomPixelDecoder implements Closeable {
 
   /** Returns the bytes of a frame of native pixels, whose bits begin at a whole byte. */
   private byte[] plainBytes(DicomFile dicom, int index) throws IOException {
-    int bytes = Math.toIntExact(dicom.frameBytes());
-    return nativeBytes(dicom, index * dicom.frameBytes(), bytes);
+    int count = Math.toIntExact(dicom.frameBytes());
+    long from = index * dicom.frameBytes();
+    return dicom.swapped() && dicom.bitsAllocated() == 8
+        ? swappedBytes(dicom, from, count)
+        : nativeBytes(dicom, from, count);
+  }
+
+  /** Returns bytes that stand in words whose higher byte comes first. */
+  private byte[] swappedBytes(DicomFile dicom, long from, int count) throws IOException {
+    int before = (int) (from & 1);
+    byte[] words = nativeBytes(dicom, from - before, before + count + ((before + count) & 1));
+    byte[] bytes = new byte[count];
+    for (int n = 0; n < count; n++) {
+      bytes[n] = words[(n + before) ^ 1];
+    }
+    return bytes;
   }
 
   /** Returns some bytes of native pixels. */

@@ -108,6 +108,8 @@ public final class DicomReader implements VolumeReader {
     if (first.attributes().text(DicomTag.LOSSY).equals("01")
         || first.syntax().coding() == TransferSyntax.Coding.JPEG) {
       notes.add("the pixels were compressed with loss");
+    } else if (first.syntax().isNearLossless()) {
+      notes.add("the pixels may have been compressed with loss");
     }
   }
 

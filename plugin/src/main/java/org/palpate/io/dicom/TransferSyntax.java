@@ -17,6 +17,8 @@ record TransferSyntax(String name, Coding coding) {
   static final String IMPLICIT = "1.2.840.10008.1.2";
   static final String BIG_ENDIAN = "1.2.840.10008.1.2.2";
 
+  private static final String NEAR_LOSSLESS = "JPEG-LS Near-Lossless";
+
   /** The coding of pixels. */
   enum Coding {
     PLAIN,
@@ -44,7 +46,7 @@ record TransferSyntax(String name, Coding coding) {
       {JPEG + "57", "JPEG Lossless", Coding.JPEG_LOSSLESS},
       {JPEG + "70", "JPEG Lossless, first-order prediction", Coding.JPEG_LOSSLESS},
       {JPEG + "80", "JPEG-LS Lossless", Coding.JPEG_LS},
-      {JPEG + "81", "JPEG-LS Near-Lossless", Coding.JPEG_LS},
+      {JPEG + "81", NEAR_LOSSLESS, Coding.JPEG_LS},
       {JPEG + "90", "JPEG 2000, lossless only", Coding.JPEG_2000},
       {JPEG + "91", "JPEG 2000", Coding.JPEG_2000}
     };
@@ -86,6 +88,11 @@ record TransferSyntax(String name, Coding coding) {
       known.put(row[0], new TransferSyntax(row[1], Coding.UNREADABLE));
     }
     return Map.copyOf(known);
+  }
+
+  /** Whether the syntax allows a loss that its coding may avoid. */
+  boolean isNearLossless() {
+    return name.equals(NEAR_LOSSLESS);
   }
 
   /** Returns the syntax of a UID; an unknown one is unreadable. */

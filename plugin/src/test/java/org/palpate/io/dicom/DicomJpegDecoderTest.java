@@ -43,6 +43,7 @@ class DicomJpegDecoderTest {
         -1,
         ByteOrder.LITTLE_ENDIAN,
         List.of(),
-        true);
+        true,
+        false);
   }
 }

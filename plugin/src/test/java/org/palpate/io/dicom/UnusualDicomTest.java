@@ -7,10 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -128,6 +131,24 @@ class UnusualDicomTest {
       assertEquals(130, value, 1);
     }
     assertTrue(reader.header().notes().toString().contains("loss"));
+  }
+
+  /** The example of ITU-T T.87, H.3, is lossless, which the near-lossless syntax allows. */
+  @Test
+  void nearLosslessJpegLsIsReadWithANote() throws Exception {
+    byte[] stream =
+        HexFormat.of()
+            .parseHex(
+                "ffd8fff7000b080004000401011100ffda0008010100000000c000006c80208e01c00000574000"
+                    + "006ee6000001bc18000005d800009160ffd9");
+    VolumeReader reader =
+        read(
+            image()
+                .bytes(new byte[16])
+                .number(DicomTag.ROWS, 4)
+                .compressed("1.2.840.10008.1.2.4.81", stream));
+    assertEquals(List.of(0.0, 0.0, 90.0, 74.0), values(reader).subList(0, 4));
+    assertTrue(reader.header().notes().toString().contains("may have been compressed with loss"));
   }
 
   @Test
@@ -258,6 +279,44 @@ class UnusualDicomTest {
     image().write(folder.resolve("a.dcm"));
     image().text(DicomTag.STACK_ID, "SH", "Secret").write(folder.resolve("b.dcm"));
     assertFalse(refusal().contains("Secret"), refusal());
+  }
+
+  /**
+   * Bytes of 8-bit pixels stand in words, so the byte order swaps them; 5x3 pixels have odd frames.
+   */
+  @Test
+  void bytesInBigEndianWordsAreSwapped() throws Exception {
+    ByteBuffer file = ByteBuffer.allocate(1000); // big-endian
+    file.put(new byte[128]).put("DICM".getBytes(StandardCharsets.ISO_8859_1));
+    byte[] meta =
+        new DicomElements()
+            .text(DicomTag.TRANSFER_SYNTAX, "UI", TransferSyntax.BIG_ENDIAN)
+            .toBytes();
+    file.put(meta); // without the length of group 2, as some tools write it
+    bigEndian(file, DicomTag.SLICE_SPACING, "DS", "1 ".getBytes(StandardCharsets.US_ASCII));
+    bigEndian(file, DicomTag.SAMPLES, "US", new byte[] {0, 1});
+    bigEndian(file, DicomTag.FRAMES, "IS", "2 ".getBytes(StandardCharsets.US_ASCII));
+    bigEndian(file, DicomTag.ROWS, "US", new byte[] {0, 3});
+    bigEndian(file, DicomTag.COLUMNS, "US", new byte[] {0, 5});
+    bigEndian(file, DicomTag.BITS_ALLOCATED, "US", new byte[] {0, 8});
+    byte[] pixels = new byte[30];
+    for (int n = 0; n < 30; n++) {
+      pixels[n ^ 1] = (byte) n;
+    }
+    file.putShort((short) 0x7FE0)
+        .putShort((short) 0x0010)
+        .put("OW".getBytes(StandardCharsets.US_ASCII));
+    file.putShort((short) 0).putInt(pixels.length).put(pixels);
+    Path path = Files.write(folder.resolve("b.dcm"), Arrays.copyOf(file.array(), file.position()));
+    List<Double> values = values(VolumeFiles.open(path, ANY));
+    for (int n = 0; n < 30; n++) {
+      assertEquals(n, values.get(n), TOLERANCE);
+    }
+  }
+
+  private static void bigEndian(ByteBuffer file, int tag, String vr, byte[] value) {
+    file.putShort((short) (tag >>> 16)).putShort((short) tag);
+    file.put(vr.getBytes(StandardCharsets.US_ASCII)).putShort((short) value.length).put(value);
   }
 
   @Test
