@@ -46,6 +46,7 @@ public final class ToolFrame extends HapticFrame {
   private final Quaternion checked = new Quaternion();
   private RigidCoupling coupling;
   private boolean placed;
+  private int mostReduced;
 
   private volatile RigidCoupling requestedCoupling;
 
@@ -143,6 +144,7 @@ public final class ToolFrame extends HapticFrame {
 
   @Override
   void publish(long frame) {
+    mostReduced = Math.max(mostReduced, motion.reducedPoints());
     publisher.publish(
         devicePose, motion.pose(), forceNewton, torqueNewtonMm, motion.contact(), frame);
   }
@@ -160,6 +162,14 @@ public final class ToolFrame extends HapticFrame {
   /** Returns the device pose that the last frame followed, world mm. It belongs to the frame. */
   public Pose devicePose() {
     return devicePose;
+  }
+
+  /**
+   * Returns the most points that kept less than their clearance in any frame. Haptic thread, or any
+   * thread after the last frame.
+   */
+  public int mostReducedPoints() {
+    return mostReduced;
   }
 
   /** Returns the work of the last frame, in points looked at. */

@@ -1,9 +1,14 @@
 package org.palpate.host;
 
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.PointFrame;
+import org.palpate.frame.ToolFrame;
+import org.palpate.rigid.RigidCoupling;
 
 /**
  * Changes stiffness, friction and the solver in steps while the user touches. Each change takes
@@ -23,19 +28,52 @@ public final class ContactTuning {
   private static final List<SolverKind> SOLVERS =
       List.of(SolverKind.SMOOTH, SolverKind.GUARDED, SolverKind.PAPER, SolverKind.DOT);
 
-  private final PointFrame frame;
-  private final ContactScene scene;
+  private static final String RIGID_TOOL = "rigid tool";
+
+  private final Consumer<ForceSettings> forceRequests;
+  private final Consumer<SolverKind> solverRequests;
   private final double maxNewtonPerMm;
   private ForceSettings force;
+
+  /** Null for a rigid tool, which has one solver. */
   private SolverKind solver;
 
   /** Starts from the settings that the frame was created with. */
   ContactTuning(
       PointFrame frame, ContactScene scene, ForceSettings force, DeviceSpecification device) {
-    this.frame = frame;
-    this.scene = scene;
+    this(
+        frame::requestForce,
+        kind -> frame.requestSolver(scene.newSolver(kind)),
+        scene.settings().solver(),
+        force,
+        device);
+  }
+
+  /**
+   * Returns the tuning of a rigid tool: its stiffness in translation and rotation. Friction and
+   * solver stay as they are.
+   */
+  static ContactTuning ofTool(
+      ToolFrame frame, RigidCoupling coupling, ForceSettings force, DeviceSpecification device) {
+    double before = force.stiffnessNewtonPerMm();
+    return new ContactTuning(
+        tuned -> frame.requestCoupling(coupling.scaled(tuned.stiffnessNewtonPerMm() / before)),
+        kind -> {},
+        null,
+        force,
+        device);
+  }
+
+  private ContactTuning(
+      Consumer<ForceSettings> forceRequests,
+      Consumer<SolverKind> solverRequests,
+      SolverKind solver,
+      ForceSettings force,
+      DeviceSpecification device) {
+    this.forceRequests = forceRequests;
+    this.solverRequests = solverRequests;
+    this.solver = solver;
     this.force = force;
-    solver = scene.settings().solver();
     double deviceMax = device.maxStiffnessNewtonPerMm();
     boolean isKnown = deviceMax > 0 && !Double.isInfinite(deviceMax);
     maxNewtonPerMm =
@@ -62,35 +100,48 @@ public final class ContactTuning {
 
   /** Increases the friction coefficient by 0.05, up to 1. */
   public synchronized void increaseFriction() {
-    setFriction(force.friction() + FRICTION_STEP);
+    changeFriction(force.friction() + FRICTION_STEP);
   }
 
   /** Decreases the friction coefficient by 0.05, down to 0. */
   public synchronized void decreaseFriction() {
-    setFriction(force.friction() - FRICTION_STEP);
+    changeFriction(force.friction() - FRICTION_STEP);
   }
 
-  private void setFriction(double friction) {
+  private void changeFriction(double friction) {
+    if (solver == null) {
+      return;
+    }
     double steps = Math.rint(friction / FRICTION_STEP) * FRICTION_STEP;
     retune(1, Math.max(0, Math.min(MAX_FRICTION, steps)) - force.friction());
   }
 
   private void retune(double stiffnessFactor, double addedFriction) {
     force = force.retuned(stiffnessFactor, addedFriction);
-    frame.requestForce(force);
+    forceRequests.accept(force);
   }
 
   /**
    * Switches to the next of smooth, guarded, paper and dot. The last two do not keep the guarantee.
    */
   public synchronized void nextSolver() {
-    solver = SOLVERS.get((SOLVERS.indexOf(solver) + 1) % SOLVERS.size());
-    frame.requestSolver(scene.newSolver(solver));
+    if (solver != null) {
+      solver = SOLVERS.get((SOLVERS.indexOf(solver) + 1) % SOLVERS.size());
+      solverRequests.accept(solver);
+    }
   }
 
-  /** Returns the kind of solver that the next frame runs. */
-  public synchronized SolverKind solver() {
-    return solver;
+  /** Returns the kind of solver that the next frame runs; empty for a rigid tool. */
+  public synchronized Optional<SolverKind> solver() {
+    return Optional.ofNullable(solver);
+  }
+
+  /** Returns one line for the user: solver, stiffness and friction of the next frame. */
+  public synchronized String line() {
+    String stiffness = String.format(Locale.ROOT, "   %.2f N/mm", force.stiffnessNewtonPerMm());
+    return solver == null
+        ? RIGID_TOOL + stiffness
+        : solver + stiffness + String.format(Locale.ROOT, "   friction %.2f", force.friction());
   }
 
   /** Returns stiffness and friction of the next frame. */

@@ -97,6 +97,20 @@ public record DeviceName(String name, String id) {
     };
   }
 
+  /**
+   * Opens the device for a rigid tool: as {@link #open} does, but a simulated hand turns too.
+   *
+   * @throws DeviceException if a real device cannot be opened; the message gives the remedy
+   * @throws IOException if the recorded trajectory cannot be read
+   */
+  public HapticDevice openForTool(
+      HandTarget target, long periodNanos, Function<DeviceSpecification, Workspace> fit)
+      throws IOException, DeviceException {
+    return isSimulated()
+        ? SimulatedDevice.withOrientation(seed(), target, periodNanos)
+        : open(target, periodNanos, fit);
+  }
+
   private HapticDevice openReplay() throws IOException {
     return new ReplayDevice(toString(), TrajectoryFile.read(Path.of(id), false));
   }

@@ -131,14 +131,8 @@ final class SessionOverlay {
   }
 
   private String tuningLine() {
-    ContactTuning tuning = session.tuning();
     boolean clutched = device instanceof WorkspaceDevice mapped && mapped.isClutchRequested();
-    return format(
-        "%s   %.2f N/mm   friction %.2f%s",
-        tuning.solver(),
-        tuning.force().stiffnessNewtonPerMm(),
-        tuning.force().friction(),
-        clutched ? "   clutch held" : "");
+    return session.tuning().line() + (clutched ? "   clutch held" : "");
   }
 
   private static String format(String pattern, Object... values) {

@@ -3,7 +3,6 @@ package org.palpate.host;
 import java.io.IOException;
 import java.util.Arrays;
 import org.palpate.device.Trajectory;
-import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
 import org.palpate.frame.ToolFrame;
@@ -80,16 +79,14 @@ public final class ToolReplay {
         scene.newFrame(
             device,
             settings,
-            scene.coupling(ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM),
+            scene.coupling(scene.contactScene().defaultStiffnessNewtonPerMm()),
             ToolFramePublisher.NONE);
     long[] work = new long[trajectory.size()];
-    int mostReduced = 0;
     for (int n = 0; n < work.length; n++) {
       frame.run(ReplayRun.frameNanos(trajectory, n, raw));
       work[n] = frame.followed() ? frame.work() : 0;
-      mostReduced = Math.max(mostReduced, frame.motion().reducedPoints());
       sink.accept(n, frame);
     }
-    return new Result(frame.statistics(), Work.of(work), mostReduced);
+    return new Result(frame.statistics(), Work.of(work), frame.mostReducedPoints());
   }
 }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
-import org.palpate.force.ForceSettings;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.RigidCoupling;
@@ -26,7 +25,7 @@ public final class ToolReplayTiming {
   /** Prepares a timing over the valid samples of a trajectory in world mm. */
   public ToolReplayTiming(ToolScene scene, Trajectory trajectory) {
     solver = scene.solver();
-    coupling = scene.coupling(ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM);
+    coupling = scene.coupling(scene.contactScene().defaultStiffnessNewtonPerMm());
     devices = poses(trajectory);
   }
 

@@ -3,11 +3,14 @@ package org.palpate.host;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.HapticFrame;
 import org.palpate.frame.PointFrame;
+import org.palpate.frame.ToolFrame;
 import org.palpate.loop.HapticLoop;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopReport;
@@ -17,6 +20,7 @@ import org.palpate.loop.NanoClock;
 import org.palpate.loop.WarmUp;
 import org.palpate.recording.RecordingDevice;
 import org.palpate.recording.SampleRecorder;
+import org.palpate.rigid.RigidCoupling;
 import org.palpate.scene.SynchronizationThread;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.Property;
@@ -57,7 +61,8 @@ public final class TouchSession implements AutoCloseable {
   private final HapticLoop loop;
   private final ContactTuning tuning;
   private final TouchProperties properties = new TouchProperties(new Accumulator());
-  private final List<Property> published = properties.accumulator().properties();
+  private final List<Property> published;
+  private final Optional<HeldTool> held;
   private long ticks;
 
   /**
@@ -76,20 +81,59 @@ public final class TouchSession implements AutoCloseable {
       LoopSettings settings,
       Optional<SampleRecorder> recorder,
       Consumer<LoopEnd> listener) {
-    device = recorder.isPresent() ? new RecordingDevice(worldDevice, recorder.get()) : worldDevice;
+    device = recorded(worldDevice, recorder);
     FrameSettings frameSettings = scene.liveFrame(worldDevice.specification(), defaultNewtonPerMm);
     PointFrame frame =
         scene.newFrame(new GridDevice(device, scene.grid()), frameSettings, properties::publish);
     tuning = new ContactTuning(frame, scene, frameSettings.force(), worldDevice.specification());
     Runnable warmUp = warmUp(scene, frameSettings, settings.periodNanos());
     loop = new HapticLoop(frame, settings.withWarmUp(warmUp), listener);
+    published = properties.accumulator().properties();
+    held = Optional.empty();
+  }
+
+  /**
+   * Creates a session with a rigid tool. Otherwise as the other constructor.
+   *
+   * @param worldDevice the device with poses in the world; closed with the session
+   */
+  public TouchSession(
+      ToolScene scene,
+      HapticDevice worldDevice,
+      double defaultNewtonPerMm,
+      LoopSettings settings,
+      Optional<SampleRecorder> recorder,
+      Consumer<LoopEnd> listener) {
+    device = recorded(worldDevice, recorder);
+    DeviceSpecification specification = worldDevice.specification();
+    FrameSettings frameSettings = scene.liveFrame(specification, defaultNewtonPerMm);
+    RigidCoupling coupling = scene.coupling(defaultNewtonPerMm);
+    ToolPublisher publisher = new ToolPublisher(properties, scene.contactScene().grid());
+    ToolFrame frame = scene.newFrame(device, frameSettings, coupling, publisher);
+    tuning = ContactTuning.ofTool(frame, coupling, frameSettings.force(), specification);
+    HapticDevice hand =
+        SimulatedDevice.withOrientation(WARM_UP_SEED, scene.handTarget(), settings.periodNanos());
+    Runnable warmUp = warmUp(scene.newWarmUpFrame(hand, frameSettings, coupling));
+    loop = new HapticLoop(frame, settings.withWarmUp(warmUp), listener);
+    published = properties.accumulator().properties();
+    held = Optional.of(new HeldTool(scene, frame, publisher));
+  }
+
+  /** The rigid tool of a session. */
+  record HeldTool(ToolScene scene, ToolFrame frame, ToolPublisher publisher) {}
+
+  private static HapticDevice recorded(HapticDevice device, Optional<SampleRecorder> recorder) {
+    return recorder.isPresent() ? new RecordingDevice(device, recorder.get()) : device;
   }
 
   private static Runnable warmUp(
       ContactScene scene, FrameSettings frameSettings, long periodNanos) {
     HandTarget target = scene.handTarget();
     HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, periodNanos);
-    PointFrame frame = scene.newWarmUpFrame(new GridDevice(hand, scene.grid()), frameSettings);
+    return warmUp(scene.newWarmUpFrame(new GridDevice(hand, scene.grid()), frameSettings));
+  }
+
+  private static Runnable warmUp(HapticFrame frame) {
     return new WarmUp(frame, WARM_UP_MIN_FRAMES, WARM_UP_NANOS, NanoClock.SYSTEM);
   }
 
@@ -125,6 +169,19 @@ public final class TouchSession implements AutoCloseable {
   /** Returns the tuning of stiffness, friction and solver. Any thread. */
   public ContactTuning tuning() {
     return tuning;
+  }
+
+  /** Returns the rigid tool that the session holds; empty if it touches with a point. */
+  Optional<HeldTool> held() {
+    return held;
+  }
+
+  /**
+   * Returns the most points of the tool that kept less than their clearance in any frame; complete
+   * after {@link #stop}, and 0 for a point.
+   */
+  public int mostReducedPoints() {
+    return held.map(tool -> tool.frame().mostReducedPoints()).orElse(0);
   }
 
   /** Returns the present state of the loop. Any thread. */

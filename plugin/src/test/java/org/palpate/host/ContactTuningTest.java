@@ -62,17 +62,18 @@ class ContactTuningTest {
 
   @Test
   void switchesSolversBetweenFramesWithoutEnteringASolid() {
-    assertEquals(SolverKind.GUARDED, tuning.solver());
+    assertEquals(SolverKind.GUARDED, tuning.solver().orElseThrow());
     long now = 0;
     for (int change = 0; change < 40; change++) {
       tuning.nextSolver();
       for (int n = 0; n < 250; n++) {
         now += PERIOD_NANOS;
         assertEquals(FrameOutcome.RUNNING, frame.run(now));
-        if (tuning.solver() == SolverKind.GUARDED || tuning.solver() == SolverKind.SMOOTH) {
+        SolverKind solver = tuning.solver().orElseThrow();
+        if (solver == SolverKind.GUARDED || solver == SolverKind.SMOOTH) {
           var p = frame.point().position;
           boolean touches = scene.newCollisionScene().touches(p.x, p.y, p.z);
-          assertTrue(!touches, tuning.solver() + " change " + change + " frame " + n);
+          assertTrue(!touches, solver + " change " + change + " frame " + n);
         }
       }
     }

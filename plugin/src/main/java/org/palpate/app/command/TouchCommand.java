@@ -13,14 +13,15 @@ import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.SliceOptions;
 import org.palpate.app.options.SurfaceOptions;
+import org.palpate.app.options.ToolOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.Report;
+import org.palpate.app.output.ToolReport;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VersionProvider;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
-import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MouseTakeover;
 import org.palpate.host.SessionView;
@@ -35,6 +36,7 @@ import org.palpate.realtime.RealtimeThread;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.GraphicsDriver;
+import org.palpate.tool.MadeTool;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -57,6 +59,7 @@ import picocli.CommandLine.Spec;
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --record t.csv",
       "  palpate touch --phantom torus:192 --device simulated:7 --solver paper",
       "  palpate touch --volume labels.nrrd --device hid",
+      "  palpate touch --tool sphere:4 --seconds 10 --headless --report r.json",
       "  palpate touch --device mouse",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --slices point",
       "  palpate touch --explain"
@@ -71,6 +74,7 @@ public final class TouchCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
+  @Mixin private ToolOptions tool;
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
@@ -135,6 +139,7 @@ public final class TouchCommand implements Callable<Integer> {
     }
     checkNumbers();
     checkOptionCombination();
+    tool.checkOthers(spec.commandLine().getParseResult());
     if (hasWindow()) {
       GraphicsDriver.prepare();
     }
@@ -143,16 +148,21 @@ public final class TouchCommand implements Callable<Integer> {
     VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
     inputs.addAll(choice.files());
+    Optional<MadeTool> made =
+        tool.isRigid() ? Optional.of(tool.make(source.header())) : Optional.empty();
+    made.ifPresent(each -> inputs.addAll(each.files()));
     Report report = new Report("touch", output.report(), inputs);
     Optional<Path> record =
         Optional.ofNullable(recordFile).map(path -> OutputPaths.checked("--record", path, inputs));
     checkDistinct(record);
-    printStart(source, choice, settings);
+    printStart(source, choice, made.map(ToolReport::line).orElse("solver " + settings.solver()));
+    made.ifPresent(each -> each.notes().forEach(out::println));
     SegmentedVolume segments = source.segments(spec.commandLine().getErr());
-    ContactScene scene = contact.scene(source, segments);
+    SessionScene scene = SessionScene.of(contact.scene(source, segments), tool, made);
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
     try (HapticDevice opened = open(choice, source, target, loop.periodNanos())) {
+      scene.notes(opened.specification()).forEach(out::println);
       Optional<ViewOptions> view = view(source);
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
       TouchReport measured = run(scene, opened, choice, loop, record, view, axes);
@@ -160,8 +170,7 @@ public final class TouchCommand implements Callable<Integer> {
       if (report.isWanted()) {
         report.putVolume(source, segments.segments());
         measured.putInto(report);
-        report.put("solver", settings.solver().toString());
-        report.put("collision", settings.collision().toString());
+        scene.putInto(report, measured);
       }
       report.write();
       return measured.exitCode();
@@ -172,7 +181,8 @@ public final class TouchCommand implements Callable<Integer> {
   private HapticDevice open(
       DeviceChoice choice, VolumeSource source, HandTarget target, long periodNanos)
       throws IOException {
-    HapticDevice opened = choice.open(target, source.header().coordinateSystem(), periodNanos);
+    HapticDevice opened =
+        choice.open(target, source.header().coordinateSystem(), periodNanos, tool.isRigid());
     return hasWindow() && choice.device().isSimulated()
         ? new MouseTakeover(opened, target, periodNanos)
         : opened;
@@ -222,7 +232,7 @@ public final class TouchCommand implements Callable<Integer> {
     OutputPaths.checkDistinct(outputs);
   }
 
-  private void printStart(VolumeSource source, DeviceChoice choice, ContactSettings settings) {
+  private void printStart(VolumeSource source, DeviceChoice choice, String held) {
     out.println(
         "palpate "
             + VersionProvider.version()
@@ -230,8 +240,8 @@ public final class TouchCommand implements Callable<Integer> {
             + source.name()
             + ", device "
             + choice
-            + ", solver "
-            + settings.solver());
+            + ", "
+            + held);
     if (!headless && !GraphicsDriver.hasDisplay()) {
       out.println("there is no display: goes on without a window");
     }
@@ -239,7 +249,7 @@ public final class TouchCommand implements Callable<Integer> {
   }
 
   private TouchReport run(
-      ContactScene scene,
+      SessionScene scene,
       HapticDevice opened,
       DeviceChoice choice,
       LoopSettings loop,
@@ -252,13 +262,11 @@ public final class TouchCommand implements Callable<Integer> {
     try (recording;
         RealtimeThread realtime = RealtimeThread.recommended();
         TouchSession session =
-            new TouchSession(
-                scene,
+            scene.newSession(
                 opened,
-                choice.defaultStiffness(opened, scene),
+                choice.defaultStiffness(opened, scene.contactScene()),
                 loop.with(realtime, realtime),
-                Optional.ofNullable(recording).map(TrajectoryRecording::recorder),
-                end -> {})) {
+                Optional.ofNullable(recording).map(TrajectoryRecording::recorder))) {
       SessionSupervisor supervisor =
           new SessionSupervisor(session, Optional.ofNullable(seconds), out);
       ConsoleViewListener listener = new ConsoleViewListener(out, supervisor::stop);

@@ -124,6 +124,21 @@ final class TouchReport {
     out.flush();
   }
 
+  /** Returns the length of the longest torque, N mm. */
+  double maxTorqueNewtonMm() {
+    return loop.statistics().maxTorqueNewtonMm();
+  }
+
+  /** Returns the most points of the tool that kept less than their clearance in any frame. */
+  int mostReducedPoints() {
+    return session.mostReducedPoints();
+  }
+
+  /** Returns the faults that the frames of a rigid tool met. */
+  Map<String, Object> toolFaults() {
+    return FaultFields.ofTool(loop.statistics().faults());
+  }
+
   /** Adds the fields of a session to a report. */
   void putInto(Report report) {
     FrameStatistics counts = loop.statistics();

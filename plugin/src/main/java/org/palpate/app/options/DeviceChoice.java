@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
@@ -91,13 +92,18 @@ public record DeviceChoice(DeviceName device, boolean fitEachAxis) {
    * @param target the region that must be in reach
    * @param world orientation of the world's axes
    * @param periodNanos time between two samples of a simulated hand or the mouse
+   * @param forTool whether a rigid tool is held, so that a simulated hand turns
    * @throws PalpateException exit code 1, if a real device cannot be opened
    * @throws IOException if the recorded trajectory cannot be read
    */
-  public HapticDevice open(HandTarget target, CoordinateSystem world, long periodNanos)
+  public HapticDevice open(
+      HandTarget target, CoordinateSystem world, long periodNanos, boolean forTool)
       throws IOException {
+    Function<DeviceSpecification, Workspace> fit = reach -> workspace(reach, target, world);
     try {
-      return device.open(target, periodNanos, reach -> workspace(reach, target, world));
+      return forTool
+          ? device.openForTool(target, periodNanos, fit)
+          : device.open(target, periodNanos, fit);
     } catch (DeviceException e) {
       throw PalpateException.failed(e.getMessage(), e);
     }

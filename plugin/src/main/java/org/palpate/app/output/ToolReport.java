@@ -14,6 +14,9 @@ public final class ToolReport {
   /** The solver of every rigid tool, in reports. */
   public static final String SOLVER = "rigid";
 
+  /** The collision method of every rigid tool, in reports. */
+  public static final String COLLISION = "exact";
+
   private final MadeTool made;
   private final OptionalDouble massKg;
 
@@ -25,6 +28,11 @@ public final class ToolReport {
   public ToolReport(MadeTool made, OptionalDouble massKg) {
     this.made = made;
     this.massKg = massKg;
+  }
+
+  /** Returns what a tool is, in a few words. */
+  public static String line(MadeTool made) {
+    return String.format(Locale.ROOT, "tool %s of %,d points", made.name(), made.tool().count());
   }
 
   /** Prints a summary of a replay. */
@@ -54,7 +62,7 @@ public final class ToolReport {
         .put("max_force_n", counts.maxForceNewton())
         .put("max_torque_nmm", counts.maxTorqueNewtonMm())
         .put("solver", SOLVER)
-        .put("collision", "exact")
+        .put("collision", COLLISION)
         .put("tool", tool(result.mostReduced()))
         .put("work", work(result.work()))
         .put("skipped", counts.skipped())

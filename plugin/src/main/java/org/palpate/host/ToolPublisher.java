@@ -1,0 +1,62 @@
+package org.palpate.host;
+
+import org.palpate.frame.ToolFramePublisher;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+import org.palpate.sync.PositionProperty;
+import org.palpate.sync.TouchProperties;
+import org.palpate.sync.TransformProperty;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Publishes the frames of a rigid tool: device, reference point, force and contact as those of a
+ * point, and in the same publication the tool pose and the torque.
+ *
+ * <p>Haptic thread; allocates nothing.
+ */
+final class ToolPublisher implements ToolFramePublisher {
+  private final TouchProperties properties;
+  private final VoxelGrid grid;
+  private final TransformProperty toolToWorld;
+  private final PositionProperty torqueNewtonMm;
+  private final Vec3 deviceGrid = new Vec3();
+  private final Vec3 pointGrid = new Vec3();
+  private final Vec3 gridNewton = new Vec3();
+  private final Vec3 axisX = new Vec3();
+  private final Vec3 axisY = new Vec3();
+  private final Vec3 axisZ = new Vec3();
+
+  /** Creates the properties of a tool beside those of a point, before the session starts. */
+  ToolPublisher(TouchProperties properties, VoxelGrid grid) {
+    this.properties = properties;
+    this.grid = grid;
+    toolToWorld = properties.accumulator().transform("tool");
+    torqueNewtonMm = properties.accumulator().position("torque");
+  }
+
+  @Override
+  public void publish(
+      Pose device, Pose tool, Vec3 forceNewton, Vec3 torque, boolean contact, long frame) {
+    Quaternion q = tool.rotation;
+    q.rotate(axisX.set(1, 0, 0), axisX);
+    q.rotate(axisY.set(0, 1, 0), axisY);
+    q.rotate(axisZ.set(0, 0, 1), axisZ);
+    toolToWorld.set(axisX, axisY, axisZ, tool.translation);
+    torqueNewtonMm.set(torque);
+    grid.worldToGrid(device.translation, deviceGrid);
+    grid.worldToGrid(tool.translation, pointGrid);
+    grid.gridMmToWorld().inverseRotate(forceNewton, gridNewton);
+    properties.publish(deviceGrid, pointGrid, gridNewton, contact, frame);
+  }
+
+  /** Returns the tool pose, tool frame to world mm. */
+  TransformProperty toolToWorld() {
+    return toolToWorld;
+  }
+
+  /** Returns the torque on the hand about the reference point, world axes. */
+  PositionProperty torqueNewtonMm() {
+    return torqueNewtonMm;
+  }
+}
