@@ -62,6 +62,17 @@ class ExamplesTest {
   }
 
   @Test
+  void holdToolPressesAToolOntoARing() throws Exception {
+    List<String> lines = linesOf(HoldTool::main, "box:9,5,2", "-0.5");
+
+    assertEquals("218 points, gap -0.5 mm", lines.get(0));
+    assertEquals(5, lines.size(), lines::toString);
+    assertTrue(lines.get(1).startsWith("false "), lines.get(1));
+    assertTrue(lines.get(4).startsWith("true "), lines.get(4));
+    assertTrue(force(lines.get(4)) > 2 && force(lines.get(4)) < 4, lines.get(4));
+  }
+
+  @Test
   void filesAreTouchedWithoutTheOptionalLibraries() throws Exception {
     Path scan = folder.resolve("sphere.nrrd");
     int exitCode =
