@@ -10,6 +10,7 @@ final class PiecewiseSurface {
   private final double squaredLengthMm2;
   private final Vec3[][] stack = new Vec3[MOST_CUTS + 2][3];
   private final int[] cuts = new int[MOST_CUTS + 2];
+  private final Vec3 middle = new Vec3();
 
   /** Takes the corners of a piece, which change after the call. */
   @FunctionalInterface
@@ -46,7 +47,7 @@ final class PiecewiseSurface {
         sink.take(t[0], t[1], t[2]);
         top--;
       } else {
-        Vec3 middle = from.add(to, new Vec3()).mul(0.5, new Vec3());
+        from.add(to, middle).mul(0.5, middle);
         int depth = cuts[top] + 1;
         set(top + 1, middle, to, apex, depth);
         t[(longest + 1) % 3].set(middle);
