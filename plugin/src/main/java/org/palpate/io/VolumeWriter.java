@@ -14,69 +14,38 @@ import org.palpate.io.format.InputFiles;
 import org.palpate.io.format.MemoryCheck;
 import org.palpate.io.nifti.NiftiHeaderWriter;
 import org.palpate.io.nrrd.NrrdHeaderWriter;
+import org.palpate.io.tiff.ImagejTiffWriter;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
 
 /**
- * Writes a volume as NRRD or NIfTI, or its labels as DICOM, chosen by the ending of the target's
- * name, slice by slice. The target is replaced only when the file is complete, and an input is
- * never overwritten.
+ * Writes a volume as NRRD, NIfTI or ImageJ's TIFF, or its labels as DICOM, chosen by the ending of
+ * the target's name, slice by slice. The target is replaced only when the file is complete, and an
+ * input is never overwritten.
  */
 public final class VolumeWriter {
+  private static final String DICOM_ENDING = ".dcm";
+
   private VolumeWriter() {}
 
   /**
-   * Writes all values of a volume in the narrowest type that holds what its header allows.
+   * Writes all values of a volume in the narrowest type that holds what its header allows, and
+   * returns the format in words.
    *
-   * @param target ends in {@code .nrrd}, {@code .nii}, {@code .nii.gz} or {@code .dcm}
+   * @param target ends in {@code .nrrd}, {@code .nii}, {@code .nii.gz}, {@code .tif}, {@code .tiff}
+   *     or {@code .dcm}
    * @throws VolumeFormatException if the volume cannot be read or the target cannot be written
    */
-  public static void write(VolumeReader volume, Path target) throws VolumeFormatException {
+  public static String write(VolumeReader volume, Path target) throws VolumeFormatException {
     checkName(target);
-    String name = lowerCaseName(target);
-    boolean nifti = isNifti(name);
     refuseInputs(volume, target);
-    if (isDicom(target)) {
-      writeSegmentation(volume, target);
-      return;
-    }
-    VoxelType type = type(volume.header());
-    byte[] header =
-        nifti
-            ? NiftiHeaderWriter.of(volume.header(), type)
-            : NrrdHeaderWriter.of(volume.header(), type);
     try (AtomicFile file = new AtomicFile(target)) {
-      OutputStream out = file.stream();
-      if (!nifti) {
-        out.write(header);
-        out = writeGzip(volume, type, out, new byte[0]);
-      } else if (name.endsWith(".gz")) {
-        out = writeGzip(volume, type, out, header);
-      } else {
-        out.write(header);
-        writeSamples(volume, type, out);
-      }
-      out.flush();
-      file.commit();
-    } catch (VolumeFormatException e) {
-      throw e;
-    } catch (IOException e) {
-      throw new VolumeFormatException(
-          "the file cannot be written (" + e.getMessage() + ")",
-          target,
-          "choose a folder that exists, may be written to and has room",
-          e);
-    }
-  }
-
-  private static void writeSegmentation(VolumeReader volume, Path target)
-      throws VolumeFormatException {
-    try (AtomicFile file = new AtomicFile(target)) {
-      DicomSegmentationWriter.write(volume, file.stream());
+      String words = write(volume, lowerCaseName(target), file.stream());
       file.stream().flush();
       file.commit();
+      return words;
     } catch (VolumeFormatException e) {
       throw e;
     } catch (IOException e) {
@@ -88,13 +57,37 @@ public final class VolumeWriter {
     }
   }
 
-  private static OutputStream writeGzip(
+  private static String write(VolumeReader volume, String name, OutputStream out)
+      throws IOException {
+    if (name.endsWith(DICOM_ENDING)) {
+      DicomSegmentationWriter.write(volume, out);
+      return "DICOM segmentation, binary";
+    }
+    if (isTiff(name)) {
+      return ImagejTiffWriter.write(volume, out);
+    }
+    VoxelType type = type(volume.header());
+    if (!isNifti(name)) {
+      out.write(NrrdHeaderWriter.of(volume.header(), type));
+      writeGzip(volume, type, out, new byte[0]);
+      return "NRRD, gzip";
+    }
+    byte[] header = NiftiHeaderWriter.of(volume.header(), type);
+    if (name.endsWith(".gz")) {
+      writeGzip(volume, type, out, header);
+    } else {
+      out.write(header);
+      writeSamples(volume, type, out);
+    }
+    return NiftiHeaderWriter.formatName(volume.header()) + (name.endsWith(".gz") ? ", gzip" : "");
+  }
+
+  private static void writeGzip(
       VolumeReader volume, VoxelType type, OutputStream out, byte[] header) throws IOException {
     GZIPOutputStream gzip = new GZIPOutputStream(out, InputFiles.BUFFER_BYTES);
     gzip.write(header);
     writeSamples(volume, type, gzip);
     gzip.finish();
-    return out;
   }
 
   /**
@@ -104,11 +97,11 @@ public final class VolumeWriter {
    */
   public static void checkName(Path target) throws VolumeFormatException {
     String name = lowerCaseName(target);
-    if (!isNifti(name) && !isDicom(target) && !name.endsWith(".nrrd")) {
+    if (!isNifti(name) && !isTiff(name) && !isDicom(target) && !name.endsWith(".nrrd")) {
       throw new VolumeFormatException(
           "volumes cannot be written in this format",
           target,
-          "name it .nrrd, .nii or .nii.gz, or .dcm for segments");
+          "name it .nrrd, .nii, .nii.gz or .tif, or .dcm for segments");
     }
   }
 
@@ -122,7 +115,11 @@ public final class VolumeWriter {
 
   /** Returns whether a target is written as a DICOM segmentation, which holds segments only. */
   public static boolean isDicom(Path target) {
-    return lowerCaseName(target).endsWith(".dcm");
+    return lowerCaseName(target).endsWith(DICOM_ENDING);
+  }
+
+  private static boolean isTiff(String name) {
+    return name.endsWith(".tif") || name.endsWith(".tiff");
   }
 
   private static void refuseInputs(VolumeReader volume, Path target) throws VolumeFormatException {

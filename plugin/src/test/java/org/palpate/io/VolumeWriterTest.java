@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -32,6 +33,7 @@ import org.palpate.volume.phantom.Phantom;
 
 class VolumeWriterTest {
   private static final double WORLD_TOLERANCE_MM = 1e-9;
+  private static final double SINGLE_PRECISION_VOXELS = 1e-3;
 
   @TempDir Path folder;
 
@@ -61,10 +63,56 @@ class VolumeWriterTest {
       assertEquals(VoxelCrc.of(scan), VoxelCrc.of(read), target);
       Vec3 expected = asRas(scan, new Vec3(3.5, 2.5, 0.5));
       Vec3 actual = asRas(read, new Vec3(3.5, 2.5, 0.5));
-      assertEquals(expected.x, actual.x, WORLD_TOLERANCE_MM, target);
-      assertEquals(expected.y, actual.y, WORLD_TOLERANCE_MM, target);
-      assertEquals(expected.z, actual.z, WORLD_TOLERANCE_MM, target);
+      double tolerance =
+          target.endsWith("nrrd")
+              ? WORLD_TOLERANCE_MM
+              : SINGLE_PRECISION_VOXELS * scan.header().grid().spacingMm().x;
+      assertEquals(expected.x, actual.x, tolerance, target);
+      assertEquals(expected.y, actual.y, tolerance, target);
+      assertEquals(expected.z, actual.z, tolerance, target);
     }
+  }
+
+  @Test
+  void aNiftiOfTheFirstVersionIsWrittenIfItsPrecisionIsEnough() throws Exception {
+    VolumeReader scan =
+        VolumeFiles.open(TestData.file("formats/dicom/CT_small.dcm"), ReadOptions.defaults());
+    assertEquals("NIfTI-1, gzip", VolumeWriter.write(scan, folder.resolve("a.nii.gz")));
+    assertEquals(
+        "NIfTI-1",
+        VolumeFiles.open(folder.resolve("a.nii.gz"), ReadOptions.defaults())
+            .header()
+            .format()
+            .replace(", gzip", ""));
+  }
+
+  @Test
+  void aNiftiOfTheSecondVersionIsWrittenWithItsReasonIfSinglePrecisionMovesVoxels()
+      throws Exception {
+    String header =
+        """
+        NRRD0004
+        type: uint8
+        dimension: 3
+        sizes: 2 2 2
+        space: RAS
+        space directions: (0.1,0,0) (0,0.1,0) (0,0,0.1)
+        space origin: (12345678.9,0,0)
+        encoding: raw
+
+        """;
+    Path far =
+        Files.write(
+            folder.resolve("far.nrrd"), (header + "12345678").getBytes(StandardCharsets.US_ASCII));
+    VolumeReader reader = VolumeFiles.open(far, ReadOptions.defaults());
+    String words = VolumeWriter.write(reader, folder.resolve("far.nii"));
+    assertTrue(words.startsWith("NIfTI-2, because single precision moves voxels;"), words);
+    Vec3 centre =
+        VolumeFiles.open(folder.resolve("far.nii"), ReadOptions.defaults())
+            .header()
+            .grid()
+            .gridToWorld(new Vec3(0.5, 0.5, 0.5), new Vec3());
+    assertEquals(12345678.9, centre.x, 1e-8);
   }
 
   private static ReadOptions time(String name) {

@@ -43,6 +43,7 @@ import picocli.CommandLine.Spec;
       "  palpate info --volume scan.nrrd --segment 'bone=>=1500' --report info.json",
       "  palpate info --volume scan.nrrd --segment 'bone=>=1500' --export bone.nii.gz",
       "  palpate info --volume labels.nii.gz --export segments.dcm",
+      "  palpate info --volume scan.nii.gz --export for-imagej.tif",
       "  palpate info --volume slices.raw --raw 256x256x113:u16be:1,1,2",
       "  palpate info --phantom torus:192"
     })
@@ -55,8 +56,9 @@ public final class InfoCommand implements Callable<Integer> {
       names = "--export",
       paramLabel = "FILE",
       description = {
-        "Writes the volume to a .nrrd, .nii or .nii.gz file; with --segment, the segments as"
-            + " labels. A .dcm file is a DICOM segmentation of the segments."
+        "Writes the volume to a .nrrd, .nii, .nii.gz or .tif file (the last as ImageJ does); with"
+            + " --segment, the segments as labels. A .dcm file is a DICOM segmentation of the"
+            + " segments."
       })
   private Path export;
 
@@ -178,8 +180,7 @@ public final class InfoCommand implements Callable<Integer> {
             ? source.reader()
             : new SegmentsAsLabels(
                 new SegmentedVolume(header.grid(), segments), header.coordinateSystem());
-    VolumeWriter.write(written, export);
-    line("written", export.toString());
+    line("written", VolumeWriter.write(written, export) + ": " + export);
   }
 
   private void line(String what, String text) {

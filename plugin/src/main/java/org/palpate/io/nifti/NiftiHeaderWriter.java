@@ -11,10 +11,12 @@ import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Writes the header of a single-file NIfTI with RAS coordinates. The header is NIfTI-1 if its
- * single precision holds the position exactly and the sizes fit, else NIfTI-2.
+ * Writes the header of a single-file NIfTI with RAS coordinates. The header is NIfTI-1, which every
+ * program reads, if the sizes fit and its single precision moves no voxel by more than a thousandth
+ * of a voxel. Otherwise it is NIfTI-2.
  */
 public final class NiftiHeaderWriter {
+  private static final double MAX_SHIFT_VOXELS = 1e-3;
   private static final int LABEL_INTENT = 1002;
   private static final int MILLIMETRES = 2;
   private static final int SCANNER = 1;
@@ -25,20 +27,42 @@ public final class NiftiHeaderWriter {
   /** Returns the bytes of the header, up to the data. */
   public static byte[] of(VolumeHeader header, VoxelType type) {
     double[] affine = affine(header);
-    return fitsFirst(header.grid(), affine)
+    return reasonForSecond(header.grid(), affine).isEmpty()
         ? first(header, type, affine)
         : second(header, type, affine);
   }
 
-  private static boolean fitsFirst(VoxelGrid grid, double[] affine) {
-    boolean exact = true;
-    for (double number : affine) {
-      exact &= (float) number == number;
+  /** Returns the version that {@link #of} writes, with the reason if it is NIfTI-2. */
+  public static String formatName(VolumeHeader header) {
+    String reason = reasonForSecond(header.grid(), affine(header));
+    return reason.isEmpty()
+        ? "NIfTI-1"
+        : "NIfTI-2, because " + reason + "; some programs read NIfTI-1 alone";
+  }
+
+  private static String reasonForSecond(VoxelGrid grid, double[] affine) {
+    if (Math.max(grid.sizeX(), Math.max(grid.sizeY(), grid.sizeZ())) > Short.MAX_VALUE) {
+      return "a size is above 32,767";
     }
-    for (int axis = 0; axis < 3; axis++) {
-      exact &= (float) grid.spacingMm().get(axis) == grid.spacingMm().get(axis);
+    double least = Math.min(grid.spacingMm().x, Math.min(grid.spacingMm().y, grid.spacingMm().z));
+    return largestShiftMm(grid, affine) <= MAX_SHIFT_VOXELS * least
+        ? ""
+        : "single precision moves voxels";
+  }
+
+  /** Returns how far single precision moves the centre of any voxel, mm. */
+  private static double largestShiftMm(VoxelGrid grid, double[] affine) {
+    double[] last = {grid.sizeX() - 1.0, grid.sizeY() - 1.0, grid.sizeZ() - 1.0, 1};
+    double sum = 0;
+    for (int row = 0; row < 3; row++) {
+      double shift = 0;
+      for (int column = 0; column < 4; column++) {
+        double number = affine[4 * row + column];
+        shift += Math.abs((float) number - number) * last[column];
+      }
+      sum += shift * shift;
     }
-    return exact && Math.max(grid.sizeX(), Math.max(grid.sizeY(), grid.sizeZ())) <= Short.MAX_VALUE;
+    return Math.sqrt(sum);
   }
 
   /** Returns the rows of the matrix from voxel indices to RAS. */

@@ -61,6 +61,12 @@ final class ImagejDescription {
     return Math.max(0, NumberParser.positiveInt(values.getOrDefault("slices", "0")));
   }
 
+  /** Returns the pixel at which its calibrated coordinate along an axis, 0 to 2, is 0. */
+  double origin(int axis) {
+    double origin = NumberParser.number(values.getOrDefault("xyz".charAt(axis) + "origin", "0"));
+    return Double.isFinite(origin) ? origin : 0;
+  }
+
   /** Returns its unit of length as it is written; empty if it has none. */
   String unit() {
     return values.getOrDefault("unit", "");

@@ -60,6 +60,9 @@ final class TiffSpacing {
 
   private static double sliceSpacing(ImagejDescription imagej, double mm, List<String> notes) {
     double spacing = imagej.spacing();
+    if (Double.isNaN(spacing) && imagej.isImagej()) {
+      return mm; // ImageJ leaves out a spacing of one unit
+    }
     if (spacing < 0) {
       notes.add(
           String.format(

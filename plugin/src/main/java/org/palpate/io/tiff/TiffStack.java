@@ -264,7 +264,7 @@ record TiffStack(
       TiffPage first = slices.get(0);
       Vec3 spacing = TiffSpacing.of(first, imagej, ome, notes);
       int[] sizes = {first.width(), first.height(), planes.slices()};
-      VoxelGrid grid = Grids.ofSpacing(sizes, spacing, source);
+      VoxelGrid grid = Grids.of(sizes, Grids.steps(spacing), firstCentre(imagej, spacing), source);
       boolean palette = first.pixels().photometric() == TiffPixels.PALETTE;
       Scaling scaling = first.pixels().scaling(palette ? Scaling.NONE : imagej.scaling());
       notePixels(first);
@@ -281,6 +281,20 @@ record TiffStack(
               Optional.empty(),
               notes);
       return new TiffStack(slices, chosen, planes, scaling, header);
+    }
+
+    /**
+     * Returns the centre of the first voxel: ImageJ counts from the corner of a pixel and from its
+     * origin, if it states one.
+     */
+    private static Vec3 firstCentre(ImagejDescription imagej, Vec3 spacing) {
+      Vec3 centre = new Vec3();
+      if (imagej.origin(0) != 0 || imagej.origin(1) != 0 || imagej.origin(2) != 0) {
+        for (int axis = 0; axis < 3; axis++) {
+          centre.set(axis, (0.5 - imagej.origin(axis)) * spacing.get(axis));
+        }
+      }
+      return centre;
     }
 
     private void notePixels(TiffPage first) {
