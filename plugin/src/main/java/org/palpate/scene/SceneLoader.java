@@ -266,10 +266,9 @@ public final class SceneLoader implements AutoCloseable {
         .toArray();
   }
 
-  /** Returns the finest surfaces of all segments; complete only after {@link #await}. */
-  public WeldedSurface weldedSurface() {
-    return WeldedSurface.together(
-        objects.stream().map(object -> WeldedSurface.of(object.bricks(0).values())).toList());
+  /** Returns the finest surface of each segment; complete only after {@link #await}. */
+  public List<WeldedSurface> weldedSurfaces() {
+    return objects.stream().map(object -> WeldedSurface.of(object.bricks(0).values())).toList();
   }
 
   /** Stops building; finished surfaces stay. */

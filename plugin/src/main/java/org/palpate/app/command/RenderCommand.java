@@ -36,8 +36,6 @@ import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.surface.GreyRange;
-import org.palpate.scene.surface.SurfaceFile;
-import org.palpate.scene.surface.WeldedSurface;
 import org.palpate.scene.window.GraphicsDriver;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.scene.window.OffscreenRenderer;
@@ -56,7 +54,7 @@ import picocli.CommandLine.TypeConversionException;
 @Command(
     name = "render",
     description = {
-      "Renders the scene to a PNG file, or writes its surface to an STL or PLY file in world mm.",
+      "Renders the scene to a PNG file, or writes surfaces to STL, PLY or OBJ files in world mm.",
       "Without a display, it starts one of its own if Xvfb is installed."
     },
     footer = {
@@ -66,7 +64,8 @@ import picocli.CommandLine.TypeConversionException;
       "  palpate render --volume scan.nrrd --segment 'bone=>=1500' --out x.png --size 1280x960",
       "  palpate render --phantom torus:192 --view head --theme light --out torus.png",
       "  palpate render --phantom head:256 --trajectory t.csv --out touched.png",
-      "  palpate render --volume labels.nrrd --out labels.ply"
+      "  palpate render --volume labels.nrrd --out labels.obj",
+      "  palpate render --volume labels.nrrd --out print.stl --separate"
     })
 public final class RenderCommand implements Callable<Integer> {
   private static final long SURFACE_WAIT_MS = 600_000;
@@ -97,8 +96,16 @@ public final class RenderCommand implements Callable<Integer> {
       names = "--out",
       paramLabel = "FILE",
       required = true,
-      description = "The file to write: .png for a picture, .stl or .ply for the surface.")
+      description = {
+        "The file to write: .png for a picture, .stl, .ply or .obj for the surfaces. An .obj has a"
+            + " group for each segment, and its colours in an .mtl beside it."
+      })
   private Path outFile;
+
+  @Option(
+      names = "--separate",
+      description = "Writes a surface file for each segment: OUT-SEGMENT.stl, .ply or .obj.")
+  private boolean separate;
 
   @Option(
       names = "--size",
@@ -167,7 +174,7 @@ public final class RenderCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     parseSize();
     check();
-    boolean surfaceOnly = SurfaceFile.isSurfaceName(outFile);
+    boolean surfaceOnly = SurfaceExport.isSurfaceName(outFile);
     checkOptionCombination(surfaceOnly);
     VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
@@ -179,6 +186,13 @@ public final class RenderCommand implements Callable<Integer> {
     }
     Report report = new Report("render", output.report(), inputs);
     SegmentedVolume segments = source.segments(spec.commandLine().getErr());
+    SurfaceExport export = new SurfaceExport(outFile, separate);
+    if (surfaceOnly) {
+      List<Path> targets = new ArrayList<>(export.targets(segments.segments()));
+      targets.forEach(target -> OutputPaths.checked("--out", target, inputs));
+      output.report().ifPresent(targets::add);
+      OutputPaths.checkDistinct(targets);
+    }
     SceneModel model = new SceneModel(axes(source.header().coordinateSystem()), theme);
     Optional<MovableSlices.Start> planes = slices.start(source);
     showMarks(model, source, segments);
@@ -191,7 +205,10 @@ public final class RenderCommand implements Callable<Integer> {
       report.put("surface_ms", millisSince(started));
       report.put("triangles", triangles(model));
       if (surfaceOnly) {
-        writeSurface(loader, segments);
+        export
+            .write(loader.weldedSurfaces(), segments, source.header().coordinateSystem())
+            .forEach(spec.commandLine().getOut()::println);
+        spec.commandLine().getOut().flush();
       } else {
         report.put("draw_ms", drawPicture(model));
       }
@@ -210,6 +227,12 @@ public final class RenderCommand implements Callable<Integer> {
             "--out " + outFile,
             "leave " + option + " out, or write a .png");
       }
+    }
+    if (separate && !surfaceOnly) {
+      throw PalpateException.wrongUse(
+          "a picture shows all segments",
+          "--separate",
+          "leave it out, or write a .stl, .ply or .obj");
     }
     surface.check();
     if (slices.followsProxy() && trajectory == null) {
@@ -250,9 +273,11 @@ public final class RenderCommand implements Callable<Integer> {
           "try --stereo side-by-side");
     }
     String name = outFile.toString().toLowerCase(Locale.ROOT);
-    if (!name.endsWith(".png") && !SurfaceFile.isSurfaceName(outFile)) {
+    if (!name.endsWith(".png") && !SurfaceExport.isSurfaceName(outFile)) {
       throw PalpateException.wrongUse(
-          "this kind of file cannot be written", "--out " + outFile, "use .png, .stl or .ply");
+          "this kind of file cannot be written",
+          "--out " + outFile,
+          "use .png, .stl, .ply or .obj");
     }
   }
 
@@ -362,17 +387,6 @@ public final class RenderCommand implements Callable<Integer> {
   private void writePicture(Picture picture) {
     try (AtomicFile file = new AtomicFile(outFile)) {
       ImageIO.write(picture.toImage(), "png", file.stream());
-      file.commit();
-    } catch (IOException e) {
-      throw OutputPaths.failed(outFile, e);
-    }
-  }
-
-  private void writeSurface(SceneLoader loader, SegmentedVolume segments) {
-    try (AtomicFile file = new AtomicFile(outFile)) {
-      WeldedSurface surface = loader.weldedSurface();
-      SurfaceFile.write(
-          surface, segments.grid().gridMmToWorld(), SurfaceFile.isStl(outFile), file.stream());
       file.commit();
     } catch (IOException e) {
       throw OutputPaths.failed(outFile, e);

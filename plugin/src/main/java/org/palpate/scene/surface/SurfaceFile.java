@@ -31,15 +31,25 @@ public final class SurfaceFile {
    * Writes a surface as binary STL, or as binary little-endian PLY with normals.
    *
    * @param gridMmToWorld pose of the surface
+   * @param space name of the world's axes, LPS or RAS, which 3D Slicer reads; empty for none
    */
   public static void write(
-      WeldedSurface surface, RigidTransform gridMmToWorld, boolean stl, OutputStream out)
+      WeldedSurface surface,
+      RigidTransform gridMmToWorld,
+      String space,
+      boolean stl,
+      OutputStream out)
       throws IOException {
     if (stl) {
-      writeStl(surface, gridMmToWorld, out);
+      writeStl(surface, gridMmToWorld, space, out);
     } else {
-      writePly(surface, gridMmToWorld, out);
+      writePly(surface, gridMmToWorld, space, out);
     }
+  }
+
+  /** Returns the comment of a file in a space; empty for axes without names. */
+  public static String comment(String space) {
+    return "Palpate surface, mm" + (space.isEmpty() ? "" : "; SPACE=" + space);
   }
 
   /** Whether a file's name ends with .stl. */
@@ -52,9 +62,10 @@ public final class SurfaceFile {
   }
 
   private static void writeStl(
-      WeldedSurface surface, RigidTransform gridMmToWorld, OutputStream out) throws IOException {
+      WeldedSurface surface, RigidTransform gridMmToWorld, String space, OutputStream out)
+      throws IOException {
     byte[] header = new byte[STL_HEADER_BYTES];
-    byte[] title = "Palpate surface, mm".getBytes(StandardCharsets.US_ASCII);
+    byte[] title = comment(space).getBytes(StandardCharsets.US_ASCII);
     System.arraycopy(title, 0, header, 0, title.length);
     out.write(header);
     byte[] count = new byte[Integer.BYTES];
@@ -89,8 +100,9 @@ public final class SurfaceFile {
   }
 
   private static void writePly(
-      WeldedSurface surface, RigidTransform gridMmToWorld, OutputStream out) throws IOException {
-    out.write(plyHeader(surface).getBytes(StandardCharsets.US_ASCII));
+      WeldedSurface surface, RigidTransform gridMmToWorld, String space, OutputStream out)
+      throws IOException {
+    out.write(plyHeader(surface, space).getBytes(StandardCharsets.US_ASCII));
     float[] world = toWorld(surface.positionsMm(), gridMmToWorld);
     byte[] vertexBytes = new byte[PLY_VERTEX_BYTES];
     ByteBuffer vertex = little(vertexBytes);
@@ -116,8 +128,10 @@ public final class SurfaceFile {
     }
   }
 
-  private static String plyHeader(WeldedSurface surface) {
-    return "ply\nformat binary_little_endian 1.0\ncomment Palpate surface, mm\nelement vertex "
+  private static String plyHeader(WeldedSurface surface, String space) {
+    return "ply\nformat binary_little_endian 1.0\ncomment "
+        + comment(space)
+        + "\nelement vertex "
         + surface.vertexCount()
         + "\nproperty float x\nproperty float y\nproperty float z"
         + "\nproperty float nx\nproperty float ny\nproperty float nz\nelement face "

@@ -24,10 +24,12 @@ class SurfaceFileTest {
   void stlContainsEveryTriangleWithItsNormalOutwardEvenIfMirrored() throws Exception {
     for (RigidTransform place : new RigidTransform[] {RigidTransform.identity(), MIRRORED}) {
       ByteArrayOutputStream out = new ByteArrayOutputStream();
-      SurfaceFile.write(sphere, place, true, out);
+      SurfaceFile.write(sphere, place, "LPS", true, out);
       ByteBuffer stl = ByteBuffer.wrap(out.toByteArray()).order(ByteOrder.LITTLE_ENDIAN);
       assertEquals(84 + 50 * sphere.triangleCount(), stl.capacity());
       assertEquals(sphere.triangleCount(), stl.getInt(80));
+      String header = new String(out.toByteArray(), 0, 80, StandardCharsets.US_ASCII);
+      assertEquals("Palpate surface, mm; SPACE=LPS", header.replace("\0", ""));
       Vec3 middle = place.transform(new Vec3(10, 10, 10), new Vec3());
       assertEquals(SurfaceMeasures.of(sphere).volumeMm3(), stlVolume(stl, middle), 0.1);
     }
@@ -36,10 +38,11 @@ class SurfaceFileTest {
   @Test
   void plyContainsEveryVertexOnceWithItsNormalOutward() throws Exception {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    SurfaceFile.write(sphere, MIRRORED, false, out);
+    SurfaceFile.write(sphere, MIRRORED, "RAS", false, out);
     byte[] bytes = out.toByteArray();
     String text = new String(bytes, StandardCharsets.ISO_8859_1);
     int body = text.indexOf("end_header\n") + "end_header\n".length();
+    assertTrue(text.contains("\ncomment Palpate surface, mm; SPACE=RAS\n"));
     assertTrue(text.contains("element vertex " + sphere.vertexCount() + "\n"));
     assertTrue(text.contains("element face " + sphere.triangleCount() + "\n"));
     assertEquals(body + 24 * sphere.vertexCount() + 13 * sphere.triangleCount(), bytes.length);
@@ -52,6 +55,58 @@ class SurfaceFileTest {
               + (ply.getFloat(at + 8) - 17) * ply.getFloat(at + 20);
       assertEquals(7, along, 1.0);
     }
+  }
+
+  @Test
+  void objHasAGroupAndAColourForEachSurfaceWithTheOutsideCounterClockwise() throws Exception {
+    List<ObjFile.Group> groups =
+        List.of(
+            new ObjFile.Group("left lung", 0xff8000, sphere),
+            new ObjFile.Group("bone", 0x0000ff, sphere));
+    for (RigidTransform place : new RigidTransform[] {RigidTransform.identity(), MIRRORED}) {
+      ByteArrayOutputStream out = new ByteArrayOutputStream();
+      ObjFile.write(groups, place, SurfaceFile.comment("LPS"), "a.mtl", out);
+      List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();
+      assertEquals(
+          List.of("# Palpate surface, mm; SPACE=LPS", "mtllib a.mtl", "g left_lung"),
+          lines.subList(0, 3));
+      assertTrue(lines.contains("g bone") && lines.contains("usemtl segment2"));
+      Vec3 middle = place.transform(new Vec3(10, 10, 10), new Vec3());
+      assertEquals(2 * SurfaceMeasures.of(sphere).volumeMm3(), objVolume(lines, middle), 0.1);
+    }
+    assertEquals(
+        "# left_lung\nnewmtl segment1\nKd 1 0.5020 0\n# bone\nnewmtl segment2\nKd 0 0 1\n",
+        ObjFile.materials(groups));
+  }
+
+  private static double objVolume(List<String> lines, Vec3 middle) {
+    List<Vec3> vertices = new java.util.ArrayList<>();
+    double sum = 0;
+    for (String line : lines) {
+      String[] words = line.split(" ", -1);
+      if (words[0].equals("v")) {
+        Vec3 point = new Vec3(number(words[1]), number(words[2]), number(words[3]));
+        vertices.add(point.sub(middle, new Vec3()));
+      } else if (words[0].equals("f")) {
+        Vec3 a = corner(vertices, words[1]);
+        Vec3 b = corner(vertices, words[2]);
+        Vec3 c = corner(vertices, words[3]);
+        sum +=
+            (a.x * (b.y * c.z - b.z * c.y)
+                    + a.y * (b.z * c.x - b.x * c.z)
+                    + a.z * (b.x * c.y - b.y * c.x))
+                / 6;
+      }
+    }
+    return sum;
+  }
+
+  private static double number(String word) {
+    return Double.parseDouble(word);
+  }
+
+  private static Vec3 corner(List<Vec3> vertices, String word) {
+    return vertices.get(Integer.parseInt(word.substring(0, word.indexOf('/'))) - 1);
   }
 
   @Test
