@@ -143,9 +143,9 @@ class ReadingOptionsTest {
     Path volume = TestFiles.nrrd(folder.resolve("v.nrrd"), 8, v -> v[0] & 1);
     byte[] before = Files.readAllBytes(volume);
     CommandRun.of("info", "--volume", volume, "--export", volume).mustRefuse();
-    CommandRun.of("info", "--volume", volume, "--export", folder.resolve("v.tif")).mustRefuse();
+    CommandRun.of("info", "--volume", volume, "--export", folder.resolve("v.bmp")).mustRefuse();
     assertArrayEquals(before, Files.readAllBytes(volume));
-    assertFalse(Files.exists(folder.resolve("v.tif")));
+    assertFalse(Files.exists(folder.resolve("v.bmp")));
   }
 
   @Test

@@ -25,7 +25,7 @@ final class Fraction {
       }
       before = now;
       now = new long[] {(long) top, (long) bottom};
-      if (now[0] > 0 && 1 / ((double) now[1] / now[0]) == size || rest == whole) {
+      if (rest == whole || (now[0] > 0 && 1 / ((double) now[1] / now[0]) == size)) {
         break;
       }
       rest = 1 / (rest - whole);

@@ -135,7 +135,7 @@ public final class ImagejTiffWriter {
     entry(bytes, 258, SHORT, 1, 8L * values.bytes());
     entry(bytes, 259, SHORT, 1, 1);
     entry(bytes, 262, SHORT, 1, TiffPixels.BLACK_IS_ZERO);
-    entry(bytes, 270, ASCII, description.length, after + 2 * RATIONAL_BYTES);
+    entry(bytes, 270, ASCII, description.length, after + 2L * RATIONAL_BYTES);
     entry(bytes, 273, LONG, 1, data);
     entry(bytes, 277, SHORT, 1, 1);
     entry(bytes, 278, LONG, 1, grid.sizeY());
