@@ -87,6 +87,7 @@ public final class ImagejProbe implements PlugIn {
       case "cycles" -> cycles();
       case "counts" -> counts();
       case "picture" -> picture();
+      case "open" -> new ImagejProbeOpening(folder, this::fact).play();
       default -> throw new IllegalArgumentException("no such part: " + part);
     }
   }

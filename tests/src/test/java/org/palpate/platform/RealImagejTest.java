@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterAll;
@@ -15,6 +17,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
+import org.palpate.io.VolumeFiles;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.VolumeReader;
 
 /**
  * The packed plug-in in the real ImageJ, in a process of its own: installed as people install it,
@@ -64,6 +69,28 @@ class RealImagejTest {
     checkDialog(seen);
     checkRecorder(seen);
     checkTouch(seen);
+  }
+
+  @Test
+  void aVolumeOfAnotherFormatIsOpenedByHandAndByMacro() throws Exception {
+    ImagejFiles.writeLabels(folder.resolve("two labels.nrrd"));
+    RealImagej.Seen seen = RealImagej.plain(folder).play(display, "open");
+    checkEnd(seen);
+    String expected = "two labels.nrrd 8 0.5x0.8x2.0 mm at 10.0";
+    assertEquals(expected, seen.of("opened by hand"));
+    assertEquals(expected, seen.of("opened by macro"));
+    assertTrue(
+        seen.of("recorded opening")
+            .contains("volume=[" + folder.resolve("two labels.nrrd") + "] time=[]"),
+        seen.of("recorded opening"));
+    assertEquals("lower jaw\t32\nupper jaw\t32", seen.of("opened segments").strip());
+    VolumeReader saved = VolumeFiles.open(folder.resolve("saved.tif"), ReadOptions.defaults());
+    VolumeReader labels =
+        VolumeFiles.open(folder.resolve("two labels.nrrd"), ReadOptions.defaults());
+    assertEquals(
+        labels.header().grid().spacingMm().toString(),
+        saved.header().grid().spacingMm().toString());
+    assertEquals(values(labels), values(saved));
   }
 
   /** Takes two minutes of dialogs and needs an idle machine: -Dpalpate.realImagej=full. */
@@ -124,6 +151,12 @@ class RealImagejTest {
     checkTouch(seen);
   }
 
+  private static List<Integer> values(VolumeReader volume) throws IOException {
+    List<Integer> values = new ArrayList<>();
+    volume.read((k, slice) -> Arrays.stream(slice.integers()).forEach(values::add));
+    return values;
+  }
+
   /** Checks that every part ran, and that the standard error has no stack trace. */
   static void checkEnd(RealImagej.Seen seen) {
     assertFalse(seen.facts().containsKey("failed"), () -> seen.facts().get("failed"));
@@ -133,7 +166,7 @@ class RealImagejTest {
 
   private static void checkMenu(RealImagej.Seen seen) {
     assertEquals(
-        "[Touch Volume..., Stop Touching, Landmarks..., Correct Segment..., -,"
+        "[Open Volume..., Touch Volume..., Stop Touching, Landmarks..., Correct Segment..., -,"
             + " Record Trajectory..., Replay Trajectory..., -, Palpate Devices...,"
             + " Measure Jitter..., About Palpate...]",
         seen.of("menu"));

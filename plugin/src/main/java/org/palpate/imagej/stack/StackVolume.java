@@ -26,6 +26,8 @@ import org.palpate.io.volume.ReadOptions;
  */
 public record StackVolume(
     ImagePlus image, int channel, int frame, int width, int height, int slices) {
+  /** The property of an image that holds the label table of the volume that was opened. */
+  static final String LABELS = "palpate.labels";
 
   /**
    * Returns the volume of an image at the channel and time that it shows.
@@ -66,10 +68,13 @@ public record StackVolume(
   }
 
   /**
-   * Returns names and colours of labels from a table beside the image's file; empty if there is
-   * none.
+   * Returns names and colours of labels, from the volume that the image was opened from or from a
+   * table beside the image's file; empty if there is none.
    */
   public LabelTable labelTable() {
+    if (image.getProperty(LABELS) instanceof LabelTable opened) {
+      return opened;
+    }
     FileInfo file = image.getOriginalFileInfo();
     if (file == null || file.getFilePath() == null || file.getFilePath().isEmpty()) {
       return LabelTable.EMPTY;
