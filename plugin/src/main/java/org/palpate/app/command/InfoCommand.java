@@ -78,6 +78,9 @@ public final class InfoCommand implements Callable<Integer> {
     printValues(found);
     List<Segment> segments = segments(source, found);
     printSegments(segments);
+    if (source.requested().isEmpty()) {
+      source.emptySegments(found.labels()).forEach(empty -> line("segment", empty + ": no voxel"));
+    }
     if (export != null) {
       export(source, segments);
     }

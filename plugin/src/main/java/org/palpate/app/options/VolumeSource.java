@@ -28,7 +28,6 @@ import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.ScalarVolume;
-import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
 
@@ -148,7 +147,7 @@ public final class VolumeSource {
       SegmentedVolume found = read(requested);
       found.segments().stream()
           .filter(segment -> segment.bits().solidCount() == 0)
-          .forEach(segment -> err.println(emptyLine(segment)));
+          .forEach(segment -> err.println(emptyLine(segment.name())));
       err.flush();
       return found;
     }
@@ -156,10 +155,25 @@ public final class VolumeSource {
       return phantom.get().segments();
     }
     ValueStatistics.Summary found = statistics();
+    emptySegments(found.labels()).forEach(empty -> err.println(emptyLine(empty)));
+    err.flush();
     if (isIntensities(found)) {
       throw noSegmentChosen(found);
     }
     return read(specsOf(found.labels()));
+  }
+
+  /**
+   * Returns the names of the segments that the volume itself lists and that have no voxel.
+   *
+   * @param labels the labels that occur
+   */
+  public List<String> emptySegments(List<Long> labels) {
+    return header().labels().filter(LabelTable::isComplete).stream()
+        .flatMap(table -> table.labels().entrySet().stream())
+        .filter(entry -> entry.getKey() != 0 && !labels.contains(entry.getKey()))
+        .map(entry -> entry.getValue().name())
+        .toList();
   }
 
   /**
@@ -194,9 +208,9 @@ public final class VolumeSource {
     return SegmentBuilder.read(reader, specs);
   }
 
-  private String emptyLine(Segment segment) {
+  private String emptyLine(String segment) {
     return "palpate: segment "
-        + segment.name()
+        + segment
         + " has no voxel: "
         + name
         + ": palpate info prints its values";

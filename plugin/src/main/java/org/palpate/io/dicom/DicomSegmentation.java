@@ -144,7 +144,7 @@ record DicomSegmentation(
     if (labels.isEmpty()) {
       throw dicom.refusal("the segmentation describes no segment", "save it again");
     }
-    return new LabelTable(labels);
+    return new LabelTable(labels, true);
   }
 
   private static int rgb(DicomDataSet segment) {

@@ -52,7 +52,7 @@ record SlicerSegments(List<Segment> segments) {
         labels.put((long) segment.value(), segment.label());
       }
     }
-    return labels.isEmpty() ? Optional.empty() : Optional.of(new LabelTable(labels));
+    return labels.isEmpty() ? Optional.empty() : Optional.of(new LabelTable(labels, true));
   }
 
   /** Returns names and colours by the number of the segment, from 1, whatever its layer. */
@@ -61,7 +61,7 @@ record SlicerSegments(List<Segment> segments) {
     for (Segment segment : segments) {
       labels.put(labels.size() + 1L, segment.label());
     }
-    return new LabelTable(labels);
+    return new LabelTable(labels, true);
   }
 
   /** Returns the number of each segment of a layer, from 1, by its label. */
