@@ -200,7 +200,7 @@ public final class ContactScene {
    * larger ones.
    */
   public double defaultStiffnessNewtonPerMm() {
-    return DefaultStiffness.newtonPerMm(grid());
+    return ContactSettings.defaultStiffnessNewtonPerMm(grid());
   }
 
   /**

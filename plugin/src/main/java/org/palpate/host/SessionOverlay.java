@@ -21,6 +21,7 @@ final class SessionOverlay {
   private final TouchSession session;
   private final HapticDevice device;
   private final Optional<MovableSlices> slices;
+  private final Optional<LiveThreshold> threshold;
   private volatile boolean invalid;
   private volatile Hint hint = new Hint("", 0);
   private volatile String touched = "contact";
@@ -34,7 +35,12 @@ final class SessionOverlay {
   /** A line that is shown for a while. */
   private record Hint(String text, long sinceNanos) {}
 
-  SessionOverlay(TouchSession session, HapticDevice device, Optional<MovableSlices> slices) {
+  SessionOverlay(
+      TouchSession session,
+      HapticDevice device,
+      Optional<MovableSlices> slices,
+      Optional<LiveThreshold> threshold) {
+    this.threshold = threshold;
     this.session = session;
     this.device = device;
     this.slices = slices;
@@ -124,6 +130,7 @@ final class SessionOverlay {
         format("%slate %.0f µs", rate, status.latestLatenessNanos() / 1e3),
         format("%.2f N   %s", status.forceNewton(), status.contact() ? touched : "free"),
         tuningLine(),
+        threshold.map(LiveThreshold::line).orElse(""),
         slices.map(MovableSlices::line).orElse(""),
         surfaces,
         "h: help",

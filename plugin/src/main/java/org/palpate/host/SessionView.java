@@ -15,9 +15,11 @@ import org.palpate.scene.StandardView;
 import org.palpate.scene.SynchronizationThread;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
+import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.scene.window.SceneWindow;
 import org.palpate.scene.window.WindowInput;
+import org.palpate.volume.BitCube;
 import org.palpate.volume.SegmentedVolume;
 
 /**
@@ -53,11 +55,12 @@ public final class SessionView implements AutoCloseable {
   private final TouchSession session;
   private final SegmentedVolume volume;
   private final DrawnSolids solids;
-  private final TouchedSegment touched;
+  private final DrawnSolids.TouchedSegment touched;
   private final HapticDevice device;
   private final Listener listener;
   private final ViewOptions options;
   private final Optional<MovableSlices> slices;
+  private final Optional<LiveThreshold> threshold;
   private final SceneModel model;
   private final SessionOverlay overlay;
   private final SceneSynchronizer synchronizer;
@@ -102,13 +105,17 @@ public final class SessionView implements AutoCloseable {
     this.options = options;
     this.volume = volume;
     solids = new DrawnSolids(volume);
-    touched = new TouchedSegment(solids);
+    touched = new DrawnSolids.TouchedSegment(solids);
     this.device = device;
     this.listener = listener;
     model = new SceneModel(axes, Theme.DARK);
     model.setUpsideDown(options.upsideDown());
     slices = options.slices().map(start -> new MovableSlices(model, start));
-    overlay = new SessionOverlay(session, device, slices);
+    threshold =
+        options
+            .threshold()
+            .map(live -> new LiveThreshold(live.scene(), live.start(), this::replaced));
+    overlay = new SessionOverlay(session, device, slices, threshold);
     synchronizer =
         new SceneSynchronizer(session.properties(), volume.grid(), model, this::overlayLines);
     synchronization = new SynchronizationThread(this::tick, this::synchronizationFailed);
@@ -120,6 +127,7 @@ public final class SessionView implements AutoCloseable {
   public void start() {
     synchronization.start();
     opening.start();
+    threshold.ifPresent(LiveThreshold::start);
   }
 
   private void tick() {
@@ -174,6 +182,7 @@ public final class SessionView implements AutoCloseable {
           ' ', "clutch: hold or release the point", () -> applyAndShow(() -> toggleClutch(mapped)));
     }
     slices.ifPresent(planes -> addSliceKeys(input, planes));
+    threshold.ifPresent(live -> addThresholdKeys(input, live));
     if (!volume.segments().isEmpty()) {
       input.addLegend();
     }
@@ -200,8 +209,26 @@ public final class SessionView implements AutoCloseable {
         "slices of grey values: off, fixed, at the point",
         () -> applyAndShow(planes::nextMode));
     input.onKey('p', "axis that [ and ] move: x, y, z", () -> applyAndShow(planes::nextAxis));
+    input.onKey('w', "next window of the slices, for CT", () -> applyAndShow(planes::nextWindow));
+    input.onControlDrag(
+        "window and level of the slices",
+        (right, up) -> applyAndShow(() -> planes.dragWindow(right, up)));
     input.onHeldKey('[', "move the slice back", () -> applyAndShow(() -> planes.move(-1)));
     input.onHeldKey(']', "move the slice forward", () -> applyAndShow(() -> planes.move(1)));
+  }
+
+  private void addThresholdKeys(WindowInput input, LiveThreshold live) {
+    input.onHeldKey('<', "lower threshold", () -> applyAndShow(() -> live.change(-1)));
+    input.onHeldKey('>', "higher threshold", () -> applyAndShow(() -> live.change(1)));
+  }
+
+  /** Shows voxels that the haptic thread collides with from now on. */
+  private void replaced(int segment, BitCube bits, Optional<GreyRange> grey) {
+    solids.replace(segment, bits);
+    SceneLoader meshes = loader;
+    if (meshes != null) {
+      meshes.replace(segment, bits, grey);
+    }
   }
 
   private static void toggleClutch(WorkspaceDevice mapped) {
@@ -335,6 +362,7 @@ public final class SessionView implements AutoCloseable {
   @Override
   public void close() {
     synchronization.close();
+    threshold.ifPresent(LiveThreshold::close);
     synchronized (this) {
       closed = true;
     }

@@ -18,15 +18,21 @@ import org.palpate.scene.window.ScenePanel;
  *     view opens its own window
  * @param upsideDown whether the picture is turned by half a turn, for a file whose axes point the
  *     wrong way
+ * @param threshold the segment whose threshold keys change, with the scene that touches it
  */
 public record ViewOptions(
     List<Optional<GreyRange>> greys,
     Optional<MovableSlices.Start> slices,
     Optional<ScenePanel> panel,
-    boolean upsideDown) {
+    boolean upsideDown,
+    Optional<Threshold> threshold) {
+
+  /** A segment whose threshold changes while it is touched. */
+  public record Threshold(ContactScene scene, LiveThreshold.Start start) {}
+
   /** Surfaces made of bits, in a window of their own. */
   public static final ViewOptions PLAIN =
-      new ViewOptions(List.of(), Optional.empty(), Optional.empty(), false);
+      new ViewOptions(List.of(), Optional.empty(), Optional.empty(), false, Optional.empty());
 
   /** Copies the list. */
   public ViewOptions {
@@ -35,6 +41,6 @@ public record ViewOptions(
 
   /** Returns a copy that shows the view inside another program's window. */
   public ViewOptions in(ScenePanel component) {
-    return new ViewOptions(greys, slices, Optional.of(component), upsideDown);
+    return new ViewOptions(greys, slices, Optional.of(component), upsideDown, threshold);
   }
 }

@@ -20,6 +20,17 @@ public final class GreySlices implements Grey {
   private final double black;
   private final double white;
 
+  private GreySlices(ScalarVolume volume, double black, double white) {
+    this.volume = volume;
+    this.black = black;
+    this.white = white;
+  }
+
+  /** Returns the same values with another contrast; {@code white} lies above {@code black}. */
+  GreySlices withContrast(double newBlack, double newWhite) {
+    return new GreySlices(volume, newBlack, newWhite);
+  }
+
   /** Measures the contrast on a regular sample of the values. */
   public GreySlices(ScalarVolume volume) {
     this.volume = volume;

@@ -42,7 +42,9 @@ public final class MovableSlices {
   private static final int KEY_STEPS_PER_AXIS = 128;
 
   private final SceneModel model;
-  private final GreySlices grey;
+  private final GreyWindow ownWindow;
+  private GreySlices grey;
+  private GreyWindow window;
   private final int[] fixed = new int[3];
   private final int[] shown = new int[3];
   private Mode mode;
@@ -53,6 +55,8 @@ public final class MovableSlices {
   public MovableSlices(SceneModel model, Start start) {
     this.model = model;
     grey = start.grey;
+    ownWindow = GreyWindow.of("own", grey);
+    window = ownWindow;
     mode = start.mode;
     fixed[0] = start.i;
     fixed[1] = start.j;
@@ -75,6 +79,29 @@ public final class MovableSlices {
       show(fixed);
     } else if (mode == Mode.OFF) {
       model.changeLook(look -> look.with(Optional.<SlicePlanes>empty()));
+    }
+  }
+
+  /** Shows the next window for Hounsfield units, or the volume's own contrast after the last. */
+  public synchronized void nextWindow() {
+    setWindow(GreyWindow.next(window, ownWindow));
+  }
+
+  /**
+   * Changes window and level by a drag.
+   *
+   * @param right way to the right in picture heights
+   * @param up way upwards in picture heights
+   */
+  public synchronized void dragWindow(double right, double up) {
+    setWindow(window.dragged(right, up));
+  }
+
+  private void setWindow(GreyWindow next) {
+    window = next;
+    grey = grey.withContrast(next.black(), next.white());
+    if (mode != Mode.OFF) {
+      show(shown.clone());
     }
   }
 
@@ -129,11 +156,12 @@ public final class MovableSlices {
         ? ""
         : String.format(
             Locale.ROOT,
-            "slices %s %d, %d, %d   keys move %s",
+            "slices %s %d, %d, %d   keys move %s   %s",
             mode,
             shown[0],
             shown[1],
             shown[2],
-            "xyz".charAt(axis));
+            "xyz".charAt(axis),
+            window);
   }
 }

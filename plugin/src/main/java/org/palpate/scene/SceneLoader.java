@@ -19,6 +19,7 @@ import org.palpate.scene.surface.SurfaceExtractor;
 import org.palpate.scene.surface.SurfaceJob;
 import org.palpate.scene.surface.SurfaceSource;
 import org.palpate.scene.surface.WeldedSurface;
+import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
@@ -38,7 +39,8 @@ public final class SceneLoader implements AutoCloseable {
   private final SceneModel model;
   private final SurfaceBuilder builder;
   private final VoxelGrid grid;
-  private final AmbientOcclusion occlusion;
+  private volatile AmbientOcclusion occlusion;
+  private final List<BitCube> cubes = new ArrayList<>();
   private final List<Optional<GreyRange>> greys;
   private final List<SceneObject> objects = new ArrayList<>();
   private final List<SurfaceSource> sources = new ArrayList<>();
@@ -78,10 +80,8 @@ public final class SceneLoader implements AutoCloseable {
     grid = volume.grid();
     builder = new SurfaceBuilder(threads);
     List<Segment> segments = volume.segments();
-    occlusion =
-        segments.isEmpty()
-            ? AmbientOcclusion.NONE
-            : new DensityAmbientOcclusion(segments.stream().map(Segment::bits).toList());
+    segments.forEach(segment -> cubes.add(segment.bits()));
+    occlusion = newOcclusion();
     Vec3 spacing = grid.spacingMm();
     model.addDetail(Math.max(spacing.x, Math.max(spacing.y, spacing.z)));
     segments.forEach(this::add);
@@ -243,6 +243,36 @@ public final class SceneLoader implements AutoCloseable {
       started.add(rebuild(segment, level, box, SurfaceBuilder.COARSE));
     }
     return started;
+  }
+
+  private AmbientOcclusion newOcclusion() {
+    return cubes.isEmpty()
+        ? AmbientOcclusion.NONE
+        : new DensityAmbientOcclusion(List.copyOf(cubes));
+  }
+
+  /**
+   * Replaces the voxels of a segment and rebuilds its surface, the coarsest level first.
+   *
+   * @param segment number of the segment
+   * @param bits its new voxels
+   * @param grey the grey values that its finest surface follows; if empty, it follows the voxels
+   */
+  public synchronized void replace(int segment, BitCube bits, Optional<GreyRange> grey) {
+    Vec3 spacing = grid.spacingMm();
+    cubes.set(segment, bits);
+    occlusion = newOcclusion();
+    coarse.set(segment, List.of(CoarseVolume.of(bits, 1), CoarseVolume.of(bits, 2)));
+    sources.set(
+        segment,
+        grey.map(values -> SurfaceSource.ofGrey(bits, values, spacing))
+            .orElseGet(() -> SurfaceSource.ofBits(bits, spacing)));
+    model.includeGrid(
+        objects.get(segment),
+        new Vec3(grid.sizeX() * spacing.x, grid.sizeY() * spacing.y, grid.sizeZ() * spacing.z));
+    for (int level = COARSEST_LEVEL; level >= 0; level--) {
+      build(segment, level);
+    }
   }
 
   private SurfaceJob rebuild(int segment, int level, IntBox voxels, int urgency) {

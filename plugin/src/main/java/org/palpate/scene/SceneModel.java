@@ -166,6 +166,12 @@ public final class SceneModel {
         true);
   }
 
+  /** Grows the box of a segment to its whole grid, because its voxels changed. */
+  synchronized void includeGrid(SceneObject object, Vec3 sizesMm) {
+    object.includeGrid(sizesMm);
+    fitBoundingBall();
+  }
+
   /** Whether a segment is shown. */
   synchronized boolean isVisible(SceneObject object) {
     return object.visible;

@@ -49,6 +49,12 @@ public final class SceneObject {
         (number & 4) == 0 ? lowMm.z : highMm.z);
   }
 
+  /** Grows the box to the whole grid. */
+  void includeGrid(Vec3 sizesMm) {
+    lowMm.set(0, 0, 0);
+    highMm.set(sizesMm);
+  }
+
   /** Whether this box contains the box of another segment. */
   boolean encloses(SceneObject other) {
     return lowMm.x <= other.lowMm.x

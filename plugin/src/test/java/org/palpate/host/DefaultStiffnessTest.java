@@ -14,21 +14,21 @@ class DefaultStiffnessTest {
   @ParameterizedTest
   @ValueSource(doubles = {0.125, 0.2, 1, 1.5, 3.9})
   void scenesOfUsualExtentHaveHalfANewtonPerMillimetre(double spacingMm) {
-    assertEquals(0.5, DefaultStiffness.newtonPerMm(grid(spacingMm)));
+    assertEquals(0.5, ContactSettings.defaultStiffnessNewtonPerMm(grid(spacingMm)));
   }
 
   @Test
   void aScanOfMicrometresFeelsAsTheSameScanOfMillimetres() {
-    double coarse = 1 * DefaultStiffness.newtonPerMm(grid(1));
-    double fine = 0.001 * DefaultStiffness.newtonPerMm(grid(0.001));
+    double coarse = 1 * ContactSettings.defaultStiffnessNewtonPerMm(grid(1));
+    double fine = 0.001 * ContactSettings.defaultStiffnessNewtonPerMm(grid(0.001));
     assertEquals(coarse, fine, 1e-12, "force for a depth of one voxel");
   }
 
   @Test
   void theStiffnessOfSmallerScenesGrowsWithoutAJump() {
-    double last = DefaultStiffness.newtonPerMm(grid(0.2));
+    double last = ContactSettings.defaultStiffnessNewtonPerMm(grid(0.2));
     for (double spacing = 0.2; spacing > 1e-6; spacing /= 1.01) {
-      double next = DefaultStiffness.newtonPerMm(grid(spacing));
+      double next = ContactSettings.defaultStiffnessNewtonPerMm(grid(spacing));
       assertTrue(next >= last && next <= 1.02 * last, spacing + " mm: " + next);
       last = next;
     }
@@ -36,7 +36,8 @@ class DefaultStiffnessTest {
 
   @Test
   void aSceneThatIsLargerThanARoomIsSofter() {
-    assertEquals(0.5 * 1000 / 256_000, DefaultStiffness.newtonPerMm(grid(1000)), 1e-12);
+    assertEquals(
+        0.5 * 1000 / 256_000, ContactSettings.defaultStiffnessNewtonPerMm(grid(1000)), 1e-12);
   }
 
   private static VoxelGrid grid(double spacingMm) {

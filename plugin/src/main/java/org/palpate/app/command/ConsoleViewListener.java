@@ -4,17 +4,22 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.palpate.display.DisplayLoss;
+import org.palpate.geometry.Vec3;
 import org.palpate.host.SessionView;
 import org.palpate.io.file.AtomicFile;
+import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.Picture;
 import org.palpate.scene.window.SceneWindow;
+import org.palpate.volume.VoxelGrid;
 
 /** Prints the reports of a session's view and saves snapshots of its window. Any thread. */
 final class ConsoleViewListener implements SessionView.Listener {
   private final PrintWriter out;
   private final Runnable stop;
+  private volatile Optional<SessionLandmarks> landmarks = Optional.empty();
 
   /**
    * Creates a listener.
@@ -27,9 +32,21 @@ final class ConsoleViewListener implements SessionView.Listener {
     this.stop = stop;
   }
 
+  /** Adds keys for the landmarks of a view. Before it is started. */
+  void keepLandmarks(SessionView view, VoxelGrid grid, WorldAxes axes) {
+    landmarks =
+        Optional.of(
+            new SessionLandmarks(
+                () -> grid.gridToWorld(view.proxyGrid(), new Vec3()),
+                axes,
+                view::showLandmarks,
+                this::print));
+  }
+
   @Override
   public void opening(SceneWindow window) {
     DisplayLoss.install(window::displayLost);
+    landmarks.ifPresent(marks -> marks.addKeys(window.input()));
     window.input().onKey('s', "save a snapshot", () -> window.takeSnapshot(this::save));
   }
 

@@ -22,6 +22,7 @@ import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VersionProvider;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
+import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MouseTakeover;
 import org.palpate.host.SessionView;
@@ -163,7 +164,7 @@ public final class TouchCommand implements Callable<Integer> {
     LoopSettings loop = LoopSettings.ofRate(rateHz);
     try (HapticDevice opened = open(choice, source, target, loop.periodNanos())) {
       scene.notes(opened.specification()).forEach(out::println);
-      Optional<ViewOptions> view = view(source);
+      Optional<ViewOptions> view = view(source, scene.contactScene());
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
       TouchReport measured = run(scene, opened, choice, loop, record, view, axes);
       measured.print(out);
@@ -273,6 +274,7 @@ public final class TouchCommand implements Callable<Integer> {
       Optional<SessionView> view =
           viewOptions.map(
               options -> new SessionView(session, scene.volume(), axes, opened, listener, options));
+      view.ifPresent(shown -> listener.keepLandmarks(shown, scene.volume().grid(), axes));
       view.ifPresent(supervisor::show);
       LoopEnd end = supervisor.run();
       if (recording != null) {
@@ -288,13 +290,21 @@ public final class TouchCommand implements Callable<Integer> {
   }
 
   /** Returns the options of the window; empty if there is none. */
-  private Optional<ViewOptions> view(VolumeSource source) throws VolumeFormatException {
+  private Optional<ViewOptions> view(VolumeSource source, ContactScene scene)
+      throws VolumeFormatException {
     if (!hasWindow()) {
       return Optional.empty();
     }
     Optional<MovableSlices.Start> planes = slices.start(source);
     return Optional.of(
         new ViewOptions(
-            surface.greys(source, source.hasGreyValues()), planes, Optional.empty(), upsideDown));
+            surface.greys(source, source.hasGreyValues()),
+            planes,
+            Optional.empty(),
+            upsideDown,
+            tool.isRigid()
+                ? Optional.empty()
+                : SliceOptions.threshold(source)
+                    .map(start -> new ViewOptions.Threshold(scene, start))));
   }
 }

@@ -1,7 +1,10 @@
 package org.palpate.app.options;
 
+import java.util.List;
 import java.util.Optional;
 import org.palpate.app.process.PalpateException;
+import org.palpate.host.LiveThreshold;
+import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.scene.GreySlices;
 import org.palpate.scene.MovableSlices;
@@ -22,6 +25,25 @@ public final class SliceOptions {
             + " middle, or through the interaction point (point)."
       })
   private String slices;
+
+  /**
+   * Returns the segment whose threshold keys change: the first that was asked for by a threshold,
+   * if the grey values have been read.
+   */
+  public static Optional<LiveThreshold.Start> threshold(VolumeSource source)
+      throws VolumeFormatException {
+    List<SegmentSpec> requested = source.requested();
+    for (int n = 0; n < requested.size() && source.hasGreyValues(); n++) {
+      if (requested.get(n).rule() instanceof SegmentSpec.Range range
+          && !Double.isInfinite(range.low())) {
+        GreySlices grey = new GreySlices(source.greyValues());
+        return Optional.of(
+            new LiveThreshold.Start(
+                n, source.greyValues(), range.low(), range.high(), grey.white() - grey.black()));
+      }
+    }
+    return Optional.empty();
+  }
 
   boolean isRequested() {
     return slices != null;

@@ -2,9 +2,13 @@ package org.palpate.scene.gl;
 
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL2ES2;
+import com.jogamp.opengl.GL2ES3;
 import com.jogamp.opengl.GL3;
 
-/** A framebuffer with a colour and a depth texture. */
+/**
+ * A framebuffer with a colour texture, and one with depth and stencil. The stencil is 1 where a
+ * slice is nearest, and 0 elsewhere.
+ */
 final class GlFramebuffer {
   private final int[] framebuffer = new int[1];
   private final int[] textures = new int[2];
@@ -37,11 +41,10 @@ final class GlFramebuffer {
     gl.glGenFramebuffers(1, framebuffer, 0);
     gl.glGenTextures(2, textures, 0);
     allocate(gl, textures[0], GL.GL_RGBA8, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE);
-    allocate(
-        gl, textures[1], GL.GL_DEPTH_COMPONENT24, GL2ES2.GL_DEPTH_COMPONENT, GL.GL_UNSIGNED_INT);
+    allocate(gl, textures[1], GL.GL_DEPTH24_STENCIL8, GL.GL_DEPTH_STENCIL, GL.GL_UNSIGNED_INT_24_8);
     bind(gl);
     attach(gl, GL.GL_COLOR_ATTACHMENT0, textures[0]);
-    attach(gl, GL.GL_DEPTH_ATTACHMENT, textures[1]);
+    attach(gl, GL2ES3.GL_DEPTH_STENCIL_ATTACHMENT, textures[1]);
     int status = gl.glCheckFramebufferStatus(GL.GL_FRAMEBUFFER);
     if (status != GL.GL_FRAMEBUFFER_COMPLETE) {
       throw new IllegalStateException(
@@ -72,7 +75,7 @@ final class GlFramebuffer {
     gl.glViewport(0, 0, width, height);
   }
 
-  /** Copies colour and depth from a framebuffer of the same size. */
+  /** Copies colour, depth and stencil from a framebuffer of the same size. */
   void copyFrom(GL3 gl, GlFramebuffer other) {
     gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, other.framebuffer());
     gl.glBindFramebuffer(GL2ES2.GL_DRAW_FRAMEBUFFER, framebuffer[0]);
@@ -85,7 +88,7 @@ final class GlFramebuffer {
         0,
         width,
         height,
-        GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT,
+        GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT | GL.GL_STENCIL_BUFFER_BIT,
         GL.GL_NEAREST);
   }
 

@@ -5,8 +5,14 @@ import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
 import org.palpate.scene.Matrix4;
 
-/** Draws marks over a picture with its depth; hidden parts are faint. */
+/**
+ * Draws marks over a picture with its depth. Parts behind a surface are faint; parts behind a slice
+ * are not, because a slice must not hide the interaction point.
+ */
 final class MarkProgram {
+  private static final int STENCIL_MASK = 0xff;
+  private static final double BEHIND_SLICE_OPACITY = 0.9;
+
   private final GlProgram program;
   private final StreamBuffer buffer;
 
@@ -38,8 +44,15 @@ final class MarkProgram {
     gl.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA);
     gl.glDepthFunc(GL.GL_GREATER);
     gl.glDepthMask(false);
+    gl.glEnable(GL.GL_STENCIL_TEST);
+    gl.glStencilOp(GL.GL_KEEP, GL.GL_KEEP, GL.GL_KEEP);
+    gl.glStencilFunc(GL.GL_EQUAL, 0, STENCIL_MASK);
     program.set(gl, "opacity", hiddenOpacity);
     buffer.draw(gl, vertices, marks.vertexCount());
+    gl.glStencilFunc(GL.GL_EQUAL, 1, STENCIL_MASK);
+    program.set(gl, "opacity", BEHIND_SLICE_OPACITY);
+    buffer.draw(gl, vertices, marks.vertexCount());
+    gl.glDisable(GL.GL_STENCIL_TEST);
     gl.glDisable(GL.GL_BLEND);
     gl.glDepthMask(true);
     gl.glDepthFunc(GL.GL_LESS);

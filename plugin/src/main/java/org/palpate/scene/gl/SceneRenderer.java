@@ -22,6 +22,7 @@ import org.palpate.scene.Stereo;
 public final class SceneRenderer {
   private static final int EYES = 2;
   private static final double PIXEL_CENTRE = 0.5;
+  private static final int STENCIL_MASK = 0xff;
 
   private final boolean cullsOutsideView;
   private final boolean reusesStatic;
@@ -164,15 +165,20 @@ public final class SceneRenderer {
       GL3 gl, SceneState state, GlFramebuffer target, Matrix4 toEye, Matrix4 projection) {
     target.bind(gl);
     gl.glDepthMask(true);
-    gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT);
+    gl.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT | GL.GL_STENCIL_BUFFER_BIT);
     gl.glDisable(GL.GL_DEPTH_TEST);
     background.use(gl);
     background.setRgb(gl, "above", state.look().theme().above());
     background.setRgb(gl, "below", state.look().theme().below());
     drawScreen(gl);
     gl.glEnable(GL.GL_DEPTH_TEST);
+    gl.glEnable(GL.GL_STENCIL_TEST);
+    gl.glStencilOp(GL.GL_KEEP, GL.GL_KEEP, GL.GL_REPLACE);
+    gl.glStencilFunc(GL.GL_ALWAYS, 1, STENCIL_MASK);
     state.look().slices().ifPresent(planes -> slices.draw(gl, planes, toEye, projection));
+    gl.glStencilFunc(GL.GL_ALWAYS, 0, STENCIL_MASK);
     objects.draw(gl, state, toEye, projection);
+    gl.glDisable(GL.GL_STENCIL_TEST);
   }
 
   private void show(GL3 gl, Stereo stereo, int eye, int width, int height, int scale) {

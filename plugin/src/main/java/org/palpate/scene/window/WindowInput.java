@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 import java.util.function.Supplier;
 import org.palpate.geometry.Vec3;
@@ -48,6 +49,9 @@ public final class WindowInput extends MouseAdapter {
   private volatile Optional<PointerListener> pointer = Optional.empty();
   private volatile double pressFraction = 0.02;
   private Optional<SceneLegend> legend = Optional.empty();
+  private Optional<DragListener> controlDrag = Optional.empty();
+  private String controlDragHelp = "";
+  private volatile Optional<TextEntry> entry = Optional.empty();
   private boolean helpShown;
   private int lastX;
   private int lastY;
@@ -62,7 +66,9 @@ public final class WindowInput extends MouseAdapter {
     UNDECIDED,
     TOUCH,
     TURN,
-    MOVE
+    MOVE,
+    /** A drag with Ctrl, for which the owner has a listener. */
+    CONTROL
   }
 
   /**
@@ -138,6 +144,36 @@ public final class WindowInput extends MouseAdapter {
     onKey('i', "legend: next colour (or click its colour)", shown::nextColour);
   }
 
+  /** Receives a drag. On the window's own thread. */
+  public interface DragListener {
+    /** Receives the way to the right and upwards since the last call, in picture heights. */
+    void dragged(double right, double up);
+  }
+
+  /** Assigns an action to left drags with Ctrl. Before the window is shown. */
+  public void onControlDrag(String help, DragListener listener) {
+    controlDrag = Optional.of(listener);
+    controlDragHelp = help;
+  }
+
+  /**
+   * Asks for a line of text, which the user ends with Enter. Escape keeps the first text. Any
+   * thread.
+   *
+   * @param taker receives the text, on the window's own thread
+   */
+  public void ask(String prompt, String first, Consumer<String> taker) {
+    TextEntry asked = new TextEntry(prompt, first, taker);
+    entry = Optional.of(asked);
+    model.setHelp(asked.lines());
+  }
+
+  private void type(TextEntry asked, KeyEvent event) {
+    boolean goesOn = asked.type(event.getKeyCode(), event.getKeyChar(), event.isPrintableKey());
+    entry = goesOn ? entry : Optional.empty();
+    model.setHelp(goesOn ? asked.lines() : helpShown ? helpLines() : List.of());
+  }
+
   /** Makes the mouse the device. */
   public void setPointer(PointerListener listener) {
     pointer = Optional.of(listener);
@@ -174,6 +210,9 @@ public final class WindowInput extends MouseAdapter {
     }
     lines.add("middle or Shift drag   move");
     lines.add("wheel   nearer or further");
+    if (controlDrag.isPresent()) {
+      lines.add("Ctrl and drag   " + controlDragHelp);
+    }
     synchronized (keys) {
       keys.forEach((key, action) -> lines.add(name(key) + "   " + action.help));
     }
@@ -189,7 +228,10 @@ public final class WindowInput extends MouseAdapter {
     return new KeyAdapter() {
       @Override
       public void keyPressed(KeyEvent event) {
-        if (event.getKeyCode() == KeyEvent.VK_ESCAPE) {
+        Optional<TextEntry> asked = entry;
+        if (asked.isPresent()) {
+          type(asked.get(), event);
+        } else if (event.getKeyCode() == KeyEvent.VK_ESCAPE) {
           press((char) KeyEvent.VK_ESCAPE);
         } else if (event.isPrintableKey()) {
           press(event.getKeyChar(), event.isAutoRepeat());
@@ -233,6 +275,9 @@ public final class WindowInput extends MouseAdapter {
     if (event.getButton() == MouseEvent.BUTTON2 || (left && event.isShiftDown())) {
       return Gesture.MOVE;
     }
+    if (left && event.isControlDown() && controlDrag.isPresent()) {
+      return Gesture.CONTROL;
+    }
     return left && pointer.isPresent() ? Gesture.UNDECIDED : Gesture.TURN;
   }
 
@@ -249,6 +294,7 @@ public final class WindowInput extends MouseAdapter {
     lastY = event.getY();
     switch (gesture.get()) {
       case TOUCH -> requestPick(event, false);
+      case CONTROL -> controlDrag.ifPresent(listener -> listener.dragged(dx, -dy));
       case MOVE -> model.moveCamera(camera -> camera.pan(dx, -dy), true);
       case TURN ->
           model.moveCamera(
