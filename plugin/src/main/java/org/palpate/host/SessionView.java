@@ -14,6 +14,7 @@ import org.palpate.scene.SceneSynchronizer;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.SynchronizationThread;
 import org.palpate.scene.Theme;
+import org.palpate.scene.ToolMarks;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.window.GraphicsException;
@@ -62,6 +63,7 @@ public final class SessionView implements AutoCloseable {
   private final Optional<MovableSlices> slices;
   private final Optional<LiveThreshold> threshold;
   private final SceneModel model;
+  private final List<Vec3> toolPoints;
   private final SessionOverlay overlay;
   private final SceneSynchronizer synchronizer;
   private final SynchronizationThread synchronization;
@@ -109,6 +111,7 @@ public final class SessionView implements AutoCloseable {
     this.device = device;
     this.listener = listener;
     model = new SceneModel(axes, Theme.DARK);
+    toolPoints = session.held().map(held -> held.scene().drawnPoints()).orElse(List.of());
     model.setUpsideDown(options.upsideDown());
     slices = options.slices().map(start -> new MovableSlices(model, start));
     threshold =
@@ -117,7 +120,8 @@ public final class SessionView implements AutoCloseable {
             .map(live -> new LiveThreshold(live.scene(), live.start(), this::replaced));
     overlay = new SessionOverlay(session, device, slices, threshold);
     synchronizer =
-        new SceneSynchronizer(session.properties(), volume.grid(), model, this::overlayLines);
+        new SceneSynchronizer(
+            session.properties(), volume.grid(), model, this::overlayLines, this::toolMarks);
     synchronization = new SynchronizationThread(this::tick, this::synchronizationFailed);
     opening = new Thread(this::open, "palpate-open-view");
     opening.setDaemon(true);
@@ -141,6 +145,19 @@ public final class SessionView implements AutoCloseable {
       proxyGrid = new Vec3().set(point);
       slices.ifPresent(planes -> planes.follow(point));
     }
+  }
+
+  /** Returns how the tool lies in the last publication; empty if a point touches. */
+  private Optional<ToolMarks> toolMarks() {
+    return session
+        .held()
+        .map(
+            held ->
+                ToolMarks.at(
+                    toolPoints,
+                    held.publisher().toolToWorld().read(),
+                    held.publisher().torqueNewtonMm().read(new Vec3()),
+                    model.axes()));
   }
 
   private void open() {

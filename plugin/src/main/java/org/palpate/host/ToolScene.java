@@ -2,6 +2,7 @@ package org.palpate.host;
 
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import org.palpate.body.BodyScene;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
@@ -17,6 +18,7 @@ import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSettings;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.tool.RigidTool;
+import org.palpate.scene.ToolMarks;
 
 /**
  * A rigid tool among the segments of a contact scene, each of which is a body. Builds its frames.
@@ -72,6 +74,14 @@ public final class ToolScene {
   /** Returns the tool. */
   public RigidTool tool() {
     return tool;
+  }
+
+  /** Returns sample points of the tool that show its form, tool frame, mm. */
+  public List<Vec3> drawnPoints() {
+    int every = (tool.count() + ToolMarks.MOST_POINTS - 1) / ToolMarks.MOST_POINTS;
+    return IntStream.iterate(0, point -> point < tool.count(), point -> point + every)
+        .mapToObj(point -> tool.point(point, new Vec3()))
+        .toList();
   }
 
   /** Returns the solver, which one frame uses at a time. */

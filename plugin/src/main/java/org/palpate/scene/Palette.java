@@ -17,6 +17,8 @@ public final class Palette {
   public static final int DEVICE = SKY_BLUE;
   public static final int POINT = ORANGE;
   public static final int FORCE = VERMILION;
+  public static final int TORQUE = VERMILION;
+  public static final int TOOL = BLUISH_GREEN;
   public static final int TRAIL = YELLOW;
   public static final int LANDMARK = REDDISH_PURPLE;
   public static final int SPRING = 0x9fb4c8;

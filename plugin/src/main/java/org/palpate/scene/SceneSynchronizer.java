@@ -27,6 +27,7 @@ public final class SceneSynchronizer implements Runnable {
   private final VoxelGrid grid;
   private final SceneModel model;
   private final Supplier<List<String>> overlay;
+  private final Supplier<Optional<ToolMarks>> tool;
   private final Deque<Vec3> trail = new ArrayDeque<>();
   private final Vec3 device = new Vec3();
   private final Vec3 point = new Vec3();
@@ -43,6 +44,21 @@ public final class SceneSynchronizer implements Runnable {
       VoxelGrid grid,
       SceneModel model,
       Supplier<List<String>> overlay) {
+    this(properties, grid, model, overlay, Optional::empty);
+  }
+
+  /**
+   * Creates a reader that also shows a rigid tool.
+   *
+   * @param tool provides the marks of the tool as of the last publication that was taken
+   */
+  public SceneSynchronizer(
+      TouchProperties properties,
+      VoxelGrid grid,
+      SceneModel model,
+      Supplier<List<String>> overlay,
+      Supplier<Optional<ToolMarks>> tool) {
+    this.tool = tool;
     this.properties = properties;
     this.grid = grid;
     this.model = model;
@@ -72,7 +88,8 @@ public final class SceneSynchronizer implements Runnable {
             new Vec3().set(point),
             new Vec3().set(force),
             contact,
-            new ArrayList<>(trail));
+            new ArrayList<>(trail),
+            tool.get());
     model.setMarks(Optional.of(marks));
     properties
         .accumulator()

@@ -62,6 +62,15 @@ class ToolTouchTest {
   }
 
   @Test
+  void aPictureOfAToolNeedsATrajectory() {
+    Path out = folder.resolve("x.png");
+    String line = CommandRun.of("render", "--tool", "sphere:4", "--out", out).mustRefuse();
+    assertTrue(line.contains("add --trajectory"), line);
+    Path surface = folder.resolve("x.stl");
+    CommandRun.of("render", "--tool", "sphere:4", "--out", surface).mustRefuse();
+  }
+
+  @Test
   void wrongUseIsOneLineAndExitCodeTwo() {
     String[][] wrong = {
       {"--tool", "sphere:0"},

@@ -4,13 +4,20 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.palpate.device.Trajectory;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
+import org.palpate.host.ToolReplay;
+import org.palpate.host.ToolScene;
 import org.palpate.host.TrajectoryFile;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.scene.StandardView;
+import org.palpate.scene.ToolMarks;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
 
@@ -46,6 +53,42 @@ final class LastContactMarks {
         marks.shownDevice, marks.shownPoint, marks.shownForce, marks.hasContact, marks.shownTrail);
   }
 
+  /** Runs a trajectory of a rigid tool over a scene; returns marks as the other method does. */
+  static TouchMarks ofTool(Path file, ToolScene scene, WorldAxes axes) throws IOException {
+    Trajectory trajectory = TrajectoryFile.read(file, true);
+    LastContactMarks marks = new LastContactMarks(axes);
+    Pose shownPose = new Pose();
+    Vec3 shownTorque = new Vec3();
+    new ToolReplay(scene, trajectory, false)
+        .run(
+            (number, frame) -> {
+              Pose pose = frame.motion().pose();
+              boolean contact = frame.motion().contact();
+              if (contact || !marks.hasContact) {
+                shownPose.set(pose);
+                shownTorque.set(frame.torqueNewtonMm());
+              }
+              marks.take(frame.sample().positionMm, pose.translation, frame.forceNewton(), contact);
+            });
+    ToolMarks tool = ToolMarks.at(scene.drawnPoints(), transform(shownPose), shownTorque, axes);
+    return new TouchMarks(
+        marks.shownDevice,
+        marks.shownPoint,
+        marks.shownForce,
+        marks.hasContact,
+        marks.shownTrail,
+        Optional.of(tool));
+  }
+
+  private static RigidTransform transform(Pose pose) {
+    Quaternion q = pose.rotation;
+    return new RigidTransform(
+        q.rotate(new Vec3(1, 0, 0), new Vec3()),
+        q.rotate(new Vec3(0, 1, 0), new Vec3()),
+        q.rotate(new Vec3(0, 0, 1), new Vec3()),
+        new Vec3().set(pose.translation));
+  }
+
   private void take(
       int frame,
       Vec3 deviceMm,
@@ -53,21 +96,25 @@ final class LastContactMarks {
       Vec3 forceNewton,
       InteractionPoint state,
       boolean freed) {
-    if (!state.contact) {
+    take(deviceMm, pointMm, forceNewton, state.contact);
+  }
+
+  private void take(Vec3 deviceMm, Vec3 pointMm, Vec3 forceNewton, boolean contact) {
+    if (!contact) {
       trail.clear();
     }
     Vec3 at = axes.toSceneOrBack(pointMm, new Vec3());
     boolean isNew =
         trail.isEmpty()
             || trail.get(trail.size() - 1).sub(at, new Vec3()).length() >= TRAIL_STEP_MM;
-    if (state.contact && isNew) {
+    if (contact && isNew) {
       trail.add(at);
     }
-    if (state.contact || !hasContact) {
+    if (contact || !hasContact) {
       axes.toSceneOrBack(deviceMm, shownDevice);
       shownPoint.set(at);
       axes.toSceneOrBack(forceNewton, shownForce);
-      hasContact = state.contact;
+      hasContact = contact;
       shownTrail = List.copyOf(trail);
     }
   }

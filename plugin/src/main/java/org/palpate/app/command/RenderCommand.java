@@ -17,6 +17,7 @@ import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.SliceOptions;
 import org.palpate.app.options.SurfaceOptions;
+import org.palpate.app.options.ToolOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.Report;
@@ -26,6 +27,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
@@ -34,12 +36,14 @@ import org.palpate.scene.SceneState;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
+import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.window.GraphicsDriver;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.scene.window.OffscreenRenderer;
 import org.palpate.scene.window.Picture;
+import org.palpate.tool.MadeTool;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Command;
@@ -64,6 +68,7 @@ import picocli.CommandLine.TypeConversionException;
       "  palpate render --volume scan.nrrd --segment 'bone=>=1500' --out x.png --size 1280x960",
       "  palpate render --phantom torus:192 --view head --theme light --out torus.png",
       "  palpate render --phantom head:256 --trajectory t.csv --out touched.png",
+      "  palpate render --phantom torus:96 --tool capsule:3,20 --trajectory t.csv --out held.png",
       "  palpate render --volume labels.nrrd --out labels.obj",
       "  palpate render --volume labels.nrrd --out print.stl --separate"
     })
@@ -78,6 +83,7 @@ public final class RenderCommand implements Callable<Integer> {
           "--size",
           "--view",
           "--trajectory",
+          "--tool",
           "--upside-down",
           "--zoom",
           "--theme",
@@ -88,6 +94,7 @@ public final class RenderCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
+  @Mixin private ToolOptions tool;
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
@@ -167,6 +174,7 @@ public final class RenderCommand implements Callable<Integer> {
       converter = StereoConverter.class)
   private Stereo stereo;
 
+  private Optional<MadeTool> made = Optional.empty();
   private int width;
   private int height;
 
@@ -179,6 +187,10 @@ public final class RenderCommand implements Callable<Integer> {
     VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
     Optional.ofNullable(trajectory).ifPresent(inputs::add);
+    if (tool.isRigid()) {
+      made = Optional.of(tool.make(source.header()));
+      inputs.addAll(made.get().files());
+    }
     OutputPaths.checked("--out", outFile, inputs);
     surface.checkPossible(source);
     if (!surfaceOnly && !GraphicsDriver.hasDisplay()) {
@@ -219,7 +231,7 @@ public final class RenderCommand implements Callable<Integer> {
   }
 
   /** Rejects options that would otherwise be ignored silently. */
-  private void checkOptionCombination(boolean surfaceOnly) {
+  private void checkOptionCombination(boolean surfaceOnly) throws VolumeFormatException {
     for (String option : PICTURE_OPTIONS) {
       if (surfaceOnly && spec.commandLine().getParseResult().hasMatchedOption(option)) {
         throw PalpateException.wrongUse(
@@ -235,11 +247,20 @@ public final class RenderCommand implements Callable<Integer> {
           "leave it out, or write a .stl, .ply or .obj");
     }
     surface.check();
+    checkTool();
     if (slices.followsProxy() && trajectory == null) {
       throw PalpateException.wrongUse(
           "there is no interaction point to follow",
           "--slices point",
           "add --trajectory, or choose --slices middle");
+    }
+  }
+
+  private void checkTool() throws VolumeFormatException {
+    tool.checkOthers(spec.commandLine().getParseResult());
+    if (tool.isRigid() && trajectory == null) {
+      throw PalpateException.wrongUse(
+          "nothing moves the tool", "--tool", "add --trajectory, or leave --tool out");
     }
   }
 
@@ -295,8 +316,14 @@ public final class RenderCommand implements Callable<Integer> {
       throws IOException {
     if (trajectory != null) {
       ContactScene scene = contact.scene(source, segments);
-      model.setMarks(Optional.of(LastContactMarks.of(trajectory, scene, model.axes())));
+      model.setMarks(Optional.of(marks(scene, model.axes())));
     }
+  }
+
+  private TouchMarks marks(ContactScene scene, WorldAxes axes) throws IOException {
+    return made.isPresent()
+        ? LastContactMarks.ofTool(trajectory, tool.scene(scene, made.get()), axes)
+        : LastContactMarks.of(trajectory, scene, axes);
   }
 
   private static void showSlices(

@@ -62,6 +62,18 @@ final class MarkMesh {
     }
   }
 
+  /** Adds a small octahedron, for marks that are many. */
+  void dot(Vec3 middle, double radius) {
+    for (int octant = 0; octant < 8; octant++) {
+      Vec3 a = new Vec3((octant & 1) == 0 ? 1 : -1, 0, 0);
+      Vec3 b = new Vec3(0, (octant & 2) == 0 ? 1 : -1, 0);
+      Vec3 c = new Vec3(0, 0, (octant & 4) == 0 ? 1 : -1);
+      for (Vec3 n : new Vec3[] {a, b, c}) {
+        vertex(offset(middle, n, radius), n);
+      }
+    }
+  }
+
   private static Vec3 onBall(int ring, int i) {
     double polar = Math.PI * ring / BALL_RINGS;
     double turn = 2 * Math.PI * i / BALL_AROUND;

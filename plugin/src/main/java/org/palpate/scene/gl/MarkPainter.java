@@ -1,13 +1,18 @@
 package org.palpate.scene.gl;
 
 import com.jogamp.opengl.GL3;
+import java.util.List;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Matrix4;
 import org.palpate.scene.Palette;
 import org.palpate.scene.SceneState;
+import org.palpate.scene.ToolMarks;
 import org.palpate.scene.TouchMarks;
 
-/** Draws the device, the interaction point, the spring between them, the force and the trail. */
+/**
+ * Draws the device, the interaction point, the spring between them, the force and the trail; of a
+ * rigid tool, its sample points and the torque.
+ */
 final class MarkPainter {
   /** Radius of the interaction point's ball over the camera's distance. */
   private static final double POINT_SIZE = 0.0055;
@@ -31,6 +36,9 @@ final class MarkPainter {
    */
   private final MarkMesh point = new MarkMesh();
 
+  /** The sample points of a rigid tool, and its torque. */
+  private final MarkMesh tool = new MarkMesh();
+
   /** Compiles the program. */
   MarkPainter(GL3 gl) {
     program = new MarkProgram(gl);
@@ -41,8 +49,13 @@ final class MarkPainter {
     double size = POINT_SIZE * state.camera().distanceMm();
     buildDevice(shown, size);
     buildPoint(shown, size, state.camera().distanceMm());
+    tool.clear();
+    shown.tool().ifPresent(held -> buildTool(held, size));
     program.use(gl, toEye, projection);
     program.draw(gl, device, 0, HIDDEN_OPACITY);
+    if (tool.vertexCount() > 0) {
+      program.draw(gl, tool, state.detailMm(), HIDDEN_OPACITY);
+    }
     program.draw(gl, point, state.detailMm(), HIDDEN_OPACITY);
   }
 
@@ -56,6 +69,19 @@ final class MarkPainter {
           .spring(shown.point(), shown.device(), turns, 0.45 * size, 0.13 * size);
     }
     device.colour(Palette.DEVICE, 1).ball(shown.device(), 0.75 * size);
+  }
+
+  private void buildTool(ToolMarks held, double size) {
+    tool.colour(Palette.TOOL, 1);
+    held.points().forEach(point -> tool.dot(point, 0.22 * size));
+    List<Vec3> arc = held.torqueArc();
+    if (arc.size() > 1) {
+      tool.colour(Palette.TORQUE, 1).tube(arc, 0.25 * size);
+      Vec3 end = arc.get(arc.size() - 1);
+      Vec3 along = end.sub(arc.get(arc.size() - 2), new Vec3());
+      along.mul(3 * size / along.length(), along);
+      tool.arrow(end, along.add(end, along), 0.25 * size);
+    }
   }
 
   private void buildPoint(TouchMarks shown, double size, double distance) {
