@@ -1,12 +1,20 @@
 package org.palpate.host;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.rigid.RigidCoupling;
+import org.palpate.rigid.RigidSolver;
+import org.palpate.rigid.ToolMotion;
 
 /**
  * Runs the frames of a rigid tool over a recorded trajectory in world mm, one frame a sample. It
@@ -68,6 +76,41 @@ public final class ToolReplay {
     this.scene = scene;
     this.trajectory = trajectory;
     this.raw = raw;
+  }
+
+  /**
+   * Measures the time of solver, force and torque over the valid samples, with nothing else inside.
+   *
+   * @param passes number of passes, more than {@link ReplayTiming#UNCOUNTED_PASSES}
+   */
+  public ReplayTiming.NanosPerFrame time(int passes) {
+    RigidSolver solver = scene.solver();
+    RigidCoupling coupling = scene.coupling(scene.contactScene().defaultStiffnessNewtonPerMm());
+    List<Pose> devices = validPoses();
+    ToolMotion motion = new ToolMotion();
+    Vec3 forceNewton = new Vec3();
+    Vec3 torqueNewtonMm = new Vec3();
+    Runnable pass =
+        () -> {
+          for (int n = 0; n < devices.size(); n++) {
+            solver.follow(devices.get(n), motion);
+            coupling.compute(motion.pose(), solver.target(), forceNewton, torqueNewtonMm);
+          }
+        };
+    return ReplayTiming.measure(
+        passes, devices.size(), () -> solver.place(devices.get(0), motion), pass);
+  }
+
+  private List<Pose> validPoses() {
+    List<Pose> poses = new ArrayList<>();
+    DeviceState state = new DeviceState();
+    for (int n = 0; n < trajectory.size(); n++) {
+      trajectory.read(n, state);
+      if (state.positionMm.isFinite() && state.orientation.isNearUnit()) {
+        poses.add(new Pose().set(state.positionMm, state.orientation));
+      }
+    }
+    return poses;
   }
 
   /** Runs every frame once from a fresh start. */

@@ -26,7 +26,6 @@ import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
 import org.palpate.host.ReplayTiming;
 import org.palpate.host.ToolReplay;
-import org.palpate.host.ToolReplayTiming;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TrajectoryFile;
 import org.palpate.tool.MadeTool;
@@ -179,7 +178,7 @@ public final class ReplayCommand implements Callable<Integer> {
     }
     measured.putInto(report, result);
     if (repeat != null) {
-      putTime(new ToolReplayTiming(scene, trajectory).run(repeat), report);
+      putTime(new ToolReplay(scene, trajectory, rawDevice).time(repeat), report);
     }
     report.write();
     return 0;
