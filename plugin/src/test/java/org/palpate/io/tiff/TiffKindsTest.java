@@ -65,7 +65,7 @@ class TiffKindsTest {
   void coloursAreReadAsLuminanceInEitherArrangement() throws Exception {
     page(2, 1, 8, 2);
     tags.put(SAMPLES, new int[] {3});
-    double[] expected = {(299 * 200 + 587 * 100 + 114 * 50 + 500) / 1000, 255};
+    double[] expected = {124, 255}; // (299 * 200 + 587 * 100 + 114 * 50) / 1000, rounded
     assertArrayEquals(expected, values(bytes(200, 100, 50, 255, 255, 255)));
     assertTrue(notes().contains("luminance"), notes());
     tags.put(PLANAR, new int[] {2});
