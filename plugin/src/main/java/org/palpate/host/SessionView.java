@@ -71,6 +71,7 @@ public final class SessionView implements AutoCloseable {
   private final Vec3 point = new Vec3();
   private final Vec3 deviceGrid = new Vec3();
   private volatile Vec3 proxyGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
+  private volatile List<NamedPoint> landmarks = List.of();
   private volatile SceneLoader loader;
   private volatile SceneWindow window;
   private boolean closed;
@@ -291,7 +292,13 @@ public final class SessionView implements AutoCloseable {
 
   /** Shows these landmarks and no others; positions in world mm. */
   public void showLandmarks(List<NamedPoint> worldMm) {
+    landmarks = List.copyOf(worldMm);
     model.setLandmarks(worldMm);
+  }
+
+  /** Returns the landmarks that are shown, world mm. */
+  public List<NamedPoint> landmarks() {
+    return landmarks;
   }
 
   /** Returns the interaction point of the last tick in grid coordinates; NaN before the first. */

@@ -19,6 +19,7 @@ final class ToolPublisher implements ToolFramePublisher {
   private final TouchProperties properties;
   private final VoxelGrid grid;
   private final TransformProperty toolToWorld;
+  private final TransformProperty deviceToWorld;
   private final PositionProperty torqueNewtonMm;
   private final Vec3 deviceGrid = new Vec3();
   private final Vec3 pointGrid = new Vec3();
@@ -32,22 +33,33 @@ final class ToolPublisher implements ToolFramePublisher {
     this.properties = properties;
     this.grid = grid;
     toolToWorld = properties.accumulator().transform("tool");
+    deviceToWorld = properties.accumulator().transform("device");
     torqueNewtonMm = properties.accumulator().position("torque");
   }
 
   @Override
   public void publish(
       Pose device, Pose tool, Vec3 forceNewton, Vec3 torque, boolean contact, long frame) {
-    Quaternion q = tool.rotation;
-    q.rotate(axisX.set(1, 0, 0), axisX);
-    q.rotate(axisY.set(0, 1, 0), axisY);
-    q.rotate(axisZ.set(0, 0, 1), axisZ);
-    toolToWorld.set(axisX, axisY, axisZ, tool.translation);
+    set(toolToWorld, tool);
+    set(deviceToWorld, device);
     torqueNewtonMm.set(torque);
     grid.worldToGrid(device.translation, deviceGrid);
     grid.worldToGrid(tool.translation, pointGrid);
     grid.gridMmToWorld().inverseRotate(forceNewton, gridNewton);
     properties.publish(deviceGrid, pointGrid, gridNewton, contact, frame);
+  }
+
+  private void set(TransformProperty property, Pose pose) {
+    Quaternion q = pose.rotation;
+    q.rotate(axisX.set(1, 0, 0), axisX);
+    q.rotate(axisY.set(0, 1, 0), axisY);
+    q.rotate(axisZ.set(0, 0, 1), axisZ);
+    property.set(axisX, axisY, axisZ, pose.translation);
+  }
+
+  /** Returns the device pose, device frame to world mm. */
+  TransformProperty deviceToWorld() {
+    return deviceToWorld;
   }
 
   /** Returns the tool pose, tool frame to world mm. */

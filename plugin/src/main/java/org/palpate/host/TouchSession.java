@@ -11,6 +11,8 @@ import org.palpate.frame.FrameSettings;
 import org.palpate.frame.HapticFrame;
 import org.palpate.frame.PointFrame;
 import org.palpate.frame.ToolFrame;
+import org.palpate.frame.ToolFramePublisher;
+import org.palpate.geometry.Vec3;
 import org.palpate.loop.HapticLoop;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopReport;
@@ -26,6 +28,7 @@ import org.palpate.sync.Accumulator;
 import org.palpate.sync.Property;
 import org.palpate.sync.SyncCounters;
 import org.palpate.sync.TouchProperties;
+import org.palpate.volume.VoxelGrid;
 
 /**
  * A live session: a haptic thread of its own moves a device through a scene.
@@ -63,6 +66,12 @@ public final class TouchSession implements AutoCloseable {
   private final TouchProperties properties = new TouchProperties(new Accumulator());
   private final List<Property> published;
   private final Optional<HeldTool> held;
+  private final VoxelGrid grid;
+
+  /** Set before the haptic thread starts, which reads it; null without a second reader. */
+  private SessionReader secondReader;
+
+  private boolean started;
   private long ticks;
 
   /**
@@ -84,7 +93,8 @@ public final class TouchSession implements AutoCloseable {
     device = recorded(worldDevice, recorder);
     FrameSettings frameSettings = scene.liveFrame(worldDevice.specification(), defaultNewtonPerMm);
     PointFrame frame =
-        scene.newFrame(new GridDevice(device, scene.grid()), frameSettings, properties::publish);
+        scene.newFrame(new GridDevice(device, scene.grid()), frameSettings, this::publish);
+    grid = scene.grid();
     tuning = new ContactTuning(frame, scene, frameSettings.force(), worldDevice.specification());
     Runnable warmUp = warmUp(scene, frameSettings, settings.periodNanos());
     loop = new HapticLoop(frame, settings.withWarmUp(warmUp), listener);
@@ -108,8 +118,9 @@ public final class TouchSession implements AutoCloseable {
     DeviceSpecification specification = worldDevice.specification();
     FrameSettings frameSettings = scene.liveFrame(specification, defaultNewtonPerMm);
     RigidCoupling coupling = scene.coupling(defaultNewtonPerMm);
-    ToolPublisher publisher = new ToolPublisher(properties, scene.contactScene().grid());
-    ToolFrame frame = scene.newFrame(device, frameSettings, coupling, publisher);
+    grid = scene.contactScene().grid();
+    ToolPublisher publisher = new ToolPublisher(properties, grid);
+    ToolFrame frame = scene.newFrame(device, frameSettings, coupling, published(publisher));
     tuning = ContactTuning.ofTool(frame, coupling, frameSettings.force(), specification);
     HapticDevice hand =
         SimulatedDevice.withOrientation(WARM_UP_SEED, scene.handTarget(), settings.periodNanos());
@@ -137,8 +148,41 @@ public final class TouchSession implements AutoCloseable {
     return new WarmUp(frame, WARM_UP_MIN_FRAMES, WARM_UP_NANOS, NanoClock.SYSTEM);
   }
 
+  /** Publishes the frame of a point to both readers. Haptic thread. */
+  private void publish(Vec3 deviceGrid, Vec3 point, Vec3 newton, boolean contact, long frame) {
+    properties.publish(deviceGrid, point, newton, contact, frame);
+    if (secondReader != null) {
+      secondReader.properties().publish(deviceGrid, point, newton, contact, frame);
+    }
+  }
+
+  /** Returns a publisher of a tool's frames for both readers. */
+  private ToolFramePublisher published(ToolPublisher first) {
+    return (devicePose, tool, newton, torque, contact, frame) -> {
+      first.publish(devicePose, tool, newton, torque, contact, frame);
+      if (secondReader != null) {
+        secondReader.toolPublisher().publish(devicePose, tool, newton, torque, contact, frame);
+      }
+    };
+  }
+
+  /**
+   * Returns a second reader of what the frames publish, beside {@link #properties}. Call it once,
+   * before {@link #start}.
+   *
+   * @throws IllegalStateException if it was called before or the session has started
+   */
+  public SessionReader secondReader() {
+    if (started || secondReader != null) {
+      throw new IllegalStateException("a second reader is made once, before the session starts");
+    }
+    secondReader = new SessionReader(grid, held.isPresent());
+    return secondReader;
+  }
+
   /** Starts the haptic thread. It warms up and then switches the force on. */
   public void start() {
+    started = true;
     loop.start();
   }
 

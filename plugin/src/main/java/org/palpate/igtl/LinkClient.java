@@ -21,6 +21,9 @@ final class LinkClient {
   private static final int MAX_REPLIES = 16;
   private static final long POLL_MILLIS = 100;
 
+  /** The longest time that the last reply to a client that is disconnected may take. */
+  private static final long LAST_REPLY_MILLIS = 1000;
+
   /** One update of the state; not changed once made. */
   static final class Update {
     private final byte[] state;
@@ -52,6 +55,9 @@ final class LinkClient {
 
   /** Signals that there is something to write; it holds at most one signal. */
   private final BlockingQueue<Boolean> signal = new ArrayBlockingQueue<>(1);
+
+  /** Whether the writer ends after the replies that wait. */
+  private volatile boolean ending;
 
   private volatile boolean closed;
 
@@ -95,6 +101,9 @@ final class LinkClient {
           }
           out.write(update.state);
         }
+        if (ending && replies.isEmpty()) {
+          return;
+        }
       }
     } catch (IOException e) {
       close(); // the client is gone; the reader says so
@@ -115,7 +124,7 @@ final class LinkClient {
     } catch (LinkProtocolException e) {
       reason = ": " + e.getMessage();
       reply(MessageWriter.STATUS_ILLEGAL, e.getMessage());
-      flushReplies();
+      awaitLastReply();
     } catch (IOException e) {
       reason = closed ? "" : ": " + e.getMessage();
     }
@@ -157,11 +166,14 @@ final class LinkClient {
     signal.offer(Boolean.TRUE);
   }
 
-  /** Gives the writer a moment to send the last reply before the connection is closed. */
-  private void flushReplies() {
-    long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(2 * POLL_MILLIS);
-    while (!replies.isEmpty() && System.nanoTime() < end) {
-      Thread.onSpinWait();
+  /** Lets the writer send the last reply before the connection is closed. */
+  private void awaitLastReply() {
+    ending = true;
+    signal.offer(Boolean.TRUE);
+    try {
+      writer.join(LAST_REPLY_MILLIS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
   }
 

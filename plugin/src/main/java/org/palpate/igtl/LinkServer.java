@@ -153,8 +153,8 @@ public final class LinkServer implements AutoCloseable {
   }
 
   private static byte[] encode(LinkState state, MessageWriter writer) {
-    writer.transform("PalpateTool", state.toolPosition, state.toolOrientation);
-    writer.transform("PalpateDevice", state.devicePosition, state.deviceOrientation);
+    writer.transform("PalpateTool", state.tool);
+    writer.transform("PalpateDevice", state.device);
     writer.sensor(
         "PalpateForce", MessageWriter.UNIT_NEWTON, state.force.x, state.force.y, state.force.z);
     writer.sensor(

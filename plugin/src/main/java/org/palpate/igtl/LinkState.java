@@ -1,7 +1,7 @@
 package org.palpate.igtl;
 
 import java.util.List;
-import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -19,17 +19,11 @@ public final class LinkState {
    */
   public record Landmark(String name, Vec3 position) {}
 
-  /** The position of the device. */
-  public final Vec3 devicePosition = new Vec3();
+  /** The pose of the device, from its frame to RAS; its vectors are written. */
+  public final RigidTransform device = RigidTransform.identity();
 
-  /** The orientation of the device. */
-  public final Quaternion deviceOrientation = new Quaternion();
-
-  /** The position of the tool: of the interaction point, or of the reference point. */
-  public final Vec3 toolPosition = new Vec3();
-
-  /** The orientation of the tool. */
-  public final Quaternion toolOrientation = new Quaternion();
+  /** The pose of the tool: of the interaction point, or of the tool's reference point. */
+  public final RigidTransform tool = RigidTransform.identity();
 
   /** The force on the hand, N. */
   public final Vec3 force = new Vec3();

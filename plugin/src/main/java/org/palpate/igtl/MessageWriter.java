@@ -4,7 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
-import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -49,17 +49,13 @@ final class MessageWriter {
   }
 
   /** Appends a TRANSFORM: the rotation by columns, then the translation, as floats. */
-  void transform(String name, Vec3 position, Quaternion orientation) {
+  void transform(String name, RigidTransform pose) {
     ByteBuffer body = ByteBuffer.allocate(TRANSFORM_BYTES);
-    putRotated(body, orientation, 1, 0, 0);
-    putRotated(body, orientation, 0, 1, 0);
-    putRotated(body, orientation, 0, 0, 1);
-    putFloats(body, position);
+    putFloats(body, pose.axisX());
+    putFloats(body, pose.axisY());
+    putFloats(body, pose.axisZ());
+    putFloats(body, pose.origin());
     append("TRANSFORM", name, body.array());
-  }
-
-  private static void putRotated(ByteBuffer body, Quaternion q, double x, double y, double z) {
-    putFloats(body, q.rotate(new Vec3(x, y, z), new Vec3()));
   }
 
   private static void putFloats(ByteBuffer body, Vec3 vector) {

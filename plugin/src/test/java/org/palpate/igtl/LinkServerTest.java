@@ -59,8 +59,8 @@ class LinkServerTest {
 
   private void fill(LinkState state) {
     long n = reads.incrementAndGet();
-    state.toolPosition.set(1, 2, (double) n);
-    state.devicePosition.set(4, 5, 6);
+    state.tool.origin().set(1, 2, (double) n);
+    state.device.origin().set(4, 5, 6);
     state.force.set(0.5, -0.25, 8);
     state.contact = true;
     state.landmarks = landmarks;

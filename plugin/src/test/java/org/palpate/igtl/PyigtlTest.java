@@ -35,7 +35,7 @@ class PyigtlTest {
   private final AtomicLong updates = new AtomicLong();
 
   private void fill(LinkState state) {
-    state.toolPosition.set(1.5, 2, (double) updates.incrementAndGet());
+    state.tool.origin().set(1.5, 2, (double) updates.incrementAndGet());
     state.landmarks = List.of(new LinkState.Landmark("nasion", new Vec3(1, 2, 3)));
   }
 

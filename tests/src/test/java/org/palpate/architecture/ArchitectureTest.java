@@ -38,7 +38,7 @@ class ArchitectureTest {
   private static final Map<String, List<String>> MAY_USE =
       Map.ofEntries(
           Map.entry("app", List.of("app.command")),
-          Map.entry("app.command", List.of("app.output", "realtime")),
+          Map.entry("app.command", List.of("app.output", "igtl", "realtime")),
           Map.entry("app.options", List.of("app.process", "host", "tool")),
           Map.entry("app.output", List.of("app.options")),
           Map.entry("app.process", List.of("display", "io.volume")),
@@ -192,7 +192,6 @@ class ArchitectureTest {
           List.of(
               BASE + "device.jni.FrameLayout",
               BASE + "edit.BrushEdit",
-              BASE + "igtl.LinkServer",
               BASE + "scene.Palette",
               BASE + "scene.gl.SceneRendererVariants",
               BASE + "scene.gl.Shaders",

@@ -46,7 +46,7 @@ public final class NativeDevice implements HapticDevice {
             numbers[1],
             numbers[2],
             (long) numbers[3],
-            true, // A device that has none reports the identity.
+            texts.first("orientation").equals("yes"),
             MM_PER_METRE * numbers[5]);
   }
 

@@ -2,6 +2,7 @@ package org.palpate.app.command;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -9,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.DeviceChoice;
+import org.palpate.app.options.LinkOptions;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.SliceOptions;
@@ -63,6 +65,7 @@ import picocli.CommandLine.Spec;
       "  palpate touch --tool sphere:4 --seconds 10 --headless --report r.json",
       "  palpate touch --device mouse",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --slices point",
+      "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --igtl 18944",
       "  palpate touch --explain"
     })
 public final class TouchCommand implements Callable<Integer> {
@@ -79,6 +82,7 @@ public final class TouchCommand implements Callable<Integer> {
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
+  @Mixin private LinkOptions linkOptions;
 
   @Option(
       names = "--device",
@@ -130,6 +134,7 @@ public final class TouchCommand implements Callable<Integer> {
   private boolean explain;
 
   private PrintWriter out;
+  private Optional<SessionLink> link = Optional.empty();
 
   @Override
   public Integer call() throws IOException {
@@ -144,9 +149,40 @@ public final class TouchCommand implements Callable<Integer> {
     if (hasWindow()) {
       GraphicsDriver.prepare();
     }
+    Optional<InetSocketAddress> address = linkOptions.address();
+    VolumeSource source = VolumeSource.open(volume);
+    try (SessionLink opened =
+        address.isEmpty() ? null : new SessionLink(address.get(), recordFile != null, out)) {
+      link = Optional.ofNullable(opened);
+      return touchInTurn(source);
+    }
+  }
+
+  /** Touches a volume and then each one that a client sends. */
+  private int touchInTurn(VolumeSource first) throws IOException {
+    VolumeSource source = first;
+    int exitCode = touch(source);
+    Optional<ReceivedVolume> next = link.flatMap(SessionLink::takeReceived);
+    while (next.isPresent()) {
+      VolumeSource received = VolumeSource.of(next.get(), volume);
+      try {
+        exitCode = touch(received);
+        source = received;
+      } catch (PalpateException e) {
+        if (e.exitCode() != PalpateException.WRONG_USE) {
+          throw e;
+        }
+        out.println("OpenIGTLink: the image is not touched: " + e.getMessage());
+        exitCode = touch(source);
+      }
+      next = link.flatMap(SessionLink::takeReceived);
+    }
+    return exitCode;
+  }
+
+  private int touch(VolumeSource source) throws IOException {
     ContactSettings settings = contact.settings();
     DeviceChoice choice = DeviceChoice.parse(device).withFitEachAxis(fitEachAxis);
-    VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
     inputs.addAll(choice.files());
     Optional<MadeTool> made =
@@ -276,7 +312,15 @@ public final class TouchCommand implements Callable<Integer> {
               options -> new SessionView(session, scene.volume(), axes, opened, listener, options));
       view.ifPresent(shown -> listener.keepLandmarks(shown, scene.volume().grid(), axes));
       view.ifPresent(supervisor::show);
+      link.ifPresent(
+          server ->
+              server.stream(
+                  session.secondReader(),
+                  axes,
+                  () -> view.map(SessionView::landmarks).orElse(List.of()),
+                  supervisor::stop));
       LoopEnd end = supervisor.run();
+      link.ifPresent(SessionLink::pause);
       if (recording != null) {
         recording.finish();
       }

@@ -67,6 +67,17 @@ public final class VolumeSource {
         requested);
   }
 
+  /**
+   * Returns the volume of a reader, with the segments that the options ask for.
+   *
+   * @throws VolumeFormatException if an option cannot be understood
+   */
+  public static VolumeSource of(VolumeReader reader, VolumeOptions options)
+      throws VolumeFormatException {
+    return new VolumeSource(
+        reader.sourceName(), reader, Optional.empty(), parseSegments(options.segments()));
+  }
+
   private static ReadOptions readOptions(VolumeOptions options) throws VolumeFormatException {
     ReadOptions readOptions =
         ReadOptions.defaults()

@@ -1,0 +1,93 @@
+package org.palpate.host;
+
+import java.util.Optional;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
+import org.palpate.sync.Accumulator;
+import org.palpate.sync.Property;
+import org.palpate.sync.TouchProperties;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * A second reader of what the frames of a session publish, beside its view: for a program that
+ * shows the session elsewhere. Positions are in world mm, the force in N and the torque in N mm,
+ * along the world's axes.
+ *
+ * <p>One thread calls {@link #take} and the other methods. The haptic thread never waits for it.
+ */
+public final class SessionReader {
+  private final TouchProperties properties = new TouchProperties(new Accumulator());
+  private final VoxelGrid grid;
+  private final Optional<ToolPublisher> tool;
+  private final Vec3 scratch = new Vec3();
+
+  /** Creates a reader; {@code rigid} says whether the session holds a rigid tool. */
+  SessionReader(VoxelGrid grid, boolean rigid) {
+    this.grid = grid;
+    tool = rigid ? Optional.of(new ToolPublisher(properties, grid)) : Optional.empty();
+  }
+
+  /** Returns what the frames of a point publish into. Haptic thread. */
+  TouchProperties properties() {
+    return properties;
+  }
+
+  /** Returns what the frames of a rigid tool publish into. Haptic thread. */
+  ToolPublisher toolPublisher() {
+    return tool.orElseThrow();
+  }
+
+  /** Takes the newest frame, so that the other methods show it. */
+  public void take() {
+    properties.accumulator().take();
+    for (Property property : properties.accumulator().properties()) {
+      if (property.isDirty()) {
+        property.markApplied();
+      }
+    }
+  }
+
+  /** Writes the pose of the device into the vectors of {@code dest}. */
+  public void device(RigidTransform dest) {
+    if (tool.isPresent()) {
+      tool.get().deviceToWorld().read(dest.axisX(), dest.axisY(), dest.axisZ(), dest.origin());
+    } else {
+      properties.touch().device(scratch);
+      setPosition(dest);
+    }
+  }
+
+  /** Writes the pose of the tool, or the position of the interaction point, into {@code dest}. */
+  public void tool(RigidTransform dest) {
+    if (tool.isPresent()) {
+      tool.get().toolToWorld().read(dest.axisX(), dest.axisY(), dest.axisZ(), dest.origin());
+    } else {
+      properties.touch().interactionPoint(scratch);
+      setPosition(dest);
+    }
+  }
+
+  private void setPosition(RigidTransform dest) {
+    dest.axisX().set(1, 0, 0);
+    dest.axisY().set(0, 1, 0);
+    dest.axisZ().set(0, 0, 1);
+    grid.gridToWorld(scratch, dest.origin());
+  }
+
+  /** Writes the force on the hand, N, into {@code dest}. */
+  public void force(Vec3 dest) {
+    properties.touch().force(scratch);
+    grid.gridMmToWorld().rotate(scratch, dest);
+  }
+
+  /** Writes the torque on the hand about the tool's reference point, N mm; zero for a point. */
+  public void torque(Vec3 dest) {
+    dest.set(0, 0, 0);
+    tool.ifPresent(publisher -> publisher.torqueNewtonMm().read(dest));
+  }
+
+  /** Whether there is contact. */
+  public boolean contact() {
+    return properties.touch().contact();
+  }
+}

@@ -1,0 +1,2 @@
+/** Runs the command {@code touch} with a client of its OpenIGTLink server. */
+package org.palpate.igtl;
