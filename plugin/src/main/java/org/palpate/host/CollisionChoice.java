@@ -12,6 +12,11 @@ import java.util.Optional;
 public record CollisionChoice(Method method, double stepVoxels) {
   private static final String SAMPLED_PREFIX = "sampled:";
 
+  /** A shorter step would keep a frame from its end. */
+  private static final double LEAST_STEP_VOXELS = 0.001;
+
+  private static final double MOST_STEP_VOXELS = 1000;
+
   /** Traversals of a straight segment; see {@code org.palpate.raycast}. */
   public enum Method {
     /** Samples at equal distances; the paper's method. */
@@ -49,7 +54,9 @@ public record CollisionChoice(Method method, double stepVoxels) {
   private static Optional<Double> parseStep(String text) {
     try {
       double step = Double.parseDouble(text);
-      return step > 0 && Double.isFinite(step) ? Optional.of(step) : Optional.empty();
+      return step >= LEAST_STEP_VOXELS && step <= MOST_STEP_VOXELS
+          ? Optional.of(step)
+          : Optional.empty();
     } catch (NumberFormatException e) {
       return Optional.empty();
     }

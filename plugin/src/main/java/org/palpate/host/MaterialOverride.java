@@ -18,11 +18,16 @@ public record MaterialOverride(
     OptionalDouble friction,
     OptionalDouble slidingFriction,
     OptionalDouble dampingNewtonSecondPerMm) {
-  /** The largest stiffness, N/mm. A force from a stiffer one may overflow. */
-  private static final double MAX_STIFFNESS = 1e6;
+  /** The smallest stiffness that is told from none, N/mm. */
+  public static final double LEAST_STIFFNESS = 1e-6;
 
-  /** The least stiffness of a whole scene, N/mm. */
-  private static final double MIN_STIFFNESS = 1e-6;
+  /** The largest stiffness, N/mm. No force of a larger one fits the numbers of a device. */
+  public static final double MOST_STIFFNESS = 1e6;
+
+  /** The largest friction coefficient. */
+  public static final double MOST_FRICTION = 100;
+
+  private static final double MOST_DAMPING = 1e6;
 
   /** Overrides nothing. */
   public static final MaterialOverride NONE =
@@ -36,16 +41,16 @@ public record MaterialOverride(
    * Parses any of the four as in {@code stiffness:0.8,friction:0.3,sliding:0.2,damping:0.001}, each
    * at most once.
    *
-   * <p>Returns empty if the text has another form, a number is negative or infinite, or sliding
-   * exceeds friction.
+   * <p>Returns empty if the text has another form, a number is out of its range, or sliding exceeds
+   * friction. A stiffness of 0 is allowed: it makes a segment that is not felt.
    */
   public static Optional<MaterialOverride> parse(String text) {
     MaterialOverride override = NONE;
     for (String part : text.split(",", -1)) {
       int colon = part.indexOf(':');
-      OptionalDouble value = number(part.substring(colon + 1));
-      MaterialOverride next =
-          colon < 0 || value.isEmpty() ? override : override.with(part.substring(0, colon), value);
+      String name = colon < 0 ? "" : part.substring(0, colon);
+      OptionalDouble value = number(part.substring(colon + 1), name);
+      MaterialOverride next = value.isEmpty() ? override : override.with(name, value);
       if (next.equals(override)) {
         return Optional.empty();
       }
@@ -55,10 +60,10 @@ public record MaterialOverride(
     return override.slidingFriction.orElse(0) > atRest ? Optional.empty() : Optional.of(override);
   }
 
-  private static OptionalDouble number(String text) {
+  private static OptionalDouble number(String text, String name) {
     try {
       double value = Double.parseDouble(text);
-      return value >= 0 && value <= Double.MAX_VALUE
+      return value == 0 || isInRange(value, name)
           ? OptionalDouble.of(value)
           : OptionalDouble.empty();
     } catch (NumberFormatException e) {
@@ -68,15 +73,22 @@ public record MaterialOverride(
 
   /** Whether a stiffness, N/mm, can be felt at all and gives forces that are numbers. */
   public static boolean isFeasibleStiffness(double newtonPerMm) {
-    return newtonPerMm >= MIN_STIFFNESS && newtonPerMm <= MAX_STIFFNESS;
+    return newtonPerMm >= LEAST_STIFFNESS && newtonPerMm <= MOST_STIFFNESS;
+  }
+
+  private static boolean isInRange(double value, String name) {
+    return switch (name) {
+      case "stiffness" -> isFeasibleStiffness(value);
+      case "friction", "sliding" -> value > 0 && value <= MOST_FRICTION;
+      default -> value > 0 && value <= MOST_DAMPING;
+    };
   }
 
   /**
    * Returns a copy with one more value; this object if the name is unknown or already has a value.
    */
   private MaterialOverride with(String name, OptionalDouble value) {
-    boolean isFeasible = value.orElse(0) <= MAX_STIFFNESS;
-    if (name.equals("stiffness") && stiffnessNewtonPerMm.isEmpty() && isFeasible) {
+    if (name.equals("stiffness") && stiffnessNewtonPerMm.isEmpty()) {
       return new MaterialOverride(value, friction, slidingFriction, dampingNewtonSecondPerMm);
     }
     if (name.equals("friction") && friction.isEmpty()) {

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
@@ -53,6 +54,8 @@ import picocli.CommandLine.Spec;
 public final class BenchCommand implements Callable<Integer> {
   private static final Path DATA = Path.of(System.getProperty("palpate.data", "../shared/data"));
   private static final long DEFAULT_FRAMES = 10_000_000;
+  private static final NumberRange FRAMES =
+      new NumberRange("--frames", "the number of frames", 1, 1e12, "", "1000000");
   private static final long DEFAULT_SEED = 7;
   private static final String DEFAULT_SOLVER = "guarded";
 
@@ -268,10 +271,7 @@ public final class BenchCommand implements Callable<Integer> {
       refuseWithoutStress("--solver", solver);
       return null;
     }
-    if (frames != null && frames < 1) {
-      throw PalpateException.wrongUse(
-          "a positive number is needed", "--frames " + frames, "try --frames 1000000");
-    }
+    FRAMES.checkGiven(frames);
     return new Attack(
         frames == null ? DEFAULT_FRAMES : frames,
         seed == null ? DEFAULT_SEED : seed,

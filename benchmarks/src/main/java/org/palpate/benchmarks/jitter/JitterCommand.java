@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
+import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.process.PalpateException;
@@ -44,7 +45,12 @@ import picocli.CommandLine.Spec;
       "  palpate jitter --out jitter --list"
     })
 public final class JitterCommand implements Callable<Integer> {
-  private static final int LEAST_HEAP_MB = 128;
+  private static final NumberRange SECONDS =
+      new NumberRange("--seconds", "the measured time", 1, 86_400, "s", "10");
+  private static final NumberRange MINUTES =
+      new NumberRange("--minutes", "the time", 0, 1_000_000, "minutes", "20");
+  private static final NumberRange HEAP =
+      new NumberRange("--heap", "the heap", 128, 65_536, "MB", "512");
   private static final int QUICK_SECONDS = 3;
   // Processes start slowly on a busy machine; the last experiment and the report fit into two
   // minutes.
@@ -128,16 +134,10 @@ public final class JitterCommand implements Callable<Integer> {
   }
 
   private void check() {
-    check(seconds == null || seconds >= 1, "--seconds " + seconds, "give seconds from 1");
-    check(heapMb >= LEAST_HEAP_MB, "--heap " + heapMb, "give a heap from " + LEAST_HEAP_MB + " MB");
-    check(minutes == null || minutes >= 0, "--minutes " + minutes, "give minutes from 0");
+    SECONDS.checkGiven(seconds);
+    HEAP.check(heapMb);
+    MINUTES.checkGiven(minutes);
     output.checked(folder);
-  }
-
-  private static void check(boolean isRight, String given, String remedy) {
-    if (!isRight) {
-      throw PalpateException.wrongUse("a number is out of range", given, remedy);
-    }
   }
 
   private int measure(List<ExperimentTable> chosen, PrintWriter out)

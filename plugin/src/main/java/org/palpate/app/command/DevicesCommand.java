@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
@@ -63,10 +64,7 @@ public final class DevicesCommand implements Callable<Integer> {
   }
 
   private void checkOptionCombination() {
-    if (seconds != null && !(seconds > 0)) {
-      throw PalpateException.wrongUse(
-          "a positive number is needed", "--seconds " + seconds, "try --seconds 10");
-    }
+    NumberRange.seconds().checkGiven(seconds);
     if (seconds != null && watched == null) {
       throw PalpateException.wrongUse(
           "no device is watched", "--seconds " + seconds, "add --watch NAME, or leave it out");

@@ -13,6 +13,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.TimeoutException;
 import javax.imageio.ImageIO;
 import org.palpate.app.options.ContactOptions;
+import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.SliceOptions;
@@ -76,6 +77,8 @@ public final class RenderCommand implements Callable<Integer> {
   private static final long SURFACE_WAIT_MS = 600_000;
   private static final int SMOOTHING_SCALE = 2;
   private static final int MAX_EDGE_PIXELS = 8192;
+  private static final NumberRange ZOOM =
+      new NumberRange("--zoom", "the factor", 0.01, 1000, "", "2");
 
   /** Options that have no effect on an exported surface. */
   private static final List<String> PICTURE_OPTIONS =
@@ -283,10 +286,9 @@ public final class RenderCommand implements Callable<Integer> {
   }
 
   private void check() {
-    if (!(zoom > 0) || Double.isInfinite(zoom)) {
-      throw PalpateException.wrongUse(
-          "a positive number is needed", "--zoom " + zoom, "try --zoom 2");
-    }
+    contact.settings();
+    ZOOM.check(zoom);
+    opacities.forEach(RenderCommand::checkOpacity);
     if (stereo == Stereo.QUAD_BUFFER) {
       throw PalpateException.wrongUse(
           "a picture file has only one buffer",
@@ -402,13 +404,16 @@ public final class RenderCommand implements Callable<Integer> {
                         "there is no such segment",
                         "--opacity " + name,
                         "list them with palpate info"));
+    model.setOpacity(object, opacity);
+  }
+
+  private static void checkOpacity(String name, double opacity) {
     if (!(opacity >= 0 && opacity <= 1)) {
       throw PalpateException.wrongUse(
           "the opacity must be a number from 0 to 1",
           "--opacity " + name + "=" + opacity,
-          "try --opacity name=0.5");
+          "try --opacity " + name + "=0.5");
     }
-    model.setOpacity(object, opacity);
   }
 
   private void writePicture(Picture picture) {

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.palpate.app.options.ContactOptions;
+import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.ToolOptions;
 import org.palpate.app.options.VolumeOptions;
@@ -56,6 +57,16 @@ public final class ReplayCommand implements Callable<Integer> {
     world,
     grid
   }
+
+  /** The first passes are not counted. */
+  private static final NumberRange REPEAT =
+      new NumberRange(
+          "--repeat",
+          "the number of passes",
+          ReplayTiming.UNCOUNTED_PASSES + 1,
+          1_000_000,
+          "",
+          "12");
 
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
@@ -123,6 +134,7 @@ public final class ReplayCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     checkRepeat();
+    contact.settings();
     tool.checkOthers(spec.commandLine().getParseResult());
     return tool.isRigid() ? replayTool() : replayPoint();
   }
@@ -199,10 +211,7 @@ public final class ReplayCommand implements Callable<Integer> {
   }
 
   private void checkRepeat() {
-    if (repeat != null && repeat <= ReplayTiming.UNCOUNTED_PASSES) {
-      throw PalpateException.wrongUse(
-          "the first two passes are not counted", "--repeat " + repeat, "repeat 3 times or more");
-    }
+    REPEAT.checkGiven(repeat);
   }
 
   private static FrameStatistics run(ReplayRun replay, Trajectory trajectory, ReplayTables tables)

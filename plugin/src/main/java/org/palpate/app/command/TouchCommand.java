@@ -11,6 +11,7 @@ import java.util.concurrent.Callable;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.DeviceChoice;
 import org.palpate.app.options.LinkOptions;
+import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.SliceOptions;
@@ -31,7 +32,6 @@ import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.host.TrajectoryRecording;
 import org.palpate.host.ViewOptions;
-import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopSettings;
@@ -69,7 +69,9 @@ import picocli.CommandLine.Spec;
       "  palpate touch --explain"
     })
 public final class TouchCommand implements Callable<Integer> {
-  private static final double MAX_RATE_HZ = 100_000;
+  /** Below the smallest rate a frame would count as one that does not return. */
+  private static final NumberRange RATE =
+      new NumberRange("--rate", "the rate", 10, 100_000, "Hz", "1000");
 
   /** Options that have no effect without a window. */
   private static final List<String> WINDOW_OPTIONS =
@@ -107,7 +109,7 @@ public final class TouchCommand implements Callable<Integer> {
       names = "--rate",
       paramLabel = "HZ",
       defaultValue = "1000",
-      description = "Frames per second. Default: ${DEFAULT-VALUE}.")
+      description = "Frames per second, 10 to 100,000. Default: ${DEFAULT-VALUE}.")
   private double rateHz;
 
   @Option(names = "--seconds", paramLabel = "S", description = "Ends after S seconds.")
@@ -250,16 +252,8 @@ public final class TouchCommand implements Callable<Integer> {
   }
 
   private void checkNumbers() {
-    if (!(rateHz > 0) || rateHz > MAX_RATE_HZ) {
-      throw PalpateException.wrongUse(
-          "the rate must be above 0 and at most 100,000 Hz",
-          "--rate " + NumberText.display(rateHz),
-          "try --rate 1000");
-    }
-    if (seconds != null && (!(seconds > 0) || seconds.isInfinite())) {
-      throw PalpateException.wrongUse(
-          "a positive number is needed", "--seconds " + seconds, "try --seconds 10");
-    }
+    RATE.check(rateHz);
+    NumberRange.seconds().checkGiven(seconds);
   }
 
   private void checkDistinct(Optional<Path> record) {

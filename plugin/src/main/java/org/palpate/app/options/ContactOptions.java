@@ -19,6 +19,21 @@ import picocli.CommandLine.Option;
 
 /** The options of contact: solver, collision and force. */
 public final class ContactOptions {
+  private static final NumberRange STIFFNESS =
+      new NumberRange(
+          "--stiffness",
+          "the stiffness",
+          MaterialOverride.LEAST_STIFFNESS,
+          MaterialOverride.MOST_STIFFNESS,
+          "N/mm",
+          "0.5");
+  private static final NumberRange FRICTION =
+      new NumberRange(
+          "--friction", "the friction coefficient", 0, MaterialOverride.MOST_FRICTION, "", "0.2");
+  private static final NumberRange MAX_STEP =
+      NumberRange.positive("--max-step", "the longest path", "mm");
+  private static final NumberRange MAX_FORCE =
+      NumberRange.positive("--max-force", "the largest force", "N");
 
   @Option(
       names = "--solver",
@@ -160,9 +175,10 @@ public final class ContactOptions {
                                 "--material " + name + "=" + text,
                                 "write for example "
                                     + name
-                                    + "=stiffness:0.8,friction:0.3,damping:0, with numbers of at"
-                                    + " least 0, stiffness at most 1e6, and sliding at most"
-                                    + " friction"))));
+                                    + "=stiffness:0.8,friction:0.3,damping:0, with a stiffness of"
+                                    + " 0 or from 0.000001 to 1,000,000 N/mm, friction from 0 to"
+                                    + " 100, sliding at most friction, and damping from 0 to"
+                                    + " 1,000,000 N s/mm"))));
     return choices;
   }
 
@@ -223,41 +239,19 @@ public final class ContactOptions {
   }
 
   private OptionalDouble stiffnessNewtonPerMm() {
-    OptionalDouble chosen = positive("--stiffness", stiffness);
-    if (chosen.isPresent() && !MaterialOverride.isFeasibleStiffness(chosen.getAsDouble())) {
-      throw PalpateException.wrongUse(
-          "the stiffness must be from 1e-6 to 1e6 N/mm", "--stiffness " + stiffness, "try 0.5");
-    }
-    return chosen;
+    return STIFFNESS.checkGiven(stiffness);
   }
 
   private double friction() {
-    if (!(friction >= 0) || Double.isInfinite(friction)) {
-      throw PalpateException.wrongUse(
-          "the friction coefficient must be a number of at least 0",
-          "--friction " + friction,
-          "try --friction 0.2");
-    }
-    return friction;
+    return FRICTION.check(friction);
   }
 
   private OptionalDouble maxStepMm() {
-    return positive("--max-step", maxStep);
+    return MAX_STEP.checkGiven(maxStep);
   }
 
   private OptionalDouble maxForceNewton() {
-    return positive("--max-force", maxForce);
-  }
-
-  private static OptionalDouble positive(String option, Double value) {
-    if (value == null) {
-      return OptionalDouble.empty();
-    }
-    if (!(value > 0) || value.isInfinite()) {
-      throw PalpateException.wrongUse(
-          "a positive number is needed", option + " " + value, "try " + option + " 1");
-    }
-    return OptionalDouble.of(value);
+    return MAX_FORCE.checkGiven(maxForce);
   }
 
   /**
@@ -305,6 +299,6 @@ public final class ContactOptions {
     return PalpateException.wrongUse(
         "there is no such collision method",
         "--collision " + collision,
-        "write sampled:STEP (a positive step in voxels), gridplanes or exact");
+        "write sampled:STEP (a step from 0.001 to 1,000 voxels), gridplanes or exact");
   }
 }

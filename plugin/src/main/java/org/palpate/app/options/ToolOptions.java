@@ -85,38 +85,31 @@ public final class ToolOptions {
   /**
    * Returns the torque per angle, N mm/rad; empty for the default.
    *
-   * @throws PalpateException exit code 2, if it is not positive
+   * @throws PalpateException exit code 2, if it is out of range
    */
   public OptionalDouble rotationalStiffness() {
-    return positive("--rotational-stiffness", rotationalStiffness);
+    return NumberRange.positive("--rotational-stiffness", "the rotational stiffness", "N mm/rad")
+        .checkGiven(rotationalStiffness);
   }
 
   /**
    * Returns the mass, kg, if it was given.
    *
-   * @throws PalpateException exit code 2, if it is not positive
+   * @throws PalpateException exit code 2, if it is out of range
    */
   public OptionalDouble massKg() {
-    return positive("--mass", mass);
-  }
-
-  private static OptionalDouble positive(String option, Double value) {
-    if (value == null) {
-      return OptionalDouble.empty();
-    }
-    if (!(value > 0) || value.isInfinite()) {
-      throw PalpateException.wrongUse(
-          "a positive number is needed", option + " " + value, "try " + option + " 1");
-    }
-    return OptionalDouble.of(value);
+    return NumberRange.positive("--mass", "the mass", "kg").checkGiven(mass);
   }
 
   /**
-   * Checks that no option was given that does not fit the tool.
+   * Checks that every number is in its range and that no option was given that does not fit the
+   * tool.
    *
-   * @throws PalpateException exit code 2, if one was
+   * @throws PalpateException exit code 2, if one is not or does not
    */
   public void checkOthers(ParseResult given) throws VolumeFormatException {
+    rotationalStiffness();
+    massKg();
     List<String> unfit = isRigid() ? OF_POINTS : OF_RIGID_TOOLS;
     for (String option : unfit) {
       if (given.hasMatchedOption(option)) {

@@ -2,6 +2,7 @@ package org.palpate.app.output;
 
 import java.io.IOException;
 import java.util.Optional;
+import org.palpate.app.options.NumberRange;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
@@ -30,6 +31,9 @@ public final class ToolTables implements ToolReplay.FrameSink {
    * @param last the last frame
    */
   public record LegSelection(int every, int first, int last) {
+    private static final NumberRange EVERY =
+        new NumberRange("--legs-every", "the number", 1, Integer.MAX_VALUE, "", "10");
+
     /** Every leg. */
     public static final LegSelection ALL = new LegSelection(1, 0, Integer.MAX_VALUE);
 
@@ -39,10 +43,7 @@ public final class ToolTables implements ToolReplay.FrameSink {
      * @throws PalpateException exit code 2, if a value is not understood
      */
     public static LegSelection parse(Integer every, String range) {
-      if (every != null && every < 1) {
-        throw PalpateException.wrongUse(
-            "a number from 1 on is needed", "--legs-every " + every, "try --legs-every 10");
-      }
+      EVERY.checkGiven(every);
       String[] ends = range == null ? new String[0] : range.split("\\.\\.", -1);
       int first = range == null ? ALL.first : frame(ends, 0, range);
       int last = range == null ? ALL.last : frame(ends, 1, range);
