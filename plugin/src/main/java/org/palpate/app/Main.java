@@ -1,8 +1,11 @@
 package org.palpate.app;
 
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import org.palpate.app.process.ShutdownHook;
+import org.palpate.app.process.StandardOutput;
 import org.palpate.display.DisplayLoss;
 
 /** The entry point of the program. */
@@ -13,9 +16,11 @@ public final class Main {
   public static void main(String[] arguments) {
     // Windows are JOGL's; without Java's desktop no command needs a display of AWT.
     System.setProperty("java.awt.headless", "true");
-    PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
     PrintStream err = new PrintStream(System.err, true, StandardCharsets.UTF_8);
-    int exitCode = new PalpateCommandLine(out, err).run(arguments);
+    StandardOutput system = new StandardOutput(new FileOutputStream(FileDescriptor.out), err);
+    PrintStream out = new PrintStream(system, true, StandardCharsets.UTF_8);
+    ShutdownHook.discardUnfinishedFiles();
+    int exitCode = system.exitCode(new PalpateCommandLine(out, err).run(arguments));
     ShutdownHook.commandDone(exitCode);
     DisplayLoss.exitIfLost(exitCode);
     System.exit(exitCode);

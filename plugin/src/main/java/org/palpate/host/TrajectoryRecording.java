@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
 import org.palpate.recording.RecordingThread;
@@ -25,6 +26,9 @@ public final class TrajectoryRecording implements AutoCloseable {
   private final SampleRecorder recorder = new SampleRecorder();
   private final RecordingThread thread;
 
+  /** Written by the recording thread alone. */
+  private volatile boolean holdsSamples;
+
   /**
    * Starts a recording.
    *
@@ -34,7 +38,21 @@ public final class TrajectoryRecording implements AutoCloseable {
     this.target = target;
     file = new AtomicFile(target);
     writer = new OutputStreamWriter(file.stream(), StandardCharsets.UTF_8);
-    thread = RecordingThread.start(recorder, new TrajectoryWriter(writer, NumberText::text));
+    TrajectoryWriter rows = new TrajectoryWriter(writer, NumberText::text);
+    thread =
+        RecordingThread.start(
+            recorder,
+            (sample, flags) -> {
+              holdsSamples = true;
+              rows.accept(sample, flags);
+            });
+  }
+
+  /** Returns why the recording cannot be written, as far as is known. Any thread. */
+  public Optional<IOException> failure() {
+    return thread.failure() instanceof UncheckedIOException e
+        ? Optional.of(e.getCause())
+        : Optional.empty();
   }
 
   /** Returns the file that the recording replaces when it is finished. */
@@ -48,8 +66,8 @@ public final class TrajectoryRecording implements AutoCloseable {
   }
 
   /**
-   * Writes the remaining samples and moves the file over its target. Call it after the session's
-   * last frame.
+   * Writes the remaining samples and moves the file over its target, unless there is no sample at
+   * all. Call it after the session's last frame.
    *
    * @throws IOException if the file cannot be written
    */
@@ -60,7 +78,9 @@ public final class TrajectoryRecording implements AutoCloseable {
       throw e.getCause();
     }
     writer.flush();
-    file.commit();
+    if (holdsSamples) {
+      file.commit();
+    }
   }
 
   /** Ends the recording; without {@link #finish} no file remains. May be called repeatedly. */

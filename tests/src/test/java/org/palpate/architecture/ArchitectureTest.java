@@ -41,7 +41,7 @@ class ArchitectureTest {
           Map.entry("app.command", List.of("app.output", "igtl", "realtime")),
           Map.entry("app.options", List.of("app.process", "host", "tool")),
           Map.entry("app.output", List.of("app.options")),
-          Map.entry("app.process", List.of("display", "io.volume")),
+          Map.entry("app.process", List.of("display", "io.file", "io.volume")),
           Map.entry(
               "benchmarks",
               List.of(

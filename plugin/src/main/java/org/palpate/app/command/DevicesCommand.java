@@ -19,6 +19,7 @@ import org.palpate.device.jni.DeviceCatalog;
 import org.palpate.device.jni.DeviceException;
 import org.palpate.device.jni.NativeDevice;
 import org.palpate.io.table.ReportJson;
+import org.palpate.scene.window.GraphicsDriver;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -38,6 +39,8 @@ import picocli.CommandLine.Spec;
       "  palpate devices --watch hid:SN0001"
     })
 public final class DevicesCommand implements Callable<Integer> {
+  private static final String MOUSE = "mouse";
+
   @Spec private CommandSpec spec;
   @Mixin private OutputOptions output;
 
@@ -104,9 +107,34 @@ public final class DevicesCommand implements Callable<Integer> {
     }
   }
 
+  /** Returns the results of all back ends; the mouse stands behind those without hardware. */
+  private static List<BackendProbe> probes() {
+    List<BackendProbe> probes = new ArrayList<>();
+    for (BackendProbe probe : DeviceCatalog.probeAll()) {
+      if (DeviceCatalog.isNative(probe.backend())
+          && probes.stream().noneMatch(DevicesCommand::isMouse)) {
+        probes.add(mouse());
+      }
+      probes.add(probe);
+    }
+    return probes;
+  }
+
+  private static boolean isMouse(BackendProbe probe) {
+    return probe.backend().equals(MOUSE);
+  }
+
+  private static BackendProbe mouse() {
+    String why = GraphicsDriver.missingDisplay().orElse("");
+    boolean usable = why.isEmpty();
+    BackendProbe.Found found =
+        new BackendProbe.Found("", "the mouse in the window: --device mouse", true, "");
+    return new BackendProbe(MOUSE, usable, "", "", why, usable ? List.of(found) : List.of());
+  }
+
   private int list() throws IOException {
     Report report = new Report("devices", output.report(), List.of());
-    List<BackendProbe> probes = DeviceCatalog.probeAll();
+    List<BackendProbe> probes = probes();
     report.put("backends", probes.stream().map(DevicesCommand::entry).toList());
     PrintWriter out = spec.commandLine().getOut();
     if (json) {

@@ -20,6 +20,7 @@ import org.palpate.app.output.ReplayTables;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
 import org.palpate.app.output.ToolTables;
+import org.palpate.app.output.WriteFailures;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.Trajectory;
 import org.palpate.frame.FrameStatistics;
@@ -131,8 +132,11 @@ public final class ReplayCommand implements Callable<Integer> {
       description = "Handles NaN, infinities and backward times as a live session does.")
   private boolean rawDevice;
 
+  private WriteFailures failures;
+
   @Override
   public Integer call() throws IOException {
+    failures = new WriteFailures(spec.commandLine().getErr());
     checkRepeat();
     contact.settings();
     tool.checkOthers(spec.commandLine().getParseResult());
@@ -145,7 +149,8 @@ public final class ReplayCommand implements Callable<Integer> {
     List<Path> inputs = new ArrayList<>(source.files());
     inputs.add(trajectoryFile);
     Report report = new Report("replay", output.report(), inputs);
-    ReplayTables tables = ReplayTables.checked(framesFile, legsFile, output.report(), inputs);
+    ReplayTables tables =
+        ReplayTables.checked(framesFile, legsFile, output.report(), inputs, failures);
     Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
     SegmentedVolume segments = source.segments(spec.commandLine().getErr());
     ContactScene scene = contact.scene(source, segments);
@@ -160,7 +165,7 @@ public final class ReplayCommand implements Callable<Integer> {
       putTime(new ReplayTiming(scene, trajectory, world).run(repeat), report);
     }
     report.write();
-    return 0;
+    return failures.exitCode();
   }
 
   private int replayTool() throws IOException {
@@ -177,7 +182,8 @@ public final class ReplayCommand implements Callable<Integer> {
     inputs.add(trajectoryFile);
     inputs.addAll(made.files());
     Report report = new Report("replay", output.report(), inputs);
-    ReplayTables tables = ReplayTables.checked(framesFile, legsFile, output.report(), inputs);
+    ReplayTables tables =
+        ReplayTables.checked(framesFile, legsFile, output.report(), inputs, failures);
     Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
     made.notes().forEach(spec.commandLine().getErr()::println);
     SegmentedVolume segments = source.segments(spec.commandLine().getErr());
@@ -193,7 +199,7 @@ public final class ReplayCommand implements Callable<Integer> {
       putTime(new ToolReplay(scene, trajectory, rawDevice).time(repeat), report);
     }
     report.write();
-    return 0;
+    return failures.exitCode();
   }
 
   private ToolReplay.Result run(

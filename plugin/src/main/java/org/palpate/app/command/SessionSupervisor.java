@@ -23,6 +23,7 @@ final class SessionSupervisor {
 
   private final TouchSession session;
   private final Optional<Double> limitSeconds;
+  private final Runnable check;
   private final PrintWriter out;
   private final CountDownLatch stopRequested = new CountDownLatch(1);
   private final boolean onTerminal = Terminal.isInteractive();
@@ -37,9 +38,12 @@ final class SessionSupervisor {
    * Creates a supervisor.
    *
    * @param limitSeconds the longest time from force on; if empty, the session has no limit
+   * @param check called at every tick, 30 times a second
    * @param out receives a line when the force is switched on
    */
-  SessionSupervisor(TouchSession session, Optional<Double> limitSeconds, PrintWriter out) {
+  SessionSupervisor(
+      TouchSession session, Optional<Double> limitSeconds, Runnable check, PrintWriter out) {
+    this.check = check;
     this.session = session;
     this.limitSeconds = limitSeconds;
     this.out = out;
@@ -79,6 +83,7 @@ final class SessionSupervisor {
     while (!stop && !session.supervise() && !isOver()) {
       recordStart();
       takeUpdates();
+      check.run();
       printProgress();
       next = Math.max(next + TouchSession.SUPERVISION_PERIOD_NANOS, System.nanoTime());
       stop = waitUntil(next);

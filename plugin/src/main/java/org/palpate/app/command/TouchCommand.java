@@ -21,7 +21,9 @@ import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
+import org.palpate.app.output.WriteFailures;
 import org.palpate.app.process.PalpateException;
+import org.palpate.app.process.ShutdownHook;
 import org.palpate.app.process.VersionProvider;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
@@ -30,7 +32,6 @@ import org.palpate.host.ContactSettings;
 import org.palpate.host.MouseTakeover;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
-import org.palpate.host.TrajectoryRecording;
 import org.palpate.host.ViewOptions;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.loop.LoopEnd;
@@ -137,6 +138,7 @@ public final class TouchCommand implements Callable<Integer> {
 
   private PrintWriter out;
   private Optional<SessionLink> link = Optional.empty();
+  private WriteFailures failures;
 
   @Override
   public Integer call() throws IOException {
@@ -145,9 +147,19 @@ public final class TouchCommand implements Callable<Integer> {
       new RealtimeExplanation(out).print();
       return 0;
     }
+    failures = new WriteFailures(spec.commandLine().getErr());
     checkNumbers();
     checkOptionCombination();
     tool.checkOthers(spec.commandLine().getParseResult());
+    ShutdownHook quiet = ShutdownHook.endQuietlyUntilStart();
+    try {
+      return touch();
+    } finally {
+      quiet.close();
+    }
+  }
+
+  private int touch() throws IOException {
     if (hasWindow()) {
       GraphicsDriver.prepare();
     }
@@ -212,7 +224,7 @@ public final class TouchCommand implements Callable<Integer> {
         scene.putInto(report, measured);
       }
       report.write();
-      return measured.exitCode();
+      return Math.max(measured.exitCode(), failures.exitCode());
     }
   }
 
@@ -273,8 +285,9 @@ public final class TouchCommand implements Callable<Integer> {
             + choice
             + ", "
             + held);
-    if (!headless && !GraphicsDriver.hasDisplay()) {
-      out.println("there is no display: goes on without a window");
+    if (!headless) {
+      GraphicsDriver.missingDisplay()
+          .ifPresent(why -> out.println(why + ": goes on without a window"));
     }
     out.flush();
   }
@@ -288,18 +301,16 @@ public final class TouchCommand implements Callable<Integer> {
       Optional<ViewOptions> viewOptions,
       WorldAxes axes)
       throws IOException {
-    TrajectoryRecording recording =
-        record.isPresent() ? new TrajectoryRecording(record.get()) : null;
-    try (recording;
+    try (SessionRecording recording = new SessionRecording(record, failures);
         RealtimeThread realtime = RealtimeThread.recommended();
         TouchSession session =
             scene.newSession(
                 opened,
                 choice.defaultStiffness(opened, scene.contactScene()),
                 loop.with(realtime, realtime),
-                Optional.ofNullable(recording).map(TrajectoryRecording::recorder))) {
+                recording.recorder())) {
       SessionSupervisor supervisor =
-          new SessionSupervisor(session, Optional.ofNullable(seconds), out);
+          new SessionSupervisor(session, Optional.ofNullable(seconds), recording::check, out);
       ConsoleViewListener listener = new ConsoleViewListener(out, supervisor::stop);
       Optional<SessionView> view =
           viewOptions.map(
@@ -315,9 +326,7 @@ public final class TouchCommand implements Callable<Integer> {
                   supervisor::stop));
       LoopEnd end = supervisor.run();
       link.ifPresent(SessionLink::pause);
-      if (recording != null) {
-        recording.finish();
-      }
+      recording.finish();
       return new TouchReport(
           session, end, choice, opened, supervisor.seconds(), view, realtime.throttled());
     }

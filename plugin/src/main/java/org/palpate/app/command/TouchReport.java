@@ -153,6 +153,8 @@ final class TouchReport {
         .put("freed", counts.freed())
         .put("max_force_n", counts.maxForceNewton())
         .put("device", choice.toString())
+        .put("stiffness_n_per_mm", session.tuning().force().stiffnessNewtonPerMm())
+        .put("friction", session.tuning().force().friction())
         .put("realtime", granted(loop.granted()))
         .put("sync", sync())
         .put("skipped", skipped(counts))

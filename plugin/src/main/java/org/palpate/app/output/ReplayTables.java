@@ -3,7 +3,9 @@ package org.palpate.app.output;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.process.PalpateException;
@@ -23,12 +25,14 @@ import org.palpate.proxy.LegPath;
 public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
   private final Optional<Path> framesFile;
   private final Optional<Path> legsFile;
-  private final List<AtomicFile> files = new ArrayList<>();
+  private final Map<Path, AtomicFile> files = new LinkedHashMap<>();
+  private final WriteFailures failures;
   private Trajectory trajectory = new Trajectory();
   private FramesCsvWriter frames;
   private LegsCsvWriter legs;
 
-  private ReplayTables(Optional<Path> framesFile, Optional<Path> legsFile) {
+  private ReplayTables(Optional<Path> framesFile, Optional<Path> legsFile, WriteFailures failures) {
+    this.failures = failures;
     this.framesFile = framesFile;
     this.legsFile = legsFile;
   }
@@ -38,11 +42,16 @@ public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
    *
    * @param framesFile target of the frames, or null
    * @param legsFile target of the legs, or null
+   * @param failures receives a table that cannot be written; the others go on
    * @throws PalpateException exit code 2, if a file cannot be written, is an input or is another
    *     output
    */
   public static ReplayTables checked(
-      Path framesFile, Path legsFile, Optional<Path> report, List<Path> inputs) {
+      Path framesFile,
+      Path legsFile,
+      Optional<Path> report,
+      List<Path> inputs,
+      WriteFailures failures) {
     Optional<Path> frames =
         Optional.ofNullable(framesFile).map(path -> OutputPaths.checked("--out", path, inputs));
     Optional<Path> legs =
@@ -52,7 +61,7 @@ public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
     legs.ifPresent(all::add);
     report.ifPresent(all::add);
     OutputPaths.checkDistinct(all);
-    return new ReplayTables(frames, legs);
+    return new ReplayTables(frames, legs, failures);
   }
 
   /** Opens the tables for the frames of a trajectory. */
@@ -77,27 +86,36 @@ public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
     if (legsFile.isPresent()) {
       toolLegs = Optional.of(new ToolLegsCsvWriter(newFile(legsFile.get()).stream()));
     }
-    return new ToolTables(replayed, scene, selection, toolFrames, toolLegs);
+    return new ToolTables(replayed, scene, selection, toolFrames, toolLegs, this);
   }
 
   private AtomicFile newFile(Path target) throws IOException {
     AtomicFile file = new AtomicFile(target);
-    files.add(file);
+    files.put(target, file);
     return file;
   }
 
   @Override
   public void accept(
-      int frame, Vec3 device, Vec3 point, Vec3 forceNewton, InteractionPoint state, boolean freed)
-      throws IOException {
+      int frame, Vec3 device, Vec3 point, Vec3 forceNewton, InteractionPoint state, boolean freed) {
     if (frames != null) {
       double timeMs = trajectory.timeMs(frame);
       double pathMm = state.legs.lengthMm();
-      frames.add(frame, timeMs, device, point, forceNewton, state.contact, pathMm);
+      toFrames(() -> frames.add(frame, timeMs, device, point, forceNewton, state.contact, pathMm));
     }
     if (legs != null) {
-      addLegs(frame, state, freed);
+      toLegs(() -> addLegs(frame, state, freed));
     }
+  }
+
+  /** Writes to the table of frames, unless it failed. */
+  void toFrames(WriteFailures.Writing rows) {
+    framesFile.ifPresent(target -> failures.attempt(target, rows));
+  }
+
+  /** Writes to the table of legs, unless it failed. */
+  void toLegs(WriteFailures.Writing rows) {
+    legsFile.ifPresent(target -> failures.attempt(target, rows));
   }
 
   private void addLegs(int frame, InteractionPoint state, boolean freed) throws IOException {
@@ -123,16 +141,12 @@ public final class ReplayTables implements ReplayRun.FrameSink, AutoCloseable {
   }
 
   /** Moves every finished table over its target. */
-  public void commit() throws IOException {
-    for (AtomicFile file : files) {
-      file.commit();
-    }
+  public void commit() {
+    files.forEach((target, file) -> failures.attempt(target, file::commit));
   }
 
   @Override
-  public void close() throws IOException {
-    for (AtomicFile file : files) {
-      file.close();
-    }
+  public void close() {
+    files.forEach((target, file) -> failures.attempt(target, file::close));
   }
 }

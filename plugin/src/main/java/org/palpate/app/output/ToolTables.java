@@ -20,6 +20,7 @@ public final class ToolTables implements ToolReplay.FrameSink {
   private final Optional<ToolFramesCsvWriter> frames;
   private final Optional<ToolLegsCsvWriter> legs;
   private final LegSelection selection;
+  private final ReplayTables tables;
   private final ToolLegs list;
   private final Pose device = new Pose();
 
@@ -83,13 +84,16 @@ public final class ToolTables implements ToolReplay.FrameSink {
    * @param selection the legs to write
    * @param frames the rows of frames, if they are wanted
    * @param legs the rows of legs, if they are wanted
+   * @param tables the files
    */
   ToolTables(
       Trajectory trajectory,
       ToolScene scene,
       LegSelection selection,
       Optional<ToolFramesCsvWriter> frames,
-      Optional<ToolLegsCsvWriter> legs) {
+      Optional<ToolLegsCsvWriter> legs,
+      ReplayTables tables) {
+    this.tables = tables;
     this.trajectory = trajectory;
     this.selection = selection;
     this.frames = frames;
@@ -98,18 +102,19 @@ public final class ToolTables implements ToolReplay.FrameSink {
   }
 
   @Override
-  public void accept(int number, ToolFrame frame) throws IOException {
-    if (frames.isPresent()) {
-      addFrame(frames.get(), number, frame);
+  public void accept(int number, ToolFrame frame) {
+    frames.ifPresent(rows -> tables.toFrames(() -> addFrame(rows, number, frame)));
+    if (selection.contains(number)) {
+      legs.ifPresent(rows -> tables.toLegs(() -> addLegs(rows, number, frame)));
     }
-    if (legs.isPresent() && selection.contains(number)) {
-      ToolLegsCsvWriter rows = legs.get();
-      list.list(
-          frame.motion(),
-          frame.wasFreed(),
-          selection.every(),
-          (leg, body, point, start, end) -> rows.add(number, leg, body, point, start, end));
-    }
+  }
+
+  private void addLegs(ToolLegsCsvWriter rows, int number, ToolFrame frame) throws IOException {
+    list.list(
+        frame.motion(),
+        frame.wasFreed(),
+        selection.every(),
+        (leg, body, point, start, end) -> rows.add(number, leg, body, point, start, end));
   }
 
   private void addFrame(ToolFramesCsvWriter rows, int number, ToolFrame frame) throws IOException {

@@ -2,7 +2,9 @@ package org.palpate.app.process;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.palpate.display.DisplayLoss;
+import org.palpate.io.file.AtomicFile;
 
 /**
  * Turns Ctrl-C, or another request to end the process, into an orderly end of the command.
@@ -17,7 +19,23 @@ public final class ShutdownHook {
   private static final CountDownLatch COMMAND_DONE = new CountDownLatch(1);
   private static volatile int exitCode = PalpateException.FAILED;
 
+  /** Ends the process before the session starts; null while none is installed. */
+  private static volatile ShutdownHook quiet;
+
+  /** Number of hooks that wait for a command that completes its files. */
+  private static final AtomicInteger ORDERLY = new AtomicInteger();
+
   private final Thread hook;
+
+  private ShutdownHook() {
+    hook =
+        new Thread(
+            () -> {
+              AtomicFile.discardUnfinished();
+              Runtime.getRuntime().halt(0);
+            },
+            "palpate-end");
+  }
 
   private ShutdownHook(Runnable stop) {
     hook =
@@ -36,7 +54,39 @@ public final class ShutdownHook {
   public static ShutdownHook install(Runnable stop) {
     ShutdownHook installed = new ShutdownHook(stop);
     Runtime.getRuntime().addShutdownHook(installed.hook);
+    ORDERLY.incrementAndGet();
+    ShutdownHook before = quiet;
+    if (before != null) {
+      before.close();
+    }
     return installed;
+  }
+
+  /**
+   * Returns an open hook that ends the process at once with exit code 0 and leaves no unfinished
+   * file. It is closed when {@link #install} takes over: there is nothing to complete before.
+   */
+  public static ShutdownHook endQuietlyUntilStart() {
+    ShutdownHook installed = new ShutdownHook();
+    Runtime.getRuntime().addShutdownHook(installed.hook);
+    quiet = installed;
+    return installed;
+  }
+
+  /**
+   * Lets the end of the process delete unfinished files, unless a hook waits for a command that
+   * completes them. Called by the main thread when the process starts.
+   */
+  public static void discardUnfinishedFiles() {
+    Runtime.getRuntime()
+        .addShutdownHook(
+            new Thread(
+                () -> {
+                  if (ORDERLY.get() == 0) {
+                    AtomicFile.discardUnfinished();
+                  }
+                },
+                "palpate-discard"));
   }
 
   /** Records that the command is done. Called by the main thread before it exits. */
@@ -52,15 +102,19 @@ public final class ShutdownHook {
         // the signal's own exit code would report a failure that did not happen
         Runtime.getRuntime().halt(exitCode);
       }
+      AtomicFile.discardUnfinished();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
   }
 
-  /** Removes the hook. */
+  /** Removes the hook. May be called repeatedly. */
   public void close() {
     try {
-      Runtime.getRuntime().removeShutdownHook(hook);
+      boolean removed = Runtime.getRuntime().removeShutdownHook(hook);
+      if (removed && this != quiet) {
+        ORDERLY.decrementAndGet();
+      }
     } catch (IllegalStateException e) {
       // The process is ending; the hook runs or has run.
     }

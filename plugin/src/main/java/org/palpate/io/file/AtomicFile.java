@@ -10,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Writes a file under a temporary name beside its target and then moves it over the target. A
@@ -19,6 +21,9 @@ import java.nio.file.StandardOpenOption;
  * failure of the disk is a {@link WriteFailedException} that names the target.
  */
 public final class AtomicFile implements AutoCloseable {
+  /** Temporary files that are neither committed nor discarded. */
+  private static final Set<Path> UNFINISHED = ConcurrentHashMap.newKeySet();
+
   private final Path asked;
   private final Path target;
   private final Path written;
@@ -36,10 +41,25 @@ public final class AtomicFile implements AutoCloseable {
     // a link stays; the file that it points to is replaced
     this.target = Files.isRegularFile(target) ? target.toRealPath() : target.toAbsolutePath();
     written = isNoPlainFile ? this.target : beside(this.target);
+    if (!written.equals(this.target)) {
+      UNFINISHED.add(written);
+    }
     try {
       stream = new BufferedOutputStream(new NamingStream(open()), 1 << 16);
     } catch (IOException e) {
+      UNFINISHED.remove(written);
       throw new WriteFailedException(asked, e);
+    }
+  }
+
+  /** Deletes the temporary files of all open files. For the end of the process alone. */
+  public static void discardUnfinished() {
+    for (Path file : UNFINISHED) {
+      try {
+        Files.deleteIfExists(file);
+      } catch (IOException e) {
+        // The process ends; nothing else can be done about it.
+      }
     }
   }
 
@@ -79,6 +99,7 @@ public final class AtomicFile implements AutoCloseable {
       }
     }
     closed = true;
+    UNFINISHED.remove(written);
   }
 
   private void move() throws IOException {
@@ -102,6 +123,7 @@ public final class AtomicFile implements AutoCloseable {
     } finally {
       if (!written.equals(target)) {
         Files.deleteIfExists(written);
+        UNFINISHED.remove(written);
       }
     }
   }

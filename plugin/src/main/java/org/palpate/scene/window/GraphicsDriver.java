@@ -1,6 +1,7 @@
 package org.palpate.scene.window;
 
 import com.jogamp.opengl.GLProfile;
+import java.util.Optional;
 
 /** Finds and loads the graphics driver. Any thread. */
 public final class GraphicsDriver {
@@ -16,6 +17,9 @@ public final class GraphicsDriver {
 
   private static final String LOCK_TIMEOUT_MILLIS = "60000";
 
+  /** Why there is no display; the environment of a process does not change. */
+  private static final Optional<String> MISSING_DISPLAY = findMissingDisplay();
+
   /** The thread that loads the driver, if it was started. */
   private static Thread loading;
 
@@ -27,12 +31,30 @@ public final class GraphicsDriver {
 
   private GraphicsDriver() {}
 
-  /** Whether the environment names a display; always true on systems that do not need one. */
+  /**
+   * Whether there is a display: the environment names one, and a server answers there. Always true
+   * on systems that do not need one.
+   */
   public static boolean hasDisplay() {
+    return missingDisplay().isEmpty();
+  }
+
+  /** Returns why there is no display, in words for the user; empty if there is one. */
+  public static Optional<String> missingDisplay() {
+    return MISSING_DISPLAY;
+  }
+
+  private static Optional<String> findMissingDisplay() {
     String system = System.getProperty("os.name", "");
-    boolean isX11 = !system.startsWith("Windows") && !system.startsWith("Mac");
+    if (system.startsWith("Windows") || system.startsWith("Mac")) {
+      return Optional.empty();
+    }
     String display = System.getenv("DISPLAY");
-    return !isX11 || (display != null && !display.isBlank());
+    if (display == null || display.isBlank()) {
+      return Optional.of("there is no display");
+    }
+    boolean answers = XServerAddress.parse(display).map(XServerAddress::answers).orElse(false);
+    return answers ? Optional.empty() : Optional.of("no display answers at DISPLAY=" + display);
   }
 
   /**
@@ -80,7 +102,7 @@ public final class GraphicsDriver {
   private static GLProfile loadProfile() throws GraphicsException {
     if (!hasDisplay()) {
       throw new GraphicsException(
-          "there is no display", "set DISPLAY, or install xvfb and use xvfb-run", null);
+          MISSING_DISPLAY.get(), "set DISPLAY, or install xvfb and use xvfb-run", null);
     }
     try {
       if (!GLProfile.isAvailable(GLProfile.GL3)) {

@@ -1,0 +1,57 @@
+package org.palpate.app.output;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Set;
+import org.palpate.app.options.OutputPaths;
+import org.palpate.app.process.PalpateException;
+
+/**
+ * Keeps the failure of one output from others: prints one line at once, and leaves that output out
+ * from then on. One thread.
+ */
+public final class WriteFailures {
+  private final PrintWriter err;
+  private final Set<Path> failed = new HashSet<>();
+
+  /** A piece of writing. */
+  public interface Writing {
+    /** Writes. */
+    void run() throws IOException;
+  }
+
+  /**
+   * Creates a keeper of failures.
+   *
+   * @param err receives a line for each output that fails
+   */
+  public WriteFailures(PrintWriter err) {
+    this.err = err;
+  }
+
+  /** Writes a piece of an output, unless that output failed before. */
+  public void attempt(Path target, Writing piece) {
+    if (failed.contains(target)) {
+      return;
+    }
+    try {
+      piece.run();
+    } catch (IOException e) {
+      report(target, e);
+    }
+  }
+
+  /** Prints that an output failed, unless it was printed before. */
+  public void report(Path target, IOException cause) {
+    if (failed.add(target)) {
+      err.println("palpate: " + OutputPaths.failed(target, cause).getMessage());
+    }
+  }
+
+  /** Returns 1 if any output failed, otherwise 0. */
+  public int exitCode() {
+    return failed.isEmpty() ? 0 : PalpateException.FAILED;
+  }
+}
