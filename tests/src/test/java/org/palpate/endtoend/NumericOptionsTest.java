@@ -58,6 +58,8 @@ class NumericOptionsTest {
           Ranged.real("touch --headless", "--friction", 0, 100),
           Ranged.real("touch --headless", "--max-step", 1e-6, 1e6),
           Ranged.real("touch --headless", "--max-force", 1e-6, 1e6),
+          Ranged.real("touch --headless --tool sphere:2", "--rotational-stiffness", 1e-6, 1e6),
+          Ranged.real("touch --headless --tool sphere:2", "--mass", 1e-6, 1e6),
           Ranged.real(REPLAY, "--stiffness", 1e-6, 1e6),
           Ranged.real(REPLAY, "--friction", 0, 100),
           Ranged.real(REPLAY, "--max-step", 1e-6, 1e6),
@@ -70,6 +72,12 @@ class NumericOptionsTest {
           Ranged.real("render --out x.png --trajectory t.csv", "--friction", 0, 100),
           Ranged.real("render --out x.png --trajectory t.csv", "--max-step", 1e-6, 1e6),
           Ranged.real("render --out x.png --trajectory t.csv", "--max-force", 1e-6, 1e6),
+          Ranged.real(
+              "render --out x.png --trajectory t.csv --tool sphere:2",
+              "--rotational-stiffness",
+              1e-6,
+              1e6),
+          Ranged.real("render --out x.png --trajectory t.csv --tool sphere:2", "--mass", 1e-6, 1e6),
           Ranged.real("render --out x.png", "--zoom", 0.01, 1000),
           new Ranged("render --out x.png", "--opacity", "bone=", 0, 1, false),
           Ranged.real("devices --watch hid", "--seconds", 0.001, 1e8),
@@ -82,6 +90,8 @@ class NumericOptionsTest {
   private static final Set<String> OTHERS =
       Set.of(
           "replay --points", // ToolRequestTest
+          "touch --points",
+          "render --points",
           "bench --seed", // every long is a seed
           "touch --time",
           "replay --time",
