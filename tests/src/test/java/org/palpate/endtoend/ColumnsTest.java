@@ -1,0 +1,162 @@
+package org.palpate.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Compares the columns and keys of files with the page that explains them. */
+@EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: the keys of realtime are those of Linux")
+class ColumnsTest {
+  /** Maven runs the tests in the folder of the module. */
+  private static final Path PAGE =
+      Path.of(Files.exists(Path.of("docs")) ? "." : "..", "docs", "results", "columns.md");
+
+  private static final Pattern KEY = Pattern.compile("`([^`]+)`");
+
+  /** Keys that only a window or a picture has. */
+  private static final Set<String> NEED_DISPLAY = Set.of("sync.first_picture_s", "draw_ms");
+
+  @TempDir private Path folder;
+
+  @Test
+  void everyColumnOfTablesIsExplainedAndWritten() throws IOException {
+    Path trajectory = TestFiles.trajectory(folder.resolve("t.csv"), 30, 16, 1);
+    Path frames = folder.resolve("frames.csv");
+    Path legs = folder.resolve("legs.csv");
+    Object[] point = replay(trajectory, "--out", frames, "--legs", legs);
+    CommandRun.of(point).mustSucceed();
+    assertEquals(explained("Frames of a point"), header(frames));
+    assertEquals(explained("Legs of a point"), header(legs));
+    CommandRun.of(replay(trajectory, "--out", frames, "--legs", legs, "--tool", "sphere:2"))
+        .mustSucceed();
+    assertEquals(explained("Frames of a tool"), header(frames));
+    assertEquals(explained("Legs of a tool"), header(legs));
+    Path recorded = folder.resolve("recorded.csv");
+    CommandRun.of(touch("--record", recorded)).mustSucceed();
+    assertEquals(explained("Trajectories"), header(recorded));
+  }
+
+  @Test
+  void everyKeyOfReportsIsExplainedAndWritten() throws IOException {
+    Path trajectory = TestFiles.trajectory(folder.resolve("t.csv"), 30, 16, 1);
+    Path report = folder.resolve("r.json");
+    Path surface = folder.resolve("s.ply");
+    Set<String> seen = new TreeSet<>();
+    String[] common = {"Every report", "Reports of a volume", "Reports of frames"};
+    seen.addAll(
+        keys(report, replay(trajectory, "--repeat", 3), common, "Times of `replay --repeat`"));
+    seen.addAll(
+        keys(
+            report,
+            replay(trajectory, "--tool", "sphere:2", "--mass", 0.1),
+            common,
+            "Reports of a tool"));
+    seen.addAll(keys(report, touch(), common, "Reports of `touch`"));
+    Object[] info = {"info", "--phantom", "sphere:16"};
+    seen.addAll(keys(report, info, common, "Reports of `info`"));
+    Object[] render = {"render", "--phantom", "sphere:16", "--out", surface};
+    seen.addAll(keys(report, render, common, "Reports of `render`"));
+    seen.addAll(keys(report, new Object[] {"devices"}, common, "Reports of `devices`"));
+    Set<String> missing = allKeys();
+    missing.removeAll(seen);
+    missing.removeAll(NEED_DISPLAY);
+    assertEquals(Set.of(), missing, "explained but never written");
+  }
+
+  /** Runs a command, checks that the page explains each key of its report, and returns the keys. */
+  private static Set<String> keys(Path report, Object[] command, String[] common, String own)
+      throws IOException {
+    List<Object> arguments = new ArrayList<>(List.of(command));
+    arguments.add("--report");
+    arguments.add(report);
+    CommandRun.of(arguments.toArray()).mustSucceed();
+    Set<String> keys = leaves(report);
+    Set<String> unexplained = new TreeSet<>(keys);
+    for (String section : common) {
+      unexplained.removeAll(explained(section));
+    }
+    unexplained.removeAll(explained(own));
+    assertEquals(Set.of(), unexplained, command[0] + ": written but not explained");
+    return keys;
+  }
+
+  private static Object[] replay(Path trajectory, Object... more) {
+    List<Object> all =
+        new ArrayList<>(List.of("replay", "--phantom", "sphere:16", "--trajectory", trajectory));
+    all.addAll(List.of(more));
+    return all.toArray();
+  }
+
+  private static Object[] touch(Object... more) {
+    List<Object> all =
+        new ArrayList<>(List.of("touch", "--phantom", "sphere:16", "--headless", "--seconds", 0.3));
+    all.addAll(List.of(more));
+    return all.toArray();
+  }
+
+  private static List<String> header(Path table) throws IOException {
+    try (BufferedReader lines = Files.newBufferedReader(table)) {
+      return List.of(lines.readLine().split(",", -1));
+    }
+  }
+
+  /** Returns the paths of all fields that hold no object, without the indexes of lists. */
+  private static Set<String> leaves(Path report) throws IOException {
+    Set<String> paths = new TreeSet<>();
+    try (JsonParser parser = new JsonFactory().createParser(report.toFile())) {
+      while (parser.nextToken() != null) {
+        if (parser.currentToken() == JsonToken.FIELD_NAME) {
+          String pointer = parser.getParsingContext().pathAsPointer().toString();
+          paths.add(pointer.substring(1).replaceAll("/[0-9]+(?=/|$)", "").replace('/', '.'));
+        }
+      }
+    }
+    Set<String> leaves = new TreeSet<>(paths);
+    leaves.removeIf(path -> paths.stream().anyMatch(other -> other.startsWith(path + ".")));
+    leaves.remove("backends.devices"); // the list of a back end without a device
+    leaves.remove("skipped"); // of a tool, without a key
+    return leaves;
+  }
+
+  private static List<String> explained(String section) throws IOException {
+    List<String> keys = new ArrayList<>();
+    boolean inside = false;
+    for (String line : Files.readAllLines(PAGE)) {
+      if (line.startsWith("## ")) {
+        inside = line.equals("## " + section);
+      } else if (inside && line.startsWith("| `")) {
+        Matcher names = KEY.matcher(line.substring(0, line.indexOf('|', 1)));
+        while (names.find()) {
+          keys.add(names.group(1));
+        }
+      }
+    }
+    return keys;
+  }
+
+  private static Set<String> allKeys() throws IOException {
+    Set<String> keys = new TreeSet<>();
+    for (String line : Files.readAllLines(PAGE)) {
+      if (line.startsWith("## ") && !line.startsWith("## Frames") && !line.startsWith("## Legs")) {
+        keys.addAll(line.equals("## Trajectories") ? List.of() : explained(line.substring(3)));
+      }
+    }
+    return keys;
+  }
+}
