@@ -125,7 +125,9 @@ public final class OccupancyField {
     if (loaded && sameSeed && samePoint) {
       return sample;
     }
-    lastSeed.set(seed);
+    if (!sameSeed) {
+      lastSeed.set(seed);
+    }
     int x = SeedCell.floor(point.x + 0.5);
     int y = SeedCell.floor(point.y + 0.5);
     int z = SeedCell.floor(point.z + 0.5);
