@@ -75,7 +75,9 @@ class DisplayFaultsTest {
 
   @Test
   void aDisplayThatDoesNotAnswerLeavesTheSessionWithoutAWindow() throws Exception {
-    assertTouchedAndPrinted(CommandRun.waitFor(session(":6553")), "no window (");
+    assertTouchedAndPrinted(
+        CommandRun.waitFor(session(":6553")),
+        "no display answers at DISPLAY=:6553: goes on without a window");
   }
 
   @Test

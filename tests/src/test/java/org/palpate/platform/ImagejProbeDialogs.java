@@ -20,6 +20,7 @@ import java.awt.Window;
 import java.awt.event.ActionEvent;
 import java.awt.event.ActionListener;
 import java.lang.reflect.Field;
+import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -78,11 +79,20 @@ final class ImagejProbeDialogs {
   }
 
   static void text(GenericDialog dialog, int field, String value) {
-    ((TextField) dialog.getStringFields().get(field)).setText(value);
+    setText((TextField) dialog.getStringFields().get(field), value);
   }
 
   static void number(GenericDialog dialog, int field, String value) {
-    ((TextField) dialog.getNumericFields().get(field)).setText(value);
+    setText((TextField) dialog.getNumericFields().get(field), value);
+  }
+
+  /** Sets a text on the event thread: the peer of a field is Swing's, and paints itself there. */
+  private static void setText(TextField field, String value) {
+    try {
+      EventQueue.invokeAndWait(() -> field.setText(value));
+    } catch (InterruptedException | InvocationTargetException e) {
+      throw new AssertionError(e);
+    }
   }
 
   static void choose(GenericDialog dialog, String value) {

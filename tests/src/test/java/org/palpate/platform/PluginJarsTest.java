@@ -106,7 +106,7 @@ class PluginJarsTest {
               .filter(line -> line.startsWith("Plugins>Palpate") && line.contains("org."))
               .map(line -> line.substring(line.lastIndexOf(' ') + 1))
               .toList();
-      assertEquals(9, commands.size());
+      assertEquals(10, commands.size());
       for (String command : commands) {
         assertTrue(names.contains(command.replace('.', '/') + ".class"), command);
       }
