@@ -227,16 +227,12 @@ public final class GuardedSolver implements ProxySolver {
   /**
    * Moves towards the device. Each face that stops the proxy fixes an axis more, until a leg is
    * free or no axis is left.
-   *
-   * <p>The condition of the loop is written out. With it this method is just too large to be
-   * inlined, so that the JIT compiles it, with all that it calls, once and whole. Inlined into the
-   * search for a step up it was cut off halfway, and {@code ResponseBenchmark} took a tenth longer.
    */
   private SlideOutcome slide(int fixedAxes) {
     boolean moved = false;
     int fixed = fixedAxes;
     aim(fixed);
-    while (!legs.isFull() && (target.x != p.x || target.y != p.y || target.z != p.z)) {
+    while (!legs.isFull() && isTargetElsewhere()) {
       steps++;
       int faces = voxel.facesThatStop(target);
       if (faces != 0) {
