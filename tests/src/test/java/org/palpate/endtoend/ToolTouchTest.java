@@ -39,6 +39,7 @@ class ToolTouchTest {
     Map<String, String> session = FlatJson.read(live);
     assertTrue(Long.parseLong(session.get("/frames")) > 200, session.toString());
     assertEquals("rigid", session.get("/solver"));
+    assertEquals("0.0", session.get("/friction"));
     assertEquals("0.0", session.get("/tool/clearance_mm"));
     assertTrue(Long.parseLong(session.get("/tool/points")) > 50);
     assertEquals("stopped", session.get("/end"));
