@@ -158,7 +158,7 @@ public final class GuardedSolver implements ProxySolver {
     }
     StepUpOutcome lastSearch = moveTowardsDevice();
     if (!point.contact && !hasArrived()) {
-      point.contact = !isFree(device, shortRowTo(device));
+      point.contact = !isFree(device);
     }
     rests = skipsRest && legs.count() == 0 && lastSearch != StepUpOutcome.SKIPPED;
     restedAt.set(devicePosition);
@@ -249,8 +249,7 @@ public final class GuardedSolver implements ProxySolver {
         return outcomeOfSlide(false); // the same faces stop it, and it is at the device elsewhere
       }
       steps += (int) (Math.min(MAX_COUNTED_VOXELS, longestComponent(target)) / VOXELS_PER_STEP);
-      int row = shortRowTo(target);
-      if (isFree(target, row)) {
+      if (isFree(target)) {
         moved |= moveNearer(target, fixed != NONE_FIXED);
         return cut ? SlideOutcome.OUT_OF_PATH : outcomeOfSlide(moved);
       }
@@ -259,7 +258,7 @@ public final class GuardedSolver implements ProxySolver {
       if (face == RayHit.NO_AXIS) {
         return outcomeOfSlide(moved); // the proxy touches a solid: it stays until it is set free
       }
-      moved |= approach(face, row, fixed != NONE_FIXED);
+      moved |= approach(face, fixed != NONE_FIXED);
       fixed |= 1 << face;
       aim(fixed);
     }
@@ -287,41 +286,30 @@ public final class GuardedSolver implements ProxySolver {
     return longer > z ? longer : z;
   }
 
-  /**
-   * Returns the axis along which the segment from the proxy runs if it is short and touches only
-   * the voxels of one row, else {@link ProxyVoxel#NO_ROW}.
-   */
-  private int shortRowTo(Vec3 to) {
+  /** Whether the segment from the proxy touches no solid; if it does, {@link #hit} is set. */
+  private boolean isFree(Vec3 to) {
+    return voxel.contains(to) || !meetsSolid(to);
+  }
+
+  private boolean meetsSolid(Vec3 to) {
     int axis = voxel.axisOfRow(to);
-    boolean isShort =
-        axis != ProxyVoxel.NO_ROW && Math.abs(to.get(axis) - p.get(axis)) <= MAX_ROW_VOXELS;
-    return isShort ? axis : ProxyVoxel.NO_ROW;
-  }
-
-  /**
-   * Whether the segment from the proxy touches no solid; if it does, {@link #hit} is set.
-   *
-   * @param row the answer of {@link #shortRowTo} for the segment
-   */
-  private boolean isFree(Vec3 to, int row) {
-    if (voxel.contains(to)) {
-      return true;
+    if (axis != ProxyVoxel.NO_ROW && isShortRow(to, axis)) {
+      return voxel.castRow(axis, to.get(axis), hit);
     }
-    return row == ProxyVoxel.NO_ROW ? !castTo(to) : !voxel.castRow(row, to.get(row), hit);
+    return scene.cast(caster, ray.from(p.x, p.y, p.z).to(to.x, to.y, to.z), hit);
   }
 
-  private boolean castTo(Vec3 to) {
-    return scene.cast(caster, ray.from(p.x, p.y, p.z).to(to.x, to.y, to.z), hit);
+  private boolean isShortRow(Vec3 to, int axis) {
+    return Math.abs(to.get(axis) - p.get(axis)) <= MAX_ROW_VOXELS;
   }
 
   /**
    * Moves towards the target to just before the face that was hit.
    *
    * @param axis the axis of the face
-   * @param row the answer of {@link #shortRowTo} for the segment to the target
    * @return whether the proxy moved
    */
-  private boolean approach(int axis, int row, boolean alongSurface) {
+  private boolean approach(int axis, boolean alongSurface) {
     boolean up = target.get(axis) > p.get(axis);
     int cell = hit.cell(axis);
     double stop = up ? cell - STOP_SHORT_VOXELS : cell + 1 + STOP_SHORT_VOXELS;
@@ -336,7 +324,8 @@ public final class GuardedSolver implements ProxySolver {
     end.set(axis, stop);
     // The cast of a row has seen every voxel up to the hit. Of a ray from very far out, rounding
     // alone may decide which of several hits is the first, so that the leg must be verified.
-    if (row != axis && !isFree(end, shortRowTo(end))) {
+    boolean rowWasCast = voxel.axisOfRow(target) == axis && isShortRow(target, axis);
+    if (!rowWasCast && !isFree(end)) {
       return false;
     }
     return moveNearer(end, alongSurface);
@@ -452,7 +441,7 @@ public final class GuardedSolver implements ProxySolver {
     if (pathLimit.isExceededBy(legs, distance(p, end))) {
       return StepTop.TOO_FAR;
     }
-    boolean free = voxel.isOffPlanesExcept(axis) || isFree(end, shortRowTo(end));
+    boolean free = voxel.isOffPlanesExcept(axis) || isFree(end);
     return free ? StepTop.REACHABLE : StepTop.NONE;
   }
 
