@@ -159,6 +159,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     computeForce(sinceForceNanos);
     sinceForceNanos = 0;
     forceNewton.mul(ramp.factor(), forceNewton);
+    torqueNewtonMm.mul(ramp.factor(), torqueNewtonMm);
   }
 
   /**
@@ -168,10 +169,10 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
    */
   abstract void computeForce(long sinceLastNanos);
 
+  /** Limits force and torque; a device without torque gets none. */
   private void limitForce() {
     forceLimiter.clamp(forceNewton, elapsedNanos);
     if (givesTorque) {
-      torqueNewtonMm.mul(ramp.factor(), torqueNewtonMm);
       torqueLimiter.clamp(torqueNewtonMm, elapsedNanos);
     } else {
       torqueNewtonMm.set(0, 0, 0);

@@ -114,10 +114,8 @@ public final class PointFrame extends HapticFrame {
   @Override
   void follow() {
     deviceGrid.set(sample.positionMm);
-    if (!placed) {
+    if (!placed || sample.relocated) {
       placePoint();
-    } else if (sample.relocated) {
-      relocatePoint();
     }
     solver.follow(scene, deviceGrid, point);
     if (contactForce.settings().distinguishesObjects()) {
@@ -125,22 +123,18 @@ public final class PointFrame extends HapticFrame {
     }
   }
 
-  /** Starts the point at the device, or as near to it as the solids permit. */
+  /**
+   * Places the point at the device, or as near to it as the solids permit. A device that jumped
+   * begins a new chain of legs, as a point does that was set free.
+   */
   private void placePoint() {
+    boolean jumped = placed;
     placed = true;
     point.position.set(deviceGrid);
     solver.reset();
     if (touchesSolid()) {
       setFree(deviceGrid);
-    }
-  }
-
-  /** Sets the point free at a device that jumped, or as near to it as the solids permit. */
-  private void relocatePoint() {
-    point.position.set(deviceGrid);
-    if (touchesSolid()) {
-      setFree(deviceGrid);
-    } else {
+    } else if (jumped) {
       beginAnew();
     }
   }

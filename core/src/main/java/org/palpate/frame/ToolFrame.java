@@ -111,11 +111,14 @@ public final class ToolFrame extends HapticFrame {
   @Override
   void follow() {
     takePose();
-    boolean relocated = placed && sample.relocated;
-    boolean free = (placed && !relocated) || solver.place(devicePose, motion);
-    placed = true;
+    boolean jumped = placed && sample.relocated;
+    boolean startsAtDevice = true;
+    if (!placed || jumped) {
+      startsAtDevice = solver.place(devicePose, motion);
+      placed = true;
+    }
     solver.follow(devicePose, motion);
-    if (relocated || !free || motion.freed()) {
+    if (jumped || !startsAtDevice || motion.freed()) {
       rateLimit.reset();
       setFree();
     }
