@@ -11,6 +11,7 @@ import picocli.CommandLine.Option;
 public final class LinkOptions {
   private static final int MAX_PORT = 65_535;
   private static final String NAME = "--igtl";
+  private static final String PORT_RANGE = "a port is a number from 0 to 65535";
 
   @Option(
       names = NAME,
@@ -51,9 +52,9 @@ public final class LinkOptions {
         return port;
       }
     } catch (NumberFormatException e) {
-      throw wrong("a port is a number from 0 to 65535");
+      throw wrong(PORT_RANGE);
     }
-    throw wrong("a port is a number from 0 to 65535");
+    throw wrong(PORT_RANGE);
   }
 
   private PalpateException wrong(String what) {

@@ -21,13 +21,14 @@ import java.util.stream.Stream;
 record XServerAddress(String host, int number) {
   private static final Pattern FORM = Pattern.compile("([^:]*):([0-9]{1,5})(\\.[0-9]+)?");
   private static final int FIRST_PORT = 6000;
+  private static final int MAX_NUMBER = 65_535 - FIRST_PORT;
   private static final int CONNECT_MILLIS = 2000;
   private static final Path ABSTRACT_SOCKETS = Path.of("/proc/net/unix");
 
   /** Parses the value of DISPLAY; empty if it has another form. */
   static Optional<XServerAddress> parse(String display) {
     Matcher parts = FORM.matcher(display.strip());
-    if (!parts.matches()) {
+    if (!parts.matches() || Integer.parseInt(parts.group(2)) > MAX_NUMBER) {
       return Optional.empty();
     }
     String host = parts.group(1).equals("unix") ? "" : parts.group(1);
@@ -43,8 +44,8 @@ record XServerAddress(String host, int number) {
     Path socket = Path.of("/tmp/.X11-unix/X" + number);
     try (SocketChannel connection = SocketChannel.open(UnixDomainSocketAddress.of(socket))) {
       return connection.isConnected();
-    } catch (IOException | UnsupportedOperationException e) {
-      return isAbstract("@" + socket);
+    } catch (IOException e) {
+      return isAbstract("@" + socket); // such a socket has no file
     }
   }
 
