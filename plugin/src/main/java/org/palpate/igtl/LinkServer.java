@@ -51,6 +51,13 @@ public final class LinkServer implements AutoCloseable {
   private final LinkSource source;
   private final LinkListener listener;
   private final List<LinkClient> clients = new CopyOnWriteArrayList<>();
+
+  // The sender's thread alone uses these.
+  private final MessageWriter writer = new MessageWriter();
+  private List<LinkState.Landmark> landmarks = List.of();
+  private byte[] landmarkMessage = new byte[0];
+  private long landmarksVersion;
+
   private final Thread acceptor;
   private final Thread sender;
   private volatile boolean closed;
@@ -127,32 +134,36 @@ public final class LinkServer implements AutoCloseable {
   /** Sends updates on the clock; a late one is not made up for. */
   private void sendAll() {
     LinkState state = new LinkState();
-    MessageWriter writer = new MessageWriter();
-    List<LinkState.Landmark> landmarks = null;
-    byte[] landmarkMessage = new byte[0];
-    long landmarksVersion = 0;
     long due = System.nanoTime();
     while (!closed) {
       due = Math.max(due + PERIOD_NANOS, System.nanoTime() - PERIOD_NANOS);
-      for (long left = due - System.nanoTime(); left > 0 && !closed; ) {
-        LockSupport.parkNanos(this, left);
-        left = due - System.nanoTime();
-      }
+      awaitTime(due);
       source.read(state);
-      writer.setTime(Instant.now());
-      if (!state.landmarks.equals(landmarks)) {
-        landmarks = state.landmarks;
-        landmarksVersion++;
-        writer.points("PalpateLandmarks", landmarks);
-        landmarkMessage = writer.take();
-      }
-      LinkClient.Update update =
-          new LinkClient.Update(encode(state, writer), landmarkMessage, landmarksVersion);
+      LinkClient.Update update = update(state);
       clients.forEach(client -> client.offer(update));
     }
   }
 
-  private static byte[] encode(LinkState state, MessageWriter writer) {
+  private void awaitTime(long nanos) {
+    long remaining = nanos - System.nanoTime();
+    while (remaining > 0 && !closed) {
+      LockSupport.parkNanos(this, remaining);
+      remaining = nanos - System.nanoTime();
+    }
+  }
+
+  private LinkClient.Update update(LinkState state) {
+    writer.setTime(Instant.now());
+    if (!state.landmarks.equals(landmarks)) {
+      landmarks = state.landmarks;
+      landmarksVersion++;
+      writer.points("PalpateLandmarks", landmarks);
+      landmarkMessage = writer.take();
+    }
+    return new LinkClient.Update(encode(state), landmarkMessage, landmarksVersion);
+  }
+
+  private byte[] encode(LinkState state) {
     writer.transform("PalpateTool", state.tool);
     writer.transform("PalpateDevice", state.device);
     writer.sensor(

@@ -34,6 +34,9 @@ public final class LinkState {
   /** Whether the tool is in contact. */
   public boolean contact;
 
-  /** The landmarks; replaced, not changed, when one is added or removed. */
+  /**
+   * The landmarks. A source sets another list if any of them changes, and else the same one: the
+   * server sends them again only if the list is another.
+   */
   public List<Landmark> landmarks = List.of();
 }

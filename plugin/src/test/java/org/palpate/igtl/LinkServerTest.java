@@ -131,6 +131,16 @@ class LinkServerTest {
   }
 
   @Test
+  void noPointsAreSentAsLongAsThereIsNoLandmark() throws IOException {
+    try (Socket socket = connect()) {
+      MessageReader in = reader(socket);
+      for (int n = 0; n < 20; n++) {
+        assertFalse(in.read().header().type().equals("POINT"));
+      }
+    }
+  }
+
+  @Test
   void anImageIsReceivedAndAnswered() throws IOException, InterruptedException {
     try (Socket socket = connect()) {
       socket.getOutputStream().write(Recorded.IMAGE);

@@ -34,6 +34,10 @@ final class SessionLink implements LinkListener, AutoCloseable {
   private volatile Streamed streamed;
   private ReceivedVolume received;
 
+  // The server's thread alone uses these.
+  private List<NamedPoint> convertedFrom = List.of();
+  private List<LinkState.Landmark> converted = List.of();
+
   /**
    * Binds the server and lets clients in.
    *
@@ -83,12 +87,22 @@ final class SessionLink implements LinkListener, AutoCloseable {
       now.reader().force(dest.force);
       now.reader().torque(dest.torque);
       dest.contact = now.reader().contact();
-      dest.landmarks =
-          now.landmarks().get().stream()
-              .map(mark -> new LinkState.Landmark(mark.name(), toRas(now.axes(), mark.position())))
-              .toList();
+      dest.landmarks = landmarks(now);
       toRas(now.axes(), dest);
     }
+  }
+
+  /** Returns the landmarks in RAS: the same list until the session has others. */
+  private List<LinkState.Landmark> landmarks(Streamed now) {
+    List<NamedPoint> present = now.landmarks().get();
+    if (!present.equals(convertedFrom)) {
+      convertedFrom = present;
+      converted =
+          present.stream()
+              .map(mark -> new LinkState.Landmark(mark.name(), toRas(now.axes(), mark.position())))
+              .toList();
+    }
+    return converted;
   }
 
   private static void toRas(WorldAxes axes, LinkState state) {
