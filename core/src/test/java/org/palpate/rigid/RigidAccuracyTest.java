@@ -3,7 +3,9 @@ package org.palpate.rigid;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntFunction;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.palpate.body.BodyScene;
@@ -46,19 +48,6 @@ class RigidAccuracyTest {
       if (frame > 50) {
         Vec3 off = motion.pose().translation.sub(point.position, new Vec3());
         widest = Math.max(widest, off.length());
-        if (Boolean.getBoolean("dbg") && frame % 10 == 0)
-          System.out.println(
-              frame
-                  + " "
-                  + off.length()
-                  + " rigid "
-                  + motion.pose().translation.sub(new Vec3(48, 48, 48), new Vec3()).length()
-                  + " point "
-                  + point.position.sub(new Vec3(48, 48, 48), new Vec3()).length()
-                  + " d "
-                  + motion.pose().translation.sub(device.translation, new Vec3()).length()
-                  + " "
-                  + point.position.sub(device.translation, new Vec3()).length());
       }
     }
     assertTrue(widest < 0.8, "widest distance of the two points: " + widest);
@@ -135,7 +124,7 @@ class RigidAccuracyTest {
       coupling = RigidCoupling.of(tool, 1);
     }
 
-    void run(java.util.function.IntFunction<Pose> device, UnaryOperator<Vec3> normalAt) {
+    void run(IntFunction<Pose> device, UnaryOperator<Vec3> normalAt) {
       Vec3 last = new Vec3();
       for (int frame = 0; frame < FRAMES; frame++) {
         Pose pose = device.apply(frame);
@@ -150,7 +139,7 @@ class RigidAccuracyTest {
         last.set(pose.translation);
         lastForce.set(force);
       }
-      java.util.Arrays.sort(changes, 0, counted);
+      Arrays.sort(changes, 0, counted);
       assertEquals(FRAMES - 81, counted);
     }
 
