@@ -11,6 +11,7 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -34,10 +35,10 @@ class BodyTest {
   void mapsToolPointsByItsPoseAndItsGrid() {
     Body body = new Body("b", new BitCube(8, 9, 10), OBLIQUE, Mobility.MOVABLE);
     for (int n = 0; n < 300; n++) {
-      Pose tool = randomPose();
-      Pose pose = randomPose();
+      Pose tool = RandomGeometry.pose(random, 50);
+      Pose pose = RandomGeometry.pose(random, 50);
       body.setPose(pose);
-      Vec3 p = randomVector(10);
+      Vec3 p = RandomGeometry.vector(random, 10);
       Vec3 rest = pose.inverseTransform(tool.transform(p, new Vec3()), new Vec3());
       Vec3 expected = OBLIQUE.worldToGrid(rest, new Vec3());
       Vec3 actual = body.toolToGrid(tool, new AffineMap()).transform(p, new Vec3());
@@ -48,7 +49,7 @@ class BodyTest {
   @Test
   void directionsOfTheGridTurnWithTheBody() {
     Body body = new Body("b", new BitCube(8, 9, 10), OBLIQUE, Mobility.MOVABLE);
-    Pose pose = randomPose();
+    Pose pose = RandomGeometry.pose(random, 50);
     body.setPose(pose);
     Vec3 a = OBLIQUE.gridToWorld(new Vec3(1, 2, 3), new Vec3());
     Vec3 b = OBLIQUE.gridToWorld(new Vec3(2, 4, 5), new Vec3());
@@ -79,19 +80,5 @@ class BodyTest {
         new Body("a", new BitCube(2, 2, 2), VoxelGrid.ofUnitVoxels(2, 2, 2), Mobility.FIXED);
     Body fine = new Body("b", new BitCube(8, 9, 10), OBLIQUE, Mobility.FIXED);
     assertEquals(0.5, new BodyScene(List.of(coarse, fine)).shortestEdgeMm());
-  }
-
-  private Pose randomPose() {
-    Pose pose = new Pose();
-    pose.rotation.setRotationVector(randomVector(3));
-    pose.translation.set(randomVector(50));
-    return pose;
-  }
-
-  private Vec3 randomVector(double size) {
-    return new Vec3(
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size));
   }
 }

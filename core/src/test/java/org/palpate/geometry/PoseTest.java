@@ -6,6 +6,7 @@ import static org.palpate.geometry.QuaternionTest.assertNear;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 
 class PoseTest {
@@ -15,8 +16,8 @@ class PoseTest {
   @Test
   void mapsPointsLikeItsAffineMap() {
     for (int n = 0; n < 1000; n++) {
-      Pose pose = randomPose();
-      Vec3 p = randomVector(20);
+      Pose pose = RandomGeometry.pose(random, 50);
+      Vec3 p = RandomGeometry.vector(random, 20);
       Vec3 image = pose.transform(p, new Vec3());
       assertNear(image, new AffineMap().set(pose).transform(p, new Vec3()));
       assertNear(p, pose.inverseTransform(image, new Vec3()));
@@ -27,9 +28,9 @@ class PoseTest {
   @Test
   void productsOfPosesAndOfMapsApplyTheRightOneFirst() {
     for (int n = 0; n < 1000; n++) {
-      Pose a = randomPose();
-      Pose b = randomPose();
-      Vec3 p = randomVector(20);
+      Pose a = RandomGeometry.pose(random, 50);
+      Pose b = RandomGeometry.pose(random, 50);
+      Vec3 p = RandomGeometry.vector(random, 20);
       Vec3 expected = a.transform(b.transform(p, new Vec3()), new Vec3());
       assertNear(expected, a.multiply(b, new Pose()).transform(p, new Vec3()));
       AffineMap product = new AffineMap().set(a).multiply(new AffineMap().set(b), new AffineMap());
@@ -54,8 +55,8 @@ class PoseTest {
     Vec3 displacement = new Vec3();
     Vec3 rotation = new Vec3();
     for (int n = 0; n < 1000; n++) {
-      Pose a = randomPose();
-      Pose b = randomPose();
+      Pose a = RandomGeometry.pose(random, 50);
+      Pose b = RandomGeometry.pose(random, 50);
       a.differenceTo(b, displacement, rotation, scratch);
       Pose reached = a.displace(displacement, rotation, 1, scratch, new Pose());
       assertNear(b.translation, reached.translation);
@@ -67,8 +68,8 @@ class PoseTest {
   void interpolatesStraightAndAtAConstantRate() {
     Pose.Scratch room = new Pose.Scratch();
     for (int n = 0; n < 300; n++) {
-      Pose a = randomPose();
-      Pose b = randomPose();
+      Pose a = RandomGeometry.pose(random, 50);
+      Pose b = RandomGeometry.pose(random, 50);
       double t = random.nextDouble();
       Pose between = a.interpolate(b, t, room, new Pose());
       assertEquals(t * distance(a, b), distance(a, between), 1e-10 * (1 + distance(a, b)));
@@ -85,19 +86,5 @@ class PoseTest {
   private static double angle(Pose a, Pose b) {
     Quaternion q = a.rotation.conjugate(new Quaternion());
     return b.rotation.multiply(q, q).angle();
-  }
-
-  private Pose randomPose() {
-    Pose pose = new Pose();
-    pose.rotation.setRotationVector(randomVector(3));
-    pose.translation.set(randomVector(50));
-    return pose;
-  }
-
-  private Vec3 randomVector(double size) {
-    return new Vec3(
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size));
   }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 
 class QuaternionTest {
@@ -16,9 +17,9 @@ class QuaternionTest {
   @Test
   void rotatesLikeTheMatrixOfTheSameAxisAndAngle() {
     for (int n = 0; n < 1000; n++) {
-      Vec3 rotation = randomVector(3.2);
+      Vec3 rotation = RandomGeometry.vector(random, 3.2);
       Quaternion q = new Quaternion().setRotationVector(rotation);
-      Vec3 v = randomVector(5);
+      Vec3 v = RandomGeometry.vector(random, 5);
       Vec3 expected = rodrigues(rotation, v);
       assertNear(expected, q.rotate(v, new Vec3()));
       assertNear(v, q.inverseRotate(expected, new Vec3()));
@@ -31,7 +32,7 @@ class QuaternionTest {
     for (int n = 0; n < 1000; n++) {
       Quaternion a = randomRotation();
       Quaternion b = randomRotation();
-      Vec3 v = randomVector(5);
+      Vec3 v = RandomGeometry.vector(random, 5);
       Vec3 expected = a.rotate(b.rotate(v, new Vec3()), new Vec3());
       assertNear(expected, a.multiply(b, new Quaternion()).rotate(v, new Vec3()));
       Quaternion inPlace = new Quaternion().set(a);
@@ -68,7 +69,7 @@ class QuaternionTest {
   @Test
   void theLogarithmUndoesTheExponentialTheShortWayAround() {
     for (int n = 0; n < 1000; n++) {
-      Vec3 rotation = randomVector(1.8); // at most 3.12 rad
+      Vec3 rotation = RandomGeometry.vector(random, 1.8); // at most 3.12 rad
       Quaternion q = new Quaternion().setRotationVector(rotation);
       if (n % 2 == 0) {
         q.negate(q);
@@ -99,14 +100,7 @@ class QuaternionTest {
   }
 
   private Quaternion randomRotation() {
-    return new Quaternion().setRotationVector(randomVector(3));
-  }
-
-  private Vec3 randomVector(double size) {
-    return new Vec3(
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size));
+    return new Quaternion().setRotationVector(RandomGeometry.vector(random, 3));
   }
 
   /** Rotates by Rodrigues' formula, written without a quaternion. */

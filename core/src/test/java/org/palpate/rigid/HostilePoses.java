@@ -3,6 +3,7 @@ package org.palpate.rigid;
 import java.util.SplittableRandom;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
+import org.palpate.testing.RandomGeometry;
 
 /**
  * A device from hell: jumps of 50 voxels and half turns, slow pushes, rests, sign flips of the
@@ -34,7 +35,7 @@ final class HostilePoses {
     } else if (phase < 3) {
       double reach = phase == 1 ? 0.3 : 2;
       pose.displace(
-          ToolScenes.vector(random, reach), ToolScenes.vector(random, 0.1), 1, scratch, pose);
+          RandomGeometry.vector(random, reach), RandomGeometry.vector(random, 0.1), 1, scratch, pose);
     }
     for (int axis = 0; axis < 3; axis++) {
       double v = pose.translation.get(axis);
@@ -44,7 +45,7 @@ final class HostilePoses {
   }
 
   private void jump() {
-    pose.displace(ToolScenes.vector(random, 50), ToolScenes.vector(random, 2), 1, scratch, pose);
+    pose.displace(RandomGeometry.vector(random, 50), RandomGeometry.vector(random, 2), 1, scratch, pose);
   }
 
   private Pose spoil() {

@@ -15,6 +15,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 
 class RigidAllocationTest {
@@ -34,7 +35,7 @@ class RigidAllocationTest {
     RigidSolver solver = new RigidSolver(scene, tool, settings);
     RigidCoupling coupling = RigidCoupling.of(tool, 1);
     ToolMotion motion = new ToolMotion();
-    solver.place(ToolScenes.pose(random, 30), motion);
+    solver.place(RandomGeometry.pose(random, 30), motion);
     Pose[] device = new Pose[1000];
     HostilePoses hostile = new HostilePoses(random, 25);
     for (int n = 0; n < device.length; n++) {

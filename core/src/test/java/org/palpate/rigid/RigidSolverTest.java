@@ -19,6 +19,7 @@ import org.palpate.rigid.tool.BoxShape;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -37,7 +38,7 @@ class RigidSolverTest {
       boolean covers = tool.coverRadiusMm() > 0 && tool.coverRadiusMm() < 1e9;
       boolean whole = covers && round % 2 == 1;
       RigidSolver solver = solver(scene, tool, whole);
-      solver.place(ToolScenes.pose(random, 30), motion);
+      solver.place(RandomGeometry.pose(random, 30), motion);
       ToolLegJudge judge = new ToolLegJudge(scene, tool);
       assertNull(judge.begin(motion));
       HostilePoses device = new HostilePoses(random, 40);
@@ -128,7 +129,7 @@ class RigidSolverTest {
       BodyScene scene = ToolScenes.clutter(random, 1 + round % 2);
       RigidTool tool = ToolScenes.tool(random);
       RigidSolver solver = solver(scene, tool, false);
-      solver.place(ToolScenes.pose(random, 30), motion);
+      solver.place(RandomGeometry.pose(random, 30), motion);
       HostilePoses device = new HostilePoses(random, 25);
       for (int frame = 0; frame < 60; frame++) {
         solver.follow(device.next(), motion);
@@ -153,7 +154,7 @@ class RigidSolverTest {
     Pose pose = new Pose();
     pose.translation.set(60, 60, 60);
     solver.place(pose, motion);
-    Pose goal = ToolScenes.pose(random, 3);
+    Pose goal = RandomGeometry.pose(random, 3);
     goal.translation.add(new Vec3(55, 50, 45), goal.translation);
     for (int frame = 0; frame < 10; frame++) {
       solver.follow(goal, motion);
@@ -200,7 +201,7 @@ class RigidSolverTest {
       RigidTool tool = ToolSampler.ofShape(RodShape.sphere(4), 0.7);
       RigidSolver solver = solver(scene, tool, whole == 1);
       ToolLegJudge judge = new ToolLegJudge(scene, tool);
-      Pose pose = ToolScenes.pose(random, 1);
+      Pose pose = RandomGeometry.pose(random, 1);
       pose.translation.set(20, 20, 20);
       assertTrue(solver.place(pose, motion));
       assertNull(judge.begin(motion));
@@ -292,7 +293,7 @@ class RigidSolverTest {
       RigidSolver quick = new RigidSolver(scene, tool, with);
       RigidSolver slow = new RigidSolver(scene, tool, without);
       ToolMotion slowMotion = new ToolMotion();
-      Pose start = ToolScenes.pose(random, 30);
+      Pose start = RandomGeometry.pose(random, 30);
       quick.place(start, motion);
       slow.place(start, slowMotion);
       HostilePoses device = new HostilePoses(random, 25);

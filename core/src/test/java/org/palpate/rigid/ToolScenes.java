@@ -14,6 +14,7 @@ import org.palpate.rigid.tool.BoxShape;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.phantom.Phantom;
@@ -46,7 +47,7 @@ final class ToolScenes {
         spacing.set(random.nextInt(3), 5);
       }
       Body body = new Body("body" + n, bits, obliqueGrid(bits, spacing), Mobility.FIXED);
-      body.setPose(n == 0 ? new Pose() : pose(random, 10));
+      body.setPose(n == 0 ? new Pose() : RandomGeometry.pose(random, 10));
       list.add(body);
     }
     return new BodyScene(list);
@@ -72,21 +73,5 @@ final class ToolScenes {
         yield ToolSampler.ofSegment(bits, VoxelGrid.ofUnitVoxels(8, 9, 7));
       }
     };
-  }
-
-  /** Returns a random pose. */
-  static Pose pose(SplittableRandom random, double size) {
-    Pose pose = new Pose();
-    pose.rotation.setRotationVector(vector(random, 3));
-    pose.translation.set(vector(random, size));
-    return pose;
-  }
-
-  /** Returns a random vector in a cube. */
-  static Vec3 vector(SplittableRandom random, double size) {
-    return new Vec3(
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size));
   }
 }

@@ -22,6 +22,7 @@ import org.palpate.rigid.tool.BoxShape;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -58,9 +59,9 @@ class ToolVerifierTest {
     ToolVerifier quick = new ToolVerifier(scene, tool, clearances, true);
     ToolVerifier slow = new ToolVerifier(scene, tool, clearances, false);
     NaiveVerifier naive = new NaiveVerifier(scene, tool);
-    Pose start = ToolScenes.pose(random, 30);
+    Pose start = RandomGeometry.pose(random, 30);
     while (!quick.place(start, false)) {
-      start = ToolScenes.pose(random, 60);
+      start = RandomGeometry.pose(random, 60);
     }
     assertTrue(slow.place(start, false));
     Pose before = new Pose().set(start);
@@ -105,8 +106,8 @@ class ToolVerifierTest {
   /** Moves of all sizes, along grid axes, onto voxel faces, far away and back. */
   private Pose candidate(Pose from, BodyScene scene, int step) {
     double size = Math.pow(10, random.nextDouble(-7, 1.3));
-    Vec3 displacement = ToolScenes.vector(random, size);
-    Vec3 rotation = ToolScenes.vector(random, 0.1 * size);
+    Vec3 displacement = RandomGeometry.vector(random, size);
+    Vec3 rotation = RandomGeometry.vector(random, 0.1 * size);
     Pose pose = from.displace(displacement, rotation, 1, scratch, new Pose());
     switch (random.nextInt(11)) {
       case 0 -> pose.rotation.set(from.rotation);
@@ -120,7 +121,7 @@ class ToolVerifierTest {
     if (random.nextInt(40) == 0) {
       pose.translation.set(random.nextInt(3), random.nextBoolean() ? 1e9 : -1e7);
     } else if (Math.abs(from.translation.x + from.translation.y + from.translation.z) > 1e5) {
-      pose.set(ToolScenes.pose(random, 60));
+      pose.set(RandomGeometry.pose(random, 60));
     }
     return pose;
   }
@@ -191,7 +192,7 @@ class ToolVerifierTest {
       body.voxelsChanged(box);
       boolean free = naive.fault(pose, pose) == null;
       assertEquals(free ? EditOutcome.FREE : EditOutcome.COLLIDING, verifier.takeEdits());
-      Pose moved = pose.displace(ToolScenes.vector(random, 1), new Vec3(), 1, scratch, new Pose());
+      Pose moved = pose.displace(RandomGeometry.vector(random, 1), new Vec3(), 1, scratch, new Pose());
       verifier.propose(moved);
       if (free) {
         boolean expected = naive.isFreeOfLevels(pose, moved, verifier);

@@ -21,6 +21,7 @@ import org.palpate.rigid.tool.BoxShape;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -162,7 +163,7 @@ class WholeToolTheoremTest {
       assertTrue(axes.isOrthonormal());
       VoxelGrid grid = new VoxelGrid(bits.sizeX(), bits.sizeY(), bits.sizeZ(), spacing, axes);
       Body body = new Body("body" + n, bits, grid, Mobility.FIXED);
-      body.setPose(n == 0 ? new Pose() : ToolScenes.pose(random, 10));
+      body.setPose(n == 0 ? new Pose() : RandomGeometry.pose(random, 10));
       list.add(body);
     }
     return new BodyScene(list);
@@ -222,13 +223,13 @@ class WholeToolTheoremTest {
       double edge = Math.pow(10, random.nextDouble(-2, 1));
       double turn = StepLimits.largestTurn(radius, edge);
       double t = random.nextDouble();
-      Vec3 axis = ToolScenes.vector(random, 1);
+      Vec3 axis = RandomGeometry.vector(random, 1);
       axis.mul(1 / axis.length(), axis);
-      Vec3 p = ToolScenes.vector(random, 1);
+      Vec3 p = RandomGeometry.vector(random, 1);
       p.mul(radius / p.length(), p);
       Pose from = new Pose();
       Pose to = new Pose();
-      to.translation.set(ToolScenes.vector(random, radius));
+      to.translation.set(RandomGeometry.vector(random, radius));
       to.rotation.setRotationVector(axis.mul(turn, axis));
       Vec3 arc = between(from, to, t).transform(p, new Vec3());
       Vec3 end = to.transform(p, new Vec3());

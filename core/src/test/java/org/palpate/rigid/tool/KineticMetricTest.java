@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 
 class KineticMetricTest {
@@ -38,8 +39,8 @@ class KineticMetricTest {
   @Test
   void theDistanceIsTheRmsPathOfTheMatterUpToWhatRodsNeed() {
     for (int n = 0; n < 200; n++) {
-      Pose a = randomPose(3);
-      Pose b = randomPose(3);
+      Pose a = RandomGeometry.pose(random, 3);
+      Pose b = RandomGeometry.pose(random, 3);
       double sum = 0;
       double turned = 0;
       for (double[] m : matter) {
@@ -56,7 +57,7 @@ class KineticMetricTest {
 
   @Test
   void theDistanceOfAPoseToItselfIsNothing() {
-    Pose a = randomPose(3);
+    Pose a = RandomGeometry.pose(random, 3);
     assertEquals(0, metric.squaredDistance(a, a));
   }
 
@@ -66,9 +67,9 @@ class KineticMetricTest {
     double[] y = new double[6];
     double[] back = new double[6];
     for (int n = 0; n < 200; n++) {
-      Pose a = randomPose(3);
-      Vec3 v = randomVector(1e-5);
-      Vec3 w = randomVector(1e-5);
+      Pose a = RandomGeometry.pose(random, 3);
+      Vec3 v = RandomGeometry.vector(random, 1e-5);
+      Vec3 w = RandomGeometry.vector(random, 1e-5);
       Pose b = a.displace(v, w, 1, scratch, new Pose());
       metric.toMetric(a, v, w, new Vec3(), y);
       double square = 0;
@@ -89,11 +90,11 @@ class KineticMetricTest {
     double[] y = new double[6];
     double[] row = new double[9];
     for (int n = 0; n < 200; n++) {
-      Pose pose = randomPose(3);
-      Vec3 v = randomVector(1);
-      Vec3 w = randomVector(1);
-      Vec3 p = randomVector(9);
-      Vec3 normal = randomVector(1);
+      Pose pose = RandomGeometry.pose(random, 3);
+      Vec3 v = RandomGeometry.vector(random, 1);
+      Vec3 w = RandomGeometry.vector(random, 1);
+      Vec3 p = RandomGeometry.vector(random, 9);
+      Vec3 normal = RandomGeometry.vector(random, 1);
       normal.mul(1 / normal.length(), normal);
       metric.toMetric(pose, v, w, new Vec3(), y);
       metric.contactRow(pose, p.x, p.y, p.z, normal, new Vec3(), row, 2);
@@ -109,19 +110,5 @@ class KineticMetricTest {
               v.z + w.x * r.y - w.y * r.x);
       assertEquals(normal.dot(motion), along, 1e-12 * 30);
     }
-  }
-
-  private Pose randomPose(double size) {
-    Pose pose = new Pose();
-    pose.rotation.setRotationVector(randomVector(3));
-    pose.translation.set(randomVector(size));
-    return pose;
-  }
-
-  private Vec3 randomVector(double size) {
-    return new Vec3(
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size));
   }
 }

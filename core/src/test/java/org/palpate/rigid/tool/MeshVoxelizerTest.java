@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -40,10 +41,10 @@ class MeshVoxelizerTest {
 
   private TriangleMesh randomMesh(int round) {
     Quaternion turn = new Quaternion();
-    turn.setRotationVector(vector(3));
+    turn.setRotationVector(RandomGeometry.vector(random, 3));
     return switch (round % 3) {
-      case 0 -> TestMeshes.turned(TestMeshes.box(4, 5, 3), turn, vector(10));
-      case 1 -> TestMeshes.turned(TestMeshes.ball(2.5, vector(9), 2), turn, vector(10));
+      case 0 -> TestMeshes.turned(TestMeshes.box(4, 5, 3), turn, RandomGeometry.vector(random, 10));
+      case 1 -> TestMeshes.turned(TestMeshes.ball(2.5, RandomGeometry.vector(random, 9), 2), turn, RandomGeometry.vector(random, 10));
       default -> twoThatOverlap(turn);
     };
   }
@@ -119,8 +120,8 @@ class MeshVoxelizerTest {
   void theVoxelsContainTheWholeSolidHoweverThin() {
     for (int round = 0; round < 10; round++) {
       Quaternion turn = new Quaternion();
-      turn.setRotationVector(vector(3));
-      TriangleMesh blade = TestMeshes.turned(TestMeshes.box(8, 3, 0.05), turn, vector(5));
+      turn.setRotationVector(RandomGeometry.vector(random, 3));
+      TriangleMesh blade = TestMeshes.turned(TestMeshes.box(8, 3, 0.05), turn, RandomGeometry.vector(random, 5));
       RigidTool tool = ToolSampler.ofClosedMesh(blade, 0.7, 0);
       Vec3 reference = tool.referenceMm(new Vec3());
       for (int n = 0; n < 2000; n++) {
@@ -179,12 +180,5 @@ class MeshVoxelizerTest {
     TriangleMesh triangle =
         new TriangleMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
     assertThrows(IllegalArgumentException.class, () -> ToolSampler.ofClosedMesh(triangle, 1, 0));
-  }
-
-  private Vec3 vector(double size) {
-    return new Vec3(
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size),
-        random.nextDouble(-size, size));
   }
 }
