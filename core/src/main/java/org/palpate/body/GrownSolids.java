@@ -21,6 +21,9 @@ public final class GrownSolids {
   /** The largest number of cells along the edge of a voxel. */
   public static final int LARGEST_PARTS = 8;
 
+  /** The largest growth, shortest voxel edges. */
+  public static final double MOST_GROWTH_EDGES = 64;
+
   private final BitCube bits;
   private final int partsX;
   private final int partsY;
@@ -44,9 +47,9 @@ public final class GrownSolids {
    *     cells to a voxel allow
    */
   public GrownSolids(BitCube bits, GridMetric metric, double growthMm, double longestCellMm) {
-    if (!(growthMm > 0) || growthMm / metric.shortestEdgeMm() > 64) {
+    if (!(growthMm > 0) || growthMm / metric.shortestEdgeMm() > MOST_GROWTH_EDGES) {
       throw new IllegalArgumentException(
-          "growth must be positive and at most 64 voxels: growthMm=" + growthMm);
+          "growth must be positive and at most " + MOST_GROWTH_EDGES + " voxels: growthMm=" + growthMm);
     }
     if (!(longestCellMm > 0)) {
       throw new IllegalArgumentException("cells must have an edge: longestCellMm=" + longestCellMm);

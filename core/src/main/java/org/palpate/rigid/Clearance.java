@@ -15,9 +15,6 @@ public record Clearance(double growthMm, double longestCellMm, int levels) {
   /** The clearance of mode {@code points}: no leg touches a voxel, and no more. */
   public static final Clearance POINTS = new Clearance(0, 1, 0);
 
-  /** The largest growth, shortest voxel edges. */
-  public static final double MOST_GROWTH_EDGES = 64;
-
   /**
    * Cells may be longer than the growth by this factor, so that whole voxels can serve as cells.
    */

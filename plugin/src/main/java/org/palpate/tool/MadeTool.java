@@ -62,7 +62,7 @@ public record MadeTool(
       return Clearance.POINTS;
     }
     Clearance ofBody = Clearance.ofWholeBody(tool, body.grid(), Math.max(0, clearance.marginMm()));
-    double mostMm = Clearance.MOST_GROWTH_EDGES * body.metric().shortestEdgeMm();
+    double mostMm = GrownSolids.MOST_GROWTH_EDGES * body.metric().shortestEdgeMm();
     if (ofBody.growthMm() > mostMm) {
       throw new VolumeFormatException(
           "its points would keep "
@@ -70,7 +70,7 @@ public record MadeTool(
               + " mm from "
               + body.name()
               + ", more than "
-              + NumberText.display(Clearance.MOST_GROWTH_EDGES)
+              + NumberText.display(GrownSolids.MOST_GROWTH_EDGES)
               + " voxels",
           "--tool " + name,
           "choose a smaller --clearance or a tool of smaller voxels, or write --clearance points");
