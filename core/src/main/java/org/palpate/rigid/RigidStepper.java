@@ -135,7 +135,7 @@ final class RigidStepper {
     aimTwist();
     double farMm = distanceMm();
     double longest = farMm > mostMm ? mostMm / farMm : 1;
-    double wholePathMm = pathOf(1);
+    double wholePathMm = twistPathMm();
     if (wholePathMm > pathLeftMm) {
       longest = Math.min(longest, pathLeftMm / wholePathMm);
     }
@@ -157,8 +157,9 @@ final class RigidStepper {
     verifier.pose().differenceTo(target, displacement, turn, scratch);
   }
 
-  private double pathOf(double fraction) {
-    return fraction * (displacement.length() + turn.length() * tool.radiusMm());
+  /** Returns a bound of the path of any point in the present twist, mm. */
+  private double twistPathMm() {
+    return displacement.length() + turn.length() * tool.radiusMm();
   }
 
   /**
@@ -209,7 +210,7 @@ final class RigidStepper {
   /** Returns a bound of the path of any point in the proposed step, mm. */
   private double stepLengthMm() {
     verifier.pose().differenceTo(candidate, displacement, turn, scratch);
-    return pathOf(1);
+    return twistPathMm();
   }
 
   /**
@@ -354,7 +355,7 @@ final class RigidStepper {
   private double propose(double mostMm) {
     tool.metric().toTwist(verifier.pose(), contacts.problem.y, displacement, turn);
     double turned = turn.length();
-    double path = pathOf(1);
+    double path = twistPathMm();
     double longest = Math.min(StepLimits.STEP_EDGES * edgeMm, Math.min(2 * mostMm, pathLeftMm));
     double fraction = turned > largestTurn ? largestTurn / turned : 1;
     fraction = Math.min(fraction, path > longest ? longest / path : 1);
@@ -431,9 +432,8 @@ final class RigidStepper {
     return part > 0;
   }
 
-  /** Commits a shorter part of the last solution if one is free; returns it, or 0. */
+  /** Commits a shorter part of the last proposal if one is free; returns it, or 0. */
   private double committedPart(double fraction) {
-    tool.metric().toTwist(verifier.pose(), contacts.problem.y, displacement, turn);
     for (double part = 0.5 * fraction; part > SMALLEST_FRACTION * fraction; part /= 2) {
       proposeStep(part);
       if (isFree(0, true)) {
