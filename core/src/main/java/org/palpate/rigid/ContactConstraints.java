@@ -52,6 +52,24 @@ final class ContactConstraints {
   /** The heights by which a contact is raised after each hit of its leg, edges. */
   private static final double[] RAISES_EDGES = {.02, .08, .2, .4, .7, 1.1};
 
+  /** Points stop this far before the face of a voxel, edges. */
+  private static final double SHORT_OF_FACE_EDGES = 0x1p-18;
+
+  /** The length by which a contact with a face is tightened after each hit, edges. */
+  private static final double TIGHTEN_EDGES = 1e-3;
+
+  /** The most times that a contact with a face is tightened. */
+  private static final int MOST_TIGHTENINGS = 3;
+
+  /** A contact is violated if its point is this much lower than required, edges. */
+  private static final double VIOLATED_EDGES = 1e-3;
+
+  /** Two normals with a larger cosine belong to the same face. */
+  private static final double SAME_FACE_COSINE = 0.99;
+
+  /** The normals of two contacts with a smaller cosine point against each other. */
+  private static final double OPPOSED_COSINE = -0.3;
+
   /** A contact is near if its point is lower than this over the surface, edges. */
   private static final double NEAR_EDGES = 0.3;
 
@@ -146,9 +164,9 @@ final class ContactConstraints {
   boolean addFace(int ofBody, int ofPoint, Vec3 faceNormal, double gapMm) {
     double need = Math.min(0, SHORT_OF_FACE_EDGES * edgeMm - gapMm);
     for (int c = 0; c < count; c++) {
-      if (face[c] && point[c] == ofPoint && body[c] == ofBody && isAlong(c, faceNormal)) {
-        problem.b[row(c)] = Math.max(need, problem.b[row(c)]) + 1e-3 * edgeMm;
-        return raises[c]++ < 3;
+      if (face[c] && point[c] == ofPoint && body[c] == ofBody && cosine(c, faceNormal) > SAME_FACE_COSINE) {
+        problem.b[row(c)] = Math.max(need, problem.b[row(c)]) + TIGHTEN_EDGES * edgeMm;
+        return raises[c]++ < MOST_TIGHTENINGS;
       }
     }
     int c = add(ofBody, ofPoint, faceNormal, true);
@@ -160,11 +178,9 @@ final class ContactConstraints {
     return true;
   }
 
-  /** Points stop this far before the face of a voxel. */
-  private static final double SHORT_OF_FACE_EDGES = 0x1p-18;
-
-  private boolean isAlong(int c, Vec3 direction) {
-    return normalX[c] * direction.x + normalY[c] * direction.y + normalZ[c] * direction.z > 0.99;
+  /** Returns the cosine of the angle between the normal of a contact and a unit direction. */
+  private double cosine(int c, Vec3 direction) {
+    return normalX[c] * direction.x + normalY[c] * direction.y + normalZ[c] * direction.z;
   }
 
   private int add(int ofBody, int ofPoint, Vec3 n, boolean isFace) {
@@ -209,7 +225,7 @@ final class ContactConstraints {
 
   /** Whether the last solution violates a contact. */
   boolean isViolated(int c) {
-    return problem.along(row(c)) < problem.b[row(c)] - 1e-3 * edgeMm;
+    return problem.along(row(c)) < problem.b[row(c)] - VIOLATED_EDGES * edgeMm;
   }
 
   /** Halves the rises that contacts require; with {@code none}, lets none require a rise. */
@@ -294,9 +310,7 @@ final class ContactConstraints {
   boolean areOpposed() {
     for (int a = 0; a < count; a++) {
       for (int b = 0; isNear(a) && b < a; b++) {
-        normal.set(normalX[b], normalY[b], normalZ[b]);
-        double cosine = normalX[a] * normal.x + normalY[a] * normal.y + normalZ[a] * normal.z;
-        if (isNear(b) && cosine < -0.3) {
+        if (isNear(b) && cosine(a, normal(b, normal)) < OPPOSED_COSINE) {
           return true;
         }
       }
