@@ -56,20 +56,16 @@ final class ToolVerifier {
    * least 1 as long as it is not known that the tool encloses no solid.
    */
   int reducedCount() {
+    int reduced = reducedPoints();
+    return reduced == 0 && enclosure.isPending() ? 1 : reduced;
+  }
+
+  private int reducedPoints() {
     int sum = 0;
     for (BodyVerifier body : bodies) {
       sum += body.reducedCount();
     }
-    return sum == 0 && enclosure.isPending() ? 1 : sum;
-  }
-
-  private boolean isAnyPointReduced() {
-    for (BodyVerifier body : bodies) {
-      if (body.reducedCount() > 0) {
-        return true;
-      }
-    }
-    return false;
+    return sum;
   }
 
   /**
@@ -97,7 +93,7 @@ final class ToolVerifier {
 
   /** Solids may pass between points that keep less than their clearance, and only there. */
   private void beginOrEndEnclosureCheck() {
-    if (isAnyPointReduced()) {
+    if (reducedPoints() > 0) {
       enclosure.begin();
     } else {
       enclosure.end();
@@ -126,7 +122,7 @@ final class ToolVerifier {
     if (outcome != EditOutcome.FREE) {
       return outcome;
     }
-    if (enclosure.isPending() || isAnyPointReduced()) {
+    if (enclosure.isPending() || reducedPoints() > 0) {
       enclosure.begin();
     } else if (enclosure.enclosesEdited(pose)) {
       return EditOutcome.COLLIDING;
@@ -180,7 +176,7 @@ final class ToolVerifier {
 
   /** Goes on to examine whether the tool encloses a solid, once no point is reduced any more. */
   void continueEnclosureCheck() {
-    if (enclosure.isPending() && !isAnyPointReduced()) {
+    if (enclosure.isPending() && reducedPoints() == 0) {
       enclosure.continueAt(pose);
     }
   }
