@@ -45,10 +45,7 @@ final class BoundingVolumeTree {
     double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
     for (int n = from; n < to; n++) {
       IntBox box = boxes[order[n]];
-      if (!box.isEmpty()) {
-        nodes[node].include(box.lowX, box.lowY, box.lowZ);
-        nodes[node].include(box.highX, box.highY, box.highZ);
-      }
+      nodes[node].include(box);
       for (int axis = 0; axis < 3; axis++) {
         low[axis] = Math.min(low[axis], doubleCentre(box, axis));
         high[axis] = Math.max(high[axis], doubleCentre(box, axis));

@@ -237,11 +237,7 @@ public final class CollisionScene {
   void bounds(IntBox dest) {
     dest.clear();
     for (BitCube cube : cubes) {
-      IntBox box = cube.bounds();
-      if (!box.isEmpty()) {
-        dest.include(box.lowX, box.lowY, box.lowZ);
-        dest.include(box.highX, box.highY, box.highZ);
-      }
+      dest.include(cube.bounds());
     }
   }
 

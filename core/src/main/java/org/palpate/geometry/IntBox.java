@@ -38,6 +38,14 @@ public final class IntBox {
     highZ = Math.max(highZ, k);
   }
 
+  /** Grows the box so that it contains another, which may be empty. */
+  public void include(IntBox other) {
+    if (!other.isEmpty()) {
+      include(other.lowX, other.lowY, other.lowZ);
+      include(other.highX, other.highY, other.highZ);
+    }
+  }
+
   /** Copies {@code other} and returns this. */
   public IntBox set(IntBox other) {
     lowX = other.lowX;

@@ -121,11 +121,7 @@ final class ClearanceLevels {
       return false;
     }
     for (long edit = editsSeen; edit < edits; edit++) {
-      IntBox box = body.change(edit);
-      if (!box.isEmpty()) {
-        changed.include(box.lowX, box.lowY, box.lowZ);
-        changed.include(box.highX, box.highY, box.highZ);
-      }
+      changed.include(body.change(edit));
     }
     editsSeen = edits;
     for (int level = 1; level <= highest; level++) {

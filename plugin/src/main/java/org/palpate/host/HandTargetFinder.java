@@ -45,11 +45,7 @@ public final class HandTargetFinder {
   private static IntBox solidBox(SegmentedVolume volume) {
     IntBox box = new IntBox();
     for (Segment segment : volume.segments()) {
-      IntBox bounds = segment.bits().bounds();
-      if (!bounds.isEmpty()) {
-        box.include(bounds.lowX, bounds.lowY, bounds.lowZ);
-        box.include(bounds.highX, bounds.highY, bounds.highZ);
-      }
+      box.include(segment.bits().bounds());
     }
     if (box.isEmpty()) {
       VoxelGrid grid = volume.grid();
