@@ -219,13 +219,7 @@ public final class GrownSolids {
    * farther.
    */
   private void growVoxel(int i, int j, int k) {
-    boolean inner =
-        bits.get(i - 1, j, k)
-            && bits.get(i + 1, j, k)
-            && bits.get(i, j - 1, k)
-            && bits.get(i, j + 1, k)
-            && bits.get(i, j, k - 1)
-            && bits.get(i, j, k + 1);
+    boolean inner = bits.isSurrounded(i, j, k);
     int aroundX = inner ? 0 : reachX;
     int aroundY = inner ? 0 : reachY;
     int aroundZ = inner ? 0 : reachZ;

@@ -129,6 +129,16 @@ public class BitCube {
     return (brick(i >> BRICK_SHIFT, j >> BRICK_SHIFT, k >> BRICK_SHIFT) >>> bit(i, j, k) & 1) != 0;
   }
 
+  /** Whether all six voxels across the faces of voxel (i,j,k) are solid. */
+  public boolean isSurrounded(int i, int j, int k) {
+    return get(i - 1, j, k)
+        && get(i + 1, j, k)
+        && get(i, j - 1, k)
+        && get(i, j + 1, k)
+        && get(i, j, k - 1)
+        && get(i, j, k + 1);
+  }
+
   /**
    * Makes voxel (i,j,k) solid.
    *

@@ -172,20 +172,11 @@ record VoxelSolid(BitCube bits, VoxelGrid grid) {
     Vec3 p = new Vec3();
     forEachSolid(
         (i, j, k) -> {
-          if (isRim(i, j, k)) {
+          if (!bits.isSurrounded(i, j, k)) {
             grid.gridToWorld(p.set(i + 0.5, j + 0.5, k + 0.5), p);
             sink.add(p.x, p.y, p.z);
           }
         });
-  }
-
-  private boolean isRim(int i, int j, int k) {
-    return !(bits.get(i - 1, j, k)
-        && bits.get(i + 1, j, k)
-        && bits.get(i, j - 1, k)
-        && bits.get(i, j + 1, k)
-        && bits.get(i, j, k - 1)
-        && bits.get(i, j, k + 1));
   }
 
   /**
