@@ -33,24 +33,25 @@ public final class SphereTree {
 
   /** Builds the tree over points, and reorders them so that those of a leaf are contiguous. */
   SphereTree(double[] px, double[] py, double[] pz) {
+    nodes = nodesOver(px.length);
+    x = new double[nodes];
+    y = new double[nodes];
+    z = new double[nodes];
+    radius = new double[nodes];
+    skip = new int[nodes];
+    first = new int[nodes];
+    end = new int[nodes];
+    leaf = new int[nodes];
+    leafOfPoint = new int[px.length];
     Builder builder = new Builder(px, py, pz);
     builder.build(0, px.length);
-    nodes = builder.nodes;
-    leaves = builder.leaves;
-    x = Arrays.copyOf(builder.x, nodes);
-    y = Arrays.copyOf(builder.y, nodes);
-    z = Arrays.copyOf(builder.z, nodes);
-    radius = Arrays.copyOf(builder.radius, nodes);
-    skip = Arrays.copyOf(builder.skip, nodes);
-    first = Arrays.copyOf(builder.first, nodes);
-    end = Arrays.copyOf(builder.end, nodes);
-    leaf = Arrays.copyOf(builder.leaf, nodes);
-    leafOfPoint = new int[px.length];
-    for (int node = 0; node < nodes; node++) {
-      if (first[node] >= 0) {
-        Arrays.fill(leafOfPoint, first[node], end[node], leaf[node]);
-      }
-    }
+    leaves = builder.leavesBuilt;
+  }
+
+  /** Returns the number of nodes of a tree over some points. */
+  private static int nodesOver(int points) {
+    int half = points / 2;
+    return points <= LEAF_POINTS ? 1 : 1 + nodesOver(half) + nodesOver(points - half);
   }
 
   /** Returns the number of nodes; the root is node 0. */
@@ -113,23 +114,15 @@ public final class SphereTree {
     return leafOfPoint[point];
   }
 
-  /** The arrays of the tree while it is built. */
-  private static final class Builder {
+  /** Fills the arrays of the tree. */
+  private final class Builder {
     private final double[] px;
     private final double[] py;
     private final double[] pz;
     private final long[] keys;
     private final double[] copy;
-    private final double[] x;
-    private final double[] y;
-    private final double[] z;
-    private final double[] radius;
-    private final int[] skip;
-    private final int[] first;
-    private final int[] end;
-    private final int[] leaf;
-    private int nodes;
-    private int leaves;
+    private int nodesBuilt;
+    private int leavesBuilt;
 
     Builder(double[] px, double[] py, double[] pz) {
       this.px = px;
@@ -137,27 +130,19 @@ public final class SphereTree {
       this.pz = pz;
       keys = new long[px.length];
       copy = new double[px.length];
-      int most = 2 * Math.max(1, Integer.highestOneBit(px.length) / (LEAF_POINTS / 4)) + 16;
-      x = new double[most];
-      y = new double[most];
-      z = new double[most];
-      radius = new double[most];
-      skip = new int[most];
-      first = new int[most];
-      end = new int[most];
-      leaf = new int[most];
     }
 
     void build(int from, int to) {
-      int node = nodes++;
+      int node = nodesBuilt++;
       double sizeX = bound(px, from, to, x, node);
       double sizeY = bound(py, from, to, y, node);
       double sizeZ = bound(pz, from, to, z, node);
-      radius[node] = radius(node, from, to);
+      radius[node] = farthest(node, from, to);
       if (to - from <= LEAF_POINTS) {
         first[node] = from;
         end[node] = to;
-        leaf[node] = leaves++;
+        leaf[node] = leavesBuilt++;
+        Arrays.fill(leafOfPoint, from, to, leaf[node]);
       } else {
         first[node] = -1;
         leaf[node] = -1;
@@ -166,7 +151,7 @@ public final class SphereTree {
         build(from, middle);
         build(middle, to);
       }
-      skip[node] = nodes;
+      skip[node] = nodesBuilt;
     }
 
     /** Writes the middle of the points along an axis and returns their extent. */
@@ -181,7 +166,8 @@ public final class SphereTree {
       return high - low;
     }
 
-    private double radius(int node, int from, int to) {
+    /** Returns the distance of the farthest point of a range from the centre of a node. */
+    private double farthest(int node, int from, int to) {
       double square = 0;
       for (int n = from; n < to; n++) {
         double dx = px[n] - x[node];
