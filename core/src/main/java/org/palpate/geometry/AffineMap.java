@@ -51,11 +51,11 @@ public final class AffineMap {
 
   /** Copies the other map. */
   public AffineMap set(AffineMap o) {
-    setMatrix(o.mXX, o.mXY, o.mXZ, o.mYX, o.mYY, o.mYZ);
+    setFirstRows(o.mXX, o.mXY, o.mXZ, o.mYX, o.mYY, o.mYZ);
     return setLastRowAndOffset(o.mZX, o.mZY, o.mZZ, o.offsetX, o.offsetY, o.offsetZ);
   }
 
-  private void setMatrix(double xx, double xy, double xz, double yx, double yy, double yz) {
+  private void setFirstRows(double xx, double xy, double xz, double yx, double yy, double yz) {
     mXX = xx;
     mXY = xy;
     mXZ = xz;
@@ -81,7 +81,7 @@ public final class AffineMap {
     double x = pose.rotation.x;
     double y = pose.rotation.y;
     double z = pose.rotation.z;
-    setMatrix(
+    setFirstRows(
         1 - 2 * (y * y + z * z),
         2 * (x * y - w * z),
         2 * (x * z + w * y),
@@ -105,7 +105,7 @@ public final class AffineMap {
     double tx = offsetX;
     double ty = offsetY;
     double tz = offsetZ;
-    setMatrix(mXX, mYX, mZX, mXY, mYY, mZY);
+    setFirstRows(mXX, mYX, mZX, mXY, mYY, mZY);
     return setLastRowAndOffset(
         rowXLast,
         rowYLast,
@@ -126,7 +126,7 @@ public final class AffineMap {
     Vec3 y = gridMmToWorld.axisY();
     Vec3 z = gridMmToWorld.axisZ();
     Vec3 s = spacingMm;
-    setMatrix(x.x / s.x, x.y / s.x, x.z / s.x, y.x / s.y, y.y / s.y, y.z / s.y);
+    setFirstRows(x.x / s.x, x.y / s.x, x.z / s.x, y.x / s.y, y.y / s.y, y.z / s.y);
     setLastRowAndOffset(z.x / s.z, z.y / s.z, z.z / s.z, 0, 0, 0);
     Vec3 origin = transformDirection(gridMmToWorld.origin(), new Vec3());
     return setLastRowAndOffset(mZX, mZY, mZZ, -origin.x, -origin.y, -origin.z);
@@ -134,14 +134,14 @@ public final class AffineMap {
 
   /** Sets the map from a grid's frame in mm to the world. */
   public AffineMap set(RigidTransform t) {
-    setMatrix(t.axisX().x, t.axisY().x, t.axisZ().x, t.axisX().y, t.axisY().y, t.axisZ().y);
+    setFirstRows(t.axisX().x, t.axisY().x, t.axisZ().x, t.axisX().y, t.axisY().y, t.axisZ().y);
     return setLastRowAndOffset(
         t.axisX().z, t.axisY().z, t.axisZ().z, t.origin().x, t.origin().y, t.origin().z);
   }
 
   /** Writes the map that applies {@code first} and then this; {@code dest} is neither of them. */
   public AffineMap multiply(AffineMap first, AffineMap dest) {
-    dest.setMatrix(
+    dest.setFirstRows(
         mXX * first.mXX + mXY * first.mYX + mXZ * first.mZX,
         mXX * first.mXY + mXY * first.mYY + mXZ * first.mZY,
         mXX * first.mXZ + mXY * first.mYZ + mXZ * first.mZZ,
