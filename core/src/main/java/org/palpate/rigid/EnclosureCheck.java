@@ -20,9 +20,10 @@ import org.palpate.volume.BitCube;
  * <p>Keeps scratch: haptic thread only.
  */
 final class EnclosureCheck {
-  /** The number of solid voxels and of rows that are examined in a frame. */
+  /** About the number of solid voxels that are examined in a frame. */
   private static final int VOXELS_PER_FRAME = 2000;
 
+  /** The number of rows of voxels of each body that are examined in a frame. */
   private static final int ROWS_PER_FRAME = 500;
 
   private final RigidTool tool;
@@ -118,22 +119,35 @@ final class EnclosureCheck {
    */
   void continueAt(Pose pose) {
     examined = 0;
-    for (int rows = 0; isPending && rows < ROWS_PER_FRAME && examined < VOXELS_PER_FRAME; rows++) {
-      Body body = bodies[nextBody].levels.body;
-      if (rows == 0) {
-        setVoxelsAround(body, pose);
-      }
-      if (!hasClearance(bodies[nextBody]) || !findRow()) {
+    boolean isBodyExamined = true;
+    while (isPending && isBodyExamined) {
+      isBodyExamined = examineBody(pose);
+      if (isBodyExamined) {
         nextBody++;
         nextJ = 0;
         nextK = 0;
         isPending = nextBody < bodies.length;
-        rows = -1; // the box of the next body
-      } else if (enclosesInRow(body, pose, nextJ++, nextK)) {
-        begin();
-        return;
       }
     }
+  }
+
+  /** Goes on with the present body. Returns whether all of it was examined, with nothing found. */
+  private boolean examineBody(Pose pose) {
+    if (!hasClearance(bodies[nextBody])) {
+      return true;
+    }
+    Body body = bodies[nextBody].levels.body;
+    setVoxelsAround(body, pose);
+    for (int rows = 0; rows < ROWS_PER_FRAME && examined < VOXELS_PER_FRAME; rows++) {
+      if (!findRow()) {
+        return true;
+      }
+      if (enclosesInRow(body, pose, nextJ++, nextK)) {
+        begin();
+        return false;
+      }
+    }
+    return false;
   }
 
   /** Finds the next row of voxels that meets the box around the tool; false if there is none. */
