@@ -8,7 +8,8 @@ import org.palpate.rigid.tool.RigidTool;
 /**
  * Spreads jumps of the tool over some frames before the hand feels them. It limits the displacement
  * and the rotation that the coupling turns into force and torque. In a frame they change by no more
- * than the device moves, in the kinetic metric, or by a least amount if it hardly moves.
+ * than the device moves, or by a least amount if it hardly moves. A rotation counts as its angle
+ * times the rms radius of the tool, mm.
  *
  * <p>The tool pose itself stays as the solver says. Keeps state: haptic thread only.
  */
@@ -43,7 +44,7 @@ public final class CouplingRateLimit {
    *
    * @param displacementMm written, world mm
    * @param rotationVector written, world axes, rad
-   * @return by how much the hand feels less than there is, mm in the kinetic metric
+   * @return the length, mm, by which the hand is behind; a rotation counts as above
    */
   public double limit(Pose tool, Pose device, Vec3 displacementMm, Vec3 rotationVector) {
     device.differenceTo(tool, displacementMm, rotationVector, scratch);
