@@ -16,6 +16,9 @@ final class MeshBuilder {
   private int[] corners = new int[3 * 256];
   private int coordinateCount;
   private int cornerCount;
+  private int faceCorners;
+  private int firstOfFace;
+  private int lastOfFace;
 
   MeshBuilder(Path file) {
     this.file = file;
@@ -49,6 +52,25 @@ final class MeshBuilder {
     corners[cornerCount++] = a;
     corners[cornerCount++] = b;
     corners[cornerCount++] = c;
+  }
+
+  /** Begins a face, whose corners follow. */
+  void beginFace() {
+    faceCorners = 0;
+  }
+
+  /**
+   * Adds a corner to the face. From the third on, each makes a triangle with the first corner and
+   * the one before.
+   */
+  void addCorner(int vertex) throws VolumeFormatException {
+    if (faceCorners == 0) {
+      firstOfFace = vertex;
+    } else if (faceCorners >= 2) {
+      addTriangle(firstOfFace, lastOfFace, vertex);
+    }
+    lastOfFace = vertex;
+    faceCorners++;
   }
 
   private int grown(int length) throws VolumeFormatException {

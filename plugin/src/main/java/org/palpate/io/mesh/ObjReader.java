@@ -47,16 +47,9 @@ final class ObjReader {
 
   private void readFace(WordReader words) throws IOException {
     int corners = 0;
-    int first = 0;
-    int last = 0;
+    mesh.beginFace();
     while (words.hasWordInLine()) {
-      int vertex = vertex(words);
-      if (corners == 0) {
-        first = vertex;
-      } else if (corners >= 2) {
-        mesh.addTriangle(first, last, vertex);
-      }
-      last = vertex;
+      mesh.addCorner(vertex(words));
       corners++;
     }
     if (corners < 3) {

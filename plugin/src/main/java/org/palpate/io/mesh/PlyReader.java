@@ -98,18 +98,11 @@ final class PlyReader {
     if (!(count >= 0 && count == Math.rint(count) && count <= Integer.MAX_VALUE)) {
       throw PlyHeader.refusal("a list has " + NumberText.display(count) + " entries", file);
     }
-    int first = 0;
-    int last = 0;
+    mesh.beginFace();
     for (int n = 0; n < (int) count; n++) {
       double value = numbers.next(property.type());
       if (isCorners) {
-        int vertex = index(value);
-        if (n == 0) {
-          first = vertex;
-        } else if (n >= 2) {
-          mesh.addTriangle(first, last, vertex);
-        }
-        last = vertex;
+        mesh.addCorner(index(value));
       }
     }
   }
