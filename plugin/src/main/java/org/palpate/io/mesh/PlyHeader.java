@@ -44,6 +44,16 @@ record PlyHeader(String format, List<Element> elements) {
     boolean isList() {
       return countType != null;
     }
+
+    /** Whether a list of this name holds the corners of a face. */
+    boolean isCorners() {
+      return name.equals("vertex_index") || name.equals("vertex_indices");
+    }
+
+    /** Returns the axis of a coordinate of this name, 0 for x; -1 if it is none. */
+    int axis() {
+      return name.length() == 1 ? "xyz".indexOf(name) : -1;
+    }
   }
 
   /** A kind of element, such as vertex or face, and its number. */
@@ -99,22 +109,18 @@ record PlyHeader(String format, List<Element> elements) {
 
   private static Element element(String[] words, String line, Path file)
       throws VolumeFormatException {
-    try {
-      long count = words.length == 3 ? Long.parseLong(words[2]) : -1;
-      if (count >= 0 && count <= Integer.MAX_VALUE) {
-        return new Element(words[1], count, new ArrayList<>());
-      }
-    } catch (NumberFormatException e) {
-      throw refusal("its header has the line '" + line + "'", file);
+    boolean isWhole = words.length == 3 && words[2].matches("\\d{1,10}");
+    if (!isWhole || Long.parseLong(words[2]) > Integer.MAX_VALUE) {
+      throw badLine(line, file);
     }
-    throw refusal("its header has the line '" + line + "'", file);
+    return new Element(words[1], Long.parseLong(words[2]), new ArrayList<>());
   }
 
   private static void addProperty(String[] words, String line, List<Element> elements, Path file)
       throws VolumeFormatException {
     boolean isList = words.length == 5 && words[1].equals("list");
     if (elements.isEmpty() || !(isList || words.length == 3)) {
-      throw refusal("its header has the line '" + line + "'", file);
+      throw badLine(line, file);
     }
     NumberType count = isList ? type(words[2], file) : null;
     NumberType type = type(words[isList ? 3 : 1], file);
@@ -136,6 +142,10 @@ record PlyHeader(String format, List<Element> elements) {
       case "double", "float64" -> NumberType.FLOAT64;
       default -> throw refusal("its header has the type '" + name + "'", file);
     };
+  }
+
+  private static VolumeFormatException badLine(String line, Path file) {
+    return refusal("its header has the line '" + line + "'", file);
   }
 
   static VolumeFormatException refusal(String what, Path file) {

@@ -65,13 +65,11 @@ final class PlyReader {
     for (long n = 0; n < element.count(); n++) {
       for (Property property : element.properties()) {
         if (property.isList()) {
-          boolean isCorners = isFace && property.name().matches("vertex_ind(ex|ices)");
-          readList(property, numbers, isCorners);
+          readList(property, numbers, isFace && property.isCorners());
         } else {
           double value = numbers.next(property.type());
-          int axis = property.name().length() == 1 ? "xyz".indexOf(property.name()) : -1;
-          if (axis >= 0) {
-            position[axis] = value;
+          if (property.axis() >= 0) {
+            position[property.axis()] = value;
           }
         }
       }
@@ -84,8 +82,8 @@ final class PlyReader {
   private void requireCoordinates(Element element, boolean isVertex) throws VolumeFormatException {
     long found =
         element.properties().stream()
-            .filter(p -> !p.isList() && p.name().matches("[xyz]"))
-            .map(Property::name)
+            .filter(p -> !p.isList() && p.axis() >= 0)
+            .map(Property::axis)
             .distinct()
             .count();
     if (isVertex && found < 3) {
