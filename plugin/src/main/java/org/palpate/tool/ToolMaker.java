@@ -93,15 +93,7 @@ public final class ToolMaker {
   }
 
   private String name() {
-    if (request.spec() instanceof ToolSpec.Shape shape) {
-      return shape.text();
-    }
-    if (request.spec() instanceof ToolSpec.MeshFile mesh) {
-      return mesh.file().toString();
-    }
-    return request.spec() instanceof ToolSpec.VolumeFile volume
-        ? volume.file().toString()
-        : "point";
+    return request.spec().name();
   }
 
   private Optional<TriangleMesh> readMesh() throws VolumeFormatException {

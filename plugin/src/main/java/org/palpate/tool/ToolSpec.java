@@ -15,21 +15,44 @@ public sealed interface ToolSpec {
   /** The longest radius or edge of a shape, mm. */
   double LONGEST_MM = 1e6;
 
+  /** Returns the source as messages name it. */
+  String name();
+
   /** A single point, which the solvers of {@code proxy} move. */
-  record Point() implements ToolSpec {}
+  record Point() implements ToolSpec {
+    @Override
+    public String name() {
+      return "point";
+    }
+  }
 
   /**
    * A shape around its centre, along z.
    *
    * @param text as it was written
    */
-  record Shape(String text, ToolShape shape) implements ToolSpec {}
+  record Shape(String text, ToolShape shape) implements ToolSpec {
+    @Override
+    public String name() {
+      return text;
+    }
+  }
 
   /** A mesh file: STL, OBJ or PLY. */
-  record MeshFile(Path file) implements ToolSpec {}
+  record MeshFile(Path file) implements ToolSpec {
+    @Override
+    public String name() {
+      return file.toString();
+    }
+  }
 
   /** A segment of a volume file. */
-  record VolumeFile(Path file) implements ToolSpec {}
+  record VolumeFile(Path file) implements ToolSpec {
+    @Override
+    public String name() {
+      return file.toString();
+    }
+  }
 
   /**
    * Parses {@code point}, {@code sphere:R}, {@code capsule:R,L}, {@code cylinder:R,L}, {@code
