@@ -170,7 +170,7 @@ public final class ToolMaker {
           "scale it to mm");
     }
     if (mesh.isClosed()) {
-      return ofClosedMesh(mesh, size, depthMm);
+      return ofClosedMesh(mesh, depthMm);
     }
     if (depthMm > 0) {
       throw new VolumeFormatException(
@@ -183,12 +183,11 @@ public final class ToolMaker {
     return ToolSampler.ofSurface(mesh, coverMm);
   }
 
-  private RigidTool ofClosedMesh(TriangleMesh mesh, Vec3 size, double depthMm)
+  private RigidTool ofClosedMesh(TriangleMesh mesh, double depthMm)
       throws VolumeFormatException {
     double voxelMm = lengthFor(RIM_VOXELS * mesh.areaMm2(), VOXEL_EDGES * edgeMm);
-    double voxels = (size.x / voxelMm + 3) * (size.y / voxelMm + 3) * (size.z / voxelMm + 3) / 4;
-    double parts = depthMm == 0 ? 1 : Math.pow(Math.max(1, Math.ceil(voxelMm / depthMm)), 3);
-    MemoryCheck.require(voxels * parts, "the voxels of the tool", "--tool " + name());
+    double bytes = ToolSampler.bytesFor(mesh, voxelMm, depthMm);
+    MemoryCheck.require(bytes, "the voxels of the tool", "--tool " + name());
     try {
       return ToolSampler.ofClosedMesh(mesh, voxelMm, depthMm);
     } catch (IllegalArgumentException e) {

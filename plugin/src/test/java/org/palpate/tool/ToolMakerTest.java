@@ -114,6 +114,8 @@ class ToolMakerTest {
     assertEquals(OptionalDouble.of(0), make(open.toString(), null, null, "body").clearanceMm());
     assertTrue(refusal(open.toString(), null, null, "-1").contains("no inside"));
     assertTrue(make(closed.toString(), null, null, "-1").tool().radiusMm() < 4.5);
+    MadeTool fine = make(closed.toString(), null, null, "-0.001");
+    assertTrue(fine.tool().count() > 30 * solid.tool().count(), "8 parts an edge");
     assertTrue(refusal(closed.toString(), null, null, "-4").contains("lies deeper"));
     assertTrue(refusal(closed.toString(), "a=nonzero", null, null).contains("segments"));
     Path large =

@@ -102,6 +102,14 @@ public final class ToolSampler {
     return new VoxelSolid(bits, grid).refinedBytes(longestEdgeMm(depthMm));
   }
 
+  /** Returns the memory that a tool of a closed mesh takes while it is made, bytes. */
+  public static double bytesFor(TriangleMesh mesh, double edgeMm, double depthMm) {
+    Vec3 size = mesh.high().sub(mesh.low(), new Vec3());
+    double voxels = (size.x / edgeMm + 3) * (size.y / edgeMm + 3) * (size.z / edgeMm + 3);
+    double parts = VoxelSolid.partsOfCube(edgeMm, longestEdgeMm(depthMm));
+    return voxels * parts * parts * parts / 4;
+  }
+
   /**
    * Voxelizes a closed mesh and samples the voxels of its rim. The voxels contain the whole solid
    * of the mesh. The reference point is the centroid of its volume, and the tool's axes are those

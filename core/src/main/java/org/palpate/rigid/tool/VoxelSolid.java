@@ -71,7 +71,7 @@ record VoxelSolid(BitCube bits, VoxelGrid grid) {
    */
   VoxelSolid refined(double longestEdgeMm) {
     Vec3 s = grid.spacingMm();
-    double edgeMm = edgeMm(longestEdgeMm);
+    double edgeMm = partMm(grid.metric().shortestEdgeMm(), longestEdgeMm);
     int partsX = parts(s.x, edgeMm);
     int partsY = parts(s.y, edgeMm);
     int partsZ = parts(s.z, edgeMm);
@@ -91,15 +91,19 @@ record VoxelSolid(BitCube bits, VoxelGrid grid) {
   double refinedBytes(double longestEdgeMm) {
     IntBox box = bits.bounds();
     Vec3 s = grid.spacingMm();
-    double edgeMm = edgeMm(longestEdgeMm);
+    double edgeMm = partMm(grid.metric().shortestEdgeMm(), longestEdgeMm);
     double x = (box.highX - box.lowX + 1.0) * parts(s.x, edgeMm);
     double y = (box.highY - box.lowY + 1.0) * parts(s.y, edgeMm);
     double z = (box.highZ - box.lowZ + 1.0) * parts(s.z, edgeMm);
     return x * y * z / 4;
   }
 
-  private double edgeMm(double longestEdgeMm) {
-    double shortestMm = grid.metric().shortestEdgeMm();
+  /** Returns the number of parts into which {@link #refined} cuts each edge of a cube. */
+  static int partsOfCube(double edgeMm, double longestEdgeMm) {
+    return parts(edgeMm, partMm(edgeMm, longestEdgeMm));
+  }
+
+  private static double partMm(double shortestMm, double longestEdgeMm) {
     return Math.max(Math.min(longestEdgeMm, shortestMm), shortestMm / MOST_PARTS);
   }
 
