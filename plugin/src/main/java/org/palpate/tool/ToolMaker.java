@@ -16,6 +16,7 @@ import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
+import org.palpate.rigid.tool.ErodedAwayException;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.rigid.tool.ToolShape;
@@ -87,7 +88,7 @@ public final class ToolMaker {
     ClearanceChoice clearance =
         request.clearance().orElse(pointsOnly ? ClearanceChoice.POINTS : ClearanceChoice.BODY);
     double depthMm = Math.max(0, -clearance.marginMm());
-    RigidTool whole = mesh.isPresent() ? ofMesh(mesh.get(), depthMm) : sampled(depthMm);
+    RigidTool whole = whole(mesh, depthMm);
     RigidTool tool = request.points().isPresent() ? thinned(whole) : whole;
     return new MadeTool(name(), tool, clearance, files, notes);
   }
@@ -102,6 +103,30 @@ public final class ToolMaker {
       return Optional.of(MeshFiles.read(mesh.file()));
     }
     return Optional.empty();
+  }
+
+  /** Returns the tool with all its points. */
+  private RigidTool whole(Optional<TriangleMesh> mesh, double depthMm)
+      throws VolumeFormatException {
+    try {
+      RigidTool tool = mesh.isPresent() ? ofMesh(mesh.get(), depthMm) : sampled(depthMm);
+      requireFewPoints(tool);
+      return tool;
+    } catch (ErodedAwayException e) {
+      throw nothingLeft(depthMm, e);
+    }
+  }
+
+  private void requireFewPoints(RigidTool tool) throws VolumeFormatException {
+    if (tool.count() > MOST_POINTS) {
+      throw new VolumeFormatException(
+          "the tool has "
+              + NumberText.count(tool.count())
+              + " points, more than "
+              + NumberText.count(MOST_POINTS),
+          "--tool " + name(),
+          "crop the tool or resample it to larger voxels, or choose a margin farther from 0");
+    }
   }
 
   private RigidTool sampled(double depthMm) throws VolumeFormatException {
@@ -129,11 +154,7 @@ public final class ToolMaker {
 
   private RigidTool ofShape(ToolShape shape, double depthMm) throws VolumeFormatException {
     double coverMm = lengthFor(shape.areaMm2() / 2, COVER_EDGES * edgeMm);
-    try {
-      return ToolSampler.ofErodedShape(shape, coverMm, depthMm);
-    } catch (IllegalArgumentException e) {
-      throw nothingLeft(depthMm, e);
-    }
+    return ToolSampler.ofErodedShape(shape, coverMm, depthMm);
   }
 
   /**
@@ -188,11 +209,7 @@ public final class ToolMaker {
     double voxelMm = lengthFor(RIM_VOXELS * mesh.areaMm2(), VOXEL_EDGES * edgeMm);
     double bytes = ToolSampler.bytesFor(mesh, voxelMm, depthMm);
     MemoryCheck.require(bytes, "the voxels of the tool", "--tool " + name());
-    try {
-      return ToolSampler.ofClosedMesh(mesh, voxelMm, depthMm);
-    } catch (IllegalArgumentException e) {
-      throw nothingLeft(depthMm, e);
-    }
+    return ToolSampler.ofClosedMesh(mesh, voxelMm, depthMm);
   }
 
   private RigidTool ofVolume(Path file, double depthMm) throws VolumeFormatException {
@@ -212,24 +229,10 @@ public final class ToolMaker {
   private RigidTool ofVoxels(BitCube bits, VoxelGrid grid, double depthMm)
       throws VolumeFormatException {
     MemoryCheck.require(ToolSampler.bytesFor(bits, grid, depthMm), "the tool", "--tool " + name());
-    try {
-      RigidTool tool = ToolSampler.ofErodedSegment(bits, grid, depthMm);
-      if (tool.count() > MOST_POINTS) {
-        throw new VolumeFormatException(
-            "the tool has "
-                + NumberText.count(tool.count())
-                + " points, more than "
-                + NumberText.count(MOST_POINTS),
-            "--tool " + name(),
-            "crop its segment or resample it to larger voxels");
-      }
-      return tool;
-    } catch (IllegalArgumentException e) {
-      throw nothingLeft(depthMm, e);
-    }
+    return ToolSampler.ofErodedSegment(bits, grid, depthMm);
   }
 
-  private VolumeFormatException nothingLeft(double depthMm, IllegalArgumentException cause) {
+  private static VolumeFormatException nothingLeft(double depthMm, ErodedAwayException cause) {
     return new VolumeFormatException(
         "no part of the tool lies deeper than "
             + NumberText.display(depthMm)

@@ -124,6 +124,15 @@ class ToolMakerTest {
   }
 
   @Test
+  void aMeshThatAFineMarginWouldGiveTooManyPointsIsRefused() throws Exception {
+    String vertices = "v 0 0 0\nv 80 0 0\nv 0 80 0\nv 0 0 80\n";
+    Path file = folder.resolve("corner.obj");
+    Files.writeString(file, vertices + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    assertTrue(make(file.toString(), null, null, null).tool().count() < ToolMaker.MOST_POINTS);
+    assertTrue(refusal(file.toString(), null, null, "-0.05").contains("points, more than"));
+  }
+
+  @Test
   void aFileThatIsMissingOrNoVolumeIsRefusedInOneLine() throws Exception {
     assertTrue(refusal("none.nrrd", null, null, null).contains("no such file"));
     Path text = Files.writeString(folder.resolve("a.txt"), "hello");

@@ -36,16 +36,13 @@ public final class ToolSampler {
    *
    * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
    * @param depthMm the depth of the erosion, mm; 0 for none
-   * @throws IllegalArgumentException if no point of the shape is that deep
+   * @throws ErodedAwayException if no point of the shape is that deep
    */
   public static RigidTool ofErodedShape(ToolShape shape, double coverRadiusMm, double depthMm) {
     if (!(coverRadiusMm > 0)) {
       throw new IllegalArgumentException("coverRadiusMm must be positive: " + coverRadiusMm);
     }
-    ToolShape eroded = depthMm == 0 ? shape : shape.eroded(depthMm).orElse(null);
-    if (eroded == null) {
-      throw nothingLeft(depthMm);
-    }
+    ToolShape eroded = depthMm == 0 ? shape : eroded(shape, depthMm);
     MassProperties mass = shape.massProperties();
     Vec3 reference = mass.centroidMm();
     PointList points = new PointList();
@@ -54,6 +51,10 @@ public final class ToolSampler {
         (a, b, c) -> eroded.contains(a + reference.x, b + reference.y, c + reference.z);
     return new RigidTool(
         points.relativeTo(reference), mass.metric(), coverRadiusMm, reference, solid);
+  }
+
+  private static ToolShape eroded(ToolShape shape, double depthMm) {
+    return shape.eroded(depthMm).orElseThrow(() -> new ErodedAwayException(depthMm));
   }
 
   /**
@@ -75,7 +76,8 @@ public final class ToolSampler {
    *
    * @param bits the segment, which the caller no longer changes
    * @param depthMm the depth of the erosion, mm; 0 for none
-   * @throws IllegalArgumentException if the segment has no voxels, or none that is that deep
+   * @throws IllegalArgumentException if the segment has no voxels
+   * @throws ErodedAwayException if no point of the segment is that deep
    */
   public static RigidTool ofErodedSegment(BitCube bits, VoxelGrid grid, double depthMm) {
     if (bits.solidCount() == 0) {
@@ -87,7 +89,7 @@ public final class ToolSampler {
       sampled = sampled.eroded(depthMm);
     }
     if (sampled.bits().solidCount() == 0) {
-      throw nothingLeft(depthMm);
+      throw new ErodedAwayException(depthMm);
     }
     return ofVoxels(sampled, whole.massProperties());
   }
@@ -117,7 +119,8 @@ public final class ToolSampler {
    *
    * @param edgeMm the edge of a voxel, mm
    * @param depthMm the depth of an erosion, mm; 0 for none
-   * @throws IllegalArgumentException if the mesh is not closed, or no point is that deep
+   * @throws IllegalArgumentException if the mesh is not closed
+   * @throws ErodedAwayException if no point of the mesh is that deep
    */
   public static RigidTool ofClosedMesh(TriangleMesh mesh, double edgeMm, double depthMm) {
     if (!mesh.isClosed()) {
@@ -128,7 +131,7 @@ public final class ToolSampler {
       solid = solid.refined(depthMm).eroded(depthMm);
     }
     if (solid.bits().solidCount() == 0) {
-      throw nothingLeft(depthMm);
+      throw new ErodedAwayException(depthMm);
     }
     return ofVoxels(solid, mesh.massProperties());
   }
@@ -157,10 +160,5 @@ public final class ToolSampler {
         solid.coverRadiusMm(),
         reference,
         solid.relativeTo(reference));
-  }
-
-  private static IllegalArgumentException nothingLeft(double depthMm) {
-    return new IllegalArgumentException(
-        "no point of the tool lies deeper than " + depthMm + " mm below its surface");
   }
 }
