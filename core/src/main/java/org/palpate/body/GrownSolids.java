@@ -49,7 +49,10 @@ public final class GrownSolids {
   public GrownSolids(BitCube bits, GridMetric metric, double growthMm, double longestCellMm) {
     if (!(growthMm > 0) || growthMm / metric.shortestEdgeMm() > MOST_GROWTH_EDGES) {
       throw new IllegalArgumentException(
-          "growth must be positive and at most " + MOST_GROWTH_EDGES + " voxels: growthMm=" + growthMm);
+          "growth must be positive and at most "
+              + MOST_GROWTH_EDGES
+              + " voxels: growthMm="
+              + growthMm);
     }
     if (!(longestCellMm > 0)) {
       throw new IllegalArgumentException("cells must have an edge: longestCellMm=" + longestCellMm);

@@ -164,7 +164,10 @@ final class ContactConstraints {
   boolean addFace(int ofBody, int ofPoint, Vec3 faceNormal, double gapMm) {
     double need = Math.min(0, SHORT_OF_FACE_EDGES * edgeMm - gapMm);
     for (int c = 0; c < count; c++) {
-      if (face[c] && point[c] == ofPoint && body[c] == ofBody && cosine(c, faceNormal) > SAME_FACE_COSINE) {
+      if (face[c]
+          && point[c] == ofPoint
+          && body[c] == ofBody
+          && cosine(c, faceNormal) > SAME_FACE_COSINE) {
         problem.b[row(c)] = Math.max(need, problem.b[row(c)]) + TIGHTEN_EDGES * edgeMm;
         return raises[c]++ < MOST_TIGHTENINGS;
       }

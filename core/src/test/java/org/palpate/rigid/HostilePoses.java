@@ -6,7 +6,7 @@ import org.palpate.geometry.Quaternion;
 import org.palpate.testing.RandomGeometry;
 
 /**
- * A device from hell: jumps of 50 voxels and half turns, slow pushes, rests, sign flips of the
+ * A hostile device: jumps of 50 voxels and half turns, slow pushes, rests, sign flips of the
  * quaternion, and reports that are no poses at all.
  */
 final class HostilePoses {
@@ -27,6 +27,7 @@ final class HostilePoses {
     return pose;
   }
 
+  /** Returns the next report. It is overwritten by the next call, and need not be a pose. */
   Pose next() {
     frame++;
     int phase = frame / 40 % 4;
@@ -35,7 +36,11 @@ final class HostilePoses {
     } else if (phase < 3) {
       double reach = phase == 1 ? 0.3 : 2;
       pose.displace(
-          RandomGeometry.vector(random, reach), RandomGeometry.vector(random, 0.1), 1, scratch, pose);
+          RandomGeometry.vector(random, reach),
+          RandomGeometry.vector(random, 0.1),
+          1,
+          scratch,
+          pose);
     }
     for (int axis = 0; axis < 3; axis++) {
       double v = pose.translation.get(axis);
@@ -45,7 +50,8 @@ final class HostilePoses {
   }
 
   private void jump() {
-    pose.displace(RandomGeometry.vector(random, 50), RandomGeometry.vector(random, 2), 1, scratch, pose);
+    pose.displace(
+        RandomGeometry.vector(random, 50), RandomGeometry.vector(random, 2), 1, scratch, pose);
   }
 
   private Pose spoil() {

@@ -35,8 +35,7 @@ class RigidSolverTest {
     for (int round = 0; legs < 1_000_000; round++) {
       BodyScene scene = ToolScenes.clutter(random, 1 + round % 3);
       RigidTool tool = ToolScenes.tool(random);
-      boolean covers = tool.coverRadiusMm() > 0 && tool.coverRadiusMm() < 1e9;
-      boolean whole = covers && round % 2 == 1;
+      boolean whole = ToolScenes.hasCoveredSurface(tool) && round % 2 == 1;
       RigidSolver solver = solver(scene, tool, whole);
       solver.place(RandomGeometry.pose(random, 30), motion);
       ToolLegJudge judge = new ToolLegJudge(scene, tool);

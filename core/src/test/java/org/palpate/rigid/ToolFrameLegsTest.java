@@ -57,9 +57,8 @@ class ToolFrameLegsTest {
     Body body = new Body("clutter", bits, grid, Mobility.FIXED);
     BodyScene scene = new BodyScene(List.of(body));
     RigidTool tool = ToolScenes.tool(random);
-    boolean covers = tool.coverRadiusMm() > 0 && tool.isCovered();
     RigidSettings settings =
-        covers && round % 2 == 0
+        ToolScenes.hasCoveredSurface(tool) && round % 2 == 0
             ? RigidSettings.ofWholeBodies(6, scene, tool)
             : RigidSettings.of(6, Clearance.POINTS);
     EditQueue edits = EditQueue.ofBodies(grid, 1);

@@ -12,11 +12,9 @@ import org.palpate.rigid.tool.RigidTool;
 final class ToolLegJudge {
   private final NaiveVerifier naive;
   private final Pose end = new Pose();
-  private final double largestTurn;
 
   ToolLegJudge(BodyScene scene, RigidTool tool) {
     naive = new NaiveVerifier(scene, tool);
-    largestTurn = StepLimits.largestTurn(tool.radiusMm(), scene.shortestEdgeMm());
   }
 
   long legs() {
@@ -55,10 +53,5 @@ final class ToolLegJudge {
     }
     end.set(motion.pose());
     return null;
-  }
-
-  /** Returns the largest rotation of a step near solids, rad. */
-  double largestTurn() {
-    return largestTurn;
   }
 }

@@ -61,6 +61,20 @@ final class ToolScenes {
     return new VoxelGrid(bits.sizeX(), bits.sizeY(), bits.sizeZ(), spacing, axes);
   }
 
+  /** Returns a block in which every voxel is solid. */
+  static BitCube block(int sizeX, int sizeY, int sizeZ) {
+    BitCube bits = new BitCube(sizeX, sizeY, sizeZ);
+    for (int n = 0; n < sizeX * sizeY * sizeZ; n++) {
+      bits.set(n % sizeX, n / sizeX % sizeY, n / (sizeX * sizeY));
+    }
+    return bits;
+  }
+
+  /** Whether the points of a tool with an extent cover its surface. */
+  static boolean hasCoveredSurface(RigidTool tool) {
+    return tool.coverRadiusMm() > 0 && tool.isCovered();
+  }
+
   /** Returns a tool of one of several kinds. */
   static RigidTool tool(SplittableRandom random) {
     return switch (random.nextInt(5)) {

@@ -46,9 +46,8 @@ class ToolVerifierTest {
   private static Clearance[] clearances(BodyScene scene, RigidTool tool, boolean pointsOnly) {
     Clearance[] result = new Clearance[scene.count()];
     for (int b = 0; b < result.length; b++) {
-      boolean covered = tool.coverRadiusMm() > 0 && tool.coverRadiusMm() < 1e9;
       result[b] =
-          pointsOnly || !covered
+          pointsOnly || !ToolScenes.hasCoveredSurface(tool)
               ? Clearance.POINTS
               : Clearance.ofWholeBody(tool, scene.body(b).grid(), 0);
     }
@@ -126,7 +125,7 @@ class ToolVerifierTest {
     return pose;
   }
 
-  /** Goes a part of the way to a random solid voxel. */
+  /** Moves towards a random solid voxel. */
   private void pullTowards(Pose pose, Pose from, Body body) {
     Vec3 goal = new Vec3();
     do {
@@ -192,7 +191,8 @@ class ToolVerifierTest {
       body.voxelsChanged(box);
       boolean free = naive.fault(pose, pose) == null;
       assertEquals(free ? EditOutcome.FREE : EditOutcome.COLLIDING, verifier.takeEdits());
-      Pose moved = pose.displace(RandomGeometry.vector(random, 1), new Vec3(), 1, scratch, new Pose());
+      Pose moved =
+          pose.displace(RandomGeometry.vector(random, 1), new Vec3(), 1, scratch, new Pose());
       verifier.propose(moved);
       if (free) {
         boolean expected = naive.isFreeOfLevels(pose, moved, verifier);
@@ -237,10 +237,7 @@ class ToolVerifierTest {
             3, 3, 3, new Vec3(0.1, 0.1, 0.1), VoxelGrid.ofUnitVoxels(3, 3, 3).gridMmToWorld());
     Body dot = new Body("dot", bits, fine, Mobility.FIXED);
     BodyScene scene = new BodyScene(List.of(dot));
-    BitCube cube = new BitCube(8, 8, 8);
-    for (int n = 0; n < 512; n++) {
-      cube.set(n % 8, n / 8 % 8, n / 64);
-    }
+    BitCube cube = ToolScenes.block(8, 8, 8);
     RigidTool tool = ToolSampler.ofSegment(cube, VoxelGrid.ofUnitVoxels(8, 8, 8));
     Clearance[] clearance = {Clearance.ofWholeBody(tool, fine, 0)};
     ToolVerifier verifier = new ToolVerifier(scene, tool, clearance, true);
@@ -306,7 +303,7 @@ class ToolVerifierTest {
   }
 
   @Test
-  void aHitNamesTheFaceAndTheWayLeftToIt() {
+  void aHitNamesTheFaceAndTheDistanceFromIt() {
     BitCube bits = new BitCube(10, 10, 10);
     bits.set(5, 5, 5);
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("dot", bits)));

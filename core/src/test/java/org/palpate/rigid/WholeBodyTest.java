@@ -77,17 +77,11 @@ class WholeBodyTest {
 
   @Test
   void pointsAloneWouldOverlapSoTheClearanceIsNeeded() {
-    BitCube slab = new BitCube(30, 30, 30);
-    for (int n = 0; n < 30 * 30 * 10; n++) {
-      slab.set(n % 30, n / 30 % 30, n / 900);
-    }
-    BitCube bits = new BitCube(6, 6, 6);
-    for (int n = 0; n < 216; n++) {
-      bits.set(n % 6, n / 6 % 6, n / 36);
-    }
+    BitCube slab = ToolScenes.block(30, 30, 10);
+    BitCube bits = ToolScenes.block(6, 6, 6);
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("slab", slab)));
     RigidTool tool = ToolSampler.ofSegment(bits, VoxelGrid.ofUnitVoxels(6, 6, 6));
-    assertTrue(pressed(scene, tool, bits, RigidSettings.of(MAX_STEP_MM, Clearance.POINTS)) < 0.45);
+    assertTrue(pressed(scene, tool, bits, RigidSettings.of(MAX_STEP_MM, Clearance.POINTS)) < 0);
     RigidSettings whole = RigidSettings.ofWholeBodies(MAX_STEP_MM, scene, tool);
     assertTrue(pressed(scene, tool, bits, whole) > 0.1);
   }
@@ -114,10 +108,7 @@ class WholeBodyTest {
     dot.set(10, 10, 10);
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("dot", dot)));
     for (int kind = 0; kind < 2; kind++) {
-      BitCube cube = new BitCube(9, 9, 9);
-      for (int n = 0; n < 729; n++) {
-        cube.set(n % 9, n / 9 % 9, n / 81);
-      }
+      BitCube cube = ToolScenes.block(9, 9, 9);
       RigidTool tool =
           kind == 0
               ? ToolSampler.ofSegment(cube, VoxelGrid.ofUnitVoxels(9, 9, 9))

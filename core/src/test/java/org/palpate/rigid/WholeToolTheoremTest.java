@@ -108,10 +108,7 @@ class WholeToolTheoremTest {
 
   /** Returns a block with a margin of -0.7: the judge sees the part that is deeper than that. */
   private static Held eroded() {
-    BitCube bits = new BitCube(6, 5, 7);
-    for (int n = 0; n < 210; n++) {
-      bits.set(n % 6, n / 6 % 5, n / 30);
-    }
+    BitCube bits = ToolScenes.block(6, 5, 7);
     RigidTool tool = ToolSampler.ofErodedSegment(bits, VoxelGrid.ofUnitVoxels(6, 5, 7), 0.7);
     OverlapJudge judge = new OverlapJudge(new BoxShape(6 - 1.4, 5 - 1.4, 7 - 1.4));
     return new Held(tool, 0, judge::overlaps);
@@ -171,14 +168,8 @@ class WholeToolTheoremTest {
 
   @Test
   void fewerThanTheClearanceOfTheTheoremWouldLetSolidsThrough() {
-    BitCube bits = new BitCube(5, 5, 5);
-    for (int n = 0; n < 125; n++) {
-      bits.set(n % 5, n / 5 % 5, n / 25);
-    }
-    BitCube needle = new BitCube(1, 1, 60);
-    for (int n = 0; n < 60; n++) {
-      needle.set(0, 0, n);
-    }
+    BitCube bits = ToolScenes.block(5, 5, 5);
+    BitCube needle = ToolScenes.block(1, 1, 60);
     RigidTransform axes = VoxelGrid.ofUnitVoxels(1, 1, 1).gridMmToWorld();
     VoxelGrid fine = new VoxelGrid(1, 1, 60, new Vec3(0.1, 0.1, 0.1), axes);
     BodyScene scene = new BodyScene(List.of(new Body("needle", needle, fine, Mobility.FIXED)));

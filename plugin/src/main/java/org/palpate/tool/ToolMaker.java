@@ -204,8 +204,7 @@ public final class ToolMaker {
     return ToolSampler.ofSurface(mesh, coverMm);
   }
 
-  private RigidTool ofClosedMesh(TriangleMesh mesh, double depthMm)
-      throws VolumeFormatException {
+  private RigidTool ofClosedMesh(TriangleMesh mesh, double depthMm) throws VolumeFormatException {
     double voxelMm = lengthFor(RIM_VOXELS * mesh.areaMm2(), VOXEL_EDGES * edgeMm);
     double bytes = ToolSampler.bytesFor(mesh, voxelMm, depthMm);
     MemoryCheck.require(bytes, "the voxels of the tool", "--tool " + name());

@@ -44,7 +44,11 @@ class MeshVoxelizerTest {
     turn.setRotationVector(RandomGeometry.vector(random, 3));
     return switch (round % 3) {
       case 0 -> TestMeshes.turned(TestMeshes.box(4, 5, 3), turn, RandomGeometry.vector(random, 10));
-      case 1 -> TestMeshes.turned(TestMeshes.ball(2.5, RandomGeometry.vector(random, 9), 2), turn, RandomGeometry.vector(random, 10));
+      case 1 ->
+          TestMeshes.turned(
+              TestMeshes.ball(2.5, RandomGeometry.vector(random, 9), 2),
+              turn,
+              RandomGeometry.vector(random, 10));
       default -> twoThatOverlap(turn);
     };
   }
@@ -121,7 +125,8 @@ class MeshVoxelizerTest {
     for (int round = 0; round < 10; round++) {
       Quaternion turn = new Quaternion();
       turn.setRotationVector(RandomGeometry.vector(random, 3));
-      TriangleMesh blade = TestMeshes.turned(TestMeshes.box(8, 3, 0.05), turn, RandomGeometry.vector(random, 5));
+      TriangleMesh blade =
+          TestMeshes.turned(TestMeshes.box(8, 3, 0.05), turn, RandomGeometry.vector(random, 5));
       RigidTool tool = ToolSampler.ofClosedMesh(blade, 0.7, 0);
       Vec3 reference = tool.referenceMm(new Vec3());
       for (int n = 0; n < 2000; n++) {
