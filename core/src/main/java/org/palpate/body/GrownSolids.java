@@ -78,7 +78,8 @@ public final class GrownSolids {
   }
 
   /**
-   * Returns the memory that grown solids of these settings take, bytes; may exceed what there is.
+   * Returns the memory that grown solids with these settings take, bytes; may exceed the free
+   * memory.
    */
   public static double bytesFor(
       BitCube bits, GridMetric metric, double growthMm, double longestCellMm) {

@@ -4,7 +4,7 @@ package org.palpate.geometry;
  * A rigid motion that can change every frame: a rotation about the origin, then a translation, mm.
  * As the pose of a tool or a body it maps the object's own frame to the world.
  *
- * <p>Mutable; belongs to one thread. {@link RigidTransform} is the immutable kin for grids.
+ * <p>Mutable; belongs to one thread. {@link RigidTransform} is the immutable counterpart for grids.
  */
 public final class Pose {
   /** The translation, mm: where the origin of the object's frame lies. */

@@ -10,15 +10,14 @@ package org.palpate.geometry;
  * <p>Reference: Sola, Quaternion kinematics for the error-state Kalman filter, 2017.
  */
 public final class Quaternion {
-  /** A norm that differs from 1 by more than this is no rounding of an orientation. */
+  /** The norm of an orientation that was rounded differs from 1 by at most this. */
   public static final double NORM_TOLERANCE = 1e-3;
 
   /** Norms outside of this range and its reciprocal are rejected: their squares may be unsafe. */
   private static final double LARGEST_NORM = 1e100;
 
   /**
-   * A norm this near to 1 is one that was divided by its norm; so to normalize twice changes no
-   * bit.
+   * A norm this near to 1 is the result of a normalization, so normalizing twice changes no bit.
    */
   private static final double NORM_ROUNDING = 0x1p-50;
 

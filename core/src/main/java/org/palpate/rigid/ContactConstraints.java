@@ -14,11 +14,12 @@ import org.palpate.rigid.tool.RigidTool;
  * order. Depth costs more than distance from the device, so it is 0 unless it allows a larger
  * approach. On an open surface it never does; between opposing walls it does. Depth is continuous,
  * so a contact does not jump from the surface to the voxels. If the leg of a contact hits a voxel
- * nevertheless, the height that the contact requires is raised step by step. At last the contact
- * becomes one with the face of the voxel.
+ * nevertheless, the height that the contact requires is raised step by step. Finally a contact with
+ * the face of the voxel is added.
  *
  * <p>Reference: constraint-based six-degree-of-freedom god object, Ortega, Redon and Coquillart
- * 2007. The metric is theirs; surface and depth are ours. Haptic thread only; allocates nothing.
+ * 2007. The metric is theirs; surface and depth are added here. Haptic thread only; allocates
+ * nothing.
  */
 final class ContactConstraints {
   static final int CAPACITY = 96;

@@ -34,7 +34,7 @@ public final class CouplingRateLimit {
     this.leastMm = leastMm;
   }
 
-  /** Forgets what the hand feels; the next frame begins with what is. */
+  /** Forgets what the hand feels. The next frame starts with the true displacement. */
   public void reset() {
     known = false;
   }
@@ -61,7 +61,9 @@ public final class CouplingRateLimit {
     return lateMm;
   }
 
-  /** Goes from what the hand felt last towards what is, by no more than {@code mostMm}. */
+  /**
+   * Moves from what the hand felt last towards the true displacement, by at most {@code mostMm}.
+   */
   private double approach(Vec3 displacementMm, Vec3 rotationVector, double mostMm) {
     displacementMm.sub(displacement, motion);
     rotationVector.sub(rotation, turn);

@@ -2,7 +2,7 @@ package org.palpate.rigid;
 
 import org.palpate.volume.BitCube;
 
-/** Quick tests whether the voxels around a point or a short segment are empty, by windows. */
+/** Tests quickly, by windows, whether the voxels around a point or a short segment are empty. */
 final class EmptyBox {
   private static final long[] COLUMNS = {
     0, 0x1111_1111_1111_1111L, 0x3333_3333_3333_3333L, 0x7777_7777_7777_7777L, -1

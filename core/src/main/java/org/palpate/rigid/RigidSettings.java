@@ -28,7 +28,7 @@ public record RigidSettings(
     greys = Collections.unmodifiableList(new ArrayList<>(greys));
   }
 
-  /** Returns settings with one clearance for all bodies, felt by their bits alone. */
+  /** Returns settings with one clearance for all bodies, whose surfaces come from their bits. */
   public static RigidSettings of(double maxStepMm, Clearance clearance) {
     return new RigidSettings(maxStepMm, List.of(clearance), List.of(), true);
   }

@@ -47,10 +47,12 @@ public final class ToolMaker {
   /** The edge of the voxels of a closed mesh, shortest voxel edges of the scene. */
   private static final double VOXEL_EDGES = 0.5;
 
-  /** About the number of rim voxels of a mesh for each of its squares of one voxel edge. */
+  /** The approximate number of rim voxels of a mesh for each square voxel edge of its area. */
   private static final double RIM_VOXELS = 2;
 
-  /** About the number of samples of an open mesh for each square of one cover radius. */
+  /**
+   * The approximate number of samples of an open mesh for each squared cover radius of its area.
+   */
   private static final double POINTS_OF_OPEN_MESH = 1.2;
 
   /** The longest side of the box around a mesh, shortest voxel edges of the scene. */
@@ -158,7 +160,8 @@ public final class ToolMaker {
   }
 
   /**
-   * Returns the finest of some lengths, each twice the one before, that is not too fine.
+   * Returns the smallest length that does not give too many points: the finest one, or 2, 4 or 8
+   * times that.
    *
    * @param areaMm2 the number of points times the squared length, mm^2
    * @param finestMm the finest length, mm

@@ -65,14 +65,14 @@ final class MeshEdges {
     }
   }
 
-  /** Returns the two vertices of the edge that begins at a corner, the lower one above. */
+  /** Returns both vertices of the edge that begins at a corner, the lower one in the high bits. */
   private long key(int n) {
     long from = corners[n];
     long to = corners[next(n)];
     return (Math.min(from, to) << 32) | Math.max(from, to);
   }
 
-  /** Returns the place of the corner that follows in the same triangle. */
+  /** Returns the index of the corner that follows in the same triangle. */
   private static int next(int n) {
     return n % 3 == 2 ? n - 2 : n + 1;
   }
@@ -92,7 +92,7 @@ final class MeshEdges {
   }
 
   /**
-   * Flips triangles such that two neighbours use their edge in opposite directions.
+   * Flips triangles such that adjacent ones use their common edge in opposite directions.
    *
    * @return whether each edge is used twice and all directions agree afterwards
    */
@@ -145,7 +145,7 @@ final class MeshEdges {
     throw new AssertionError("the triangle has no such edge");
   }
 
-  /** Reverses a triangle: its first edge stays in its place, and the others change places. */
+  /** Reverses a triangle: its first edge keeps its index, and the other two swap theirs. */
   void flip(int triangle) {
     int at = 3 * triangle;
     swap(corners, at, at + 1);

@@ -23,7 +23,8 @@ final class MeshMoments {
   }
 
   /**
-   * Adds the tetrahedron from the origin to a triangle; its volume is negative if seen from below.
+   * Adds the tetrahedron from the origin to a triangle. Its volume is negative if the triangle
+   * faces the origin.
    */
   void addTetrahedron(Vec3 a, Vec3 b, Vec3 c) {
     setCorners(a, b, c);

@@ -27,7 +27,7 @@ final class MeshVoxelizer {
   private final Vec3 corner;
   private final BitCube bits;
 
-  /** The crossings of rays: twice the place above the triangle, plus 1 if it faces up. */
+  /** For each crossing: twice the index of the first voxel above it, plus 1 if it faces up. */
   private long[] crossings = new long[1024];
 
   private int count;
@@ -59,11 +59,11 @@ final class MeshVoxelizer {
     for (int n = 0; n < mesh.triangleCount(); n++) {
       pieces.cut(mesh.corner(n, 0, a), mesh.corner(n, 1, b), mesh.corner(n, 2, c), this::fillPiece);
     }
-    RigidTransform place =
+    RigidTransform gridMmToWorld =
         new RigidTransform(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), corner);
     Vec3 spacing = new Vec3(edgeMm, edgeMm, edgeMm);
     return new VoxelSolid(
-        bits, new VoxelGrid(bits.sizeX(), bits.sizeY(), bits.sizeZ(), spacing, place));
+        bits, new VoxelGrid(bits.sizeX(), bits.sizeY(), bits.sizeZ(), spacing, gridMmToWorld));
   }
 
   /** Fills the voxels whose centres lie in the solid of the mesh. */
@@ -77,9 +77,8 @@ final class MeshVoxelizer {
     int turn = 0;
     for (int n = 0; n < count; n++) {
       turn += (crossings[n] & 1) == 0 ? -1 : 1;
-      long place = crossings[n] >> 1;
       if (turn != 0 && n + 1 < count) {
-        fill(place, crossings[n + 1] >> 1);
+        fill(crossings[n] >> 1, crossings[n + 1] >> 1);
       }
     }
   }
@@ -93,8 +92,8 @@ final class MeshVoxelizer {
         int sign = ray.crossing(centre(i, corner.x), centre(j, corner.y));
         if (sign != 0) {
           long column = (long) j * bits.sizeX() + i;
-          long place = column * (bits.sizeZ() + 1L) + firstAbove(ray, i, j);
-          add((place << 1) | (sign > 0 ? 1 : 0));
+          long voxel = column * (bits.sizeZ() + 1L) + firstAbove(ray, i, j);
+          add((voxel << 1) | (sign > 0 ? 1 : 0));
         }
       }
     }
@@ -108,7 +107,8 @@ final class MeshVoxelizer {
   }
 
   /**
-   * Fills the voxels from one place to the next; both lie in one column, because turns end at 0.
+   * Fills the voxels from one index up to another. Both lie in one column, because the winding
+   * number is 0 at the end of each.
    */
   private void fill(long from, long to) {
     long column = from / (bits.sizeZ() + 1L);

@@ -4,7 +4,7 @@ import org.palpate.geometry.Vec3;
 
 /** Cuts triangles at the middle of their longest edges until the pieces are short. One thread. */
 final class PiecewiseSurface {
-  /** A triangle is cut at most so often; each cut halves the longest of three edges. */
+  /** The most times that a triangle is cut; each cut halves the longest of three edges. */
   private static final int MOST_CUTS = 96;
 
   private final double squaredLengthMm2;

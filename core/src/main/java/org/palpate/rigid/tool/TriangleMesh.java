@@ -9,7 +9,7 @@ import org.palpate.geometry.Vec3;
  *
  * <p>A mesh is closed if its triangles bound a solid: each edge is used as often in one direction
  * as in the other. If each edge is used twice and only directions disagree, triangles are flipped,
- * and cavities are filled because nothing tells them from solids. Immutable; any thread.
+ * and cavities are filled because nothing distinguishes them from solids. Immutable; any thread.
  */
 public final class TriangleMesh {
   private final double[] coordinates;

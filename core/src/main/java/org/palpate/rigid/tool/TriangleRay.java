@@ -49,7 +49,10 @@ final class TriangleRay {
     return Math.max(p[0].y, Math.max(p[1].y, p[2].y));
   }
 
-  /** Returns 1 or -1, by which side of the triangle is up, if the line through x, y meets it. */
+  /**
+   * Returns 1 if the line through x, y meets the triangle and the triangle faces up, -1 if it meets
+   * it and the triangle faces down, and 0 if it does not meet it.
+   */
   int crossing(double x, double y) {
     if (facing == 0) {
       return 0;
@@ -89,7 +92,7 @@ final class TriangleRay {
     return new BigDecimal(a).subtract(new BigDecimal(b));
   }
 
-  /** Returns about the z of the triangle at x, y; only a first guess. */
+  /** Returns a first guess of the z of the triangle at x, y. */
   double height(double x, double y) {
     double ux = p[1].x - p[0].x;
     double uy = p[1].y - p[0].y;
