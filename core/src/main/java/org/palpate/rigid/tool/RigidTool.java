@@ -124,9 +124,9 @@ public final class RigidTool {
   }
 
   /**
-   * Writes the position of the reference point in the frame of the source: world mm for a segment,
-   * the shape's frame for a primitive. A tool pose with this translation and no rotation puts the
-   * tool where it was read.
+   * Writes the position of the reference point in the frame of the source, mm: the world for a
+   * segment, and the own frame of a shape or a mesh. A tool pose with this translation and no
+   * rotation puts the tool where it was read.
    */
   public Vec3 referenceMm(Vec3 dest) {
     return dest.set(referenceMm);

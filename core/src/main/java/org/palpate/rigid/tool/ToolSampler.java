@@ -5,8 +5,9 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Makes rigid tools: from a shape by even samples of its surface, from a segment by the centres of
- * its rim voxels. A rim voxel is a solid voxel with an empty neighbour across a face.
+ * Makes rigid tools. A shape and an open mesh are sampled evenly on their surfaces. A segment is
+ * sampled at the centres of its rim voxels, and a closed mesh is voxelized first. A rim voxel is a
+ * solid voxel with an empty neighbour across a face.
  *
  * <p>A tool may be eroded: then its sample points lie on the surface of the part of the solid that
  * is deeper than a given depth. Such a tool may overlap a body by that depth and no more, in mode
