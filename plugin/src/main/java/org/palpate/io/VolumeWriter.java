@@ -60,8 +60,7 @@ public final class VolumeWriter {
   private static String write(VolumeReader volume, String name, OutputStream out)
       throws IOException {
     if (name.endsWith(DICOM_ENDING)) {
-      DicomSegmentationWriter.write(volume, out);
-      return "DICOM segmentation, binary";
+      return DicomSegmentationWriter.write(volume, out);
     }
     if (isTiff(name)) {
       return ImagejTiffWriter.write(volume, out);

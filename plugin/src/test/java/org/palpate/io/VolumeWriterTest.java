@@ -115,6 +115,20 @@ class VolumeWriterTest {
     assertEquals(12345678.9, centre.x, 1e-8);
   }
 
+  @Test
+  void aDicomSegmentationOfUnnamedAxesIsWrittenWithThatAssumption() throws Exception {
+    assertEquals(
+        "DICOM segmentation, binary; the axes are not named and are taken as LPS",
+        writtenAsDicom(CoordinateSystem.UNKNOWN));
+    assertEquals("DICOM segmentation, binary", writtenAsDicom(CoordinateSystem.RAS));
+  }
+
+  private String writtenAsDicom(CoordinateSystem system) throws Exception {
+    return VolumeWriter.write(
+        new SegmentsAsLabels(Phantom.parse("head:16").segments(), system),
+        folder.resolve("segments.dcm"));
+  }
+
   private static ReadOptions time(String name) {
     return name.contains("functional")
         ? ReadOptions.defaults().withTimeStep(1)

@@ -70,7 +70,7 @@ public final class DicomSegmentationWriter {
     new DicomSegmentationWriter(volume, frames).write(out);
     boolean unknown = volume.header().coordinateSystem() == CoordinateSystem.UNKNOWN;
     return "DICOM segmentation, binary"
-        + (unknown ? ", whose axes are taken for those of a patient (LPS)" : "");
+        + (unknown ? "; the axes are not named and are taken as LPS" : "");
   }
 
   private static VolumeFormatException refusal(VolumeReader volume, String what, String remedy) {
