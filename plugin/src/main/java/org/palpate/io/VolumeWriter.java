@@ -12,6 +12,7 @@ import org.palpate.io.dicom.DicomSegmentationWriter;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.format.InputFiles;
 import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.format.SliceWriter;
 import org.palpate.io.nifti.NiftiHeaderWriter;
 import org.palpate.io.nrrd.NrrdHeaderWriter;
 import org.palpate.io.tiff.ImagejTiffWriter;
@@ -154,23 +155,19 @@ public final class VolumeWriter {
   }
 
   private static void writeSamples(VolumeReader volume, VoxelType type, OutputStream out)
-      throws VolumeFormatException {
+      throws IOException {
     int count = volume.header().grid().sizeX() * volume.header().grid().sizeY();
     MemoryCheck.require((double) count * type.bytes(), "one slice", volume.sourceName());
     ByteBuffer bytes =
         ByteBuffer.allocate(Math.multiplyExact(count, type.bytes())).order(ByteOrder.LITTLE_ENDIAN);
-    volume.read(
+    SliceWriter.writeAll(
+        volume::read,
         (k, slice) -> {
           bytes.clear();
           for (int n = 0; n < count; n++) {
             put(slice.value(n), type, bytes);
           }
-          try {
-            out.write(bytes.array(), 0, bytes.position());
-          } catch (IOException e) {
-            throw new VolumeFormatException(
-                "the file cannot be written", "slice " + k, "check that the disk has room", e);
-          }
+          out.write(bytes.array(), 0, bytes.position());
         });
   }
 

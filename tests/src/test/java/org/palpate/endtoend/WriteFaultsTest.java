@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Outputs that cannot be written, ends that come early, and displays that do not answer. */
 @EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: no /dev/full on this system")
@@ -70,6 +72,20 @@ class WriteFaultsTest {
     String text = Files.readString(report);
     assertTrue(text.contains("\"stiffness_n_per_mm\" : 1.4142135623730951"), text);
     assertTrue(text.contains("\"friction\" : 0.2"), text);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"a.nrrd", "a.nii", "a.nii.gz", "a.tif", "a.dcm"})
+  void aFullDiskAtAnExportIsReportedWithItsCauseAndTheFile(String name) throws IOException {
+    Path target = Files.createSymbolicLink(folder.resolve(name), Path.of("/dev/full"));
+    CommandRun run = CommandRun.of("info", "--phantom", "head:64", "--export", target);
+    assertEquals(2, run.exitCode());
+    assertTrue(
+        run.err()
+            .startsWith(
+                "palpate: the file cannot be written (No space left on device): " + target + ": "),
+        run.err());
+    assertEquals(1, run.err().lines().count(), run.err());
   }
 
   @Test

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.format.SliceWriter;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
@@ -98,18 +99,14 @@ record SegmentationFrames(List<Long> labels, List<Frame> frames, boolean overlap
     int pixels = volume.header().grid().sizeX() * volume.header().grid().sizeY();
     MemoryCheck.require(pixels / 8.0 + 1, "writing one frame", volume.sourceName());
     BitWriter bits = new BitWriter(out);
-    volume.readLayers(
+    SliceWriter.writeAll(
+        volume::readLayers,
         (k, slice) -> {
-          try {
-            for (int segment : segmentsOf(slice, segments)) {
-              int label = (int) (long) labels.get(segment - 1);
-              for (int n = 0; n < slice.count(); n++) {
-                bits.write((int) slice.value(n) == label);
-              }
+          for (int segment : segmentsOf(slice, segments)) {
+            int label = (int) (long) labels.get(segment - 1);
+            for (int n = 0; n < slice.count(); n++) {
+              bits.write((int) slice.value(n) == label);
             }
-          } catch (IOException e) {
-            throw new VolumeFormatException(
-                "the file cannot be written", "slice " + k, "check that the disk has room", e);
           }
         });
     bits.finish();

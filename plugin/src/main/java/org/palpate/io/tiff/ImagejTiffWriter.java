@@ -9,6 +9,7 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.format.MemoryCheck;
+import org.palpate.io.format.SliceWriter;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.volume.VoxelGrid;
@@ -50,6 +51,7 @@ public final class ImagejTiffWriter {
    * does not show that its values fit a type of ImageJ.
    *
    * @throws VolumeFormatException if the volume cannot be read
+   * @throws IOException if the stream cannot be written
    */
   public static String write(VolumeReader volume, OutputStream out) throws IOException {
     StackValues values = StackValues.of(volume);
@@ -156,18 +158,14 @@ public final class ImagejTiffWriter {
     bytes.putInt(fraction[0]).putInt(fraction[1]);
   }
 
-  private void writeSlices(OutputStream out) throws VolumeFormatException {
+  private void writeSlices(OutputStream out) throws IOException {
     MemoryCheck.require(2.0 * sliceBytes(), "one slice", volume.sourceName());
     byte[] bytes = new byte[Math.toIntExact(sliceBytes())];
-    volume.read(
+    SliceWriter.writeAll(
+        volume::read,
         (k, slice) -> {
           values.put(slice, ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN));
-          try {
-            out.write(bytes);
-          } catch (IOException e) {
-            throw new VolumeFormatException(
-                "the file cannot be written", "slice " + k, "check that the disk has room", e);
-          }
+          out.write(bytes);
         });
   }
 }
