@@ -2,10 +2,9 @@ package org.palpate.imagej.stack;
 
 import ij.ImagePlus;
 import ij.measure.Calibration;
-import java.util.Locale;
-import java.util.Map;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.tiff.ImagejUnit;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -20,26 +19,6 @@ import org.palpate.volume.VoxelGrid;
  * @param mmPerUnit the length of one unit in mm; 1 if the unit is not a length
  */
 public record StackGeometry(VoxelGrid grid, String unit, double mmPerUnit) {
-  private static final Map<String, Double> MM_PER_UNIT =
-      Map.ofEntries(
-          Map.entry("mm", 1.0),
-          Map.entry("millimeter", 1.0),
-          Map.entry("millimetre", 1.0),
-          Map.entry("cm", 10.0),
-          Map.entry("centimeter", 10.0),
-          Map.entry("m", 1000.0),
-          Map.entry("meter", 1000.0),
-          Map.entry("um", 1e-3),
-          Map.entry("\u00b5m", 1e-3),
-          Map.entry("\u03bcm", 1e-3),
-          Map.entry("micron", 1e-3),
-          Map.entry("microns", 1e-3),
-          Map.entry("micrometer", 1e-3),
-          Map.entry("nm", 1e-6),
-          Map.entry("nanometer", 1e-6),
-          Map.entry("inch", 25.4),
-          Map.entry("in", 25.4));
-
   /**
    * Reads a stack's calibration.
    *
@@ -48,7 +27,8 @@ public record StackGeometry(VoxelGrid grid, String unit, double mmPerUnit) {
   public static StackGeometry of(ImagePlus image) throws TouchRefusedException {
     Calibration calibration = image.getCalibration();
     String unit = calibration.getUnit();
-    double mmPerUnit = MM_PER_UNIT.getOrDefault(unit.toLowerCase(Locale.ROOT), 1.0);
+    double stated = ImagejUnit.mm(unit);
+    double mmPerUnit = Double.isNaN(stated) ? 1 : stated;
     Vec3 spacingMm =
         new Vec3(
             Math.abs(calibration.pixelWidth) * mmPerUnit,

@@ -1,7 +1,6 @@
 package org.palpate.io.tiff;
 
 import java.util.HashMap;
-import java.util.Locale;
 import java.util.Map;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.format.Scaling;
@@ -74,15 +73,7 @@ final class ImagejDescription {
 
   /** Returns the millimetres in its unit of length, or NaN if it has none. */
   double mmPerUnit() {
-    return switch (unit().toLowerCase(Locale.ROOT)) {
-      case "mm", "millimeter", "millimetre" -> 1;
-      case "cm" -> 10;
-      case "m", "meter" -> 1000;
-      case "inch", "inches" -> 25.4;
-      case "micron", "microns", "um", "\u00b5m", "\u03bcm", "\\u00b5m", "micrometer" -> 1e-3;
-      case "nm" -> 1e-6;
-      default -> Double.NaN;
-    };
+    return ImagejUnit.mm(unit());
   }
 
   /**
