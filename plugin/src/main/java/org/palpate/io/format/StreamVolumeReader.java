@@ -1,6 +1,5 @@
 package org.palpate.io.format;
 
-import java.io.EOFException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -10,7 +9,6 @@ import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
-import org.palpate.volume.VoxelGrid;
 
 /** Reads a volume whose samples form one stream. */
 public final class StreamVolumeReader implements VolumeReader {
@@ -51,37 +49,26 @@ public final class StreamVolumeReader implements VolumeReader {
 
   @Override
   public void read(SliceSink sink) throws VolumeFormatException {
-    VoxelGrid grid = header.grid();
-    VoxelSlice slice = MemoryCheck.slice(grid, header.values().isInteger(), sourceName());
-    int k = 0;
-    try (SampleStream samples = opener.open()) {
-      if (extra.position() == 3) {
-        samples.skip(extra.chosen() * grid.voxelCount());
-      }
-      for (; k < grid.sizeZ(); k++) {
-        readSlice(samples, slice);
-        sink.accept(k, slice);
-        progress.slicesRead(k + 1, grid.sizeZ());
-      }
-    } catch (VolumeFormatException e) {
-      throw e;
-    } catch (EOFException e) {
-      throw new VolumeFormatException(
-          "the data end after " + k + " of " + grid.sizeZ() + " slices",
-          sourceName(),
-          "copy the file again",
-          e);
-    } catch (IOException e) {
-      throw unreadable(e, k);
-    }
+    VoxelSlice slice = MemoryCheck.slice(header.grid(), header.values().isInteger(), sourceName());
+    SliceLoop.read(
+        this,
+        progress,
+        this::openAtChosenStep,
+        (samples, k) -> {
+          readSlice(samples, slice);
+          sink.accept(k, slice);
+        });
   }
 
-  private VolumeFormatException unreadable(IOException e, int k) {
-    return new VolumeFormatException(
-        "the data are damaged in slice " + k + " (" + e.getMessage() + ")",
-        sourceName(),
-        "copy or export the file again",
-        e);
+  private SampleStream openAtChosenStep() throws IOException {
+    SampleStream samples = opener.open();
+    try {
+      samples.skip(extra.position() == 3 ? extra.chosen() * header.grid().voxelCount() : 0);
+      return samples;
+    } catch (IOException e) {
+      samples.close();
+      throw e;
+    }
   }
 
   private void readSlice(SampleStream samples, VoxelSlice slice) throws IOException {

@@ -1,6 +1,6 @@
 package org.palpate.io.nrrd;
 
-import java.io.EOFException;
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -9,6 +9,7 @@ import java.util.Map;
 import org.palpate.io.format.MemoryCheck;
 import org.palpate.io.format.NonSpatialAxis;
 import org.palpate.io.format.SampleStream;
+import org.palpate.io.format.SliceLoop;
 import org.palpate.io.volume.ReadProgress;
 import org.palpate.io.volume.SliceSink;
 import org.palpate.io.volume.VolumeFormatException;
@@ -103,32 +104,21 @@ final class LayeredLabelReader implements VolumeReader {
   }
 
   private void readLayers(LayerSink sink) throws VolumeFormatException {
-    VoxelGrid grid = header.grid();
     List<VoxelSlice> slices = new ArrayList<>();
     for (int layer = 0; layer < layers.count(); layer++) {
       slices.add(newSlice());
     }
-    int k = 0;
-    try (LayerStreams streams = new LayerStreams()) {
-      for (; k < grid.sizeZ(); k++) {
-        streams.readSlice(slices);
-        for (int layer = 0; layer < slices.size(); layer++) {
-          number(layer, slices.get(layer));
-          sink.accept(k, layer, slices.get(layer));
-        }
-        progress.slicesRead(k + 1, grid.sizeZ());
-      }
-    } catch (VolumeFormatException e) {
-      throw e;
-    } catch (EOFException e) {
-      throw damaged("the data end after " + k + " of " + grid.sizeZ() + " slices", e);
-    } catch (IOException e) {
-      throw damaged("the data are damaged in slice " + k + " (" + e.getMessage() + ")", e);
-    }
-  }
-
-  private VolumeFormatException damaged(String what, IOException cause) {
-    return new VolumeFormatException(what, files.get(0), "copy the file again", cause);
+    SliceLoop.read(
+        this,
+        progress,
+        LayerStreams::new,
+        (streams, k) -> {
+          streams.readSlice(slices);
+          for (int layer = 0; layer < slices.size(); layer++) {
+            number(layer, slices.get(layer));
+            sink.accept(k, layer, slices.get(layer));
+          }
+        });
   }
 
   /** Replaces the labels of a layer by the numbers of their segments; 0 for a label of none. */
@@ -146,7 +136,7 @@ final class LayeredLabelReader implements VolumeReader {
   }
 
   /** One stream if the layers alternate within a slice, else one for each layer. */
-  private final class LayerStreams implements AutoCloseable {
+  private final class LayerStreams implements Closeable {
     private final List<SampleStream> streams = new ArrayList<>();
 
     LayerStreams() throws IOException {
