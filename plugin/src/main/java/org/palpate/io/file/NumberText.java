@@ -23,6 +23,11 @@ public final class NumberText {
     return isInteger(value) ? Long.toString((long) value) : text(value);
   }
 
+  /** Returns a number for a message, rounded to thousandths. */
+  public static String thousandths(double value) {
+    return display(Math.rint(value * 1e3) / 1e3 + 0.0);
+  }
+
   /** Returns a count for a message, with commas between thousands: "1,000". */
   public static String count(double value) {
     return isInteger(value) ? String.format(Locale.ROOT, "%,d", (long) value) : text(value);

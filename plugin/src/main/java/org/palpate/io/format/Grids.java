@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.VoxelGrid;
 
@@ -11,6 +12,9 @@ import org.palpate.volume.VoxelGrid;
 public final class Grids {
   /** More bricks of 64 voxels than any bit cube can have. */
   private static final double MAX_BRICKS = Integer.MAX_VALUE - 8;
+
+  /** The meaning of a negative spacing in most formats. */
+  public static final String RUNS_BACKWARD = "that axis runs backward";
 
   private Grids() {}
 
@@ -71,6 +75,20 @@ public final class Grids {
     Vec3 step = new Vec3();
     step.set(axis, grid.spacingMm().get(axis));
     return grid.gridMmToWorld().rotate(step, step);
+  }
+
+  /**
+   * Returns the note on a spacing that a header states as negative.
+   *
+   * @param understood how the file is understood: {@link #RUNS_BACKWARD} or other words
+   */
+  public static String negativeSpacing(int axis, double spacing, String understood) {
+    return "the spacing along "
+        + "xyz".charAt(axis)
+        + " is stated as "
+        + NumberText.display(spacing)
+        + ": "
+        + understood;
   }
 
   private static void requireSizes(int[] sizes, Path file) throws VolumeFormatException {

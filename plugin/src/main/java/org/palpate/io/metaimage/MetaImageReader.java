@@ -1,14 +1,15 @@
 package org.palpate.io.metaimage;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteOrder;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberParser;
-import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
 import org.palpate.io.format.ConcatenatedInputStream;
 import org.palpate.io.format.FilePattern;
@@ -88,7 +89,7 @@ public final class MetaImageReader {
     return new StreamVolumeReader(described, files(dataFiles), opener, extra, options.progress());
   }
 
-  private java.io.InputStream textStream(BinaryData data) throws IOException {
+  private InputStream textStream(BinaryData data) throws IOException {
     long offset = data.start().offset();
     return new ConcatenatedInputStream(
         data.files(), file -> InputFiles.open(file, offset), Long.MAX_VALUE);
@@ -162,12 +163,7 @@ public final class MetaImageReader {
       }
       steps[axis] = direction.mul(spacing[axis], direction);
       if (spacing[axis] < 0) {
-        notes.add(
-            "the spacing along "
-                + "xyz".charAt(axis)
-                + " is stated as "
-                + NumberText.display(spacing[axis])
-                + ": that axis runs backward");
+        notes.add(Grids.negativeSpacing(axis, spacing[axis], Grids.RUNS_BACKWARD));
       }
     }
     if (n == 2) {
@@ -183,7 +179,7 @@ public final class MetaImageReader {
     String text = header.first("", keys);
     if (text.isEmpty()) {
       double[] numbers = new double[count];
-      java.util.Arrays.fill(numbers, fallback);
+      Arrays.fill(numbers, fallback);
       return numbers;
     }
     return numbers(text, count, keys[0]);

@@ -64,13 +64,9 @@ record NiftiAffine(List<Vec3> stepsMm, Vec3 firstCentreMm, boolean isKnown) {
     if (!(apart <= POSITION_TOLERANCE_VOXELS * voxel)) {
       notes.add(
           "the file states two positions that differ by up to "
-              + rounded(apart)
+              + NumberText.thousandths(apart)
               + " mm: its matrix (sform) is used, not its quaternion (qform)");
     }
-  }
-
-  private static String rounded(double mm) {
-    return NumberText.display(Math.rint(mm * 1000) / 1000);
   }
 
   /** Returns the largest distance between the corners of the volume in two positions, mm. */
@@ -90,14 +86,10 @@ record NiftiAffine(List<Vec3> stepsMm, Vec3 firstCentreMm, boolean isKnown) {
   }
 
   private static void noteNegativeSpacing(NiftiHeader header, List<String> notes) {
+    String understood = header.qformCode() > 0 ? Grids.RUNS_BACKWARD : "its size is used";
     for (int axis = 0; axis < Math.min(3, header.dim(0)); axis++) {
       if (header.pixdim(axis + 1) < 0) {
-        notes.add(
-            "the spacing along "
-                + "xyz".charAt(axis)
-                + " is stated as "
-                + NumberText.display(header.pixdim(axis + 1))
-                + (header.qformCode() > 0 ? ": that axis runs backward" : ": its size is used"));
+        notes.add(Grids.negativeSpacing(axis, header.pixdim(axis + 1), understood));
       }
     }
   }

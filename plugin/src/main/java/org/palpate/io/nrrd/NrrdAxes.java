@@ -8,7 +8,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberParser;
-import org.palpate.io.file.NumberText;
 import org.palpate.io.format.Grids;
 import org.palpate.io.format.NonSpatialAxis;
 import org.palpate.io.format.ReadOptionChecks;
@@ -304,12 +303,7 @@ record NrrdAxes(
         centre.set(n, node ? low : low + spacing / 2);
       }
       if (spacing < 0) {
-        notes.add(
-            "the spacing along "
-                + "xyz".charAt(n)
-                + " is stated as "
-                + NumberText.display(spacing)
-                + ": that axis runs backward");
+        notes.add(Grids.negativeSpacing(n, spacing, Grids.RUNS_BACKWARD));
       }
       step.set(n, spacing);
       return step;
