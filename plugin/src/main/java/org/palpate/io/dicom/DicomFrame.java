@@ -38,6 +38,41 @@ record DicomFrame(
       double columnSpacingMm,
       double rowSpacingMm) {
 
+    /** The fraction by which spacings may differ and still count as equal. */
+    static final double UNEVEN = 0.01;
+
+    /** The rounding of positions that are written with a few decimals. */
+    static final double POSITION_ROUNDING_MM = 2e-3;
+
+    /** Planes that are nearer to each other along their normal have the same position. */
+    static final double SAME_POSITION_MM = 1e-3;
+
+    /** Unit vectors that are nearer to each other have the same direction. */
+    static final double SAME_DIRECTION = 1e-4;
+
+    /** Whether another plane has the same directions, within a tolerance, and pixel spacing. */
+    boolean isParallelTo(ImagePlane other) {
+      return Math.abs(columnSpacingMm - other.columnSpacingMm) <= UNEVEN * other.columnSpacingMm
+          && Math.abs(rowSpacingMm - other.rowSpacingMm) <= UNEVEN * other.rowSpacingMm
+          && directionDifference(other) <= SAME_DIRECTION;
+    }
+
+    /** Returns the larger distance between the unit vectors of two planes. */
+    double directionDifference(ImagePlane other) {
+      return Math.max(
+          rowDirection.sub(other.rowDirection, new Vec3()).length(),
+          columnDirection.sub(other.columnDirection, new Vec3()).length());
+    }
+
+    /** Returns the steps to the next voxel: along a row, along a column, and to the next plane. */
+    Vec3[] steps(Vec3 toNextMm) {
+      return new Vec3[] {
+        rowDirection.mul(columnSpacingMm, new Vec3()),
+        columnDirection.mul(rowSpacingMm, new Vec3()),
+        toNextMm
+      };
+    }
+
     /** Returns this plane at another position. */
     ImagePlane at(Vec3 other) {
       return new ImagePlane(other, rowDirection, columnDirection, columnSpacingMm, rowSpacingMm);

@@ -1,6 +1,8 @@
 package org.palpate.io.dicom;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -16,15 +18,6 @@ import org.palpate.volume.VoxelGrid;
  * slices; the slice thickness is not used.
  */
 final class DicomSeriesGeometry {
-  /** The fraction of the median gap by which a gap may differ before slices count as uneven. */
-  private static final double UNEVEN = 0.01;
-
-  /** The rounding of positions that are written with a few decimals. */
-  private static final double POSITION_ROUNDING_MM = 2e-3;
-
-  private static final double SAME_POSITION_MM = 1e-3;
-  private static final double SAME_DIRECTION = 1e-4;
-
   private final List<DicomFrame> frames;
   private final String name;
   private final boolean resample;
@@ -89,8 +82,7 @@ final class DicomSeriesGeometry {
       step.mul(stepMm / step.length(), step);
     }
     int[] sizes = {frames.get(0).dicom().columns(), frames.get(0).dicom().rows(), depth};
-    VoxelGrid grid =
-        Grids.of(sizes, steps(plane(0), step), plane(0).position(), java.nio.file.Path.of(name));
+    VoxelGrid grid = Grids.of(sizes, plane(0).steps(step), plane(0).position(), Path.of(name));
     return new SortedSeries(frames, grid, weights(depth), true);
   }
 
@@ -130,9 +122,9 @@ final class DicomSeriesGeometry {
         slices == null
             ? "the image has no position, and the slice spacing is taken to be the pixel spacing"
             : "the frames have no positions of their own: they are stacked in file order, "
-                + mm(step)
+                + NumberText.thousandths(step)
                 + " mm apart (SpacingBetweenSlices)");
-    Vec3[] steps = steps(first, first.normal().mul(step, new Vec3()));
+    Vec3[] steps = first.steps(first.normal().mul(step, new Vec3()));
     int[] sizes = {dicom.columns(), dicom.rows(), frames.size()};
     VoxelGrid grid = Grids.of(sizes, steps, first.position(), dicom.file());
     return new SortedSeries(frames, grid, weights(frames.size()), known);
@@ -152,28 +144,10 @@ final class DicomSeriesGeometry {
         new Vec3(), new Vec3(axes[0], axes[1], axes[2]), new Vec3(axes[3], axes[4], axes[5]), 1, 1);
   }
 
-  private static Vec3[] steps(ImagePlane plane, Vec3 step) {
-    return new Vec3[] {
-      plane.rowDirection().mul(plane.columnSpacingMm(), new Vec3()),
-      plane.columnDirection().mul(plane.rowSpacingMm(), new Vec3()),
-      step
-    };
-  }
-
   private void requireParallel() throws VolumeFormatException {
     ImagePlane first = plane(0);
     for (DicomFrame frame : frames) {
-      ImagePlane plane = frame.plane().orElseThrow();
-      boolean alike =
-          Math.abs(plane.columnSpacingMm() - first.columnSpacingMm())
-                  <= UNEVEN * first.columnSpacingMm()
-              && Math.abs(plane.rowSpacingMm() - first.rowSpacingMm())
-                  <= UNEVEN * first.rowSpacingMm()
-              && plane.rowDirection().sub(first.rowDirection(), new Vec3()).length()
-                  <= SAME_DIRECTION
-              && plane.columnDirection().sub(first.columnDirection(), new Vec3()).length()
-                  <= SAME_DIRECTION;
-      if (!alike) {
+      if (!frame.plane().orElseThrow().isParallelTo(first)) {
         throw refusal(
             "the slices differ in direction or pixel spacing", "export one series of one kind");
       }
@@ -201,9 +175,11 @@ final class DicomSeriesGeometry {
 
   private void requireDistinctPositions() throws VolumeFormatException {
     for (int k = 1; k < frames.size(); k++) {
-      if (alongNormalMm[k] - alongNormalMm[k - 1] < SAME_POSITION_MM) {
+      if (alongNormalMm[k] - alongNormalMm[k - 1] < ImagePlane.SAME_POSITION_MM) {
         throw refusal(
-            "two slices have the same position, at " + mm(alongNormalMm[k]) + " mm",
+            "two slices have the same position, at "
+                + NumberText.thousandths(alongNormalMm[k])
+                + " mm",
             "export each time step or echo as a series of its own");
       }
     }
@@ -212,7 +188,7 @@ final class DicomSeriesGeometry {
   private void requireNoGantryTilt(Vec3 step, Vec3 normal) throws VolumeFormatException {
     double alongNormal = step.dot(normal);
     double inPlane = step.sub(normal.mul(alongNormal, new Vec3()), new Vec3()).length();
-    if (frames.size() > 1 && inPlane > SAME_DIRECTION * alongNormal) {
+    if (frames.size() > 1 && inPlane > ImagePlane.SAME_DIRECTION * alongNormal) {
       double degrees = StrictMath.toDegrees(StrictMath.atan2(inPlane, alongNormal));
       throw refusal(
           String.format(
@@ -232,11 +208,11 @@ final class DicomSeriesGeometry {
     for (int k = 0; k < gaps; k++) {
       sorted[k] = alongNormalMm[k + 1] - alongNormalMm[k];
     }
-    java.util.Arrays.sort(sorted);
+    Arrays.sort(sorted);
     stepMm = sorted[gaps / 2];
     for (int k = 0; k < gaps && !uneven; k++) {
       double gap = alongNormalMm[k + 1] - alongNormalMm[k];
-      if (Math.abs(gap - stepMm) > UNEVEN * stepMm + POSITION_ROUNDING_MM) {
+      if (Math.abs(gap - stepMm) > ImagePlane.UNEVEN * stepMm + ImagePlane.POSITION_ROUNDING_MM) {
         uneven = true;
         reportUneven(gap, k);
       }
@@ -246,22 +222,24 @@ final class DicomSeriesGeometry {
   private void reportUneven(double gap, int k) throws VolumeFormatException {
     String where =
         "between "
-            + mm(alongNormalMm[k])
+            + NumberText.thousandths(alongNormalMm[k])
             + " and "
-            + mm(alongNormalMm[k + 1])
+            + NumberText.thousandths(alongNormalMm[k + 1])
             + " mm the gap is "
-            + mm(gap)
+            + NumberText.thousandths(gap)
             + " mm instead of "
-            + mm(stepMm)
+            + NumberText.thousandths(stepMm)
             + " mm";
     long missing = Math.round(gap / stepMm) - 1;
-    boolean whole = missing > 0 && Math.abs(gap - (missing + 1) * stepMm) <= 2 * UNEVEN * stepMm;
+    boolean whole =
+        missing > 0 && Math.abs(gap - (missing + 1) * stepMm) <= 2 * ImagePlane.UNEVEN * stepMm;
     String what =
         whole ? missing + " slice(s) missing: " + where : "the slice spacing is uneven: " + where;
     if (!resample) {
       throw refusal(what, "export the whole series, or allow interpolated slices with --resample");
     }
-    notes.add("resampled to slices " + mm(stepMm) + " mm apart because " + what);
+    notes.add(
+        "resampled to slices " + NumberText.thousandths(stepMm) + " mm apart because " + what);
   }
 
   private List<SliceInterpolation> weights(int depth) {
@@ -288,9 +266,5 @@ final class DicomSeriesGeometry {
 
   private VolumeFormatException refusal(String what, String remedy) {
     return new VolumeFormatException(what, name, remedy);
-  }
-
-  private static String mm(double value) {
-    return NumberText.display(Math.rint(value * 1e3) / 1e3 + 0.0);
   }
 }

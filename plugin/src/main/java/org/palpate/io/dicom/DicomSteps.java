@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import org.palpate.geometry.Vec3;
 import org.palpate.io.dicom.DicomFrame.ImagePlane;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.format.ReadOptionChecks;
@@ -108,12 +107,7 @@ final class DicomSteps {
     ImagePlane first = a.plane().orElseThrow();
     ImagePlane other = b.plane().orElseThrow();
     return StepAttribute.STACK.of(a).equals(StepAttribute.STACK.of(b))
-        && distance(first.rowDirection(), other.rowDirection()) <= OTHER_DIRECTION
-        && distance(first.columnDirection(), other.columnDirection()) <= OTHER_DIRECTION;
-  }
-
-  private static double distance(Vec3 a, Vec3 b) {
-    return a.sub(b, new Vec3()).length();
+        && first.directionDifference(other) <= OTHER_DIRECTION;
   }
 
   private Stack separated(PositionGroups groups) throws VolumeFormatException {

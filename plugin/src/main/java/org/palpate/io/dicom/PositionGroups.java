@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.dicom.DicomFrame.ImagePlane;
 import org.palpate.io.file.NumberText;
 
 /**
@@ -13,9 +14,6 @@ import org.palpate.io.file.NumberText;
  * @param normal the normal of the first frame
  */
 record PositionGroups(List<List<DicomFrame>> groups, Vec3 normal) {
-  /** Frames that are nearer to each other have the same position. */
-  private static final double SAME_POSITION_MM = 1e-3;
-
   /** Groups frames whose positions are known. */
   static PositionGroups of(List<DicomFrame> frames) {
     Vec3 normal = frames.get(0).plane().orElseThrow().normal();
@@ -25,7 +23,7 @@ record PositionGroups(List<List<DicomFrame>> groups, Vec3 normal) {
     double lastMm = Double.NEGATIVE_INFINITY;
     for (DicomFrame frame : sorted) {
       double mm = alongMm(frame, normal);
-      if (mm - lastMm >= SAME_POSITION_MM) {
+      if (mm - lastMm >= ImagePlane.SAME_POSITION_MM) {
         groups.add(new ArrayList<>());
         lastMm = mm;
       }
@@ -59,7 +57,7 @@ record PositionGroups(List<List<DicomFrame>> groups, Vec3 normal) {
     boolean axial = Math.abs(normal.z) > 1 - 1e-9;
     double shown = axial ? group.get(0).plane().orElseThrow().position().z : mm;
     return (axial ? "z = " : "")
-        + NumberText.display(Math.rint(shown * 1e3) / 1e3 + 0.0)
+        + NumberText.thousandths(shown)
         + (axial ? " mm" : " mm along the normal");
   }
 }

@@ -1,6 +1,5 @@
 package org.palpate.io.dicom;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -20,12 +19,6 @@ import org.palpate.volume.VoxelGrid;
  * @param sliceOfFrame the slice of each frame
  */
 record SegmentationGrid(VoxelGrid grid, List<Integer> sliceOfFrame) {
-  /** The part of a step by which a position may be beside it. */
-  private static final double UNEVEN = 0.01;
-
-  private static final double POSITION_ROUNDING_MM = 2e-3;
-  private static final double SAME_POSITION_MM = 1e-3;
-  private static final double SAME_DIRECTION = 1e-4;
   private static final int MAX_SLICES = 1 << 16;
 
   /**
@@ -62,7 +55,11 @@ record SegmentationGrid(VoxelGrid grid, List<Integer> sliceOfFrame) {
       double steps = Math.rint(depthMm / stepMm);
       if (!(steps < MAX_SLICES)) {
         throw dicom.refusal(
-            "the frames lie " + mm(depthMm) + " mm apart, in steps of " + mm(stepMm) + " mm",
+            "the frames lie "
+                + NumberText.thousandths(depthMm)
+                + " mm apart, in steps of "
+                + NumberText.thousandths(stepMm)
+                + " mm",
             "save the segmentation again");
       }
       // the mean step, because positions are rounded
@@ -74,25 +71,16 @@ record SegmentationGrid(VoxelGrid grid, List<Integer> sliceOfFrame) {
       requireNoShift(normal);
       int first = slices.indexOf(0);
       ImagePlane plane = planes.get(first);
-      Vec3[] edges = {
-        plane.rowDirection().mul(plane.columnSpacingMm(), new Vec3()),
-        plane.columnDirection().mul(plane.rowSpacingMm(), new Vec3()),
-        normal.mul(meanMm, new Vec3())
-      };
+      Vec3[] edges = plane.steps(normal.mul(meanMm, new Vec3()));
       int[] sizes = {dicom.columns(), dicom.rows(), (int) steps + 1};
-      VoxelGrid grid = Grids.of(sizes, edges, plane.position(), Path.of(dicom.file().toString()));
+      VoxelGrid grid = Grids.of(sizes, edges, plane.position(), dicom.file());
       return new SegmentationGrid(grid, slices);
     }
 
     private void requireParallel() throws VolumeFormatException {
       ImagePlane first = planes.get(0);
       for (ImagePlane plane : planes) {
-        boolean alike =
-            Math.abs(plane.columnSpacingMm() / first.columnSpacingMm() - 1) <= UNEVEN
-                && Math.abs(plane.rowSpacingMm() / first.rowSpacingMm() - 1) <= UNEVEN
-                && distance(plane.rowDirection(), first.rowDirection()) <= SAME_DIRECTION
-                && distance(plane.columnDirection(), first.columnDirection()) <= SAME_DIRECTION;
-        if (!alike) {
+        if (!plane.isParallelTo(first)) {
           throw dicom.refusal(
               "the frames of the segmentation differ in direction or pixel spacing",
               "save it on one grid, for example with 3D Slicer");
@@ -104,13 +92,14 @@ record SegmentationGrid(VoxelGrid grid, List<Integer> sliceOfFrame) {
     private void requireNoShift(Vec3 normal) throws VolumeFormatException {
       Vec3 first = planes.get(0).position();
       for (ImagePlane plane : planes) {
-        Vec3 way = plane.position().sub(first, new Vec3());
-        double along = way.dot(normal);
-        double beside = way.sub(normal.mul(along, new Vec3()), new Vec3()).length();
-        if (beside > SAME_DIRECTION * Math.abs(along) + POSITION_ROUNDING_MM) {
+        Vec3 apart = plane.position().sub(first, new Vec3());
+        double along = apart.dot(normal);
+        double beside = apart.sub(normal.mul(along, new Vec3()), new Vec3()).length();
+        if (beside
+            > ImagePlane.SAME_DIRECTION * Math.abs(along) + ImagePlane.POSITION_ROUNDING_MM) {
           throw dicom.refusal(
               "the frames of the segmentation are shifted by "
-                  + mm(beside)
+                  + NumberText.thousandths(beside)
                   + " mm against their normal",
               "save it on one grid, for example with 3D Slicer");
         }
@@ -122,7 +111,7 @@ record SegmentationGrid(VoxelGrid grid, List<Integer> sliceOfFrame) {
       double leastMm = Double.POSITIVE_INFINITY;
       for (int n = 1; n < sortedMm.length; n++) {
         double gap = sortedMm[n] - sortedMm[n - 1];
-        leastMm = gap >= SAME_POSITION_MM ? Math.min(leastMm, gap) : leastMm;
+        leastMm = gap >= ImagePlane.SAME_POSITION_MM ? Math.min(leastMm, gap) : leastMm;
       }
       double stated = measure(DicomTag.SLICE_SPACING);
       if (stated > 0 && areMultiples(sortedMm, stated)) {
@@ -150,19 +139,11 @@ record SegmentationGrid(VoxelGrid grid, List<Integer> sliceOfFrame) {
       for (double at : sortedMm) {
         double steps = (at - sortedMm[0]) / step;
         double beside = Math.abs(steps - Math.rint(steps)) * step;
-        if (!(beside <= UNEVEN * step + POSITION_ROUNDING_MM)) {
+        if (!(beside <= ImagePlane.UNEVEN * step + ImagePlane.POSITION_ROUNDING_MM)) {
           return false;
         }
       }
       return true;
-    }
-
-    private static double distance(Vec3 a, Vec3 b) {
-      return a.sub(b, new Vec3()).length();
-    }
-
-    private static String mm(double value) {
-      return NumberText.display(Math.rint(value * 1e3) / 1e3 + 0.0);
     }
   }
 }
