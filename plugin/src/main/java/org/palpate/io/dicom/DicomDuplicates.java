@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.palpate.io.format.InputFiles;
+import org.palpate.io.format.MemoryCheck;
 import org.palpate.io.volume.VolumeFormatException;
 
 /** Drops copies of slices: files with the same bytes, or with the same instance and pixels. */
@@ -87,13 +88,19 @@ final class DicomDuplicates {
     }
   }
 
-  private static boolean hasSamePixels(DicomFrame a, DicomFrame b) throws IOException {
-    int count = Math.toIntExact((long) a.dicom().rows() * a.dicom().columns());
+  private static boolean hasSamePixels(DicomFrame a, DicomFrame b) throws VolumeFormatException {
+    double pixels = (double) a.dicom().rows() * a.dicom().columns();
+    MemoryCheck.require(16 * pixels, "comparing two frames", a.dicom().file().toString());
     try (DicomPixelDecoder one = new DicomPixelDecoder();
         DicomPixelDecoder other = new DicomPixelDecoder()) {
+      int count = Math.toIntExact((long) pixels);
       int[] first = one.storedValues(a.dicom(), a.index(), count);
       int[] second = other.storedValues(b.dicom(), b.index(), count);
       return a.scaling().equals(b.scaling()) && Arrays.equals(first, 0, count, second, 0, count);
+    } catch (VolumeFormatException e) {
+      throw e;
+    } catch (IOException | ArithmeticException e) {
+      throw a.dicom().damagedPixels(e);
     }
   }
 }

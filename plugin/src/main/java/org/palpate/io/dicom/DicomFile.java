@@ -180,6 +180,15 @@ record DicomFile(
     return count;
   }
 
+  /** Returns an exception for pixels that cannot be decoded. */
+  VolumeFormatException damagedPixels(Exception cause) {
+    return new VolumeFormatException(
+        "the pixels are damaged (" + cause.getMessage() + ")",
+        file,
+        "copy or export the file again",
+        cause);
+  }
+
   /** Returns an exception that names this file. */
   VolumeFormatException refusal(String what, String remedy) {
     return new VolumeFormatException(what, file, remedy);

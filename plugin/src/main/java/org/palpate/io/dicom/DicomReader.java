@@ -186,11 +186,7 @@ public final class DicomReader implements VolumeReader {
     } catch (VolumeFormatException e) {
       throw e;
     } catch (IOException | ArithmeticException e) {
-      throw new VolumeFormatException(
-          "the pixels are damaged (" + e.getMessage() + ")",
-          series.frames().get(frame).dicom().file(),
-          "copy or export the file again",
-          e);
+      throw series.frames().get(frame).dicom().damagedPixels(e);
     }
   }
 

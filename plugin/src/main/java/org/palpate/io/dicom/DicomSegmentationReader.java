@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.io.dicom.DicomSegmentation.Kind;
@@ -26,7 +27,7 @@ import org.palpate.io.volume.VoxelType;
  * Where segments overlap, the one of the higher number covers the others in a plain reading.
  */
 final class DicomSegmentationReader implements VolumeReader {
-  /** The least share of the maximum with which a fractional voxel belongs to its segment. */
+  /** The least fraction of the maximum at which a voxel belongs to its segment. */
   private static final double LEAST_FRACTION = 0.5;
 
   private final DicomSegmentation segmentation;
@@ -111,7 +112,7 @@ final class DicomSegmentationReader implements VolumeReader {
       slices.get(grid.sliceOfFrame().get(n)).add(n);
     }
     for (List<Integer> slice : slices) {
-      slice.sort(java.util.Comparator.comparing(segmentation.segmentOfFrame()::get));
+      slice.sort(Comparator.comparing(segmentation.segmentOfFrame()::get));
     }
     return slices;
   }
@@ -150,11 +151,7 @@ final class DicomSegmentationReader implements VolumeReader {
     } catch (VolumeFormatException e) {
       throw e;
     } catch (IOException | ArithmeticException e) {
-      throw new VolumeFormatException(
-          "the pixels are damaged (" + e.getMessage() + ")",
-          segmentation.dicom().file(),
-          "copy or export the file again",
-          e);
+      throw segmentation.dicom().damagedPixels(e);
     }
   }
 

@@ -257,6 +257,20 @@ class UnusualDicomTest {
     assertTrue(reader.header().notes().toString().contains("a again"));
   }
 
+  @Test
+  void possibleCopiesThatAreLargerThanAnyMemoryAreRefused() throws Exception {
+    for (String kind : List.of("ORIGINAL", "DERIVED")) {
+      image()
+          .text(DicomTag.SOP_INSTANCE, "UI", "1.7")
+          .text(DicomTag.IMAGE_TYPE, "CS", kind)
+          .number(DicomTag.ROWS, 65535)
+          .number(DicomTag.COLUMNS, 65535)
+          .compressed("1.2.840.10008.1.2.4.80", new byte[70_000])
+          .write(folder.resolve(kind));
+    }
+    assertTrue(refusal().startsWith("comparing two frames needs 69 GB of memory"), refusal());
+  }
+
   @ParameterizedTest
   @CsvSource({"0\\\\4\\\\8, 8", "2\\\\6\\\\10, 10", "0\\\\-4\\\\-8, 2"})
   void doseOffsetsAreRelativeOrAbsolute(String offsets, double lastZ) throws Exception {
