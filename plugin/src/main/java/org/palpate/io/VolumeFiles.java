@@ -1,7 +1,5 @@
 package org.palpate.io;
 
-import java.io.IOException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -74,19 +72,13 @@ public final class VolumeFiles {
   }
 
   private static boolean hasDicomFile(Path folder) throws VolumeFormatException {
-    try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
-      for (Path entry : entries) {
-        if (Files.isRegularFile(entry)
-            && DicomReader.accepts(InputFiles.firstBytes(entry, START_BYTES), entry)) {
-          return true;
-        }
+    for (Path entry : InputFiles.entries(folder)) {
+      if (Files.isRegularFile(entry)
+          && DicomReader.accepts(InputFiles.firstBytes(entry, START_BYTES), entry)) {
+        return true;
       }
-      return false;
-    } catch (VolumeFormatException e) {
-      throw e;
-    } catch (IOException e) {
-      throw InputFiles.unreadableFile(folder, e);
     }
+    return false;
   }
 
   private static VolumeReader openFile(Path file, ReadOptions options)

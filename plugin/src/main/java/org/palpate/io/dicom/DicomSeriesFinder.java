@@ -1,12 +1,9 @@
 package org.palpate.io.dicom;
 
-import java.io.IOException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -41,9 +38,9 @@ final class DicomSeriesFinder {
    * @throws VolumeFormatException if the folder has no series, or several and none is chosen
    */
   static Found find(Path folder, ReadOptions options) throws VolumeFormatException {
-    List<Path> paths = new ArrayList<>();
-    List<Path> subfolders = new ArrayList<>();
-    list(folder, paths, subfolders);
+    List<Path> entries = InputFiles.entries(folder);
+    List<Path> paths = entries.stream().filter(Files::isRegularFile).toList();
+    List<Path> subfolders = entries.stream().filter(Files::isDirectory).toList();
     List<Path> strangers = new ArrayList<>();
     List<List<DicomFile>> series = series(pictures(paths, strangers));
     if (series.isEmpty()) {
@@ -58,23 +55,6 @@ final class DicomSeriesFinder {
       notes.add("the images of sub-folders are not read: " + fileList(others));
     }
     return new Found(chosen(series, folder, options), notes);
-  }
-
-  private static void list(Path folder, List<Path> files, List<Path> subfolders)
-      throws VolumeFormatException {
-    try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
-      for (Path entry : entries) {
-        if (Files.isDirectory(entry)) {
-          subfolders.add(entry);
-        } else if (Files.isRegularFile(entry)) {
-          files.add(entry);
-        }
-      }
-    } catch (IOException e) {
-      throw InputFiles.unreadableFile(folder, e);
-    }
-    Collections.sort(files); // the order of the folder differs between systems
-    Collections.sort(subfolders);
   }
 
   private static VolumeFormatException withoutImage(Path folder, List<Path> subfolders) {

@@ -3,10 +3,15 @@ package org.palpate.io.format;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
 import java.util.Locale;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
@@ -38,6 +43,24 @@ public final class InputFiles {
     } catch (IOException e) {
       throw unreadableFile(file, e);
     }
+  }
+
+  /**
+   * Returns the files and folders of a folder, sorted, because their order differs between systems.
+   *
+   * @throws VolumeFormatException if the folder cannot be read
+   */
+  public static List<Path> entries(Path folder) throws VolumeFormatException {
+    List<Path> found = new ArrayList<>();
+    try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
+      entries.forEach(found::add);
+    } catch (DirectoryIteratorException e) {
+      throw unreadableFile(folder, e.getCause());
+    } catch (IOException e) {
+      throw unreadableFile(folder, e);
+    }
+    Collections.sort(found);
+    return found;
   }
 
   /**

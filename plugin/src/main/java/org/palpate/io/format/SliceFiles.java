@@ -1,7 +1,5 @@
 package org.palpate.io.format;
 
-import java.io.IOException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -24,14 +22,10 @@ public final class SliceFiles {
    */
   public static List<Path> of(Path folder) throws VolumeFormatException {
     List<Path> files = new ArrayList<>();
-    try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
-      for (Path entry : entries) {
-        if (number(entry) >= 0 && Files.isRegularFile(entry)) {
-          files.add(entry);
-        }
+    for (Path entry : InputFiles.entries(folder)) {
+      if (number(entry) >= 0 && Files.isRegularFile(entry)) {
+        files.add(entry);
       }
-    } catch (IOException e) {
-      throw InputFiles.unreadableFile(folder, e);
     }
     if (files.isEmpty()) {
       throw new VolumeFormatException(

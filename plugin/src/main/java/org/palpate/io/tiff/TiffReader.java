@@ -2,7 +2,6 @@ package org.palpate.io.tiff;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -67,14 +66,10 @@ public final class TiffReader implements VolumeReader {
    */
   public static List<Path> filesOf(Path folder) throws VolumeFormatException {
     List<Path> found = new ArrayList<>();
-    try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
-      for (Path entry : entries) {
-        if (isTiffFile(entry) && found.size() < MAX_FILES) {
-          found.add(entry);
-        }
+    for (Path entry : InputFiles.entries(folder)) {
+      if (isTiffFile(entry)) {
+        found.add(entry);
       }
-    } catch (IOException e) {
-      throw InputFiles.unreadableFile(folder, e);
     }
     found.sort(NaturalOrder.OF_FILE_NAMES);
     return found;
@@ -95,6 +90,12 @@ public final class TiffReader implements VolumeReader {
    */
   public static VolumeReader openSlices(Path folder, List<Path> slices, ReadOptions options)
       throws VolumeFormatException {
+    if (slices.size() > MAX_FILES) {
+      throw new VolumeFormatException(
+          "the folder has " + slices.size() + " TIFF files, more than " + MAX_FILES,
+          folder,
+          "keep the slices of one volume in it");
+    }
     List<TiffFile> tiffs = new ArrayList<>();
     for (Path slice : slices) {
       tiffs.add(TiffFile.read(slice));
