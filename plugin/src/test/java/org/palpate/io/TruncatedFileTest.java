@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,7 +29,7 @@ class TruncatedFileTest {
     Path file = folder.resolve("a.nrrd");
     Files.writeString(
         file, "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 10 10 10\nencoding: raw\n\n");
-    Files.write(file, new byte[700], java.nio.file.StandardOpenOption.APPEND);
+    Files.write(file, new byte[700], StandardOpenOption.APPEND);
     assertEquals(
         "the header promises 1,000 bytes of data but the file has 700: "
             + file

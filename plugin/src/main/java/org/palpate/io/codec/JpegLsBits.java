@@ -19,7 +19,7 @@ final class JpegLsBits {
   private long buffer; // the next bit is the highest
   private int available;
 
-  /** Creates a reader from an offset on. */
+  /** Creates a reader that begins at an offset. */
   JpegLsBits(byte[] bytes, int from) {
     this.bytes = bytes;
     at = from;
@@ -77,8 +77,12 @@ final class JpegLsBits {
     }
   }
 
-  /** Skips the rest of a byte and a restart marker, whose number counts from 0 to 7. */
-  void restart(int number) throws IOException {
+  /**
+   * Skips the rest of a byte and a restart marker.
+   *
+   * @param number from 0; the marker holds its last three bits
+   */
+  void restart(long number) throws IOException {
     fill(); // stands at the marker if the data before it are used up
     boolean marker =
         at + 1 < bytes.length

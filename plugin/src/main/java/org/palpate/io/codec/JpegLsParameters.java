@@ -57,7 +57,7 @@ record JpegLsParameters(
     return 2 * (bits + Math.max(8, bits));
   }
 
-  /** Returns the bits that tell so many values apart. */
+  /** Returns the number of bits that number {@code count} values. */
   private static int bitsFor(int count) {
     return 32 - Integer.numberOfLeadingZeros(count - 1);
   }

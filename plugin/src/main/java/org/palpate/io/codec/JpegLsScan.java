@@ -67,7 +67,7 @@ final class JpegLsScan {
     restart();
     for (int row = 0; row < rows; row++) {
       if (restartLines > 0 && row > 0 && row % restartLines == 0) {
-        in.restart((int) ((row / restartLines - 1) % 8));
+        in.restart(row / restartLines - 1);
         restart();
       }
       above[columns + 1] = above[columns];

@@ -4,7 +4,7 @@ import org.palpate.io.dicom.TransferSyntax.Coding;
 import org.palpate.io.format.Luminance;
 
 /**
- * Turns the colours of 8 bit that DICOM stores into luminance.
+ * Turns the 8-bit colours of DICOM into luminance.
  *
  * <p>Source: DICOM PS3.3, C.7.6.3.1.2.
  */

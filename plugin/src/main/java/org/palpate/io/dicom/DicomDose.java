@@ -61,7 +61,7 @@ final class DicomDose {
     return frames;
   }
 
-  /** Returns the direction of the offsets; those that begin with the position's z are z itself. */
+  /** Returns the direction of the offsets. Offsets that begin with the position's z are along z. */
   private static Vec3 direction(ImagePlane first, double[] offsets) {
     boolean absolute =
         offsets.length > 0

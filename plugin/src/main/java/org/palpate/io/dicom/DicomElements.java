@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * Collects the attributes of a data set or of a sequence item, explicit VR little-endian.
@@ -20,7 +21,7 @@ final class DicomElements {
     if (text.length % 2 == 0) {
       return value(tag, vr, text);
     }
-    byte[] padded = java.util.Arrays.copyOf(text, text.length + 1);
+    byte[] padded = Arrays.copyOf(text, text.length + 1);
     padded[text.length] = (byte) (vr.equals("UI") ? 0 : ' ');
     return value(tag, vr, padded);
   }

@@ -1,5 +1,6 @@
 package org.palpate.io.dicom;
 
+import java.nio.ByteOrder;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -118,7 +119,7 @@ record DicomSegmentation(
     boolean readable =
         !packed
             || (dicom.syntax().coding() == Coding.PLAIN
-                && dicom.order() == java.nio.ByteOrder.LITTLE_ENDIAN);
+                && dicom.order() == ByteOrder.LITTLE_ENDIAN);
     if (!allowed.contains(bits) || dicom.samples() != 1 || !readable) {
       throw dicom.refusal(
           "the "

@@ -193,7 +193,7 @@ public final class DicomSegmentationWriter {
     return segment.sequence(0x0062_000F, tissue());
   }
 
-  /** Returns the code of "tissue" in SNOMED CT; what a segment is, is not known better. */
+  /** Returns the code of "tissue" in SNOMED CT, because nothing better is known of a segment. */
   private static DicomElements tissue() {
     return new DicomElements()
         .text(0x0008_0100, "SH", "85756007")

@@ -1,6 +1,7 @@
 package org.palpate.io.dicom;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -24,7 +25,7 @@ final class DicomSubfolders {
   private static boolean holdsDicom(Path folder) {
     try (Stream<Path> files = Files.walk(folder, MAX_DEPTH)) {
       return files.limit(MAX_FILES).filter(Files::isRegularFile).anyMatch(DicomSubfolders::isDicom);
-    } catch (IOException | java.io.UncheckedIOException e) {
+    } catch (IOException | UncheckedIOException e) {
       return false; // a folder that cannot be read has no image for us
     }
   }

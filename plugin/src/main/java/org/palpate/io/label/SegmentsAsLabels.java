@@ -1,6 +1,7 @@
 package org.palpate.io.label;
 
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -58,7 +59,7 @@ public final class SegmentsAsLabels implements VolumeReader {
     VoxelGrid grid = volume.grid();
     VoxelSlice slice = MemoryCheck.slice(grid, true, sourceName());
     for (int k = 0; k < grid.sizeZ(); k++) {
-      java.util.Arrays.fill(slice.integers(), 0);
+      Arrays.fill(slice.integers(), 0);
       for (int n = 0; n < volume.segments().size(); n++) {
         paint(volume.segments().get(n).bits(), k, n + 1, slice);
       }
@@ -74,7 +75,7 @@ public final class SegmentsAsLabels implements VolumeReader {
       for (int n = 0; n < volume.segments().size(); n++) {
         if (paint(volume.segments().get(n).bits(), k, n + 1, slice)) {
           sink.accept(k, slice);
-          java.util.Arrays.fill(slice.integers(), 0);
+          Arrays.fill(slice.integers(), 0);
           empty = false;
         }
       }

@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.palpate.io.format.BinaryData;
 import org.palpate.io.format.Grids;
 import org.palpate.io.format.InputFiles;
@@ -62,7 +63,7 @@ public final class RawReader {
             type,
             ValueRange.of(type),
             CoordinateSystem.UNKNOWN,
-            java.util.Optional.empty(),
+            Optional.empty(),
             List.of());
     BinaryData data =
         new BinaryData(

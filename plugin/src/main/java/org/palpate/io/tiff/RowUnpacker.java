@@ -3,7 +3,7 @@ package org.palpate.io.tiff;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
-/** Unpacks rows of a TIFF whose numbers are no bytes, or are half floats, into plain numbers. */
+/** Unpacks rows of a TIFF whose numbers do not fill whole bytes, or are half floats. */
 final class RowUnpacker {
   private RowUnpacker() {}
 

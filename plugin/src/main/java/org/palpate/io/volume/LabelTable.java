@@ -8,8 +8,8 @@ import java.util.TreeMap;
  * Names and colours of label values.
  *
  * @param labels by value, ascending
- * @param isComplete whether the volume itself lists its segments, so that one without a voxel is
- *     worth a word
+ * @param isComplete whether the volume itself lists its segments, so that a segment without a voxel
+ *     is reported
  */
 public record LabelTable(Map<Long, Label> labels, boolean isComplete) {
   /** The table without names, which says only that the values are labels. */

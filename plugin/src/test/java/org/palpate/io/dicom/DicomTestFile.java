@@ -4,8 +4,10 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -83,7 +85,7 @@ final class DicomTestFile {
   /** Encapsulates one frame in a transfer syntax. */
   DicomTestFile compressed(String uid, byte[] frame) {
     syntax = uid;
-    byte[] padded = java.util.Arrays.copyOf(frame, (frame.length + 1) / 2 * 2);
+    byte[] padded = Arrays.copyOf(frame, (frame.length + 1) / 2 * 2);
     attributes.put(
         DicomTag.PIXELS,
         elements ->
@@ -98,7 +100,7 @@ final class DicomTestFile {
   Path write(Path file) throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     out.write(new byte[128]);
-    out.writeBytes("DICM".getBytes(java.nio.charset.StandardCharsets.ISO_8859_1));
+    out.writeBytes("DICM".getBytes(StandardCharsets.ISO_8859_1));
     byte[] meta = new DicomElements().text(DicomTag.TRANSFER_SYNTAX, "UI", syntax).toBytes();
     out.writeBytes(new DicomElements().ints(0x0002_0000, meta.length).toBytes());
     out.writeBytes(meta);

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,7 +29,7 @@ class UnusualSegmentationTest {
   @Test
   void aSegmentInsideAnotherIsNotLost() throws Exception {
     byte[] pixels = new byte[2 * PIXELS];
-    java.util.Arrays.fill(pixels, (byte) 1);
+    Arrays.fill(pixels, (byte) 1);
     VolumeReader reader = read(segmentation("BINARY", pixels, frame(2, 0), frame(1, 0)));
     assertEquals(List.of(12L, 12L), voxels(reader));
   }

@@ -11,6 +11,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
@@ -184,7 +185,7 @@ class TiffKindsTest {
     int planes = tags.containsKey(PLANAR) ? 3 : 1;
     int[] offsets = new int[planes];
     int[] counts = new int[planes];
-    java.util.Arrays.fill(counts, pixels.length / planes);
+    Arrays.fill(counts, pixels.length / planes);
     tags.put(273, offsets);
     tags.put(279, counts);
     int begin = 8 + 2 + 12 * tags.size() + 4;
