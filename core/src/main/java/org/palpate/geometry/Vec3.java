@@ -66,6 +66,12 @@ public final class Vec3 {
     return x * other.x + y * other.y + z * other.z;
   }
 
+  /** Writes the cross product with {@code other} into {@code dest}, which may be either of them. */
+  public Vec3 cross(Vec3 other, Vec3 dest) {
+    return dest.set(
+        y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x);
+  }
+
   /** Returns the Euclidean length. */
   public double length() {
     return Math.sqrt(x * x + y * y + z * z);

@@ -23,8 +23,8 @@ public final class Camera {
   private Camera(Vec3 target, Vec3 back, Vec3 upHint, double distanceMm) {
     this.target = target;
     this.back = unit(back);
-    right = unit(cross(upHint, this.back));
-    up = cross(this.back, right);
+    right = unit(upHint.cross(this.back, new Vec3()));
+    up = this.back.cross(right, new Vec3());
     this.distanceMm = distanceMm;
   }
 
@@ -132,10 +132,6 @@ public final class Camera {
         a.x * factorA + b.x * factorB,
         a.y * factorA + b.y * factorB,
         a.z * factorA + b.z * factorB);
-  }
-
-  private static Vec3 cross(Vec3 a, Vec3 b) {
-    return new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
   }
 
   private static Vec3 unit(Vec3 vector) {

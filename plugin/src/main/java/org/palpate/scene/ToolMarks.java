@@ -58,9 +58,9 @@ public record ToolMarks(List<Vec3> points, List<Vec3> torqueArc) {
     double newtonMm = torque.length();
     Vec3 axis = torque.mul(1 / newtonMm, new Vec3());
     Vec3 helper = Math.abs(axis.z) < 0.7 ? new Vec3(0, 0, 1) : new Vec3(1, 0, 0);
-    Vec3 u = cross(axis, helper);
+    Vec3 u = axis.cross(helper, new Vec3());
     u.mul(radiusMm / u.length(), u);
-    Vec3 v = cross(axis, u);
+    Vec3 v = axis.cross(u, new Vec3());
     double end = Math.min(RAD_PER_NEWTON_MM * newtonMm, LARGEST_ARC_RAD);
     int steps = Math.max(2, (int) Math.ceil(end / STEP_RAD));
     for (int n = 0; n <= steps; n++) {
@@ -68,9 +68,5 @@ public record ToolMarks(List<Vec3> points, List<Vec3> torqueArc) {
       Vec3 along = u.mul(Math.cos(angle), new Vec3());
       arc.add(along.add(v.mul(Math.sin(angle), new Vec3()), along).add(centre, along));
     }
-  }
-
-  private static Vec3 cross(Vec3 a, Vec3 b) {
-    return new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
   }
 }

@@ -80,11 +80,7 @@ record DicomFrame(
 
     /** Returns the unit normal of the frame. */
     Vec3 normal() {
-      Vec3 cross =
-          new Vec3(
-              rowDirection.y * columnDirection.z - rowDirection.z * columnDirection.y,
-              rowDirection.z * columnDirection.x - rowDirection.x * columnDirection.z,
-              rowDirection.x * columnDirection.y - rowDirection.y * columnDirection.x);
+      Vec3 cross = rowDirection.cross(columnDirection, new Vec3());
       return cross.mul(1 / cross.length(), cross);
     }
   }

@@ -271,7 +271,7 @@ record NrrdAxes(
 
     /** Returns a step perpendicular to two others, as long as the first. */
     private Vec3 thickness(Vec3 a, Vec3 b) {
-      Vec3 normal = new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+      Vec3 normal = a.cross(b, new Vec3());
       return normal.mul(a.length() / normal.length(), normal);
     }
 

@@ -90,7 +90,7 @@ final class MarkMesh {
     }
     axis.mul(1 / length, axis);
     Vec3 u = perpendicularTo(axis);
-    Vec3 v = cross(axis, u);
+    Vec3 v = axis.cross(u, new Vec3());
     double lean = (fromRadius - toRadius) / length;
     for (int i = 0; i < AROUND; i++) {
       Vec3 side = onCircle(u, v, i);
@@ -128,7 +128,7 @@ final class MarkMesh {
       return;
     }
     Vec3 u = perpendicularTo(axis.mul(1 / length, axis));
-    Vec3 v = cross(axis, u);
+    Vec3 v = axis.cross(u, new Vec3());
     int steps = 12 * turns;
     Vec3 last = from;
     for (int i = 1; i <= steps; i++) {
@@ -162,12 +162,8 @@ final class MarkMesh {
 
   private static Vec3 perpendicularTo(Vec3 axis) {
     Vec3 helper = Math.abs(axis.x) < 0.7 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0);
-    Vec3 u = cross(axis, helper);
+    Vec3 u = axis.cross(helper, new Vec3());
     return u.mul(1 / u.length(), u);
-  }
-
-  private static Vec3 cross(Vec3 a, Vec3 b) {
-    return new Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
   }
 
   private static Vec3 back(Vec3 axis) {

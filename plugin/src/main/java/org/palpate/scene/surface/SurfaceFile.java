@@ -89,7 +89,7 @@ public final class SurfaceFile {
         new Vec3(world[b] - world[a], world[b + 1] - world[a + 1], world[b + 2] - world[a + 2]);
     Vec3 v =
         new Vec3(world[c] - world[a], world[c + 1] - world[a + 1], world[c + 2] - world[a + 2]);
-    Vec3 normal = new Vec3(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+    Vec3 normal = u.cross(v, new Vec3());
     double length = normal.length();
     normal.mul(length > 0 ? 1 / length : 0, normal);
     record.putFloat((float) normal.x).putFloat((float) normal.y).putFloat((float) normal.z);
