@@ -44,6 +44,15 @@ public final class Pose {
     return rotation.inverseRotate(point.sub(translation, dest), dest);
   }
 
+  /** Writes the same motion into the vectors of {@code dest}. */
+  public RigidTransform transform(RigidTransform dest) {
+    rotation.rotate(dest.axisX().set(1, 0, 0), dest.axisX());
+    rotation.rotate(dest.axisY().set(0, 1, 0), dest.axisY());
+    rotation.rotate(dest.axisZ().set(0, 0, 1), dest.axisZ());
+    dest.origin().set(translation);
+    return dest;
+  }
+
   /** Writes the pose that applies {@code first} and then this; {@code dest} may be either. */
   public Pose multiply(Pose first, Pose dest) {
     double x = translation.x;

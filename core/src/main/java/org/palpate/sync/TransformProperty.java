@@ -37,19 +37,18 @@ public final class TransformProperty extends Property {
     put(word + 2, value.z);
   }
 
-  /** Writes the value that was last taken into the four vectors. Reader. */
-  public void read(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
-    readVector(0, axisX);
-    readVector(AXIS_Y, axisY);
-    readVector(AXIS_Z, axisZ);
-    readVector(ORIGIN, origin);
+  /** Writes the value that was last taken into the vectors of {@code dest}. Reader. */
+  public RigidTransform read(RigidTransform dest) {
+    readVector(0, dest.axisX());
+    readVector(AXIS_Y, dest.axisY());
+    readVector(AXIS_Z, dest.axisZ());
+    readVector(ORIGIN, dest.origin());
+    return dest;
   }
 
   /** Returns the value that was last taken. Allocates. Reader. */
   public RigidTransform read() {
-    RigidTransform value = new RigidTransform(new Vec3(), new Vec3(), new Vec3(), new Vec3());
-    read(value.axisX(), value.axisY(), value.axisZ(), value.origin());
-    return value;
+    return read(RigidTransform.identity());
   }
 
   private void readVector(int word, Vec3 dest) {

@@ -20,6 +20,7 @@ class PoseTest {
       Vec3 p = RandomGeometry.vector(random, 20);
       Vec3 image = pose.transform(p, new Vec3());
       assertNear(image, new AffineMap().set(pose).transform(p, new Vec3()));
+      assertNear(image, pose.transform(RigidTransform.identity()).transform(p, new Vec3()));
       assertNear(p, pose.inverseTransform(image, new Vec3()));
       assertNear(p, new AffineMap().setInverse(pose).transform(image, new Vec3()));
     }

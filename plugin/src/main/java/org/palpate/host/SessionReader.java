@@ -1,6 +1,7 @@
 package org.palpate.host;
 
 import java.util.Optional;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.sync.Accumulator;
@@ -19,6 +20,7 @@ public final class SessionReader {
   private final TouchProperties properties = new TouchProperties(new Accumulator());
   private final VoxelGrid grid;
   private final Optional<ToolPublisher> tool;
+  private final Pose upright = new Pose();
   private final Vec3 scratch = new Vec3();
 
   /** Creates a reader; {@code rigid} says whether the session holds a rigid tool. */
@@ -50,7 +52,7 @@ public final class SessionReader {
   /** Writes the pose of the device into the vectors of {@code dest}. */
   public void device(RigidTransform dest) {
     if (tool.isPresent()) {
-      tool.get().deviceToWorld().read(dest.axisX(), dest.axisY(), dest.axisZ(), dest.origin());
+      tool.get().deviceToWorld().read(dest);
     } else {
       properties.touch().device(scratch);
       setPosition(dest);
@@ -60,7 +62,7 @@ public final class SessionReader {
   /** Writes the pose of the tool, or the position of the interaction point, into {@code dest}. */
   public void tool(RigidTransform dest) {
     if (tool.isPresent()) {
-      tool.get().toolToWorld().read(dest.axisX(), dest.axisY(), dest.axisZ(), dest.origin());
+      tool.get().toolToWorld().read(dest);
     } else {
       properties.touch().interactionPoint(scratch);
       setPosition(dest);
@@ -68,9 +70,7 @@ public final class SessionReader {
   }
 
   private void setPosition(RigidTransform dest) {
-    dest.axisX().set(1, 0, 0);
-    dest.axisY().set(0, 1, 0);
-    dest.axisZ().set(0, 0, 1);
+    upright.transform(dest);
     grid.gridToWorld(scratch, dest.origin());
   }
 

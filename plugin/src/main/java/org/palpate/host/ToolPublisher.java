@@ -2,7 +2,7 @@ package org.palpate.host;
 
 import org.palpate.frame.ToolFramePublisher;
 import org.palpate.geometry.Pose;
-import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.sync.PositionProperty;
 import org.palpate.sync.TouchProperties;
@@ -24,9 +24,7 @@ final class ToolPublisher implements ToolFramePublisher {
   private final Vec3 deviceGrid = new Vec3();
   private final Vec3 pointGrid = new Vec3();
   private final Vec3 gridNewton = new Vec3();
-  private final Vec3 axisX = new Vec3();
-  private final Vec3 axisY = new Vec3();
-  private final Vec3 axisZ = new Vec3();
+  private final RigidTransform toWorld = RigidTransform.identity();
 
   /** Creates the properties of a tool beside those of a point, before the session starts. */
   ToolPublisher(TouchProperties properties, VoxelGrid grid) {
@@ -40,21 +38,13 @@ final class ToolPublisher implements ToolFramePublisher {
   @Override
   public void publish(
       Pose device, Pose tool, Vec3 forceNewton, Vec3 torque, boolean contact, long frame) {
-    set(toolToWorld, tool);
-    set(deviceToWorld, device);
+    toolToWorld.set(tool.transform(toWorld));
+    deviceToWorld.set(device.transform(toWorld));
     torqueNewtonMm.set(torque);
     grid.worldToGrid(device.translation, deviceGrid);
     grid.worldToGrid(tool.translation, pointGrid);
     grid.gridMmToWorld().inverseRotate(forceNewton, gridNewton);
     properties.publish(deviceGrid, pointGrid, gridNewton, contact, frame);
-  }
-
-  private void set(TransformProperty property, Pose pose) {
-    Quaternion q = pose.rotation;
-    q.rotate(axisX.set(1, 0, 0), axisX);
-    q.rotate(axisY.set(0, 1, 0), axisY);
-    q.rotate(axisZ.set(0, 0, 1), axisZ);
-    property.set(axisX, axisY, axisZ, pose.translation);
   }
 
   /** Returns the device pose, device frame to world mm. */

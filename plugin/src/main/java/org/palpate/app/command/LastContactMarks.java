@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import org.palpate.device.Trajectory;
 import org.palpate.geometry.Pose;
-import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
@@ -70,7 +69,8 @@ final class LastContactMarks {
               }
               marks.take(frame.sample().positionMm, pose.translation, frame.forceNewton(), contact);
             });
-    ToolMarks tool = ToolMarks.at(scene.drawnPoints(), transform(shownPose), shownTorque, axes);
+    RigidTransform toolToWorld = shownPose.transform(RigidTransform.identity());
+    ToolMarks tool = ToolMarks.at(scene.drawnPoints(), toolToWorld, shownTorque, axes);
     return new TouchMarks(
         marks.shownDevice,
         marks.shownPoint,
@@ -78,15 +78,6 @@ final class LastContactMarks {
         marks.hasContact,
         marks.shownTrail,
         Optional.of(tool));
-  }
-
-  private static RigidTransform transform(Pose pose) {
-    Quaternion q = pose.rotation;
-    return new RigidTransform(
-        q.rotate(new Vec3(1, 0, 0), new Vec3()),
-        q.rotate(new Vec3(0, 1, 0), new Vec3()),
-        q.rotate(new Vec3(0, 0, 1), new Vec3()),
-        new Vec3().set(pose.translation));
   }
 
   private void take(
