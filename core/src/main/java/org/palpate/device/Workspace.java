@@ -20,7 +20,7 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
 
   /** Checks the axes and scales. */
   public Workspace {
-    if (!deviceToWorld.isOrthonormal() || determinant(deviceToWorld) < 0) {
+    if (!deviceToWorld.isOrthonormal() || deviceToWorld.isMirrored()) {
       throw new IllegalArgumentException("axes must be a rotation: deviceToWorld=" + deviceToWorld);
     }
     if (!scale.isFinite() || scale.x <= 0 || scale.y <= 0 || scale.z <= 0) {
@@ -104,14 +104,5 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
   public Vec3 toDeviceTorque(Vec3 worldNewtonMm, Vec3 dest) {
     deviceToWorld.inverseRotate(worldNewtonMm, dest);
     return dest.mul(1 / largestScale(), dest);
-  }
-
-  private static double determinant(RigidTransform t) {
-    Vec3 x = t.axisX();
-    Vec3 y = t.axisY();
-    Vec3 z = t.axisZ();
-    return x.x * (y.y * z.z - y.z * z.y)
-        - y.x * (x.y * z.z - x.z * z.y)
-        + z.x * (x.y * y.z - x.z * y.y);
   }
 }

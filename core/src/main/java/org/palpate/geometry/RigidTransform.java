@@ -22,6 +22,11 @@ public record RigidTransform(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
     return new RigidTransform(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3());
   }
 
+  /** Whether this mirrors, so that it turns right-handed axes into left-handed ones. */
+  public boolean isMirrored() {
+    return axisX.dot(axisY.cross(axisZ, new Vec3())) < 0;
+  }
+
   /** Writes the image of {@code point} into {@code dest}, which may be {@code point}. */
   public Vec3 transform(Vec3 point, Vec3 dest) {
     return rotate(point, dest).add(origin, dest);

@@ -40,6 +40,16 @@ class RigidTransformTest {
   }
 
   @Test
+  void mirrorsIfTheAxesAreLeftHanded() {
+    Vec3 x = new Vec3(0, 0, 1);
+    Vec3 y = new Vec3(1, 0, 0);
+    assertTrue(x.cross(y, new Vec3()).sameBits(new Vec3(0, 1, 0)));
+    assertFalse(QUARTER_TURN.isMirrored());
+    assertFalse(new RigidTransform(x, y, new Vec3(0, 1, 0), x).isMirrored());
+    assertTrue(new RigidTransform(x, y, new Vec3(0, -1, 0), x).isMirrored());
+  }
+
+  @Test
   void sameBitsDistinguishesNegativeZeroAndEqualsNan() {
     assertFalse(new Vec3(0, 0, 0).sameBits(new Vec3(-0.0, 0, 0)));
     assertTrue(new Vec3(Double.NaN, 0, 0).sameBits(new Vec3(Double.NaN, 0, 0)));

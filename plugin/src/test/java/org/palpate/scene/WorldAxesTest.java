@@ -8,7 +8,6 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.scene.surface.SurfaceFile;
 
 class WorldAxesTest {
   @Test
@@ -22,9 +21,9 @@ class WorldAxesTest {
   @Test
   void onlyALeftHandedWorldMirrors() {
     RigidTransform pose = RigidTransform.identity();
-    assertTrue(SurfaceFile.isMirrored(WorldAxes.LAS.toScene(pose)));
-    assertFalse(SurfaceFile.isMirrored(WorldAxes.RAS.toScene(pose)));
-    assertFalse(SurfaceFile.isMirrored(WorldAxes.LPS.toScene(pose)));
+    assertTrue(WorldAxes.LAS.toScene(pose).isMirrored());
+    assertFalse(WorldAxes.RAS.toScene(pose).isMirrored());
+    assertFalse(WorldAxes.LPS.toScene(pose).isMirrored());
   }
 
   @Test

@@ -14,7 +14,6 @@ import org.palpate.scene.SceneObject;
 import org.palpate.scene.SceneState;
 import org.palpate.scene.SceneState.DrawnObject;
 import org.palpate.scene.surface.SurfaceBrick;
-import org.palpate.scene.surface.SurfaceFile;
 
 /** Draws surfaces: uploads new and changed bricks, and draws those in view. */
 final class ObjectPainter {
@@ -123,7 +122,7 @@ final class ObjectPainter {
     program.set(gl, "toEye", gridToEye);
     program.setRgb(gl, "colour", object.rgb());
     program.set(gl, "opacity", object.opacity());
-    gl.glFrontFace(SurfaceFile.isMirrored(object.pose()) ? GL.GL_CW : GL.GL_CCW);
+    gl.glFrontFace(object.pose().isMirrored() ? GL.GL_CW : GL.GL_CCW);
     for (GlMesh mesh : uploaded.values()) {
       if (cullsOutsideView && mesh.isOutside(toClip)) {
         culledMeshes++;

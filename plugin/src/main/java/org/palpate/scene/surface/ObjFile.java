@@ -60,7 +60,7 @@ public final class ObjFile {
       text.line("g " + group.word());
       text.line("usemtl " + materialName(n));
       writeVertices(group.surface(), gridMmToWorld, text);
-      writeTriangles(group.surface(), SurfaceFile.isMirrored(gridMmToWorld), first, text);
+      writeTriangles(group.surface(), gridMmToWorld.isMirrored(), first, text);
       first += group.surface().vertexCount();
     }
     text.flush();

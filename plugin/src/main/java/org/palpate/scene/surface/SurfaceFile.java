@@ -72,7 +72,7 @@ public final class SurfaceFile {
     little(count).putInt(surface.triangleCount());
     out.write(count);
     float[] world = toWorld(surface.positionsMm(), gridMmToWorld);
-    boolean mirrored = isMirrored(gridMmToWorld);
+    boolean mirrored = gridMmToWorld.isMirrored();
     byte[] bytes = new byte[STL_TRIANGLE_BYTES];
     ByteBuffer record = little(bytes);
     int[] corners = surface.triangles();
@@ -118,7 +118,7 @@ public final class SurfaceFile {
     }
     byte[] faceBytes = new byte[PLY_FACE_BYTES];
     ByteBuffer face = little(faceBytes);
-    int second = isMirrored(gridMmToWorld) ? 2 : 1;
+    int second = gridMmToWorld.isMirrored() ? 2 : 1;
     int[] corners = surface.triangles();
     for (int t = 0; t < corners.length; t += 3) {
       face.clear();
@@ -154,17 +154,5 @@ public final class SurfaceFile {
       world[i + 2] = (float) point.z;
     }
     return world;
-  }
-
-  /** Whether a transform mirrors, so that it turns right-handed axes into left-handed ones. */
-  public static boolean isMirrored(RigidTransform transform) {
-    Vec3 x = transform.axisX();
-    Vec3 y = transform.axisY();
-    Vec3 z = transform.axisZ();
-    double determinant =
-        x.x * (y.y * z.z - y.z * z.y)
-            - x.y * (y.x * z.z - y.z * z.x)
-            + x.z * (y.x * z.y - y.y * z.x);
-    return determinant < 0;
   }
 }
