@@ -3,6 +3,7 @@ package org.palpate.host;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
 import org.palpate.raycast.ExactRayCaster;
@@ -41,16 +42,11 @@ final class DrawnSolids {
     segments = List.copyOf(changed);
   }
 
-  /** Returns a new collision scene over the present segments, for one thread. */
-  CollisionScene newScene() {
-    return new CollisionScene(segments.stream().map(Segment::bits).toList());
-  }
-
   /**
-   * Finds the segment that the interaction point touches: the first on the way to the device. One
-   * thread. It reads the drawn voxels without a lock, so it may be a tick behind an edit.
+   * Casts rays through the drawn voxels. One thread. It reads them without a lock, so a voxel that
+   * changes meanwhile may count as it was.
    */
-  static final class TouchedSegment {
+  static final class Probe {
     private final DrawnSolids solids;
     private final RayCaster caster = new ExactRayCaster();
     private final Ray ray = new Ray();
@@ -58,20 +54,40 @@ final class DrawnSolids {
     private List<Segment> segments = List.of();
     private CollisionScene scene = new CollisionScene(List.of());
 
-    TouchedSegment(DrawnSolids solids) {
+    Probe(DrawnSolids solids) {
       this.solids = solids;
     }
 
-    /** Returns the name of the segment between a point in contact and the device. */
-    Optional<String> name(Vec3 pointGrid, Vec3 deviceGrid) {
-      if (segments != solids.segments()) {
-        segments = solids.segments();
-        scene = solids.newScene();
+    /** Takes the segments that are drawn now. */
+    void refresh() {
+      List<Segment> drawn = solids.segments();
+      if (segments != drawn) {
+        segments = drawn;
+        scene = new CollisionScene(drawn.stream().map(Segment::bits).toList());
       }
-      ray.from(pointGrid.x, pointGrid.y, pointGrid.z).to(deviceGrid.x, deviceGrid.y, deviceGrid.z);
-      boolean hits = pointGrid.isFinite() && deviceGrid.isFinite() && scene.cast(caster, ray, hit);
-      int object = hits ? scene.objectAt(hit.i, hit.j, hit.k) : -1;
+    }
+
+    /**
+     * Returns where the ray between two points first meets a solid, as a fraction of its length.
+     * Empty if it meets none or a point is not finite. Grid coordinates.
+     */
+    OptionalDouble firstHit(Vec3 from, Vec3 to) {
+      boolean hits =
+          from.isFinite()
+              && to.isFinite()
+              && scene.cast(caster, ray.from(from.x, from.y, from.z).to(to.x, to.y, to.z), hit);
+      return hits ? OptionalDouble.of(hit.t) : OptionalDouble.empty();
+    }
+
+    /** Returns the name of the first segment that the ray between two points meets. */
+    Optional<String> firstName(Vec3 from, Vec3 to) {
+      int object = firstHit(from, to).isPresent() ? scene.objectAt(hit.i, hit.j, hit.k) : -1;
       return object < 0 ? Optional.empty() : Optional.of(segments.get(object).name());
+    }
+
+    /** Whether a voxel is solid. */
+    boolean isSolid(int i, int j, int k) {
+      return scene.isSolid(i, j, k);
     }
   }
 }

@@ -1,26 +1,20 @@
 package org.palpate.host;
 
-import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
-import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
-import org.palpate.raycast.ExactRayCaster;
-import org.palpate.raycast.Ray;
-import org.palpate.raycast.RayCaster;
-import org.palpate.raycast.RayHit;
 import org.palpate.scene.window.PointerListener;
 import org.palpate.scene.window.PointerSpot;
-import org.palpate.volume.Segment;
 import org.palpate.volume.VoxelGrid;
 
 /**
  * Touches with the mouse what the user sees: a press begins in front of the first solid on the line
  * of sight and goes on into it, so that the point meets the face that was pressed.
  *
- * <p>The drawing thread presses; any thread frees the point. It reads the drawn voxels without a
- * lock, so a voxel that changes meanwhile may count as it was. The haptic frame checks the place
- * again before it sets the point free there.
+ * <p>The drawing thread presses; any thread frees the point. A press reads voxels that may change
+ * meanwhile; see {@link DrawnSolids.Probe}. The haptic frame checks the position again before it
+ * sets the interaction point free there.
  */
 final class MouseTouch implements PointerListener {
   static final String NOTHING_THERE = "nothing to touch there: press on a surface";
@@ -50,16 +44,11 @@ final class MouseTouch implements PointerListener {
   private static final double WITHDRAWAL_FRACTION = 0.15;
 
   private final VoxelGrid grid;
-  private final DrawnSolids solids;
+  private final DrawnSolids.Probe solids;
   private final MouseDevice mouse;
   private final Consumer<String> hints;
   private final double voxelMm;
   private final double radiusMm;
-  private final RayCaster caster = new ExactRayCaster();
-  private final Ray ray = new Ray();
-  private final RayHit hit = new RayHit();
-  private List<Segment> segments = List.of();
-  private CollisionScene scene = new CollisionScene(List.of());
 
   /** The last spot on a solid; empty if the last press met none. */
   private Optional<Vec3> lastFaceMm = Optional.empty();
@@ -74,7 +63,7 @@ final class MouseTouch implements PointerListener {
    * @param hints receives a line if there is nothing to touch; empty if there is
    */
   MouseTouch(DrawnSolids solids, MouseDevice mouse, Consumer<String> hints) {
-    this.solids = solids;
+    this.solids = new DrawnSolids.Probe(solids);
     grid = solids.volume().grid();
     this.mouse = mouse;
     this.hints = hints;
@@ -85,10 +74,7 @@ final class MouseTouch implements PointerListener {
 
   @Override
   public boolean press(PointerSpot spot) {
-    if (segments != solids.segments()) {
-      segments = solids.segments();
-      scene = solids.newScene();
-    }
+    solids.refresh();
     Optional<Vec3> face = face(spot);
     if (face.isPresent()) {
       press(spot, face.get());
@@ -107,9 +93,9 @@ final class MouseTouch implements PointerListener {
     hints.accept(NOTHING_THERE);
   }
 
-  /** Withdraws device and point to a place in front of the last spot. Any thread. */
+  /** Withdraws device and interaction point to a position before the last spot. Any thread. */
   void free() {
-    withdrawnMm.ifPresent(place -> mouse.jump(place, place));
+    withdrawnMm.ifPresent(position -> mouse.jump(position, position));
   }
 
   /**
@@ -129,12 +115,9 @@ final class MouseTouch implements PointerListener {
   private Optional<Vec3> firstHit(Vec3 fromMm, Vec3 toMm) {
     Vec3 from = grid.worldToGrid(fromMm, new Vec3());
     Vec3 to = grid.worldToGrid(toMm, new Vec3());
-    boolean hits =
-        from.isFinite()
-            && to.isFinite()
-            && scene.cast(caster, ray.from(from.x, from.y, from.z).to(to.x, to.y, to.z), hit);
-    return hits && hit.t > 0
-        ? Optional.of(along(fromMm, toMm, hit.t * toMm.sub(fromMm, new Vec3()).length()))
+    OptionalDouble hit = solids.firstHit(from, to);
+    return hit.orElse(0) > 0
+        ? Optional.of(along(fromMm, toMm, hit.getAsDouble() * distance(fromMm, toMm)))
         : Optional.empty();
   }
 
@@ -150,8 +133,8 @@ final class MouseTouch implements PointerListener {
       for (int y = j - DRAWN_VOXELS; y <= j + DRAWN_VOXELS; y++) {
         for (int x = i - DRAWN_VOXELS; x <= i + DRAWN_VOXELS; x++) {
           Vec3 centre = grid.gridToWorld(new Vec3(x + 0.5, y + 0.5, z + 0.5), new Vec3());
-          double distance = centre.sub(drawnMm, new Vec3()).length();
-          if (distance < least && scene.isSolid(x, y, z)) {
+          double distance = distance(centre, drawnMm);
+          if (distance < least && solids.isSolid(x, y, z)) {
             least = distance;
             nearest = Optional.of(centre);
           }
@@ -187,7 +170,7 @@ final class MouseTouch implements PointerListener {
 
   /** Adds the direction from a face to the centre of voxel (i,j,k) if it is solid and near. */
   private void addIfSolid(double i, double j, double k, Vec3 faceMm, Vec3 sum) {
-    if (scene.isSolid((int) i, (int) j, (int) k)) {
+    if (solids.isSolid((int) i, (int) j, (int) k)) {
       Vec3 centre = grid.gridToWorld(new Vec3(i + 0.5, j + 0.5, k + 0.5), new Vec3());
       centre.sub(faceMm, centre);
       if (centre.length() <= NORMAL_VOXELS * voxelMm) {
@@ -196,13 +179,17 @@ final class MouseTouch implements PointerListener {
     }
   }
 
+  private static double distance(Vec3 a, Vec3 b) {
+    return b.sub(a, new Vec3()).length();
+  }
+
   private static Vec3 unit(Vec3 vector) {
     return vector.mul(1 / vector.length(), vector);
   }
 
   private void press(PointerSpot spot, Vec3 faceMm) {
     Vec3 eye = spot.eyeMm();
-    double distance = faceMm.sub(eye, new Vec3()).length();
+    double distance = distance(eye, faceMm);
     Vec3 targetMm = inward(eye, faceMm);
     targetMm.mul(spot.depthMm(), targetMm).add(faceMm, targetMm);
     double clear = Math.min(CLEAR_VOXELS * voxelMm, distance / 2);
@@ -229,7 +216,7 @@ final class MouseTouch implements PointerListener {
 
   /** Returns the point at a distance from {@code fromMm} on the line to {@code toMm}. */
   private static Vec3 along(Vec3 fromMm, Vec3 toMm, double distanceMm) {
-    Vec3 way = toMm.sub(fromMm, new Vec3());
-    return way.mul(distanceMm / way.length(), way).add(fromMm, way);
+    Vec3 towards = toMm.sub(fromMm, new Vec3());
+    return towards.mul(distanceMm / towards.length(), towards).add(fromMm, towards);
   }
 }

@@ -56,7 +56,7 @@ public final class SessionView implements AutoCloseable {
   private final TouchSession session;
   private final SegmentedVolume volume;
   private final DrawnSolids solids;
-  private final DrawnSolids.TouchedSegment touched;
+  private final DrawnSolids.Probe touched;
   private final HapticDevice device;
   private final Listener listener;
   private final ViewOptions options;
@@ -108,7 +108,7 @@ public final class SessionView implements AutoCloseable {
     this.options = options;
     this.volume = volume;
     solids = new DrawnSolids(volume);
-    touched = new DrawnSolids.TouchedSegment(solids);
+    touched = new DrawnSolids.Probe(solids);
     this.device = device;
     this.listener = listener;
     model = new SceneModel(axes, Theme.DARK);
@@ -137,7 +137,8 @@ public final class SessionView implements AutoCloseable {
 
   private void tick() {
     if (synchronizer.applications() > 0 && session.properties().touch().contact()) {
-      overlay.touches(touched.name(proxyGrid, deviceGrid));
+      touched.refresh();
+      overlay.touches(touched.firstName(proxyGrid, deviceGrid));
     }
     synchronizer.run();
     if (synchronizer.applications() > 0) {
