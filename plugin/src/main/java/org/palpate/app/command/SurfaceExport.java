@@ -108,8 +108,7 @@ final class SurfaceExport {
   private static String write(
       Path file, List<ObjFile.Group> groups, RigidTransform pose, CoordinateSystem world) {
     String space = space(world);
-    WeldedSurface all =
-        WeldedSurface.together(groups.stream().map(ObjFile.Group::surface).toList());
+    List<WeldedSurface> surfaces = groups.stream().map(ObjFile.Group::surface).toList();
     try (AtomicFile out = new AtomicFile(file)) {
       if (isObj(file)) {
         Path materials = materialsBeside(file);
@@ -117,6 +116,7 @@ final class SurfaceExport {
         ObjFile.write(groups, pose, comment, materials.getFileName().toString(), out.stream());
         AtomicFile.write(materials, ObjFile.materials(groups));
       } else {
+        WeldedSurface all = WeldedSurface.together(surfaces);
         SurfaceFile.write(all, pose, space, SurfaceFile.isStl(file), out.stream());
       }
       out.commit();
@@ -127,7 +127,7 @@ final class SurfaceExport {
         Locale.ROOT,
         "written: %s: %,d triangles of %s, in mm, %s",
         file,
-        all.triangleCount(),
+        surfaces.stream().mapToInt(WeldedSurface::triangleCount).sum(),
         groups.size() == 1 ? "segment " + groups.get(0).name() : groups.size() + " segments",
         space.isEmpty() ? "axes not named by the volume" : "SPACE=" + space);
   }
