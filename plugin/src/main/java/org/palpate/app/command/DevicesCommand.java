@@ -107,21 +107,16 @@ public final class DevicesCommand implements Callable<Integer> {
     }
   }
 
-  /** Returns the results of all back ends; the mouse stands behind those without hardware. */
+  /** Returns the results of all back ends; the mouse is the last of those without hardware. */
   private static List<BackendProbe> probes() {
-    List<BackendProbe> probes = new ArrayList<>();
-    for (BackendProbe probe : DeviceCatalog.probeAll()) {
-      if (DeviceCatalog.isNative(probe.backend())
-          && probes.stream().noneMatch(DevicesCommand::isMouse)) {
-        probes.add(mouse());
-      }
-      probes.add(probe);
+    List<BackendProbe> probes = new ArrayList<>(DeviceCatalog.probeAll());
+    int firstNative = 0;
+    while (firstNative < probes.size()
+        && !DeviceCatalog.isNative(probes.get(firstNative).backend())) {
+      firstNative++;
     }
+    probes.add(firstNative, mouse());
     return probes;
-  }
-
-  private static boolean isMouse(BackendProbe probe) {
-    return probe.backend().equals(MOUSE);
   }
 
   private static BackendProbe mouse() {

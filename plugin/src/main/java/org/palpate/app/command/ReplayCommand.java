@@ -137,7 +137,7 @@ public final class ReplayCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     failures = new WriteFailures(spec.commandLine().getErr());
-    checkRepeat();
+    REPEAT.checkGiven(repeat);
     contact.settings();
     tool.checkOthers(spec.commandLine().getParseResult());
     return tool.isRigid() ? replayTool() : replayPoint();
@@ -214,10 +214,6 @@ public final class ReplayCommand implements Callable<Integer> {
       tables.commit();
       return result;
     }
-  }
-
-  private void checkRepeat() {
-    REPEAT.checkGiven(repeat);
   }
 
   private static FrameStatistics run(ReplayRun replay, Trajectory trajectory, ReplayTables tables)

@@ -46,15 +46,12 @@ public final class LinkOptions {
   }
 
   private int port(int colon) {
-    try {
-      int port = Integer.parseInt(text.substring(colon + 1));
-      if (port >= 0 && port <= MAX_PORT) {
-        return port;
-      }
-    } catch (NumberFormatException e) {
+    String digits = text.substring(colon + 1);
+    int port = digits.matches("[0-9]{1,5}") ? Integer.parseInt(digits) : -1;
+    if (port < 0 || port > MAX_PORT) {
       throw wrong(PORT_RANGE);
     }
-    throw wrong(PORT_RANGE);
+    return port;
   }
 
   private PalpateException wrong(String what) {

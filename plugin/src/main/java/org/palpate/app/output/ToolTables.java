@@ -2,6 +2,8 @@ package org.palpate.app.output;
 
 import java.io.IOException;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.DeviceState;
@@ -31,12 +33,15 @@ public final class ToolTables implements ToolReplay.FrameSink {
    * @param first the first frame, counted from 0
    * @param last the last frame
    */
-  public record LegSelection(int every, int first, int last) {
+  public record LegSelection(int every, long first, long last) {
     private static final NumberRange EVERY =
         new NumberRange("--legs-every", "the number", 1, Integer.MAX_VALUE, "", "10");
 
+    private static final Pattern FRAMES =
+        Pattern.compile("\\s*([0-9]{1,18})\\s*\\.\\.\\s*([0-9]{1,18})\\s*");
+
     /** Every leg. */
-    public static final LegSelection ALL = new LegSelection(1, 0, Integer.MAX_VALUE);
+    public static final LegSelection ALL = new LegSelection(1, 0, Long.MAX_VALUE);
 
     /**
      * Parses the values of the options; null for one that was not given.
@@ -45,32 +50,19 @@ public final class ToolTables implements ToolReplay.FrameSink {
      */
     public static LegSelection parse(Integer every, String range) {
       EVERY.checkGiven(every);
-      String[] ends = range == null ? new String[0] : range.split("\\.\\.", -1);
-      int first = range == null ? ALL.first : frame(ends, 0, range);
-      int last = range == null ? ALL.last : frame(ends, 1, range);
-      if (ends.length > 2 || first > last) {
-        throw wrongRange(range);
-      }
-      return new LegSelection(every == null ? 1 : every, first, last);
+      int some = every == null ? ALL.every : every;
+      return range == null ? new LegSelection(some, ALL.first, ALL.last) : frames(some, range);
     }
 
-    private static int frame(String[] ends, int index, String range) {
-      try {
-        int frame = ends.length == 2 ? Integer.parseInt(ends[index].strip()) : -1;
-        if (frame >= 0) {
-          return frame;
-        }
-      } catch (NumberFormatException e) {
-        throw wrongRange(range);
+    private static LegSelection frames(int every, String range) {
+      Matcher ends = FRAMES.matcher(range);
+      if (!ends.matches() || Long.parseLong(ends.group(1)) > Long.parseLong(ends.group(2))) {
+        throw PalpateException.wrongUse(
+            "a range of frames is needed",
+            "--legs-frames " + range,
+            "write A..B with the first and the last frame, as in --legs-frames 0..999");
       }
-      throw wrongRange(range);
-    }
-
-    private static PalpateException wrongRange(String range) {
-      return PalpateException.wrongUse(
-          "a range of frames is needed",
-          "--legs-frames " + range,
-          "write A..B with the first and the last frame, as in --legs-frames 0..999");
+      return new LegSelection(every, Long.parseLong(ends.group(1)), Long.parseLong(ends.group(2)));
     }
 
     private boolean contains(int frame) {
