@@ -6,10 +6,14 @@ import com.jogamp.opengl.GL2ES3;
 import com.jogamp.opengl.GL3;
 
 /**
- * A framebuffer with a colour texture, and one with depth and stencil. The stencil is 1 where a
- * slice is nearest, and 0 elsewhere.
+ * A framebuffer with a colour texture, and one with depth and stencil. The stencil holds {@link
+ * #SLICE} where a slice is nearest, and {@link #NO_SLICE} elsewhere.
  */
 final class GlFramebuffer {
+  static final int NO_SLICE = 0;
+  static final int SLICE = 1;
+  static final int STENCIL_MASK = 0xff;
+
   private final int[] framebuffer = new int[1];
   private final int[] textures = new int[2];
   private int width;

@@ -10,7 +10,6 @@ import org.palpate.scene.Matrix4;
  * are not, because a slice must not hide the interaction point.
  */
 final class MarkProgram {
-  private static final int STENCIL_MASK = 0xff;
   private static final double BEHIND_SLICE_OPACITY = 0.9;
 
   private final GlProgram program;
@@ -46,10 +45,10 @@ final class MarkProgram {
     gl.glDepthMask(false);
     gl.glEnable(GL.GL_STENCIL_TEST);
     gl.glStencilOp(GL.GL_KEEP, GL.GL_KEEP, GL.GL_KEEP);
-    gl.glStencilFunc(GL.GL_EQUAL, 0, STENCIL_MASK);
+    gl.glStencilFunc(GL.GL_EQUAL, GlFramebuffer.NO_SLICE, GlFramebuffer.STENCIL_MASK);
     program.set(gl, "opacity", hiddenOpacity);
     buffer.draw(gl, vertices, marks.vertexCount());
-    gl.glStencilFunc(GL.GL_EQUAL, 1, STENCIL_MASK);
+    gl.glStencilFunc(GL.GL_EQUAL, GlFramebuffer.SLICE, GlFramebuffer.STENCIL_MASK);
     program.set(gl, "opacity", BEHIND_SLICE_OPACITY);
     buffer.draw(gl, vertices, marks.vertexCount());
     gl.glDisable(GL.GL_STENCIL_TEST);

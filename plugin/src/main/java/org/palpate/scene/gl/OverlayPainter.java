@@ -34,6 +34,9 @@ final class OverlayPainter {
 
   private static final int COMFORTABLE_HEIGHT = 320;
 
+  /** Edge of the square that shows a segment's colour, relative to the height of a line. */
+  private static final double SWATCH_HEIGHT = 0.7;
+
   private final GlProgram program;
   private final StreamBuffer buffer;
   private final OverlayBatch batch = new OverlayBatch();
@@ -64,7 +67,7 @@ final class OverlayPainter {
     double fit = Math.min(width / scale / COMFORTABLE_WIDTH, height / scale / COMFORTABLE_HEIGHT);
     double small = scale * Math.max(SIZES[SIZES.length - 1], Math.min(1, fit));
     useSize(gl, small);
-    startBatch();
+    batch.clear();
     names(state, toPicture, width, height, small);
     double legendWidth = legend(state, width, height, small);
     lines(state, width - legendWidth, height, small);
@@ -75,10 +78,6 @@ final class OverlayPainter {
     if (!state.help().isEmpty()) {
       help(gl, state, width, height, scale);
     }
-  }
-
-  private void startBatch() {
-    batch.clear();
   }
 
   private void useSize(GL3 gl, double scale) {
@@ -117,7 +116,7 @@ final class OverlayPainter {
       legend = LegendArea.NONE;
       return 0;
     }
-    double swatch = atlas.lineHeight() * 0.7;
+    double swatch = swatch();
     double widest = entries.stream().mapToInt(entry -> atlas.width(entry.name())).max().orElse(0);
     double all = Math.min(widest + swatch + 36 * scale, width / 2.0);
     int selected =
@@ -134,7 +133,7 @@ final class OverlayPainter {
 
   private void entry(
       Theme theme, LegendEntry entry, double left, double y, double width, double scale) {
-    double swatch = atlas.lineHeight() * 0.7;
+    double swatch = swatch();
     double x = left + 4 * scale;
     double middle = y + atlas.lineHeight() / 2.0;
     if (entry.selected()) {
@@ -150,6 +149,11 @@ final class OverlayPainter {
       double end = x + swatch + 8 * scale + atlas.width(name);
       batch.line(x, middle, end, middle, Math.max(1, scale));
     }
+  }
+
+  /** Returns the edge of the square that shows a segment's colour, pixels. */
+  private double swatch() {
+    return SWATCH_HEIGHT * atlas.lineHeight();
   }
 
   private String shortened(String name, double width) {
@@ -192,7 +196,7 @@ final class OverlayPainter {
           TextColumns.of(
               state.help(), atlas::width, step, gap, width - 2 * edge, height - 2 * edge);
     }
-    startBatch();
+    batch.clear();
     help(state, columns, width, height, step, gap, edge);
     send(gl, width, height);
   }

@@ -22,7 +22,6 @@ import org.palpate.scene.Stereo;
 public final class SceneRenderer {
   private static final int EYES = 2;
   private static final double PIXEL_CENTRE = 0.5;
-  private static final int STENCIL_MASK = 0xff;
 
   private final boolean cullsOutsideView;
   private final boolean reusesStatic;
@@ -174,9 +173,9 @@ public final class SceneRenderer {
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glEnable(GL.GL_STENCIL_TEST);
     gl.glStencilOp(GL.GL_KEEP, GL.GL_KEEP, GL.GL_REPLACE);
-    gl.glStencilFunc(GL.GL_ALWAYS, 1, STENCIL_MASK);
+    gl.glStencilFunc(GL.GL_ALWAYS, GlFramebuffer.SLICE, GlFramebuffer.STENCIL_MASK);
     state.look().slices().ifPresent(planes -> slices.draw(gl, planes, toEye, projection));
-    gl.glStencilFunc(GL.GL_ALWAYS, 0, STENCIL_MASK);
+    gl.glStencilFunc(GL.GL_ALWAYS, GlFramebuffer.NO_SLICE, GlFramebuffer.STENCIL_MASK);
     objects.draw(gl, state, toEye, projection);
     gl.glDisable(GL.GL_STENCIL_TEST);
   }

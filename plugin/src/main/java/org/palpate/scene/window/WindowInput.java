@@ -299,8 +299,8 @@ public final class WindowInput extends MouseAdapter {
       case TURN ->
           model.moveCamera(
               camera -> camera.orbit(dx * RADIANS_PER_HEIGHT, -dy * RADIANS_PER_HEIGHT), true);
-      default -> {
-        // The next drag will know.
+      case NONE, UNDECIDED -> {
+        // Nothing moves until the drawing thread has looked.
       }
     }
   }
