@@ -12,7 +12,7 @@ import java.util.Optional;
 public record CollisionChoice(Method method, double stepVoxels) {
   private static final String SAMPLED_PREFIX = "sampled:";
 
-  /** A shorter step would keep a frame from its end. */
+  /** With a shorter step, a frame would take too many samples. */
   private static final double LEAST_STEP_VOXELS = 0.001;
 
   private static final double MOST_STEP_VOXELS = 1000;

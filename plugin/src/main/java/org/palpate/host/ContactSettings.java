@@ -38,10 +38,10 @@ public record ContactSettings(
   private static final double SMALLEST_USUAL_MM = 32;
   private static final double LARGEST_USUAL_MM = 1000;
 
-  /** A scan of this extent is the model of how a small one feels. */
+  /** Extent of the scan that the smallest scenes feel like, mm. */
   private static final double MODEL_MM = 256;
 
-  /** The growth below the usual extents, until a small scene feels as the model does. */
+  /** Exponent of the stiffness against the extent, for scenes just below the usual extents. */
   private static final double GROWTH = 1.5;
 
   /** Copies the map. */
@@ -133,9 +133,9 @@ public record ContactSettings(
   /**
    * Returns the stiffness for a device without a maximum of its own, N per mm of scan.
    *
-   * <p>Scenes from 32 mm to 1 m have 0.5 N/mm. A hand moves less far in a smaller scene, so that
-   * its stiffness grows: at 256 um it is 500 N/mm, and each voxel feels as in the same scan at 256
-   * mm.
+   * <p>Scenes from 32 mm to 1 m have 0.5 N/mm, and larger ones have less. A hand moves less far in
+   * a smaller scene, so its stiffness grows. At 256 um it is 500 N/mm, and each voxel feels as it
+   * does in the same scan at 256 mm.
    */
   public static double defaultStiffnessNewtonPerMm(VoxelGrid grid) {
     Vec3 spacing = grid.spacingMm();

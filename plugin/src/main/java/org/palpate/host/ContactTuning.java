@@ -50,8 +50,8 @@ public final class ContactTuning {
   }
 
   /**
-   * Returns the tuning of a rigid tool: its stiffness in translation and rotation. Friction and
-   * solver stay as they are.
+   * Returns the tuning of a rigid tool, which changes its stiffness in translation and rotation
+   * together. Requests to change friction or solver do nothing.
    */
   static ContactTuning ofTool(
       ToolFrame frame, RigidCoupling coupling, ForceSettings force, DeviceSpecification device) {

@@ -29,7 +29,7 @@ final class DrawnSolids {
     return segments;
   }
 
-  /** Returns the volume as it was at first, with its grid. */
+  /** Returns the volume before any replacement, with its grid. */
   SegmentedVolume volume() {
     return volume;
   }

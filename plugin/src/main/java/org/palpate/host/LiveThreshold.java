@@ -3,6 +3,7 @@ package org.palpate.host;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import org.palpate.edit.SwapEdit;
 import org.palpate.io.file.NumberText;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
@@ -12,11 +13,11 @@ import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Changes the threshold of a segment while it is touched: makes its voxels anew aside, and swaps
- * them between two frames. If a solid then touches the interaction point, the frame sets it free.
+ * Changes the threshold of a segment while it is touched. A thread of its own computes the new
+ * voxels, and the edit queue swaps them in between two frames. If a solid then touches the
+ * interaction point, the frame sets it free, as after any edit.
  *
- * <p>Any thread asks for a threshold. A thread of its own makes the voxels; if it falls behind, it
- * leaves thresholds out.
+ * <p>Any thread requests a threshold. Only the newest request counts if the thread falls behind.
  */
 public final class LiveThreshold implements AutoCloseable {
   private static final long WAIT_NANOS = 1_000_000;
@@ -32,18 +33,23 @@ public final class LiveThreshold implements AutoCloseable {
   private volatile boolean closed;
 
   /**
-   * A segment that a threshold made.
+   * A segment whose voxels a threshold selected.
    *
-   * @param segment its number
+   * @param segment number of the segment
    * @param values the grey values
-   * @param low the least value of its voxels at first
-   * @param high the largest value, infinite if there is no limit
-   * @param contrast difference between bright and dark voxels; a key changes a hundredth of it
+   * @param low the threshold at the start: the smallest value of the segment's voxels
+   * @param high the largest value; infinite if there is no limit
+   * @param contrast difference between bright and dark voxels; a step is a hundredth of it
    */
   public record Start(int segment, ScalarVolume values, double low, double high, double contrast) {}
 
-  /** Receives new voxels once the haptic thread collides with them. On the thread of its own. */
+  /** Receives new voxels after the haptic thread took them. Called by the threshold's thread. */
   interface Receiver {
+    /**
+     * Receives the voxels.
+     *
+     * @param grey the grey values from which the surface is made
+     */
     void replaced(int segment, BitCube bits, Optional<GreyRange> grey);
   }
 
@@ -105,12 +111,8 @@ public final class LiveThreshold implements AutoCloseable {
     }
   }
 
-  private interface Offer {
-    boolean isTaken();
-  }
-
-  private void offer(Offer offer) {
-    while (!closed && !offer.isTaken()) {
+  private void offer(BooleanSupplier offer) {
+    while (!closed && !offer.getAsBoolean()) {
       LockSupport.parkNanos(this, WAIT_NANOS);
     }
   }

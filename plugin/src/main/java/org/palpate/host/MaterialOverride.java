@@ -18,10 +18,10 @@ public record MaterialOverride(
     OptionalDouble friction,
     OptionalDouble slidingFriction,
     OptionalDouble dampingNewtonSecondPerMm) {
-  /** The smallest stiffness that is told from none, N/mm. */
+  /** The smallest stiffness other than 0, N/mm. */
   public static final double LEAST_STIFFNESS = 1e-6;
 
-  /** The largest stiffness, N/mm. No force of a larger one fits the numbers of a device. */
+  /** The largest stiffness, N/mm. A larger one gives forces that no device can represent. */
   public static final double MOST_STIFFNESS = 1e6;
 
   /** The largest friction coefficient. */
@@ -42,7 +42,7 @@ public record MaterialOverride(
    * at most once.
    *
    * <p>Returns empty if the text has another form, a number is out of its range, or sliding exceeds
-   * friction. A stiffness of 0 is allowed: it makes a segment that is not felt.
+   * friction. A stiffness of 0 is allowed: the user does not feel such a segment.
    */
   public static Optional<MaterialOverride> parse(String text) {
     MaterialOverride override = NONE;
@@ -71,7 +71,9 @@ public record MaterialOverride(
     }
   }
 
-  /** Whether a stiffness, N/mm, can be felt at all and gives forces that are numbers. */
+  /**
+   * Whether a stiffness, N/mm, lies between {@link #LEAST_STIFFNESS} and {@link #MOST_STIFFNESS}.
+   */
   public static boolean isFeasibleStiffness(double newtonPerMm) {
     return newtonPerMm >= LEAST_STIFFNESS && newtonPerMm <= MOST_STIFFNESS;
   }

@@ -77,7 +77,7 @@ public final class MouseDevice implements HapticDevice {
    * Jumps to a position, and approaches another one from there. The interaction point is set free
    * at the first position, or as near to it as the solids permit. Any thread.
    *
-   * @param fromMm a place without solids, world mm
+   * @param fromMm a position outside all solids, world mm
    * @param toMm the position to approach, world mm
    */
   public synchronized void jump(Vec3 fromMm, Vec3 toMm) {

@@ -19,28 +19,28 @@ import org.palpate.volume.VoxelGrid;
 final class MouseTouch implements PointerListener {
   static final String NOTHING_THERE = "nothing to touch there: press on a surface";
 
-  /** The start of a press lies this many of the longest voxel edges in front of the surface. */
+  /** Distance from the start of a press to the surface, as a multiple of the longest voxel edge. */
   private static final double CLEAR_VOXELS = 1.5;
 
-  /** A drawn surface lies this many voxels from a solid at most. */
+  /** Largest distance from a drawn surface to the nearest solid, voxels. */
   private static final int DRAWN_VOXELS = 2;
 
-  /** The direction of a press comes from the solids within this many voxels. */
+  /** Radius of the ball whose solid voxels give the direction of a press, voxels. */
   private static final double NORMAL_VOXELS = 3;
 
-  /** The most voxels along an axis that the direction of a press looks at, to either side. */
+  /** Largest radius of that ball along an axis with short voxel edges, voxels. */
   private static final double MAX_NORMAL_REACH = 12;
 
   /** The least cosine between the line of sight and the direction of a press. */
   private static final double LEAST_INWARD = 0.1;
 
-  /** A drag that goes deeper than this many times its width has left one surface for another. */
+  /** A drag moved to another surface if its change of depth exceeds this multiple of its width. */
   private static final double STEEPEST = 4;
 
-  /** The least change of depth that may be a jump to another surface, as part of the radius. */
+  /** Smallest change of depth that counts as another surface, as a fraction of the radius. */
   private static final double JUMP_FRACTION = 0.03;
 
-  /** The distance to which a freed point withdraws from the surface, as part of the radius. */
+  /** Distance from the surface to which a freed point withdraws, as a fraction of the radius. */
   private static final double WITHDRAWAL_FRACTION = 0.15;
 
   private final VoxelGrid grid;
@@ -50,7 +50,7 @@ final class MouseTouch implements PointerListener {
   private final double voxelMm;
   private final double radiusMm;
 
-  /** The last spot on a solid; empty if the last press met none. */
+  /** The last pressed point of a solid, world mm; empty if the last press met no solid. */
   private Optional<Vec3> lastFaceMm = Optional.empty();
 
   private volatile Optional<Vec3> withdrawnMm = Optional.empty();

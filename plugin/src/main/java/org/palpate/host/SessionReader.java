@@ -10,9 +10,9 @@ import org.palpate.sync.TouchProperties;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * A second reader of what the frames of a session publish, beside its view: for a program that
- * shows the session elsewhere. Positions are in world mm, the force in N and the torque in N mm,
- * along the world's axes.
+ * A second reader of the published frames of a session, for a program that shows the session
+ * outside its view. Positions are in world mm, the force in N and the torque in N mm, along the
+ * world's axes.
  *
  * <p>One thread calls {@link #take} and the other methods. The haptic thread never waits for it.
  */
@@ -29,12 +29,12 @@ public final class SessionReader {
     tool = rigid ? Optional.of(new ToolPublisher(properties, grid)) : Optional.empty();
   }
 
-  /** Returns what the frames of a point publish into. Haptic thread. */
+  /** Returns the properties into which the frames of a point publish. Haptic thread. */
   TouchProperties properties() {
     return properties;
   }
 
-  /** Returns what the frames of a rigid tool publish into. Haptic thread. */
+  /** Returns the publisher of the frames of a rigid tool. Haptic thread. */
   ToolPublisher toolPublisher() {
     return tool.orElseThrow();
   }

@@ -10,8 +10,8 @@ import org.palpate.sync.TransformProperty;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Publishes the frames of a rigid tool: device, reference point, force and contact as those of a
- * point, and in the same publication the tool pose and the torque.
+ * Publishes the frames of a rigid tool. One publication holds device, reference point, force and
+ * contact, as for a point, and the poses and the torque.
  *
  * <p>Haptic thread; allocates nothing.
  */

@@ -167,7 +167,7 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /**
-   * Returns a second reader of what the frames publish, beside {@link #properties}. Call it once,
+   * Returns a second reader of the published frames, beside {@link #properties}. Call it once,
    * before {@link #start}.
    *
    * @throws IllegalStateException if it was called before or the session has started

@@ -22,12 +22,14 @@ record GreyWindow(String name, double level, double width) {
   /** A drag over the height of the picture multiplies the width by this. */
   private static final double WIDTH_PER_HEIGHT = 8;
 
-  /** Returns the window that shows the contrast of some slices. */
+  /** Returns a window with the contrast of slices. */
   static GreyWindow of(String name, GreySlices grey) {
     return new GreyWindow(name, (grey.black() + grey.white()) / 2, grey.white() - grey.black());
   }
 
-  /** Returns the next preset for values of CT after {@code shown}; {@code own} after the last. */
+  /**
+   * Returns the window that follows {@code shown}: a preset for CT, or {@code own} after the last.
+   */
   static GreyWindow next(GreyWindow shown, GreyWindow own) {
     int index = CT.indexOf(shown) + 1;
     boolean isOwn = shown.equals(own);
@@ -37,8 +39,8 @@ record GreyWindow(String name, double level, double width) {
   /**
    * Returns the window after a drag.
    *
-   * @param right way to the right in picture heights, which widens it
-   * @param up way upwards, which raises its level by that part of the width
+   * @param right distance to the right in picture heights, which widens the window
+   * @param up distance upwards in picture heights, which raises the level by that part of the width
    */
   GreyWindow dragged(double right, double up) {
     return new GreyWindow("", level + up * width, width * Math.pow(WIDTH_PER_HEIGHT, right));

@@ -90,8 +90,8 @@ public final class MovableSlices {
   /**
    * Changes window and level by a drag.
    *
-   * @param right way to the right in picture heights
-   * @param up way upwards in picture heights
+   * @param right distance to the right in picture heights
+   * @param up distance upwards in picture heights
    */
   public synchronized void dragWindow(double right, double up) {
     setWindow(window.dragged(right, up));

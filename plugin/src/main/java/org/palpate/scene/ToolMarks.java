@@ -6,7 +6,7 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * A rigid tool of one frame as it is drawn: some of its sample points, and the torque on the hand
+ * The drawing of a rigid tool in one frame: some of its sample points, and the torque on the hand
  * as an arc about the reference point. Scene frame, mm.
  *
  * @param points sample points at the tool pose

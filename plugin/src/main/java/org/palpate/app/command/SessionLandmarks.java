@@ -25,7 +25,7 @@ final class SessionLandmarks {
   /**
    * Creates an empty list.
    *
-   * @param pointWorldMm gives the interaction point, NaN before the first
+   * @param pointWorldMm gives the interaction point; NaN before the first frame
    * @param axes orientation of the world's axes
    * @param view receives all landmarks after each change, world mm
    * @param out receives a line about each file

@@ -57,12 +57,12 @@ final class SessionScene {
     return scene.volume();
   }
 
-  /** Returns what a simulated hand touches, world mm. */
+  /** Returns the region that a simulated hand touches, world mm. */
   HandTarget handTarget() {
     return rigid.map(ToolScene::handTarget).orElseGet(scene::handTarget);
   }
 
-  /** Returns what the user should know of the device, a sentence each. */
+  /** Returns notes about the device for the user, a sentence each. */
   List<String> notes(DeviceSpecification device) {
     return rigid.isPresent() && !device.hasOrientation()
         ? List.of("The device has no orientation, so the tool is held upright.")

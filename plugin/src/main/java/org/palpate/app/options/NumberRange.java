@@ -17,10 +17,10 @@ import org.palpate.io.file.NumberText;
  */
 public record NumberRange(
     String option, String quantity, double low, double high, String unit, String example) {
-  /** The smallest positive quantity that is told from zero: a force, a path or a stiffness. */
+  /** The smallest positive force, path or stiffness. */
   public static final double LEAST = 1e-6;
 
-  /** The largest quantity of that kind. */
+  /** The largest force, path or stiffness. */
   public static final double MOST = 1e6;
 
   /** The longest time that a command may be given, s: more than three years. */

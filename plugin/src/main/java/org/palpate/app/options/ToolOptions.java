@@ -102,10 +102,9 @@ public final class ToolOptions {
   }
 
   /**
-   * Checks that every number is in its range and that no option was given that does not fit the
-   * tool.
+   * Checks the numbers, and refuses options that do not fit the tool.
    *
-   * @throws PalpateException exit code 2, if one is not or does not
+   * @throws PalpateException exit code 2, if a number is out of range or an option does not fit
    */
   public void checkOthers(ParseResult given) throws VolumeFormatException {
     rotationalStiffness();

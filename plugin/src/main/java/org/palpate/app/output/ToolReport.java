@@ -9,7 +9,7 @@ import org.palpate.frame.FrameStatistics;
 import org.palpate.host.ToolReplay;
 import org.palpate.tool.MadeTool;
 
-/** Reports what a rigid tool is and what its frames did. One thread. */
+/** Reports a rigid tool and the results of its frames. One thread. */
 public final class ToolReport {
   /** The solver of every rigid tool, in reports. */
   public static final String SOLVER = "rigid";
@@ -30,7 +30,7 @@ public final class ToolReport {
     this.massKg = massKg;
   }
 
-  /** Returns what a tool is, in a few words. */
+  /** Returns the name and size of a tool, for a line of text. */
   public static String line(MadeTool made) {
     return String.format(Locale.ROOT, "tool %s of %,d points", made.name(), made.tool().count());
   }
@@ -70,7 +70,7 @@ public final class ToolReport {
   }
 
   /**
-   * Returns what the tool is.
+   * Returns the fields of the tool itself.
    *
    * @param mostReduced the most points that kept less than their clearance in any frame
    */

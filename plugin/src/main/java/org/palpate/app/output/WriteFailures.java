@@ -9,8 +9,8 @@ import org.palpate.app.options.OutputPaths;
 import org.palpate.app.process.PalpateException;
 
 /**
- * Keeps the failure of one output from others: prints one line at once, and leaves that output out
- * from then on. One thread.
+ * Lets a command continue when one of its outputs fails. Prints one line at the first failure of an
+ * output, and skips that output from then on. One thread.
  */
 public final class WriteFailures {
   private final PrintWriter err;
@@ -23,7 +23,7 @@ public final class WriteFailures {
   }
 
   /**
-   * Creates a keeper of failures.
+   * Creates a list without failures.
    *
    * @param err receives a line for each output that fails
    */

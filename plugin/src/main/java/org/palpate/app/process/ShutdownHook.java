@@ -64,7 +64,7 @@ public final class ShutdownHook {
 
   /**
    * Returns an open hook that ends the process at once with exit code 0 and leaves no unfinished
-   * file. It is closed when {@link #install} takes over: there is nothing to complete before.
+   * file. A command uses it while it has nothing to complete. {@link #install} closes it.
    */
   public static ShutdownHook endQuietlyUntilStart() {
     ShutdownHook installed = new ShutdownHook();

@@ -7,8 +7,8 @@ import java.io.PrintStream;
 
 /**
  * The standard output of the process. Prints one line on standard error as soon as a write fails,
- * because streams for printing keep failures to themselves. A reader that goes away, as {@code
- * head} does, is no failure.
+ * because a {@link PrintStream} does not report it. A reader that closes its end, as {@code head}
+ * does, is no failure.
  */
 public final class StandardOutput extends FilterOutputStream {
   private static final String READER_GONE = "Broken pipe";

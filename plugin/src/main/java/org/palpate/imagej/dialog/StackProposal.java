@@ -15,13 +15,13 @@ import org.palpate.io.label.ValueStatistics;
  *
  * @param lower the smallest value
  * @param upper the largest value
- * @param reason why, in words; empty if the values of the last dialog are proposed
+ * @param reason a sentence for the user; empty if the values of the last dialog are proposed
  */
 record StackProposal(double lower, double upper, String reason) {
   private static final String PREFIX = "palpate.";
   private static final double DEFAULT_UPPER = 65535;
 
-  /** Number of slices, and of pixels of a slice, that are looked at. */
+  /** Largest number of slices in the sample, and below of pixels of a slice. */
   private static final int MAX_SLICES = 32;
 
   private static final int MAX_PIXELS = 16384;
@@ -29,7 +29,7 @@ record StackProposal(double lower, double upper, String reason) {
   /**
    * Returns a proposal for a stack.
    *
-   * @param fromMacro whether a macro gives the values; then the image is not looked at
+   * @param fromMacro whether a macro gives the values, so that the image need not be sampled
    */
   static StackProposal of(StackVolume volume, boolean fromMacro) {
     StackProposal last =
@@ -50,7 +50,7 @@ record StackProposal(double lower, double upper, String reason) {
         "Proposed: " + bone.name() + ", because " + SegmentProposal.reason(found) + ".");
   }
 
-  /** Returns the largest calibrated value that the type of the pixels permits; 0 for float. */
+  /** Returns the largest calibrated value of the pixel type; 0 for float. */
   private static double largest(StackVolume volume) {
     Calibration calibration = volume.image().getCalibration();
     return switch (volume.image().getBitDepth()) {

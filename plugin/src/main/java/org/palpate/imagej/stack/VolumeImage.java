@@ -24,8 +24,8 @@ import org.palpate.io.volume.VoxelSlice;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Makes a stack of ImageJ of a volume file, with its spacing, unit and origin, and with the names
- * and colours of its labels. Any one thread.
+ * Makes an ImageJ stack from a volume file, with its spacing, unit and origin, and with the names
+ * and colours of its labels. One thread.
  */
 public final class VolumeImage {
   private static final int LUT_SIZE = 256;
@@ -45,7 +45,7 @@ public final class VolumeImage {
   /**
    * Reads a volume into a stack, which is not shown yet.
    *
-   * @param file where the volume stands
+   * @param file the file of the volume, which names the stack
    * @throws VolumeFormatException if the volume cannot be read, or does not fit in memory
    * @throws TouchRefusedException if the user pressed Escape
    */
@@ -132,7 +132,7 @@ public final class VolumeImage {
     image.setCalibration(calibration);
   }
 
-  /** Returns what Image > Show Info... shows: format, axes, notes and the names of labels. */
+  /** Returns the lines of Image > Show Info...: format, axes, notes and names of labels. */
   private List<String> info() {
     List<String> lines = new ArrayList<>();
     lines.add("Opened by Palpate: " + header.format() + ", " + values.description());

@@ -62,7 +62,7 @@ final class MarkMesh {
     }
   }
 
-  /** Adds a small octahedron, for marks that are many. */
+  /** Adds a small octahedron, a cheap mark for many points. */
   void dot(Vec3 middle, double radius) {
     for (int octant = 0; octant < 8; octant++) {
       Vec3 a = new Vec3((octant & 1) == 0 ? 1 : -1, 0, 0);

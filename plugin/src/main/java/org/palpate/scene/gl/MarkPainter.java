@@ -10,8 +10,8 @@ import org.palpate.scene.ToolMarks;
 import org.palpate.scene.TouchMarks;
 
 /**
- * Draws the device, the interaction point, the spring between them, the force and the trail; of a
- * rigid tool, its sample points and the torque.
+ * Draws the device, the interaction point, the spring between them, the force and the trail. Draws
+ * the sample points and the torque of a rigid tool.
  */
 final class MarkPainter {
   /** Radius of the interaction point's ball over the camera's distance. */

@@ -34,7 +34,7 @@ final class DisplayScale {
     return of(System::getProperty, System::getenv);
   }
 
-  /** Returns the scale that the first known setting asks for; 1 without one or if NEWT scales. */
+  /** Returns the scale of the first setting; 1 if there is none or NEWT scales the window. */
   static double of(UnaryOperator<String> property, UnaryOperator<String> variable) {
     if (BY_NEWT.stream().anyMatch(name -> variable.apply(name) != null)) {
       return 1;

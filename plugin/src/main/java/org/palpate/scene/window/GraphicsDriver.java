@@ -17,7 +17,7 @@ public final class GraphicsDriver {
 
   private static final String LOCK_TIMEOUT_MILLIS = "60000";
 
-  /** Why there is no display; the environment of a process does not change. */
+  /** The reason why there is no display; the environment of a process does not change. */
   private static final Optional<String> MISSING_DISPLAY = findMissingDisplay();
 
   /** The thread that loads the driver, if it was started. */
@@ -39,7 +39,7 @@ public final class GraphicsDriver {
     return missingDisplay().isEmpty();
   }
 
-  /** Returns why there is no display, in words for the user; empty if there is one. */
+  /** Returns the reason why there is no display, for the user; empty if there is one. */
   public static Optional<String> missingDisplay() {
     return MISSING_DISPLAY;
   }

@@ -7,7 +7,7 @@ import org.palpate.geometry.Vec3;
  *
  * @param eyeMm position of the viewer
  * @param surfaceMm the point that the picture shows under the mouse
- * @param depthMm how deep the user presses, along the line of sight
- * @param begins whether a press begins here; otherwise it goes on from the last spot
+ * @param depthMm depth of the press below the surface
+ * @param begins whether a press begins here; otherwise a drag continues from the last spot
  */
 public record PointerSpot(Vec3 eyeMm, Vec3 surfaceMm, double depthMm, boolean begins) {}

@@ -30,8 +30,7 @@ import org.palpate.scene.gl.LegendArea;
  * turns the scene. Right drag turns; middle drag, or left drag with Shift, moves. The wheel zooms
  * or, while touching, changes the pressure.
  *
- * <p>What lies under a press is known once the drawing thread has looked; until then the press does
- * nothing.
+ * <p>A press does nothing until the drawing thread has found what lies under it.
  */
 public final class WindowInput extends MouseAdapter {
   private static final double RADIANS_PER_HEIGHT = Math.PI;
@@ -62,12 +61,12 @@ public final class WindowInput extends MouseAdapter {
   /** The action of the mouse while a button is held down. */
   private enum Gesture {
     NONE,
-    /** A press of which the drawing thread has not yet said whether it met a surface. */
+    /** A press before the drawing thread has found whether it met a surface. */
     UNDECIDED,
     TOUCH,
     TURN,
     MOVE,
-    /** A drag with Ctrl, for which the owner has a listener. */
+    /** A drag with Ctrl, which the owner's listener receives. */
     CONTROL
   }
 
@@ -146,7 +145,7 @@ public final class WindowInput extends MouseAdapter {
 
   /** Receives a drag. On the window's own thread. */
   public interface DragListener {
-    /** Receives the way to the right and upwards since the last call, in picture heights. */
+    /** Receives the distances to the right and upwards since the last call, in picture heights. */
     void dragged(double right, double up);
   }
 

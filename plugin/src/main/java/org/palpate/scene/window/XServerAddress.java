@@ -49,7 +49,7 @@ record XServerAddress(String host, int number) {
     }
   }
 
-  /** Whether a server listens in Linux's name space of sockets without a file. */
+  /** Whether a server listens at a socket without a file, which Linux calls abstract. */
   private static boolean isAbstract(String name) {
     try (Stream<String> lines = Files.lines(ABSTRACT_SOCKETS)) {
       return lines.anyMatch(line -> line.endsWith(" " + name));
