@@ -175,7 +175,7 @@ public final class ToolFrame extends HapticFrame {
     return mostReduced;
   }
 
-  /** Returns the work of the last frame, in points looked at. */
+  /** Returns the work of the last frame, in the units of {@link RigidSolver#work}. */
   public long work() {
     return solver.work();
   }

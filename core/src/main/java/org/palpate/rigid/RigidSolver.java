@@ -142,7 +142,10 @@ public final class RigidSolver {
     return device.target();
   }
 
-  /** Returns the work of the last frame, in units of {@link WorkBudget}. */
+  /**
+   * Returns the work of the last frame: the number of points that were tested, and other work in
+   * its equivalent.
+   */
   public long work() {
     return work;
   }

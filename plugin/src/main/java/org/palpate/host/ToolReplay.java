@@ -40,7 +40,7 @@ public final class ToolReplay {
   }
 
   /**
-   * The work of the frames, in points looked at.
+   * The work of the frames, in the units of {@link RigidSolver#work}.
    *
    * @param p50 median
    * @param p99 99th percentile
