@@ -7,13 +7,13 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.palpate.platform.JawLabels;
 
 /** Tests the surface files of {@code render}: one for all segments, or one for each. */
 class SurfaceExportTest {
@@ -91,32 +91,13 @@ class SurfaceExportTest {
 
   /** Writes two labels of 8x8x8 voxels, and a third segment that has none. */
   private Path twoLabels(String space) throws IOException {
-    String header =
+    String third =
         """
-        NRRD0004
-        type: uint8
-        dimension: 3
-        sizes: 8 8 8
-        space: %s
-        space directions: (1,0,0) (0,1,0) (0,0,1)
-        space origin: (10,20,30)
-        encoding: raw
-        Segment0_ID:=S1
-        Segment0_Name:=lower jaw
-        Segment0_LabelValue:=7
-        Segment1_ID:=S2
-        Segment1_Name:=upper jaw
-        Segment1_LabelValue:=9
         Segment2_ID:=S3
         Segment2_Name:=hyoid
         Segment2_LabelValue:=2
-
-        """
-            .formatted(space);
-    byte[] text = header.getBytes(StandardCharsets.UTF_8);
-    byte[] all = Arrays.copyOf(text, text.length + 512);
-    Arrays.fill(all, text.length + 64, text.length + 192, (byte) 7);
-    Arrays.fill(all, text.length + 256, text.length + 320, (byte) 9);
-    return Files.write(folder.resolve("jaws.seg.nrrd"), all);
+        """;
+    Path file = folder.resolve("jaws.seg.nrrd");
+    return JawLabels.write(file, 8, space, "(1,0,0) (0,1,0) (0,0,1)", third);
   }
 }

@@ -5,11 +5,9 @@ import ij.ImageStack;
 import ij.io.FileSaver;
 import ij.process.ByteProcessor;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
@@ -77,28 +75,6 @@ final class ImagejFiles {
 
   /** Writes a segmentation of 4x4x8 voxels with two named labels, as 3D Slicer does. */
   static void writeLabels(Path file) throws IOException {
-    String header =
-        """
-        NRRD0004
-        type: uint8
-        dimension: 3
-        sizes: 4 4 8
-        space: left-posterior-superior
-        space directions: (0.5,0,0) (0,0.8,0) (0,0,2)
-        space origin: (10,20,30)
-        encoding: raw
-        Segment0_ID:=S1
-        Segment0_Name:=lower jaw
-        Segment0_LabelValue:=7
-        Segment1_ID:=S2
-        Segment1_Name:=upper jaw
-        Segment1_LabelValue:=9
-
-        """;
-    byte[] text = header.getBytes(StandardCharsets.UTF_8);
-    byte[] all = Arrays.copyOf(text, text.length + 128);
-    Arrays.fill(all, text.length + 16, text.length + 48, (byte) 7);
-    Arrays.fill(all, text.length + 64, text.length + 96, (byte) 9);
-    Files.write(file, all);
+    JawLabels.write(file, 4, "left-posterior-superior", "(0.5,0,0) (0,0.8,0) (0,0,2)", "");
   }
 }
