@@ -10,7 +10,7 @@ import org.palpate.geometry.Vec3;
 
 /**
  * A mouse as a haptic device without force. The position approaches the pointer smoothly, no faster
- * than a hand, or jumps to where the user presses anew. Any thread moves the pointer; the haptic
+ * than a hand, or jumps to the start of a new press. Any thread moves the pointer; the haptic
  * thread reads the device.
  */
 public final class MouseDevice implements HapticDevice {

@@ -1,7 +1,7 @@
 package org.palpate.scene.gl;
 
 /**
- * The place of the legend in the picture, pixels from the upper left.
+ * The area of the legend in the picture, pixels from the upper left.
  *
  * @param left its left edge; it reaches to the right edge of the picture
  * @param top its upper edge

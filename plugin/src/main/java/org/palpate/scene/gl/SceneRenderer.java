@@ -81,7 +81,7 @@ public final class SceneRenderer {
     textScale = pixels;
   }
 
-  /** Returns the place of the legend in the last picture. Any thread. */
+  /** Returns the area of the legend in the last picture. Any thread. */
   public LegendArea legend() {
     return overlay == null ? LegendArea.NONE : overlay.legend();
   }
