@@ -155,6 +155,14 @@ class ToolFrameTest {
     assertEquals(3, lastTorque.length(), 1e-12);
   }
 
+  /** Lets the hand press the tool against the floor and turn it. */
+  private void pressAndTurn(ToolFrame frame) {
+    run(frame, 3);
+    deviceZ = 7;
+    turn.setRotationVector(new Vec3(0, 0.2, 0));
+    run(frame, 100);
+  }
+
   @Test
   void aDeviceWithoutTorqueGetsTheForceAlone() {
     ScriptedDevice device = device();
@@ -171,10 +179,7 @@ class ToolFrameTest {
   void zeroForceAndZeroTorqueAreLastWhenTheDeviceGoes() {
     ScriptedDevice device = device();
     ToolFrame frame = frame(device, unlimited());
-    run(frame, 3);
-    deviceZ = 7;
-    turn.setRotationVector(new Vec3(0, 0.2, 0));
-    run(frame, 100);
+    pressAndTurn(frame);
     assertTrue(device.lastTorque().length() > 0);
     device.script = (read, state) -> ReadStatus.DISCONNECTED;
     assertEquals(FrameOutcome.DEVICE_GONE, frame.run(nowNanos));
@@ -186,10 +191,7 @@ class ToolFrameTest {
   void aSilenceDropsForceAndTorqueAndLeavesTheToolWhereItIs() {
     ScriptedDevice device = device();
     ToolFrame frame = frame(device, unlimited());
-    run(frame, 3);
-    deviceZ = 7;
-    turn.setRotationVector(new Vec3(0, 0.2, 0));
-    run(frame, 100);
+    pressAndTurn(frame);
     Pose rest = new Pose().set(frame.motion().pose());
     Vec3 torque = device.lastTorque();
     device.script = (read, state) -> ReadStatus.REPEATED;
