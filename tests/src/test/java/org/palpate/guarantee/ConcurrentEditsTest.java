@@ -48,6 +48,12 @@ class ConcurrentEditsTest {
   /** Frames before each edit is offered, so that edits come while the hand touches. */
   private static final int FRAMES_PER_EDIT = 4;
 
+  /**
+   * Edits by which the editor may be late before the next frame waits for it. Without this limit a
+   * busy machine may run most frames first, and then all edits within a few frames.
+   */
+  private static final int MAX_LATE_EDITS = 16;
+
   private static final int MIN_FRAMES = EDITS * FRAMES_PER_EDIT;
   private static final long MS = 1_000_000;
   private static final double STIFFNESS = 0.5;
@@ -63,6 +69,7 @@ class ConcurrentEditsTest {
   private final Ray ray = new Ray();
   private final Vec3 at = new Vec3();
   private final AtomicLong framesRun = new AtomicLong();
+  private final AtomicLong editsOffered = new AtomicLong();
   private PointFrame frame;
   private long freed;
   private long legs;
@@ -77,6 +84,7 @@ class ConcurrentEditsTest {
     Thread editor = new Thread(() -> offer(edits), "editor");
     editor.start();
     for (long n = 0; n < MIN_FRAMES || queue.completed() < EDITS; n++) {
+      awaitEditor(n);
       runFrame(n, !smooth);
       framesRun.lazySet(n);
     }
@@ -106,6 +114,17 @@ class ConcurrentEditsTest {
       while (framesRun.get() < (long) n * FRAMES_PER_EDIT || !queue.offer(edits.get(n))) {
         Thread.onSpinWait();
       }
+      editsOffered.lazySet(n + 1);
+    }
+  }
+
+  /**
+   * Waits for an editor that is late, unless an edit is pending, because frames empty the queue.
+   */
+  private void awaitEditor(long frameNumber) {
+    long due = Math.min(EDITS, frameNumber / FRAMES_PER_EDIT - MAX_LATE_EDITS);
+    while (editsOffered.get() < due && queue.completed() >= editsOffered.get()) {
+      Thread.onSpinWait();
     }
   }
 
