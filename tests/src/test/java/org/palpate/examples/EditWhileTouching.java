@@ -28,7 +28,7 @@ public final class EditWhileTouching {
 
       Vec3 insideMm = new Vec3(box.highMm().x - 3, 32, 32);
       device.moveTo(insideMm);
-      runFrames(session, 1000);
+      awaitSteadyForce(session);
       System.out.println("pressed 3 mm deep: " + session.status().forceNewton() + " N");
 
       // The haptic thread alone changes voxels; it applies queued edits between two frames.
@@ -39,12 +39,22 @@ public final class EditWhileTouching {
 
       // A solid that grows over the interaction point sets it free at the nearest free voxel.
       scene.edits().offer(new BrushEdit(SPHERE, centre, 4, true));
-      runFrames(session, 1000);
+      awaitSteadyForce(session);
       System.out.println("filled again: " + session.status().forceNewton() + " N");
 
       session.stop();
       System.out.println("set free: " + session.report().statistics().freed() + " time");
     }
+  }
+
+  /** Waits for the hand to arrive, and for the ramp of the force, which a late frame restarts. */
+  private static void awaitSteadyForce(TouchSession session) throws InterruptedException {
+    runFrames(session, 1000);
+    double before;
+    do {
+      before = session.status().forceNewton();
+      runFrames(session, 100);
+    } while (session.status().forceNewton() != before);
   }
 
   private static void runFrames(TouchSession session, long frames) throws InterruptedException {
