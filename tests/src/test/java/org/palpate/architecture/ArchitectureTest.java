@@ -70,9 +70,9 @@ class ArchitectureTest {
                   "app",
                   "benchmarks.accuracy",
                   "benchmarks.nearest",
+                  "benchmarks.rigid",
                   "benchmarks.speed",
                   "benchmarks.stability",
-                  "benchmarks.stress",
                   "benchmarks.surface",
                   "benchmarks.sync")),
           Map.entry("benchmarks.input", List.of("device", "io", "raycast")),
@@ -92,6 +92,9 @@ class ArchitectureTest {
                   "proxy.smooth",
                   "volume.phantom")),
           Map.entry("benchmarks.report", List.of("io.file")),
+          Map.entry(
+              "benchmarks.rigid",
+              List.of("benchmarks.accuracy", "benchmarks.shell", "benchmarks.stress")),
           Map.entry("benchmarks.shell", List.of("proxy")),
           Map.entry(
               "benchmarks.speed",

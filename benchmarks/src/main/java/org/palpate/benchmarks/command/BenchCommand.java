@@ -15,6 +15,7 @@ import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VirtualDisplay;
 import org.palpate.benchmarks.accuracy.AccuracyRun;
 import org.palpate.benchmarks.nearest.NearestRun;
+import org.palpate.benchmarks.rigid.RigidRun;
 import org.palpate.benchmarks.speed.CppComparison;
 import org.palpate.benchmarks.speed.SpeedRun;
 import org.palpate.benchmarks.speed.SpeedStudy;
@@ -48,6 +49,7 @@ import picocli.CommandLine.Spec;
       "  palpate bench --accuracy --out figures",
       "  palpate bench --sync --out figures",
       "  palpate bench --surfaces --out figures",
+      "  palpate bench --rigid --quick --out figures",
       "  palpate bench --stress --frames 20000000 --seed 7",
       "  palpate bench --skips --scale --stability --quick"
     })
@@ -83,6 +85,14 @@ public final class BenchCommand implements Callable<Integer> {
   private boolean accuracy;
 
   @Option(
+      names = "--rigid",
+      description = {
+        "Rigid tools: every leg judged exactly, overlaps, frame times, forces, pegs in holes,",
+        "halves that fit, stuck frames, and published methods beside them."
+      })
+  private boolean rigid;
+
+  @Option(
       names = "--stress",
       description = {
         "Hostile scenes and hands against the guarantee; every leg is judged exactly.",
@@ -99,7 +109,7 @@ public final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--seed",
       paramLabel = "S",
-      description = "With --stress: seed of the attack (7).")
+      description = "With --stress or --rigid: seed of the attack, or of hands and scenes (7).")
   private Long seed;
 
   @Option(
@@ -222,10 +232,14 @@ public final class BenchCommand implements Callable<Integer> {
     if (scale) {
       studies.add(SpeedStudy.SCALE);
     }
-    if (studies.isEmpty() && !stability && !accuracy && !sync && !stress && !cpp && !surfaces) {
+    if (studies.isEmpty() && !hasOtherStudy()) {
       studies.add(SpeedStudy.ALL);
     }
     return studies;
+  }
+
+  private boolean hasOtherStudy() {
+    return stability || accuracy || rigid || sync || stress || cpp || surfaces;
   }
 
   private Path table1Data() {
@@ -255,6 +269,9 @@ public final class BenchCommand implements Callable<Integer> {
       report.put("time_over_twin", AccuracyRun.run(folder, quick, out(), progress()));
       NearestRun.run(folder, quick, out(), progress());
     }
+    if (rigid) {
+      report.put("rigid_targets_missed", RigidRun.run(folder, quick, seed(), out(), progress()));
+    }
     if (sync) {
       report.put("sync_work_p99_us", SyncRun.run(folder, quick, out(), progress()));
     }
@@ -266,22 +283,25 @@ public final class BenchCommand implements Callable<Integer> {
   /** Returns the chosen attack, or null; without one its options are refused. */
   private Attack attack() {
     if (!stress) {
-      refuseWithoutStress("--frames", frames);
-      refuseWithoutStress("--seed", seed);
-      refuseWithoutStress("--solver", solver);
+      refuse("--frames", frames, "--stress");
+      refuse("--seed", rigid ? null : seed, "--stress or --rigid");
+      refuse("--solver", solver, "--stress");
       return null;
     }
     FRAMES.checkGiven(frames);
-    return new Attack(
-        frames == null ? DEFAULT_FRAMES : frames,
-        seed == null ? DEFAULT_SEED : seed,
-        solverUnderAttack());
+    return new Attack(frames == null ? DEFAULT_FRAMES : frames, seed(), solverUnderAttack());
   }
 
-  private static void refuseWithoutStress(String option, Object given) {
+  private long seed() {
+    return seed == null ? DEFAULT_SEED : seed;
+  }
+
+  private static void refuse(String option, Object given, String needed) {
     if (given != null) {
       throw PalpateException.wrongUse(
-          "this option needs --stress", option + " " + given, "add --stress, or remove the option");
+          "this option needs " + needed,
+          option + " " + given,
+          "add " + needed + ", or remove the option");
     }
   }
 

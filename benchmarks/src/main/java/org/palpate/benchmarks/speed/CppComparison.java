@@ -14,6 +14,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.palpate.benchmarks.input.RaySet;
 import org.palpate.benchmarks.input.Trajectories;
+import org.palpate.benchmarks.report.MachineSummary;
 import org.palpate.collision.CollisionScene;
 import org.palpate.device.Trajectory;
 import org.palpate.geometry.GridMetric;

@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.palpate.benchmarks.report.MachineSummary;
 import org.palpate.benchmarks.report.Progress;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;

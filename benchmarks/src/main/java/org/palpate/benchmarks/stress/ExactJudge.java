@@ -30,7 +30,22 @@ public final class ExactJudge {
   private final int[] low = new int[3];
   private final int[] high = new int[3];
   private final int[] cell = new int[3];
+  private final boolean filtered;
   private long exactDecisions;
+
+  /** Creates a judge that decides in doubles where an error bound allows. */
+  public ExactJudge() {
+    this(true);
+  }
+
+  private ExactJudge(boolean filtered) {
+    this.filtered = filtered;
+  }
+
+  /** Returns a judge that decides every side in decimal fractions, to check the filter with. */
+  public static ExactJudge unfiltered() {
+    return new ExactJudge(false);
+  }
 
   /** Returns how often doubles did not suffice. */
   public long exactDecisions() {
@@ -120,7 +135,7 @@ public final class ExactJudge {
     double b = (to[v] - from[v]) * (cell[u] + cornerU - from[u]);
     double difference = a - b;
     double error = (Math.abs(a) + Math.abs(b)) * RELATIVE_ERROR + MIN_RELIABLE;
-    if (Math.abs(difference) > error && error < Double.POSITIVE_INFINITY) {
+    if (filtered && Math.abs(difference) > error && error < Double.POSITIVE_INFINITY) {
       return difference > 0 ? 1 : -1;
     }
     return exactSide(u, v, cornerU, cornerV);

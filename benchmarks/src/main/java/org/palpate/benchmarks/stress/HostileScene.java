@@ -23,7 +23,7 @@ public record HostileScene(String kind, BitCube bits, Vec3 spacingMm, double max
   }
 
   /** Returns a random scene. */
-  static HostileScene next(SplittableRandom random) {
+  public static HostileScene next(SplittableRandom random) {
     int sizeX = size(random);
     int sizeY = size(random);
     int sizeZ = size(random);

@@ -1,19 +1,18 @@
-package org.palpate.benchmarks.speed;
+package org.palpate.benchmarks.report;
 
 import java.lang.management.ManagementFactory;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
-import org.palpate.benchmarks.report.MachineFiles;
 
 /** Describes the machine on which times are measured. */
-final class MachineSummary {
+public final class MachineSummary {
   private MachineSummary() {}
 
   /**
    * Returns the JDK, the processor, the number of processors and the load before the measurement.
    */
-  static Map<String, Object> facts() {
+  public static Map<String, Object> facts() {
     Map<String, Object> facts = new LinkedHashMap<>();
     facts.put(
         "java",
@@ -26,7 +25,7 @@ final class MachineSummary {
   }
 
   /** Returns the facts as one line for a person. */
-  static String line(Map<String, Object> facts) {
+  public static String line(Map<String, Object> facts) {
     return String.format(
         Locale.ROOT,
         "%s, %s, %s with %s processors, load %.1f before",

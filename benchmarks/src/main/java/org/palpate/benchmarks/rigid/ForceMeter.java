@@ -1,0 +1,84 @@
+package org.palpate.benchmarks.rigid;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Measures direction and steadiness of the coupling force of a tool, as the solver gives it: before
+ * the limit that spreads jumps over frames. A force counts as its displacement, which is the force
+ * over its stiffness; a torque as its rotation. One thread.
+ */
+final class ForceMeter {
+  private final double rmsRadiusMm;
+  private final Vec3 displacement = new Vec3();
+  private final Vec3 rotation = new Vec3();
+  private final Vec3 lastDisplacement = new Vec3();
+  private final Vec3 lastRotation = new Vec3();
+  private final Vec3 motion = new Vec3();
+  private final Vec3 turn = new Vec3();
+  private final Pose lastDevice = new Pose();
+  private final Quaternion scratch = new Quaternion();
+  private final List<Double> degrees = new ArrayList<>();
+  private final List<Double> forceChanges = new ArrayList<>();
+  private final List<Double> torqueChanges = new ArrayList<>();
+  private boolean known;
+
+  /**
+   * Creates a meter.
+   *
+   * @param rmsRadiusMm the length that a rotation by one radian counts as, mm
+   */
+  ForceMeter(double rmsRadiusMm) {
+    this.rmsRadiusMm = rmsRadiusMm;
+  }
+
+  /**
+   * Takes note of a frame.
+   *
+   * @param normal the true direction of the force, unit
+   */
+  void count(Pose tool, Pose device, Vec3 normal) {
+    device.differenceTo(tool, displacement, rotation, scratch);
+    countDirection(displacement, normal);
+    if (known) {
+      lastDevice.differenceTo(device, motion, turn, scratch);
+      double movedMm = Math.hypot(motion.length(), rmsRadiusMm * turn.length());
+      lastDisplacement.sub(displacement, lastDisplacement);
+      lastRotation.sub(rotation, lastRotation);
+      forceChanges.add(lastDisplacement.length() / movedMm);
+      torqueChanges.add(rmsRadiusMm * lastRotation.length() / movedMm);
+    }
+    lastDisplacement.set(displacement);
+    lastRotation.set(rotation);
+    lastDevice.set(device);
+    known = true;
+  }
+
+  /** Takes note of the direction of a force. One without a length counts as 180 degrees off. */
+  void countDirection(Vec3 force, Vec3 normal) {
+    double length = force.length();
+    double cosine = length > 0 ? force.dot(normal) / length : -1;
+    degrees.add(Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, cosine)))));
+  }
+
+  double rmsDegrees() {
+    return Math.sqrt(degrees.stream().mapToDouble(d -> d * d).average().orElse(0));
+  }
+
+  /** Returns p99 of the change of force over stiffness and the device's motion. */
+  double forceChangeP99() {
+    return p99(forceChanges);
+  }
+
+  /** Returns the same of the torque. */
+  double torqueChangeP99() {
+    return p99(torqueChanges);
+  }
+
+  private static double p99(List<Double> values) {
+    return Quantile.of(values.stream().mapToDouble(v -> v).toArray(), 0.99);
+  }
+}

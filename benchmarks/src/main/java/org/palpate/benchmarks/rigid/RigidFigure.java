@@ -1,0 +1,29 @@
+package org.palpate.benchmarks.rigid;
+
+/**
+ * A measured figure and, if there is one, the value that it must not exceed.
+ *
+ * @param study the part of the run, such as {@code peg}
+ * @param condition scene, tool and clearance
+ * @param name the name of the figure
+ * @param value the figure
+ * @param unit its unit; empty for a count
+ * @param target the largest value that meets the target; NaN without a target
+ */
+record RigidFigure(
+    String study, String condition, String name, double value, String unit, double target) {
+
+  /** Makes a figure without a target. */
+  static RigidFigure of(String study, String condition, String name, double value, String unit) {
+    return new RigidFigure(study, condition, name, value, unit, Double.NaN);
+  }
+
+  boolean hasTarget() {
+    return !Double.isNaN(target);
+  }
+
+  /** Returns {@code met} or {@code missed}, or an empty text without a target. */
+  String verdict() {
+    return !hasTarget() ? "" : value <= target ? "met" : "missed";
+  }
+}

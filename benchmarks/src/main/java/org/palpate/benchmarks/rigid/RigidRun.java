@@ -1,0 +1,130 @@
+package org.palpate.benchmarks.rigid;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.palpate.benchmarks.report.MachineSummary;
+import org.palpate.benchmarks.report.Progress;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.file.NumberText;
+
+/** Runs all studies of rigid tools, prints their figures, and writes a table and plots. */
+public final class RigidRun {
+  private final boolean quick;
+  private final long seed;
+  private final PrintWriter out;
+  private final Consumer<String> progress;
+  private final List<RigidFigure> figures = new ArrayList<>();
+
+  private RigidRun(boolean quick, long seed, PrintWriter out, PrintWriter progress) {
+    this.quick = quick;
+    this.seed = seed;
+    this.out = out;
+    this.progress = Progress.to(progress);
+  }
+
+  /**
+   * Runs the studies.
+   *
+   * @param folder the output folder, created if missing
+   * @param quick whether to use fewer frames, insertions and legs
+   * @param seed of scenes, hands and cuts
+   * @param out receives the figures
+   * @param progress receives progress lines
+   * @return the number of figures that miss their targets
+   */
+  public static long run(
+      Path folder, boolean quick, long seed, PrintWriter out, PrintWriter progress)
+      throws IOException, InterruptedException {
+    Files.createDirectories(folder);
+    RigidRun run = new RigidRun(quick, seed, out, progress);
+    out.println(MachineSummary.line(MachineSummary.facts()) + ", seed " + seed);
+    run.measure();
+    write(folder.resolve("rigid.csv"), run.figures);
+    RigidPlots.write(folder, run.figures);
+    long missed = run.figures.stream().filter(f -> f.verdict().equals("missed")).count();
+    long targets = run.figures.stream().filter(RigidFigure::hasTarget).count();
+    out.println(missed + " of " + targets + " targets missed");
+    out.flush();
+    return missed;
+  }
+
+  private void measure() throws IOException, InterruptedException {
+    progress.accept("frame times");
+    add(times());
+    progress.accept("forces");
+    add(new ForceStudy(quick ? 1_000 : 20_000, seed).figures());
+    progress.accept("methods side by side");
+    add(new PeerStudy(quick ? 1_000 : 10_000, seed).figures());
+    progress.accept("slides");
+    add(new SlideWatchStudy(quick ? 500 : 5_000, seed).figures());
+    progress.accept("pegs");
+    add(new PegStudy(quick ? 1 : 8, seed).figures());
+    progress.accept("halves");
+    add(new HalvesStudy(seed).figures());
+    progress.accept("guarantee");
+    add(guarantee().figures());
+  }
+
+  private GuaranteeStudy guarantee() {
+    return quick
+        ? new GuaranteeStudy(10_000_000, 100_000, 2_000, seed, progress)
+        : new GuaranteeStudy(1_000_000_000, 10_000_000, 100_000, seed, progress);
+  }
+
+  private List<RigidFigure> times() throws IOException, InterruptedException {
+    List<List<FrameTimer.Times>> forks = new ArrayList<>();
+    int forkCount = quick ? 1 : 3;
+    for (int fork = 0; fork < forkCount; fork++) {
+      forks.add(FrameTimer.inProcessOfItsOwn(quick ? 2_000 : 10_000, quick ? 1_000 : 20_000));
+    }
+    List<RigidFigure> rows = new ArrayList<>();
+    List<TimedCondition> conditions = TimedCondition.all();
+    List<FrameTimer.Times> medians = FrameTimer.medians(forks);
+    for (int n = 0; n < conditions.size(); n++) {
+      rows.addAll(conditions.get(n).figures(medians.get(n)));
+    }
+    return rows;
+  }
+
+  private void add(List<RigidFigure> more) {
+    for (RigidFigure figure : more) {
+      figures.add(figure);
+      String target =
+          figure.hasTarget()
+              ? "at most " + shortText(figure.target()) + ": " + figure.verdict()
+              : "";
+      out.printf(
+          Locale.ROOT,
+          "%-10s %-36s %-32s %10s %-8s %s%n",
+          figure.study(),
+          figure.condition(),
+          figure.name(),
+          shortText(figure.value()),
+          figure.unit(),
+          target);
+    }
+    out.flush();
+  }
+
+  private static String shortText(double value) {
+    return String.format(Locale.ROOT, value == Math.rint(value) ? "%.0f" : "%.3f", value);
+  }
+
+  private static void write(Path file, List<RigidFigure> figures) throws IOException {
+    StringBuilder text = new StringBuilder("study,condition,figure,value,unit,target,verdict\n");
+    for (RigidFigure figure : figures) {
+      text.append(figure.study()).append(",\"").append(figure.condition()).append("\",\"");
+      text.append(figure.name()).append("\",").append(NumberText.text(figure.value()));
+      text.append(',').append(figure.unit()).append(',');
+      text.append(figure.hasTarget() ? NumberText.text(figure.target()) : "");
+      text.append(',').append(figure.verdict()).append('\n');
+    }
+    AtomicFile.write(file, text);
+  }
+}

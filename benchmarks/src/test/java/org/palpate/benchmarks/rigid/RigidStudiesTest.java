@@ -1,0 +1,65 @@
+package org.palpate.benchmarks.rigid;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
+
+class RigidStudiesTest {
+  private static final long SEED = 3;
+
+  @Test
+  void toolsHaveAboutTheNumberOfPointsThatTheirTablesName() {
+    assertEquals(1_016, MeasuredTools.cube(1_000).count());
+    assertEquals(5_048, MeasuredTools.cube(5_000).count());
+    assertEquals(2 * 71 * 71, MeasuredTools.plate(5_000).count());
+  }
+
+  @Test
+  void theAttackOnTheGuaranteeFindsNothing() {
+    List<RigidFigure> figures =
+        new GuaranteeStudy(300_000, 20_000, 400, SEED, line -> {}).figures();
+    figures.forEach(figure -> assertTrue(!figure.verdict().equals("missed"), figure.toString()));
+    assertTrue(value(figures, "legs judged") >= 300_000);
+    assertTrue(value(figures, "frames judged for overlap") >= 400);
+    assertTrue(value(figures, "frames with contact") > 5);
+  }
+
+  private static double value(List<RigidFigure> figures, String name) {
+    return figures.stream().filter(f -> f.name().equals(name)).findFirst().orElseThrow().value();
+  }
+
+  /** A spring of 1 N/mm against points of 5 N/mm; the depth at rest follows by hand. */
+  @Test
+  void thePenaltyMethodRestsWhereItsSpringsBalance() {
+    SurfaceScene scene = SurfaceScene.of("plane", 96);
+    Vec3 landing = new Vec3();
+    Vec3 normal = new Vec3();
+    scene.landing(landing, normal);
+    RigidTool ball = MeasuredTools.ball(4);
+    PenaltyPeer peer = new PenaltyPeer(scene.bodies().body(0).bits(), ball);
+    Pose device = new Pose();
+    normal.mul(8, device.translation).add(landing, device.translation);
+    peer.place(device);
+    for (int frame = 0; frame < 3_000; frame++) {
+      double heightMm = Math.max(1, 8 - 0.01 * frame);
+      normal.mul(heightMm, device.translation).add(landing, device.translation);
+      peer.follow(device);
+    }
+    Vec3 force = peer.force(device, new Vec3());
+    assertTrue(force.dot(normal) > 1 && force.dot(normal) < 3.5, "pushed out by " + force);
+    assertTrue(force.dot(normal) > 0.9 * force.length(), "along the normal: " + force);
+  }
+
+  @Test
+  void aFigureIsMetUpToItsTarget() {
+    assertEquals("met", new RigidFigure("s", "c", "n", 2, "mm", 2).verdict());
+    assertEquals("missed", new RigidFigure("s", "c", "n", 2.001, "mm", 2).verdict());
+    assertEquals("missed", new RigidFigure("s", "c", "n", Double.NaN, "mm", 2).verdict());
+    assertEquals("", RigidFigure.of("s", "c", "n", 2, "mm").verdict());
+  }
+}
