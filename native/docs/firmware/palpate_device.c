@@ -47,9 +47,14 @@ static int16_t clamp(int16_t value, uint16_t most) {
   return (int16_t)(value > limit ? limit : value < -limit ? -limit : value);
 }
 
+static uint8_t has_hand_sensor(const palpate_device* device) {
+  return (device->capabilities.flags & PALPATE_HAS_HAND_SENSOR) != 0;
+}
+
 void palpate_device_init(palpate_device* device, const palpate_capabilities* capabilities) {
   memset(device, 0, sizeof *device);
   device->capabilities = *capabilities;
+  device->hand_away = has_hand_sensor(device);
 }
 
 int palpate_device_out(palpate_device* device, const uint8_t* report, size_t length,
@@ -72,10 +77,9 @@ int palpate_device_out(palpate_device* device, const uint8_t* report, size_t len
 }
 
 static uint8_t state_flags(const palpate_device* device, const palpate_pose* pose) {
-  const int has_sensor = (device->capabilities.flags & PALPATE_HAS_HAND_SENSOR) != 0;
   uint8_t flags = 0;
   if (pose->calibrated) flags |= PALPATE_CALIBRATED;
-  if (pose->hand_present || !has_sensor) flags |= PALPATE_HAND_PRESENT;
+  if (!device->hand_away) flags |= PALPATE_HAND_PRESENT;
   if (device->force_on) flags |= PALPATE_FORCE_ON;
   if (device->zeroed) flags |= PALPATE_WATCHDOG_ZEROED;
   if (pose->fault == PALPATE_FAULT_HOT) flags |= PALPATE_MOTORS_HOT;
@@ -86,6 +90,7 @@ void palpate_device_in(palpate_device* device, const palpate_pose* pose, uint32_
                        uint8_t report[PALPATE_IN_BYTES]) {
   int i;
   memset(report, 0, PALPATE_IN_BYTES);
+  device->hand_away = has_hand_sensor(device) && !pose->hand_present;
   report[0] = PALPATE_IN_ID;
   report[1] = state_flags(device, pose);
   put16(report + 2, ++device->in_sequence);
@@ -145,7 +150,7 @@ void palpate_device_motors(palpate_device* device, uint32_t now_us, palpate_moto
   const palpate_capabilities* can = &device->capabilities;
   int axis;
   memset(motors, 0, sizeof *motors);
-  if (host_is_silent(device, now_us) || !device->force_on) {
+  if (host_is_silent(device, now_us) || !device->force_on || device->hand_away) {
     return;
   }
   for (axis = 0; axis < 3; axis++) {

@@ -101,6 +101,7 @@ typedef struct {
   uint8_t listening;
   uint8_t force_on;
   uint8_t zeroed;
+  uint8_t hand_away; /* the hand sensor says so, or has said nothing yet */
 } palpate_device;
 
 /* The HID report descriptor to hand to the USB stack. */
@@ -123,7 +124,8 @@ void palpate_device_feature(const palpate_device* device,
 
 /*
  * What the motors are to do now: the force last heard, within the maximum; zero where the host has
- * been silent for watchdog_ms. Call from the motor loop, at least once a millisecond.
+ * been silent for watchdog_ms, and where the hand sensor of the last IN report was let go. Call
+ * from the motor loop, at least once a millisecond.
  */
 void palpate_device_motors(palpate_device* device, uint32_t now_us, palpate_motors* motors);
 

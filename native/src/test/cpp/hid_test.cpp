@@ -18,11 +18,12 @@ constexpr int64_t kWait = palpate::kNanosPerSecond;
 
 /** A fake device that is open, with a hand that has held it still: one thread, no real time. */
 struct Rig {
-  FakeDevice device{bench::fakeFolder(), "SN0001"};
+  FakeDevice device;
   int64_t handle = bench::open("hid", "SN0001");
   uint32_t micros = 0;
 
-  Rig() {
+  explicit Rig(const palpate_capabilities& can = FakeDevice::capabilities())
+      : device(bench::fakeFolder(), "SN0001", FakeDevice::kOurs, can) {
     while (!device.isOpen()) {
       std::this_thread::yield();
     }
@@ -122,22 +123,52 @@ TEST("the firmware zeroes its motors after 20 ms of silence, across the wrap of 
   }
 }
 
-TEST("capabilities of another protocol, version or length are refused") {
+TEST("capabilities of another protocol, version or length are told apart") {
+  using palpate::hid::CapabilitiesStatus;
   palpate_device firmware;
   const palpate_capabilities can = FakeDevice::capabilities();
   palpate_device_init(&firmware, &can);
   uint8_t report[PALPATE_CAPABILITIES_BYTES];
   palpate_device_feature(&firmware, report);
   palpate::hid::Capabilities unpacked;
-  CHECK(palpate::hid::unpackCapabilities(report, sizeof report, unpacked));
+  const auto status = [&](size_t length) {
+    return palpate::hid::unpackCapabilities(report, length, unpacked);
+  };
+  CHECK(status(sizeof report) == CapabilitiesStatus::kOk);
   CHECK_EQUAL(6.0, unpacked.maxForceNewton);
   CHECK_EQUAL(1.5, unpacked.maxStiffnessNewtonPerMm);
   CHECK_EQUAL(60.0, unpacked.workspaceRadiusMm);
-  CHECK(!palpate::hid::unpackCapabilities(report, sizeof report - 1, unpacked));
-  for (const int at : {0, 1, 2, 5}) {
+  CHECK(status(sizeof report - 1) == CapabilitiesStatus::kAnotherReport);
+  for (const int at : {0, 2, 5}) {
     report[at]++;
-    CHECK(!palpate::hid::unpackCapabilities(report, sizeof report, unpacked));
+    CHECK(status(sizeof report) == CapabilitiesStatus::kAnotherReport);
     report[at]--;
+  }
+  report[1] = 2;
+  CHECK(status(sizeof report) == CapabilitiesStatus::kNewerVersion);
+  report[1] = 0;
+  CHECK(status(sizeof report) == CapabilitiesStatus::kOlderVersion);
+}
+
+TEST("the firmware itself gives no force while its hand sensor is let go") {
+  palpate_device firmware;
+  palpate_capabilities can = FakeDevice::capabilities();
+  can.flags = PALPATE_HAS_HAND_SENSOR;
+  palpate_device_init(&firmware, &can);
+  palpate::Wrench wrench;
+  wrench.forceNewton[0] = 1;
+  uint8_t out[palpate::hid::kOutBytes];
+  palpate::hid::packOut(wrench, false, 1, 0, out);
+  palpate_device_out(&firmware, out, sizeof out, 1000);
+  palpate_pose pose = {};
+  uint8_t in[PALPATE_IN_BYTES];
+  palpate_motors motors;
+  for (const int held : {0, 1, 0}) {
+    pose.hand_present = static_cast<uint8_t>(held);
+    palpate_device_motors(&firmware, 1500, &motors);
+    palpate_device_in(&firmware, &pose, 2000, in);
+    palpate_device_motors(&firmware, 2000, &motors);
+    CHECK_EQUAL(1000 * held, motors.force_mn[0]);
   }
 }
 
@@ -333,6 +364,21 @@ TEST("a device that is not calibrated says so and gives no force until it is") {
   rig.device.pose.calibrated = 1;
   CHECK_EQUAL(0.0, rig.frame(1));
   CHECK((rig.sample().flags & palpate::kNeedsCalibration) == 0);
+  rig.settle();
+  CHECK(rig.frame(1) > 0);
+}
+
+TEST("a dead-man switch that is let go takes the force away until it is held and still again") {
+  palpate_capabilities can = FakeDevice::capabilities();
+  can.flags = PALPATE_HAS_HAND_SENSOR;
+  Rig rig(can);
+  rig.settle();
+  CHECK(rig.frame(1) > 0);
+  rig.device.pose.hand_present = 0;
+  CHECK_EQUAL(0.0, rig.frame(1));
+  CHECK((rig.sample().flags & palpate::kForceReady) == 0);
+  rig.device.pose.hand_present = 1;
+  CHECK_EQUAL(0.0, rig.frame(1));
   rig.settle();
   CHECK(rig.frame(1) > 0);
 }

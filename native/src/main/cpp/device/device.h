@@ -136,6 +136,14 @@ class Backend {
   /** Opens one device: empty `id` means the first; nullptr with `why` filled where it cannot. */
   virtual std::unique_ptr<Device> open(const std::string& id, std::shared_ptr<Trace> trace,
                                        std::string& why) = 0;
+
+  /** What a device sends, as lines of a capture; empty with `why` filled where it cannot be had. */
+  virtual std::string capture(const std::string& id, Trace& trace, std::string& why) {
+    (void)id;
+    (void)trace;
+    why = std::string("a device of ") + name() + " cannot be captured: capture one of hid";
+    return "";
+  }
 };
 
 /** All back ends, in the order in which they are listed. They live as long as the process. */

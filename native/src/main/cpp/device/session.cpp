@@ -218,6 +218,19 @@ Finding Session::probe(Backend& backend, int64_t waitNanos) {
   return hung;
 }
 
+std::string Session::capture(Backend& backend, const std::string& id, int64_t waitNanos,
+                             std::string& why) {
+  auto errand = std::make_shared<Errand<std::string>>();
+  const bool answered = runBeside<std::string>(
+      errand, waitNanos,
+      [&backend, id](Errand<std::string>& self) {
+        return backend.capture(id, *self.trace, self.why);
+      },
+      [](std::string&) {});
+  why = answered ? errand->why : hangLine(*errand->trace, waitNanos);
+  return answered ? errand->result : std::string();
+}
+
 ReadStatus Session::read(int64_t handle) noexcept {
   Slot& slot = slotOf(handle);
   const uint64_t generation = generationOf(handle);

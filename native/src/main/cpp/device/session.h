@@ -31,6 +31,10 @@ class Session {
   /** Looks for devices likewise. */
   static Finding probe(Backend& backend, int64_t waitNanos);
 
+  /** Captures a device likewise; empty with `why` filled where it cannot be had. */
+  static std::string capture(Backend& backend, const std::string& id, int64_t waitNanos,
+                             std::string& why);
+
   static ReadStatus read(int64_t handle) noexcept;
   static bool write(int64_t handle) noexcept;
   static Closed close(int64_t handle, int64_t waitNanos) noexcept;

@@ -178,6 +178,36 @@ Finding HidBackend::probe(Trace& trace) {
   return finding;
 }
 
+/** A handle of the device that was asked for, and how to open it. `why` says where there is none.
+ */
+struct HidBackend::Opened {
+  Handle* handle = nullptr;
+  Listed listed;
+  Opener opener = nullptr;
+};
+
+HidBackend::Opened HidBackend::openHandle(const std::string& id, Trace& trace, std::string& why) {
+  HidApi& api = HidApi::instance();
+  const std::vector<Listed> all = api.list(trace);
+  for (const Listed& listed : all) {
+    const Opener opener = openerOf(listed);
+    if (opener == nullptr || (!id.empty() && id != idOf(listed) && id != listed.path)) {
+      continue;
+    }
+    why = permission(listed);
+    if (!why.empty()) {
+      return {};
+    }
+    Handle* handle = traced(trace, "hid_open_path", api.openPath, listed.path.c_str());
+    if (handle == nullptr) {
+      why = "hid_open_path " + listed.path + ": " + api.lastError(nullptr);
+    }
+    return {handle, listed, opener};
+  }
+  why = noneLike(id, all);
+  return {};
+}
+
 std::unique_ptr<Device> HidBackend::open(const std::string& id, std::shared_ptr<Trace> trace,
                                          std::string& why) {
   HidApi& api = HidApi::instance();
@@ -186,25 +216,31 @@ std::unique_ptr<Device> HidBackend::open(const std::string& id, std::shared_ptr<
     return nullptr;
   }
   const std::lock_guard<std::mutex> guard(api.lock);
-  const std::vector<Listed> all = api.list(*trace);
-  for (const Listed& listed : all) {
-    const Opener opener = openerOf(listed);
-    if (opener == nullptr || (!id.empty() && id != idOf(listed) && id != listed.path)) {
-      continue;
-    }
-    why = permission(listed);
-    if (!why.empty()) {
-      return nullptr;
-    }
-    Handle* handle = traced(*trace, "hid_open_path", api.openPath, listed.path.c_str());
-    if (handle == nullptr) {
-      why = "hid_open_path " + listed.path + ": " + api.lastError(nullptr);
-      return nullptr;
-    }
-    return opener(Link(api, handle), listed, std::move(trace), why);
+  const Opened opened = openHandle(id, *trace, why);
+  if (opened.handle == nullptr) {
+    return nullptr;
   }
-  why = noneLike(id, all);
-  return nullptr;
+  return opened.opener(Link(api, opened.handle), opened.listed, std::move(trace), why);
+}
+
+std::string HidBackend::capture(const std::string& id, Trace& trace, std::string& why) {
+  HidApi& api = HidApi::instance();
+  why = api.whyNot;
+  if (!why.empty()) {
+    return "";
+  }
+  std::unique_lock<std::mutex> guard(api.lock);
+  const Opened opened = openHandle(id, trace, why);
+  guard.unlock();
+  if (opened.handle == nullptr) {
+    return "";
+  }
+  const Link link(api, opened.handle);
+  if (opened.opener != openProtocolDevice) {
+    why = idOf(opened.listed) + " does not speak the protocol: capture a hand-built device";
+    return "";
+  }
+  return captureDevice(link, opened.listed, trace);
 }
 
 }  // namespace palpate::hid

@@ -16,6 +16,12 @@ class HidBackend : public Backend {
   Finding probe(Trace& trace) override;
   std::unique_ptr<Device> open(const std::string& id, std::shared_ptr<Trace> trace,
                                std::string& why) override;
+  std::string capture(const std::string& id, Trace& trace, std::string& why) override;
+
+ private:
+  struct Opened;
+
+  static Opened openHandle(const std::string& id, Trace& trace, std::string& why);
 };
 
 /** A device of hidapi's that is closed when it goes out of use. Moves, does not copy. */
@@ -73,6 +79,12 @@ std::unique_ptr<Device> openWoodenHaptics(Link link, const Listed& listed,
                                           std::shared_ptr<Trace> trace, std::string& why);
 std::unique_ptr<Device> openSpaceMouse(Link link, const Listed& listed,
                                        std::shared_ptr<Trace> trace, std::string& why);
+
+/**
+ * What a device of the protocol sends, as lines of a capture file (docs/hid-protocol.md). It first
+ * listens, then sends zero forces, then falls silent for longer than the device's watchdog waits.
+ */
+std::string captureDevice(const Link& link, const Listed& listed, Trace& trace);
 
 }  // namespace palpate::hid
 

@@ -80,6 +80,7 @@ HidApi::HidApi() {
     found.need("hid_write", write);
     found.need("hid_read_timeout", readTimeout);
     found.need("hid_get_feature_report", getFeature);
+    found.wish("hid_get_report_descriptor", getReportDescriptor);
     found.need("hid_close", close);
     found.need("hid_error", error);
     found.need("hid_version_str", version);

@@ -36,6 +36,7 @@ struct HidApi {
   int (*write)(Handle*, const unsigned char*, size_t) = nullptr;
   int (*readTimeout)(Handle*, unsigned char*, size_t, int) = nullptr;
   int (*getFeature)(Handle*, unsigned char*, size_t) = nullptr;
+  int (*getReportDescriptor)(Handle*, unsigned char*, size_t) = nullptr;  // since 0.14; or nullptr
   void (*close)(Handle*) = nullptr;
   const wchar_t* (*error)(Handle*) = nullptr;
   const char* (*version)() = nullptr;

@@ -79,10 +79,14 @@ void packOut(const Wrench& wrench, bool ending, uint16_t sequence, uint32_t echo
   putUint32(report + 20, echoMicros);
 }
 
-bool unpackCapabilities(const uint8_t* report, size_t length, Capabilities& dest) {
-  if (length < kCapabilitiesBytes || report[0] != kCapabilitiesId || report[1] != kVersion ||
+CapabilitiesStatus unpackCapabilities(const uint8_t* report, size_t length, Capabilities& dest) {
+  if (length < kCapabilitiesBytes || report[0] != kCapabilitiesId ||
       std::memcmp(report + 2, "PLPT", 4) != 0) {
-    return false;
+    return CapabilitiesStatus::kAnotherReport;
+  }
+  if (report[1] != kVersion) {
+    return report[1] < kVersion ? CapabilitiesStatus::kOlderVersion
+                                : CapabilitiesStatus::kNewerVersion;
   }
   dest.maxForceNewton = uint16At(report + 6) / 1000.0;
   dest.continuousForceNewton = uint16At(report + 8) / 1000.0;
@@ -91,7 +95,7 @@ bool unpackCapabilities(const uint8_t* report, size_t length, Capabilities& dest
   dest.workspaceRadiusMm = uint16At(report + 14) / 10.0;
   dest.reportIntervalMicros = uint16At(report + 16);
   dest.watchdogMillis = uint16At(report + 18);
-  return true;
+  return CapabilitiesStatus::kOk;
 }
 
 }  // namespace palpate::hid

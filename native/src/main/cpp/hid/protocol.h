@@ -48,8 +48,11 @@ InReport unpackIn(const uint8_t* report);
 void packOut(const Wrench& wrench, bool ending, uint16_t sequence, uint32_t echoMicros,
              uint8_t (&report)[kOutBytes]);
 
-/** Unpacks feature report 3; false where it is not of this protocol and version. */
-bool unpackCapabilities(const uint8_t* report, size_t length, Capabilities& dest);
+/** What feature report 3 turned out to be. */
+enum class CapabilitiesStatus { kOk, kAnotherReport, kOlderVersion, kNewerVersion };
+
+/** Unpacks feature report 3; `dest` is filled where the answer is kOk. */
+CapabilitiesStatus unpackCapabilities(const uint8_t* report, size_t length, Capabilities& dest);
 
 }  // namespace palpate::hid
 

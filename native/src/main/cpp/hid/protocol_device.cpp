@@ -83,6 +83,24 @@ size_t ProtocolDevice::pack(const Wrench& wrench, bool ending,
   return kOutBytes;
 }
 
+/** Why capabilities are of no use, and what to do; empty where they are. */
+std::string refusal(CapabilitiesStatus status, uint8_t version) {
+  const std::string versions = "it speaks version " + std::to_string(version) +
+                               " of the protocol, and this program version " +
+                               std::to_string(kVersion) + ": update ";
+  switch (status) {
+    case CapabilitiesStatus::kOlderVersion:
+      return versions + "its firmware";
+    case CapabilitiesStatus::kNewerVersion:
+      return versions + "this program";
+    case CapabilitiesStatus::kAnotherReport:
+      return "its feature report 3 is not that of the protocol: update its firmware";
+    case CapabilitiesStatus::kOk:
+      break;
+  }
+  return "";
+}
+
 Specification specify(const Capabilities& can, const Listed& listed) {
   Specification specification;
   specification.name = listed.product.empty() ? "hand-built device" : listed.product;
@@ -105,13 +123,13 @@ std::unique_ptr<Device> openProtocolDevice(Link link, const Listed& listed,
   uint8_t report[kCapabilitiesBytes + 1] = {kCapabilitiesId};
   const int length = traced(*trace, "hid_get_feature_report", link.api().getFeature, link.handle(),
                             report, sizeof report);
-  Capabilities can;
   if (length < 0) {
     why = "no capabilities (feature report 3): " + link.api().lastError(link.handle());
     return nullptr;
   }
-  if (!unpackCapabilities(report, static_cast<size_t>(length), can)) {
-    why = "its capabilities (feature report 3) are not of protocol version 1: update its firmware";
+  Capabilities can;
+  why = refusal(unpackCapabilities(report, static_cast<size_t>(length), can), report[1]);
+  if (!why.empty()) {
     return nullptr;
   }
   if (can.watchdogMillis <= 0) {

@@ -83,6 +83,21 @@ JNIEXPORT jstring JNICALL Java_org_palpate_device_jni_NativeCalls_probe(JNIEnv* 
   return text(env, lines(Session::probe(*named, nanos(waitMillis))));
 }
 
+/** Returns the lines of a capture, or null with the reason in why[0]. */
+JNIEXPORT jstring JNICALL Java_org_palpate_device_jni_NativeCalls_capture(
+    JNIEnv* env, jclass, jstring backend, jstring id, jint waitMillis, jobjectArray why) {
+  std::string reason = "no such back end";
+  Backend* named = palpate::backendNamed(text(env, backend));
+  const std::string lines = named != nullptr
+                                ? Session::capture(*named, text(env, id), nanos(waitMillis), reason)
+                                : std::string();
+  if (lines.empty()) {
+    env->SetObjectArrayElement(why, 0, text(env, reason));
+    return nullptr;
+  }
+  return text(env, lines);
+}
+
 JNIEXPORT jobject JNICALL Java_org_palpate_device_jni_NativeCalls_frame(JNIEnv* env, jclass,
                                                                         jlong handle) {
   palpate::Frame* frame = Session::frame(handle);

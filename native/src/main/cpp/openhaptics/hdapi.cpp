@@ -37,6 +37,7 @@ HdApi::HdApi() {
     found.need("hdGetError", getError);
     found.need("hdGetErrorString", getErrorString);
     found.need("hdEnable", enable);
+    found.need("hdGetBooleanv", getBooleanv);
     found.need("hdGetIntegerv", getIntegerv);
     found.need("hdGetDoublev", getDoublev);
     found.need("hdGetString", getString);

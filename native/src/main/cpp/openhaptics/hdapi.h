@@ -27,6 +27,7 @@ struct ErrorInfo {
 
 constexpr DeviceHandle kInvalidHandle = 0xFFFFFFFF;
 constexpr unsigned kCurrentButtons = 0x2000;
+constexpr unsigned kSafetySwitch = 0x2001;
 constexpr unsigned kCurrentTransform = 0x2052;
 constexpr unsigned kVersion = 0x2500;
 constexpr unsigned kModelType = 0x2501;
@@ -64,6 +65,7 @@ struct HdApi {
   ErrorInfo(PALPATE_HD_CALL* getError)() = nullptr;
   const char*(PALPATE_HD_CALL* getErrorString)(Error) = nullptr;
   void(PALPATE_HD_CALL* enable)(unsigned) = nullptr;
+  void(PALPATE_HD_CALL* getBooleanv)(unsigned, unsigned char*) = nullptr;
   void(PALPATE_HD_CALL* getIntegerv)(unsigned, int*) = nullptr;
   void(PALPATE_HD_CALL* getDoublev)(unsigned, double*) = nullptr;
   const char*(PALPATE_HD_CALL* getString)(unsigned) = nullptr;

@@ -61,8 +61,10 @@ void Servo::readState(Sample& sample) {
   double transform[16] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
                           NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
   int buttons = 0;
+  unsigned char held = 0;
   traced(trace_, "hdGetDoublev", api_.getDoublev, kCurrentTransform, transform);
   traced(trace_, "hdGetIntegerv", api_.getIntegerv, kCurrentButtons, &buttons);
+  traced(trace_, "hdGetBooleanv", api_.getBooleanv, kSafetySwitch, &held);
   if (ticks_ % kTicksBetweenTemperatures == 0) {
     double motors[6] = {0, 0, 0, 0, 0, 0};
     traced(trace_, "hdGetDoublev", api_.getDoublev, kMotorTemperature, motors);
@@ -75,6 +77,9 @@ void Servo::readState(Sample& sample) {
   sample.timeNanos = steadyNanos();
   sample.buttons = static_cast<uint32_t>(buttons);
   sample.motorHeat = heat_;
+  // A device without a safety switch never says that one is held.
+  hasSwitch_ = hasSwitch_ || held != 0;
+  sample.flags &= hasSwitch_ && held == 0 ? ~uint32_t{kForceReady} : ~uint32_t{0};
 }
 
 Wrench Servo::newestOrder(int64_t nowNanos) {

@@ -75,6 +75,7 @@ class Servo {
   int64_t failures_ = 0;
   int failuresInARow_ = 0;
   double heat_ = 0;
+  bool hasSwitch_ = false;  // the safety switch was seen held
 };
 
 }  // namespace palpate::openhaptics

@@ -160,6 +160,13 @@ void hdEnable(unsigned) {
   fail(call);
 }
 
+void hdGetBooleanv(unsigned what, unsigned char* value) {
+  const Call call("hdGetBooleanv", false);
+  mustBeInFrame();
+  *value = what == 0x2001 && panel().notReady == 0 ? 1 : 0;
+  fail(call);
+}
+
 void hdGetIntegerv(unsigned what, int* value) {
   const Call call("hdGetIntegerv", false);
   if (what == 0x2000) {

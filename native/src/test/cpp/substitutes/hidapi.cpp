@@ -225,6 +225,15 @@ int hid_get_feature_report(hid_device* device, unsigned char* bytes, size_t leng
   return got <= 0 ? -1 : static_cast<int>(got);
 }
 
+int hid_get_report_descriptor(hid_device*, unsigned char* bytes, size_t length) {
+  const Call call("hid_get_report_descriptor", false);
+  if (call.fails() || length < palpate_report_descriptor_bytes) {
+    return -1;
+  }
+  std::memcpy(bytes, palpate_report_descriptor, palpate_report_descriptor_bytes);
+  return static_cast<int>(palpate_report_descriptor_bytes);
+}
+
 void hid_close(hid_device* device) {
   const Call call("hid_close");
   close(device->socket);

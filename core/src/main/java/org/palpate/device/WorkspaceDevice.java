@@ -10,7 +10,7 @@ import org.palpate.geometry.Vec3;
  * <p>While the clutch is held, position and orientation rest and there is no force. The hand can
  * then return to a pose with more room. After the release the force returns over {@link
  * #RETURN_NANOS}. The speed button switches between full and fine motion about the present
- * position; rotation is never scaled.
+ * position; rotation is never scaled. Other axes change neither position nor orientation.
  *
  * <p>Buttons pass through. A position that is not finite passes too and changes nothing of the
  * mapping; so does an orientation.
@@ -21,10 +21,8 @@ public final class WorkspaceDevice extends DeviceDecorator {
   /** Time in which the force returns after the clutch was released. */
   public static final long RETURN_NANOS = 150_000_000L;
 
-  private final Workspace workspace;
   private final Controls controls;
   private final DeviceSpecification specification;
-  private final Quaternion rotation;
   private final DeviceState raw = new DeviceState();
 
   /** Displacement of the device from its origin, world mm, at the present speed. */
@@ -33,8 +31,11 @@ public final class WorkspaceDevice extends DeviceDecorator {
   /** World position of the device's origin, mm. */
   private final Vec3 originMm;
 
-  /** Turns the mapped orientation, world axes, so that a release of the clutch turns nothing. */
-  private final Quaternion clutchTurn = new Quaternion();
+  /**
+   * Follows the mapped orientation, in the probe's axes, so that neither the clutch nor other axes
+   * turn anything, and later turns are about the axes of the hand.
+   */
+  private final Quaternion offset = new Quaternion();
 
   private final Quaternion mapped = new Quaternion();
   private final Vec3 lastPositionMm = new Vec3();
@@ -44,9 +45,19 @@ public final class WorkspaceDevice extends DeviceDecorator {
   private double speed = 1;
   private int lastButtons;
   private boolean hasPosition;
+  private boolean hasOrientation;
+
+  /** The axes in use; haptic thread. */
+  private Axes axes;
+
+  private volatile Axes requestedAxes;
   private volatile boolean clutchRequested;
   private boolean clutched;
   private boolean wasClutched;
+
+  /** Whether the offset has to be computed anew with the next orientation. */
+  private boolean offsetDue;
+
   private boolean returning;
   private long releasedNanos;
   private double forceFactor = 1;
@@ -73,13 +84,24 @@ public final class WorkspaceDevice extends DeviceDecorator {
     }
   }
 
+  /** A workspace and its rotation as a quaternion. Immutable. */
+  private static final class Axes {
+    final Workspace workspace;
+    final Quaternion rotation;
+
+    Axes(Workspace workspace) {
+      this.workspace = workspace;
+      rotation = quaternion(workspace.deviceToWorld());
+    }
+  }
+
   /** Maps {@code device}, which is in its own frame, and closes it when it is closed itself. */
   public WorkspaceDevice(HapticDevice device, Workspace workspace, Controls controls) {
     super(device);
-    this.workspace = workspace;
+    axes = new Axes(workspace);
+    requestedAxes = axes;
     this.controls = controls;
     originMm = new Vec3().set(workspace.deviceToWorld().origin());
-    rotation = quaternion(workspace.deviceToWorld());
     DeviceSpecification own = device.specification();
     specification =
         new DeviceSpecification(
@@ -107,15 +129,27 @@ public final class WorkspaceDevice extends DeviceDecorator {
     ReadStatus status = device.read(raw);
     if (status == ReadStatus.FRESH) {
       state.set(raw);
-      mapPosition(state);
+      boolean turned = takeAxes();
+      mapPosition(state, turned);
       updateForceFactor(state.timeNanos);
-      mapOrientation(state);
+      mapOrientation(state, turned);
     }
     return status;
   }
 
-  private void mapPosition(DeviceState state) {
-    workspace.toWorldStep(raw.positionMm, displacementMm).mul(speed, displacementMm);
+  /** Takes the axes that were requested last, and returns whether they are others. */
+  private boolean takeAxes() {
+    Axes requested = requestedAxes;
+    boolean others = requested != axes && raw.positionMm.isFinite();
+    axes = others ? requested : axes;
+    return others;
+  }
+
+  private void mapPosition(DeviceState state, boolean turned) {
+    axes.workspace.toWorldStep(raw.positionMm, displacementMm).mul(speed, displacementMm);
+    if (turned && hasPosition) {
+      lastPositionMm.sub(displacementMm, originMm);
+    }
     if (displacementMm.isFinite()) {
       updateSpeed(state.buttons);
       updateClutch(state.buttons, state.timeNanos);
@@ -170,17 +204,20 @@ public final class WorkspaceDevice extends DeviceDecorator {
   }
 
   /** Turns the device's orientation into the world's; keeps the last one while clutched. */
-  private void mapOrientation(DeviceState state) {
-    rotation.multiply(raw.orientation, mapped);
-    if (wasClutched && !clutched) {
-      mapped.conjugate(clutchTurn);
-      lastOrientation.multiply(clutchTurn, clutchTurn);
+  private void mapOrientation(DeviceState state, boolean turned) {
+    axes.rotation.multiply(raw.orientation, mapped);
+    offsetDue |= turned || (wasClutched && !clutched);
+    if (offsetDue && mapped.isFinite()) {
+      offsetDue = false;
+      if (hasOrientation) {
+        mapped.conjugate(offset).multiply(lastOrientation, offset);
+      }
     }
     wasClutched = clutched;
     if (clutched) {
       state.orientation.set(lastOrientation);
     } else {
-      clutchTurn.multiply(mapped, state.orientation);
+      mapped.multiply(offset, state.orientation);
       keepOrientation(state.orientation);
     }
   }
@@ -188,14 +225,25 @@ public final class WorkspaceDevice extends DeviceDecorator {
   private void keepOrientation(Quaternion orientation) {
     if (orientation.isFinite()) {
       lastOrientation.set(orientation);
+      hasOrientation = true;
     }
   }
 
   @Override
   public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
-    workspace.toDeviceForce(forceNewton, deviceNewton).mul(forceFactor, deviceNewton);
-    workspace.toDeviceTorque(torqueNewtonMm, deviceNewtonMm).mul(forceFactor, deviceNewtonMm);
+    axes.workspace.toDeviceForce(forceNewton, deviceNewton).mul(forceFactor, deviceNewton);
+    axes.workspace.toDeviceTorque(torqueNewtonMm, deviceNewtonMm).mul(forceFactor, deviceNewtonMm);
     return device.write(deviceNewton, deviceNewtonMm);
+  }
+
+  /**
+   * Gives the device other axes in the world, from the next sample on. The point keeps its position
+   * and the tool its orientation; only later motion and forces follow the new axes. Any thread.
+   *
+   * @param deviceToWorld the axes; a rotation without mirroring, whose origin is not used
+   */
+  public void turnAxes(RigidTransform deviceToWorld) {
+    requestedAxes = new Axes(new Workspace(deviceToWorld, requestedAxes.workspace.scale()));
   }
 
   /** Holds the clutch as its button does, or releases it, from the next sample on. Any thread. */

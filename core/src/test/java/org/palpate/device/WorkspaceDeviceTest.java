@@ -242,6 +242,87 @@ class WorkspaceDeviceTest {
   }
 
   @Test
+  void afterAReleaseTheToolTurnsAboutTheAxesOfTheHand() {
+    SettableDevice hand = new SettableDevice();
+    RigidTransform frame = randomRotation(new Vec3());
+    WorkspaceDevice device =
+        new WorkspaceDevice(
+            hand, new Workspace(frame, new Vec3(1, 1, 1)), WorkspaceDevice.Controls.standard());
+    DeviceState state = new DeviceState();
+    device.read(state);
+    device.holdClutch(true);
+    hand.next.orientation.setRotationVector(randomVec(1));
+    device.read(state);
+    device.holdClutch(false);
+    device.read(state);
+    assertTurnsAboutHandsAxes(device, hand, state, frame);
+  }
+
+  /** Turns the hand, and expects that the tool turns by the same rotation vector in the world. */
+  private void assertTurnsAboutHandsAxes(
+      WorkspaceDevice device, SettableDevice hand, DeviceState state, RigidTransform frame) {
+    Vec3 turn = randomVec(0.3);
+    Quaternion before = new Quaternion().set(state.orientation);
+    Quaternion step = new Quaternion();
+    step.setRotationVector(turn);
+    step.multiply(hand.next.orientation, hand.next.orientation);
+    device.read(state);
+    Quaternion expected = new Quaternion();
+    expected.setRotationVector(frame.rotate(turn, new Vec3()));
+    expected.multiply(before, expected);
+    assertEquals(1, Math.abs(expected.dot(state.orientation)), 1e-12);
+  }
+
+  @Test
+  void otherAxesMoveNothingAndLaterMotionAndForceFollowThem() {
+    SettableDevice hand = new SettableDevice();
+    WorkspaceDevice device =
+        new WorkspaceDevice(hand, randomWorkspace(), WorkspaceDevice.Controls.standard());
+    DeviceState state = new DeviceState();
+    hand.next.positionMm.set(randomVec(20));
+    hand.next.orientation.setRotationVector(randomVec(1));
+    device.read(state);
+    for (int i = 0; i < 50; i++) {
+      Vec3 position = new Vec3().set(state.positionMm);
+      Quaternion orientation = new Quaternion().set(state.orientation);
+      RigidTransform frame = randomRotation(new Vec3());
+      device.turnAxes(frame);
+      device.read(state);
+      String where = "seed=" + SEED + " i=" + i;
+      assertTrue(position.sub(state.positionMm, new Vec3()).length() < 1e-9, where);
+      assertEquals(1, Math.abs(orientation.dot(state.orientation)), 1e-12, where);
+      Vec3 step = randomVec(1);
+      hand.next.positionMm.add(step, hand.next.positionMm);
+      position.set(state.positionMm);
+      device.read(state);
+      Vec3 moved = state.positionMm.sub(position, new Vec3());
+      device.write(moved, new Vec3());
+      assertTrue(
+          hand.feltNewton.dot(step) >= 0, where + ": a force along a motion acts along the hand's");
+      assertTurnsAboutHandsAxes(device, hand, state, frame);
+    }
+  }
+
+  @Test
+  void theHandsRightIsTheRightOfTheNewAxes() {
+    SettableDevice hand = new SettableDevice();
+    Workspace same = new Workspace(RigidTransform.identity(), new Vec3(2, 2, 2));
+    WorkspaceDevice device = new WorkspaceDevice(hand, same, WorkspaceDevice.Controls.standard());
+    DeviceState state = new DeviceState();
+    hand.next.positionMm.set(5, 0, 0);
+    device.read(state);
+    Vec3 left = new Vec3(0, 1, 0);
+    device.turnAxes(new RigidTransform(left, new Vec3(0, 0, 1), new Vec3(1, 0, 0), new Vec3()));
+    device.read(state);
+    hand.next.positionMm.set(6, 0, 0);
+    device.read(state);
+    assertEquals(10, state.positionMm.x, 1e-12);
+    assertEquals(2, state.positionMm.y, 1e-12);
+    device.write(new Vec3(0, 3, 0), new Vec3());
+    assertEquals(3, hand.feltNewton.x, 1e-12);
+  }
+
+  @Test
   void theTorqueIsTurnedLikeTheFrameAndDividedByTheScale() {
     SettableDevice hand = new SettableDevice();
     Workspace workspace = randomWorkspace();

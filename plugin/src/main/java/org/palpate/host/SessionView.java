@@ -6,6 +6,7 @@ import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.Camera;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.NamedPoint;
 import org.palpate.scene.SceneLoader;
@@ -65,11 +66,16 @@ public final class SessionView implements AutoCloseable {
   private final SceneModel model;
   private final List<Vec3> toolPoints;
   private final SessionOverlay overlay;
+  private final Optional<WorkspaceDevice> followsView;
   private final SceneSynchronizer synchronizer;
   private final SynchronizationThread synchronization;
   private final Thread opening;
   private final Vec3 point = new Vec3();
   private final Vec3 deviceGrid = new Vec3();
+
+  /** The camera whose axes the device has; synchronization thread. */
+  private Camera followed;
+
   private volatile Vec3 proxyGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
   private volatile List<NamedPoint> landmarks = List.of();
   private volatile SceneLoader loader;
@@ -119,6 +125,10 @@ public final class SessionView implements AutoCloseable {
         options
             .threshold()
             .map(live -> new LiveThreshold(live.scene(), live.start(), this::replaced));
+    followsView =
+        options.axesFollowView() && device instanceof WorkspaceDevice mapped
+            ? Optional.of(mapped)
+            : Optional.empty();
     overlay = new SessionOverlay(session, device, slices, threshold);
     synchronizer =
         new SceneSynchronizer(
@@ -136,6 +146,7 @@ public final class SessionView implements AutoCloseable {
   }
 
   private void tick() {
+    followsView.ifPresent(this::followView);
     if (synchronizer.applications() > 0 && session.properties().touch().contact()) {
       touched.refresh();
       overlay.touches(touched.firstName(proxyGrid, deviceGrid));
@@ -146,6 +157,15 @@ public final class SessionView implements AutoCloseable {
       session.properties().touch().device(deviceGrid);
       proxyGrid = new Vec3().set(point);
       slices.ifPresent(planes -> planes.follow(point));
+    }
+  }
+
+  /** Gives a device the axes of the picture if the camera has moved. */
+  private void followView(WorkspaceDevice mapped) {
+    Camera camera = model.camera();
+    if (camera != followed) {
+      followed = camera;
+      mapped.turnAxes(camera.axes(model.axes()));
     }
   }
 

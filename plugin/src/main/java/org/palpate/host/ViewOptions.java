@@ -19,20 +19,24 @@ import org.palpate.scene.window.ScenePanel;
  * @param upsideDown whether the picture is turned by half a turn, for a file whose axes point the
  *     wrong way
  * @param threshold the segment whose threshold keys change, with the scene that touches it
+ * @param axesFollowView whether the axes of a {@link org.palpate.device.WorkspaceDevice} are those
+ *     of the picture; the world must then be right-handed
  */
 public record ViewOptions(
     List<Optional<GreyRange>> greys,
     Optional<MovableSlices.Start> slices,
     Optional<ScenePanel> panel,
     boolean upsideDown,
-    Optional<Threshold> threshold) {
+    Optional<Threshold> threshold,
+    boolean axesFollowView) {
 
   /** A segment whose threshold changes while it is touched. */
   public record Threshold(ContactScene scene, LiveThreshold.Start start) {}
 
   /** Surfaces made of bits, in a window of their own. */
   public static final ViewOptions PLAIN =
-      new ViewOptions(List.of(), Optional.empty(), Optional.empty(), false, Optional.empty());
+      new ViewOptions(
+          List.of(), Optional.empty(), Optional.empty(), false, Optional.empty(), false);
 
   /** Copies the list. */
   public ViewOptions {
@@ -41,6 +45,7 @@ public record ViewOptions(
 
   /** Returns a copy that shows the view inside another program's window. */
   public ViewOptions in(ScenePanel component) {
-    return new ViewOptions(greys, slices, Optional.of(component), upsideDown, threshold);
+    return new ViewOptions(
+        greys, slices, Optional.of(component), upsideDown, threshold, axesFollowView);
   }
 }

@@ -1,6 +1,7 @@
 package org.palpate.scene;
 
 import java.util.List;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -92,6 +93,18 @@ public final class Camera {
   /** Returns the unit vector from the target to the viewer. */
   public Vec3 back() {
     return back;
+  }
+
+  /**
+   * Returns the axes of the picture in the world: right, up and towards the viewer. They mirror if
+   * the world is left-handed.
+   */
+  public RigidTransform axes(WorldAxes world) {
+    return new RigidTransform(
+        world.toSceneOrBack(right, new Vec3()),
+        world.toSceneOrBack(up, new Vec3()),
+        world.toSceneOrBack(back, new Vec3()),
+        new Vec3());
   }
 
   /** Returns the distance from the target. */

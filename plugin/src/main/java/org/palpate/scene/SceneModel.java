@@ -92,6 +92,11 @@ public final class SceneModel {
     return List.copyOf(objects);
   }
 
+  /** Returns the camera as it is now. */
+  public synchronized Camera camera() {
+    return camera;
+  }
+
   /** Moves the camera so that it sees everything from one side. */
   public void look(StandardView view, double aspect) {
     synchronized (this) {

@@ -38,7 +38,7 @@ class ArchitectureTest {
   private static final Map<String, List<String>> MAY_USE =
       Map.ofEntries(
           Map.entry("app", List.of("app.command")),
-          Map.entry("app.command", List.of("app.output", "igtl", "realtime")),
+          Map.entry("app.command", List.of("app.output", "device.protocol", "igtl", "realtime")),
           Map.entry("app.options", List.of("app.process", "host", "tool")),
           Map.entry("app.output", List.of("app.options")),
           Map.entry("app.process", List.of("display", "io.file", "io.volume")),
@@ -116,6 +116,7 @@ class ArchitectureTest {
           Map.entry("collision", List.of("raycast")),
           Map.entry("device", List.of("geometry")),
           Map.entry("device.jni", List.of("device")),
+          Map.entry("device.protocol", List.of()),
           Map.entry("display", List.of()),
           Map.entry("edit", List.of("proxy.smooth.field")),
           Map.entry("force", List.of("proxy")),

@@ -73,6 +73,8 @@ class ColumnsTest {
     Object[] render = {"render", "--phantom", "sphere:16", "--out", surface};
     seen.addAll(keys(report, render, common, "Reports of `render`"));
     seen.addAll(keys(report, new Object[] {"devices"}, common, "Reports of `devices`"));
+    Object[] check = {"devices", "--check", "capture:../native/docs/captures/six-degrees.hid"};
+    seen.addAll(keys(report, check, common, "Reports of `devices`"));
     Set<String> missing = allKeys();
     missing.removeAll(seen);
     missing.removeAll(NEED_DISPLAY);

@@ -73,6 +73,16 @@ class VirtualHidTest {
   }
 
   @Test
+  void aCheckFindsNoFaultInTheExampleFirmware() throws Exception {
+    Path capture = folder.resolve("c.hid");
+    String out = run("", "devices", "--check", "hid:SN0001", "--capture", capture).out();
+    assertTrue(out.contains("no rule is broken"), out);
+    assertTrue(out.contains("ok      the descriptor states feature report 3"), out);
+    String again = CommandRun.of("devices", "--check", "capture:" + capture).mustSucceed().out();
+    assertEquals(out, again);
+  }
+
+  @Test
   void aKeyRequestsForceWhileTheDeviceIsWatched() throws Exception {
     Path report = folder.resolve("r.json");
     CommandRun run =

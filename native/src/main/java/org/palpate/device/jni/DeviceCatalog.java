@@ -43,6 +43,32 @@ public final class DeviceCatalog {
     return BackendProbe.parse(backend, lines);
   }
 
+  /**
+   * Captures what a device of the HID protocol sends. The device gets zero forces, and then none
+   * for longer than its watchdog waits.
+   *
+   * @param backend the name of the back end; only {@code hid} can be captured
+   * @param id the serial number; empty for the first device
+   * @return the lines of a capture, for {@link org.palpate.device.protocol.HidCapture#parse}
+   * @throws DeviceException if it cannot be captured; the message gives the reason and the remedy
+   */
+  public static List<String> capture(String backend, String id) throws DeviceException {
+    if (!NativeLibrary.isLoaded()) {
+      throw new DeviceException(NativeLibrary.loadFailure());
+    }
+    String[] why = {""};
+    String text = NativeCalls.capture(backend, id, OPEN_WAIT_MILLIS, why);
+    if (text == null) {
+      throw cannotOpen(backend, id, why[0]);
+    }
+    return text.lines().toList();
+  }
+
+  private static DeviceException cannotOpen(String backend, String id, String why) {
+    String device = id.isEmpty() ? backend : backend + ":" + id;
+    return new DeviceException("cannot open the device: " + device + ": " + why);
+  }
+
   /** Whether {@link #open} accepts a back end of this name. */
   public static boolean isNative(String backend) {
     return NATIVE_BACKENDS.contains(backend);
@@ -64,8 +90,7 @@ public final class DeviceCatalog {
     String[] why = {""};
     long handle = NativeCalls.open(backend, id, OPEN_WAIT_MILLIS, why);
     if (handle == 0) {
-      String device = id.isEmpty() ? backend : backend + ":" + id;
-      throw new DeviceException("cannot open the device: " + device + ": " + why[0]);
+      throw cannotOpen(backend, id, why[0]);
     }
     return new NativeDevice(handle);
   }

@@ -22,6 +22,12 @@ final class NativeCalls {
   /** Returns lines of key, tab and value; null if the back end does not exist. */
   static native String probe(String backend, int waitMillis);
 
+  /**
+   * Returns the lines of a capture of a device that speaks the HID protocol; null with the reason
+   * in {@code why[0]}.
+   */
+  static native String capture(String backend, String id, int waitMillis, String[] why);
+
   /** Returns the bytes described by {@link FrameLayout}, which outlive the device. */
   static native ByteBuffer frame(long handle);
 

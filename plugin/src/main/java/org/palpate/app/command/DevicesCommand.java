@@ -4,14 +4,17 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
+import org.palpate.app.options.OutputPaths;
 import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.jni.BackendProbe;
@@ -26,7 +29,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Lists the devices that can be used on this machine, or watches one. */
+/** Lists the devices that can be used on this machine, watches one, or checks one. */
 @Command(
     name = "devices",
     description =
@@ -36,7 +39,9 @@ import picocli.CommandLine.Spec;
       "Examples:",
       "  palpate devices",
       "  palpate devices --json",
-      "  palpate devices --watch hid:SN0001"
+      "  palpate devices --watch hid:SN0001",
+      "  palpate devices --check hid --capture mine.hid",
+      "  palpate devices --check capture:mine.hid"
     })
 public final class DevicesCommand implements Callable<Integer> {
   private static final String MOUSE = "mouse";
@@ -55,6 +60,20 @@ public final class DevicesCommand implements Callable<Integer> {
   private String watched;
 
   @Option(
+      names = "--check",
+      paramLabel = "hid[:SERIAL]|capture:FILE",
+      description =
+          "Checks a hand-built device, or a capture of one, against the HID protocol. It sends no"
+              + " force.")
+  private String checked;
+
+  @Option(
+      names = "--capture",
+      paramLabel = "FILE",
+      description = "Writes what --check hid received, for a later check or a report of a fault.")
+  private Path captureFile;
+
+  @Option(
       names = "--seconds",
       paramLabel = "S",
       description = "Ends --watch after S seconds. Default: Ctrl-C ends it.")
@@ -63,7 +82,18 @@ public final class DevicesCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     checkOptionCombination();
-    return watched == null ? list() : watch();
+    return checked != null ? check() : watched == null ? list() : watch();
+  }
+
+  private int check() throws IOException {
+    DeviceCheck check =
+        new DeviceCheck(checked, Optional.ofNullable(captureFile), spec.commandLine().getOut());
+    List<Path> inputs = check.inputs();
+    Report report = new Report("devices", output.report(), inputs);
+    if (captureFile != null) {
+      OutputPaths.checked("--capture", captureFile, inputs);
+    }
+    return check.run(report);
   }
 
   private void checkOptionCombination() {
@@ -77,6 +107,16 @@ public final class DevicesCommand implements Callable<Integer> {
           "a live view cannot be printed as JSON",
           "--json --watch " + watched,
           "use --report FILE.json with --watch");
+    }
+    if (checked != null && (watched != null || json)) {
+      throw PalpateException.wrongUse(
+          "--check has its own output",
+          "--check " + checked,
+          "leave out " + (json ? "--json" : "--watch " + watched));
+    }
+    if (captureFile != null && (checked == null || checked.startsWith("capture"))) {
+      throw PalpateException.wrongUse(
+          "no device is captured", "--capture " + captureFile, "add --check hid, or leave it out");
     }
   }
 

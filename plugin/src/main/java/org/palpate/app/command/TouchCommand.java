@@ -33,6 +33,7 @@ import org.palpate.host.MouseTakeover;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.host.ViewOptions;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopSettings;
@@ -107,6 +108,17 @@ public final class TouchCommand implements Callable<Integer> {
   private boolean fitEachAxis;
 
   @Option(
+      names = "--axes",
+      paramLabel = "patient|view",
+      defaultValue = "patient",
+      description = {
+        "What the hand's right, up and towards are with a real device: patient (the person faces"
+            + " the patient) or view (those of the picture, also after the view was turned).",
+        "Default: ${DEFAULT-VALUE}."
+      })
+  private DeviceAxes axes;
+
+  @Option(
       names = "--rate",
       paramLabel = "HZ",
       defaultValue = "1000",
@@ -135,6 +147,12 @@ public final class TouchCommand implements Callable<Integer> {
       description =
           "Explains what real time needs and what this JVM and this system grant, then ends.")
   private boolean explain;
+
+  /** The axes of a real device. */
+  enum DeviceAxes {
+    PATIENT,
+    VIEW
+  }
 
   private PrintWriter out;
   private Optional<SessionLink> link = Optional.empty();
@@ -196,7 +214,7 @@ public final class TouchCommand implements Callable<Integer> {
 
   private int touch(VolumeSource source) throws IOException {
     ContactSettings settings = contact.settings();
-    DeviceChoice choice = DeviceChoice.parse(device).withFitEachAxis(fitEachAxis);
+    DeviceChoice choice = choice(source);
     List<Path> inputs = new ArrayList<>(source.files());
     inputs.addAll(choice.files());
     Optional<MadeTool> made =
@@ -228,6 +246,17 @@ public final class TouchCommand implements Callable<Integer> {
     }
   }
 
+  private DeviceChoice choice(VolumeSource source) {
+    boolean ofView = axes == DeviceAxes.VIEW;
+    if (ofView && source.header().coordinateSystem() == CoordinateSystem.LAS) {
+      throw PalpateException.wrongUse(
+          "the file's axes are left-handed, so the picture has none for a hand",
+          "--axes view",
+          "leave it out");
+    }
+    return DeviceChoice.parse(device).withFit(fitEachAxis, ofView);
+  }
+
   /** Opens the device; the mouse may take a simulated hand over if there is a window. */
   private HapticDevice open(
       DeviceChoice choice, VolumeSource source, HandTarget target, long periodNanos)
@@ -247,14 +276,19 @@ public final class TouchCommand implements Callable<Integer> {
         throw needsWindow(option);
       }
     }
-    if (device.equals("mouse") && headless) {
-      throw needsWindow("--device mouse");
+    checkWindow("--axes view", axes == DeviceAxes.VIEW);
+    checkWindow("--device mouse", device.equals("mouse"));
+  }
+
+  private void checkWindow(String option, boolean needed) {
+    if (needed && headless) {
+      throw needsWindow(option);
     }
-    if (device.equals("mouse") && !GraphicsDriver.hasDisplay()) {
+    if (needed && !GraphicsDriver.hasDisplay()) {
       throw PalpateException.wrongUse(
-          "the mouse needs a window, but there is no display",
-          "--device mouse",
-          "set DISPLAY, or choose another device");
+          option + " needs a window, but there is no display",
+          option,
+          "set DISPLAY, or leave it out");
     }
   }
 
@@ -352,6 +386,7 @@ public final class TouchCommand implements Callable<Integer> {
             tool.isRigid()
                 ? Optional.empty()
                 : SliceOptions.threshold(source)
-                    .map(start -> new ViewOptions.Threshold(scene, start))));
+                    .map(start -> new ViewOptions.Threshold(scene, start)),
+            axes == DeviceAxes.VIEW));
   }
 }

@@ -23,8 +23,9 @@ import org.palpate.io.volume.CoordinateSystem;
  * @param device the checked name
  * @param fitEachAxis whether the workspace of a real device is stretched over the box of the
  *     segments along each axis separately
+ * @param axesOfView whether the axes of a real device are those of the view
  */
-public record DeviceChoice(DeviceName device, boolean fitEachAxis) {
+public record DeviceChoice(DeviceName device, boolean fitEachAxis, boolean axesOfView) {
   private static final String FORMS =
       "write simulated[:SEED], replay:T.csv, hid[:SERIAL], openhaptics[:NAME],"
           + " forcedimension[:SERIAL], virtuose:HOST or mouse";
@@ -46,7 +47,7 @@ public record DeviceChoice(DeviceName device, boolean fitEachAxis) {
     if (device.isSimulated()) {
       checkSeed(device);
     }
-    return new DeviceChoice(device, false);
+    return new DeviceChoice(device, false, false);
   }
 
   private static void checkSeed(DeviceName device) {
@@ -62,18 +63,20 @@ public record DeviceChoice(DeviceName device, boolean fitEachAxis) {
   }
 
   /**
-   * Returns a copy that fits each axis separately if {@code fit} is true.
+   * Returns a copy with another fit of the workspace of a real device.
    *
-   * @throws PalpateException exit code 2, if the device is not a real one
+   * @param fit whether each axis is fitted separately
+   * @param view whether the axes are those of the view
+   * @throws PalpateException exit code 2, if one of them is wanted and the device is not a real one
    */
-  public DeviceChoice withFitEachAxis(boolean fit) {
-    if (fit && !device.isReal()) {
+  public DeviceChoice withFit(boolean fit, boolean view) {
+    if ((fit || view) && !device.isReal()) {
       throw PalpateException.wrongUse(
           "only the workspace of a real device can be fitted",
-          "--fit-each-axis --device " + device,
+          (fit ? "--fit-each-axis" : "--axes view") + " --device " + device,
           "leave it out, or choose hid, openhaptics, forcedimension or virtuose");
     }
-    return new DeviceChoice(device, fit);
+    return new DeviceChoice(device, fit, view);
   }
 
   /** Returns the files that the device reads, which no output may replace. */

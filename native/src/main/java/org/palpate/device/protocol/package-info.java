@@ -1,0 +1,6 @@
+/**
+ * Checks a hand-built device against the HID protocol of {@code native/docs/hid-protocol.md}.
+ *
+ * <p>Depends on the JDK alone. Any thread; nothing here runs in a frame. Units stand in the names.
+ */
+package org.palpate.device.protocol;

@@ -1,0 +1,140 @@
+package org.palpate.app.command;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.palpate.app.output.Report;
+import org.palpate.app.process.PalpateException;
+import org.palpate.device.jni.DeviceCatalog;
+import org.palpate.device.jni.DeviceException;
+import org.palpate.device.protocol.CaptureFormatException;
+import org.palpate.device.protocol.CheckResult;
+import org.palpate.device.protocol.HidCapture;
+import org.palpate.device.protocol.ProtocolCheck;
+import org.palpate.io.file.AtomicFile;
+
+/** Checks a hand-built device, or a capture of one, against the HID protocol. */
+final class DeviceCheck {
+  private static final String HID = "hid";
+  private static final String CAPTURE = "capture";
+
+  private final String checked;
+  private final Optional<Path> captureFile;
+  private final PrintWriter out;
+
+  /**
+   * Creates a check.
+   *
+   * @param checked {@code hid[:SERIAL]} or {@code capture:FILE}
+   * @param captureFile receives what the device sent, for a later check
+   */
+  DeviceCheck(String checked, Optional<Path> captureFile, PrintWriter out) {
+    this.checked = checked;
+    this.captureFile = captureFile;
+    this.out = out;
+  }
+
+  /** Returns the file that is checked; empty if a device is. */
+  List<Path> inputs() {
+    return backend().equals(CAPTURE) ? List.of(Path.of(id())) : List.of();
+  }
+
+  /**
+   * Prints a line for each rule, and writes the report.
+   *
+   * @return 0 if no rule is broken, otherwise 1
+   */
+  int run(Report report) throws IOException {
+    List<String> lines = backend().equals(HID) ? capture() : readLines(inputs().get(0));
+    HidCapture capture = parse(lines);
+    if (captureFile.isPresent()) {
+      save(captureFile.get(), lines);
+    }
+    List<CheckResult> results = ProtocolCheck.run(capture);
+    results.forEach(this::print);
+    long failed = results.stream().filter(r -> r.outcome() == CheckResult.Outcome.FAILED).count();
+    out.println(failed == 0 ? "no rule is broken" : failed + " of " + results.size() + " failed");
+    report.put("device", checked).put("failed", failed);
+    report.put("checks", results.stream().map(DeviceCheck::entry).toList());
+    report.write();
+    return failed == 0 ? 0 : PalpateException.FAILED;
+  }
+
+  private String backend() {
+    int colon = checked.indexOf(':');
+    String name = colon < 0 ? checked : checked.substring(0, colon);
+    boolean known = name.equals(HID) || (name.equals(CAPTURE) && !id().isEmpty());
+    if (!known) {
+      throw PalpateException.wrongUse(
+          "this device cannot be checked",
+          "--check " + checked,
+          "write hid, hid:SERIAL or capture:FILE");
+    }
+    return name;
+  }
+
+  private String id() {
+    int colon = checked.indexOf(':');
+    return colon < 0 ? "" : checked.substring(colon + 1);
+  }
+
+  private List<String> capture() {
+    try {
+      return DeviceCatalog.capture(HID, id());
+    } catch (DeviceException e) {
+      throw PalpateException.failed(e.getMessage(), e);
+    }
+  }
+
+  private List<String> readLines(Path file) throws IOException {
+    try {
+      return Files.readAllLines(file, StandardCharsets.US_ASCII);
+    } catch (NoSuchFileException e) {
+      throw PalpateException.wrongUse("there is no such file", file.toString(), "check the name");
+    } catch (CharacterCodingException e) {
+      throw wrongCapture("it is not text: capture the device again");
+    }
+  }
+
+  private HidCapture parse(List<String> lines) {
+    try {
+      return HidCapture.parse(lines);
+    } catch (CaptureFormatException e) {
+      throw wrongCapture(e.getMessage());
+    }
+  }
+
+  private PalpateException wrongCapture(String why) {
+    return PalpateException.wrongUse("the capture cannot be read", checked, why);
+  }
+
+  private void save(Path file, List<String> lines) throws IOException {
+    List<String> all = new ArrayList<>(List.of("# palpate devices --check " + checked));
+    all.addAll(lines);
+    AtomicFile.write(file, String.join("\n", all) + "\n");
+  }
+
+  private void print(CheckResult result) {
+    out.println(
+        String.format(
+            Locale.ROOT, "%-6s  %s: %s", result.outcome(), result.rule(), result.found()));
+  }
+
+  private static Map<String, Object> entry(CheckResult result) {
+    Map<String, Object> entry = new LinkedHashMap<>();
+    entry.put("rule", result.rule());
+    entry.put("outcome", result.outcome().toString());
+    entry.put("found", result.found());
+    return entry;
+  }
+}
