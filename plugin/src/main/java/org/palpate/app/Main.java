@@ -19,7 +19,7 @@ public final class Main {
     PrintStream err = new PrintStream(System.err, true, StandardCharsets.UTF_8);
     StandardOutput system = new StandardOutput(new FileOutputStream(FileDescriptor.out), err);
     PrintStream out = new PrintStream(system, true, StandardCharsets.UTF_8);
-    ShutdownHook.discardUnfinishedFiles();
+    ShutdownHook.install();
     int exitCode = system.exitCode(new PalpateCommandLine(out, err).run(arguments));
     ShutdownHook.commandDone(exitCode);
     DisplayLoss.exitIfLost(exitCode);

@@ -61,7 +61,8 @@ final class SessionLink implements LinkListener, AutoCloseable {
   }
 
   /**
-   * Streams a session from now on.
+   * Streams a session from now on. If an image was received while its scan was loading, the session
+   * ends at once, so that the image is touched next.
    *
    * @param axes the orientation of the session's world axes
    * @param landmarks the landmarks in world mm
@@ -69,7 +70,12 @@ final class SessionLink implements LinkListener, AutoCloseable {
    */
   void stream(
       SessionReader reader, WorldAxes axes, Supplier<List<NamedPoint>> landmarks, Runnable stop) {
-    streamed = new Streamed(reader, axes, landmarks, stop);
+    synchronized (this) {
+      streamed = new Streamed(reader, axes, landmarks, stop);
+      if (received != null) {
+        stop.run();
+      }
+    }
   }
 
   /** Streams nothing, until the next session. */
@@ -145,21 +151,18 @@ final class SessionLink implements LinkListener, AutoCloseable {
     return -(axis == 0 ? scene.x : scene.y); // the scene's x points left and its y to the back
   }
 
+  /**
+   * Keeps an image until the present session has ended, or its scan has been loaded. Of several
+   * that arrive meanwhile the newest is touched.
+   */
   @Override
   public String received(ReceivedImage image) {
-    Streamed now = streamed;
-    if (now == null) {
-      return "no session is running yet; send the image again";
-    }
     if (recorded) {
       return "the session is being recorded, and a recording is of one scan";
     }
     Optional<ReceivedVolume> volume = ReceivedVolume.of(image);
     if (volume.isEmpty()) {
       return "the axes of the image are not at right angles; resample it";
-    }
-    synchronized (this) {
-      received = volume.get();
     }
     print(
         "OpenIGTLink: the image "
@@ -171,8 +174,18 @@ final class SessionLink implements LinkListener, AutoCloseable {
             + "x"
             + image.sizeZ()
             + " voxels was received");
-    now.stop().run();
+    keep(volume.get());
     return "";
+  }
+
+  private synchronized void keep(ReceivedVolume next) {
+    if (received != null) {
+      print("OpenIGTLink: it replaces the " + received.sourceName() + ", which was not touched");
+    }
+    received = next;
+    if (streamed != null) {
+      streamed.stop().run();
+    }
   }
 
   /** Takes the newest image that was received, if there is one. */

@@ -61,7 +61,7 @@ final class SessionSupervisor {
 
   /** Runs the session until it ends and zero force was sent; returns how it ended. */
   LoopEnd run() {
-    ShutdownHook hook = ShutdownHook.install(stopRequested::countDown);
+    ShutdownHook.endInOrder(stopRequested::countDown);
     try {
       session.start();
       view.ifPresent(SessionView::start);
@@ -73,7 +73,7 @@ final class SessionSupervisor {
       clearLine();
       return end;
     } finally {
-      hook.close();
+      ShutdownHook.discardUnfinishedFiles();
     }
   }
 

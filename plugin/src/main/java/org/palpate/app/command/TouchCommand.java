@@ -169,11 +169,11 @@ public final class TouchCommand implements Callable<Integer> {
     checkNumbers();
     checkOptionCombination();
     tool.checkOthers(spec.commandLine().getParseResult());
-    ShutdownHook quiet = ShutdownHook.endQuietlyUntilStart();
+    ShutdownHook.endQuietly();
     try {
       return touch();
     } finally {
-      quiet.close();
+      ShutdownHook.discardUnfinishedFiles();
     }
   }
 

@@ -1,6 +1,7 @@
 package org.palpate.app.command;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.DataInputStream;
 import java.io.IOException;
@@ -13,6 +14,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.palpate.device.SimulatedDevice;
@@ -20,6 +22,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.TouchSession;
+import org.palpate.igtl.ReceivedImage;
 import org.palpate.loop.LoopSettings;
 import org.palpate.scene.NamedPoint;
 import org.palpate.scene.WorldAxes;
@@ -61,6 +64,44 @@ class SessionLinkTest {
       }
       assertEquals(1, points);
     }
+  }
+
+  @Test
+  void anImageThatArrivesWhileAnotherLoadsIsTouchedNext() {
+    ContactScene scene =
+        new ContactScene(Phantom.parse("sphere:16").segments(), ContactSettings.standard());
+    LoopSettings loop = LoopSettings.ofRate(1000);
+    SimulatedDevice device = new SimulatedDevice(1, scene.handTarget(), loop.periodNanos());
+    AtomicInteger stops = new AtomicInteger();
+    try (TouchSession session =
+            new TouchSession(scene, device, 0.5, loop, Optional.empty(), end -> {});
+        SessionLink link = newLink()) {
+      assertEquals("", link.received(image("first")));
+      assertEquals("image first", link.takeReceived().orElseThrow().sourceName());
+      // The first one is loading now.
+      assertEquals("", link.received(image("second")));
+      assertEquals("", link.received(image("third")));
+      assertTrue(printed.toString().contains("replaces the image second"), printed.toString());
+      link.stream(session.secondReader(), WorldAxes.RAS, () -> List.of(), stops::incrementAndGet);
+      assertEquals(1, stops.get());
+      link.pause();
+      assertEquals("image third", link.takeReceived().orElseThrow().sourceName());
+      assertEquals(Optional.empty(), link.takeReceived());
+    }
+  }
+
+  private static ReceivedImage image(String name) {
+    return new ReceivedImage(
+        name,
+        2,
+        2,
+        2,
+        new Vec3(1, 0, 0),
+        new Vec3(0, 1, 0),
+        new Vec3(0, 0, 1),
+        new Vec3(),
+        ReceivedImage.Type.UINT8,
+        ByteBuffer.allocate(8));
   }
 
   private SessionLink newLink() {
