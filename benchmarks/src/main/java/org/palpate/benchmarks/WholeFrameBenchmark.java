@@ -21,6 +21,7 @@ import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
@@ -69,7 +70,7 @@ public class WholeFrameBenchmark {
     TouchProperties touch = new TouchProperties(new Accumulator());
     frame =
         new PointFrame(
-            device,
+            GridDevice.inGridCoordinates(device),
             new GuardedSolver(metric, 8),
             scene,
             metric,

@@ -24,6 +24,8 @@ public record DeviceSpecification(
     long reportIntervalNanos,
     boolean hasOrientation,
     double maxTorqueNewtonMm) {
+  /** Fraction of the largest stiffness that leaves a margin for grips and for other masses. */
+  private static final double DEFAULT_STIFFNESS_FRACTION = 0.5;
 
   /** Makes the specification of a device that has neither orientation nor torque. */
   public DeviceSpecification(
@@ -42,5 +44,10 @@ public record DeviceSpecification(
         reportIntervalNanos,
         false,
         0);
+  }
+
+  /** Returns half of the largest stiffness, with which contact is stable, N/mm. */
+  public double defaultStiffnessNewtonPerMm() {
+    return DEFAULT_STIFFNESS_FRACTION * maxStiffnessNewtonPerMm;
   }
 }

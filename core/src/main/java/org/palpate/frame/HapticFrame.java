@@ -15,7 +15,7 @@ import org.palpate.geometry.Vec3;
  *
  * <pre>
  *   HapticFrame frame =
- *       new PointFrame(deviceInGrid, solver, scene, metric,
+ *       new PointFrame(GridDevice.fromWorld(device, grid), solver, scene, metric,
  *           FrameSettings.live(device.specification(), ForceSettings.of(0.5, 0.2)),
  *           new EditQueue(grid, 1), touchProperties::publish);
  *   while (frame.run(System.nanoTime()) == FrameOutcome.RUNNING) { ... }

@@ -3,7 +3,6 @@ package org.palpate.frame;
 import java.util.Map;
 import org.palpate.collision.CollisionScene;
 import org.palpate.collision.NearestFreeVoxel;
-import org.palpate.device.HapticDevice;
 import org.palpate.edit.EditQueue;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
@@ -16,8 +15,8 @@ import org.palpate.statistics.SkipCounters;
 import org.palpate.statistics.SkipKind;
 
 /**
- * The frame of an interaction point on one grid. The device delivers grid coordinates and takes
- * newtons along the grid's axes; {@code host} wraps a real one accordingly. The torque is zero.
+ * The frame of an interaction point on one grid. It reads and writes a {@link GridDevice}, so its
+ * positions are grid coordinates and its forces act along the grid's axes. The torque is zero.
  *
  * <p>Threads are those of {@link HapticFrame}.
  */
@@ -54,14 +53,14 @@ public final class PointFrame extends HapticFrame {
    * @param publisher receives each frame's result
    */
   public PointFrame(
-      HapticDevice device,
+      GridDevice device,
       ProxySolver solver,
       CollisionScene scene,
       GridMetric metric,
       FrameSettings settings,
       EditQueue edits,
       FramePublisher publisher) {
-    super(device, settings);
+    super(device.device(), settings);
     this.solver = solver;
     this.scene = scene;
     this.edits = edits;

@@ -1,6 +1,6 @@
 /**
- * Runs one haptic frame as a plain method, with its settings, its statistics, and the watchdog that
- * judges the device's samples.
+ * Runs one haptic frame as a plain method, with its settings, its statistics, the watchdog that
+ * judges the device's samples, and the change of a device to grid coordinates.
  *
  * <p>Uses {@code device}, {@code edit}, {@code proxy}, {@code rigid} and {@code force}. Owns no
  * thread and no clock: the caller's thread is the haptic thread. A point frame is in grid

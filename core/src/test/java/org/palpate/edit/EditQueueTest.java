@@ -16,6 +16,7 @@ import org.palpate.device.HandTarget;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.ManualClock;
@@ -120,7 +121,7 @@ class EditQueueTest {
             ManualClock.MS);
     PointFrame frame =
         new PointFrame(
-            device,
+            GridDevice.inGridCoordinates(device),
             new GuardedSolver(Floor.METRIC, 8),
             floor.scene,
             Floor.METRIC,

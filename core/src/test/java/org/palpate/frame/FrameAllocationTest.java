@@ -61,7 +61,7 @@ class FrameAllocationTest {
     MeasuringDevice measured = new MeasuringDevice(new RecordingDevice(hand, recorder));
     PointFrame frame =
         new PointFrame(
-            measured,
+            GridDevice.inGridCoordinates(measured),
             new GuardedSolver(Floor.METRIC, 8),
             floor.scene,
             Floor.METRIC,

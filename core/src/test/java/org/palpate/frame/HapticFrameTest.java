@@ -349,7 +349,7 @@ class HapticFrameTest {
     ScriptedDevice device = descendsTo(5);
     PointFrame frame =
         new PointFrame(
-            device,
+            GridDevice.inGridCoordinates(device),
             new GuardedSolver(Floor.METRIC, 8),
             floor.scene,
             Floor.METRIC,

@@ -6,6 +6,7 @@ import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.loop.ManualClock;
@@ -68,6 +69,12 @@ public final class Floor {
   /** Returns a frame with the solver {@code guarded}. */
   public PointFrame frame(ScriptedDevice device, FrameSettings settings) {
     return new PointFrame(
-        device, new GuardedSolver(METRIC, 8), scene, METRIC, settings, edits, FramePublisher.NONE);
+        GridDevice.inGridCoordinates(device),
+        new GuardedSolver(METRIC, 8),
+        scene,
+        METRIC,
+        settings,
+        edits,
+        FramePublisher.NONE);
   }
 }

@@ -9,7 +9,6 @@ import org.palpate.body.Mobility;
 import org.palpate.collision.CollisionScene;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
-import org.palpate.device.HapticDevice;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.GreyEdit;
 import org.palpate.force.ForceSettings;
@@ -17,6 +16,7 @@ import org.palpate.force.FrictionForm;
 import org.palpate.force.Material;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
@@ -242,18 +242,16 @@ public final class ContactScene {
   /**
    * Returns a new frame over this scene that applies its queued edits.
    *
-   * @param gridDevice delivers grid coordinates and takes forces along the grid's axes; see {@link
-   *     GridDevice}
+   * @param gridDevice the device, converted to the grid of the scene
    * @param publisher receives the result of each frame on the haptic thread
    */
-  public PointFrame newFrame(
-      HapticDevice gridDevice, FrameSettings frame, FramePublisher publisher) {
+  public PointFrame newFrame(GridDevice gridDevice, FrameSettings frame, FramePublisher publisher) {
     return new PointFrame(
         gridDevice, newSolver(), newCollisionScene(), metric, frame, edits, publisher);
   }
 
   /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */
-  PointFrame newWarmUpFrame(HapticDevice gridDevice, FrameSettings frame) {
+  PointFrame newWarmUpFrame(GridDevice gridDevice, FrameSettings frame) {
     EditQueue none = new EditQueue(volume.grid(), volume.segments().size(), 1);
     return new PointFrame(
         gridDevice, newSolver(), newCollisionScene(), metric, frame, none, FramePublisher.NONE);

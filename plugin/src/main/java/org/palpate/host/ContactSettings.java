@@ -10,7 +10,11 @@ import org.palpate.volume.VoxelGrid;
 /**
  * Settings of contact: solver, collision method, stiffness, friction and limits.
  *
- * <p>Immutable. Start from {@link #standard()}; an empty value means a default.
+ * <pre>
+ *   ContactSettings.builder(SolverKind.SMOOTH).stiffness(0.8).friction(0.3).build()
+ * </pre>
+ *
+ * <p>Immutable. An empty value means a default.
  *
  * @param solver moves the interaction point
  * @param collision tests paths for collisions; exact if the solver does not let the user choose
@@ -49,61 +53,6 @@ public record ContactSettings(
     materials = Map.copyOf(materials);
   }
 
-  /** Creates settings that find border voxels on the fly. */
-  public ContactSettings(
-      SolverKind solver,
-      CollisionChoice collision,
-      OptionalDouble stiffnessNewtonPerMm,
-      double friction,
-      OptionalDouble maxStepMm,
-      OptionalDouble maxForceNewton,
-      FrictionForm frictionForm,
-      Map<String, MaterialOverride> materials) {
-    this(
-        solver,
-        collision,
-        stiffnessNewtonPerMm,
-        friction,
-        maxStepMm,
-        maxForceNewton,
-        frictionForm,
-        materials,
-        BorderChoice.ON_THE_FLY);
-  }
-
-  /** Creates settings with friction by the paper's equation (4), the same for all segments. */
-  public ContactSettings(
-      SolverKind solver,
-      CollisionChoice collision,
-      OptionalDouble stiffnessNewtonPerMm,
-      double friction,
-      OptionalDouble maxStepMm,
-      OptionalDouble maxForceNewton) {
-    this(
-        solver,
-        collision,
-        stiffnessNewtonPerMm,
-        friction,
-        maxStepMm,
-        maxForceNewton,
-        FrictionForm.EQUATION_4,
-        Map.of());
-  }
-
-  /** Returns these settings with another choice of border voxels. */
-  public ContactSettings withBorder(BorderChoice newBorder) {
-    return new ContactSettings(
-        solver,
-        collision,
-        stiffnessNewtonPerMm,
-        friction,
-        maxStepMm,
-        maxForceNewton,
-        frictionForm,
-        materials,
-        newBorder);
-  }
-
   /** Returns the default settings. */
   public static ContactSettings standard() {
     return standard(SolverKind.DEFAULT);
@@ -111,13 +60,12 @@ public record ContactSettings(
 
   /** Returns the default settings for a solver. */
   public static ContactSettings standard(SolverKind solver) {
-    return new ContactSettings(
-        solver,
-        solver.defaultCollision(),
-        OptionalDouble.empty(),
-        ForceSettings.DEFAULT_FRICTION,
-        OptionalDouble.empty(),
-        OptionalDouble.empty());
+    return builder(solver).build();
+  }
+
+  /** Returns a builder of settings, which starts from the default settings for a solver. */
+  public static Builder builder(SolverKind solver) {
+    return new Builder(solver);
   }
 
   /**
@@ -151,5 +99,90 @@ public record ContactSettings(
     }
     double smaller = Math.max(1, SMALLEST_USUAL_MM / extentMm);
     return smaller == 1 ? 1 : Math.min(MODEL_MM / extentMm, Math.pow(smaller, GROWTH));
+  }
+
+  /** Collects settings; what is not given keeps its default. One thread. */
+  public static final class Builder {
+    private final SolverKind solver;
+    private CollisionChoice collision;
+    private OptionalDouble stiffnessNewtonPerMm = OptionalDouble.empty();
+    private double friction = ForceSettings.DEFAULT_FRICTION;
+    private OptionalDouble maxStepMm = OptionalDouble.empty();
+    private OptionalDouble maxForceNewton = OptionalDouble.empty();
+    private FrictionForm frictionForm = FrictionForm.EQUATION_4;
+    private Map<String, MaterialOverride> materials = Map.of();
+    private BorderChoice border = BorderChoice.ON_THE_FLY;
+
+    private Builder(SolverKind solver) {
+      this.solver = solver;
+      collision = solver.defaultCollision();
+    }
+
+    /** Sets the collision method of a solver that lets the user choose. */
+    public Builder collision(CollisionChoice method) {
+      collision = method;
+      return this;
+    }
+
+    /** Sets the force per distance between device and interaction point, N per mm of scan. */
+    public Builder stiffness(double newtonPerMm) {
+      return stiffness(OptionalDouble.of(newtonPerMm));
+    }
+
+    /** Sets the stiffness, N per mm of scan; empty for the default of scene and device. */
+    public Builder stiffness(OptionalDouble newtonPerMm) {
+      stiffnessNewtonPerMm = newtonPerMm;
+      return this;
+    }
+
+    /** Sets the friction coefficient, 0 or more. */
+    public Builder friction(double coefficient) {
+      friction = coefficient;
+      return this;
+    }
+
+    /** Sets w_max, mm; empty for {@link #defaultMaxStepMm}. */
+    public Builder maxStep(OptionalDouble mm) {
+      maxStepMm = mm;
+      return this;
+    }
+
+    /** Sets the largest force, N; empty for the device's maximum. */
+    public Builder maxForce(OptionalDouble newton) {
+      maxForceNewton = newton;
+      return this;
+    }
+
+    /** Sets the friction model. */
+    public Builder frictionForm(FrictionForm form) {
+      frictionForm = form;
+      return this;
+    }
+
+    /** Sets overrides of stiffness, friction and damping by the name of a segment. */
+    public Builder materials(Map<String, MaterialOverride> bySegment) {
+      materials = bySegment;
+      return this;
+    }
+
+    /** Sets how the paper's solvers find border voxels. */
+    public Builder border(BorderChoice choice) {
+      border = choice;
+      return this;
+    }
+
+    /** Returns the settings. */
+    public ContactSettings build() {
+      return new ContactSettings(
+          solver,
+          collision,
+          stiffnessNewtonPerMm,
+          friction,
+          maxStepMm,
+          maxForceNewton,
+          frictionForm,
+          materials,
+          border);
+    }
   }
 }

@@ -27,9 +27,6 @@ public record DeviceName(String name, String id) {
   private static final String REPLAY = "replay";
   private static final long DEFAULT_SEED = 1;
 
-  /** Fraction of the stiffness that a real device can render at most, so that contact is stable. */
-  private static final double STIFFNESS_FRACTION = 0.5;
-
   /** Splits a text at its first colon. Every text is accepted; see {@link #isKnown}. */
   public static DeviceName parse(String text) {
     int colon = text.indexOf(':');
@@ -125,7 +122,7 @@ public record DeviceName(String name, String id) {
   /** Returns the stiffness to use in a scene if the user gives none, N per mm of scan. */
   public double defaultStiffnessNewtonPerMm(HapticDevice opened, ContactScene scene) {
     return isReal()
-        ? STIFFNESS_FRACTION * opened.specification().maxStiffnessNewtonPerMm()
+        ? opened.specification().defaultStiffnessNewtonPerMm()
         : scene.defaultStiffnessNewtonPerMm();
   }
 

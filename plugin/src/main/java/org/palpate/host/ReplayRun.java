@@ -1,12 +1,12 @@
 package org.palpate.host;
 
 import java.io.IOException;
-import org.palpate.device.HapticDevice;
 import org.palpate.device.Trajectory;
 import org.palpate.force.ForceRamp;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.frame.Watchdog;
 import org.palpate.geometry.Vec3;
@@ -62,7 +62,8 @@ public final class ReplayRun {
   /** Runs every frame once from a fresh start and returns the statistics of all frames. */
   public FrameStatistics run(FrameSink sink) throws IOException {
     TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
-    HapticDevice gridDevice = world ? new GridDevice(device, scene.grid()) : device;
+    GridDevice gridDevice =
+        world ? GridDevice.fromWorld(device, scene.grid()) : GridDevice.inGridCoordinates(device);
     PointFrame frame = scene.newFrame(gridDevice, frameSettings(scene, raw), FramePublisher.NONE);
     Vec3 point = new Vec3();
     Vec3 force = new Vec3();

@@ -2,12 +2,12 @@ package org.palpate.host;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.HapticFrame;
 import org.palpate.frame.PointFrame;
 import org.palpate.frame.ToolFrame;
@@ -16,7 +16,6 @@ import org.palpate.geometry.Vec3;
 import org.palpate.loop.HapticLoop;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopReport;
-import org.palpate.loop.LoopSettings;
 import org.palpate.loop.LoopStatus;
 import org.palpate.loop.NanoClock;
 import org.palpate.loop.WarmUp;
@@ -35,8 +34,7 @@ import org.palpate.volume.VoxelGrid;
  *
  * <pre>
  *   try (TouchSession session =
- *       new TouchSession(
- *           scene, device, 0.5, LoopSettings.ofRate(1000), Optional.empty(), end -&gt; {})) {
+ *       new TouchSession(scene, device, SessionSettings.standard())) {
  *     session.start();
  *     while (!session.supervise()) {
  *       LockSupport.parkNanos(TouchSession.SUPERVISION_PERIOD_NANOS);
@@ -78,26 +76,18 @@ public final class TouchSession implements AutoCloseable {
    * Creates a session.
    *
    * @param worldDevice the device with positions in world mm; closed with the session
-   * @param defaultNewtonPerMm stiffness if the scene's settings give none, N per mm of scan
-   * @param settings pace and thread setup; the warm-up is added here
-   * @param recorder records what the device sends, if given
-   * @param listener receives the end of the loop, once, on the thread that ends it
    */
-  public TouchSession(
-      ContactScene scene,
-      HapticDevice worldDevice,
-      double defaultNewtonPerMm,
-      LoopSettings settings,
-      Optional<SampleRecorder> recorder,
-      Consumer<LoopEnd> listener) {
-    device = recorded(worldDevice, recorder);
-    FrameSettings frameSettings = scene.liveFrame(worldDevice.specification(), defaultNewtonPerMm);
+  public TouchSession(ContactScene scene, HapticDevice worldDevice, SessionSettings settings) {
+    device = recorded(worldDevice, settings.recorder());
+    DeviceSpecification specification = worldDevice.specification();
+    FrameSettings frameSettings =
+        scene.liveFrame(specification, settings.defaultNewtonPerMm(scene, specification));
     PointFrame frame =
-        scene.newFrame(new GridDevice(device, scene.grid()), frameSettings, this::publish);
+        scene.newFrame(GridDevice.fromWorld(device, scene.grid()), frameSettings, this::publish);
     grid = scene.grid();
-    tuning = new ContactTuning(frame, scene, frameSettings.force(), worldDevice.specification());
-    Runnable warmUp = warmUp(scene, frameSettings, settings.periodNanos());
-    loop = new HapticLoop(frame, settings.withWarmUp(warmUp), listener);
+    tuning = new ContactTuning(frame, scene, frameSettings.force(), specification);
+    Runnable warmUp = warmUp(scene, frameSettings, settings.loop().periodNanos());
+    loop = newLoop(frame, settings, warmUp);
     published = properties.accumulator().properties();
     held = Optional.empty();
   }
@@ -107,15 +97,10 @@ public final class TouchSession implements AutoCloseable {
    *
    * @param worldDevice the device with poses in the world; closed with the session
    */
-  public TouchSession(
-      ToolScene scene,
-      HapticDevice worldDevice,
-      double defaultNewtonPerMm,
-      LoopSettings settings,
-      Optional<SampleRecorder> recorder,
-      Consumer<LoopEnd> listener) {
-    device = recorded(worldDevice, recorder);
+  public TouchSession(ToolScene scene, HapticDevice worldDevice, SessionSettings settings) {
+    device = recorded(worldDevice, settings.recorder());
     DeviceSpecification specification = worldDevice.specification();
+    double defaultNewtonPerMm = settings.defaultNewtonPerMm(scene.contactScene(), specification);
     FrameSettings frameSettings = scene.liveFrame(specification, defaultNewtonPerMm);
     RigidCoupling coupling = scene.coupling(defaultNewtonPerMm);
     grid = scene.contactScene().grid();
@@ -123,9 +108,10 @@ public final class TouchSession implements AutoCloseable {
     ToolFrame frame = scene.newFrame(device, frameSettings, coupling, published(publisher));
     tuning = ContactTuning.ofTool(frame, coupling, frameSettings.force(), specification);
     HapticDevice hand =
-        SimulatedDevice.withOrientation(WARM_UP_SEED, scene.handTarget(), settings.periodNanos());
+        SimulatedDevice.withOrientation(
+            WARM_UP_SEED, scene.handTarget(), settings.loop().periodNanos());
     Runnable warmUp = warmUp(scene.newWarmUpFrame(hand, frameSettings, coupling));
-    loop = new HapticLoop(frame, settings.withWarmUp(warmUp), listener);
+    loop = newLoop(frame, settings, warmUp);
     published = properties.accumulator().properties();
     held = Optional.of(new HeldTool(scene, frame, publisher));
   }
@@ -137,11 +123,15 @@ public final class TouchSession implements AutoCloseable {
     return recorder.isPresent() ? new RecordingDevice(device, recorder.get()) : device;
   }
 
+  private static HapticLoop newLoop(HapticFrame frame, SessionSettings settings, Runnable warmUp) {
+    return new HapticLoop(frame, settings.loop().withWarmUp(warmUp), settings.listener());
+  }
+
   private static Runnable warmUp(
       ContactScene scene, FrameSettings frameSettings, long periodNanos) {
     HandTarget target = scene.handTarget();
     HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, periodNanos);
-    return warmUp(scene.newWarmUpFrame(new GridDevice(hand, scene.grid()), frameSettings));
+    return warmUp(scene.newWarmUpFrame(GridDevice.fromWorld(hand, scene.grid()), frameSettings));
   }
 
   private static Runnable warmUp(HapticFrame frame) {

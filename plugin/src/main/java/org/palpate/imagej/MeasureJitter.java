@@ -5,14 +5,13 @@ import ij.Prefs;
 import ij.gui.GenericDialog;
 import ij.measure.ResultsTable;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
 import org.palpate.device.SimulatedDevice;
-import org.palpate.force.ForceSettings;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
+import org.palpate.host.SessionSettings;
 import org.palpate.host.TouchSession;
 import org.palpate.imagej.dialog.HelpText;
 import org.palpate.imagej.session.CurrentSession;
@@ -82,13 +81,7 @@ public final class MeasureJitter extends PalpateCommand {
     ContactScene scene = ball();
     SimulatedDevice hand = new SimulatedDevice(SEED, scene.handTarget(), settings.periodNanos());
     try (TouchSession session =
-        new TouchSession(
-            scene,
-            hand,
-            ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM,
-            settings,
-            Optional.empty(),
-            end -> {})) {
+        new TouchSession(scene, hand, SessionSettings.standard().withLoop(settings))) {
       session.start();
       supervise(session, seconds);
       session.stop();

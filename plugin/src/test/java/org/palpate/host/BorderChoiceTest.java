@@ -14,6 +14,7 @@ import org.palpate.device.SimulatedDevice;
 import org.palpate.edit.BrushEdit;
 import org.palpate.edit.SwapEdit;
 import org.palpate.frame.FramePublisher;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
@@ -38,7 +39,7 @@ class BorderChoiceTest {
     ContactScene scene =
         new ContactScene(
             Phantom.parse("sphere:48").segments(),
-            ContactSettings.standard(solver).withBorder(border));
+            ContactSettings.builder(solver).border(border).build());
     double[] result = new double[3 * FRAMES + 1];
     FramePublisher publisher =
         (device, point, force, contact, n) -> {
@@ -49,7 +50,8 @@ class BorderChoiceTest {
         };
     PointFrame frame =
         scene.newFrame(
-            new GridDevice(new SimulatedDevice(1, scene.handTarget(), PERIOD_NANOS), scene.grid()),
+            GridDevice.fromWorld(
+                new SimulatedDevice(1, scene.handTarget(), PERIOD_NANOS), scene.grid()),
             scene.liveFrame(DEVICE, 0.4),
             publisher);
     SplittableRandom random = new SplittableRandom(3);

@@ -3,13 +3,13 @@ package org.palpate.host;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.volume.phantom.Phantom;
 
@@ -20,17 +20,11 @@ class ContactTuningTest {
 
   private final ContactScene scene =
       new ContactScene(
-          Phantom.parse("sphere:48").segments(),
-          new ContactSettings(
-              SolverKind.GUARDED,
-              CollisionChoice.EXACT,
-              OptionalDouble.empty(),
-              0.2,
-              OptionalDouble.empty(),
-              OptionalDouble.empty()));
+          Phantom.parse("sphere:48").segments(), ContactSettings.standard(SolverKind.GUARDED));
   private final PointFrame frame =
       scene.newFrame(
-          new GridDevice(new SimulatedDevice(1, scene.handTarget(), PERIOD_NANOS), scene.grid()),
+          GridDevice.fromWorld(
+              new SimulatedDevice(1, scene.handTarget(), PERIOD_NANOS), scene.grid()),
           scene.liveFrame(DEVICE, 0.4),
           FramePublisher.NONE);
   private final ContactTuning tuning =

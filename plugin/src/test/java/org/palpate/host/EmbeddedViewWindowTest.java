@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
@@ -13,9 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
-import org.palpate.force.ForceSettings;
 import org.palpate.loop.LoopEnd;
-import org.palpate.loop.LoopSettings;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.Picture;
 import org.palpate.scene.window.ProgramWithPanel;
@@ -70,13 +67,7 @@ class EmbeddedViewWindowTest {
   }
 
   private static TouchSession session(ContactScene scene, HapticDevice hand) {
-    return new TouchSession(
-        scene,
-        hand,
-        ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM,
-        LoopSettings.ofRate(1000),
-        Optional.empty(),
-        end -> {});
+    return new TouchSession(scene, hand, SessionSettings.standard());
   }
 
   private static Picture picture(SceneWindow window) throws Exception {

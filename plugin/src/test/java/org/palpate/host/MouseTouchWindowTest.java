@@ -8,7 +8,6 @@ import java.awt.Point;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
@@ -18,7 +17,6 @@ import org.junit.jupiter.api.Test;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.geometry.Vec3;
-import org.palpate.loop.LoopSettings;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.ProgramWithPanel;
@@ -51,8 +49,7 @@ class MouseTouchWindowTest {
         new ContactScene(Phantom.parse("sphere:32").segments(), ContactSettings.standard());
     HapticDevice simulated = new SimulatedDevice(7, scene.handTarget(), PERIOD_NANOS);
     hand = new MouseTakeover(simulated, scene.handTarget(), PERIOD_NANOS);
-    session =
-        new TouchSession(scene, hand, 0.5, LoopSettings.ofRate(1000), Optional.empty(), end -> {});
+    session = new TouchSession(scene, hand, SessionSettings.standard());
     ViewOptions options = ViewOptions.PLAIN.in(program.panel());
     view = new SessionView(session, scene.volume(), WorldAxes.LPS, hand, listener(), options);
     session.start();

@@ -17,7 +17,6 @@ import org.palpate.device.SimulatedDevice;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.LoopEnd;
-import org.palpate.loop.LoopSettings;
 import org.palpate.rigid.Clearance;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
@@ -67,8 +66,7 @@ class ToolSessionTest {
   }
 
   private TouchSession session(WatchedHand hand) {
-    return new TouchSession(
-        scene, hand, 0.5, LoopSettings.ofRate(1000), Optional.empty(), end -> {});
+    return new TouchSession(scene, hand, SessionSettings.standard());
   }
 
   /** Runs until the hand has felt a torque, but for a minute at most. */

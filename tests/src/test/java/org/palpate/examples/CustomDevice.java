@@ -1,6 +1,5 @@
 package org.palpate.examples;
 
-import java.util.Optional;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
@@ -8,8 +7,8 @@ import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
+import org.palpate.host.SessionSettings;
 import org.palpate.host.TouchSession;
-import org.palpate.loop.LoopSettings;
 import org.palpate.volume.phantom.Phantom;
 
 /** A device of your own: a probe that sinks 0.01 mm in each sample, and keeps its last force. */
@@ -62,9 +61,7 @@ public final class CustomDevice implements HapticDevice {
     ContactScene scene =
         new ContactScene(Phantom.parse("sphere:64").segments(), ContactSettings.standard());
     CustomDevice probe = new CustomDevice(new Vec3(32, 32, 64));
-    try (TouchSession session =
-        new TouchSession(
-            scene, probe, 0.5, LoopSettings.ofRate(1000), Optional.empty(), end -> {})) {
+    try (TouchSession session = new TouchSession(scene, probe, SessionSettings.standard())) {
       session.start();
       while (!session.supervise() && session.status().frames() < 2000) {
         session.takeUpdates();

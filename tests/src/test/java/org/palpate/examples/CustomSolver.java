@@ -8,6 +8,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
@@ -68,7 +69,7 @@ public final class CustomSolver implements ProxySolver {
     ReplayDevice device = new ReplayDevice("push", trajectory);
     PointFrame frame =
         new PointFrame(
-            device,
+            GridDevice.inGridCoordinates(device),
             new CustomSolver(metric, 3),
             new CollisionScene(volume.segments().stream().map(s -> s.bits()).toList()),
             metric,

@@ -1,14 +1,13 @@
 package org.palpate.examples;
 
-import java.util.Optional;
 import org.palpate.device.HandTarget;
 import org.palpate.edit.BrushEdit;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MouseDevice;
+import org.palpate.host.SessionSettings;
 import org.palpate.host.TouchSession;
-import org.palpate.loop.LoopSettings;
 import org.palpate.volume.phantom.Phantom;
 
 /** Presses on a sphere, removes the voxels under the device, and feels that the force is gone. */
@@ -21,9 +20,7 @@ public final class EditWhileTouching {
         new ContactScene(Phantom.parse("sphere:64").segments(), ContactSettings.standard());
     HandTarget box = scene.handTarget();
     MouseDevice device = new MouseDevice(box, 1_000_000); // Any thread may move it.
-    try (TouchSession session =
-        new TouchSession(
-            scene, device, 0.5, LoopSettings.ofRate(1000), Optional.empty(), end -> {})) {
+    try (TouchSession session = new TouchSession(scene, device, SessionSettings.standard())) {
       session.start();
 
       Vec3 insideMm = new Vec3(box.highMm().x - 3, 32, 32);

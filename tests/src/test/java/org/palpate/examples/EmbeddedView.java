@@ -3,19 +3,17 @@ package org.palpate.examples;
 import java.awt.EventQueue;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JFrame;
 import org.palpate.device.HapticDevice;
-import org.palpate.force.ForceSettings;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MouseDevice;
+import org.palpate.host.SessionSettings;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.host.ViewOptions;
-import org.palpate.loop.LoopSettings;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.ScenePanel;
 import org.palpate.volume.phantom.Phantom;
@@ -34,14 +32,7 @@ public final class EmbeddedView {
     ContactScene scene =
         new ContactScene(Phantom.parse("head:128").segments(), ContactSettings.standard());
     HapticDevice mouse = new MouseDevice(scene.handTarget(), 1_000_000);
-    try (TouchSession session =
-            new TouchSession(
-                scene,
-                mouse,
-                ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM,
-                LoopSettings.ofRate(1000),
-                Optional.empty(),
-                end -> {});
+    try (TouchSession session = new TouchSession(scene, mouse, SessionSettings.standard());
         SessionView view =
             new SessionView(
                 session,

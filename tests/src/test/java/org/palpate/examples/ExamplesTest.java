@@ -62,6 +62,24 @@ class ExamplesTest {
   }
 
   @Test
+  void touchGreyValuesFollowsTheIsosurfaceOfAScan() throws Exception {
+    Path scan = folder.resolve("ball.nrrd");
+    int exitCode =
+        new PalpateCommandLine(new PrintStream(OutputStream.nullOutputStream()), System.err)
+            .run("info", "--phantom", "sphere:64:grey", "--export", scan.toString());
+    assertEquals(0, exitCode);
+
+    List<String> lines = linesOf(TouchGreyValues::main, scan.toString(), "500");
+
+    assertEquals(11, lines.size(), lines::toString);
+    assertEquals(0, force(lines.get(1)));
+    assertTrue(force(lines.get(10)) > 1, lines.get(10));
+    // The device is far inside, and the point stays within a voxel of the sphere, outside.
+    double radius = position(lines.get(8)).sub(new Vec3(32, 32, 32), new Vec3()).length();
+    assertTrue(radius > 64 / 3.0 && radius < 64 / 3.0 + 1, lines.get(8));
+  }
+
+  @Test
   void holdToolPressesAToolOntoARing() throws Exception {
     List<String> lines = linesOf(HoldTool::main, "box:9,5,2", "-0.5");
 

@@ -1,15 +1,14 @@
 package org.palpate.examples;
 
-import java.util.Optional;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
-import org.palpate.force.ForceSettings;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
+import org.palpate.host.SessionSettings;
+import org.palpate.host.SolverKind;
 import org.palpate.host.TouchSession;
 import org.palpate.loop.LoopReport;
-import org.palpate.loop.LoopSettings;
 import org.palpate.sync.TouchProperty;
 import org.palpate.volume.phantom.Phantom;
 
@@ -21,8 +20,9 @@ public final class LiveSession {
 
   /** Takes no arguments. */
   public static void main(String[] args) throws InterruptedException {
-    ContactScene scene =
-        new ContactScene(Phantom.parse("sphere:64").segments(), ContactSettings.standard());
+    ContactSettings settings =
+        ContactSettings.builder(SolverKind.SMOOTH).stiffness(0.5).friction(0.3).build();
+    ContactScene scene = new ContactScene(Phantom.parse("sphere:64").segments(), settings);
     HapticDevice device = new SimulatedDevice(7, scene.handTarget(), SAMPLE_NANOS);
 
     // Closing the session sends zero force last, and closes the device.
@@ -30,10 +30,8 @@ public final class LiveSession {
         new TouchSession(
             scene,
             device,
-            ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM,
-            LoopSettings.ofRate(1000),
-            Optional.empty(),
-            end -> System.out.println("ended: " + end.cause()))) {
+            SessionSettings.standard()
+                .withListener(end -> System.out.println("ended: " + end.cause())))) {
       session.start();
       Vec3 pointMm = new Vec3();
       Vec3 force = new Vec3();

@@ -1,17 +1,15 @@
 package org.palpate.examples;
 
 import java.util.List;
-import java.util.Optional;
 import org.palpate.device.HapticDevice;
 import org.palpate.edit.VoxelEdit;
-import org.palpate.force.ForceSettings;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
+import org.palpate.host.SessionSettings;
 import org.palpate.host.TouchSession;
 import org.palpate.loop.LoopReport;
-import org.palpate.loop.LoopSettings;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
@@ -36,14 +34,7 @@ final class MinimalHost implements AutoCloseable {
     VoxelGrid grid = new VoxelGrid(edge, edge, edge, spacingMm, RigidTransform.identity());
     List<Segment> segments = List.of(new Segment("bone", bone, BONE_RGB));
     scene = new ContactScene(new SegmentedVolume(grid, segments), ContactSettings.standard());
-    session =
-        new TouchSession(
-            scene,
-            device,
-            ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM,
-            LoopSettings.ofRate(1000),
-            Optional.empty(),
-            end -> {});
+    session = new TouchSession(scene, device, SessionSettings.standard());
   }
 
   /** Starts the haptic thread; force comes on after a warm-up of about a second. */

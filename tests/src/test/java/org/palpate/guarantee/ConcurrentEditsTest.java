@@ -22,6 +22,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
@@ -130,8 +131,9 @@ class ConcurrentEditsTest {
 
   private PointFrame frame(ProxySolver solver) {
     return new PointFrame(
-        new SimulatedDevice(
-            Seeds.seed(), HandTarget.ofBox(new Vec3(12, 12, 4), new Vec3(20, 20, 14), 1), MS),
+        GridDevice.inGridCoordinates(
+            new SimulatedDevice(
+                Seeds.seed(), HandTarget.ofBox(new Vec3(12, 12, 4), new Vec3(20, 20, 14), 1), MS)),
         solver,
         scene,
         METRIC,

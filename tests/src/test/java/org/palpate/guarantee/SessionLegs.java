@@ -2,7 +2,6 @@ package org.palpate.guarantee;
 
 import java.io.IOException;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.palpate.device.DeviceState;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.device.Trajectory;
@@ -52,14 +51,7 @@ final class SessionLegs implements ReplayRun.FrameSink {
       long seed,
       int frames)
       throws IOException {
-    ContactSettings settings =
-        new ContactSettings(
-            solver,
-            solver.defaultCollision(),
-            OptionalDouble.empty(),
-            0.2,
-            OptionalDouble.empty(),
-            OptionalDouble.empty());
+    ContactSettings settings = ContactSettings.standard(solver);
     ContactScene scene = new ContactScene(volume, settings, grey);
     SessionLegs session = new SessionLegs(volume);
     new ReplayRun(scene, hand(scene, seed, frames), true, false).run(session);

@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.palpate.frame.FramePublisher;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.ManualClock;
@@ -94,7 +95,10 @@ class LiveThresholdTest {
             (read, state) ->
                 ScriptedDevice.fresh(state, read, 16.2, 16.1, Math.max(22, 31 - 0.05 * read)));
     PointFrame frame =
-        scene.newFrame(device, scene.liveFrame(device.specification(), 0.5), FramePublisher.NONE);
+        scene.newFrame(
+            GridDevice.inGridCoordinates(device),
+            scene.liveFrame(device.specification(), 0.5),
+            FramePublisher.NONE);
     for (int n = 0; n < 400; n++) {
       run(frame);
     }

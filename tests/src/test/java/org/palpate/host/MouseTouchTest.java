@@ -20,6 +20,7 @@ import org.palpate.device.HapticDevice;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
@@ -307,7 +308,7 @@ class MouseTouchTest {
     mouse = new MouseDevice(scene.handTarget(), ManualClock.MS);
     touch = new MouseTouch(new DrawnSolids(volume), mouse, text -> hint = text);
     FrameSettings settings = scene.liveFrame(mouse.specification(), 0.5);
-    GridDevice device = new GridDevice(around.apply(mouse), GRID);
+    GridDevice device = GridDevice.fromWorld(around.apply(mouse), GRID);
     frame = scene.newFrame(device, settings, FramePublisher.NONE);
     runFrame();
     judge = new LegJudge(bits, frame.point().position);

@@ -17,6 +17,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
@@ -73,7 +74,7 @@ public final class LongRun {
     List<Segment> segments = head.segments();
     frame =
         new PointFrame(
-            device,
+            GridDevice.inGridCoordinates(device),
             solver.factory().make(metric, 8),
             new CollisionScene(segments.stream().map(Segment::bits).toList()),
             metric,

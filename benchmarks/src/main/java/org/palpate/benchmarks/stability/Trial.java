@@ -5,6 +5,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.proxy.ProxySolver;
@@ -130,7 +131,7 @@ public record Trial(
                 live.editVoxelsAFrame());
     VoxelGrid unit = VoxelGrid.ofUnitVoxels(1, 1, 1);
     return new PointFrame(
-        plant,
+        GridDevice.inGridCoordinates(plant),
         solver.factory().make(metric, 8 * voxel),
         shape.scene(),
         metric,

@@ -12,6 +12,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
@@ -105,7 +106,7 @@ public final class FrameAttack {
       queue = new EditQueue(grid, 1);
       frame =
           new PointFrame(
-              device,
+              GridDevice.inGridCoordinates(device),
               newSolver(),
               collisionScene,
               scene.metric(),

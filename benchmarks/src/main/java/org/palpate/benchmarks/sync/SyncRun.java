@@ -9,13 +9,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.OptionalDouble;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.CategorySeries.CategorySeriesRenderStyle;
 import org.palpate.benchmarks.report.Figures;
 import org.palpate.benchmarks.report.Progress;
-import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
@@ -63,14 +61,7 @@ public final class SyncRun {
 
   private static List<SyncRow> rows(boolean quick, PrintWriter progress)
       throws GraphicsException, InterruptedException {
-    ContactSettings settings =
-        new ContactSettings(
-            SolverKind.GUARDED,
-            CollisionChoice.EXACT,
-            OptionalDouble.empty(),
-            0.2,
-            OptionalDouble.empty(),
-            OptionalDouble.empty());
+    ContactSettings settings = ContactSettings.standard(SolverKind.GUARDED);
     ContactScene scene =
         new ContactScene(Phantom.parse(quick ? "head:96" : "head:256").segments(), settings);
     List<SyncRow> rows = new ArrayList<>();

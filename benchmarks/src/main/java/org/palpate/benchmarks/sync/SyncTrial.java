@@ -9,10 +9,10 @@ import org.HdrHistogram.Histogram;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
-import org.palpate.host.GridDevice;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.SceneSynchronizer;
@@ -93,7 +93,7 @@ final class SyncTrial implements AutoCloseable {
     SimulatedDevice hand = new SimulatedDevice(SEED, contact.handTarget(), PERIOD_NANOS);
     PointFrame frame =
         contact.newFrame(
-            new GridDevice(hand, contact.grid()),
+            GridDevice.fromWorld(hand, contact.grid()),
             contact.liveFrame(hand.specification(), ForceSettings.DEFAULT_STIFFNESS_NEWTON_PER_MM),
             publisher);
     Histogram work = new Histogram(LONGEST_NANOS, 3);

@@ -200,7 +200,7 @@ public final class RenderCommand implements Callable<Integer> {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
     Report report = new Report("render", output.report(), inputs);
-    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
+    SegmentedVolume segments = source.segments(spec.commandLine().getErr(), false);
     SurfaceExport export = new SurfaceExport(outFile, separate);
     if (surfaceOnly) {
       List<Path> targets = new ArrayList<>(export.targets(segments.segments()));

@@ -152,7 +152,8 @@ public final class ReplayCommand implements Callable<Integer> {
     ReplayTables tables =
         ReplayTables.checked(framesFile, legsFile, output.report(), inputs, failures);
     Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
-    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
+    SegmentedVolume segments =
+        source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     ContactScene scene = contact.scene(source, segments);
     FrameStatistics statistics =
         run(new ReplayRun(scene, trajectory, world, rawDevice), trajectory, tables);
@@ -186,7 +187,8 @@ public final class ReplayCommand implements Callable<Integer> {
         ReplayTables.checked(framesFile, legsFile, output.report(), inputs, failures);
     Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
     made.notes().forEach(spec.commandLine().getErr()::println);
-    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
+    SegmentedVolume segments =
+        source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     ToolScene scene = tool.scene(contact.scene(source, segments), made);
     ToolReplay.Result result = run(scene, trajectory, tables, selection);
     ToolReport measured = new ToolReport(made, tool.massKg());

@@ -9,11 +9,10 @@ import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.host.ContactScene;
+import org.palpate.host.SessionSettings;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TouchSession;
 import org.palpate.io.volume.VolumeFormatException;
-import org.palpate.loop.LoopSettings;
-import org.palpate.recording.SampleRecorder;
 import org.palpate.tool.MadeTool;
 import org.palpate.volume.SegmentedVolume;
 
@@ -70,14 +69,10 @@ final class SessionScene {
   }
 
   /** Returns a new session; see {@link TouchSession}. */
-  TouchSession newSession(
-      HapticDevice device,
-      double defaultNewtonPerMm,
-      LoopSettings loop,
-      Optional<SampleRecorder> recorder) {
+  TouchSession newSession(HapticDevice device, SessionSettings settings) {
     return rigid.isPresent()
-        ? new TouchSession(rigid.get(), device, defaultNewtonPerMm, loop, recorder, end -> {})
-        : new TouchSession(scene, device, defaultNewtonPerMm, loop, recorder, end -> {});
+        ? new TouchSession(rigid.get(), device, settings)
+        : new TouchSession(scene, device, settings);
   }
 
   /** Adds the fields that depend on the tool to a report. */

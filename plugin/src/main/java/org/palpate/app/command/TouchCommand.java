@@ -30,6 +30,7 @@ import org.palpate.device.HapticDevice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MouseTakeover;
+import org.palpate.host.SessionSettings;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.host.ViewOptions;
@@ -226,7 +227,8 @@ public final class TouchCommand implements Callable<Integer> {
     checkDistinct(record);
     printStart(source, choice, made.map(ToolReport::line).orElse("solver " + settings.solver()));
     made.ifPresent(each -> each.notes().forEach(out::println));
-    SegmentedVolume segments = source.segments(spec.commandLine().getErr());
+    SegmentedVolume segments =
+        source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     SessionScene scene = SessionScene.of(contact.scene(source, segments), tool, made);
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
@@ -340,9 +342,10 @@ public final class TouchCommand implements Callable<Integer> {
         TouchSession session =
             scene.newSession(
                 opened,
-                choice.defaultStiffness(opened, scene.contactScene()),
-                loop.with(realtime, realtime),
-                recording.recorder())) {
+                SessionSettings.standard()
+                    .withDefaultStiffness(choice.defaultStiffness(opened, scene.contactScene()))
+                    .withLoop(loop.with(realtime, realtime))
+                    .withRecorder(recording.recorder()))) {
       SessionSupervisor supervisor =
           new SessionSupervisor(session, Optional.ofNullable(seconds), recording::check, out);
       ConsoleViewListener listener = new ConsoleViewListener(out, supervisor::stop);

@@ -149,16 +149,16 @@ public final class ContactOptions {
    * @throws PalpateException exit code 2, if an option is wrong
    */
   public ContactSettings settings() {
-    return new ContactSettings(
-            solver(),
-            collision(),
-            stiffnessNewtonPerMm(),
-            friction(),
-            maxStepMm(),
-            maxForceNewton(),
-            frictionForm(),
-            materials())
-        .withBorder(border());
+    return ContactSettings.builder(solver())
+        .collision(collision())
+        .stiffness(stiffnessNewtonPerMm())
+        .friction(friction())
+        .maxStep(maxStepMm())
+        .maxForce(maxForceNewton())
+        .frictionForm(frictionForm())
+        .materials(materials())
+        .border(border())
+        .build();
   }
 
   private Map<String, MaterialOverride> materials() {
@@ -208,6 +208,13 @@ public final class ContactOptions {
       checkNamed(segments, name);
     }
     return new ContactScene(segments, settings(), grey(source));
+  }
+
+  /** Whether the solver will follow the grey values of a volume. */
+  public boolean followsGrey(VolumeSource source) {
+    return solver() == SolverKind.SMOOTH
+        && !"bits".equals(smoothFrom)
+        && source.threshold().isPresent();
   }
 
   private static void checkNamed(SegmentedVolume segments, String name) {

@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.ProgressLine;
@@ -150,12 +151,14 @@ public final class VolumeSource {
    * Reads the segments that were asked for, otherwise one for each label.
    *
    * @param err receives a line for each segment without voxels
+   * @param keepsGrey whether to keep the grey values too, in the same pass over the file, if
+   *     segments were asked for
    * @throws PalpateException exit code 2, if no segment was asked for and the values are
    *     intensities
    */
-  public SegmentedVolume segments(PrintWriter err) throws VolumeFormatException {
+  public SegmentedVolume segments(PrintWriter err, boolean keepsGrey) throws VolumeFormatException {
     if (!requested.isEmpty()) {
-      SegmentedVolume found = read(requested);
+      SegmentedVolume found = keepsGrey ? readWithGreyValues() : read(requested);
       found.segments().stream()
           .filter(segment -> segment.bits().solidCount() == 0)
           .forEach(segment -> err.println(emptyLine(segment.name())));
@@ -192,13 +195,20 @@ public final class VolumeSource {
    * empty otherwise.
    */
   Optional<GreyIsosurface> greySurface() throws VolumeFormatException {
-    if (requested.size() != 1
-        || !(requested.get(0).rule() instanceof SegmentSpec.Range range)
-        || Double.isInfinite(range.low())
-        || !Double.isInfinite(range.high())) {
-      return Optional.empty();
-    }
-    return Optional.of(GreyIsosurface.ofThreshold(greyValues(), range.low()));
+    OptionalDouble threshold = threshold();
+    return threshold.isPresent()
+        ? Optional.of(GreyIsosurface.ofThreshold(greyValues(), threshold.getAsDouble()))
+        : Optional.empty();
+  }
+
+  /** Returns the threshold if exactly one segment was asked for, by a threshold. */
+  OptionalDouble threshold() {
+    return requested.size() == 1
+            && requested.get(0).rule() instanceof SegmentSpec.Range range
+            && !Double.isInfinite(range.low())
+            && Double.isInfinite(range.high())
+        ? OptionalDouble.of(range.low())
+        : OptionalDouble.empty();
   }
 
   /** Returns all grey values. Reads them once and keeps them. */
@@ -207,6 +217,12 @@ public final class VolumeSource {
       greyValues = GreyVolumes.read(reader);
     }
     return greyValues;
+  }
+
+  private SegmentedVolume readWithGreyValues() throws VolumeFormatException {
+    GreyVolumes.WithSegments both = GreyVolumes.readWithSegments(reader, requested);
+    greyValues = both.values();
+    return both.segments();
   }
 
   /** Whether the grey values have been read. */

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.force.ForceSettings;
-import org.palpate.force.FrictionForm;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MaterialOverride;
 import org.palpate.host.SolverKind;
@@ -247,15 +246,11 @@ public record TouchOptions(
   public ContactSettings contactSettings() {
     OptionalDouble stiffness =
         stiffnessNewtonPerMm > 0 ? OptionalDouble.of(stiffnessNewtonPerMm) : OptionalDouble.empty();
-    return new ContactSettings(
-        solver,
-        solver.defaultCollision(),
-        stiffness,
-        friction,
-        OptionalDouble.empty(),
-        OptionalDouble.empty(),
-        FrictionForm.EQUATION_4,
-        materials.choices());
+    return ContactSettings.builder(solver)
+        .stiffness(stiffness)
+        .friction(friction)
+        .materials(materials.choices())
+        .build();
   }
 
   /**

@@ -13,6 +13,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
+import org.palpate.host.SessionSettings;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.imagej.annotation.LandmarkButton;
@@ -98,7 +99,13 @@ public final class StackSession implements AutoCloseable {
         StackDevice.open(options.device(), scene, options.workspace(), loop.periodNanos());
     button = new LandmarkButton(device.device());
     session =
-        new TouchSession(scene, button, device.defaultNewtonPerMm(), loop, recorder, end -> {});
+        new TouchSession(
+            scene,
+            button,
+            SessionSettings.standard()
+                .withDefaultStiffness(device.defaultNewtonPerMm())
+                .withLoop(loop)
+                .withRecorder(recorder));
     synchronizer =
         new StackSynchronizer(volume, pixels, ranges, options.followsThreshold(), scene, changes());
     strokes = new StrokeHistory(volume, geometry.grid().spacingMm());

@@ -52,6 +52,17 @@ public final class SegmentBuilder implements SliceSink {
    */
   public static SegmentedVolume read(VolumeReader reader, List<SegmentSpec> specs)
       throws VolumeFormatException {
+    return read(reader, specs, (k, slice) -> {});
+  }
+
+  /**
+   * Reads the segments of a volume, and hands each slice of {@link VolumeReader#readLayers} to
+   * another sink in the same pass.
+   *
+   * @throws VolumeFormatException if the volume cannot be read or its bits do not fit in memory
+   */
+  public static SegmentedVolume read(VolumeReader reader, List<SegmentSpec> specs, SliceSink beside)
+      throws VolumeFormatException {
     VoxelGrid grid = reader.header().grid();
     String purpose = specs.size() == 1 ? "one segment" : specs.size() + " segments";
     MemoryCheck.require(bytesFor(grid, specs.size()), purpose, reader.sourceName());
@@ -61,7 +72,11 @@ public final class SegmentBuilder implements SliceSink {
     }
     SegmentBuilder builder =
         new SegmentBuilder(grid, resolved, reader.header().values().isInteger());
-    reader.readLayers(builder);
+    reader.readLayers(
+        (k, slice) -> {
+          builder.accept(k, slice);
+          beside.accept(k, slice);
+        });
     return builder.build();
   }
 

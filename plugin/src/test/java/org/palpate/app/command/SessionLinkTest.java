@@ -21,6 +21,7 @@ import org.palpate.device.SimulatedDevice;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
+import org.palpate.host.SessionSettings;
 import org.palpate.host.TouchSession;
 import org.palpate.igtl.ReceivedImage;
 import org.palpate.loop.LoopSettings;
@@ -45,7 +46,7 @@ class SessionLinkTest {
     SimulatedDevice device = new SimulatedDevice(1, scene.handTarget(), loop.periodNanos());
     List<NamedPoint> landmarks = List.of(new NamedPoint("nasion", new Vec3(1, 2, 3)));
     try (TouchSession session =
-            new TouchSession(scene, device, 0.5, loop, Optional.empty(), end -> {});
+            new TouchSession(scene, device, SessionSettings.standard().withLoop(loop));
         SessionLink link = newLink()) {
       link.stream(session.secondReader(), WorldAxes.LPS, () -> landmarks, () -> {});
       int points = 0;
@@ -74,7 +75,7 @@ class SessionLinkTest {
     SimulatedDevice device = new SimulatedDevice(1, scene.handTarget(), loop.periodNanos());
     AtomicInteger stops = new AtomicInteger();
     try (TouchSession session =
-            new TouchSession(scene, device, 0.5, loop, Optional.empty(), end -> {});
+            new TouchSession(scene, device, SessionSettings.standard().withLoop(loop));
         SessionLink link = newLink()) {
       assertEquals("", link.received(image("first")));
       assertEquals("image first", link.takeReceived().orElseThrow().sourceName());

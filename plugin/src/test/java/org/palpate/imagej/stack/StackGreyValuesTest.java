@@ -14,12 +14,12 @@ import org.junit.jupiter.api.Test;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReplayDevice;
 import org.palpate.device.Trajectory;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
-import org.palpate.host.GridDevice;
 import org.palpate.host.SolverKind;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
@@ -157,7 +157,7 @@ class StackGreyValuesTest {
     }
     HapticDevice device = new ReplayDevice("down", down);
     return scene.newFrame(
-        new GridDevice(device, scene.grid()),
+        GridDevice.fromWorld(device, scene.grid()),
         scene.liveFrame(device.specification(), 0.5),
         (deviceGrid, pointGrid, force, contact, counts) -> point.set(pointGrid));
   }

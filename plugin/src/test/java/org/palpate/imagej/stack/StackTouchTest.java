@@ -19,7 +19,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,13 +27,12 @@ import org.palpate.device.ReplayDevice;
 import org.palpate.device.Trajectory;
 import org.palpate.edit.EditQueue;
 import org.palpate.frame.FramePublisher;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
-import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
-import org.palpate.host.GridDevice;
 import org.palpate.host.SolverKind;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.volume.BitCube;
@@ -201,14 +199,7 @@ class StackTouchTest {
   }
 
   private static ContactScene scene(StackGeometry geometry, List<Segment> segments) {
-    ContactSettings settings =
-        new ContactSettings(
-            SolverKind.GUARDED,
-            CollisionChoice.EXACT,
-            OptionalDouble.empty(),
-            0.2,
-            OptionalDouble.empty(),
-            OptionalDouble.empty());
+    ContactSettings settings = ContactSettings.standard(SolverKind.GUARDED);
     return new ContactScene(new SegmentedVolume(geometry.grid(), segments), settings);
   }
 
@@ -220,7 +211,7 @@ class StackTouchTest {
     }
     HapticDevice device = new ReplayDevice("rest", rest);
     return scene.newFrame(
-        new GridDevice(device, scene.grid()),
+        GridDevice.fromWorld(device, scene.grid()),
         scene.liveFrame(device.specification(), 0.5),
         FramePublisher.NONE);
   }

@@ -3,16 +3,17 @@ package org.palpate.benchmarks.jitter.experiment;
 import java.util.List;
 import org.palpate.collision.CollisionScene;
 import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
+import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
 import org.palpate.host.ContactSettings;
-import org.palpate.host.GridDevice;
 import org.palpate.host.HandTargetFinder;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.volume.BitCube;
@@ -31,12 +32,11 @@ final class HapticExperimentFrame implements ExperimentFrame {
     VoxelGrid grid = volume.grid();
     GridMetric metric = GridMetric.of(grid.spacingMm());
     HandTarget target = HandTargetFinder.of(volume);
-    GridDevice device =
-        new GridDevice(new SimulatedDevice(SEED, target, Experiment.PERIOD_NANOS), grid);
+    HapticDevice device = new SimulatedDevice(SEED, target, Experiment.PERIOD_NANOS);
     List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
     frame =
         new PointFrame(
-            device,
+            GridDevice.fromWorld(device, grid),
             new SmoothSolver(metric, ContactSettings.defaultMaxStepMm(grid.spacingMm())),
             new CollisionScene(cubes),
             metric,

@@ -1,0 +1,61 @@
+package org.palpate.host;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import org.palpate.device.DeviceSpecification;
+import org.palpate.loop.LoopEnd;
+import org.palpate.loop.LoopSettings;
+import org.palpate.recording.SampleRecorder;
+
+/**
+ * Settings of a {@link TouchSession} beside its scene and its device.
+ *
+ * <p>Immutable. Start from {@link #standard()}.
+ *
+ * @param defaultNewtonPerMm stiffness if the scene's settings give none, N per mm of scan; if
+ *     empty, the smaller of {@link ContactScene#defaultStiffnessNewtonPerMm} and {@link
+ *     DeviceSpecification#defaultStiffnessNewtonPerMm}
+ * @param loop pace and thread setup; the session adds the warm-up
+ * @param recorder records what the device sends, if given
+ * @param listener receives the end of the loop, once, on the thread that ends it
+ */
+public record SessionSettings(
+    OptionalDouble defaultNewtonPerMm,
+    LoopSettings loop,
+    Optional<SampleRecorder> recorder,
+    Consumer<LoopEnd> listener) {
+  private static final double USUAL_HERTZ = 1000;
+
+  /** Returns the settings of 1,000 frames a second that nobody records or listens to. */
+  public static SessionSettings standard() {
+    return new SessionSettings(
+        OptionalDouble.empty(), LoopSettings.ofRate(USUAL_HERTZ), Optional.empty(), end -> {});
+  }
+
+  /** Returns a copy with the stiffness that is used if the scene's settings give none, N/mm. */
+  public SessionSettings withDefaultStiffness(double newtonPerMm) {
+    return new SessionSettings(OptionalDouble.of(newtonPerMm), loop, recorder, listener);
+  }
+
+  /** Returns a copy with another pace and thread setup. */
+  public SessionSettings withLoop(LoopSettings newLoop) {
+    return new SessionSettings(defaultNewtonPerMm, newLoop, recorder, listener);
+  }
+
+  /** Returns a copy that records what the device sends, if a recorder is given. */
+  public SessionSettings withRecorder(Optional<SampleRecorder> newRecorder) {
+    return new SessionSettings(defaultNewtonPerMm, loop, newRecorder, listener);
+  }
+
+  /** Returns a copy that reports the end of the loop, once, on the thread that ends it. */
+  public SessionSettings withListener(Consumer<LoopEnd> newListener) {
+    return new SessionSettings(defaultNewtonPerMm, loop, recorder, newListener);
+  }
+
+  /** Returns the stiffness if the scene's settings give none, N per mm of scan. */
+  double defaultNewtonPerMm(ContactScene scene, DeviceSpecification device) {
+    return defaultNewtonPerMm.orElseGet(
+        () -> Math.min(scene.defaultStiffnessNewtonPerMm(), device.defaultStiffnessNewtonPerMm()));
+  }
+}
