@@ -163,14 +163,24 @@ final class DicomSeriesGeometry {
       Vec3 all = plane(count - 1).position().sub(plane(0).position(), new Vec3());
       return all.mul(1.0 / (count - 1), all);
     }
-    double[] headerSpacing = frames.get(0).dicom().attributes().decimals(DicomTag.SLICE_SPACING, 1);
-    boolean usable =
-        headerSpacing != null && headerSpacing[0] > 0 && Double.isFinite(headerSpacing[0]);
-    notes.add(
-        usable
-            ? "a single slice: the slice spacing is that of the header"
-            : "a single slice: the slice spacing is taken to be the pixel spacing");
-    return normal.mul(usable ? headerSpacing[0] : plane(0).columnSpacingMm(), new Vec3());
+    return normal.mul(singleSliceMm(), new Vec3());
+  }
+
+  /** Returns the extent of a single slice along its normal, mm, and notes where it stands. */
+  private double singleSliceMm() {
+    int[] tags = {DicomTag.SLICE_SPACING, DicomTag.SLICE_THICKNESS};
+    for (int tag : tags) {
+      double[] stated = frames.get(0).dicom().attributes().decimals(tag, 1);
+      if (stated != null && stated[0] > 0 && Double.isFinite(stated[0])) {
+        notes.add(
+            tag == DicomTag.SLICE_SPACING
+                ? "a single slice: the slice spacing is that of the header"
+                : "a single slice: the slice spacing is its thickness");
+        return stated[0];
+      }
+    }
+    notes.add("a single slice: the slice spacing is taken to be the pixel spacing");
+    return plane(0).columnSpacingMm();
   }
 
   private void requireDistinctPositions() throws VolumeFormatException {

@@ -66,6 +66,7 @@ public final class MetaImageReader {
   private VolumeReader open() throws VolumeFormatException {
     VoxelType type = type();
     noteIntensityFunction();
+    noteUnit();
     sizes = sizes();
     channels = NumberParser.positiveInt(header.first("1", "ElementNumberOfChannels"));
     if (channels < 1) {
@@ -106,6 +107,15 @@ public final class MetaImageReader {
               + " times the value plus "
               + offset
               + ", is not applied");
+    }
+  }
+
+  /** Notes a unit of length that the header states; it is left out, as ITK does. */
+  private void noteUnit() {
+    String unit = header.first("mm", "DistanceUnits");
+    if (!unit.equalsIgnoreCase("mm") && !unit.equals("?")) {
+      notes.add(
+          "lengths are taken as mm, as in ITK: the DistanceUnits '" + unit + "' are not used");
     }
   }
 

@@ -13,8 +13,8 @@ import org.palpate.io.volume.VolumeFormatException;
 final class TiffPage {
   static final Set<Integer> KNOWN_TAGS =
       Set.of(
-          254, 256, 257, 258, 259, 262, 266, 270, 273, 277, 278, 279, 282, 283, 284, 296, 317, 320,
-          322, 323, 324, 325, 339);
+          254, 256, 257, 258, 259, 262, 266, 270, 273, 274, 277, 278, 279, 282, 283, 284, 296, 317,
+          320, 322, 323, 324, 325, 339, 32997, 33629);
 
   private final TiffFile tiff;
   private final Map<Integer, double[]> tags;
@@ -129,6 +129,17 @@ final class TiffPage {
     return value(tag, Double.NaN);
   }
 
+  /** Returns the corner and direction of the first row: 1 if it runs to the right at the top. */
+  int orientation() {
+    return (int) value(274, 1);
+  }
+
+  /** Returns the number of planes in the page, by ImageDepth or by MetaMorph's table of planes. */
+  private int planes() {
+    int listed = tags.getOrDefault(33629, new double[0]).length;
+    return Math.max((int) value(32997, 1), listed);
+  }
+
   /** Returns the unit of resolution: 1 none, 2 inch, 3 centimetre. */
   int resolutionUnit() {
     return (int) value(296, 2);
@@ -167,6 +178,9 @@ final class TiffPage {
     }
     if (!pixels.fault().isEmpty()) {
       throw refusal(pixels.fault());
+    }
+    if (planes() > 1) {
+      throw refusal("the page holds " + planes() + " planes, of which only the first can be read");
     }
     checkPredictor();
     double pieces = (double) tilesAcross() * tilesDown() * pixels.planes();

@@ -309,6 +309,12 @@ record TiffStack(
       } else if (pixels.photometric() == TiffPixels.WHITE_IS_ZERO) {
         notes.add("0 is white in the file, but the values are read as they are stored");
       }
+      if (first.orientation() != 1) {
+        notes.add(
+            "the pixels are read as they are stored, as in ImageJ: Orientation "
+                + first.orientation()
+                + ", by which the picture is mirrored or turned, is not applied");
+      }
       if (pixels.photometric() == TiffPixels.PALETTE) {
         notes.add(
             first.greyPalette().isPresent()

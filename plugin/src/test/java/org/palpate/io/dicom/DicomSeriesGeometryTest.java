@@ -76,6 +76,15 @@ class DicomSeriesGeometryTest {
   }
 
   @Test
+  void aSingleSliceIsAsThickAsItsHeaderStates() throws Exception {
+    slices("1.2", AXIAL, "0\\0\\0");
+    VolumeReader reader = VolumeFiles.open(folder, ReadOptions.defaults());
+    assertEquals(9, reader.header().grid().spacingMm().z, 1e-12);
+    assertEquals(
+        List.of("a single slice: the slice spacing is its thickness"), reader.header().notes());
+  }
+
+  @Test
   void seriesAreListedByNumberAndChosenByNumberOrUid() throws Exception {
     slices("1.2", AXIAL, "0\\0\\0", "0\\0\\2");
     slices("1.3", AXIAL, "0\\0\\0", "0\\0\\3", "0\\0\\6");

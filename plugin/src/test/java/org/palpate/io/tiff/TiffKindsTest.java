@@ -30,10 +30,13 @@ class TiffKindsTest {
   private static final int COMPRESSION = 259;
   private static final int PHOTOMETRIC = 262;
   private static final int DESCRIPTION = 270;
+  private static final int ORIENTATION = 274;
   private static final int SAMPLES = 277;
   private static final int PLANAR = 284;
   private static final int COLOUR_MAP = 320;
   private static final int FORMAT = 339;
+  private static final int IMAGE_DEPTH = 32997;
+  private static final int METAMORPH_PLANES = 33629;
 
   @TempDir Path folder;
 
@@ -90,6 +93,28 @@ class TiffKindsTest {
     tags.put(COLOUR_MAP, map(greys, new int[] {0, 1, 2, 3}));
     assertArrayEquals(new double[] {0, 1, 2, 3}, values(bytes(0b00011011)));
     assertTrue(notes().contains("indices of the file's palette"), notes());
+  }
+
+  @Test
+  void aPageOfSeveralPlanesIsNotTakenForOneSlice() throws Exception {
+    for (int tag : new int[] {IMAGE_DEPTH, METAMORPH_PLANES}) {
+      page(2, 1, 8, 1);
+      tags.put(tag, tag == IMAGE_DEPTH ? new int[] {5} : new int[] {1, 1, 1, 1, 1});
+      Path file = write(bytes(1, 2, 3, 4, 5, 6, 7, 8, 9, 10));
+      String message =
+          assertThrows(
+                  VolumeFormatException.class, () -> TiffReader.open(file, ReadOptions.defaults()))
+              .getMessage();
+      assertTrue(message.contains("the page holds 5 planes"), message);
+    }
+  }
+
+  @Test
+  void anOrientationThatIsNotAppliedIsNoted() throws Exception {
+    page(2, 1, 8, 1);
+    tags.put(ORIENTATION, new int[] {2});
+    assertArrayEquals(new double[] {7, 9}, values(bytes(7, 9)));
+    assertTrue(notes().contains("Orientation 2"), notes());
   }
 
   @ParameterizedTest
