@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.benchmarks.accuracy.Accuracy;
 import org.palpate.benchmarks.accuracy.AccuracyMeter;
 import org.palpate.benchmarks.accuracy.SlideTrajectory;
@@ -77,20 +79,69 @@ class SmoothAccuracyTest {
     }
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "2, plane, 0.3, 0.7, 0.02, 0.02",
+    "2, sphere, 1.3, 5.5, 0.1, 0.02",
+    "2, torus, 2.1, 8, 0.11, 0.02",
+    "3, plane, 0.5, 1, 0.02, 0.02",
+    "3, sphere, 1.3, 5.5, 0.07, 0.02",
+    "3, torus, 2.6, 8.5, 0.15, 0.02",
+    "5, plane, 1.1, 2, 0.05, 0.02",
+    "5, sphere, 2.1, 9, 0.15, 0.03",
+    "5, torus, 4, 15, 0.3, 0.02"
+  })
+  void slicesFartherApartThanPixelsHardlyTiltTheForce(
+      double ratio, String shape, double rms, double worst, double heightStd, double lagOff) {
+    Vec3 tall = new Vec3(1, 1, ratio);
+    for (double speed : new double[] {0.05, 0.3, 2}) {
+      check(measureSampled(shape, tall, 5, speed), rms, worst, heightStd, lagOff);
+    }
+  }
+
   @Test
-  void voxelsTwiceAsTallAtMostDoubleTheAngles() {
-    Vec3 tall = new Vec3(1, 1, 2);
-    check(measureSampled("plane", tall, 5), 1, 2, 0.1, 0.03);
-    check(measureSampled("sphere", tall, 5), 3, 12, 0.1, 0.03);
-    check(measureSampled("torus", tall, 5), 5.5, 20, 0.3, 0.03);
+  void slicesFartherApartThanPixelsHardlyTiltTheForceAtOtherDepths() {
+    for (double depth : new double[] {2, 10}) {
+      for (double ratio : new double[] {2, 3}) {
+        Vec3 tall = new Vec3(1, 1, ratio);
+        check(measureSampled("plane", tall, depth, 0.3), 0.5, 1, 0.02, 0.02);
+        check(measureSampled("sphere", tall, depth, 0.3), 1.4, 6, 0.1, 0.02);
+        check(measureSampled("torus", tall, depth, 0.3), 3.3, 10, 0.15, 0.03);
+      }
+      Vec3 fiveTimes = new Vec3(1, 1, 5);
+      check(measureSampled("plane", fiveTimes, depth, 0.3), 1.1, 2, 0.05, 0.02);
+      check(measureSampled("sphere", fiveTimes, depth, 0.3), 2.3, 8.5, 0.15, 0.07);
+    }
+  }
+
+  @Test
+  void anyAxisMayBeTheLongOneAndRatiosNeedNotBeWhole() {
+    for (Vec3 spacing : List.of(new Vec3(3, 1, 1), new Vec3(1, 2.5, 1), new Vec3(1, 1, 1.6))) {
+      check(measureSampled("plane", spacing, 5, 0.3), 1.1, 2.2, 0.05, 0.02);
+      check(measureSampled("sphere", spacing, 5, 0.3), 1.5, 6, 0.07, 0.02);
+      check(measureSampled("torus", spacing, 5, 0.3), 2.2, 7, 0.11, 0.02);
+    }
+  }
+
+  @Test
+  void everyLegOverLongVoxelsIsDisjointFromAllSolids() {
+    AnalyticSurface truth = Phantom.parse("torus:96").analyticSurface().orElseThrow();
+    for (Vec3 spacing : List.of(new Vec3(1, 1, 2), new Vec3(3, 1, 1), new Vec3(1, 5, 1))) {
+      BitCube exact = SampledSolids.of(truth, 96, spacing);
+      assertNoLegTouches(truth, SampledSolids.flipped(exact, 0.1, SEED), spacing);
+    }
   }
 
   @Test
   void everyLegOfASlideIsDisjointFromAllSolids() {
     AnalyticSurface truth = Phantom.parse("torus:96").analyticSurface().orElseThrow();
     BitCube bits = SampledSolids.flipped(SampledSolids.of(truth, 96, CUBES), 0.1, SEED);
+    assertNoLegTouches(truth, bits, CUBES);
+  }
+
+  private static void assertNoLegTouches(AnalyticSurface truth, BitCube bits, Vec3 spacingMm) {
     SlideTrajectory slide = new SlideTrajectory(truth, 96, 4, 0.3, 1500, SEED);
-    GridMetric metric = GridMetric.of(CUBES);
+    GridMetric metric = GridMetric.of(spacingMm);
     AccuracyMeter meter = new AccuracyMeter(truth, metric, slide, 4);
     JudgedSolver solver = new JudgedSolver(new SmoothSolver(metric, 8), bits);
     assertEquals(0, meter.measure(solver, new CollisionScene(List.of(bits))).lostFrames());
@@ -102,9 +153,9 @@ class SmoothAccuracyTest {
     return measure(phantom.analyticSurface().orElseThrow(), CUBES, bits, depth, speed);
   }
 
-  private static Accuracy measureSampled(String name, Vec3 spacingMm, double depth) {
+  private static Accuracy measureSampled(String name, Vec3 spacingMm, double depth, double speed) {
     AnalyticSurface truth = Phantom.parse(name + ":" + EDGE).analyticSurface().orElseThrow();
-    return measure(truth, spacingMm, SampledSolids.of(truth, EDGE, spacingMm), depth, 0.3);
+    return measure(truth, spacingMm, SampledSolids.of(truth, EDGE, spacingMm), depth, speed);
   }
 
   private static Accuracy measure(

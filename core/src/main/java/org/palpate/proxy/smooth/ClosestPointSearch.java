@@ -2,6 +2,7 @@ package org.palpate.proxy.smooth;
 
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.smooth.field.FieldSample;
+import org.palpate.proxy.smooth.field.IsoLevel;
 import org.palpate.proxy.smooth.field.OccupancyField;
 import org.palpate.proxy.smooth.field.SeedCell;
 
@@ -47,7 +48,15 @@ final class ClosestPointSearch {
   /** The tolerance as a fraction of the first offset; the next frame goes on with the rest. */
   private static final double TOLERANCE_FRACTION = 0.01;
 
+  /** The greatest depth below the isosurface from which a search leads out, on cubes. */
   private static final double MAX_DEPTH_EDGES = 1.6;
+
+  /**
+   * The growth of that depth with the isosurface's offset. Between the steps of long voxels a point
+   * may lie deeper.
+   */
+  private static final double MAX_DEPTH_GROWTH = 2.2;
+
   private static final int MAX_ITERATIONS = 12;
   private static final double MAX_STEP_EDGES = 2.2;
   private static final double MAX_DROP_EDGES = 1;
@@ -77,6 +86,7 @@ final class ClosestPointSearch {
   private final EdgeUnits units;
   private final WindowBudget budget;
   private final Vec3 voxelsPerEdge;
+  private final double maxDepthEdges;
   private final Vec3 visited = new Vec3();
   private final Vec3 toDevice = new Vec3();
   private final Vec3 tangent = new Vec3();
@@ -91,6 +101,8 @@ final class ClosestPointSearch {
     this.units = units;
     this.budget = budget;
     sample = field.sample();
+    double moreOffset = field.level().offsetEdges() - IsoLevel.OFFSET_OF_CUBES_EDGES;
+    maxDepthEdges = MAX_DEPTH_EDGES + MAX_DEPTH_GROWTH * moreOffset;
     voxelsPerEdge = new Vec3(1 / units.x(), 1 / units.y(), 1 / units.z());
   }
 
@@ -117,7 +129,7 @@ final class ClosestPointSearch {
     double toleranceSquare = 0;
     for (int n = 0; n < MAX_ITERATIONS; n++) {
       visit(seed, device);
-      if (!sample.hasNormal() || sample.heightEdges() < -MAX_DEPTH_EDGES) {
+      if (!sample.hasNormal() || sample.heightEdges() < -maxDepthEdges) {
         return Outcome.NO_SURFACE;
       }
       if (!isDeviceBelow()) {

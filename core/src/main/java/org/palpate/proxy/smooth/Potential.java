@@ -19,9 +19,6 @@ final class Potential {
    */
   private static final double DEPTH_WEIGHT = 2;
 
-  /** All depths beyond this one count the same, because slits are inside everywhere. */
-  private static final double MAX_DEPTH_EDGES = 1;
-
   /**
    * The weight of an edge of height against an edge of distance. Nearly 1, so that passing over
    * voxels that stand out costs next to nothing; below 1, so that coming down pays.
@@ -49,6 +46,6 @@ final class Potential {
     if (height > 0) {
       return distanceEdges - HEIGHT_WEIGHT * height;
     }
-    return distanceEdges + DEPTH_WEIGHT * (height > -MAX_DEPTH_EDGES ? -height : MAX_DEPTH_EDGES);
+    return distanceEdges - DEPTH_WEIGHT * height;
   }
 }

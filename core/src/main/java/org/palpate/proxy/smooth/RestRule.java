@@ -30,6 +30,7 @@ final class RestRule {
   private final EdgeUnits units;
   private final Vec3 lastDevice = new Vec3(Double.NaN, 0, 0);
   private double lastFreeDistanceEdges;
+  private boolean deviceInSolid;
 
   RestRule(Potential potential, EdgeUnits units) {
     this.potential = potential;
@@ -39,6 +40,11 @@ final class RestRule {
   /** Forgets where the device was; the next frame may do anything. */
   void reset() {
     lastDevice.x = Double.NaN;
+  }
+
+  /** Begins a frame; a device in a solid cell is not reached, even if its voxel is empty. */
+  void beginFrame(boolean isDeviceInSolid) {
+    deviceInSolid = isDeviceInSolid;
   }
 
   /** Ends a frame. */
@@ -75,6 +81,7 @@ final class RestRule {
 
   /** Whether a frame counts that leaves the point here. */
   boolean accepts(Vec3 point, Vec3 device, double limit) {
-    return point.sameBits(device) || potential.at(point, device) <= limit;
+    boolean reached = !deviceInSolid && point.sameBits(device);
+    return reached || potential.at(point, device) <= limit;
   }
 }

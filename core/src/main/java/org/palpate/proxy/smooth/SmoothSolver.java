@@ -92,7 +92,7 @@ public final class SmoothSolver implements ProxySolver {
     shortestMm = units.shortestMm();
     budget = new WindowBudget(field);
     motion = new VerifiedMotion(metric, maxStepMm);
-    straightPath = new StraightPath(motion);
+    straightPath = new StraightPath(field, motion);
     surfaceSlide = new SurfaceSlide(field, units, budget, motion, straightPath);
     voxelSolver = new GuardedSolver(metric, maxStepMm);
     restRule = new RestRule(new Potential(field, units), units);
@@ -160,7 +160,8 @@ public final class SmoothSolver implements ProxySolver {
     scene = newScene;
     field.use(newScene);
     budget.beginFrame();
-    straightPath.beginFrame(newScene, device);
+    straightPath.beginFrame(device);
+    restRule.beginFrame(straightPath.isDeviceInSolid());
   }
 
   /** Proposes and verifies a leg straight towards the device, if the rest rule allows one. */

@@ -1,24 +1,32 @@
 package org.palpate.proxy.smooth;
 
-import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
+import org.palpate.proxy.smooth.field.OccupancyField;
 
 /** The straight segment from the interaction point to the device. */
 final class StraightPath {
+  private final OccupancyField field;
   private final VerifiedMotion motion;
 
-  /** Whether the device's cell is solid, so that every segment to it is blocked. */
+  /** Whether the device's cell is solid, so that every segment to it counts as blocked. */
   private boolean deviceInSolid;
 
-  StraightPath(VerifiedMotion motion) {
+  StraightPath(OccupancyField field, VerifiedMotion motion) {
+    this.field = field;
     this.motion = motion;
   }
 
   /** Begins a frame. */
-  void beginFrame(CollisionScene scene, Vec3 device) {
-    deviceInSolid =
-        scene.isSolid(
-            (int) Math.floor(device.x), (int) Math.floor(device.y), (int) Math.floor(device.z));
+  void beginFrame(Vec3 device) {
+    deviceInSolid = field.isSolid(device);
+  }
+
+  /**
+   * Whether the device lies in a solid cell of the field. On long voxels that may be a thin slice
+   * within an empty voxel.
+   */
+  boolean isDeviceInSolid() {
+    return deviceInSolid;
   }
 
   /** Whether a solid lies between the point and the device. */

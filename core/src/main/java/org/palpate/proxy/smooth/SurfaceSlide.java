@@ -124,12 +124,14 @@ final class SurfaceSlide {
    */
   private Approach approachSurface(Vec3 device) {
     motion.cutToRemainingPath(device, target);
-    if (motion.isFree(target)) {
+    boolean free = motion.isFree(target);
+    if (free && !(straightPath.isDeviceInSolid() && target.sameBits(device))) {
       boolean moved = motion.move(target);
       return moved ? Approach.UNHINDERED : Approach.BLOCKED;
     }
     Vec3 point = motion.position();
-    double fraction = intersection.find(point, target, motion.blockedFraction());
+    double last = free ? 1 : motion.blockedFraction();
+    double fraction = intersection.find(point, target, last);
     if (Double.isNaN(fraction)) {
       return Approach.BLOCKED;
     }

@@ -20,7 +20,7 @@ final class BinaryCoefficientSource implements CoefficientSource {
   private static final int ROW_MASK = (1 << BinaryWindow.EDGE) - 1;
 
   private final SmoothingKernel kernel;
-  private final BinaryWindow window = new BinaryWindow();
+  private final BinaryWindow window;
 
   /** The three packed sums along x of every row of 12 voxels. */
   private final long[] sumsOfRow = new long[1 << BinaryWindow.EDGE];
@@ -37,8 +37,14 @@ final class BinaryCoefficientSource implements CoefficientSource {
   private final AxisTaps alongY;
   private final AxisTaps alongZ;
 
-  BinaryCoefficientSource(SmoothingKernel kernel) {
+  /**
+   * Creates a source over the cells of a window.
+   *
+   * @param kernel the smoothing of these cells
+   */
+  BinaryCoefficientSource(SmoothingKernel kernel, BinaryWindow window) {
     this.kernel = kernel;
+    this.window = window;
     alongY = new AxisTaps(kernel, 1);
     alongZ = new AxisTaps(kernel, 2);
     for (int row = 0; row <= ROW_MASK; row++) {
@@ -160,6 +166,11 @@ final class BinaryCoefficientSource implements CoefficientSource {
     long weigh(long[] twice, int n) {
       return twice[n + high] - twice[n + second] - twice[n + first] + twice[n + low];
     }
+  }
+
+  @Override
+  public boolean isSolid(CollisionScene scene, int x, int y, int z) {
+    return window.isSolid(scene, x, y, z);
   }
 
   @Override

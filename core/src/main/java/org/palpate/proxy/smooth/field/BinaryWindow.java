@@ -36,7 +36,9 @@ final class BinaryWindow {
   /** The layer behind the window's own: scratch for one of its faces. */
   private static final int FACE = EDGE * WORDS;
 
-  private final BrickCopy copy = new BrickCopy();
+  private final ThinGrid grid;
+  private final BrickSource source;
+  private final BrickCopy copy;
 
   /** The empty voxels. */
   private final long[] free = new long[FACE + WORDS];
@@ -55,8 +57,35 @@ final class BinaryWindow {
   private int lowZ;
   private boolean anySolid;
 
+  /** The cell from which a flood fill begins, counted within the window. */
+  private int seedX;
+
+  private int seedY;
+  private int seedZ;
+
   /** Whether all empty voxels are known to be connected, so that the seed does not matter. */
   private boolean connected;
+
+  /** Creates a window on the voxels of a scene. */
+  BinaryWindow() {
+    this(ThinGrid.WHOLE, BrickSource.VOXELS);
+  }
+
+  /**
+   * Creates a window on the cells of a grid.
+   *
+   * @param source gives their bits
+   */
+  BinaryWindow(ThinGrid grid, BrickSource source) {
+    this.grid = grid;
+    this.source = source;
+    copy = new BrickCopy(source);
+  }
+
+  /** Whether any cell, inside the window or outside, is solid. */
+  boolean isSolid(CollisionScene scene, int x, int y, int z) {
+    return source.isSolid(scene, x, y, z);
+  }
 
   /** Forgets the copied bits. */
   void forget() {
@@ -135,13 +164,10 @@ final class BinaryWindow {
    * seed is solid or outside the window, every empty voxel counts as reached.
    */
   void floodFrom(SeedCell seed) {
-    int x = seed.x() - lowX;
-    int y = seed.y() - lowY;
-    int z = seed.z() - lowZ;
-    if (isSeed(x, y, z)) {
+    if (findSeed(seed)) {
       connected = isPlainlyConnected();
       if (!connected) {
-        fill.floodFrom(x, y, z);
+        fill.floodFrom(seedX, seedY, seedZ);
         reached = flooded;
       }
     }
@@ -163,17 +189,45 @@ final class BinaryWindow {
 
   /** Whether the same voxels would count as reached with another seed. */
   boolean holdsFor(SeedCell seed) {
-    int x = seed.x() - lowX;
-    int y = seed.y() - lowY;
-    int z = seed.z() - lowZ;
     if (reached != free) {
-      return isSeed(x, y, z) ? isSet(flooded, x, y, z) : isAllFlooded();
+      return findSeed(seed) ? isSet(flooded, seedX, seedY, seedZ) : isAllFlooded();
     }
-    return !anySolid || connected || !isSeed(x, y, z);
+    return !anySolid || connected || !findSeed(seed);
   }
 
+  /**
+   * Finds the cell from which a seed reaches empty space: of the cells of its voxel the empty one
+   * nearest to the middle. Returns false if there is none in the window.
+   */
+  private boolean findSeed(SeedCell seed) {
+    if (grid.isWhole()) {
+      return isSeed(seed.x(), seed.y(), seed.z());
+    }
+    int voxel = grid.axis() == 0 ? seed.x() : grid.axis() == 1 ? seed.y() : seed.z();
+    int middle = grid.middleOf(voxel);
+    for (int n = 0; n < grid.perVoxel() + 2; n++) {
+      int cell = (n & 1) == 0 ? middle - n / 2 : middle + (n + 1) / 2;
+      if (grid.voxelOf(cell) == voxel && isSeed(seed, cell)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isSeed(SeedCell seed, int cell) {
+    return switch (grid.axis()) {
+      case 0 -> isSeed(cell, seed.y(), seed.z());
+      case 1 -> isSeed(seed.x(), cell, seed.z());
+      default -> isSeed(seed.x(), seed.y(), cell);
+    };
+  }
+
+  /** Notes a cell as the seed; returns whether it is an empty one of the window. */
   private boolean isSeed(int x, int y, int z) {
-    return isInside(x, y, z) && isSet(free, x, y, z);
+    seedX = x - lowX;
+    seedY = y - lowY;
+    seedZ = z - lowZ;
+    return isInside(seedX, seedY, seedZ) && isSet(free, seedX, seedY, seedZ);
   }
 
   private static boolean isSet(long[] words, int x, int y, int z) {

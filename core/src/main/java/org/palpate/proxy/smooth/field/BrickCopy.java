@@ -3,11 +3,12 @@ package org.palpate.proxy.smooth.field;
 import org.palpate.collision.CollisionScene;
 
 /**
- * A copy of 16x16x16 voxels that starts at a multiple of 4, as rows of 16 bits. Windows that move
- * by a few voxels find their bits in it.
+ * A copy of 16x16x16 cells that starts at a multiple of 4, as rows of 16 bits. Windows that move by
+ * a few cells find their bits in it. Cells are voxels, or thin slices of them, see {@link
+ * ThinGrid}.
  *
  * <pre>
- *   word 4 z + w   bit  r r x x x x    layer z, row 4 w + r, voxel x
+ *   word 4 z + w   bit  r r x x x x    layer z, row 4 w + r, cell x
  * </pre>
  */
 final class BrickCopy {
@@ -15,18 +16,25 @@ final class BrickCopy {
   private static final int BRICKS = 4;
   private static final int BRICK_EDGE = 4;
 
-  /** The voxels that are left on an axis beside a window. */
+  /** The cells that are left on an axis beside a window. */
   private static final int ROOM = EDGE - BinaryWindow.EDGE;
 
+  private final BrickSource source;
   private final long[] words = new long[EDGE * BRICKS];
   private int lowX;
   private int lowY;
   private int lowZ;
   private boolean valid;
 
-  /** Forgets the bits. */
+  /** Creates a copy of the cells that a source gives. */
+  BrickCopy(BrickSource source) {
+    this.source = source;
+  }
+
+  /** Forgets the bits, and those of the source. */
   void forget() {
     valid = false;
+    source.forget();
   }
 
   /** Makes the copy hold the window from (x,y,z) on, by reading other bricks if it must. */
@@ -55,17 +63,17 @@ final class BrickCopy {
     return low - 1 & ~3;
   }
 
-  /** Returns the grid coordinate of the first voxel along x. */
+  /** Returns the coordinate of the first cell along x. */
   int lowX() {
     return lowX;
   }
 
-  /** Returns the grid coordinate of the first voxel along y. */
+  /** Returns the coordinate of the first cell along y. */
   int lowY() {
     return lowY;
   }
 
-  /** Returns the grid coordinate of the first voxel along z. */
+  /** Returns the coordinate of the first cell along z. */
   int lowZ() {
     return lowZ;
   }
@@ -92,10 +100,10 @@ final class BrickCopy {
     int brickX = lowX >> 2;
     int brickY = (lowY >> 2) + y;
     int brickZ = (lowZ >> 2) + z;
-    long a = scene.brick(brickX, brickY, brickZ);
-    long b = scene.brick(brickX + 1, brickY, brickZ);
-    long c = scene.brick(brickX + 2, brickY, brickZ);
-    long d = scene.brick(brickX + 3, brickY, brickZ);
+    long a = source.brick(scene, brickX, brickY, brickZ);
+    long b = source.brick(scene, brickX + 1, brickY, brickZ);
+    long c = source.brick(scene, brickX + 2, brickY, brickZ);
+    long d = source.brick(scene, brickX + 3, brickY, brickZ);
     boolean empty = (a | b | c | d) == 0;
     for (int layer = 0; layer < BRICK_EDGE; layer++) {
       words[(BRICK_EDGE * z + layer) * BRICKS + y] =

@@ -18,6 +18,9 @@ public final class IsoLevel {
    */
   private static final double OFFSET_FRACTION = 1.12;
 
+  /** The distance of the isosurface from a plane of solid, outside it, if voxels are cubes. */
+  public static final double OFFSET_OF_CUBES_EDGES = OFFSET_FRACTION * Math.sqrt(3) / 2;
+
   /** The width, over the kernel's, of the Gaussian whose profile is as steep in the middle. */
   private static final double MIDDLE_WIDENING = 1.04;
 

@@ -26,6 +26,9 @@ public final class OccupancyField {
   private final CoefficientSource source;
   private final IsoLevel level;
   private final FieldSample sample;
+  private final double cellsX;
+  private final double cellsY;
+  private final double cellsZ;
   private final double inverseX;
   private final double inverseY;
   private final double inverseZ;
@@ -49,21 +52,29 @@ public final class OccupancyField {
   /**
    * Creates a field over any coefficients.
    *
+   * @param grid the cells to whose corners the coefficients belong
    * @param edges the edges of a voxel along x, y and z, in shortest edges: at least 1
    */
-  OccupancyField(CoefficientSource source, Vec3 edges) {
+  private OccupancyField(CoefficientSource source, ThinGrid grid, Vec3 edges) {
     this.source = source;
-    inverseX = 1 / edges.x;
-    inverseY = 1 / edges.y;
-    inverseZ = 1 / edges.z;
+    cellsX = grid.perVoxel(0);
+    cellsY = grid.perVoxel(1);
+    cellsZ = grid.perVoxel(2);
+    inverseX = cellsX / edges.x;
+    inverseY = cellsY / edges.y;
+    inverseZ = cellsZ / edges.z;
     level = new IsoLevel(source, edges);
     sample = new FieldSample(level);
   }
 
   /** Returns a field that is made from the voxels' bits alone. */
   public static OccupancyField ofBits(GridMetric metric) {
-    SmoothingKernel kernel = SmoothingKernel.forBits(metric);
-    return new OccupancyField(new BinaryCoefficientSource(kernel), edges(metric));
+    Vec3 edges = edges(metric);
+    ThinGrid grid = ThinGrid.of(edges);
+    BrickSource bricks = grid.isWhole() ? BrickSource.VOXELS : new ThinSlices(grid);
+    SmoothingKernel kernel = SmoothingKernel.forBits(grid.cellEdges(edges));
+    BinaryWindow window = new BinaryWindow(grid, bricks);
+    return new OccupancyField(new BinaryCoefficientSource(kernel, window), grid, edges);
   }
 
   /**
@@ -72,11 +83,13 @@ public final class OccupancyField {
    * @param grey the grey values; after they change, call {@link #forget}
    */
   public static OccupancyField ofGrey(GridMetric metric, GreyIsosurfaceSource grey) {
-    SmoothingKernel kernel = SmoothingKernel.forGrey(metric);
-    return new OccupancyField(new GreyCoefficientSource(kernel, grey), edges(metric));
+    Vec3 edges = edges(metric);
+    SmoothingKernel kernel = SmoothingKernel.forGrey(edges);
+    return new OccupancyField(new GreyCoefficientSource(kernel, grey), ThinGrid.WHOLE, edges);
   }
 
-  private static Vec3 edges(GridMetric metric) {
+  /** Returns the edges of a voxel, in shortest edges. */
+  static Vec3 edges(GridMetric metric) {
     double shortest = metric.shortestEdgeMm();
     return new Vec3(
         metric.spacingX() / shortest, metric.spacingY() / shortest, metric.spacingZ() / shortest);
@@ -112,6 +125,18 @@ public final class OccupancyField {
   }
 
   /**
+   * Whether a point lies in a solid cell. Cells are voxels, or thin slices of long voxels, which
+   * may be solid within an empty voxel.
+   */
+  public boolean isSolid(Vec3 point) {
+    return source.isSolid(
+        scene,
+        (int) Math.floor(cellsX * point.x),
+        (int) Math.floor(cellsY * point.y),
+        (int) Math.floor(cellsZ * point.z));
+  }
+
+  /**
    * Evaluates the field.
    *
    * @param seed the cell from which empty space is reached; if it is solid or outside the window,
@@ -139,9 +164,12 @@ public final class OccupancyField {
    */
   private void evaluateAnew(SeedCell seed, Vec3 point) {
     lastSeed.set(seed);
-    double nearX = point.x + 0.5;
-    double nearY = point.y + 0.5;
-    double nearZ = point.z + 0.5;
+    double inCellsX = cellsX * point.x;
+    double inCellsY = cellsY * point.y;
+    double inCellsZ = cellsZ * point.z;
+    double nearX = inCellsX + 0.5;
+    double nearY = inCellsY + 0.5;
+    double nearZ = inCellsZ + 0.5;
     int x = (int) nearX;
     int y = (int) nearY;
     int z = (int) nearZ;
@@ -163,7 +191,7 @@ public final class OccupancyField {
       lastPoint.set(point.x, point.y, point.z);
       sample.clear();
       if (anySolid) {
-        sum(point.x - x, point.y - y, point.z - z);
+        sum(inCellsX - x, inCellsY - y, inCellsZ - z);
       }
     }
   }

@@ -1,6 +1,6 @@
 package org.palpate.proxy.smooth.field;
 
-import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
 
 /**
  * The smoothing of voxels along each axis: two box filters of whole voxels, and a quadratic
@@ -35,11 +35,10 @@ final class SmoothingKernel {
   private final double[] sigmaEdges = new double[3];
   private final double scale;
 
-  private SmoothingKernel(GridMetric metric, int widest) {
-    double shortest = metric.shortestEdgeMm();
+  private SmoothingKernel(Vec3 edges, int widest) {
     double product = 1;
     for (int axis = 0; axis < 3; axis++) {
-      double ratio = spacing(metric, axis) / shortest;
+      double ratio = edges.get(axis);
       int[] chosen = boxesFor(ratio, widest);
       boxes[axis] = chosen;
       taps[axis] = tapsOf(chosen[0], chosen[1]);
@@ -49,18 +48,14 @@ final class SmoothingKernel {
     scale = 1 / product;
   }
 
-  /** Returns the kernel for the bits of voxels of this spacing. */
-  static SmoothingKernel forBits(GridMetric metric) {
-    return new SmoothingKernel(metric, WIDEST_FOR_BITS);
+  /** Returns the kernel for the bits of cells with these edges, in shortest voxel edges. */
+  static SmoothingKernel forBits(Vec3 edges) {
+    return new SmoothingKernel(edges, WIDEST_FOR_BITS);
   }
 
-  /** Returns the kernel for the grey values of voxels of this spacing. */
-  static SmoothingKernel forGrey(GridMetric metric) {
-    return new SmoothingKernel(metric, WIDEST_FOR_GREY);
-  }
-
-  private static double spacing(GridMetric metric, int axis) {
-    return axis == 0 ? metric.spacingX() : axis == 1 ? metric.spacingY() : metric.spacingZ();
+  /** Returns the kernel for the grey values of cells with these edges, in shortest voxel edges. */
+  static SmoothingKernel forGrey(Vec3 edges) {
+    return new SmoothingKernel(edges, WIDEST_FOR_GREY);
   }
 
   /** Returns the boxes whose metric width is nearest to that of the widest on the shortest axis. */

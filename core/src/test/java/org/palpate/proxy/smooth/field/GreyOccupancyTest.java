@@ -85,7 +85,7 @@ class GreyOccupancyTest {
     OccupancyField field = field(volume, metric);
     NaiveOccupancyField naive =
         new NaiveOccupancyField(
-            scene, boxes, (i, j, k, isSolid) -> occupancy(volume, i, j, k, isSolid));
+            scene::isSolid, boxes, (i, j, k, isSolid) -> occupancy(volume, i, j, k, isSolid));
     for (int n = 0; n < 60; n++) {
       Vec3 at = new Vec3(coordinate(), coordinate(), coordinate());
       int[] seed = {(int) Math.floor(at.x), (int) Math.floor(at.y), (int) Math.floor(at.z)};

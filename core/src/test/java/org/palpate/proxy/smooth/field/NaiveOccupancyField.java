@@ -1,10 +1,10 @@
 package org.palpate.proxy.smooth.field;
 
 import java.util.ArrayDeque;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -20,31 +20,39 @@ final class NaiveOccupancyField {
     {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}
   };
 
-  private final CollisionScene scene;
+  private final Cells cells;
   private final int[][] boxes;
   private final VoxelOccupancy voxels;
 
-  /** The occupancy of a voxel that is solid or that the seed reaches. */
+  /** The cells of the field: voxels or thin slices of them. */
+  interface Cells {
+    boolean isSolid(int x, int y, int z);
+  }
+
+  /** The occupancy of a cell that is solid or that the seed reaches. */
   interface VoxelOccupancy {
     double of(int i, int j, int k, boolean isSolid);
   }
 
   /** Creates the field of bits for the two box widths along each axis. */
-  NaiveOccupancyField(CollisionScene scene, int[][] boxes) {
-    this(scene, boxes, (i, j, k, isSolid) -> isSolid ? 1 : 0);
+  NaiveOccupancyField(Cells cells, int[][] boxes) {
+    this(cells, boxes, (i, j, k, isSolid) -> isSolid ? 1 : 0);
   }
 
   /** Creates the field of voxels with any occupancy. */
-  NaiveOccupancyField(CollisionScene scene, int[][] boxes, VoxelOccupancy voxels) {
-    this.scene = scene;
+  NaiveOccupancyField(Cells cells, int[][] boxes, VoxelOccupancy voxels) {
+    this.cells = cells;
     this.boxes = boxes;
     this.voxels = voxels;
   }
 
-  /** Returns the occupancy at a point as seen from the cell of the seed. */
-  double occupancy(Vec3 point, int[] seed) {
+  /**
+   * Returns the occupancy at a point, in cells, as seen from the first of some cells that is empty
+   * and in the window.
+   */
+  double occupancy(Vec3 point, int[]... seeds) {
     int[] low = {low(point.x), low(point.y), low(point.z)};
-    Set<List<Integer>> reached = flood(low, seed);
+    Set<List<Integer>> reached = flood(low, seeds);
     double sum = 0;
     for (int k = low[2]; k < low[2] + EDGE; k++) {
       for (int j = low[1]; j < low[1] + EDGE; j++) {
@@ -66,7 +74,7 @@ final class NaiveOccupancyField {
   }
 
   private double voxelOccupancy(int i, int j, int k, Set<List<Integer>> reached) {
-    boolean isSolid = scene.isSolid(i, j, k);
+    boolean isSolid = cells.isSolid(i, j, k);
     boolean isCutOff = !isSolid && !reached.contains(List.of(i, j, k));
     return isCutOff ? 1 : voxels.of(i, j, k, isSolid);
   }
@@ -92,11 +100,16 @@ final class NaiveOccupancyField {
     return u < 1.5 ? 0.5 * (1.5 - u) * (1.5 - u) : 0;
   }
 
-  /** Returns the empty voxels that the seed reaches; all of them if the seed is not one of them. */
-  private Set<List<Integer>> flood(int[] low, int[] seed) {
+  /** Returns the empty cells that the first possible seed reaches; all of them without a seed. */
+  private Set<List<Integer>> flood(int[] low, int[][] seeds) {
     Set<List<Integer>> reached = new HashSet<>();
-    List<Integer> start = List.of(seed[0], seed[1], seed[2]);
-    if (!isFree(low, start)) {
+    List<Integer> start =
+        Arrays.stream(seeds)
+            .map(seed -> List.of(seed[0], seed[1], seed[2]))
+            .filter(seed -> isFree(low, seed))
+            .findFirst()
+            .orElse(null);
+    if (start == null) {
       addAllFree(low, reached);
       return reached;
     }
@@ -134,6 +147,6 @@ final class NaiveOccupancyField {
         return false;
       }
     }
-    return !scene.isSolid(voxel.get(0), voxel.get(1), voxel.get(2));
+    return !cells.isSolid(voxel.get(0), voxel.get(1), voxel.get(2));
   }
 }

@@ -3,6 +3,7 @@ package org.palpate.proxy.smooth.field;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -43,8 +44,19 @@ class OccupancyFieldTest {
 
   @Test
   void longerVoxelsGetNarrowerBoxes() {
-    GridMetric tall = new GridMetric(0.5, 0.5, 1);
-    compare(randomBits(0.4), tall, new int[][] {ISOTROPIC, ISOTROPIC, {3, 2}});
+    GridMetric flat = new GridMetric(0.5, 1, 1);
+    compare(randomBits(0.4), flat, new int[][] {ISOTROPIC, {3, 2}, {3, 2}});
+  }
+
+  @Test
+  void voxelsThatAreLongAlongOneAxisAreCutIntoThinSlices() {
+    for (double ratio : new double[] {1.5, 2, 3, 3.3}) {
+      for (int axis = 0; axis < 3; axis++) {
+        Vec3 spacing = new Vec3(0.7, 0.7, 0.7);
+        spacing.set(axis, 0.7 * ratio);
+        compareThin(randomBits(0.5), GridMetric.of(spacing));
+      }
+    }
   }
 
   /** From a seed in a solid all empty voxels count as reached; that must not outlast the seed. */
@@ -161,7 +173,7 @@ class OccupancyFieldTest {
   private void compare(BitCube bits, GridMetric metric, int[][] boxes) {
     CollisionScene scene = new CollisionScene(List.of(bits));
     OccupancyField field = field(scene, metric);
-    NaiveOccupancyField naive = new NaiveOccupancyField(scene, boxes);
+    NaiveOccupancyField naive = new NaiveOccupancyField(scene::isSolid, boxes);
     for (int n = 0; n < 60; n++) {
       Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
       int[] seed = {near(point.x), near(point.y), near(point.z)};
@@ -172,6 +184,44 @@ class OccupancyFieldTest {
           1e-12,
           "seed=" + SEED + " at " + point);
     }
+  }
+
+  private void compareThin(BitCube bits, GridMetric metric) {
+    CollisionScene scene = new CollisionScene(List.of(bits));
+    OccupancyField field = field(scene, metric);
+    ThinGrid grid = ThinGrid.of(OccupancyField.edges(metric));
+    int reach = 4 * (int) Math.ceil(2 * grid.perVoxel());
+    NaiveThinSlices slices = new NaiveThinSlices(scene, grid.axis(), grid.perVoxel(), reach);
+    NaiveOccupancyField naive =
+        new NaiveOccupancyField(slices::isSolid, new int[][] {ISOTROPIC, ISOTROPIC, ISOTROPIC});
+    for (int n = 0; n < 15; n++) {
+      Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
+      Vec3 inSeed = new Vec3(near(point.x) + 0.5, near(point.y) + 0.5, near(point.z) + 0.5);
+      Vec3 inCells = new Vec3().set(point);
+      inCells.set(grid.axis(), grid.perVoxel() * point.get(grid.axis()));
+      assertEquals(
+          naive.occupancy(inCells, seeds(inSeed, grid)),
+          field.evaluate(cell(inSeed), point).occupancy(),
+          1e-12,
+          "seed=" + SEED + " " + grid + " at " + point);
+    }
+  }
+
+  /** Returns the cells of a voxel with its middle: the one that holds it, the next, the last... */
+  private static int[][] seeds(Vec3 middle, ThinGrid grid) {
+    List<int[]> seeds = new ArrayList<>();
+    double voxel = Math.floor(middle.get(grid.axis()));
+    int first = (int) Math.floor((voxel + 0.5) * grid.perVoxel());
+    for (int step : new int[] {0, 1, -1, 2, -2, 3, -3}) {
+      int[] cell = {
+        (int) Math.floor(middle.x), (int) Math.floor(middle.y), (int) Math.floor(middle.z)
+      };
+      cell[grid.axis()] = first + step;
+      if (Math.floor((first + step + 0.5) / grid.perVoxel()) == voxel) {
+        seeds.add(cell);
+      }
+    }
+    return seeds.toArray(new int[0][]);
   }
 
   /** Returns a cell at most three voxels away. */

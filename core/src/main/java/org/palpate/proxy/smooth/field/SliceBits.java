@@ -1,0 +1,147 @@
+package org.palpate.proxy.smooth.field;
+
+import org.palpate.collision.CollisionScene;
+
+/**
+ * A cache of the solid voxels of slices as rows of bits, in coordinates (u,v,w) whose w is the long
+ * axis.
+ *
+ * <pre>
+ *   ring buffer of 32 slices of 64 rows of 64 bits, each in a word:
+ *   pixel (u,v) of slice w is bit (u mod 64) of row (v mod 64) of slice (w mod 32)
+ * </pre>
+ *
+ * <p>Four slices, a layer of bricks, hold a rectangle of bricks that grows and moves with what is
+ * asked for. Call {@link #forget} after any change of the solids.
+ */
+final class SliceBits {
+  /** The rows of a slice, and the bits of a row. */
+  static final int EDGE = 64;
+
+  private static final int EDGE_MASK = EDGE - 1;
+  private static final int LAYERS = 8;
+  private static final int SLICE_MASK = 4 * LAYERS - 1;
+
+  /** The most bricks of a rectangle along an axis. */
+  private static final int MAX_BRICKS = EDGE / 4;
+
+  private final int axis;
+  private final long[] rows = new long[4 * LAYERS * EDGE];
+
+  /** The layer that each part of the ring buffer holds, if its generation is the present one. */
+  private final int[] layer = new int[LAYERS];
+
+  private final int[] generations = new int[LAYERS];
+  private final int[] lowU = new int[LAYERS];
+  private final int[] endU = new int[LAYERS];
+  private final int[] lowV = new int[LAYERS];
+  private final int[] endV = new int[LAYERS];
+  private int generation = 1;
+  private CollisionScene scene;
+
+  /** Creates a cache of slices across an axis. */
+  SliceBits(int axis) {
+    this.axis = axis;
+  }
+
+  /** Forgets all bits. */
+  void forget() {
+    generation++;
+  }
+
+  /** Sets the scene, the same one since {@link #forget}. */
+  void use(CollisionScene newScene) {
+    scene = newScene;
+  }
+
+  /** Returns a brick of the scene, turned so that its w is the long axis. */
+  long brick(int u, int v, int w) {
+    return switch (axis) {
+      case 0 -> turned(scene.brick(w, v, u));
+      case 1 -> turned(scene.brick(u, w, v));
+      default -> scene.brick(u, v, w);
+    };
+  }
+
+  /** Swaps the long axis of a brick with z; doing it twice gives the brick back. */
+  long turned(long brick) {
+    return switch (axis) {
+      case 0 -> swap(swap(brick, 15, 0x0000_AAAA_0000_AAAAL), 30, 0x0000_0000_CCCC_CCCCL);
+      case 1 -> swap(swap(brick, 12, 0x0000_F0F0_0000_F0F0L), 24, 0x0000_0000_FF00_FF00L);
+      default -> brick;
+    };
+  }
+
+  /** Swaps the bits of a mask with those that lie {@code shift} above them. */
+  private static long swap(long bits, int shift, long mask) {
+    long differing = (bits ^ bits >>> shift) & mask;
+    return bits ^ differing ^ differing << shift;
+  }
+
+  /** Returns row v of slice w; pixel u is bit (u mod 64). Only covered pixels are valid. */
+  long row(int v, int w) {
+    return rows[(w & SLICE_MASK) * EDGE + (v & EDGE_MASK)];
+  }
+
+  /** Makes slice w hold the bricks that lie up to {@code reach} bricks around brick (u,v). */
+  void cover(int u, int v, int w, int reach) {
+    int at = w >> 2 & LAYERS - 1;
+    int fromU = u - reach;
+    int toU = u + reach + 1;
+    int fromV = v - reach;
+    int toV = v + reach + 1;
+    boolean holds = generations[at] == generation && layer[at] == w >> 2;
+    boolean overlaps =
+        holds && lowU[at] <= toU && endU[at] >= fromU && lowV[at] <= toV && endV[at] >= fromV;
+    if (!overlaps) {
+      generations[at] = generation;
+      layer[at] = w >> 2;
+      lowU[at] = endU[at] = fromU;
+      lowV[at] = fromV;
+      endV[at] = toV;
+    }
+    if (fromU < lowU[at] || toU > endU[at]) {
+      growAlongU(at, Math.min(fromU, lowU[at]), Math.max(toU, endU[at]), toU > endU[at]);
+    }
+    if (fromV < lowV[at] || toV > endV[at]) {
+      growAlongV(at, Math.min(fromV, lowV[at]), Math.max(toV, endV[at]), toV > endV[at]);
+    }
+  }
+
+  /** Grows a layer along u; what the ring buffer then overwrites drops out at the other end. */
+  private void growAlongU(int at, int from, int to, boolean upwards) {
+    int low = upwards ? Math.max(from, to - MAX_BRICKS) : from;
+    int end = upwards ? to : Math.min(to, from + MAX_BRICKS);
+    readBricks(at, low, Math.min(end, lowU[at]), lowV[at], endV[at]);
+    readBricks(at, Math.max(low, endU[at]), end, lowV[at], endV[at]);
+    lowU[at] = low;
+    endU[at] = end;
+  }
+
+  private void growAlongV(int at, int from, int to, boolean upwards) {
+    int low = upwards ? Math.max(from, to - MAX_BRICKS) : from;
+    int end = upwards ? to : Math.min(to, from + MAX_BRICKS);
+    readBricks(at, lowU[at], endU[at], low, Math.min(end, lowV[at]));
+    readBricks(at, lowU[at], endU[at], Math.max(low, endV[at]), end);
+    lowV[at] = low;
+    endV[at] = end;
+  }
+
+  private void readBricks(int at, int fromU, int toU, int fromV, int toV) {
+    for (int v = fromV; v < toV; v++) {
+      for (int u = fromU; u < toU; u++) {
+        write(brick(u, v, layer[at]), at, u, v);
+      }
+    }
+  }
+
+  private void write(long brick, int at, int u, int v) {
+    int shift = 4 * u & EDGE_MASK;
+    long others = ~(0xFL << shift);
+    int first = 4 * at * EDGE + (4 * v & EDGE_MASK);
+    for (int n = 0; n < 16; n++) {
+      int row = first + (n >> 2) * EDGE + (n & 3);
+      rows[row] = (rows[row] & others) | (brick >>> (4 * n) & 0xF) << shift;
+    }
+  }
+}
