@@ -89,6 +89,10 @@ public final class GuardedSolver implements ProxySolver {
   private InteractionPoint point;
   private Vec3 p;
   private LegPath legs;
+
+  /** The squared distance of the proxy from the device, mm^2; every move of the proxy sets it. */
+  private double squareMm2;
+
   private boolean rests;
   private long skippedSearches;
   private long skippedFrames;
@@ -171,6 +175,7 @@ public final class GuardedSolver implements ProxySolver {
     p = framePoint.position;
     legs = framePoint.legs;
     point.contact = false;
+    squareMm2 = squareToDevice(p);
     voxel.locate(frameScene, p);
   }
 
@@ -182,14 +187,13 @@ public final class GuardedSolver implements ProxySolver {
    */
   private StepUpOutcome moveTowardsDevice() {
     StepUpOutcome lastSearch = StepUpOutcome.NOT_NEARER;
-    SlideOutcome slid = slideUntilStuck(NONE_FIXED);
-    while (slid != SlideOutcome.OUT_OF_PATH && !hasArrived() && !isBudgetSpent()) {
-      lastSearch = stepUp();
-      if (lastSearch != StepUpOutcome.NEARER) {
+    do {
+      SlideOutcome slid = slideUntilStuck(NONE_FIXED);
+      if (slid == SlideOutcome.OUT_OF_PATH || hasArrived() || isBudgetSpent()) {
         return lastSearch;
       }
-      slid = slideUntilStuck(NONE_FIXED);
-    }
+      lastSearch = stepUp();
+    } while (lastSearch == StepUpOutcome.NEARER);
     return lastSearch;
   }
 
@@ -245,7 +249,7 @@ public final class GuardedSolver implements ProxySolver {
       }
       boolean cut = pathLimit.cut(legs, p, target, target);
       if (!cut && !moved && voxel.contains(target)) {
-        moveNearer(target, fixed != NONE_FIXED);
+        moveNearerInVoxel(target, fixed != NONE_FIXED);
         return outcomeOfSlide(false); // the same faces stop it, and it is at the device elsewhere
       }
       steps += (int) (Math.min(MAX_COUNTED_VOXELS, longestComponent(target)) / VOXELS_PER_STEP);
@@ -310,13 +314,15 @@ public final class GuardedSolver implements ProxySolver {
    * @return whether the proxy moved
    */
   private boolean approach(int axis, boolean alongSurface) {
-    boolean up = target.get(axis) > p.get(axis);
+    double from = p.get(axis);
+    double to = target.get(axis);
+    boolean up = to > from;
     int cell = hit.cell(axis);
     double stop = up ? cell - STOP_SHORT_VOXELS : cell + 1 + STOP_SHORT_VOXELS;
-    if (up ? stop <= p.get(axis) : stop >= p.get(axis)) {
+    if (up ? stop <= from : stop >= from) {
       return false;
     }
-    double fraction = (stop - p.get(axis)) / (target.get(axis) - p.get(axis));
+    double fraction = (stop - from) / (to - from);
     end.set(
         p.x + fraction * (target.x - p.x),
         p.y + fraction * (target.y - p.y),
@@ -333,17 +339,27 @@ public final class GuardedSolver implements ProxySolver {
 
   /** Moves by a free leg if it ends strictly nearer to the device; returns whether it moved. */
   private boolean moveNearer(Vec3 to, boolean alongSurface) {
-    if (!(squareToDevice(to) < squareToDevice(p))) {
+    if (!moveNearerInVoxel(to, alongSurface)) {
       return false;
     }
-    move(to, alongSurface);
+    voxel.locate(scene, p);
     return true;
   }
 
-  private void move(Vec3 to, boolean alongSurface) {
+  /** Does the same by a leg that stays in the voxel of the proxy. */
+  private boolean moveNearerInVoxel(Vec3 to, boolean alongSurface) {
+    double square = squareToDevice(to);
+    if (!(square < squareMm2)) {
+      return false;
+    }
+    addLeg(to, square, alongSurface);
+    return true;
+  }
+
+  private void addLeg(Vec3 to, double newSquareMm2, boolean alongSurface) {
     legs.add(p.x, p.y, p.z, to.x, to.y, to.z, distance(p, to), alongSurface);
     p.set(to);
-    voxel.locate(scene, p);
+    squareMm2 = newSquareMm2;
   }
 
   /**
@@ -351,13 +367,13 @@ public final class GuardedSolver implements ProxySolver {
    * from this voxel is repeated only if {@link FailedStepCache} sees a step that may succeed.
    */
   private StepUpOutcome stepUp() {
-    double square = squareToDevice(p);
-    if (failedSteps.wouldFailAgain(voxel, p, device, square, isFar(square))) {
+    boolean far = isFar(squareMm2);
+    if (failedSteps.wouldFailAgain(voxel, p, device, squareMm2, far)) {
       skippedSearches++;
       return StepUpOutcome.SKIPPED;
     }
-    failedSteps.begin(voxel, p, device, isFar(square));
-    StepUpOutcome outcome = stepUpInAnyDirection(square);
+    failedSteps.begin(voxel, p, device, far);
+    StepUpOutcome outcome = stepUpInAnyDirection(squareMm2);
     if (outcome == StepUpOutcome.NOT_NEARER) {
       failedSteps.remember();
     }
@@ -373,16 +389,15 @@ public final class GuardedSolver implements ProxySolver {
     boolean pathTooShort = false;
     for (int axis = 0; axis < 3; axis++) {
       double toDevice = device.get(axis) - p.get(axis);
-      StepUpOutcome up = toDevice <= 0 ? stepUp(axis, 1, squareBefore) : StepUpOutcome.NOT_NEARER;
-      if (up.isNearer()) {
-        return up;
+      for (int direction = 1; direction >= -1; direction -= 2) {
+        if (direction * toDevice <= 0) {
+          StepUpOutcome outcome = stepUp(axis, direction, squareBefore);
+          if (outcome.isNearer()) {
+            return outcome;
+          }
+          pathTooShort |= outcome == StepUpOutcome.PATH_TOO_SHORT;
+        }
       }
-      StepUpOutcome down =
-          toDevice >= 0 ? stepUp(axis, -1, squareBefore) : StepUpOutcome.NOT_NEARER;
-      if (down.isNearer()) {
-        return down;
-      }
-      pathTooShort |= up == StepUpOutcome.PATH_TOO_SHORT || down == StepUpOutcome.PATH_TOO_SHORT;
     }
     return pathTooShort ? StepUpOutcome.PATH_TOO_SHORT : StepUpOutcome.NOT_NEARER;
   }
@@ -392,33 +407,36 @@ public final class GuardedSolver implements ProxySolver {
    * away, tries a few steps more. Takes everything back unless it led nearer to the device.
    */
   private StepUpOutcome stepUp(int axis, int direction, double squareBefore) {
-    StepTop top = findTop(axis, direction, squareBefore);
-    if (top != StepTop.REACHABLE) {
-      return top == StepTop.TOO_FAR ? StepUpOutcome.PATH_TOO_SHORT : StepUpOutcome.NOT_NEARER;
-    }
     beforeStep.set(p);
     int legsBefore = legs.count();
     double pathBeforeMm = legs.lengthMm();
-    int stepsLeft = isFar(squareBefore) ? MAX_STEP_UPS_IF_FAR : 1;
-    boolean outOfPath;
-    do {
-      move(end, true);
+    int maxSteps = isFar(squareBefore) ? MAX_STEP_UPS_IF_FAR : 1;
+    boolean outOfPath = false;
+    StepTop top = StepTop.NONE;
+    for (int step = 0; step < maxSteps && !outOfPath; step++) {
+      top = findTop(axis, direction, squareBefore);
+      if (top != StepTop.REACHABLE) {
+        break;
+      }
+      addLeg(end, squareToDevice(end), true);
+      voxel.locate(scene, p);
       outOfPath = slideUntilStuck(1 << axis) == SlideOutcome.OUT_OF_PATH;
-      if (squareToDevice(p) < squareBefore) {
+      if (squareMm2 < squareBefore) {
         return outOfPath ? StepUpOutcome.NEARER_OUT_OF_PATH : StepUpOutcome.NEARER;
       }
       failedSteps.addEnd(p);
-      stepsLeft--;
-      top = stepsLeft == 0 || outOfPath ? StepTop.NONE : findTop(axis, direction, squareBefore);
-    } while (top == StepTop.REACHABLE);
-    takeBack(legsBefore, pathBeforeMm);
+    }
+    if (legs.count() > legsBefore) {
+      takeBack(legsBefore, pathBeforeMm, squareBefore);
+    }
     return outOfPath || top == StepTop.TOO_FAR
         ? StepUpOutcome.PATH_TOO_SHORT
         : StepUpOutcome.NOT_NEARER;
   }
 
-  private void takeBack(int legsBefore, double pathBeforeMm) {
+  private void takeBack(int legsBefore, double pathBeforeMm, double squareBefore) {
     p.set(beforeStep);
+    squareMm2 = squareBefore;
     voxel.locate(scene, p);
     legs.truncate(legsBefore, pathBeforeMm);
   }
