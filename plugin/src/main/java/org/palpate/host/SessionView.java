@@ -257,8 +257,17 @@ public final class SessionView implements AutoCloseable {
   }
 
   private void addThresholdKeys(WindowInput input, LiveThreshold live) {
-    input.onHeldKey('<', "lower threshold", () -> applyAndShow(() -> live.change(-1)));
-    input.onHeldKey('>', "higher threshold", () -> applyAndShow(() -> live.change(1)));
+    input.onHeldKey('<', "lower threshold", () -> changeThreshold(live, -1));
+    input.onHeldKey('>', "higher threshold", () -> changeThreshold(live, 1));
+  }
+
+  private void changeThreshold(LiveThreshold live, int steps) {
+    String refusal = options.threshold().map(ViewOptions.Threshold::refusal).orElse("");
+    if (refusal.isEmpty()) {
+      applyAndShow(() -> live.change(steps));
+    } else {
+      overlay.hint(refusal);
+    }
   }
 
   /** Shows voxels that the haptic thread collides with from now on. */

@@ -30,8 +30,13 @@ public record ViewOptions(
     Optional<Threshold> threshold,
     boolean axesFollowView) {
 
-  /** A segment whose threshold changes while it is touched. */
-  public record Threshold(ContactScene scene, LiveThreshold.Start start) {}
+  /**
+   * A segment whose threshold changes while it is touched.
+   *
+   * @param refusal why the threshold must not change, shown when its keys are pressed; empty if it
+   *     may
+   */
+  public record Threshold(ContactScene scene, LiveThreshold.Start start, String refusal) {}
 
   /** Surfaces made of bits, in a window of their own. */
   public static final ViewOptions PLAIN =

@@ -80,6 +80,15 @@ public final class Camera {
     return combine(target, 1, back, distanceMm);
   }
 
+  /**
+   * Returns the position of an eye.
+   *
+   * @param eye 0 for a single eye, -1 for the left and 1 for the right of two
+   */
+  public Vec3 eye(int eye) {
+    return combine(eye(), 1, right, eye * eyeShiftMm());
+  }
+
   /** Returns the unit vector to the right of the picture. Read-only, as the other axes. */
   public Vec3 right() {
     return right;
@@ -118,8 +127,7 @@ public final class Camera {
    * @param eye 0 for a single eye, -1 for the left and 1 for the right of two
    */
   public Matrix4 view(int eye) {
-    Vec3 at = combine(eye(), 1, right, eye * eyeShiftMm());
-    return Matrix4.view(right, up, back, at);
+    return Matrix4.view(right, up, back, eye(eye));
   }
 
   /**

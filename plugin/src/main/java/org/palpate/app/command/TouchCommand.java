@@ -369,6 +369,13 @@ public final class TouchCommand implements Callable<Integer> {
     }
   }
 
+  /** Returns why the threshold must not change; empty if it may. */
+  private String thresholdRefusal() {
+    return recordFile == null
+        ? ""
+        : "the threshold stays while --record records: a replay has one threshold";
+  }
+
   private boolean hasWindow() {
     return !headless && GraphicsDriver.hasDisplay();
   }
@@ -389,7 +396,7 @@ public final class TouchCommand implements Callable<Integer> {
             tool.isRigid()
                 ? Optional.empty()
                 : SliceOptions.threshold(source)
-                    .map(start -> new ViewOptions.Threshold(scene, start)),
+                    .map(start -> new ViewOptions.Threshold(scene, start, thresholdRefusal())),
             axes == DeviceAxes.VIEW));
   }
 }

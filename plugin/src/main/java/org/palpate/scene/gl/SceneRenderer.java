@@ -6,6 +6,7 @@ import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL2GL3;
 import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
+import java.util.Optional;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Camera;
 import org.palpate.scene.Matrix4;
@@ -119,7 +120,7 @@ public final class SceneRenderer {
     Stereo stereo = state.look().stereo();
     int[] eyes = stereo == Stereo.OFF ? new int[] {0} : new int[] {-1, 1};
     for (int eye : eyes) {
-      int eyeWidth = stereo == Stereo.SIDE_BY_SIDE ? width / 2 : width;
+      int eyeWidth = eyeWidth(stereo, width);
       if (eyeWidth > 0 && height > 0) {
         compose(gl, state, eye, eyeWidth * scale, height * scale, scale);
         gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, framebuffer);
@@ -209,34 +210,43 @@ public final class SceneRenderer {
   }
 
   /**
-   * Finds the point that a pixel shows, counted from the upper left of the window.
+   * Finds the point that a pixel shows, counted from the upper left of the window. Side by side, it
+   * is what the eye of that half sees; in other stereo modes what the left eye sees.
    *
-   * @param dest receives the point in the scene frame
-   * @return whether there is a surface
+   * @return the point; empty if there is no surface
    */
-  public boolean pick(
-      GL3 gl, SceneState state, double x, double y, int width, int height, int scale, Vec3 dest) {
-    if (staticPictures[0].framebuffer() == 0) {
-      return false;
+  public Optional<PickedPoint> pick(
+      GL3 gl, SceneState state, double x, double y, int width, int height, int scale) {
+    Stereo stereo = state.look().stereo();
+    int eyeWidth = eyeWidth(stereo, width);
+    boolean rightHalf = eyeWidth < width && x >= eyeWidth;
+    int eye = stereo == Stereo.OFF ? 0 : rightHalf ? 1 : -1;
+    GlFramebuffer picture = staticPictures[Math.max(0, eye)];
+    if (picture.framebuffer() == 0) {
+      return Optional.empty();
     }
-    gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, staticPictures[0].framebuffer());
+    double across = (rightHalf ? x - eyeWidth : x) + PIXEL_CENTRE;
+    double depth = depth(gl, picture, across * scale, (height - PIXEL_CENTRE - y) * scale);
+    if (!(depth < 1)) {
+      return Optional.empty();
+    }
+    double aspect = (double) eyeWidth / height;
+    double right = 2 * across / eyeWidth - 1;
+    double up = 1 - 2 * (y + PIXEL_CENTRE) / height;
+    Vec3 surface = Unprojection.toScene(state, eye, aspect, right, up, depth, new Vec3());
+    return Optional.of(new PickedPoint(surface, state.camera().eye(eye)));
+  }
+
+  private static int eyeWidth(Stereo stereo, int width) {
+    return stereo == Stereo.SIDE_BY_SIDE ? width / 2 : width;
+  }
+
+  private static double depth(GL3 gl, GlFramebuffer picture, double column, double row) {
     FloatBuffer depth = Buffers.newDirectFloatBuffer(1);
-    int column = (int) ((x + PIXEL_CENTRE) * scale);
-    int row = (int) ((height - PIXEL_CENTRE - y) * scale);
-    gl.glReadPixels(column, row, 1, 1, GL2ES2.GL_DEPTH_COMPONENT, GL.GL_FLOAT, depth);
+    gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, picture.framebuffer());
+    gl.glReadPixels((int) column, (int) row, 1, 1, GL2ES2.GL_DEPTH_COMPONENT, GL.GL_FLOAT, depth);
     gl.glBindFramebuffer(GL2ES2.GL_READ_FRAMEBUFFER, 0);
-    double found = depth.get(0);
-    if (!(found < 1)) {
-      return false;
-    }
-    Unprojection.toScene(
-        state,
-        (double) width / height,
-        2 * (x + PIXEL_CENTRE) / width - 1,
-        1 - 2 * (y + PIXEL_CENTRE) / height,
-        found,
-        dest);
-    return true;
+    return depth.get(0);
   }
 
   /** Releases all resources. */

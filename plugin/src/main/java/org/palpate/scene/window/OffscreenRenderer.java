@@ -6,8 +6,10 @@ import com.jogamp.opengl.GLDrawableFactory;
 import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLOffscreenAutoDrawable;
 import com.jogamp.opengl.GLProfile;
-import org.palpate.geometry.Vec3;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import org.palpate.scene.SceneState;
+import org.palpate.scene.gl.PickedPoint;
 import org.palpate.scene.gl.SceneRenderer;
 
 /**
@@ -93,14 +95,11 @@ public final class OffscreenRenderer implements AutoCloseable {
     return picture[0];
   }
 
-  /**
-   * Writes the point that a pixel of the last picture shows into {@code dest}; returns whether
-   * there is a surface.
-   */
-  boolean pick(SceneState state, double x, double y, Vec3 dest) {
-    boolean[] found = new boolean[1];
-    withContext(gl -> found[0] = renderer.pick(gl, state, x, y, width, height, scale, dest));
-    return found[0];
+  /** Returns the point that a pixel of the last picture shows; empty if there is no surface. */
+  Optional<PickedPoint> pick(SceneState state, double x, double y) {
+    AtomicReference<Optional<PickedPoint>> found = new AtomicReference<>(Optional.empty());
+    withContext(gl -> found.set(renderer.pick(gl, state, x, y, width, height, scale)));
+    return found.get();
   }
 
   /** Returns how often the picture of the static parts was reused. */

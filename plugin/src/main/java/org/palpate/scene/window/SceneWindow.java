@@ -17,7 +17,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
-import org.palpate.geometry.Vec3;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.SceneState;
 import org.palpate.scene.gl.SceneRenderer;
@@ -312,18 +311,11 @@ public final class SceneWindow implements AutoCloseable {
       renderer.draw(gl, state, gl.getDefaultDrawFramebuffer(), width, height, 1);
       drawnTriangles = renderer.drawnTriangles();
       allTriangles = renderer.allTriangles();
-      input.pick((x, y) -> pick(gl, state, width, height, x, y));
+      input.pick((x, y) -> renderer.pick(gl, state, x, y, width, height, 1));
       Consumer<Picture> taker = snapshot.getAndSet(null);
       if (taker != null) {
         taker.accept(PixelReader.read(gl, width, height));
       }
-    }
-
-    private Optional<Vec3> pick(GL3 gl, SceneState state, int width, int height, int x, int y) {
-      Vec3 shown = new Vec3();
-      return renderer.pick(gl, state, x, y, width, height, 1, shown)
-          ? Optional.of(shown)
-          : Optional.empty();
     }
 
     @Override

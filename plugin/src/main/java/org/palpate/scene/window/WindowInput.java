@@ -22,6 +22,7 @@ import org.palpate.scene.SceneState;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
 import org.palpate.scene.gl.LegendArea;
+import org.palpate.scene.gl.PickedPoint;
 
 /**
  * The actions of mouse and keys.
@@ -327,15 +328,14 @@ public final class WindowInput extends MouseAdapter {
   /**
    * Finds the point under the mouse if one was requested. Called by the drawing thread.
    *
-   * @param finder returns the point that a pixel shows, scene frame; the pixel counts from the
-   *     upper left
+   * @param finder returns the point that a pixel shows; the pixel counts from the upper left
    */
-  void pick(BiFunction<Integer, Integer, Optional<Vec3>> finder) {
+  void pick(BiFunction<Integer, Integer, Optional<PickedPoint>> finder) {
     Pick pick = requestedPick.getAndSet(null);
     if (pick == null || pointer.isEmpty()) {
       return;
     }
-    Optional<Vec3> found = finder.apply(pick.x, pick.y);
+    Optional<PickedPoint> found = finder.apply(pick.x, pick.y);
     boolean touches = found.isPresent() && pointer.get().press(spot(found.get(), pick.begins));
     if (pick.begins && found.isEmpty()) {
       pointer.get().pressedBackground();
@@ -346,10 +346,10 @@ public final class WindowInput extends MouseAdapter {
     }
   }
 
-  private PointerSpot spot(Vec3 onSurface, boolean begins) {
+  private PointerSpot spot(PickedPoint found, boolean begins) {
     SceneState state = model.state();
-    Vec3 eye = model.axes().toSceneOrBack(state.camera().eye(), new Vec3());
-    Vec3 surface = model.axes().toSceneOrBack(onSurface, new Vec3());
+    Vec3 eye = model.axes().toSceneOrBack(found.eyeMm(), new Vec3());
+    Vec3 surface = model.axes().toSceneOrBack(found.surfaceMm(), new Vec3());
     // A drawn surface may lie a voxel in front of what is touched.
     double depthMm = pressFraction * state.radiusMm() + state.detailMm();
     return new PointerSpot(eye, surface, depthMm, begins);

@@ -9,10 +9,14 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.Camera;
 import org.palpate.scene.GreySlices;
+import org.palpate.scene.Matrix4;
 import org.palpate.scene.NamedPoint;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
@@ -23,6 +27,7 @@ import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
+import org.palpate.scene.gl.PickedPoint;
 import org.palpate.scene.surface.SurfaceJob;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.ScalarVolume;
@@ -168,8 +173,7 @@ class OffscreenRendererWindowTest {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     scene.draw(model.state());
-    Vec3 surface = new Vec3();
-    assertTrue(scene.pick(model.state(), WIDTH / 2.0 - 60, HEIGHT / 2.0, surface));
+    Vec3 surface = picked(model, WIDTH / 2.0 - 60, HEIGHT / 2.0).surfaceMm();
     int justBehind = orange(model, surface.add(new Vec3(0, 0.9, 0), new Vec3()));
     int farBehind = orange(model, surface.add(new Vec3(0, 3, 0), new Vec3()));
     assertTrue(justBehind > farBehind + 30, justBehind + " " + farBehind);
@@ -187,11 +191,66 @@ class OffscreenRendererWindowTest {
     SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     scene.draw(model.state());
-    Vec3 place = new Vec3();
-    assertTrue(scene.pick(model.state(), WIDTH / 2.0 - 60, HEIGHT / 2.0, place));
+    Vec3 place = picked(model, WIDTH / 2.0 - 60, HEIGHT / 2.0).surfaceMm();
     assertEquals(8, place.y, 0.2, "the boxes begin at y = 8");
     assertTrue(place.x > 2 && place.x < 9, place.toString());
-    assertTrue(!scene.pick(model.state(), 2, 2, place), "the background is no place");
+    assertTrue(scene.pick(model.state(), 2, 2).isEmpty(), "the background is no place");
+  }
+
+  private PickedPoint picked(SceneModel model, double x, double y) throws Exception {
+    return scene.pick(model.state(), x, y).orElseThrow();
+  }
+
+  @ParameterizedTest
+  @EnumSource(
+      value = Stereo.class,
+      names = {"ANAGLYPH", "SIDE_BY_SIDE"})
+  void inStereoAPickedPixelIsWhatItsEyeSees(Stereo stereo) throws Exception {
+    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    model.look(StandardView.FRONT, 4.0 / 3);
+    model.changeLook(look -> look.with(stereo));
+    scene.draw(model.state());
+    Camera camera = model.state().camera();
+    int found = 0;
+    for (int x = 4; x < WIDTH; x += 7) {
+      for (int y = 4; y < HEIGHT; y += 7) {
+        Optional<PickedPoint> picked = scene.pick(model.state(), x, y);
+        if (picked.isPresent()) {
+          found++;
+          assertShownAt(x, y, picked.get(), model, stereo);
+          assertInFaceOfABox(picked.get().surfaceMm());
+        }
+      }
+    }
+    assertTrue(found > 100, "found=" + found + " " + camera.eye());
+  }
+
+  /** Checks by projection, as the picture was drawn, that the eye sees a point at a pixel. */
+  private static void assertShownAt(
+      int x, int y, PickedPoint picked, SceneModel model, Stereo stereo) {
+    boolean halves = stereo == Stereo.SIDE_BY_SIDE;
+    int width = halves ? WIDTH / 2 : WIDTH;
+    int eye = halves && x >= width ? 1 : -1;
+    Camera camera = model.state().camera();
+    Matrix4 toPicture =
+        camera
+            .perspective(
+                eye, (double) width / HEIGHT, model.state().middle(), model.state().radiusMm())
+            .times(camera.view(eye));
+    Vec3 shown = new Vec3();
+    toPicture.project(picked.surfaceMm(), shown);
+    assertEquals(x % width + 0.5, (shown.x + 1) / 2 * width, 1e-6);
+    assertEquals(y + 0.5, (1 - shown.y) / 2 * HEIGHT, 1e-6);
+    double apart = picked.eyeMm().sub(camera.eye(), new Vec3()).dot(camera.right());
+    assertEquals(eye, Math.signum(apart));
+  }
+
+  /** A wrong line of sight would end beside or behind the boxes. */
+  private static void assertInFaceOfABox(Vec3 surface) {
+    boolean inX = (surface.x > 1.7 && surface.x < 11.3) || (surface.x > 12.7 && surface.x < 22.3);
+    boolean inY = surface.y > 7.7 && surface.y < 16.3;
+    boolean inZ = surface.z > 3.7 && surface.z < 20.3;
+    assertTrue(inX && inY && inZ, surface.toString());
   }
 
   @Test
