@@ -7,7 +7,8 @@ import java.util.Map;
  *
  * @param frames all frames
  * @param contactFrames frames that ended in contact
- * @param freed frames that set the point free, at the start or because a solid came to it
+ * @param freed frames that set the point or the tool free: at a start in a solid, after an edit or
+ *     a change of solver that left it in one, or because the device jumped
  * @param maxForceNewton length of the longest force that was written
  * @param maxTorqueNewtonMm length of the longest torque that was written
  * @param skipped how often work was skipped, by {@link org.palpate.statistics.SkipKind#key}
@@ -27,8 +28,7 @@ public record FrameStatistics(
    *
    * @param held frames without a new sample
    * @param notFinite samples whose position was NaN or infinite
-   * @param badOrientations samples of a tool that kept the last orientation, because theirs was
-   *     none
+   * @param badOrientations samples of a tool without a valid orientation; the last one was kept
    * @param badTimes samples whose time went back or stood still
    * @param silences silences of the device
    * @param clockJumps gaps between frames that were longer than a silence, and backward steps of

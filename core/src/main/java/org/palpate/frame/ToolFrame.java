@@ -22,8 +22,9 @@ import org.palpate.volume.BitCube;
  * The frame of a rigid tool among bodies. The device delivers poses in the world and takes force
  * and torque along the world's axes, about the tool's reference point.
  *
- * <p>A sample whose orientation is none, such as a NaN or a zero quaternion, keeps the last
- * orientation that was one. A quaternion and its negative are the same orientation.
+ * <p>A quaternion whose norm is not 1 up to {@link Quaternion#NORM_TOLERANCE}, such as a NaN or
+ * zero, is no orientation: the frame keeps the last valid one. A quaternion and its negative are
+ * the same orientation.
  *
  * <p>Threads are those of {@link HapticFrame}.
  */

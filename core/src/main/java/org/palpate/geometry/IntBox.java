@@ -1,8 +1,9 @@
 package org.palpate.geometry;
 
 /**
- * An axis-aligned box of whole cells, both ends included; empty if a low end lies above its high
- * end. Mutable; one thread.
+ * An axis-aligned box of whole cells, both ends included. In an empty box every low end lies above
+ * its high end, as {@link #clear} sets it; never make a box empty along one axis alone. Mutable;
+ * one thread.
  */
 public final class IntBox {
   public int lowX;
@@ -23,7 +24,7 @@ public final class IntBox {
     highX = highY = highZ = Integer.MIN_VALUE;
   }
 
-  /** Whether the box contains no cell. */
+  /** Whether the box contains no cell. Compares the ends along x, see above. */
   public boolean isEmpty() {
     return lowX > highX;
   }

@@ -110,9 +110,11 @@ public final class Quaternion {
   }
 
   /**
-   * Scales this to the norm 1, to some units in the last place. Leaves it as it is if it has that
-   * norm already. Leaves it as it is too, and returns false, if it has no direction: a component
-   * that is not finite, or a norm of 0.
+   * Scales this to the norm 1, to some units in the last place. A quaternion that has that norm
+   * already keeps its bits.
+   *
+   * @return false if it cannot be scaled, because its norm is not from 1e-100 to 1e100 or is NaN;
+   *     it is then unchanged
    */
   public boolean normalize() {
     double norm = norm();

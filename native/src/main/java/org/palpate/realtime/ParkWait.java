@@ -2,7 +2,7 @@ package org.palpate.realtime;
 
 import java.util.concurrent.locks.LockSupport;
 
-/** Parks the thread until the deadline has passed. */
+/** Parks the thread until the deadline has passed or the thread is interrupted. */
 final class ParkWait implements DeadlineWait {
   @Override
   public void awaitUntil(long deadlineNanos) {

@@ -9,9 +9,9 @@ import org.palpate.device.SimulatedDevice;
 import org.palpate.geometry.Vec3;
 
 /**
- * A mouse as a haptic device without force. The position approaches the pointer smoothly, no faster
- * than a hand, or jumps to the start of a new press. Any thread moves the pointer; the haptic
- * thread reads the device.
+ * A mouse as a haptic device without force. With each sample the position covers a fiftieth of the
+ * way to the pointer, so it moves smoothly. A new press makes it jump. Any thread moves the
+ * pointer; the haptic thread reads the device.
  */
 public final class MouseDevice implements HapticDevice {
   /** Part of the remaining distance to the pointer that one sample covers. */

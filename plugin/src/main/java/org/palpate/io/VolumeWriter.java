@@ -32,8 +32,9 @@ public final class VolumeWriter {
   private VolumeWriter() {}
 
   /**
-   * Writes all values of a volume in the narrowest type that holds what its header allows, and
-   * returns the format in words.
+   * Writes all values of a volume and returns the format in words. NRRD and NIfTI keep the type of
+   * the volume. If its rescaling leads beyond that type, they get a wider one: 16 or 32 bits for
+   * integers, else doubles. A TIFF gets the narrowest type of ImageJ that holds the values.
    *
    * @param target ends in {@code .nrrd}, {@code .nii}, {@code .nii.gz}, {@code .tif}, {@code .tiff}
    *     or {@code .dcm}
@@ -113,7 +114,7 @@ public final class VolumeWriter {
     return name.endsWith(".nii") || name.endsWith(".nii.gz");
   }
 
-  /** Returns whether a target is written as a DICOM segmentation, which holds segments only. */
+  /** Whether a target is written as a DICOM segmentation, which holds segments only. */
   public static boolean isDicom(Path target) {
     return lowerCaseName(target).endsWith(DICOM_ENDING);
   }

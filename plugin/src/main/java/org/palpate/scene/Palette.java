@@ -3,7 +3,7 @@ package org.palpate.scene;
 /**
  * Colours, 0xRRGGBB, that people with any colour vision can distinguish.
  *
- * <p>Source: Okabe and Ito, Color universal design (2008), for all except bone and spring.
+ * <p>Source: Okabe and Ito, Color universal design (2008), for all except the spring.
  */
 public final class Palette {
   public static final int SKY_BLUE = 0x56b4e9;

@@ -75,8 +75,8 @@ public final class ToolMaker {
    *
    * @param edgeMm the shortest voxel edge of the scene, mm
    * @param world the directions of the world axes, into which files are converted
-   * @throws VolumeFormatException if a file cannot be read, or nothing or too much would be left of
-   *     the tool
+   * @throws VolumeFormatException if a file cannot be read, if the tool is too large for the voxels
+   *     of the scene, or if erosion leaves nothing of it
    */
   public static MadeTool make(ToolRequest request, double edgeMm, CoordinateSystem world)
       throws VolumeFormatException {

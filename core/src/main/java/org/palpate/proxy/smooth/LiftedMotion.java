@@ -4,8 +4,8 @@ import org.palpate.geometry.Vec3;
 import org.palpate.raycast.RayHit;
 
 /**
- * Moves the point to a position on the isosurface, or as low above it as voxels allow that stand
- * out of it.
+ * Moves the point to a position on the isosurface. If voxels stand out of the isosurface there, the
+ * point goes as low above it as they allow.
  */
 final class LiftedMotion {
   /** The heights above the isosurface that are tried, lowest first. */
@@ -41,7 +41,7 @@ final class LiftedMotion {
    *
    * @param to the position
    * @param normal the outward unit normal there
-   * @return whether a leg was found; if not, the point stays
+   * @return whether a leg towards it was found; if not, the point stays, or has only risen
    */
   boolean moveTo(Vec3 to, Vec3 normal) {
     boolean moved = motion.slide(to);

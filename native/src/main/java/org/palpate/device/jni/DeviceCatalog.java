@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Lists the devices that can be used here, by back end, and opens them. A call takes as long as the
- * vendor's library needs, up to several seconds: not for the haptic thread.
+ * Lists the devices that can be used here, by back end, and opens them. A probe of a back end waits
+ * up to 5 s for the vendor's library, and opening a device up to 10 s: not for the haptic thread.
  */
 public final class DeviceCatalog {
   private static final int PROBE_WAIT_MILLIS = 5000;
@@ -15,7 +15,10 @@ public final class DeviceCatalog {
 
   private DeviceCatalog() {}
 
-  /** Probes every back end and returns all results, in the order of the list. */
+  /**
+   * Returns the simulated hand and the replay, which can always be used, and then the result of
+   * probing each native back end. The mouse is not listed, because it belongs to the window.
+   */
   public static List<BackendProbe> probeAll() {
     List<BackendProbe> all = new ArrayList<>();
     all.add(builtIn("simulated", "a hand that approaches, presses, slides, taps and tears"));
@@ -31,7 +34,11 @@ public final class DeviceCatalog {
         backend, true, "", "", "", List.of(new BackendProbe.Found("", name, true, "")));
   }
 
-  /** Probes one native back end. */
+  /**
+   * Probes one native back end.
+   *
+   * @throws IllegalArgumentException if there is no back end of this name
+   */
   public static BackendProbe probe(String backend) {
     if (!NativeLibrary.isLoaded()) {
       return new BackendProbe(backend, false, "", "", NativeLibrary.loadFailure(), List.of());
@@ -69,7 +76,10 @@ public final class DeviceCatalog {
     return new DeviceException("cannot open the device: " + device + ": " + why);
   }
 
-  /** Whether {@link #open} accepts a back end of this name. */
+  /**
+   * Whether a back end for hardware has this name. Not so {@code empty}, which {@link #open}
+   * accepts too.
+   */
   public static boolean isNative(String backend) {
     return NATIVE_BACKENDS.contains(backend);
   }

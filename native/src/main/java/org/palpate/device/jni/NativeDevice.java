@@ -16,8 +16,8 @@ import org.palpate.geometry.Vec3;
  * person; {@link org.palpate.device.WorkspaceDevice} maps them to the world.
  *
  * <p>The C++ layer limits every force and torque to the device's limits. It sends no force until
- * the hand has held the device still, and sends zero force if samples stay away. Each device has a
- * watchdog of its own in case this process stops.
+ * the hand has held the device still, and sends zero force if samples stay away. {@link #watchdog}
+ * names what zeroes the force if this process stops; WoodenHaptics has nothing that does.
  *
  * <p>One thread reads and writes; any thread may close.
  */

@@ -8,8 +8,8 @@ import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.scene.window.SceneWindow;
 
 /**
- * The keys of the 3-D window that change the stack. The window's threads call it; it queues every
- * action for the session's thread.
+ * The keys of the 3-D window that set landmarks and correct the stack. The window's threads call
+ * it; it queues every action for the session's thread.
  */
 final class ViewKeys implements SessionView.Listener {
   /** An action for the session's thread. */

@@ -15,8 +15,8 @@ import org.palpate.io.volume.VolumeReader;
  */
 public record LabelledReader(VolumeReader volume, VolumeHeader header) implements VolumeReader {
   /**
-   * Returns the volume with the table beside its file, or unchanged if it has names or no table is
-   * found.
+   * Returns the volume with the table beside its file. Returns it unchanged if it has names
+   * already, if its values are not whole numbers, or if no table is found.
    */
   public static VolumeReader of(VolumeReader volume, Path file) throws VolumeFormatException {
     VolumeHeader header = volume.header();

@@ -8,7 +8,13 @@ import java.nio.file.Path;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.volume.VolumeFormatException;
 
-/** Reads words that are separated by white space, and counts lines for messages. One thread. */
+/**
+ * Reads words that are separated by white space, and counts lines for messages. One thread.
+ *
+ * <p>Line by line: {@link #hasWordInLine}, {@link #word} and {@link #nextLine}. Used so, they skip
+ * comments, which begin with {@code #}. {@link #wordOrNull} reads on across line ends and knows no
+ * comments.
+ */
 final class WordReader {
   private static final int LONGEST_WORD = 4096;
 
@@ -40,7 +46,10 @@ final class WordReader {
     return next == ' ' || next == '\t' || next == '\r';
   }
 
-  /** Whether another word follows on this line. Skips blanks, and line ends after a backslash. */
+  /**
+   * Whether another word follows on this line, before its end or a {@code #}. Skips blanks, and
+   * line ends after a backslash.
+   */
   boolean hasWordInLine() throws IOException {
     while (isAtBlank() || next == '\\') {
       boolean isContinued = next == '\\';

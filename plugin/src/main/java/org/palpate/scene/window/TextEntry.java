@@ -4,7 +4,10 @@ import com.jogamp.newt.event.KeyEvent;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** A line of text that the user types in the window. The window's own thread alone. */
+/**
+ * A line of text that the user types in the window. Enter takes it, and Escape takes the first text
+ * instead. The window's own thread alone.
+ */
 final class TextEntry {
   private static final int MAX_LENGTH = 60;
 
@@ -16,7 +19,7 @@ final class TextEntry {
   /**
    * Begins with a text that the first letter replaces.
    *
-   * @param taker receives the text at the end; the first text if none was typed
+   * @param taker receives the text at the end; the first text after Escape, or if none was typed
    */
   TextEntry(String prompt, String first, Consumer<String> taker) {
     this.prompt = prompt;
@@ -30,9 +33,9 @@ final class TextEntry {
   }
 
   /**
-   * Takes a key.
+   * Handles a key.
    *
-   * @return whether the entry goes on
+   * @return whether the entry goes on; false after Enter and Escape
    */
   boolean type(short code, char letter, boolean isPrintable) {
     if (code == KeyEvent.VK_ENTER || code == KeyEvent.VK_ESCAPE) {

@@ -27,9 +27,9 @@ import org.palpate.scene.gl.PickedPoint;
 /**
  * The actions of mouse and keys.
  *
- * <p>A left drag that begins on a surface touches it if the mouse is a device; any other left drag
- * turns the scene. Right drag turns; middle drag, or left drag with Shift, moves. The wheel zooms
- * or, while touching, changes the pressure.
+ * <p>A left drag that begins on a surface touches it if the mouse is a device. A left drag with
+ * Shift or a middle drag moves the scene, and one with Ctrl goes to {@link #onControlDrag}. Any
+ * other drag turns the scene. The wheel zooms or, while touching, changes the pressure.
  *
  * <p>A press does nothing until the drawing thread has found what lies under it.
  */
