@@ -117,8 +117,9 @@ public final class HapticLoop implements AutoCloseable {
   /**
    * Ends the session by force if no frame has started for longer than {@code hangNanos}.
    *
-   * <p>One thread other than the haptic one calls it regularly, for example at 30 Hz. If that
-   * thread stood still too, as in a process that was stopped, the loop gets its time again.
+   * <p>One thread other than the haptic one calls it regularly, for example at 30 Hz. If the calls
+   * themselves stopped for more than half of {@code hangNanos}, as in a suspended process, the wait
+   * begins anew.
    *
    * @param nowNanos on the loop's clock
    * @return whether the session has ended

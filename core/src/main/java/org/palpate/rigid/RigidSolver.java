@@ -135,8 +135,8 @@ public final class RigidSolver {
   }
 
   /**
-   * Returns the last device pose that was one, with a quaternion of norm 1 on the tool's side; not
-   * to be written. The identity before the first.
+   * Returns the last valid device pose; the identity before the first. Do not write to it. Of the
+   * two quaternions of norm 1 that state its orientation, it has the one nearer to the tool's.
    */
   public Pose target() {
     return device.target();

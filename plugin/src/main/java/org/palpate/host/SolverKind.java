@@ -10,9 +10,9 @@ public enum SolverKind {
   DOT,
   /** Vlasov et al. 2013 as printed; without the guarantee. */
   PAPER,
-  /** Path finding along hard voxels, verified exactly. */
+  /** Path finding along voxel faces, verified exactly. */
   GUARDED,
-  /** Motion on an implicit surface, verified exactly. */
+  /** Motion along an isosurface of the occupancy field, verified exactly. */
   SMOOTH,
   /** No solver: the interaction point is the device position, and only collisions are found. */
   NONE;
@@ -35,7 +35,7 @@ public enum SolverKind {
     return this == DOT || this == PAPER ? CollisionChoice.sampled(1) : CollisionChoice.EXACT;
   }
 
-  /** Whether the solver looks for empty-space border voxels. */
+  /** Whether the solver looks for border voxels: empty ones beside solid ones. */
   public boolean usesBorderVoxels() {
     return this == DOT || this == PAPER;
   }

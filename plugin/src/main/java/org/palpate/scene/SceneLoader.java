@@ -225,9 +225,9 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * Rebuilds the surface where an edit changed voxels: the finest level before all other work, the
-   * coarser ones before finest levels that were never shown. The bits must have been changed and
-   * published before.
+   * Rebuilds the surface where an edit changed voxels. The finest level comes before all other
+   * work. The coarser levels come before finest levels that are built for the first time. The bits
+   * must have been changed and published before.
    *
    * @param segment number of the segment
    * @param voxels a box around the edited voxels

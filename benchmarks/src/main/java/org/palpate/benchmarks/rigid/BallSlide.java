@@ -4,7 +4,7 @@ import org.palpate.benchmarks.accuracy.SlideTrajectory;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 
-/** A device that presses a ball into an analytic surface, wanders along it and turns. */
+/** The poses of a hand that presses a ball into an analytic surface, wanders along it and turns. */
 final class BallSlide {
   private static final double DEPTH_MM = 5;
   private static final double SPEED_MM_PER_FRAME = 0.3;
@@ -15,7 +15,7 @@ final class BallSlide {
   private final Vec3 turn = new Vec3();
 
   /**
-   * Creates a device.
+   * Computes the poses of all frames.
    *
    * @param radiusMm the radius of the ball
    * @param frames the number of measured frames

@@ -6,7 +6,10 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
 
-/** Slides a ball of 1,000 points over surfaces of known normals. */
+/**
+ * Slides a ball of 1,000 points over surfaces of known normals, and measures direction and
+ * steadiness of its force.
+ */
 final class ForceStudy {
   private static final String STUDY = "force";
   private static final int EDGE = 192;

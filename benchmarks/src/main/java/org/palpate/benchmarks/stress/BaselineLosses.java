@@ -20,9 +20,9 @@ import org.palpate.raycast.RayHit;
 import org.palpate.raycast.SampledRayCaster;
 
 /**
- * The losses of other methods on the same hostile scenes and hands: solid voxels that a collision
- * test misses, and legs, frames and depth in solids by solver. The device positions are those of
- * the guarded solver's run.
+ * Measures what other methods lose in the same hostile cases. It counts the rays on which a
+ * collision test misses a solid. For each solver it counts the legs and frames that touch a solid,
+ * and measures how deep the point ends. The device positions are those of the guarded solver's run.
  */
 public final class BaselineLosses {
   private static final double SAMPLED_STEP = 1;
@@ -37,7 +37,7 @@ public final class BaselineLosses {
   private final List<SolverLoss> solvers = new ArrayList<>();
   private final long seed;
 
-  /** Creates the losses over the cases of a seed. */
+  /** Creates a measurement over the cases of a seed. */
   public BaselineLosses(long seed) {
     this.seed = seed;
     RayCaster sampled = new SampledRayCaster(SAMPLED_STEP);

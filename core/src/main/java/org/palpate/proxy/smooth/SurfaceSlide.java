@@ -53,7 +53,7 @@ final class SurfaceSlide {
   /**
    * Slides until the point arrives, or cannot go on, or has gained enough for its work budget.
    *
-   * @param limit the potential that is enough by {@code rule}
+   * @param limit the potential that {@code rule} accepts at most
    */
   void slide(Vec3 device, RestRule rule, double limit) {
     boolean goesOn = true;

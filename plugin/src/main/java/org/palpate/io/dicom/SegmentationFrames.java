@@ -15,7 +15,8 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
 
 /**
- * The frames of a binary segmentation object: each slice of each segment that has a voxel in it.
+ * The frames of a binary segmentation object: one for each segment and each slice in which that
+ * segment has a voxel.
  *
  * @param labels the label of each segment; segment 1 has the first
  * @param frames in the order of their bits

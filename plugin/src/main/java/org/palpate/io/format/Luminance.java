@@ -13,7 +13,8 @@ public final class Luminance {
   private Luminance() {}
 
   /**
-   * Returns the luminance of a colour, rounded, in the unit of its parts, which are not negative.
+   * Returns the luminance of a colour, rounded. It has the range of the parts, which must not be
+   * negative.
    */
   public static int of(int red, int green, int blue) {
     return (int) ((299L * red + 587L * green + 114L * blue + 500) / 1000);

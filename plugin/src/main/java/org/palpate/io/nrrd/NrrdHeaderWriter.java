@@ -13,7 +13,7 @@ import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VoxelType;
 import org.palpate.volume.VoxelGrid;
 
-/** Writes the header of a NRRD with gzip data attached, and labels as 3D Slicer names them. */
+/** Makes the header of a NRRD with gzip data attached, and labels in the keys of 3D Slicer. */
 public final class NrrdHeaderWriter {
   private NrrdHeaderWriter() {}
 

@@ -2,7 +2,7 @@ package org.palpate.io.tiff;
 
 import java.util.Locale;
 
-/** Knows the units of length by the names that ImageJ and its users give them. */
+/** Converts units of length, by the names that ImageJ and its users give them, to millimetres. */
 public final class ImagejUnit {
   private ImagejUnit() {}
 

@@ -6,8 +6,8 @@ import com.jogamp.opengl.GL2ES3;
 import com.jogamp.opengl.GL3;
 
 /**
- * A framebuffer with a colour texture, and one with depth and stencil. The stencil holds {@link
- * #SLICE} where a slice is nearest, and {@link #NO_SLICE} elsewhere.
+ * A framebuffer with two textures: one for colour, and one for depth and stencil. The stencil holds
+ * {@link #SLICE} where a slice is nearest, and {@link #NO_SLICE} elsewhere.
  */
 final class GlFramebuffer {
   static final int NO_SLICE = 0;

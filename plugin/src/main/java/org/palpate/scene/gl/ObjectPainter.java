@@ -56,8 +56,8 @@ final class ObjectPainter {
   }
 
   /**
-   * Draws the opaque segments, then the transparent ones from back to front, of each its nearest
-   * surface.
+   * Draws the opaque segments, then the transparent ones from back to front. Of a transparent
+   * segment only the nearest surface is drawn.
    */
   void draw(GL3 gl, SceneState state, Matrix4 toEye, Matrix4 projection) {
     drawnTriangles = 0;

@@ -6,7 +6,10 @@ public enum Scheduling {
   NORMAL("normal"),
   /** SCHED_FIFO, a processor of its own, locked memory. */
   FIFO("fifo"),
-  /** As {@link #FIFO}, with the JVM's threads that a pause waits for one priority below. */
+  /**
+   * As {@link #FIFO}. The threads of the JVM that the measured thread waits for during a pause are
+   * in SCHED_FIFO too, one priority below.
+   */
   FIFO_WITH_VM("fifovm");
 
   private final String label;

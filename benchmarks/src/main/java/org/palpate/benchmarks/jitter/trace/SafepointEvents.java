@@ -6,8 +6,8 @@ import java.util.Map;
 import jdk.jfr.consumer.RecordedEvent;
 
 /**
- * Joins the begin and the end of each safepoint to one event. It lasts from the request to stop
- * until the threads may continue, and has the name of its operation.
+ * Joins the begin and the end of each safepoint to one event. The event lasts from the request to
+ * stop until the threads may continue, and has the name of the safepoint's operation.
  */
 final class SafepointEvents {
   private final List<RecordedEvent> recorded;

@@ -1,9 +1,9 @@
 package org.palpate.proxy.smooth.field;
 
 /**
- * Finds an open face of a window: one to which a straight column of free voxels leads from every
- * free voxel. Beside a single surface, which is the usual case, there is one. Finding it costs a
- * fraction of a flood fill.
+ * Finds an open face of a window. A face is open if, from every free voxel of the window, a
+ * straight column of free voxels leads to it. Beside a single surface, which is the usual case,
+ * there is such a face. Finding it costs a fraction of a flood fill.
  *
  * <p>Layout as in {@link BinaryWindow}.
  */

@@ -1,9 +1,12 @@
 package org.palpate.proxy.smooth.field;
 
 /**
- * Distances within a slice from a pixel to the outline between solid and empty pixels. Lengths are
- * in pixels, from the middle of a pixel; the outline lies half a pixel before the nearest pixel of
- * the other kind.
+ * Measures distances within a slice from the middle of a pixel to the outline between solid and
+ * empty pixels, in pixels. The outline lies half a pixel before the nearest pixel of the other
+ * kind.
+ *
+ * <p>Before {@link #isAnyAround} and {@link #distance}, call {@link #coverNear} for the tile of the
+ * pixel: it reads the pixels near the tile into a cache.
  *
  * <p>Pixels farther than {@code reach} along u or v are not searched. References: shape-based
  * interpolation by distances to the outline, Raya and Udupa 1990; Herman, Zheng and Bucholtz 1992.
@@ -35,17 +38,17 @@ final class SliceOutline {
     this.reach = reach;
   }
 
-  /** Returns the greatest distance that is told apart. */
+  /** Returns the greatest distance that is measured; greater ones count as this. */
   double reach() {
     return reach;
   }
 
-  /** Reads the pixels of a slice near the tile of brick (u,v); before distances from its pixels. */
+  /** Reads the pixels of a slice near the tile of brick (u,v). */
   void coverNear(int brickU, int brickV, int slice) {
     bits.cover(brickU, brickV, slice, NEAR_BRICKS);
   }
 
-  /** Reads all pixels of a slice that are searched from pixel (u,v). */
+  /** Reads all pixels of a slice within reach of pixel (u,v). */
   void coverAll(int u, int v, int slice) {
     bits.cover(u >> 2, v >> 2, slice, reach / 4);
   }
@@ -113,9 +116,8 @@ final class SliceOutline {
   }
 
   /**
-   * Returns the distance from pixel (u,v) to the outline on the other side than where it is
-   * nearest: along the straight line away from the nearest pixel of a kind. Call {@link #coverAll}
-   * before.
+   * Returns the distance from pixel (u,v) to the outline on the far side: along the straight line
+   * that leads away from the nearest pixel of a kind. Call {@link #coverAll} before.
    *
    * @param solid the kind of pixels outside; one of them is within reach
    */
