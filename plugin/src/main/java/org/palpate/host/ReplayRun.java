@@ -46,17 +46,26 @@ public final class ReplayRun {
         throws IOException;
   }
 
-  /**
-   * Creates a replay.
-   *
-   * @param world whether the trajectory is in world mm; otherwise in grid coordinates
-   * @param raw whether samples are treated as in a live session
-   */
-  public ReplayRun(ContactScene scene, Trajectory trajectory, boolean world, boolean raw) {
+  private ReplayRun(ContactScene scene, Trajectory trajectory, boolean world, boolean raw) {
     this.scene = scene;
     this.trajectory = trajectory;
     this.world = world;
     this.raw = raw;
+  }
+
+  /** Returns a replay of a trajectory in world mm. */
+  public static ReplayRun inWorld(ContactScene scene, Trajectory trajectory) {
+    return new ReplayRun(scene, trajectory, true, false);
+  }
+
+  /** Returns a replay of a trajectory in grid coordinates. */
+  public static ReplayRun inGrid(ContactScene scene, Trajectory trajectory) {
+    return new ReplayRun(scene, trajectory, false, false);
+  }
+
+  /** Returns this replay in raw mode, which treats samples as a live session does. */
+  public ReplayRun inRawMode() {
+    return new ReplayRun(scene, trajectory, world, true);
   }
 
   /** Runs every frame once from a fresh start and returns the statistics of all frames. */

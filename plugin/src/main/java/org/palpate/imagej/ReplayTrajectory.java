@@ -76,7 +76,7 @@ public final class ReplayTrajectory extends PalpateCommand {
             StackGreyValues.surface(pixels, volume.slices(), geometry.grid(), ranges));
     ResultsTable table = new ResultsTable();
     try {
-      new ReplayRun(scene, trajectory, true, false)
+      ReplayRun.inWorld(scene, trajectory)
           .run(
               (frame, device, point, force, state, freed) -> {
                 table.incrementCounter();

@@ -30,7 +30,7 @@ public final class TouchOffline {
       trajectory.add(ms, grid.sizeX() / 2.0, grid.sizeY() * ms / 2000.0, grid.sizeZ() / 2.0);
     }
 
-    new ReplayRun(scene, trajectory, false, false)
+    ReplayRun.inGrid(scene, trajectory)
         .run(
             (frame, device, point, force, state, freed) -> {
               if (frame % 100 == 0) {

@@ -54,7 +54,7 @@ final class SessionLegs implements ReplayRun.FrameSink {
     ContactSettings settings = ContactSettings.standard(solver);
     ContactScene scene = new ContactScene(volume, settings, grey);
     SessionLegs session = new SessionLegs(volume);
-    new ReplayRun(scene, hand(scene, seed, frames), true, false).run(session);
+    ReplayRun.inWorld(scene, hand(scene, seed, frames)).run(session);
     return session;
   }
 

@@ -258,7 +258,7 @@ class MouseTouchTest {
     }
     List<Vec3> replayed = new ArrayList<>();
     FrameStatistics statistics =
-        new ReplayRun(scene, TrajectoryFile.read(file, true), true, false)
+        ReplayRun.inWorld(scene, TrajectoryFile.read(file, true))
             .run((n, d, p, f, state, freed) -> replayed.add(new Vec3().set(state.position)));
     assertEquals(3, statistics.freed());
     assertEquals(points.size() + 1, replayed.size());

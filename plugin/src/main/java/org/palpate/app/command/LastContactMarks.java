@@ -47,7 +47,7 @@ final class LastContactMarks {
   static TouchMarks of(Path file, ContactScene scene, WorldAxes axes) throws IOException {
     Trajectory trajectory = TrajectoryFile.read(file, true);
     LastContactMarks marks = new LastContactMarks(axes);
-    new ReplayRun(scene, trajectory, true, false).run(marks::take);
+    ReplayRun.inWorld(scene, trajectory).run(marks::take);
     return new TouchMarks(
         marks.shownDevice, marks.shownPoint, marks.shownForce, marks.hasContact, marks.shownTrail);
   }

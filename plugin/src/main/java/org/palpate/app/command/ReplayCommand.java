@@ -155,8 +155,9 @@ public final class ReplayCommand implements Callable<Integer> {
     SegmentedVolume segments =
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     ContactScene scene = contact.scene(source, segments);
-    FrameStatistics statistics =
-        run(new ReplayRun(scene, trajectory, world, rawDevice), trajectory, tables);
+    ReplayRun replay =
+        world ? ReplayRun.inWorld(scene, trajectory) : ReplayRun.inGrid(scene, trajectory);
+    FrameStatistics statistics = run(rawDevice ? replay.inRawMode() : replay, trajectory, tables);
     print(statistics);
     if (report.isWanted()) {
       report.putVolume(source, segments.segments());
