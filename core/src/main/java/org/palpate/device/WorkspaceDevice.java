@@ -13,7 +13,8 @@ import org.palpate.geometry.Vec3;
  * position; rotation is never scaled. Other axes change neither position nor orientation.
  *
  * <p>Buttons pass through. A position that is not finite passes too and changes nothing of the
- * mapping; so does an orientation.
+ * mapping; so does an orientation that is not {@linkplain Quaternion#isNearUnit near} a unit
+ * quaternion.
  *
  * <p>The haptic thread reads and writes the device and owns its state. Allocates nothing.
  */
@@ -137,10 +138,15 @@ public final class WorkspaceDevice extends DeviceDecorator {
     return status;
   }
 
-  /** Takes the axes that were requested last, and returns whether they are others. */
+  /**
+   * Takes the axes that were requested last, once they map a position to finite numbers. Returns
+   * whether they are others.
+   */
   private boolean takeAxes() {
     Axes requested = requestedAxes;
-    boolean others = requested != axes && raw.positionMm.isFinite();
+    boolean others =
+        requested != axes
+            && requested.workspace.toWorldStep(raw.positionMm, displacementMm).isFinite();
     axes = others ? requested : axes;
     return others;
   }
@@ -207,10 +213,11 @@ public final class WorkspaceDevice extends DeviceDecorator {
   private void mapOrientation(DeviceState state, boolean turned) {
     axes.rotation.multiply(raw.orientation, mapped);
     offsetDue |= turned || (wasClutched && !clutched);
-    if (offsetDue && mapped.isFinite()) {
+    if (offsetDue && mapped.isNearUnit()) {
       offsetDue = false;
       if (hasOrientation) {
         mapped.conjugate(offset).multiply(lastOrientation, offset);
+        offset.normalize(); // else the norms' errors would add up
       }
     }
     wasClutched = clutched;
@@ -223,7 +230,7 @@ public final class WorkspaceDevice extends DeviceDecorator {
   }
 
   private void keepOrientation(Quaternion orientation) {
-    if (orientation.isFinite()) {
+    if (orientation.isNearUnit()) {
       lastOrientation.set(orientation);
       hasOrientation = true;
     }

@@ -358,6 +358,63 @@ class WorkspaceDeviceTest {
   }
 
   @Test
+  void otherAxesWaitForAPositionThatTheyMapToFiniteNumbers() {
+    SettableDevice hand = new SettableDevice();
+    Workspace enlarging = new Workspace(randomRotation(randomVec(50)), new Vec3(10, 10, 10));
+    WorkspaceDevice device =
+        new WorkspaceDevice(hand, enlarging, WorkspaceDevice.Controls.standard());
+    DeviceState state = new DeviceState();
+    device.read(state);
+    Vec3 beforeMm = new Vec3().set(state.positionMm);
+    device.turnAxes(RigidTransform.identity());
+    hand.next.positionMm.x = Double.MAX_VALUE;
+    device.read(state);
+    assertFalse(state.positionMm.isFinite());
+    hand.next.positionMm.x = 0;
+    device.read(state);
+    assertTrue(beforeMm.sameBits(state.positionMm), beforeMm + " " + state.positionMm);
+  }
+
+  @Test
+  void anOrientationThatIsNoRotationPassesAndChangesNothing() {
+    Quaternion[] wrong = {
+      new Quaternion(0, 0, 0, 0),
+      new Quaternion(Double.NaN, 0, 0, 0),
+      new Quaternion(1e200, 0, 0, 0),
+      new Quaternion(0, Double.POSITIVE_INFINITY, 0, 0)
+    };
+    SettableDevice hand = new SettableDevice();
+    WorkspaceDevice device =
+        new WorkspaceDevice(hand, randomWorkspace(), WorkspaceDevice.Controls.standard());
+    DeviceState state = new DeviceState();
+    device.read(state);
+    Quaternion before = new Quaternion().set(state.orientation);
+    for (Quaternion orientation : wrong) {
+      device.turnAxes(randomRotation(new Vec3()));
+      hand.next.orientation.set(orientation);
+      device.read(state);
+      assertFalse(state.orientation.isNearUnit(), orientation + " passes");
+      hand.next.orientation.setRotationVector(randomVec(1));
+      device.read(state);
+      assertEquals(1, Math.abs(before.dot(state.orientation)), 1e-12, "after " + orientation);
+    }
+  }
+
+  @Test
+  void anErrorOfTheNormDoesNotGrowWhenAxesTurn() {
+    SettableDevice hand = new SettableDevice();
+    WorkspaceDevice device =
+        new WorkspaceDevice(hand, randomWorkspace(), WorkspaceDevice.Controls.standard());
+    DeviceState state = new DeviceState();
+    hand.next.orientation.w = 1 + 1e-6;
+    for (int i = 0; i < 2000; i++) {
+      device.turnAxes(randomRotation(new Vec3()));
+      device.read(state);
+    }
+    assertEquals(hand.next.orientation.w, state.orientation.norm(), 1e-12);
+  }
+
+  @Test
   void refusesAMirrorAndAScaleOfZero() {
     RigidTransform mirror =
         new RigidTransform(new Vec3(-1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3());
