@@ -234,7 +234,7 @@ public final class CollisionScene {
   }
 
   /** Writes a box that holds every solid voxel of all cubes into {@code dest}. */
-  void bounds(IntBox dest) {
+  public void bounds(IntBox dest) {
     dest.clear();
     for (BitCube cube : cubes) {
       dest.include(cube.bounds());

@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 
 /**
  * A cache of the solid voxels of slices as rows of bits, in coordinates (u,v,w) whose w is the long
@@ -37,7 +38,12 @@ final class SliceBits {
   private final int[] lowV = new int[LAYERS];
   private final int[] endV = new int[LAYERS];
   private int generation = 1;
+
+  /** The scene; null until it is set again after {@link #forget}. */
   private CollisionScene scene;
+
+  /** The voxels outside of which the scene is empty. */
+  private final IntBox bounds = new IntBox();
 
   /** Creates a cache of slices across an axis. */
   SliceBits(int axis) {
@@ -47,20 +53,36 @@ final class SliceBits {
   /** Forgets all bits. */
   void forget() {
     generation++;
+    scene = null;
   }
 
   /** Sets the scene, the same one since {@link #forget}. */
   void use(CollisionScene newScene) {
-    scene = newScene;
+    if (scene == null) {
+      scene = newScene;
+      scene.bounds(bounds);
+    }
   }
 
   /** Returns a brick of the scene, turned so that its w is the long axis. */
   long brick(int u, int v, int w) {
     return switch (axis) {
-      case 0 -> turned(scene.brick(w, v, u));
-      case 1 -> turned(scene.brick(u, w, v));
-      default -> scene.brick(u, v, w);
+      case 0 -> turned(read(w, v, u));
+      case 1 -> turned(read(u, w, v));
+      default -> read(u, v, w);
     };
+  }
+
+  /** Reads a brick of the scene, or nothing where the scene is empty. */
+  private long read(int x, int y, int z) {
+    boolean inBounds =
+        x >= bounds.lowX >> 2
+            && x <= bounds.highX >> 2
+            && y >= bounds.lowY >> 2
+            && y <= bounds.highY >> 2
+            && z >= bounds.lowZ >> 2
+            && z <= bounds.highZ >> 2;
+    return inBounds ? scene.brick(x, y, z) : 0;
   }
 
   /** Swaps the long axis of a brick with z; doing it twice gives the brick back. */
