@@ -116,7 +116,7 @@ public final class BenchCommand implements Callable<Integer> {
       names = "--solver",
       paramLabel = "NAME",
       description =
-          "With --stress: guarded (all promises) or smooth (only its legs). Default: guarded.")
+          "With --stress: guarded (all promises) or smooth (legs and rest). Default: guarded.")
   private String solver;
 
   @Option(
