@@ -11,6 +11,8 @@ import org.palpate.raycast.RayHit;
 import org.palpate.rigid.ToolVerifier.EditOutcome;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.SphereTree;
+import org.palpate.statistics.SkipCounters;
+import org.palpate.statistics.SkipKind;
 import org.palpate.volume.BitCube;
 
 /**
@@ -87,6 +89,7 @@ final class BodyVerifier {
   private final IntBox changed = new IntBox();
   private final Vec3 position = new Vec3();
   private long tested;
+  private long looked;
 
   /**
    * Creates a verifier.
@@ -112,6 +115,12 @@ final class BodyVerifier {
    */
   long tested() {
     return tested;
+  }
+
+  /** Adds the work that was skipped; a point whose empty surroundings still held is a neighbour. */
+  void addSkips(SkipCounters dest) {
+    caster.addSkips(dest);
+    dest.add(SkipKind.NEIGHBOURS, tested - looked);
   }
 
   /** Returns the number of points that keep less than the full clearance. */
@@ -364,6 +373,7 @@ final class BodyVerifier {
   }
 
   private void testLeg(int n, LegHits hits) {
+    looked++;
     double a = tool.x(n);
     double b = tool.y(n);
     double c = tool.z(n);

@@ -290,14 +290,17 @@ final class ContactConstraints {
     problem.target[DEPTH] = LIFT_WEIGHT * LIFT_EDGES * edgeMm;
   }
 
-  /** Whether a contact is active in the last solution: met with equality. */
-  boolean isActive(int c) {
+  /**
+   * Returns the length, mm, by which an active contact pushes the last solution along its normal;
+   * -1 if the contact is not active: not met with equality.
+   */
+  double multiplier(int c) {
     for (int n = 0; n < problem.activeCount; n++) {
       if (problem.active[n] == row(c)) {
-        return true;
+        return problem.multiplier[n];
       }
     }
-    return false;
+    return -1;
   }
 
   /** Whether the point of a contact is near the surface or the face. */

@@ -45,11 +45,6 @@ public final class RigidCoupling {
     return new RigidCoupling(stiffnessNewtonPerMm, stiffnessNewtonPerMm * radiusMm * radiusMm);
   }
 
-  /** Returns this coupling with both stiffnesses multiplied by a factor. */
-  public RigidCoupling scaled(double factor) {
-    return new RigidCoupling(factor * stiffnessNewtonPerMm, factor * rotationalStiffness);
-  }
-
   /** Returns the stiffness of the displacement, N/mm. */
   public double stiffnessNewtonPerMm() {
     return stiffnessNewtonPerMm;

@@ -4,6 +4,8 @@ import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 import org.palpate.rigid.ToolVerifier.EditOutcome;
 import org.palpate.rigid.tool.RigidTool;
+import org.palpate.statistics.SkipCounters;
+import org.palpate.statistics.SkipKind;
 
 /**
  * Moves a rigid tool after a device, once a frame: towards the pose that is nearest to the device
@@ -81,6 +83,7 @@ public final class RigidSolver {
   private int liftBackoff = 1;
   private int liftWait;
   private long work;
+  private long rests;
 
   /**
    * Creates a solver for a tool that stands nowhere yet; see {@link #place}.
@@ -150,6 +153,12 @@ public final class RigidSolver {
     return work;
   }
 
+  /** Adds the work that frames skipped without changing their answers. */
+  public void addSkips(SkipCounters dest) {
+    verifier.addSkips(dest);
+    dest.add(SkipKind.REST, rests);
+  }
+
   /**
    * Runs one frame.
    *
@@ -175,6 +184,8 @@ public final class RigidSolver {
       budget.begin();
       followTarget(motion, moved);
       work = budget.work();
+    } else {
+      rests++;
     }
     verifier.continueEnclosureCheck();
     motion.depthMm = stepper.depthMm();
@@ -222,6 +233,9 @@ public final class RigidSolver {
     failedFrames = isKept ? 0 : failedFrames + 1;
     planLifts(fallMm);
     motion.contact = !arrived && (stepper.hasContacts() || !isKept);
+    if (!motion.contact) {
+      motion.contacts.clear();
+    }
   }
 
   /** Makes lifts rarer while they do not help and the device moves. */

@@ -447,12 +447,17 @@ final class RigidStepper {
   /** Keeps active contacts first, then those that are near. */
   private void keepContacts() {
     kept = 0;
+    motion.contacts.clear();
     for (int c = 0; c < contacts.count(); c++) {
-      if (contacts.isActive(c)) {
+      double multiplier = contacts.multiplier(c);
+      if (multiplier >= 0) {
         keep(c);
+        contacts.normal(c, position);
+        motion.contacts.add(contacts.body[c], contacts.point[c], position, multiplier);
       }
     }
     keptActive = kept;
+    motion.contacts.normalizeShares();
     for (int c = 0; c < contacts.count(); c++) {
       if (contacts.isNear(c)) {
         keep(c);

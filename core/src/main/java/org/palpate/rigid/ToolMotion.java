@@ -11,6 +11,7 @@ public final class ToolMotion {
   /** The most steps of one frame. */
   public static final int MOST_STEPS = 16;
 
+  final ToolContacts contacts = new ToolContacts();
   final Pose[] path = new Pose[MOST_STEPS + 1];
   int steps;
   double pathMm;
@@ -51,6 +52,11 @@ public final class ToolMotion {
     return contact;
   }
 
+  /** Returns the contacts that hold the tool back; none without {@link #contact}. */
+  public ToolContacts contacts() {
+    return contacts;
+  }
+
   /** Whether the tool was set free in the last frame; then the path has a single pose. */
   public boolean freed() {
     return freed;
@@ -89,6 +95,7 @@ public final class ToolMotion {
   void placeAt(Pose pose) {
     steps = 0;
     pathMm = 0;
+    contacts.clear();
     path[0].set(pose);
   }
 }

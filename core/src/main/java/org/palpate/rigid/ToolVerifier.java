@@ -4,6 +4,7 @@ import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
+import org.palpate.statistics.SkipCounters;
 
 /**
  * Verifies proposed motions of a tool against all bodies of a scene, and commits them. Nothing else
@@ -49,6 +50,13 @@ final class ToolVerifier {
       sum += body.tested();
     }
     return sum;
+  }
+
+  /** Adds the work that was skipped for all bodies. */
+  void addSkips(SkipCounters dest) {
+    for (BodyVerifier body : bodies) {
+      body.addSkips(dest);
+    }
   }
 
   /**

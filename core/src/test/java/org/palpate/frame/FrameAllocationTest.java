@@ -18,6 +18,9 @@ import org.palpate.device.ReadStatus;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.edit.BrushEdit;
 import org.palpate.edit.Edit;
+import org.palpate.force.ForceSettings;
+import org.palpate.force.FrictionForm;
+import org.palpate.force.Material;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.HapticLoop;
 import org.palpate.loop.LoopEnd;
@@ -87,11 +90,18 @@ class FrameAllocationTest {
             tool,
             new RigidSolver(bodies, tool, RigidSettings.ofWholeBodies(8, bodies, tool)),
             RigidCoupling.of(tool, 0.5),
-            FrameSettings.live(hand.specification(), Floor.settings().force()),
+            FrameSettings.live(hand.specification(), roughFloor()),
             floor.edits,
             ToolFramePublisher.NONE);
     assertARoundAllocatesNothing(frame);
     assertTrue(frame.statistics().maxTorqueNewtonMm() > 0);
+  }
+
+  /** Returns settings with materials, friction and damping, so that a frame computes them all. */
+  private static ForceSettings roughFloor() {
+    Material floor = new Material(0.6, 0.4, 0.3, 0.001);
+    return new ForceSettings(
+        Material.of(0.5, 0.2, FrictionForm.CONE), FrictionForm.CONE, true, List.of(floor));
   }
 
   private void prepareEdits(double radiusMm) {

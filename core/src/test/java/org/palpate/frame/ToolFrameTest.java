@@ -236,7 +236,7 @@ class ToolFrameTest {
     deviceZ = 7;
     run(frame, 200);
     Vec3 before = device.lastForce();
-    frame.requestCoupling(RigidCoupling.of(plate, 1));
+    frame.requestForce(ForceSettings.of(1, 0));
     run(frame, 1);
     assertEquals(2 * before.z, device.lastForce().z, 1e-9);
   }

@@ -209,8 +209,11 @@ public final class ContactScene {
    * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan
    */
   public ForceSettings force(double defaultNewtonPerMm) {
+    return force(defaultNewtonPerMm, settings.frictionForm());
+  }
+
+  ForceSettings force(double defaultNewtonPerMm, FrictionForm form) {
     double newtonPerMm = settings.stiffnessNewtonPerMm().orElse(defaultNewtonPerMm);
-    FrictionForm form = settings.frictionForm();
     Material general = Material.of(newtonPerMm, settings.friction(), form);
     return new ForceSettings(general, form, true, materials(general, form));
   }
@@ -233,7 +236,11 @@ public final class ContactScene {
    * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan
    */
   public FrameSettings liveFrame(DeviceSpecification device, double defaultNewtonPerMm) {
-    FrameSettings live = FrameSettings.live(device, force(defaultNewtonPerMm));
+    return liveFrame(device, force(defaultNewtonPerMm));
+  }
+
+  FrameSettings liveFrame(DeviceSpecification device, ForceSettings force) {
+    FrameSettings live = FrameSettings.live(device, force);
     return settings.maxForceNewton().isPresent()
         ? live.withMaxForce(settings.maxForceNewton().getAsDouble())
         : live;

@@ -8,7 +8,6 @@ import org.palpate.device.DeviceSpecification;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.PointFrame;
 import org.palpate.frame.ToolFrame;
-import org.palpate.rigid.RigidCoupling;
 
 /**
  * Changes stiffness, friction and the solver in steps while the user touches. Each change takes
@@ -51,17 +50,10 @@ public final class ContactTuning {
 
   /**
    * Returns the tuning of a rigid tool, which changes its stiffness in translation and rotation
-   * together. Requests to change friction or solver do nothing.
+   * together. Requests to change the solver do nothing.
    */
-  static ContactTuning ofTool(
-      ToolFrame frame, RigidCoupling coupling, ForceSettings force, DeviceSpecification device) {
-    double before = force.stiffnessNewtonPerMm();
-    return new ContactTuning(
-        tuned -> frame.requestCoupling(coupling.scaled(tuned.stiffnessNewtonPerMm() / before)),
-        kind -> {},
-        null,
-        force,
-        device);
+  static ContactTuning ofTool(ToolFrame frame, ForceSettings force, DeviceSpecification device) {
+    return new ContactTuning(frame::requestForce, kind -> {}, null, force, device);
   }
 
   private ContactTuning(
@@ -109,9 +101,6 @@ public final class ContactTuning {
   }
 
   private void changeFriction(double friction) {
-    if (solver == null) {
-      return;
-    }
     double steps = Math.rint(friction / FRICTION_STEP) * FRICTION_STEP;
     retune(1, Math.max(0, Math.min(MAX_FRICTION, steps)) - force.friction());
   }
@@ -138,10 +127,12 @@ public final class ContactTuning {
 
   /** Returns one line for the user: solver, stiffness and friction of the next frame. */
   public synchronized String line() {
-    String stiffness = String.format(Locale.ROOT, "   %.2f N/mm", force.stiffnessNewtonPerMm());
-    return solver == null
-        ? RIGID_TOOL + stiffness
-        : solver + stiffness + String.format(Locale.ROOT, "   friction %.2f", force.friction());
+    return String.format(
+        Locale.ROOT,
+        "%s   %.2f N/mm   friction %.2f",
+        solver == null ? RIGID_TOOL : solver,
+        force.stiffnessNewtonPerMm(),
+        force.friction());
   }
 
   /** Returns stiffness and friction of the next frame. */

@@ -3,6 +3,7 @@ package org.palpate.host;
 import java.io.IOException;
 import org.palpate.device.Trajectory;
 import org.palpate.force.ForceRamp;
+import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
@@ -73,7 +74,9 @@ public final class ReplayRun {
     TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
     GridDevice gridDevice =
         world ? GridDevice.fromWorld(device, scene.grid()) : GridDevice.inGridCoordinates(device);
-    PointFrame frame = scene.newFrame(gridDevice, frameSettings(scene, raw), FramePublisher.NONE);
+    ForceSettings contact = scene.force(scene.defaultStiffnessNewtonPerMm());
+    PointFrame frame =
+        scene.newFrame(gridDevice, frameSettings(scene, contact, raw), FramePublisher.NONE);
     Vec3 point = new Vec3();
     Vec3 force = new Vec3();
     for (int n = 0; n < trajectory.size(); n++) {
@@ -92,9 +95,9 @@ public final class ReplayRun {
   }
 
   /** Returns the settings for the frames of a replay. */
-  static FrameSettings frameSettings(ContactScene scene, boolean raw) {
+  static FrameSettings frameSettings(ContactScene scene, ForceSettings force, boolean raw) {
     return new FrameSettings(
-        scene.force(scene.defaultStiffnessNewtonPerMm()),
+        force,
         scene.settings().maxForceNewton().orElse(Double.POSITIVE_INFINITY),
         Double.POSITIVE_INFINITY,
         ForceRamp.DEFAULT_NANOS,

@@ -6,13 +6,13 @@ import java.util.Arrays;
 import java.util.List;
 import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
+import org.palpate.force.ToolForce;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
-import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
 
@@ -85,7 +85,13 @@ public final class ToolReplay {
    */
   public ReplayTiming.NanosPerFrame time(int passes) {
     RigidSolver solver = scene.solver();
-    RigidCoupling coupling = scene.coupling(scene.contactScene().defaultStiffnessNewtonPerMm());
+    double newtonPerMm = scene.contactScene().defaultStiffnessNewtonPerMm();
+    ToolForce force =
+        new ToolForce(
+            scene.tool(),
+            scene.bodies().shortestEdgeMm(),
+            scene.coupling(newtonPerMm),
+            scene.force(newtonPerMm));
     List<Pose> devices = validPoses();
     ToolMotion motion = new ToolMotion();
     Vec3 forceNewton = new Vec3();
@@ -94,7 +100,7 @@ public final class ToolReplay {
         () -> {
           for (int n = 0; n < devices.size(); n++) {
             solver.follow(devices.get(n), motion);
-            coupling.compute(motion.pose(), solver.target(), forceNewton, torqueNewtonMm);
+            force.compute(motion, solver.target(), 0, forceNewton, torqueNewtonMm);
           }
         };
     return ReplayTiming.measure(
@@ -116,14 +122,13 @@ public final class ToolReplay {
   /** Runs every frame once from a fresh start. */
   public Result run(FrameSink sink) throws IOException {
     TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
+    ContactScene contact = scene.contactScene();
+    double newtonPerMm = contact.defaultStiffnessNewtonPerMm();
     FrameSettings settings =
-        ReplayRun.frameSettings(scene.contactScene(), raw).withTorque(Double.POSITIVE_INFINITY);
+        ReplayRun.frameSettings(contact, scene.force(newtonPerMm), raw)
+            .withTorque(Double.POSITIVE_INFINITY);
     ToolFrame frame =
-        scene.newFrame(
-            device,
-            settings,
-            scene.coupling(scene.contactScene().defaultStiffnessNewtonPerMm()),
-            ToolFramePublisher.NONE);
+        scene.newFrame(device, settings, scene.coupling(newtonPerMm), ToolFramePublisher.NONE);
     long[] work = new long[trajectory.size()];
     for (int n = 0; n < work.length; n++) {
       frame.run(ReplayRun.frameNanos(trajectory, n, raw));

@@ -8,6 +8,8 @@ import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.edit.EditQueue;
+import org.palpate.force.ForceSettings;
+import org.palpate.force.FrictionForm;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
@@ -106,9 +108,19 @@ public final class ToolScene {
         : RigidCoupling.of(tool, newtonPerMm);
   }
 
+  /**
+   * Returns stiffness, friction and damping of each body. Friction has cones; see {@link
+   * FrictionForm#CONE}.
+   *
+   * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan
+   */
+  ForceSettings force(double defaultNewtonPerMm) {
+    return scene.force(defaultNewtonPerMm, FrictionForm.CONE);
+  }
+
   /** Returns the settings for the frames of a live session; see {@link ContactScene#liveFrame}. */
   public FrameSettings liveFrame(DeviceSpecification device, double defaultNewtonPerMm) {
-    return scene.liveFrame(device, defaultNewtonPerMm);
+    return scene.liveFrame(device, force(defaultNewtonPerMm));
   }
 
   /**

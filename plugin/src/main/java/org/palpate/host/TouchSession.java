@@ -106,7 +106,7 @@ public final class TouchSession implements AutoCloseable {
     grid = scene.contactScene().grid();
     ToolPublisher publisher = new ToolPublisher(properties, grid);
     ToolFrame frame = scene.newFrame(device, frameSettings, coupling, published(publisher));
-    tuning = ContactTuning.ofTool(frame, coupling, frameSettings.force(), specification);
+    tuning = ContactTuning.ofTool(frame, frameSettings.force(), specification);
     HapticDevice hand =
         SimulatedDevice.withOrientation(
             WARM_UP_SEED, scene.handTarget(), settings.loop().periodNanos());

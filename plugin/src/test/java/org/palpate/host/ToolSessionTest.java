@@ -124,16 +124,15 @@ class ToolSessionTest {
   }
 
   @Test
-  void theStiffnessOfBothKindsIsTunedTogetherAndNothingElse() {
+  void theStiffnessOfBothKindsIsTunedTogetherAndFrictionIsTuned() {
     TouchSession session = session(hand());
     ContactTuning tuning = session.tuning();
     assertEquals(Optional.empty(), tuning.solver());
-    assertEquals("rigid tool   0.50 N/mm", tuning.line());
+    assertEquals("rigid tool   0.50 N/mm   friction 0.20", tuning.line());
     tuning.increaseStiffness();
     tuning.increaseFriction();
     tuning.nextSolver();
-    assertEquals("rigid tool   0.63 N/mm", tuning.line());
-    assertEquals(ContactSettings.standard().friction(), tuning.force().friction());
+    assertEquals("rigid tool   0.63 N/mm   friction 0.25", tuning.line());
     session.close();
   }
 

@@ -119,7 +119,7 @@ class ArchitectureTest {
           Map.entry("device.protocol", List.of()),
           Map.entry("display", List.of()),
           Map.entry("edit", List.of("proxy.smooth.field")),
-          Map.entry("force", List.of("proxy")),
+          Map.entry("force", List.of("proxy", "rigid")),
           Map.entry("frame", List.of("device", "edit", "force", "rigid")),
           Map.entry("geometry", List.of()),
           Map.entry(

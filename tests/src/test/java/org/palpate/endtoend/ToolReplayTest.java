@@ -263,7 +263,8 @@ class ToolReplayTest {
     String[][] wrong = {
       {"--tool", "sphere:4", "--coordinates", "grid"},
       {"--tool", "sphere:4", "--solver", "smooth"},
-      {"--tool", "sphere:4", "--friction", "0.1"},
+      {"--tool", "sphere:4", "--friction", "-0.1"},
+      {"--tool", "sphere:4", "--friction-form", "cone"},
       {"--tool", "sphere:4", "--rotational-stiffness", "-1"},
       {"--tool", "sphere:4", "--legs-frames", "5..2"},
       {"--tool", "sphere:4", "--legs-frames", "1..2..3"},

@@ -39,7 +39,8 @@ class ToolTouchTest {
     Map<String, String> session = FlatJson.read(live);
     assertTrue(Long.parseLong(session.get("/frames")) > 200, session.toString());
     assertEquals("rigid", session.get("/solver"));
-    assertEquals("0.0", session.get("/friction"));
+    assertEquals("0.2", session.get("/friction"));
+    assertTrue(Long.parseLong(session.get("/skipped/neighbours")) > 1000, session.toString());
     assertEquals("0.0", session.get("/tool/clearance_mm"));
     assertTrue(Long.parseLong(session.get("/tool/points")) > 50);
     assertEquals("stopped", session.get("/end"));

@@ -80,7 +80,6 @@ final class SessionScene {
     if (toolReport.isPresent()) {
       report
           .put("max_torque_nmm", measured.maxTorqueNewtonMm())
-          .put("friction", 0.0) // a rigid tool feels none yet
           .put("solver", ToolReport.SOLVER)
           .put("collision", ToolReport.COLLISION)
           .put("tool", toolReport.get().tool(measured.mostReducedPoints()))

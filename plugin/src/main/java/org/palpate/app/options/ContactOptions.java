@@ -87,7 +87,8 @@ public final class ContactOptions {
       paramLabel = "FORM",
       description = {
         "Friction model: equation4 (the paper's), shorter (its shorter form, for"
-            + " comparison) or cone (static and sliding). Default: ${DEFAULT-VALUE}."
+            + " comparison) or cone (static and sliding). Default: ${DEFAULT-VALUE}. A rigid tool"
+            + " always has cones."
       },
       defaultValue = "equation4")
   private String frictionForm;

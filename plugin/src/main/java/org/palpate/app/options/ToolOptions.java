@@ -18,7 +18,7 @@ import picocli.CommandLine.ParseResult;
 /** The options that choose the tool and its clearance. */
 public final class ToolOptions {
   private static final List<String> OF_POINTS =
-      List.of("--solver", "--collision", "--border", "--friction", "--friction-form", "--material");
+      List.of("--solver", "--collision", "--border", "--friction-form");
 
   private static final List<String> OF_RIGID_TOOLS =
       List.of("--rotational-stiffness", "--mass", "--legs-every", "--legs-frames");

@@ -1,0 +1,170 @@
+package org.palpate.force;
+
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+import org.palpate.rigid.CouplingRateLimit;
+import org.palpate.rigid.RigidCoupling;
+import org.palpate.rigid.ToolContacts;
+import org.palpate.rigid.ToolMotion;
+import org.palpate.rigid.tool.RigidTool;
+
+/**
+ * Computes force and torque on the hand that holds a rigid tool: virtual coupling, damping and
+ * friction.
+ *
+ * <p>Stiffness, friction and damping are those of the body that carries most of the pressing force,
+ * see {@link MaterialTransition}. Damping acts along the coupling force and, times the squared rms
+ * radius of the tool, along the coupling torque. Friction acts at the contacts, see {@link
+ * ToolFriction}. Haptic thread; allocates nothing.
+ */
+public final class ToolForce {
+  /**
+   * The least change of what the coupling feels in a frame, in shortest voxel edges, so that a jump
+   * of the tool reaches a hand at rest too.
+   */
+  private static final double LEAST_CHANGE_EDGES = 0.05;
+
+  private static final GridMetric WORLD = new GridMetric(1, 1, 1);
+
+  private final RigidCoupling coupling;
+  private final double squaredRadiusMm2;
+  private final CouplingRateLimit rateLimit;
+  private final MaterialTransition material;
+  private final ContactDamping damping = new ContactDamping(WORLD);
+  private final ContactDamping spinDamping = new ContactDamping(WORLD);
+  private final ToolFriction friction;
+  private final Pose lastDevice = new Pose();
+  private final Vec3 motion = new Vec3();
+  private final Vec3 turn = new Vec3();
+  private final Vec3 turned = new Vec3();
+  private final Vec3 dampingForce = new Vec3();
+  private final Vec3 dampingTorque = new Vec3();
+  private final Quaternion scratch = new Quaternion();
+  private ForceSettings settings;
+  private boolean pressed;
+  private boolean known;
+  private long frictionSkipped;
+
+  /**
+   * Makes the force of a session.
+   *
+   * @param shortestEdgeMm the shortest voxel edge of the scene, mm
+   * @param coupling has the stiffness of the general material of {@code settings}
+   */
+  public ToolForce(
+      RigidTool tool, double shortestEdgeMm, RigidCoupling coupling, ForceSettings settings) {
+    this.coupling = coupling;
+    this.settings = settings;
+    squaredRadiusMm2 = tool.rmsRadiusMm() * tool.rmsRadiusMm();
+    rateLimit = new CouplingRateLimit(tool, LEAST_CHANGE_EDGES * shortestEdgeMm);
+    material = new MaterialTransition(shortestEdgeMm, settings.general());
+    friction = new ToolFriction(tool, shortestEdgeMm);
+  }
+
+  /** Changes materials and friction from the next frame on. */
+  public void change(ForceSettings newSettings) {
+    settings = newSettings;
+  }
+
+  /** Forgets what the hand feels, after the tool was placed anew. */
+  public void reset() {
+    rateLimit.reset();
+    friction.reset();
+    pressed = false;
+  }
+
+  /** Returns the number of frames that skipped friction because it is zero. */
+  public long frictionSkipped() {
+    return frictionSkipped;
+  }
+
+  /**
+   * Computes force and torque of a frame, without the limits of the device.
+   *
+   * @param tool the tool's motion in this frame
+   * @param device the device pose, with a quaternion of norm 1
+   * @param elapsedNanos time since the last computed frame; 0 keeps the last speed for damping
+   * @param forceNewton written, N, world axes
+   * @param torqueNewtonMm written, N mm about the reference point, world axes
+   */
+  public void compute(
+      ToolMotion tool, Pose device, long elapsedNanos, Vec3 forceNewton, Vec3 torqueNewtonMm) {
+    measureMotion(device);
+    rateLimit.limit(tool.pose(), device, forceNewton, torqueNewtonMm);
+    updateMaterial(tool, forceNewton.length());
+    double general = coupling.stiffnessNewtonPerMm();
+    double factor = general > 0 ? material.stiffnessNewtonPerMm() / general : 1;
+    coupling.scale(forceNewton, torqueNewtonMm);
+    forceNewton.mul(factor, forceNewton);
+    torqueNewtonMm.mul(factor, torqueNewtonMm);
+    computeDamping(device, elapsedNanos, forceNewton, torqueNewtonMm);
+    if (settings.skipsFriction() && material.staticFriction() == 0) {
+      frictionSkipped++;
+      friction.reset();
+    } else {
+      friction.add(
+          tool.contacts(),
+          tool.pathPose(0),
+          tool.pose(),
+          device,
+          material,
+          forceNewton,
+          torqueNewtonMm);
+    }
+    forceNewton.add(dampingForce, forceNewton);
+    torqueNewtonMm.add(dampingTorque, torqueNewtonMm);
+  }
+
+  private void measureMotion(Pose device) {
+    motion.set(0, 0, 0);
+    turn.set(0, 0, 0);
+    if (known) {
+      lastDevice.differenceTo(device, motion, turn, scratch);
+    }
+    turned.add(turn, turned);
+    lastDevice.set(device);
+    known = true;
+  }
+
+  /** Takes the touched body's material: at once if contact begins, else by a transition. */
+  private void updateMaterial(ToolMotion tool, double stretchMm) {
+    ToolContacts contacts = tool.contacts();
+    if (!settings.distinguishesObjects()) {
+      material.set(settings.general());
+    } else if (contacts.count() > 0) {
+      Material touched = settings.material(mostPressed(contacts));
+      if (pressed) {
+        double motionMm = Math.sqrt(motion.dot(motion) + squaredRadiusMm2 * turn.dot(turn));
+        material.approach(touched, stretchMm, motionMm);
+      } else {
+        material.set(touched);
+      }
+    }
+    pressed = stretchMm > 0 && tool.contact();
+  }
+
+  /** Returns the body that carries the largest share. */
+  private static int mostPressed(ToolContacts contacts) {
+    int most = 0;
+    for (int n = 1; n < contacts.count(); n++) {
+      most = contacts.share(n) > contacts.share(most) ? n : most;
+    }
+    return contacts.body(most);
+  }
+
+  private void computeDamping(Pose device, long elapsedNanos, Vec3 force, Vec3 torque) {
+    damping.update(device.translation, elapsedNanos);
+    spinDamping.update(turned, elapsedNanos);
+    double newtonSecondPerMm = material.dampingNewtonSecondPerMm();
+    writeAlong(force, damping.newton(force, newtonSecondPerMm), dampingForce);
+    double newtonMm = spinDamping.newton(torque, squaredRadiusMm2 * newtonSecondPerMm);
+    writeAlong(torque, newtonMm, dampingTorque);
+  }
+
+  private static void writeAlong(Vec3 direction, double length, Vec3 dest) {
+    double whole = direction.length();
+    direction.mul(whole > 0 ? length / whole : 0, dest);
+  }
+}

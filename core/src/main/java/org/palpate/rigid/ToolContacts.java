@@ -1,0 +1,72 @@
+package org.palpate.rigid;
+
+import org.palpate.geometry.Vec3;
+
+/**
+ * The contacts that carry a tool: those whose constraints held it back in the last frame that was
+ * solved. Written by the solver, in the haptic thread.
+ */
+public final class ToolContacts {
+  /** The most contacts that can be active together: one for each unknown of the problem. */
+  public static final int MOST = 7;
+
+  final int[] body = new int[MOST];
+  final int[] point = new int[MOST];
+  final double[] share = new double[MOST];
+  final double[] normalX = new double[MOST];
+  final double[] normalY = new double[MOST];
+  final double[] normalZ = new double[MOST];
+  int count;
+
+  /** Returns the number of contacts. */
+  public int count() {
+    return count;
+  }
+
+  /** Returns the index of the touched body in its scene. */
+  public int body(int contact) {
+    return body[contact];
+  }
+
+  /** Returns the index of the sample point. */
+  public int point(int contact) {
+    return point[contact];
+  }
+
+  /** Returns the part of the pressing force that the contact carries; all parts add up to 1. */
+  public double share(int contact) {
+    return share[contact];
+  }
+
+  /** Writes the normal of the surface, unit, world axes, out of the body. */
+  public Vec3 normal(int contact, Vec3 dest) {
+    return dest.set(normalX[contact], normalY[contact], normalZ[contact]);
+  }
+
+  void clear() {
+    count = 0;
+  }
+
+  /** Adds a contact whose share is still the multiplier of its constraint. */
+  void add(int ofBody, int ofPoint, Vec3 normal, double multiplier) {
+    if (count < MOST) {
+      body[count] = ofBody;
+      point[count] = ofPoint;
+      normalX[count] = normal.x;
+      normalY[count] = normal.y;
+      normalZ[count] = normal.z;
+      share[count++] = multiplier;
+    }
+  }
+
+  /** Turns multipliers into shares. */
+  void normalizeShares() {
+    double sum = 0;
+    for (int n = 0; n < count; n++) {
+      sum += share[n];
+    }
+    for (int n = 0; n < count; n++) {
+      share[n] = sum > 0 ? share[n] / sum : 1.0 / count;
+    }
+  }
+}

@@ -1,0 +1,200 @@
+package org.palpate.force;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.rigid.RigidCoupling;
+import org.palpate.rigid.RigidSettings;
+import org.palpate.rigid.RigidSolver;
+import org.palpate.rigid.ToolContacts;
+import org.palpate.rigid.ToolMotion;
+import org.palpate.rigid.tool.BoxShape;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.testing.Floor;
+import org.palpate.testing.Seeds;
+
+/** A plate that lies on a floor, held with a stiffness of 0.5 N/mm. */
+class ToolForceTest {
+  private static final double STIFFNESS = 0.5;
+  private static final double MU = 0.4;
+  private static final double SLIDING = 0.3;
+  private static final long MS = 1_000_000;
+
+  private final Body floor = new Body("floor", Floor.bits(), Floor.GRID, Mobility.FIXED);
+  private final BodyScene bodies = new BodyScene(List.of(floor));
+  private final RigidTool plate = ToolSampler.ofShape(new BoxShape(8, 8, 2), 0.7);
+  private final ToolMotion motion = new ToolMotion();
+  private final Pose device = new Pose();
+  private final Vec3 force = new Vec3();
+  private final Vec3 torque = new Vec3();
+  private RigidSolver solver;
+  private ToolForce toolForce;
+
+  private void hold(double friction, double sliding, double damping) {
+    Material general = new Material(STIFFNESS, friction, sliding, damping);
+    hold(new ForceSettings(general, FrictionForm.CONE, true, List.of()));
+  }
+
+  /** Presses the plate onto the floor and lets it settle. */
+  private void hold(ForceSettings settings) {
+    solver = new RigidSolver(bodies, plate, RigidSettings.ofWholeBodies(8, bodies, plate));
+    toolForce = new ToolForce(plate, 1, RigidCoupling.of(plate, STIFFNESS), settings);
+    device.setIdentity();
+    device.translation.set(16, 16, 14);
+    solver.place(device, motion);
+    while (device.translation.z > 7) {
+      device.translation.z -= 0.1;
+      frame(MS);
+    }
+    for (int n = 0; n < 60; n++) {
+      frame(MS);
+    }
+  }
+
+  private void frame(long elapsedNanos) {
+    solver.follow(device, motion);
+    toolForce.compute(motion, device, elapsedNanos, force, torque);
+  }
+
+  @Test
+  void theContactsOfAPressedPlateShareTheForceAndPointUp() {
+    hold(MU, SLIDING, 0);
+    ToolContacts contacts = motion.contacts();
+    assertTrue(contacts.count() > 0 && contacts.count() <= ToolContacts.MOST);
+    double sum = 0;
+    for (int n = 0; n < contacts.count(); n++) {
+      sum += contacts.share(n);
+      assertEquals(0, contacts.body(n));
+      assertTrue(contacts.normal(n, new Vec3()).z > 0.99);
+      assertEquals(-1, plate.z(contacts.point(n)), 1e-9);
+    }
+    assertEquals(1, sum, 1e-12);
+    device.translation.z = 14;
+    frame(MS);
+    frame(MS);
+    assertEquals(0, motion.contacts().count());
+  }
+
+  @Test
+  void aDraggedPlateSticksInsideTheConeAndSlidesAlongTheNarrowerOneBeyond() {
+    hold(MU, SLIDING, 0);
+    double pressing = force.z;
+    assertTrue(pressing > 0.5, "pressing " + pressing);
+    assertEquals(0, Math.hypot(force.x, force.y), 1e-6);
+    for (int n = 0; n < 10; n++) {
+      device.translation.x += 0.02;
+      frame(MS);
+    }
+    assertEquals(-STIFFNESS * 0.2, force.x, 0.02);
+    for (int n = 0; n < 200; n++) {
+      device.translation.x += 0.02;
+      frame(MS);
+    }
+    assertEquals(-SLIDING * force.z, force.x, 0.01 * force.z);
+    for (int n = 0; n < 3; n++) {
+      frame(MS);
+    }
+    double held = force.x;
+    device.translation.x -= 0.01;
+    frame(MS);
+    assertTrue(held < -0.1 && force.x > -1e-3, "a hand that turns back is let go: " + force);
+  }
+
+  @Test
+  void aTwistOfAPressedPlateIsResistedAboutTheNormal() {
+    hold(0, 0, 0);
+    assertEquals(0, twisted(), 1e-6);
+    hold(MU, SLIDING, 0);
+    double resisting = twisted();
+    double most = SLIDING * force.z * Math.hypot(4, 4);
+    assertTrue(resisting < -0.2 && resisting > -1.1 * most, resisting + " of " + most);
+  }
+
+  private double twisted() {
+    for (int n = 1; n <= 100; n++) {
+      device.rotation.setRotationVector(new Vec3(0, 0, 0.002 * n));
+      frame(MS);
+    }
+    return torque.z;
+  }
+
+  @Test
+  void frictionNeverPushesTheHandOn() {
+    SplittableRandom random = new SplittableRandom(Seeds.seed());
+    hold(MU, SLIDING, 0);
+    RigidCoupling coupling = RigidCoupling.of(plate, STIFFNESS);
+    Vec3 plain = new Vec3();
+    Vec3 plainTorque = new Vec3();
+    Vec3 moved = new Vec3();
+    double most = Double.NEGATIVE_INFINITY;
+    double least = 0;
+    for (int n = 0; n < 3000; n++) {
+      moved.set(random.nextDouble(-0.04, 0.04), random.nextDouble(-0.04, 0.04), 0);
+      device.translation.add(moved, device.translation);
+      frame(MS);
+      coupling.compute(motion.pose(), device, plain, plainTorque);
+      double power = force.sub(plain, plain).dot(moved);
+      most = Math.max(most, power);
+      least = Math.min(least, power);
+    }
+    assertTrue(most < 1e-3 && least < -1e-3, "from " + least + " to " + most);
+  }
+
+  @Test
+  void withoutFrictionAndDampingTheForceIsTheCouplingToTheBit() {
+    hold(0, 0, 0);
+    Vec3 plain = new Vec3();
+    Vec3 plainTorque = new Vec3();
+    RigidCoupling.of(plate, STIFFNESS).compute(motion.pose(), device, plain, plainTorque);
+    assertTrue(force.sameBits(plain) && torque.sameBits(plainTorque));
+    assertTrue(toolForce.frictionSkipped() > 100);
+  }
+
+  @Test
+  void dampingOpposesTheHandAndIsNeverLongerThanTheCoupling() {
+    hold(0, 0, 0);
+    double resting = force.z;
+    hold(0, 0, 0.005);
+    assertEquals(resting, force.z, 1e-6);
+    double inward = moving(-0.02);
+    double still = moving(0);
+    double outward = moving(0.02);
+    assertTrue(inward > still + 0.03 && outward < still - 0.03, inward + " " + outward);
+    hold(0, 0, 1000);
+    double pressed = moving(-0.02);
+    double stretch = motion.pose().translation.z - device.translation.z;
+    assertEquals(2 * STIFFNESS * stretch, pressed, 1e-9);
+    assertEquals(0, moving(0.02), 1e-9);
+  }
+
+  private double moving(double mmPerMs) {
+    for (int n = 0; n < 20; n++) {
+      device.translation.z += mmPerMs;
+      frame(MS);
+    }
+    return force.z;
+  }
+
+  @Test
+  void theTouchedBodyGivesStiffnessAndFriction() {
+    Material general = new Material(STIFFNESS, 0, 0, 0);
+    Material floorAlone = new Material(2 * STIFFNESS, MU, SLIDING, 0);
+    hold(new ForceSettings(general, FrictionForm.CONE, true, List.of(floorAlone)));
+    double stretch = motion.pose().translation.z - device.translation.z;
+    assertEquals(2 * STIFFNESS * stretch, force.z, 1e-9);
+    for (int n = 0; n < 100; n++) {
+      device.translation.x += 0.02;
+      frame(MS);
+    }
+    assertTrue(force.x < -0.25 * force.z, "force " + force);
+  }
+}
