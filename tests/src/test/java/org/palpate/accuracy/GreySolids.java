@@ -1,14 +1,20 @@
 package org.palpate.accuracy;
 
 import java.util.SplittableRandom;
+import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.ScalarVolume.Storage;
+import org.palpate.volume.VoxelGrid;
+import org.palpate.volume.phantom.AnalyticSurface;
 import org.palpate.volume.phantom.Phantom;
 import org.palpate.volume.phantom.PhantomSlices;
 
 /** Grey values of a phantom with noise, and the bits above half of the full value. */
 final class GreySolids {
+  /** The samples of a voxel along each axis. */
+  private static final int SAMPLES = 8;
+
   final ScalarVolume volume;
   final BitCube bits;
 
@@ -27,6 +33,49 @@ final class GreySolids {
         store(n % edge, n / edge, k, value);
       }
     }
+  }
+
+  /**
+   * Samples an analytic surface: the value of a voxel is the solid fraction of its volume.
+   *
+   * @param edgeMm the edge of the cube that the voxels fill
+   */
+  GreySolids(AnalyticSurface truth, double edgeMm, Vec3 spacingMm) {
+    int sizeX = (int) (edgeMm / spacingMm.x);
+    int sizeY = (int) (edgeMm / spacingMm.y);
+    int sizeZ = (int) (edgeMm / spacingMm.z);
+    volume = ScalarVolume.of(VoxelGrid.ofUnitVoxels(sizeX, sizeY, sizeZ), Storage.INT16);
+    bits = new BitCube(sizeX, sizeY, sizeZ);
+    Vec3 corner = new Vec3();
+    for (int k = 0; k < sizeZ; k++) {
+      for (int j = 0; j < sizeY; j++) {
+        for (int i = 0; i < sizeX; i++) {
+          corner.set(i * spacingMm.x, j * spacingMm.y, k * spacingMm.z);
+          double solid = solidFraction(truth, corner, spacingMm);
+          store(i, j, k, Math.rint(Phantom.SOLID_GREY * solid));
+        }
+      }
+    }
+  }
+
+  private static double solidFraction(AnalyticSurface truth, Vec3 corner, Vec3 spacingMm) {
+    Vec3 at = spacingMm.mul(0.5, new Vec3());
+    at.add(corner, at);
+    double height = truth.signedDistance(at);
+    if (Math.abs(height) > spacingMm.length() / 2) {
+      return height < 0 ? 1 : 0;
+    }
+    int solid = 0;
+    for (int n = 0; n < SAMPLES * SAMPLES * SAMPLES; n++) {
+      int slice = n / (SAMPLES * SAMPLES);
+      int row = n / SAMPLES % SAMPLES;
+      at.set(
+          corner.x + (n % SAMPLES + 0.5) / SAMPLES * spacingMm.x,
+          corner.y + (row + 0.5) / SAMPLES * spacingMm.y,
+          corner.z + (slice + 0.5) / SAMPLES * spacingMm.z);
+      solid += truth.signedDistance(at) < 0 ? 1 : 0;
+    }
+    return solid / (double) (SAMPLES * SAMPLES * SAMPLES);
   }
 
   private static double noisy(double value, double noise, SplittableRandom random) {

@@ -66,11 +66,6 @@ final class BinaryWindow {
   /** Whether all empty voxels are known to be connected, so that the seed does not matter. */
   private boolean connected;
 
-  /** Creates a window on the voxels of a scene. */
-  BinaryWindow() {
-    this(ThinGrid.WHOLE, BrickSource.VOXELS);
-  }
-
   /**
    * Creates a window on the cells of a grid.
    *

@@ -32,7 +32,11 @@ final class GreyCoefficientSource implements CoefficientSource {
 
   private final SmoothingKernel kernel;
   private final GreyOccupancyCache cache;
-  private final BinaryWindow window = new BinaryWindow();
+  private final BinaryWindow window;
+
+  /** Null if cells are voxels. */
+  private final ThinOccupancies thin;
+
   private final double scale;
 
   /** The occupancies of the window, a row in a word, y fastest. */
@@ -44,9 +48,18 @@ final class GreyCoefficientSource implements CoefficientSource {
   /** The same for the odd voxels. */
   private final long[] odd = new long[3 * EDGE];
 
-  GreyCoefficientSource(SmoothingKernel kernel, GreyIsosurfaceSource grey) {
+  /**
+   * Creates a source over the cells of a grid.
+   *
+   * @param kernel the smoothing of these cells
+   * @param window the bits of these cells
+   */
+  GreyCoefficientSource(
+      SmoothingKernel kernel, ThinGrid grid, BinaryWindow window, GreyIsosurfaceSource grey) {
     this.kernel = kernel;
+    this.window = window;
     cache = new GreyOccupancyCache(grey);
+    thin = grid.isWhole() ? null : new ThinOccupancies(grid, cache);
     scale = kernel.scale() / GreyOccupancyCache.WHOLE;
   }
 
@@ -58,7 +71,11 @@ final class GreyCoefficientSource implements CoefficientSource {
       return false;
     }
     window.floodFrom(seed);
-    cache.read(scene, x - TO_MIDDLE, y - TO_MIDDLE, z - TO_MIDDLE, rows);
+    if (thin == null) {
+      cache.read(scene, x - TO_MIDDLE, y - TO_MIDDLE, z - TO_MIDDLE, rows);
+    } else {
+      thin.read(scene, x - TO_MIDDLE, y - TO_MIDDLE, z - TO_MIDDLE, rows);
+    }
     if (window.anyUnreached()) {
       fillUnreached();
     }

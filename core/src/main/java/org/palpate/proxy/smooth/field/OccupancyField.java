@@ -71,10 +71,8 @@ public final class OccupancyField {
   public static OccupancyField ofBits(GridMetric metric) {
     Vec3 edges = edges(metric);
     ThinGrid grid = ThinGrid.of(edges);
-    BrickSource bricks = grid.isWhole() ? BrickSource.VOXELS : new ThinSlices(grid);
     SmoothingKernel kernel = SmoothingKernel.forBits(grid.cellEdges(edges));
-    BinaryWindow window = new BinaryWindow(grid, bricks);
-    return new OccupancyField(new BinaryCoefficientSource(kernel, window), grid, edges);
+    return new OccupancyField(new BinaryCoefficientSource(kernel, window(grid)), grid, edges);
   }
 
   /**
@@ -84,8 +82,15 @@ public final class OccupancyField {
    */
   public static OccupancyField ofGrey(GridMetric metric, GreyIsosurfaceSource grey) {
     Vec3 edges = edges(metric);
-    SmoothingKernel kernel = SmoothingKernel.forGrey(edges);
-    return new OccupancyField(new GreyCoefficientSource(kernel, grey), ThinGrid.WHOLE, edges);
+    ThinGrid cut = ThinGrid.of(edges);
+    ThinGrid grid = cut.perVoxel() < ThinOccupancies.MIN_PER_VOXEL ? ThinGrid.WHOLE : cut;
+    SmoothingKernel kernel = SmoothingKernel.forGrey(grid.cellEdges(edges));
+    CoefficientSource source = new GreyCoefficientSource(kernel, grid, window(grid), grey);
+    return new OccupancyField(source, grid, edges);
+  }
+
+  private static BinaryWindow window(ThinGrid grid) {
+    return new BinaryWindow(grid, grid.isWhole() ? BrickSource.VOXELS : new ThinSlices(grid));
   }
 
   /** Returns the edges of a voxel, in shortest edges. */

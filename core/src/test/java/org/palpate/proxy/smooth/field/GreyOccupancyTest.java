@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.collision.CollisionScene;
@@ -42,7 +43,7 @@ class GreyOccupancyTest {
   @EnumSource
   void longerVoxelsGetNarrowerBoxes(Storage storage) {
     ScalarVolume volume = volume(storage, 0.05);
-    compare(volume, new GridMetric(2, 1, 1), new int[][] {{2, 1}, ISOTROPIC, ISOTROPIC});
+    compare(volume, new GridMetric(2, 1, 2), new int[][] {{2, 1}, ISOTROPIC, {2, 1}});
   }
 
   @ParameterizedTest
@@ -65,6 +66,70 @@ class GreyOccupancyTest {
         used.forget();
       }
     }
+  }
+
+  @Test
+  void voxelsThatAreLongAlongOneAxisAreCutIntoThinSlices() {
+    ScalarVolume volume = volume(Storage.INT16, 0.02);
+    for (double ratio : new double[] {1.6, 2, 3, 3.7, 5, 10}) {
+      for (int axis = 0; axis < 3; axis++) {
+        Vec3 spacing = new Vec3(1, 1, 1);
+        spacing.set(axis, ratio);
+        compareThin(volume, GridMetric.of(spacing));
+      }
+    }
+  }
+
+  private void compareThin(ScalarVolume volume, GridMetric metric) {
+    ThinGrid grid = ThinGrid.of(OccupancyField.edges(metric));
+    int reach = 4 * Math.min(7, (int) Math.ceil(2 * grid.perVoxel()));
+    NaiveThinSlices slices = new NaiveThinSlices(scene, grid.axis(), grid.perVoxel(), reach);
+    int[][] boxes = {ISOTROPIC, ISOTROPIC, ISOTROPIC};
+    NaiveOccupancyField naive =
+        new NaiveOccupancyField(
+            slices::isSolid, boxes, (x, y, z, isSolid) -> thin(volume, grid, x, y, z));
+    OccupancyField field = field(volume, metric);
+    for (int n = 0; n < 12; n++) {
+      Vec3 at = new Vec3(coordinate(), coordinate(), coordinate());
+      Vec3 inCells = new Vec3().set(at);
+      inCells.set(grid.axis(), grid.perVoxel() * at.get(grid.axis()));
+      assertEquals(
+          naive.occupancy(inCells, NaiveThinSlices.seeds(at, grid)),
+          field.evaluate(cell(at), at).occupancy(),
+          1e-3, // cells are rounded to 1/255
+          "seed=" + SEED + " " + grid + " at " + at);
+    }
+  }
+
+  /**
+   * Returns the occupancy of a cell by definition: of the parts of one or two voxels, each solid
+   * from the side of its more solid neighbour, as far as the neighbours differ, and else evenly.
+   */
+  private double thin(ScalarVolume volume, ThinGrid grid, int x, int y, int z) {
+    int[] cell = {x, y, z};
+    double low = cell[grid.axis()] / grid.perVoxel();
+    double high = (cell[grid.axis()] + 1) / grid.perVoxel();
+    double sum = 0;
+    for (int k = (int) Math.floor(low); k < high; k++) {
+      double before = occupancyAlong(volume, grid, cell, k - 1);
+      double whole = occupancyAlong(volume, grid, cell, k);
+      double behind = occupancyAlong(volume, grid, cell, k + 1);
+      double from = Math.max(low, k);
+      double to = Math.min(high, k + 1);
+      double solidFrom = before > behind ? k : k + 1 - whole;
+      double solidTo = before > behind ? k + whole : k + 1;
+      double solid = Math.max(0, Math.min(to, solidTo) - Math.max(from, solidFrom));
+      double directed = Math.abs(before - behind);
+      sum += directed * solid + (1 - directed) * whole * Math.max(0, to - from);
+    }
+    return sum * grid.perVoxel();
+  }
+
+  private double occupancyAlong(ScalarVolume volume, ThinGrid grid, int[] cell, int k) {
+    int[] voxel = cell.clone();
+    voxel[grid.axis()] = k;
+    boolean isSolid = scene.isSolid(voxel[0], voxel[1], voxel[2]);
+    return occupancy(volume, voxel[0], voxel[1], voxel[2], isSolid);
   }
 
   /** Moves by one or a few voxels along some axes, and now and then far away. */

@@ -1,6 +1,9 @@
 package org.palpate.proxy.smooth.field;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.Vec3;
 
 /**
  * Shape-based interpolation between slices written down as its definition says: a test oracle.
@@ -31,6 +34,26 @@ final class NaiveThinSlices {
       case 1 -> isSolidCell(x, z, y);
       default -> isSolidCell(x, y, z);
     };
+  }
+
+  /**
+   * Returns the cells that may be seeds for a voxel, given its middle: the one that holds the
+   * middle, the next, the one before, and so on.
+   */
+  static int[][] seeds(Vec3 middle, ThinGrid grid) {
+    List<int[]> seeds = new ArrayList<>();
+    double voxel = Math.floor(middle.get(grid.axis()));
+    int first = (int) Math.floor((voxel + 0.5) * grid.perVoxel());
+    for (int step : new int[] {0, 1, -1, 2, -2, 3, -3}) {
+      int[] cell = {
+        (int) Math.floor(middle.x), (int) Math.floor(middle.y), (int) Math.floor(middle.z)
+      };
+      cell[grid.axis()] = first + step;
+      if (Math.floor((first + step + 0.5) / grid.perVoxel()) == voxel) {
+        seeds.add(cell);
+      }
+    }
+    return seeds.toArray(new int[0][]);
   }
 
   private boolean isSolidVoxel(int u, int v, int slice) {

@@ -3,7 +3,6 @@ package org.palpate.proxy.smooth.field;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -200,28 +199,11 @@ class OccupancyFieldTest {
       Vec3 inCells = new Vec3().set(point);
       inCells.set(grid.axis(), grid.perVoxel() * point.get(grid.axis()));
       assertEquals(
-          naive.occupancy(inCells, seeds(inSeed, grid)),
+          naive.occupancy(inCells, NaiveThinSlices.seeds(inSeed, grid)),
           field.evaluate(cell(inSeed), point).occupancy(),
           1e-12,
           "seed=" + SEED + " " + grid + " at " + point);
     }
-  }
-
-  /** Returns the cells of a voxel with its middle: the one that holds it, the next, the last... */
-  private static int[][] seeds(Vec3 middle, ThinGrid grid) {
-    List<int[]> seeds = new ArrayList<>();
-    double voxel = Math.floor(middle.get(grid.axis()));
-    int first = (int) Math.floor((voxel + 0.5) * grid.perVoxel());
-    for (int step : new int[] {0, 1, -1, 2, -2, 3, -3}) {
-      int[] cell = {
-        (int) Math.floor(middle.x), (int) Math.floor(middle.y), (int) Math.floor(middle.z)
-      };
-      cell[grid.axis()] = first + step;
-      if (Math.floor((first + step + 0.5) / grid.perVoxel()) == voxel) {
-        seeds.add(cell);
-      }
-    }
-    return seeds.toArray(new int[0][]);
   }
 
   /** Returns a cell at most three voxels away. */
