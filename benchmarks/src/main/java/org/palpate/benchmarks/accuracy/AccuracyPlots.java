@@ -37,6 +37,7 @@ final class AccuracyPlots {
             .xAxisTitle("processor time per frame, ns")
             .yAxisTitle("angle of the force to the true normal, degrees rms")
             .build();
+    Figures.plain(chart);
     chart.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);
     chart.getStyler().setDefaultSeriesRenderStyle(XYSeriesRenderStyle.Scatter);
     chart.getStyler().setMarkerSize(7);
@@ -52,7 +53,7 @@ final class AccuracyPlots {
   private static void addSolver(XYChart chart, String solver, List<AccuracyRow> rows) {
     double[] nanos = rows.stream().mapToDouble(AccuracyRow::nanosPerFrame).toArray();
     double[] degrees = rows.stream().mapToDouble(row -> row.accuracy().angleRmsDegrees()).toArray();
-    chart.addSeries(solver, nanos, degrees);
+    chart.addSeries(Figures.words(solver), nanos, degrees);
   }
 
   /** Plots the angle of the force for each frame. */
@@ -66,6 +67,7 @@ final class AccuracyPlots {
             .xAxisTitle("distance along the surface, voxels")
             .yAxisTitle("angle of the force to the true normal, degrees")
             .build();
+    Figures.plain(chart);
     anglesBySolver.forEach((solver, angles) -> addSlide(chart, solver, angles));
     Figures.save(chart, file);
   }
@@ -75,6 +77,6 @@ final class AccuracyPlots {
     for (int frame = 0; frame < voxels.length; frame++) {
       voxels[frame] = 0.05 * frame;
     }
-    chart.addSeries(solver, voxels, angles).setMarker(SeriesMarkers.NONE);
+    chart.addSeries(Figures.words(solver), voxels, angles).setMarker(SeriesMarkers.NONE);
   }
 }

@@ -181,6 +181,8 @@ public final class BenchCommand implements Callable<Integer> {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
     Report report = new Report("bench", output.report(), List.of());
+    progress().println("bench takes " + expectedDuration(speeds) + " on two processors");
+    progress().flush();
     try {
       for (SpeedStudy study : speeds) {
         report.put(
@@ -210,6 +212,30 @@ public final class BenchCommand implements Callable<Integer> {
       report.write();
     }
     return 0;
+  }
+
+  /** Returns the sum of the studies' durations as text. */
+  private String expectedDuration(List<SpeedStudy> speeds) {
+    List<StudyDuration> others = new ArrayList<>();
+    addIf(cpp, StudyDuration.CPP, others);
+    addIf(stability, StudyDuration.STABILITY, others);
+    addIf(accuracy, StudyDuration.ACCURACY, others);
+    addIf(rigid, StudyDuration.RIGID, others);
+    addIf(sync, StudyDuration.SYNC, others);
+    addIf(surfaces, StudyDuration.SURFACES, others);
+    double seconds = stress ? StudyDuration.stressSeconds(attackedFrames()) : 0;
+    seconds += speeds.stream().mapToDouble(study -> study.expectedSeconds(quick)).sum();
+    return StudyDuration.text(seconds, others, quick);
+  }
+
+  private static void addIf(boolean wanted, StudyDuration study, List<StudyDuration> dest) {
+    if (wanted) {
+      dest.add(study);
+    }
+  }
+
+  private long attackedFrames() {
+    return frames == null ? DEFAULT_FRAMES : frames;
   }
 
   private PrintWriter out() {
@@ -289,7 +315,7 @@ public final class BenchCommand implements Callable<Integer> {
       return null;
     }
     FRAMES.checkGiven(frames);
-    return new Attack(frames == null ? DEFAULT_FRAMES : frames, seed(), solverUnderAttack());
+    return new Attack(attackedFrames(), seed(), solverUnderAttack());
   }
 
   private long seed() {

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.HdrHistogram.Histogram;
 import org.HdrHistogram.HistogramIterationValue;
@@ -17,6 +16,7 @@ import org.knowm.xchart.style.Styler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import org.palpate.benchmarks.jitter.experiment.Experiment;
 import org.palpate.benchmarks.jitter.experiment.ExperimentTable;
+import org.palpate.benchmarks.jitter.experiment.ExperimentWords;
 import org.palpate.benchmarks.jitter.trace.Cause;
 import org.palpate.benchmarks.jitter.trace.Timeline;
 import org.palpate.benchmarks.report.Figures;
@@ -29,6 +29,9 @@ final class JitterPlots {
   private static final double NANOS_PER_MICRO = 1e3;
   private static final double MIN_MICROS = 0.01; // a logarithmic axis has no zero
   private static final int STEPS_PER_HALVING = 5;
+
+  /** The colour of a cause is that of its number here, in every plot. */
+  private static final List<Cause.Kind> CAUSES = List.of(Cause.Kind.values());
 
   private final Path folder;
 
@@ -66,14 +69,17 @@ final class JitterPlots {
   }
 
   private static XYChart curves(ExperimentTable table, List<ExperimentResult> results) {
-    XYChart chart = chart(CURVES_HEIGHT, table.name(), "one frame in this many", "later than, us");
+    XYChart chart =
+        chart(CURVES_HEIGHT, table.question(), "one frame in this many", "is later than, us");
+    Map<String, String> names =
+        ExperimentWords.differences(results.stream().map(ExperimentResult::experiment).toList());
     chart.getStyler().setXAxisLogarithmic(true);
     chart.getStyler().setLegendPosition(Styler.LegendPosition.OutsideE);
     for (ExperimentResult result : results) {
       List<Double> oneIn = new ArrayList<>();
       List<Double> micros = new ArrayList<>();
       addCurve(result.delays().corrected(), oneIn, micros);
-      XYSeries series = chart.addSeries(result.experiment().key(), oneIn, micros);
+      XYSeries series = chart.addSeries(names.get(result.experiment().key()), oneIn, micros);
       series.setMarker(SeriesMarkers.NONE);
     }
     return chart;
@@ -90,12 +96,14 @@ final class JitterPlots {
   }
 
   private static XYChart timeline(ExperimentResult result) {
-    XYChart chart = chart(TIMELINE_HEIGHT, result.experiment().key(), "s", "force late by, us");
+    String title = ExperimentWords.all(result.experiment());
+    XYChart chart = chart(TIMELINE_HEIGHT, title, "time, s", "force late by, us");
     chart.getStyler().setLegendPosition(Styler.LegendPosition.OutsideE);
     Timeline timeline = result.timeline();
     List<Double> micros =
         timeline.worstMicros().stream().map(value -> Math.max(MIN_MICROS, value)).toList();
-    chart.addSeries("worst", timeline.seconds(), micros).setMarker(SeriesMarkers.NONE);
+    XYSeries worst = chart.addSeries("worst frame of the moment", timeline.seconds(), micros);
+    worst.setMarker(SeriesMarkers.NONE).setLineColor(Color.GRAY).setLineWidth(1);
     Map<Cause.Kind, List<Cause>> byKind = new LinkedHashMap<>();
     result
         .causes()
@@ -114,6 +122,7 @@ final class JitterPlots {
     }
     XYSeries series = chart.addSeries(kind.label(), seconds, micros);
     series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
+    series.setMarker(SeriesMarkers.CIRCLE).setMarkerColor(Figures.colour(CAUSES.indexOf(kind)));
   }
 
   private static XYChart chart(int height, String title, String x, String y) {
@@ -126,10 +135,9 @@ final class JitterPlots {
             .yAxisTitle(y)
             .theme(Styler.ChartTheme.XChart)
             .build();
+    Figures.plain(chart);
     chart.getStyler().setYAxisLogarithmic(true);
-    chart.getStyler().setChartBackgroundColor(Color.WHITE);
     chart.getStyler().setMarkerSize(7);
-    chart.getStyler().setLocale(Locale.ROOT);
     return chart;
   }
 }

@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
 import org.palpate.benchmarks.report.Figures;
@@ -43,7 +44,7 @@ final class SpeedPlots {
             .width(WIDTH)
             .height(HEIGHT)
             .title(title + ": median time")
-            .yAxisTitle(rows.get(0).unit())
+            .yAxisTitle(axisTitle(rows.get(0).unit()))
             .build();
     Figures.plain(chart);
     chart.getStyler().setYAxisLogarithmic(true).setXAxisLabelRotation(30);
@@ -52,17 +53,49 @@ final class SpeedPlots {
     Set<String> conditions = new LinkedHashSet<>();
     Map<String, Map<String, Double>> bySeries = new LinkedHashMap<>();
     for (SpeedRow row : rows) {
-      List<String> values = List.copyOf(row.params().values());
-      String condition = String.join(", ", values.subList(0, values.size() - 1));
+      List<Map.Entry<String, String>> params = List.copyOf(row.params().entrySet());
+      Map.Entry<String, String> last = params.get(params.size() - 1);
+      String condition =
+          params.subList(0, params.size() - 1).stream()
+              .map(param -> words(param.getKey(), param.getValue()))
+              .collect(Collectors.joining(", "));
       conditions.add(condition);
       bySeries
-          .computeIfAbsent(values.get(values.size() - 1), any -> new LinkedHashMap<>())
+          .computeIfAbsent(words(last.getKey(), last.getValue()), any -> new LinkedHashMap<>())
           .put(condition, row.median());
     }
+    addPublished(rows.get(0).group(), conditions, bySeries);
     bySeries.forEach(
         (series, medians) ->
             chart.addSeries(
                 series, List.copyOf(conditions), conditions.stream().map(medians::get).toList()));
     return chart;
+  }
+
+  private static void addPublished(
+      String group, Set<String> conditions, Map<String, Map<String, Double>> bySeries) {
+    Map<String, Double> published = new LinkedHashMap<>();
+    for (String condition : conditions) {
+      PublishedSpeed.nanos(group, condition).ifPresent(nanos -> published.put(condition, nanos));
+    }
+    if (!published.isEmpty()) {
+      bySeries.put(PublishedSpeed.SERIES, published);
+    }
+  }
+
+  private static String axisTitle(String unit) {
+    return unit.equals("ns/op") ? "median time of a frame or call, ns" : "median, " + unit;
+  }
+
+  /** Returns the value of a parameter with its unit or name. */
+  private static String words(String parameter, String value) {
+    return switch (parameter) {
+      case "depth" -> value + " voxels deep";
+      case "speed" -> value + " voxels a frame";
+      case "length" -> value + " voxels long";
+      case "edge" -> value + "^3 voxels";
+      case "points", "threads", "objects" -> value + " " + parameter;
+      default -> Figures.words(value);
+    };
   }
 }

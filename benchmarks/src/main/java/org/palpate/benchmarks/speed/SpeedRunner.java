@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.openjdk.jmh.infra.BenchmarkParams;
 import org.openjdk.jmh.profile.GCProfiler;
@@ -22,6 +23,9 @@ final class SpeedRunner {
   private static final TimeValue QUICK_ITERATION = TimeValue.milliseconds(250);
   private static final TimeValue ITERATION = TimeValue.milliseconds(300);
 
+  /** Start, setup and end of a process, on two processors of an Intel Xeon. */
+  private static final double PROCESS_SECONDS = 1.5;
+
   private final boolean quick;
   private final String data;
   private final Consumer<String> progress;
@@ -37,6 +41,30 @@ final class SpeedRunner {
     this.quick = quick;
     this.data = data;
     this.progress = progress;
+  }
+
+  private static int forks(boolean quick) {
+    return quick ? 1 : 3;
+  }
+
+  private static int warmUps(boolean quick) {
+    return quick ? 2 : 3;
+  }
+
+  private static int measurements(boolean quick) {
+    return quick ? 3 : 5;
+  }
+
+  private static TimeValue iteration(boolean quick) {
+    return quick ? QUICK_ITERATION : ITERATION;
+  }
+
+  /** Returns the time that the processes of these subjects take together, about, s. */
+  static double expectedSeconds(List<Subject> subjects, boolean quick) {
+    int processes = forks(quick) * subjects.stream().mapToInt(Subject::conditions).sum();
+    double iterations = warmUps(quick) + measurements(quick);
+    return processes
+        * (PROCESS_SECONDS + iterations * iteration(quick).convertTo(TimeUnit.MILLISECONDS) / 1e3);
   }
 
   /** Runs all subjects. */
@@ -64,11 +92,11 @@ final class SpeedRunner {
         new OptionsBuilder()
             .include(
                 "^" + subject.type().getName().replace(".", "\\.") + "\\." + subject.method() + "$")
-            .forks(quick ? 1 : 3)
-            .warmupIterations(quick ? 2 : 3)
-            .warmupTime(quick ? QUICK_ITERATION : ITERATION)
-            .measurementIterations(quick ? 3 : 5)
-            .measurementTime(quick ? QUICK_ITERATION : ITERATION)
+            .forks(forks(quick))
+            .warmupIterations(warmUps(quick))
+            .warmupTime(iteration(quick))
+            .measurementIterations(measurements(quick))
+            .measurementTime(iteration(quick))
             .jvmArgs(
                 "-Xmx" + subject.heapMegabytes() + "m",
                 "-XX:+UseParallelGC",

@@ -97,6 +97,11 @@ public enum SpeedStudy {
     return fileName;
   }
 
+  /** Returns the expected duration, s. */
+  public double expectedSeconds(boolean quick) {
+    return SpeedRunner.expectedSeconds(subjects(quick), quick);
+  }
+
   /** Returns the benchmarks with their parameters. */
   abstract List<Subject> subjects(boolean quick);
 

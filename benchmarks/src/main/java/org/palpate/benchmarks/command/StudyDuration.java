@@ -1,0 +1,70 @@
+package org.palpate.benchmarks.command;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/**
+ * The durations of studies of {@code bench} that are not run by JMH, for the line that it prints
+ * first. Measured in November 2026 on two processors of an Intel Xeon that other work had too. A
+ * full study that was never timed has no number.
+ */
+enum StudyDuration {
+  CPP(56, 56),
+  STABILITY(480, 60),
+  ACCURACY(Double.NaN, 42),
+  RIGID(Double.NaN, 120),
+  SYNC(83, 22),
+  SURFACES(38, 38);
+
+  private static final double STRESS_FRAMES_PER_SECOND = 25_000;
+
+  private final double fullSeconds;
+  private final double quickSeconds;
+
+  StudyDuration(double fullSeconds, double quickSeconds) {
+    this.fullSeconds = fullSeconds;
+    this.quickSeconds = quickSeconds;
+  }
+
+  private double seconds(boolean quick) {
+    return quick ? quickSeconds : fullSeconds;
+  }
+
+  /** Returns the duration of an attack, s. */
+  static double stressSeconds(long frames) {
+    return frames / STRESS_FRAMES_PER_SECOND;
+  }
+
+  /**
+   * Returns a duration as text.
+   *
+   * @param otherSeconds what runs besides these studies, s
+   */
+  static String text(double otherSeconds, List<StudyDuration> studies, boolean quick) {
+    double known =
+        studies.stream().mapToDouble(s -> s.seconds(quick)).filter(Double::isFinite).sum();
+    String untimed =
+        studies.stream()
+            .filter(study -> Double.isNaN(study.seconds(quick)))
+            .map(study -> "--" + study.name().toLowerCase(Locale.ROOT))
+            .collect(Collectors.joining(", "));
+    double seconds = otherSeconds + known;
+    if (untimed.isEmpty()) {
+      return "about " + text(seconds);
+    }
+    return (seconds > 0 ? "about " + text(seconds) + ", and " : "")
+        + "a while that was never timed for "
+        + untimed;
+  }
+
+  private static String text(double seconds) {
+    if (seconds < 90) {
+      return Math.max(1, Math.round(seconds)) + " s";
+    }
+    double minutes = seconds / 60;
+    return minutes < 90
+        ? Math.round(minutes) + " min"
+        : String.format(Locale.ROOT, "%.1f h", minutes / 60);
+  }
+}
