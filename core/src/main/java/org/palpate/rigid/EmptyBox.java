@@ -30,7 +30,7 @@ final class EmptyBox {
    * the windows around the point prove.
    */
   static double around(BitCube bits, double x, double y, double z) {
-    if (!isNear(x) || !isNear(y) || !isNear(z)) {
+    if (!isNear(x, y, z)) {
       return 0;
     }
     int i = (int) Math.floor(x + 0.5) - 2;
@@ -65,7 +65,7 @@ final class EmptyBox {
   /** Whether the bounding box of a segment is short and touches no closed solid voxel. */
   static boolean holds(
       BitCube bits, double x0, double y0, double z0, double x1, double y1, double z1) {
-    if (!isNear(x0) || !isNear(y0) || !isNear(z0)) {
+    if (!isNear(x0, y0, z0) || !isNear(x1, y1, z1)) {
       return false;
     }
     int i = lowest(x0, x1);
@@ -80,8 +80,8 @@ final class EmptyBox {
         && (bits.window(i, j, k) & COLUMNS[sizeX + 1] & ROWS[sizeY + 1] & LAYERS[sizeZ + 1]) == 0;
   }
 
-  private static boolean isNear(double v) {
-    return Math.abs(v) < LARGEST;
+  private static boolean isNear(double x, double y, double z) {
+    return Math.abs(x) < LARGEST && Math.abs(y) < LARGEST && Math.abs(z) < LARGEST;
   }
 
   private static int lowest(double a, double b) {
