@@ -4,10 +4,14 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.ServiceLoader;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.palpate.app.command.DevicesCommand;
 import org.palpate.app.command.InfoCommand;
@@ -27,6 +31,7 @@ import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
@@ -35,6 +40,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
  */
 public final class PalpateCommandLine {
   private static final String DEFAULT_COMMAND = "touch";
+  private static final Pattern CHOICES =
+      Pattern.compile("expected one of \\[(.*)] \\(case-insensitive\\) but was ('.*')");
   private static final Set<String> ROOT_OPTIONS = Set.of("-h", "--help", "-V", "--version");
 
   private final PrintStream err;
@@ -58,6 +65,7 @@ public final class PalpateCommandLine {
         .setErr(new PrintWriter(err, true, StandardCharsets.UTF_8))
         .setAbbreviatedOptionsAllowed(false)
         .setCaseInsensitiveEnumValuesAllowed(true)
+        .registerConverter(Path.class, PalpateCommandLine::path)
         .setParameterExceptionHandler(this::handleWrongUse)
         .setExecutionExceptionHandler(this::handleFailure);
   }
@@ -110,7 +118,28 @@ public final class PalpateCommandLine {
     if (e instanceof MissingParameterException missing && !missing.getMissing().isEmpty()) {
       return "missing " + nameOf(missing.getMissing().get(0));
     }
-    return e.getMessage();
+    return inPlainWords(e.getMessage());
+  }
+
+  /** Returns a message of picocli without the names of Java types and constants. */
+  private static String inPlainWords(String message) {
+    String numbers =
+        message
+            .replaceFirst(" is not a double$", " is not a number")
+            .replaceFirst(" is not an? (int|long)$", " is not a whole number");
+    Matcher choices = CHOICES.matcher(numbers);
+    return choices.replaceFirst(
+        match ->
+            Matcher.quoteReplacement(
+                match.group(2) + " is none of " + match.group(1).toLowerCase(Locale.ROOT)));
+  }
+
+  /** Converts a path; an empty one, as of a shell variable that is not set, means no folder. */
+  private static Path path(String text) {
+    if (text.isBlank()) {
+      throw new TypeConversionException("the path is empty");
+    }
+    return Path.of(text);
   }
 
   private static String nameOf(ArgSpec missing) {

@@ -16,6 +16,7 @@ import org.palpate.io.format.SliceWriter;
 import org.palpate.io.nifti.NiftiHeaderWriter;
 import org.palpate.io.nrrd.NrrdHeaderWriter;
 import org.palpate.io.tiff.ImagejTiffWriter;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeReader;
@@ -80,7 +81,9 @@ public final class VolumeWriter {
       out.write(header);
       writeSamples(volume, type, out);
     }
-    return NiftiHeaderWriter.formatName(volume.header()) + (name.endsWith(".gz") ? ", gzip" : "");
+    return NiftiHeaderWriter.formatName(volume.header())
+        + (name.endsWith(".gz") ? ", gzip" : "")
+        + volume.header().axesTakenAs(CoordinateSystem.RAS);
   }
 
   private static void writeGzip(

@@ -123,6 +123,20 @@ class VolumeWriterTest {
     assertEquals("DICOM segmentation, binary", writtenAsDicom(CoordinateSystem.RAS));
   }
 
+  @Test
+  void aNiftiOfUnnamedAxesIsWrittenWithThatAssumption() throws Exception {
+    assertEquals(
+        "NIfTI-1, gzip; the axes are not named and are taken as RAS",
+        writtenAsNifti(CoordinateSystem.UNKNOWN));
+    assertEquals("NIfTI-1, gzip", writtenAsNifti(CoordinateSystem.LPS));
+  }
+
+  private String writtenAsNifti(CoordinateSystem system) throws Exception {
+    return VolumeWriter.write(
+        new SegmentsAsLabels(Phantom.parse("head:16").segments(), system),
+        folder.resolve("segments.nii.gz"));
+  }
+
   private String writtenAsDicom(CoordinateSystem system) throws Exception {
     return VolumeWriter.write(
         new SegmentsAsLabels(Phantom.parse("head:16").segments(), system),

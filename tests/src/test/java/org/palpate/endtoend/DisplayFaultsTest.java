@@ -55,17 +55,22 @@ class DisplayFaultsTest {
     }
   }
 
+  private ProcessBuilder picture(String display) {
+    return on(display, "render", "--phantom", "sphere:32", "--out", folder.resolve("x.png"));
+  }
+
+  @Test
+  void renderingWithoutADisplaySaysWhichPictureItWrote() throws Exception {
+    XServer.start().close(); // skips the test if there is no Xvfb
+    CommandRun run = CommandRun.waitFor(picture("")).mustSucceed();
+    assertEquals("written: " + folder.resolve("x.png") + ": 1280 x 960 pixels", run.out().strip());
+    assertTrue(Files.size(folder.resolve("x.png")) > 0);
+  }
+
   @Test
   void renderingWithoutOpenGl3IsRefusedInOneLine() throws Exception {
     try (XServer display = XServer.start()) {
-      ProcessBuilder old =
-          on(
-              display.display(),
-              "render",
-              "--phantom",
-              "sphere:32",
-              "--out",
-              folder.resolve("x.png"));
+      ProcessBuilder old = picture(display.display());
       old.environment().put("MESA_GL_VERSION_OVERRIDE", "2.1");
       CommandRun run = CommandRun.waitFor(old);
       assertEquals(1, run.exitCode(), run.err());

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -122,6 +123,30 @@ class WrongUseTest {
   void aMissingOptionIsNamed() {
     String said = CommandRun.of("replay").mustRefuse();
     assertTrue(said.startsWith("palpate: missing --trajectory T.csv: "), said);
+  }
+
+  static Stream<List<String>> valuesThatDoNotFit() {
+    return Stream.of(
+        List.of("touch", "--seconds", "abc", "'abc' is not a number"),
+        List.of("devices", "--seconds", "abc", "'abc' is not a number"),
+        List.of("replay", "--repeat", "1.5", "'1.5' is not a whole number"),
+        List.of("touch", "--axes", "up", "'up' is none of patient, view"),
+        List.of(
+            "render",
+            "--view",
+            "top",
+            "'top' is none of front, back, left, right, head, foot, oblique"),
+        List.of("info", "--volume", "", "the path is empty"),
+        List.of("render", "--out", "", "the path is empty"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("valuesThatDoNotFit")
+  void aValueThatDoesNotFitIsExplainedInPlainWords(List<String> words) {
+    String said = CommandRun.of(words.subList(0, 3).toArray()).mustRefuse();
+    String expected =
+        "palpate: Invalid value for option '" + words.get(1) + "': " + words.get(3) + ": palpate ";
+    assertTrue(said.startsWith(expected), said);
   }
 
   @Test

@@ -420,6 +420,9 @@ public final class RenderCommand implements Callable<Integer> {
     try (AtomicFile file = new AtomicFile(outFile)) {
       ImageIO.write(picture.toImage(), "png", file.stream());
       file.commit();
+      spec.commandLine()
+          .getOut()
+          .println("written: " + outFile + ": " + width + " x " + height + " pixels");
     } catch (IOException e) {
       throw OutputPaths.failed(outFile, e);
     }

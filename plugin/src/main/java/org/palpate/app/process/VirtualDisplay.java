@@ -56,7 +56,8 @@ public final class VirtualDisplay {
               "+extension",
               "GLX",
               "-nolisten",
-              "tcp")
+              "tcp",
+              "-noreset") // without it, the server resets when its last client leaves
           .redirectError(ProcessBuilder.Redirect.DISCARD)
           .start();
     } catch (IOException e) {

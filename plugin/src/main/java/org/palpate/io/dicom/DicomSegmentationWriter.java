@@ -68,9 +68,7 @@ public final class DicomSegmentationWriter {
       throw refusal(volume, "the segments are too large for one DICOM file", "name the file .nrrd");
     }
     new DicomSegmentationWriter(volume, frames).write(out);
-    boolean unknown = volume.header().coordinateSystem() == CoordinateSystem.UNKNOWN;
-    return "DICOM segmentation, binary"
-        + (unknown ? "; the axes are not named and are taken as LPS" : "");
+    return "DICOM segmentation, binary" + volume.header().axesTakenAs(CoordinateSystem.LPS);
   }
 
   private static VolumeFormatException refusal(VolumeReader volume, String what, String remedy) {

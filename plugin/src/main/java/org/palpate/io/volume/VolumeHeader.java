@@ -36,6 +36,16 @@ public record VolumeHeader(
   }
 
   /**
+   * Returns what a report adds if the axes are not named: that a file which has to name them takes
+   * them as these. Empty if they are named.
+   */
+  public String axesTakenAs(CoordinateSystem system) {
+    return coordinateSystem == CoordinateSystem.UNKNOWN
+        ? "; the axes are not named and are taken as " + system
+        : "";
+  }
+
+  /**
    * The values that the stored type allows after slope and intercept: bounds, not the extremes
    * found in the file.
    *
