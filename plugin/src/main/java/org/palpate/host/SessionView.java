@@ -339,6 +339,9 @@ public final class SessionView implements AutoCloseable {
   private void windowEnded(SceneWindow.End end) {
     if (end == SceneWindow.End.CLOSED_BY_USER) {
       listener.stop();
+    } else if (device instanceof MouseDevice mouse) {
+      print("the window failed (" + reason() + "), and the mouse is lost with it");
+      mouse.close();
     } else {
       print("the window failed (" + reason() + "); the session goes on without it");
     }

@@ -115,6 +115,23 @@ class DisplayFaultsTest {
     assertTrue(Files.readAllLines(recording).size() > 1, "the recording is complete");
   }
 
+  @Test
+  void aLostDisplayEndsASessionWithTheMouse() throws Exception {
+    Path out = folder.resolve("out.txt");
+    Process process;
+    try (XServer display = XServer.start()) {
+      process =
+          on(display.display(), "touch", "--phantom", "sphere:32", "--device", "mouse")
+              .redirectErrorStream(true)
+              .redirectOutput(out.toFile())
+              .start();
+      await(process, () -> draws(process.pid()));
+    }
+    assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "the process does not end");
+    assertEquals(1, process.exitValue(), Files.readString(out));
+    assertTrue(Files.readString(out).contains("the mouse is lost with it"), Files.readString(out));
+  }
+
   private interface Condition {
     boolean holds() throws IOException;
   }
