@@ -91,7 +91,7 @@ class ArchitectureTest {
                   "proxy.reference",
                   "proxy.smooth",
                   "volume.phantom")),
-          Map.entry("benchmarks.report", List.of("io.file")),
+          Map.entry("benchmarks.report", List.of("io.table")),
           Map.entry(
               "benchmarks.rigid",
               List.of("benchmarks.accuracy", "benchmarks.shell", "benchmarks.stress")),
@@ -107,7 +107,7 @@ class ArchitectureTest {
                   "proxy.reference",
                   "proxy.smooth",
                   "volume.phantom")),
-          Map.entry("benchmarks.stress", List.of("benchmarks.input", "host")),
+          Map.entry("benchmarks.stress", List.of("benchmarks.input", "benchmarks.report", "host")),
           Map.entry(
               "benchmarks.surface",
               List.of("benchmarks.input", "benchmarks.report", "loop", "scene.surface")),

@@ -11,7 +11,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -19,6 +21,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.palpate.benchmarks.jitter.ResultRows;
+import org.palpate.benchmarks.report.StudyTable;
 
 /** Compares the columns and keys of files with the page that explains them. */
 @EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: the keys of realtime are those of Linux")
@@ -28,6 +32,9 @@ class ColumnsTest {
       Path.of(Files.exists(Path.of("docs")) ? "." : "..", "docs", "results", "columns.md");
 
   private static final Pattern KEY = Pattern.compile("`([^`]+)`");
+
+  /** The heading of a section about keys of reports. */
+  private static final Pattern REPORT = Pattern.compile("^## (Every report|Reports of|Times of)");
 
   /** Keys that only a window or a picture has. */
   private static final Set<String> NEED_DISPLAY = Set.of("sync.first_picture_s", "draw_ms");
@@ -50,6 +57,16 @@ class ColumnsTest {
     Path recorded = folder.resolve("recorded.csv");
     CommandRun.of(touch("--record", recorded)).mustSucceed();
     assertEquals(explained("Trajectories"), header(recorded));
+  }
+
+  @Test
+  void everyColumnOfStudiesIsExplained() throws IOException {
+    Map<String, List<String>> columns = new TreeMap<>();
+    for (StudyTable table : StudyTable.values()) {
+      columns.put(table.fileName(), table.columns());
+    }
+    assertEquals(columns, tablesOfBench());
+    assertEquals(ResultRows.columns(), explained("Table of `jitter`"));
   }
 
   @Test
@@ -139,8 +156,8 @@ class ColumnsTest {
     List<String> keys = new ArrayList<>();
     boolean inside = false;
     for (String line : Files.readAllLines(PAGE)) {
-      if (line.startsWith("## ")) {
-        inside = line.equals("## " + section);
+      if (line.startsWith("#")) {
+        inside = line.equals("## " + section) || line.equals("### " + section);
       } else if (inside && line.startsWith("| `")) {
         Matcher names = KEY.matcher(line.substring(0, line.indexOf('|', 1)));
         while (names.find()) {
@@ -151,11 +168,23 @@ class ColumnsTest {
     return keys;
   }
 
+  /** Returns the explained columns of each file that a heading of the third level names. */
+  private static Map<String, List<String>> tablesOfBench() throws IOException {
+    Map<String, List<String>> tables = new TreeMap<>();
+    for (String line : Files.readAllLines(PAGE)) {
+      Matcher files = KEY.matcher(line);
+      while (line.startsWith("### ") && files.find()) {
+        tables.put(files.group(1), explained(line.substring(4)));
+      }
+    }
+    return tables;
+  }
+
   private static Set<String> allKeys() throws IOException {
     Set<String> keys = new TreeSet<>();
     for (String line : Files.readAllLines(PAGE)) {
-      if (line.startsWith("## ") && !line.startsWith("## Frames") && !line.startsWith("## Legs")) {
-        keys.addAll(line.equals("## Trajectories") ? List.of() : explained(line.substring(3)));
+      if (REPORT.matcher(line).find()) {
+        keys.addAll(explained(line.substring(3)));
       }
     }
     return keys;

@@ -1,5 +1,7 @@
 package org.palpate.benchmarks.accuracy;
 
+import java.util.List;
+
 /**
  * The result of one solver on one slide.
  *
@@ -16,4 +18,22 @@ record AccuracyRow(
     double depth,
     double speed,
     Accuracy accuracy,
-    double nanosPerFrame) {}
+    double nanosPerFrame) {
+
+  /** Returns the cells of its row in {@code accuracy.csv}. */
+  List<Object> cells() {
+    return List.of(
+        shape,
+        depth,
+        speed,
+        solver,
+        accuracy.angleRmsDegrees(),
+        accuracy.angleWorstDegrees(),
+        accuracy.heightMeanMm(),
+        accuracy.heightStdMm(),
+        accuracy.lag(),
+        accuracy.forceChange(),
+        (double) accuracy.lostFrames(), // a count, but "0.0" in every earlier table
+        nanosPerFrame);
+  }
+}

@@ -9,8 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.palpate.benchmarks.report.Progress;
-import org.palpate.io.file.AtomicFile;
-import org.palpate.io.file.NumberText;
+import org.palpate.benchmarks.report.StudyTable;
 
 /** Runs the study and writes a table and two plots to a folder. */
 public final class AccuracyRun {
@@ -35,7 +34,7 @@ public final class AccuracyRun {
     AccuracyStudy study = new AccuracyStudy(quick, Progress.to(progress));
     List<AccuracyRow> rows = study.rows();
     print(rows, out);
-    writeTable(folder.resolve("accuracy.csv"), rows);
+    StudyTable.ACCURACY.write(folder, rows, AccuracyRow::cells);
     AccuracyPlots.plotFront(folder.resolve("accuracy-front.png"), rows);
     drawSlide(folder.resolve("accuracy-slide.png"));
     return timesOverBaseline(rows);
@@ -74,40 +73,6 @@ public final class AccuracyRun {
           row.nanosPerFrame());
     }
     out.flush();
-  }
-
-  private static void writeTable(Path file, List<AccuracyRow> rows) throws IOException {
-    StringBuilder text =
-        new StringBuilder(
-            "shape,depth_voxels,speed_voxels,solver,angle_rms_deg,angle_worst_deg,height_mean_mm,"
-                + "height_std_mm,lag,force_change,lost_frames,ns_per_frame\n");
-    for (AccuracyRow row : rows) {
-      appendRow(text, row);
-    }
-    AtomicFile.write(file, text);
-  }
-
-  private static void appendRow(StringBuilder text, AccuracyRow row) {
-    Accuracy a = row.accuracy();
-    text.append(row.shape()).append(',');
-    appendNumbers(text, row.depth(), row.speed());
-    text.append(row.solver()).append(',');
-    appendNumbers(
-        text,
-        a.angleRmsDegrees(),
-        a.angleWorstDegrees(),
-        a.heightMeanMm(),
-        a.heightStdMm(),
-        a.lag(),
-        a.forceChange(),
-        a.lostFrames());
-    text.append(NumberText.text(row.nanosPerFrame())).append('\n');
-  }
-
-  private static void appendNumbers(StringBuilder text, double... values) {
-    for (double value : values) {
-      text.append(NumberText.text(value)).append(',');
-    }
   }
 
   private static void drawSlide(Path file) throws IOException {

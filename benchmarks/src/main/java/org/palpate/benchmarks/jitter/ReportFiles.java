@@ -9,12 +9,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import org.HdrHistogram.Histogram;
 import org.palpate.benchmarks.jitter.experiment.Experiment;
 import org.palpate.benchmarks.jitter.experiment.ExperimentTable;
+import org.palpate.benchmarks.report.TableFile;
 import org.palpate.io.file.AtomicFile;
-import org.palpate.io.file.NumberText;
 import org.palpate.io.table.ReportJson;
 
 /** Writes the results of a run: tables, histograms, pictures and one page. */
@@ -38,29 +37,16 @@ final class ReportFiles {
 
   /** Writes all files and replaces those of an earlier report. */
   void write() throws IOException {
-    writeTable();
+    TableFile.write(
+        folder.resolve("cells.csv"),
+        ResultRows.columns(),
+        run.results().values(),
+        ResultRows::cells);
     writeHistograms();
     writeJson(folder.resolve("jitter.json"));
     Path plots = Files.createDirectories(folder.resolve("plots"));
     new JitterPlots(plots).write(run);
     AtomicFile.write(folder.resolve("index.html"), new HtmlReport(run, machine, plots).page());
-  }
-
-  private void writeTable() throws IOException {
-    StringBuilder text = new StringBuilder();
-    for (ExperimentResult result : run.results().values()) {
-      Map<String, Object> row = ResultRows.flat(result);
-      if (text.length() == 0) {
-        text.append(String.join(",", row.keySet())).append('\n');
-      }
-      text.append(row.values().stream().map(ReportFiles::field).collect(Collectors.joining(",")))
-          .append('\n');
-    }
-    AtomicFile.write(folder.resolve("cells.csv"), text);
-  }
-
-  private static String field(Object value) {
-    return value instanceof Double number ? NumberText.text(number) : value.toString();
   }
 
   private void writeHistograms() throws IOException {

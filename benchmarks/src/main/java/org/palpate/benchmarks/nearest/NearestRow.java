@@ -1,5 +1,7 @@
 package org.palpate.benchmarks.nearest;
 
+import java.util.List;
+
 /**
  * The distance of a solver's resting points beyond the nearest free point.
  *
@@ -11,9 +13,10 @@ package org.palpate.benchmarks.nearest;
  * @param presses the number of presses
  */
 record NearestRow(
-    String shape,
-    double depth,
-    String solver,
-    double meanExcess,
-    double worstExcess,
-    int presses) {}
+    String shape, double depth, String solver, double meanExcess, double worstExcess, int presses) {
+
+  /** Returns the cells of its row in {@code nearest.csv}. */
+  List<Object> cells() {
+    return List.of(shape, depth, solver, meanExcess, worstExcess, presses);
+  }
+}

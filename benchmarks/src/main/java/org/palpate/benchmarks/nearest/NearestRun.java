@@ -14,8 +14,8 @@ import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.palpate.benchmarks.report.Figures;
 import org.palpate.benchmarks.report.Progress;
+import org.palpate.benchmarks.report.StudyTable;
 import org.palpate.io.file.AtomicFile;
-import org.palpate.io.file.NumberText;
 
 /** Runs the study and writes a table and a plot to a folder. */
 public final class NearestRun {
@@ -42,7 +42,7 @@ public final class NearestRun {
         new NearestStudy(quick ? QUICK_PRESSES : PRESSES, SEED, Progress.to(progress));
     List<NearestRow> rows = study.rows();
     print(rows, out);
-    write(folder.resolve("nearest.csv"), rows);
+    StudyTable.NEAREST.write(folder, rows, NearestRow::cells);
     plot(folder.resolve("nearest.png"), rows);
   }
 
@@ -60,19 +60,6 @@ public final class NearestRun {
           row.presses());
     }
     out.flush();
-  }
-
-  private static void write(Path file, List<NearestRow> rows) throws IOException {
-    StringBuilder text =
-        new StringBuilder(
-            "shape,depth_voxels,solver,mean_excess_voxels,worst_excess_voxels,presses\n");
-    for (NearestRow row : rows) {
-      text.append(row.shape()).append(',').append(NumberText.text(row.depth())).append(',');
-      text.append(row.solver()).append(',').append(NumberText.text(row.meanExcess()));
-      text.append(',').append(NumberText.text(row.worstExcess())).append(',');
-      text.append(row.presses()).append('\n');
-    }
-    AtomicFile.write(file, text);
   }
 
   private static void plot(Path file, List<NearestRow> rows) throws IOException {

@@ -1,6 +1,6 @@
 /**
- * Draws charts, prints progress lines and describes the machine for all studies.
+ * Draws charts, writes tables, prints progress lines and describes the machine for all studies.
  *
- * <p>Uses {@code io.file}. Any thread. No units.
+ * <p>Uses {@code io.file} and {@code io.table}. Any thread. No units.
  */
 package org.palpate.benchmarks.report;

@@ -1,5 +1,7 @@
 package org.palpate.benchmarks.rigid;
 
+import java.util.List;
+
 /**
  * A measured figure and, if there is one, the value that it must not exceed.
  *
@@ -25,5 +27,10 @@ record RigidFigure(
   /** Returns {@code met} or {@code missed}, or an empty text without a target. */
   String verdict() {
     return !hasTarget() ? "" : value <= target ? "met" : "missed";
+  }
+
+  /** Returns the cells of its row in {@code rigid.csv}. */
+  List<Object> cells() {
+    return List.of(study, condition, name, value, unit, hasTarget() ? target : "", verdict());
   }
 }

@@ -10,8 +10,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import org.palpate.benchmarks.report.MachineSummary;
 import org.palpate.benchmarks.report.Progress;
-import org.palpate.io.file.AtomicFile;
-import org.palpate.io.file.NumberText;
+import org.palpate.benchmarks.report.StudyTable;
 
 /** Runs all studies of rigid tools, prints their figures, and writes a table and plots. */
 public final class RigidRun {
@@ -45,7 +44,7 @@ public final class RigidRun {
     RigidRun run = new RigidRun(quick, seed, out, progress);
     out.println(MachineSummary.line(MachineSummary.facts()) + ", seed " + seed);
     run.measure();
-    write(folder.resolve("rigid.csv"), run.figures);
+    StudyTable.RIGID.write(folder, run.figures, RigidFigure::cells);
     RigidPlots.write(folder, run.figures);
     long missed = run.figures.stream().filter(f -> f.verdict().equals("missed")).count();
     long targets = run.figures.stream().filter(RigidFigure::hasTarget).count();
@@ -114,17 +113,5 @@ public final class RigidRun {
 
   private static String shortText(double value) {
     return String.format(Locale.ROOT, value == Math.rint(value) ? "%.0f" : "%.3f", value);
-  }
-
-  private static void write(Path file, List<RigidFigure> figures) throws IOException {
-    StringBuilder text = new StringBuilder("study,condition,figure,value,unit,target,verdict\n");
-    for (RigidFigure figure : figures) {
-      text.append(figure.study()).append(",\"").append(figure.condition()).append("\",\"");
-      text.append(figure.name()).append("\",").append(NumberText.text(figure.value()));
-      text.append(',').append(figure.unit()).append(',');
-      text.append(figure.hasTarget() ? NumberText.text(figure.target()) : "");
-      text.append(',').append(figure.verdict()).append('\n');
-    }
-    AtomicFile.write(file, text);
   }
 }

@@ -33,7 +33,7 @@ final class SpeedPlots {
       }
     }
     for (Map.Entry<String, List<SpeedRow>> table : tables.entrySet()) {
-      String name = study.fileName() + "-" + table.getKey().replace(' ', '-') + ".png";
+      String name = study.fileStem() + "-" + table.getKey().replace(' ', '-') + ".png";
       Figures.save(chart(table.getKey(), table.getValue()), folder.resolve(name));
     }
   }

@@ -49,4 +49,18 @@ record SpeedRow(
   String condition() {
     return String.join(", ", params.values());
   }
+
+  /** Returns the cells of its row in the table. */
+  List<Object> cells() {
+    return List.of(
+        group,
+        name,
+        condition(),
+        unit,
+        median(),
+        least(),
+        greatest(),
+        scores.size(),
+        Double.isNaN(bytes) ? "" : bytes);
+  }
 }

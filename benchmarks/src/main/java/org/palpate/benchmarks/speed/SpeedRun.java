@@ -12,14 +12,10 @@ import java.util.Map;
 import org.palpate.benchmarks.report.MachineSummary;
 import org.palpate.benchmarks.report.Progress;
 import org.palpate.io.file.AtomicFile;
-import org.palpate.io.file.NumberText;
 import org.palpate.io.table.ReportJson;
 
 /** Runs a study and writes its table as CSV and JSON, and plots, to a folder. */
 public final class SpeedRun {
-  private static final String HEADER =
-      "group,benchmark,condition,unit,median,least,greatest,iterations,bytes_per_op\n";
-
   private SpeedRun() {}
 
   /**
@@ -60,8 +56,8 @@ public final class SpeedRun {
       printPaper(out);
     }
     printAllocations(rows, out);
-    AtomicFile.write(folder.resolve(study.fileName() + ".csv"), csv(rows));
-    writeJson(folder.resolve(study.fileName() + ".json"), machine, rows);
+    study.table().write(folder, rows, SpeedRow::cells);
+    writeJson(folder.resolve(study.fileStem() + ".json"), machine, rows);
     SpeedPlots.plot(folder, study, rows);
     Map<String, Object> medians = new LinkedHashMap<>();
     rows.forEach(row -> medians.put(row.name() + ", " + row.condition(), row.median()));
@@ -111,20 +107,6 @@ public final class SpeedRun {
                 row.condition(),
                 row.bytes()));
     out.flush();
-  }
-
-  private static String csv(List<SpeedRow> rows) {
-    StringBuilder text = new StringBuilder(HEADER);
-    for (SpeedRow row : rows) {
-      text.append(row.group()).append(',').append(row.name()).append(',');
-      text.append('"').append(row.condition()).append("\",").append(row.unit());
-      for (double value : new double[] {row.median(), row.least(), row.greatest()}) {
-        text.append(',').append(NumberText.text(value));
-      }
-      text.append(',').append(row.scores().size()).append(',');
-      text.append(Double.isNaN(row.bytes()) ? "" : NumberText.text(row.bytes())).append('\n');
-    }
-    return text.toString();
   }
 
   private static void writeJson(Path file, Map<String, Object> machine, List<SpeedRow> rows)

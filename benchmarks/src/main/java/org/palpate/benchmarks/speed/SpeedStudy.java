@@ -12,11 +12,12 @@ import org.palpate.benchmarks.Table1Benchmark;
 import org.palpate.benchmarks.VolumeBenchmark;
 import org.palpate.benchmarks.VolumeReadBenchmark;
 import org.palpate.benchmarks.WholeFrameBenchmark;
+import org.palpate.benchmarks.report.StudyTable;
 
 /** Studies of speed with their benchmarks. */
 public enum SpeedStudy {
   /** Collision, response, whole frame, points, objects, volumes. */
-  ALL("speed") {
+  ALL(StudyTable.SPEED) {
     @Override
     List<Subject> subjects(boolean quick) {
       List<Subject> subjects = new ArrayList<>(List.of(collision(quick)));
@@ -32,7 +33,7 @@ public enum SpeedStudy {
   },
 
   /** The paper's Table 1 on scans. */
-  TABLE1("table1") {
+  TABLE1(StudyTable.TABLE1) {
     @Override
     List<Subject> subjects(boolean quick) {
       String[] scans = {
@@ -47,7 +48,7 @@ public enum SpeedStudy {
   },
 
   /** The gain of each skip. */
-  SKIPS("skips") {
+  SKIPS(StudyTable.SKIPS) {
     @Override
     List<Subject> subjects(boolean quick) {
       return List.of(
@@ -68,7 +69,7 @@ public enum SpeedStudy {
   },
 
   /** The same hand in grids of growing size. */
-  SCALE("scale") {
+  SCALE(StudyTable.SCALE) {
     @Override
     List<Subject> subjects(boolean quick) {
       String[] edges =
@@ -86,15 +87,20 @@ public enum SpeedStudy {
   /** The bits of 4096^3 voxels take 8.1 GB. */
   private static final int HUGE_HEAP = 10_240;
 
-  private final String fileName;
+  private final StudyTable table;
 
-  SpeedStudy(String fileName) {
-    this.fileName = fileName;
+  SpeedStudy(StudyTable table) {
+    this.table = table;
+  }
+
+  /** Returns its table. */
+  StudyTable table() {
+    return table;
   }
 
   /** Returns the name of its files without extension. */
-  String fileName() {
-    return fileName;
+  String fileStem() {
+    return table.fileName().replace(".csv", "");
   }
 
   /** Returns the expected duration, s. */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.palpate.benchmarks.report.Progress;
+import org.palpate.benchmarks.report.StudyTable;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
@@ -72,7 +73,7 @@ public final class StabilityRun {
 
   private static void reportTheory(Path folder, List<TheoryRow> rows, PrintWriter out)
       throws IOException {
-    StabilityTables.writeTheory(folder.resolve("stability-theory.csv"), rows);
+    StudyTable.STABILITY_THEORY.write(folder, rows, TheoryRow::cells);
     List<Double> dampings = rows.stream().map(TheoryRow::damping).distinct().toList();
     for (double damping : dampings) {
       String name = "stability-theory-b" + damping + ".png";
@@ -85,7 +86,7 @@ public final class StabilityRun {
 
   private static Map<String, Double> reportDevices(
       Path folder, List<DeviceRow> rows, PrintWriter out) throws IOException {
-    StabilityTables.writeDevices(folder.resolve("stability-devices.csv"), rows);
+    StudyTable.STABILITY_DEVICES.write(folder, rows, DeviceRow::cells);
     Map<String, Double> margins = StabilityStudy.leastMargins(rows);
     StabilityPlots.plotMargins(folder.resolve("stability-devices.png"), margins);
     margins.forEach(
@@ -123,7 +124,7 @@ public final class StabilityRun {
 
   private static void reportShapes(Path folder, List<DeviceRow> rows, PrintWriter out)
       throws IOException {
-    StabilityTables.writeDevices(folder.resolve("stability-shapes.csv"), rows);
+    StudyTable.STABILITY_SHAPES.write(folder, rows, DeviceRow::cells);
     for (String device :
         rows.stream().map(row -> row.trial().device().name()).distinct().toList()) {
       String name = "stability-shapes-" + device.toLowerCase(Locale.ROOT) + ".png";

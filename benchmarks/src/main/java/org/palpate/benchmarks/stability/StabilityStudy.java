@@ -49,7 +49,12 @@ public final class StabilityStudy {
    * @param largest the largest stable stiffness, N/m
    * @param passive the bound of the theory, N/m
    */
-  public record TheoryRow(Sampling sampling, double damping, double largest, double passive) {}
+  public record TheoryRow(Sampling sampling, double damping, double largest, double passive) {
+    /** Returns the cells of its row in {@code stability-theory.csv}. */
+    List<Object> cells() {
+      return List.of(sampling.rateHz(), sampling.delaySamples(), damping, largest, passive);
+    }
+  }
 
   /** Sweeps rate, delay and physical damping. */
   public List<TheoryRow> theory() {
@@ -89,6 +94,25 @@ public final class StabilityStudy {
     /** Returns the largest stable stiffness relative to the default. */
     public double margin() {
       return largest / defaultStiffness;
+    }
+
+    /** Returns the cells of its row in {@code stability-devices.csv} and its like. */
+    List<Object> cells() {
+      return List.of(
+          trial.device().name(),
+          trial.grip().name(),
+          trial.shape().name(),
+          trial.solver().name(),
+          trial.sampling().rateHz(),
+          trial.sampling().delaySamples(),
+          trial.device().handleKg(),
+          trial.device().dampingNewtonSecondPerM(),
+          defaultStiffness,
+          largest,
+          margin(),
+          atDefault.excursionMm(),
+          atDefault.energyBackMillijoule(),
+          atDefault.riseNewtonPerMs());
     }
   }
 

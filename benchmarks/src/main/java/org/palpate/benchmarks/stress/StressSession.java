@@ -5,8 +5,10 @@ import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
-import org.palpate.io.file.AtomicFile;
+import org.palpate.benchmarks.report.StudyTable;
+import org.palpate.benchmarks.report.TableFile;
 import org.palpate.proxy.exact.GuardedSolver;
 
 /**
@@ -119,10 +121,10 @@ public final class StressSession {
 
   /** Prints the work of frames in work units as Markdown, and writes it as a table. */
   public void printWork(PrintWriter out) throws IOException {
-    StringBuilder csv = new StringBuilder("hand,frames,median_steps,p99_steps,worst_steps\n");
+    List<WorkStudy.Row> rows = new WorkStudy(attacked, seed, STEP_CASES, JUMPS).rows();
     out.println("| work units a frame, " + attacked + " | frames | median | p99 | worst |");
     out.println("| --- | --- | --- | --- | --- |");
-    for (WorkStudy.Row row : new WorkStudy(attacked, seed, STEP_CASES, JUMPS).rows()) {
+    for (WorkStudy.Row row : rows) {
       out.printf(
           Locale.ROOT,
           "| %s | %d | %d | %d | %d |%n",
@@ -131,11 +133,9 @@ public final class StressSession {
           row.median(),
           row.p99(),
           row.worst());
-      csv.append('"').append(row.hand()).append("\",").append(row.frames()).append(',');
-      csv.append(row.median()).append(',').append(row.p99()).append(',').append(row.worst());
-      csv.append('\n');
     }
-    AtomicFile.write(folder.resolve("steps-" + attacked + "-" + seed + ".csv"), csv);
+    Path file = folder.resolve("steps-" + attacked + "-" + seed + ".csv");
+    TableFile.write(file, StudyTable.STEPS.columns(), rows, WorkStudy.Row::cells);
     out.flush();
   }
 

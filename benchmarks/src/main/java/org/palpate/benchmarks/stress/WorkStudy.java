@@ -57,6 +57,11 @@ public final class WorkStudy {
    * @param worst the largest work of a frame
    */
   public record Row(String hand, int frames, long median, long p99, long worst) {
+    /** Returns the cells of its row in {@code steps-SOLVER-SEED.csv}. */
+    List<Object> cells() {
+      return List.of(hand, frames, median, p99, worst);
+    }
+
     static Row of(String hand, long[] counts) {
       long[] sorted = counts.clone();
       Arrays.sort(sorted);

@@ -1,5 +1,7 @@
 package org.palpate.benchmarks.surface;
 
+import java.util.List;
+
 /**
  * The surface of a scan.
  *
@@ -26,4 +28,21 @@ record SurfaceRow(
     long coarseTriangles,
     double coarseCpuSeconds,
     double brickMedianMs,
-    double brickMaxMs) {}
+    double brickMaxMs) {
+
+  /** Returns the cells of its row in {@code surfaces.csv}. */
+  List<Object> cells() {
+    return List.of(
+        data,
+        voxels,
+        triangles,
+        vertices,
+        cpuSeconds,
+        heapBytes,
+        cardBytes,
+        coarseTriangles,
+        coarseCpuSeconds,
+        brickMedianMs,
+        brickMaxMs);
+  }
+}

@@ -12,8 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import org.palpate.benchmarks.input.Scans;
 import org.palpate.benchmarks.report.Progress;
-import org.palpate.io.file.AtomicFile;
-import org.palpate.io.file.NumberText;
+import org.palpate.benchmarks.report.StudyTable;
 import org.palpate.loop.Median;
 import org.palpate.scene.surface.AmbientOcclusion;
 import org.palpate.scene.surface.CoarseVolume;
@@ -62,7 +61,7 @@ public final class SurfaceStudy {
       rows.add(study.row(data, name));
     }
     print(rows, out);
-    write(rows, folder.resolve("surfaces.csv"));
+    StudyTable.SURFACES.write(folder, rows, SurfaceRow::cells);
     return rows.get(rows.size() - 1).triangles();
   }
 
@@ -148,22 +147,5 @@ public final class SurfaceStudy {
           row.brickMaxMs());
     }
     out.flush();
-  }
-
-  private static void write(List<SurfaceRow> rows, Path file) throws IOException {
-    StringBuilder text =
-        new StringBuilder(
-            "data,voxels,triangles,vertices,cpu_s,heap_bytes,card_bytes,coarse_triangles,"
-                + "coarse_cpu_s,brick_median_ms,brick_most_ms\n");
-    for (SurfaceRow row : rows) {
-      text.append(row.data()).append(',').append(row.voxels()).append(',');
-      text.append(row.triangles()).append(',').append(row.vertices()).append(',');
-      text.append(NumberText.text(row.cpuSeconds())).append(',').append(row.heapBytes());
-      text.append(',').append(row.cardBytes()).append(',').append(row.coarseTriangles());
-      text.append(',').append(NumberText.text(row.coarseCpuSeconds())).append(',');
-      text.append(NumberText.text(row.brickMedianMs())).append(',');
-      text.append(NumberText.text(row.brickMaxMs())).append('\n');
-    }
-    AtomicFile.write(file, text);
   }
 }

@@ -1,5 +1,6 @@
 package org.palpate.benchmarks.sync;
 
+import java.util.List;
 import org.HdrHistogram.Histogram;
 
 /**
@@ -28,5 +29,22 @@ record SyncRow(
   /** Returns the number of frames per second. */
   double rateHz() {
     return work.getTotalCount() / seconds;
+  }
+
+  /** Returns the cells of its row in {@code sync.csv}. */
+  List<Object> cells() {
+    return List.of(
+        method.title(),
+        round,
+        rateHz(),
+        workMicros(50),
+        workMicros(99),
+        workMicros(99.9),
+        workMicros(100),
+        periodMicros(50),
+        periodMicros(99),
+        periodMicros(99.9),
+        periodMicros(100),
+        redraws);
   }
 }

@@ -14,10 +14,10 @@ import org.knowm.xchart.CategoryChartBuilder;
 import org.knowm.xchart.CategorySeries.CategorySeriesRenderStyle;
 import org.palpate.benchmarks.report.Figures;
 import org.palpate.benchmarks.report.Progress;
+import org.palpate.benchmarks.report.StudyTable;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
-import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
 import org.palpate.loop.Median;
 import org.palpate.scene.window.GraphicsException;
@@ -48,10 +48,12 @@ public final class SyncRun {
     Files.createDirectories(folder);
     List<SyncRow> rows = rows(quick, progress);
     print(rows, out);
-    writeTable(folder.resolve("sync.csv"), rows);
+    StudyTable.SYNC.write(folder, rows, SyncRow::cells);
     plot(folder.resolve("sync.png"), rows);
     Progress.to(progress).accept("sync: the publication alone");
-    printWrites(new WriteCost().measure(), folder.resolve("sync-writes.csv"), out);
+    List<WriteCost.Row> writes = new WriteCost().measure();
+    printWrites(writes, out);
+    StudyTable.SYNC_WRITES.write(folder, writes, WriteCost.Row::cells);
     Map<String, Double> p99 = new LinkedHashMap<>();
     for (SyncMethod method : SyncMethod.values()) {
       p99.put(method.title(), median(rows, method, 99));
@@ -106,28 +108,7 @@ public final class SyncRun {
     out.flush();
   }
 
-  private static void writeTable(Path file, List<SyncRow> rows) throws IOException {
-    StringBuilder text =
-        new StringBuilder(
-            "way,round,rate_hz,work_p50_us,work_p99_us,work_p99_9_us,work_max_us,period_p50_us,"
-                + "period_p99_us,period_p99_9_us,period_max_us,redraws\n");
-    for (SyncRow row : rows) {
-      text.append('"').append(row.method().title()).append("\",").append(row.round()).append(',');
-      text.append(NumberText.text(row.rateHz())).append(',');
-      for (double percentile : PERCENTILES) {
-        text.append(NumberText.text(row.workMicros(percentile))).append(',');
-      }
-      for (double percentile : PERCENTILES) {
-        text.append(NumberText.text(row.periodMicros(percentile))).append(',');
-      }
-      text.append(row.redraws()).append('\n');
-    }
-    AtomicFile.write(file, text);
-  }
-
-  private static void printWrites(List<WriteCost.Row> rows, Path file, PrintWriter out)
-      throws IOException {
-    StringBuilder text = new StringBuilder("way,changed_ns,unchanged_ns,p99_9_ns,max_ns\n");
+  private static void printWrites(List<WriteCost.Row> rows, PrintWriter out) {
     out.printf("%n%-20s %12s %12s %12s %12s%n", "a write", "changed ns", "same ns", "p99.9", "max");
     for (WriteCost.Row row : rows) {
       out.printf(
@@ -138,12 +119,8 @@ public final class SyncRun {
           row.unchangedNanos(),
           row.p999Nanos(),
           row.maxNanos());
-      text.append('"').append(row.candidate()).append("\",").append(NumberText.text(row.nanos()));
-      text.append(',').append(NumberText.text(row.unchangedNanos())).append(',');
-      text.append(row.p999Nanos()).append(',').append(row.maxNanos()).append('\n');
     }
     out.flush();
-    AtomicFile.write(file, text);
   }
 
   private static double median(List<SyncRow> rows, SyncMethod method, double percentile) {

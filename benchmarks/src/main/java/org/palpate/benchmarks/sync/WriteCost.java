@@ -36,8 +36,12 @@ final class WriteCost {
    * @param p999Nanos 99.9th percentile of single frames, by the clock
    * @param maxNanos maximum of single frames, by the clock
    */
-  record Row(
-      String candidate, double nanos, double unchangedNanos, long p999Nanos, long maxNanos) {}
+  record Row(String candidate, double nanos, double unchangedNanos, long p999Nanos, long maxNanos) {
+    /** Returns the cells of its row in {@code sync-writes.csv}. */
+    List<Object> cells() {
+      return List.of(candidate, nanos, unchangedNanos, p999Nanos, maxNanos);
+    }
+  }
 
   private final Vec3 device = new Vec3();
   private final Vec3 point = new Vec3();

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.palpate.benchmarks.report.StudyTable;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
 import org.palpate.device.DeviceState;
@@ -150,12 +151,11 @@ class ClosedLoopTest {
             true);
     DeviceRow row = new DeviceRow(trial, 200, 500, new Trial.Outcome(true, 0.01, 0.2, 0.03));
     TheoryRow theory = new TheoryRow(new Sampling(1000, 1), 2, 1200, 1333);
-    Path table = folder.resolve("devices.csv");
-    StabilityTables.writeDevices(table, List.of(row));
-    StabilityTables.writeTheory(folder.resolve("theory.csv"), List.of(theory));
+    StudyTable.STABILITY_DEVICES.write(folder, List.of(row), DeviceRow::cells);
+    StudyTable.STABILITY_THEORY.write(folder, List.of(theory), TheoryRow::cells);
     assertEquals(
         "Touch,firm,wall,guarded,1000.0,1,0.05,0.5,200.0,500.0,2.5,0.01,0.2,0.03",
-        Files.readAllLines(table).get(1));
+        Files.readAllLines(folder.resolve("stability-devices.csv")).get(1));
     Map<String, Double> margins = StabilityStudy.leastMargins(List.of(row));
     assertEquals(Map.of("Touch", 2.5), margins);
     StabilityPlots.plotTheory(folder.resolve("theory.png"), List.of(theory), 2);

@@ -58,7 +58,7 @@ public final class LandmarkFiles {
   }
 
   private static String csvRow(Landmark landmark, int index) {
-    return quoted(landmark.name()) + "," + coordinates(landmark) + "\n";
+    return CsvWriter.quoted(landmark.name()) + "," + coordinates(landmark) + "\n";
   }
 
   private static String fcsvRow(Landmark landmark, int index) {
@@ -67,7 +67,7 @@ public final class LandmarkFiles {
         + ","
         + coordinates(landmark)
         + ",0,0,0,1,1,1,0,"
-        + quoted(landmark.name())
+        + CsvWriter.quoted(landmark.name())
         + ",,\n";
   }
 
@@ -77,11 +77,5 @@ public final class LandmarkFiles {
         + NumberText.text(landmark.worldMm().y)
         + ","
         + NumberText.text(landmark.worldMm().z);
-  }
-
-  /** Quotes a cell as RFC 4180 does, only if a comma, a quote or a line end would break the row. */
-  private static String quoted(String text) {
-    boolean plain = text.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
-    return plain ? text : "\"" + text.replace("\"", "\"\"") + "\"";
   }
 }

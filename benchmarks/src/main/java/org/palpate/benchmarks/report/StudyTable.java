@@ -1,0 +1,83 @@
+package org.palpate.benchmarks.report;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Function;
+
+/** The tables that {@code bench} writes, with their columns. */
+public enum StudyTable {
+  /** Times of all benchmarks. */
+  SPEED("speed.csv", Columns.TIMES),
+  /** Times of the paper's Table 1. */
+  TABLE1("table1.csv", Columns.TIMES),
+  /** Times with and without each skip. */
+  SKIPS("skips.csv", Columns.TIMES),
+  /** Times in grids of growing size. */
+  SCALE("scale.csv", Columns.TIMES),
+  /** Errors of forces on analytic surfaces. */
+  ACCURACY(
+      "accuracy.csv",
+      "shape,depth_voxels,speed_voxels,solver,angle_rms_deg,angle_worst_deg,height_mean_mm,"
+          + "height_std_mm,lag,force_change,lost_frames,ns_per_frame"),
+  /** Distances beyond the nearest free point. */
+  NEAREST(
+      "nearest.csv", "shape,depth_voxels,solver,mean_excess_voxels,worst_excess_voxels,presses"),
+  /** Figures of rigid tools. */
+  RIGID("rigid.csv", "study,condition,figure,value,unit,target,verdict"),
+  /** Largest stable stiffness of the model and of the theory. */
+  STABILITY_THEORY(
+      "stability-theory.csv",
+      "rate_hz,delay_samples,damping_ns_per_m,largest_n_per_m,passive_n_per_m"),
+  /** Stability by device. */
+  STABILITY_DEVICES("stability-devices.csv", Columns.STABILITY),
+  /** Stability by shape and solver. */
+  STABILITY_SHAPES("stability-shapes.csv", Columns.STABILITY),
+  /** Cost of a frame by the method that changes the scene. */
+  SYNC(
+      "sync.csv",
+      "way,round,rate_hz,work_p50_us,work_p99_us,work_p99_9_us,work_max_us,period_p50_us,"
+          + "period_p99_us,period_p99_9_us,period_max_us,redraws"),
+  /** Cost of publishing the properties of a frame. */
+  SYNC_WRITES("sync-writes.csv", "way,changed_ns,unchanged_ns,p99_9_ns,max_ns"),
+  /** Extraction of surfaces. */
+  SURFACES(
+      "surfaces.csv",
+      "data,voxels,triangles,vertices,cpu_s,heap_bytes,card_bytes,coarse_triangles,"
+          + "coarse_cpu_s,brick_median_ms,brick_most_ms"),
+  /** Work of frames; solver and seed are part of the name of its file. */
+  STEPS("steps-SOLVER-SEED.csv", "hand,frames,median_steps,p99_steps,worst_steps");
+
+  private final String fileName;
+  private final String header;
+
+  StudyTable(String fileName, String header) {
+    this.fileName = fileName;
+    this.header = header;
+  }
+
+  /** Returns the name of the file. */
+  public String fileName() {
+    return fileName;
+  }
+
+  /** Returns the names of the columns in order. */
+  public List<String> columns() {
+    return List.of(header.split(","));
+  }
+
+  /** Writes the table into a folder; see {@link TableFile#write}. */
+  public <R> void write(Path folder, List<R> results, Function<R, List<Object>> cells)
+      throws IOException {
+    TableFile.write(folder.resolve(fileName), columns(), results, cells);
+  }
+
+  /** Columns of several tables. */
+  private static final class Columns {
+    static final String TIMES =
+        "group,benchmark,condition,unit,median,least,greatest,iterations,bytes_per_op";
+    static final String STABILITY =
+        "device,grip,shape,solver,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
+            + "default_n_per_m,largest_n_per_m,margin,play_mm,energy_back_mj,rise_n_per_ms";
+  }
+}
