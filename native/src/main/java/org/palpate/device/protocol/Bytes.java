@@ -1,13 +1,17 @@
 package org.palpate.device.protocol;
 
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /** Bytes that hold little-endian numbers. Immutable. */
 public final class Bytes {
   private final byte[] bytes;
+  private final ByteBuffer littleEndian;
 
   private Bytes(byte[] bytes) {
     this.bytes = bytes;
+    littleEndian = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
   }
 
   /** Returns a copy of these bytes. */
@@ -27,22 +31,22 @@ public final class Bytes {
 
   boolean startsAt(int at, byte... expected) {
     return bytes.length >= at + expected.length
-        && Arrays.equals(Arrays.copyOfRange(bytes, at, at + expected.length), expected);
+        && Arrays.equals(bytes, at, at + expected.length, expected, 0, expected.length);
   }
 
   int unsigned8(int at) {
-    return bytes[at] & 0xFF;
+    return Byte.toUnsignedInt(bytes[at]);
   }
 
   int unsigned16(int at) {
-    return unsigned8(at) | unsigned8(at + 1) << 8;
+    return Short.toUnsignedInt(littleEndian.getShort(at));
   }
 
   int signed16(int at) {
-    return (short) unsigned16(at);
+    return littleEndian.getShort(at);
   }
 
   int signed32(int at) {
-    return unsigned16(at) | unsigned16(at + 2) << 16;
+    return littleEndian.getInt(at);
   }
 }

@@ -6,8 +6,10 @@ import java.util.List;
 /** Feature report 3: what a device can do. Immutable. */
 record Capabilities(Bytes bytes) {
   static final int LENGTH = 32;
-  private static final int VERSION = 1;
-  private static final int REPORT_ID = 3;
+  static final int ID = 3;
+  static final int VERSION = 1;
+  static final int HAS_HAND_SENSOR = 1;
+  private static final int KNOWN_FLAGS = 3;
   private static final byte[] MAGIC = "PLPT".getBytes(StandardCharsets.US_ASCII);
   private static final int[] RESERVED = {23, 24, 26, 27, 28, 29, 30, 31};
   private static final int MOST_WATCHDOG_MILLIS = 100;
@@ -15,7 +17,7 @@ record Capabilities(Bytes bytes) {
 
   /** Whether the report is that of the protocol, of any version. */
   boolean isProtocol() {
-    return bytes.length() >= LENGTH && bytes.unsigned8(0) == REPORT_ID && bytes.startsAt(2, MAGIC);
+    return bytes.length() >= LENGTH && bytes.unsigned8(0) == ID && bytes.startsAt(2, MAGIC);
   }
 
   /** Whether the report is that of version 1, whose rules are checked. */
@@ -48,7 +50,7 @@ record Capabilities(Bytes bytes) {
   }
 
   boolean hasHandSensor() {
-    return (bytes.unsigned8(25) & 1) != 0;
+    return (bytes.unsigned8(25) & HAS_HAND_SENSOR) != 0;
   }
 
   /** Checks the rules of this report. */
@@ -113,7 +115,7 @@ record Capabilities(Bytes bytes) {
   }
 
   private void checkReserved(List<CheckResult> results) {
-    boolean zero = (bytes.unsigned8(25) & ~3) == 0;
+    boolean zero = (bytes.unsigned8(25) & ~KNOWN_FLAGS) == 0;
     for (int at : RESERVED) {
       zero &= bytes.unsigned8(at) == 0;
     }

@@ -11,6 +11,9 @@ import java.util.function.Predicate;
  * host falls silent. No force is needed for it.
  */
 final class ForceRules {
+  static final int LENGTH = 24;
+  static final int ID = 2;
+
   /** A device looks at its watchdog between reports. */
   private static final long SLACK_MICROS = 10_000;
 
@@ -112,10 +115,9 @@ final class ForceRules {
       before = report.hostMicros() <= silentMicros ? report.watchdogTrips() : before;
       after = report.watchdogTrips();
     }
+    int counted = after - before & 0xFFFF;
     results.add(
         CheckResult.of(
-            (after - before & 0xFFFF) == 1,
-            "the watchdog counts its trips",
-            (after - before & 0xFFFF) + " counted, 1 caused"));
+            counted == 1, "the watchdog counts its trips", counted + " counted, 1 caused"));
   }
 }

@@ -70,14 +70,17 @@ public record HidCapture(String name, Bytes descriptor, Bytes feature, List<Repo
   private static Report report(boolean fromDevice, String rest, int line)
       throws CaptureFormatException {
     String[] words = rest.split("\\s+", -1);
-    try {
-      if (words.length == 2) {
-        return new Report(fromDevice, Long.parseLong(words[0]), bytes(words[1], line));
-      }
-    } catch (NumberFormatException e) {
+    if (words.length != 2) {
+      throw new CaptureFormatException(line, "a report needs a time and its bytes");
+    }
+    if (!words[0].matches("[0-9]{1,18}")) {
       throw new CaptureFormatException(line, "the time is not a number");
     }
-    throw new CaptureFormatException(line, "a report needs a time and its bytes");
+    Bytes bytes = bytes(words[1], line);
+    if (!fromDevice && bytes.length() != ForceRules.LENGTH) {
+      throw new CaptureFormatException(line, "report 2 has " + ForceRules.LENGTH + " bytes");
+    }
+    return new Report(fromDevice, Long.parseLong(words[0]), bytes);
   }
 
   private static Bytes bytes(String hex, int line) throws CaptureFormatException {

@@ -39,22 +39,23 @@ public final class ProtocolCheck {
             found.usagePage() == USAGE_PAGE && found.usage() == USAGE,
             "the usage page is FF00 and the usage 50",
             String.format("%04X and %02X", found.usagePage(), found.usage())));
-    checkReport(found, Kind.INPUT, 1, InReport.LENGTH - 1, results);
-    checkReport(found, Kind.OUTPUT, 2, 23, results);
-    checkReport(found, Kind.FEATURE, 3, Capabilities.LENGTH - 1, results);
+    checkReport(found, Kind.INPUT, InReport.ID, InReport.LENGTH, results);
+    checkReport(found, Kind.OUTPUT, ForceRules.ID, ForceRules.LENGTH, results);
+    checkReport(found, Kind.FEATURE, Capabilities.ID, Capabilities.LENGTH, results);
   }
 
   private static void checkReport(
-      ReportDescriptor found, Kind kind, int id, int bytes, List<CheckResult> results) {
+      ReportDescriptor found, Kind kind, int id, int length, List<CheckResult> results) {
+    int afterId = length - 1;
     results.add(
         CheckResult.of(
-            found.bytes(kind, id) == bytes,
+            found.bytes(kind, id) == afterId,
             "the descriptor states "
                 + kind.name().toLowerCase(Locale.ROOT)
                 + " report "
                 + id
                 + " with "
-                + bytes
+                + afterId
                 + " bytes after the id",
             found.bytes(kind, id) + " bytes"));
   }

@@ -9,7 +9,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,6 +26,30 @@ class ProtocolCheckTest {
     List<CheckResult> results = ProtocolCheck.run(example(name));
     assertTrue(results.size() > 25, results.toString());
     assertEquals(List.of(), broken(results));
+  }
+
+  /** The host's side in C++ is tested against the same firmware. */
+  @Test
+  void theNumbersOfTheProtocolAreThoseOfTheExampleFirmware() throws IOException {
+    String header = Files.readString(docs().resolve("firmware").resolve("palpate_device.h"));
+    Map<String, Integer> numbers = new LinkedHashMap<>();
+    numbers.put("IN_BYTES = ", InReport.LENGTH);
+    numbers.put("OUT_BYTES = ", ForceRules.LENGTH);
+    numbers.put("CAPABILITIES_BYTES = ", Capabilities.LENGTH);
+    numbers.put("IN_ID = ", InReport.ID);
+    numbers.put("OUT_ID = ", ForceRules.ID);
+    numbers.put("CAPABILITIES_ID = ", Capabilities.ID);
+    numbers.put("VERSION = ", Capabilities.VERSION);
+    numbers.put("HAND_PRESENT = 1 << ", Integer.numberOfTrailingZeros(InReport.HAND_PRESENT));
+    numbers.put("FORCE_ON = 1 << ", Integer.numberOfTrailingZeros(InReport.FORCE_ON));
+    numbers.put("WATCHDOG_ZEROED = 1 << ", Integer.numberOfTrailingZeros(InReport.WATCHDOG_ZEROED));
+    numbers.put(
+        "HAS_HAND_SENSOR = 1 << ", Integer.numberOfTrailingZeros(Capabilities.HAS_HAND_SENSOR));
+    numbers.forEach(
+        (name, value) -> {
+          String line = "  PALPATE_" + name + value + ",";
+          assertTrue(header.contains(line), "the firmware does not have " + line);
+        });
   }
 
   @Test
@@ -92,7 +118,8 @@ class ProtocolCheckTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "in 5", "in five 01", "in 5 0g", "out 5 012", "inn 5 01"})
+  @ValueSource(
+      strings = {"", "in 5", "in five 01", "in 5 0g", "out 5 012", "out 5 0200", "inn 5 01"})
   void aLineThatIsNoneOfACaptureIsNamed(String line) {
     CaptureFormatException e =
         assertThrows(CaptureFormatException.class, () -> HidCapture.parse(List.of("#", line)));
@@ -142,8 +169,11 @@ class ProtocolCheckTest {
   }
 
   private static HidCapture example(String name) throws IOException, CaptureFormatException {
+    return HidCapture.parse(Files.readAllLines(docs().resolve("captures").resolve(name + ".hid")));
+  }
+
+  private static Path docs() {
     Path here = Path.of("docs", "captures");
-    Path folder = Files.isDirectory(here) ? here : Path.of("native").resolve(here);
-    return HidCapture.parse(Files.readAllLines(folder.resolve(name + ".hid")));
+    return Files.isDirectory(here) ? here.getParent() : Path.of("native", "docs");
   }
 }
