@@ -21,6 +21,7 @@ import org.palpate.device.protocol.CaptureFormatException;
 import org.palpate.device.protocol.CheckResult;
 import org.palpate.device.protocol.HidCapture;
 import org.palpate.device.protocol.ProtocolCheck;
+import org.palpate.host.DeviceName;
 import org.palpate.io.file.AtomicFile;
 
 /** Checks a hand-built device, or a capture of one, against the HID protocol. */
@@ -28,7 +29,7 @@ final class DeviceCheck {
   private static final String HID = "hid";
   private static final String CAPTURE = "capture";
 
-  private final String checked;
+  private final DeviceName checked;
   private final Optional<Path> captureFile;
   private final PrintWriter out;
 
@@ -36,17 +37,19 @@ final class DeviceCheck {
    * Creates a check.
    *
    * @param checked {@code hid[:SERIAL]} or {@code capture:FILE}
-   * @param captureFile receives what the device sent, for a later check
+   * @param captureFile receives a capture of the device, for a later check
+   * @throws PalpateException exit code 2, if neither can be checked or a capture would be copied
    */
   DeviceCheck(String checked, Optional<Path> captureFile, PrintWriter out) {
-    this.checked = checked;
+    this.checked = DeviceName.parse(checked);
     this.captureFile = captureFile;
     this.out = out;
+    requireKnown();
   }
 
   /** Returns the file that is checked; empty if a device is. */
   List<Path> inputs() {
-    return backend().equals(CAPTURE) ? List.of(Path.of(id())) : List.of();
+    return isDevice() ? List.of() : List.of(Path.of(checked.id()));
   }
 
   /**
@@ -55,7 +58,7 @@ final class DeviceCheck {
    * @return 0 if no rule is broken, otherwise 1
    */
   int run(Report report) throws IOException {
-    List<String> lines = backend().equals(HID) ? capture() : readLines(inputs().get(0));
+    List<String> lines = isDevice() ? capture() : readLines(Path.of(checked.id()));
     HidCapture capture = parse(lines);
     if (captureFile.isPresent()) {
       save(captureFile.get(), lines);
@@ -64,33 +67,38 @@ final class DeviceCheck {
     results.forEach(this::print);
     long failed = results.stream().filter(r -> r.outcome() == CheckResult.Outcome.FAILED).count();
     out.println(failed == 0 ? "no rule is broken" : failed + " of " + results.size() + " failed");
-    report.put("device", checked).put("failed", failed);
+    report.put("device", checked.toString()).put("failed", failed);
     report.put("checks", results.stream().map(DeviceCheck::entry).toList());
     report.write();
     return failed == 0 ? 0 : PalpateException.FAILED;
   }
 
-  private String backend() {
-    int colon = checked.indexOf(':');
-    String name = colon < 0 ? checked : checked.substring(0, colon);
-    boolean known = name.equals(HID) || (name.equals(CAPTURE) && !id().isEmpty());
-    if (!known) {
+  private void requireKnown() {
+    boolean isCapture = checked.name().equals(CAPTURE) && !checked.id().isEmpty();
+    if (!isDevice() && !isCapture) {
       throw PalpateException.wrongUse(
           "this device cannot be checked",
           "--check " + checked,
           "write hid, hid:SERIAL or capture:FILE");
     }
-    return name;
+    if (isCapture && captureFile.isPresent()) {
+      throw noDevice(captureFile.get());
+    }
   }
 
-  private String id() {
-    int colon = checked.indexOf(':');
-    return colon < 0 ? "" : checked.substring(colon + 1);
+  /** Returns the refusal of a capture where no device is checked. */
+  static PalpateException noDevice(Path captureFile) {
+    return PalpateException.wrongUse(
+        "no device is captured", "--capture " + captureFile, "add --check hid, or leave it out");
+  }
+
+  private boolean isDevice() {
+    return checked.name().equals(HID);
   }
 
   private List<String> capture() {
     try {
-      return DeviceCatalog.capture(HID, id());
+      return DeviceCatalog.capture(HID, checked.id());
     } catch (DeviceException e) {
       throw PalpateException.failed(e.getMessage(), e);
     }
@@ -115,7 +123,7 @@ final class DeviceCheck {
   }
 
   private PalpateException wrongCapture(String why) {
-    return PalpateException.wrongUse("the capture cannot be read", checked, why);
+    return PalpateException.wrongUse("the capture cannot be read", checked.toString(), why);
   }
 
   private void save(Path file, List<String> lines) throws IOException {

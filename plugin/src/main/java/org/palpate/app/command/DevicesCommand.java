@@ -114,9 +114,8 @@ public final class DevicesCommand implements Callable<Integer> {
           "--check " + checked,
           "leave out " + (json ? "--json" : "--watch " + watched));
     }
-    if (captureFile != null && (checked == null || checked.startsWith("capture"))) {
-      throw PalpateException.wrongUse(
-          "no device is captured", "--capture " + captureFile, "add --check hid, or leave it out");
+    if (captureFile != null && checked == null) {
+      throw DeviceCheck.noDevice(captureFile);
     }
   }
 
