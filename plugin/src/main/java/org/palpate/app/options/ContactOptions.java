@@ -211,11 +211,23 @@ public final class ContactOptions {
     return new ContactScene(segments, settings(), grey(source));
   }
 
-  /** Whether the solver will follow the grey values of a volume. */
+  /**
+   * Whether the solver will follow the grey values of a volume.
+   *
+   * @throws PalpateException exit code 2, if an option is wrong
+   */
   public boolean followsGrey(VolumeSource source) {
-    return solver() == SolverKind.SMOOTH
-        && !"bits".equals(smoothFrom)
-        && source.threshold().isPresent();
+    return allowsGrey() && source.threshold().isPresent();
+  }
+
+  private boolean allowsGrey() {
+    if (smoothFrom != null && !smoothFrom.equals("grey") && !smoothFrom.equals("bits")) {
+      throw PalpateException.wrongUse(
+          "there is no such source of a surface",
+          "--smooth-from " + smoothFrom,
+          "choose grey or bits");
+    }
+    return solver() == SolverKind.SMOOTH && !"bits".equals(smoothFrom);
   }
 
   private static void checkNamed(SegmentedVolume segments, String name) {
@@ -226,18 +238,11 @@ public final class ContactOptions {
   }
 
   private Optional<GreyIsosurface> grey(VolumeSource source) throws VolumeFormatException {
-    boolean grey = "grey".equals(smoothFrom);
-    if (smoothFrom != null && !grey && !smoothFrom.equals("bits")) {
-      throw PalpateException.wrongUse(
-          "there is no such source of a surface",
-          "--smooth-from " + smoothFrom,
-          "choose grey or bits");
-    }
-    if (solver() != SolverKind.SMOOTH || (smoothFrom != null && !grey)) {
+    if (!allowsGrey()) {
       return Optional.empty();
     }
     Optional<GreyIsosurface> found = source.greySurface();
-    if (grey && found.isEmpty()) {
+    if ("grey".equals(smoothFrom) && found.isEmpty()) {
       throw PalpateException.wrongUse(
           "a surface of grey values needs exactly one segment, made by a threshold",
           "--smooth-from grey",
