@@ -9,6 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.benchmarks.accuracy.Accuracy;
 import org.palpate.benchmarks.accuracy.AccuracyMeter;
+import org.palpate.benchmarks.accuracy.SampledSolids;
 import org.palpate.benchmarks.accuracy.SlideTrajectory;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
@@ -73,7 +74,7 @@ class SmoothAccuracyTest {
   void tenPercentOfInvertedBorderVoxelsHardlyChangeTheForce() {
     for (String name : List.of("plane", "sphere", "torus")) {
       AnalyticSurface truth = Phantom.parse(name + ":" + EDGE).analyticSurface().orElseThrow();
-      BitCube noisy = SampledSolids.flipped(SampledSolids.of(truth, EDGE, CUBES), 0.1, SEED);
+      BitCube noisy = BorderNoise.flipped(SampledSolids.of(truth, EDGE, CUBES), 0.1, SEED);
       check(measure(truth, CUBES, noisy, 5, 0.3), 2.2, 8, 0.2, 0.03);
       check(measure(truth, CUBES, noisy, 5, 0.05), 2.2, 8, 0.2, 0.03);
     }
@@ -128,14 +129,14 @@ class SmoothAccuracyTest {
     AnalyticSurface truth = Phantom.parse("torus:96").analyticSurface().orElseThrow();
     for (Vec3 spacing : List.of(new Vec3(1, 1, 2), new Vec3(3, 1, 1), new Vec3(1, 5, 1))) {
       BitCube exact = SampledSolids.of(truth, 96, spacing);
-      assertNoLegTouches(truth, SampledSolids.flipped(exact, 0.1, SEED), spacing);
+      assertNoLegTouches(truth, BorderNoise.flipped(exact, 0.1, SEED), spacing);
     }
   }
 
   @Test
   void everyLegOfASlideIsDisjointFromAllSolids() {
     AnalyticSurface truth = Phantom.parse("torus:96").analyticSurface().orElseThrow();
-    BitCube bits = SampledSolids.flipped(SampledSolids.of(truth, 96, CUBES), 0.1, SEED);
+    BitCube bits = BorderNoise.flipped(SampledSolids.of(truth, 96, CUBES), 0.1, SEED);
     assertNoLegTouches(truth, bits, CUBES);
   }
 

@@ -1,6 +1,7 @@
 package org.palpate.benchmarks.rigid;
 
 import java.util.List;
+import org.palpate.benchmarks.accuracy.SampledSolids;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
@@ -27,25 +28,10 @@ record SurfaceScene(String name, double edgeMm, BodyScene bodies, AnalyticSurfac
   /** Returns {@code plane}, {@code sphere} or {@code torus} at a spacing. */
   static SurfaceScene analytic(String kind, int edge, Vec3 spacingMm) {
     AnalyticSurface truth = Phantom.parse(kind + ":" + edge).analyticSurface().orElseThrow();
+    BitCube bits = SampledSolids.of(truth, edge, spacingMm);
     VoxelGrid grid =
         new VoxelGrid(
-            (int) (edge / spacingMm.x),
-            (int) (edge / spacingMm.y),
-            (int) (edge / spacingMm.z),
-            spacingMm,
-            RigidTransform.identity());
-    Vec3 centre = new Vec3();
-    BitCube bits = new BitCube(grid.sizeX(), grid.sizeY(), grid.sizeZ());
-    for (int k = 0; k < grid.sizeZ(); k++) {
-      for (int j = 0; j < grid.sizeY(); j++) {
-        for (int i = 0; i < grid.sizeX(); i++) {
-          grid.gridToWorld(centre.set(i + 0.5, j + 0.5, k + 0.5), centre);
-          if (truth.signedDistance(centre) < 0) {
-            bits.set(i, j, k);
-          }
-        }
-      }
-    }
+            bits.sizeX(), bits.sizeY(), bits.sizeZ(), spacingMm, RigidTransform.identity());
     return new SurfaceScene(kind, edge, scene(bits, grid), truth);
   }
 
