@@ -77,8 +77,7 @@ public final class AccuracyMeter {
   private void count(InteractionPoint point) {
     frames++;
     double length = force.length();
-    double cosine = length > 0 ? force.dot(normal) / length : -1;
-    double angle = StrictMath.toDegrees(StrictMath.acos(Math.max(-1, Math.min(1, cosine))));
+    double angle = angleDegrees(force, normal);
     lost += length > 0 ? 0 : 1;
     squaredAngles += angle * angle;
     worstAngle = Math.max(worstAngle, angle);
@@ -92,6 +91,17 @@ public final class AccuracyMeter {
     lengths += length;
     squaredChanges += squaredDistance(force, lastForce);
     squaredTrueChanges += depthMm * depthMm * squaredDistance(normal, lastNormal);
+  }
+
+  /**
+   * Returns the angle between a force and the true normal, degrees; 180 without a force.
+   *
+   * @param normal unit
+   */
+  public static double angleDegrees(Vec3 force, Vec3 normal) {
+    double length = force.length();
+    double cosine = length > 0 ? force.dot(normal) / length : -1;
+    return StrictMath.toDegrees(StrictMath.acos(Math.max(-1, Math.min(1, cosine))));
   }
 
   private static double squaredDistance(Vec3 a, Vec3 b) {

@@ -2,6 +2,7 @@ package org.palpate.benchmarks.rigid;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.palpate.benchmarks.accuracy.AccuracyMeter;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
@@ -59,9 +60,7 @@ final class ForceMeter {
 
   /** Takes note of the direction of a force. One without a length counts as 180 degrees off. */
   void countDirection(Vec3 force, Vec3 normal) {
-    double length = force.length();
-    double cosine = length > 0 ? force.dot(normal) / length : -1;
-    degrees.add(Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, cosine)))));
+    degrees.add(AccuracyMeter.angleDegrees(force, normal));
   }
 
   double rmsDegrees() {
