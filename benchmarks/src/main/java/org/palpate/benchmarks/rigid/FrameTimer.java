@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.palpate.geometry.Pose;
+import org.palpate.loop.Median;
 
 /**
  * Times the frames of every condition, in a process of its own. A frame is the solver's alone. Time
@@ -88,10 +89,10 @@ final class FrameTimer {
       }
       fewest = Math.min(fewest, (double) (THREADS.getCurrentThreadAllocatedBytes() - allocated));
     }
-    return new Times(Quantile.of(nanos, 0.5) / 1e3, Quantile.of(nanos, 0.999) / 1e3, fewest);
+    return new Times(Median.of(nanos) / 1e3, Quantile.of(nanos, 0.999) / 1e3, fewest);
   }
 
-  /** Returns the median of each number over processes. */
+  /** Returns the medians of the times over processes, and the fewest bytes. */
   static List<Times> medians(List<List<Times>> forks) {
     List<Times> medians = new ArrayList<>();
     for (int n = 0; n < forks.get(0).size(); n++) {
@@ -99,9 +100,9 @@ final class FrameTimer {
       List<Times> all = forks.stream().map(fork -> fork.get(condition)).toList();
       medians.add(
           new Times(
-              Quantile.of(all.stream().mapToDouble(Times::p50Us).toArray(), 0.5),
-              Quantile.of(all.stream().mapToDouble(Times::p999Us).toArray(), 0.5),
-              Quantile.of(all.stream().mapToDouble(Times::bytes).toArray(), 0)));
+              Median.of(all.stream().mapToDouble(Times::p50Us).toArray()),
+              Median.of(all.stream().mapToDouble(Times::p999Us).toArray()),
+              all.stream().mapToDouble(Times::bytes).min().orElseThrow()));
     }
     return medians;
   }

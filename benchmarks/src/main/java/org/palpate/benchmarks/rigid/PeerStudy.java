@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.loop.Median;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.volume.BitCube;
 
@@ -56,7 +57,7 @@ final class PeerStudy {
     double[] nanos = new double[slide.frames()];
     Errors errors = run(scene, peer, slide, nanos);
     return List.of(
-        RigidFigure.of(STUDY, condition, "frame, p50", Quantile.of(nanos, 0.5) / 1e3, "us"),
+        RigidFigure.of(STUDY, condition, "frame, p50", Median.of(nanos) / 1e3, "us"),
         RigidFigure.of(STUDY, condition, "frame, p99.9", Quantile.of(nanos, 0.999) / 1e3, "us"),
         RigidFigure.of(STUDY, condition, "penetration, most", errors.deepestMm, "mm"),
         RigidFigure.of(
