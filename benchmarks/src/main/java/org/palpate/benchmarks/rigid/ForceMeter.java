@@ -64,7 +64,7 @@ final class ForceMeter {
   }
 
   double rmsDegrees() {
-    return Math.sqrt(degrees.stream().mapToDouble(d -> d * d).average().orElse(0));
+    return Math.sqrt(degrees.stream().mapToDouble(d -> d * d).average().orElseThrow());
   }
 
   /** Returns p99 of the change of force over stiffness and the device's motion. */
