@@ -30,15 +30,12 @@ final class GuaranteeStudy {
   private static final int FRAMES_PER_ROUND = 400;
   private static final int MOST_BODIES = 3;
 
-  /** The distance of the start from the origin, beyond every scene, mm. */
-  private static final double FAR_MM = 5_000;
-
   /** The rounding of a path whose poses are some metres from the origin, mm. */
   private static final double ROUNDING_MM = 1e-9;
 
   private final long legs;
   private final long overlapFrames;
-  private final LegJudge judge;
+  private final RigidLegJudge judge;
   private final SplittableRandom random;
   private final Consumer<String> progress;
   private long judgedFrames;
@@ -63,7 +60,7 @@ final class GuaranteeStudy {
     this.legs = legs;
     this.overlapFrames = overlapFrames;
     this.progress = progress;
-    judge = new LegJudge(compared);
+    judge = new RigidLegJudge(compared);
     random = new SplittableRandom(seed);
   }
 
@@ -100,15 +97,9 @@ final class GuaranteeStudy {
             ? RigidSettings.ofWholeBodies(maxStepMm, bodies, held.tool)
             : RigidSettings.of(maxStepMm, Clearance.POINTS);
     ToolRun run = new ToolRun(bodies, held.tool, settings);
-    Pose start = new Pose();
-    start.translation.set(FAR_MM, FAR_MM, FAR_MM);
-    run.start(start);
-    judge.begin(run.motion);
     HostileDevice device = new HostileDevice(random, bodies.shortestEdgeMm(), reachMm(first));
+    placeNear(run, device);
     for (int frame = 0; frame < FRAMES_PER_ROUND; frame++) {
-      if (frame == 0) {
-        placeNear(run, device);
-      }
       boolean reducedBefore = run.motion.reducedPoints() > 0;
       run.follow(device.next());
       judge.judge(bodies, held.tool, run.motion);

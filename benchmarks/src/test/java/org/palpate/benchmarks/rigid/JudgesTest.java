@@ -70,7 +70,7 @@ class JudgesTest {
     BodyScene empty = SurfaceScene.scene(new BitCube(3, 3, 3));
     ToolRun run = new ToolRun(empty, point, ToolClearance.POINTS);
     run.start(at(0.5, 1.5, 1.5));
-    LegJudge judge = new LegJudge(10);
+    RigidLegJudge judge = new RigidLegJudge(10);
     judge.begin(run.motion);
     run.follow(at(2.5, 1.5, 1.5));
     judge.judge(dot(), point, run.motion); // the solver did not know this solid

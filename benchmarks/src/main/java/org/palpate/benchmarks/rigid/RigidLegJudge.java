@@ -13,7 +13,7 @@ import org.palpate.rigid.tool.RigidTool;
  * Judges every leg of every sample point exactly, from the committed poses alone. It does not know
  * what the solver looked at or left out. One thread.
  */
-final class LegJudge {
+final class RigidLegJudge {
   private final ExactJudge judge = new ExactJudge();
   private final ExactJudge reference = ExactJudge.unfiltered();
   private final long mostCompared;
@@ -33,7 +33,7 @@ final class LegJudge {
    *
    * @param mostCompared the number of legs that unlimited decimal fractions decide as well
    */
-  LegJudge(long mostCompared) {
+  RigidLegJudge(long mostCompared) {
     this.mostCompared = mostCompared;
   }
 
@@ -65,9 +65,12 @@ final class LegJudge {
     end.set(motion.pose());
   }
 
-  /** Judges the last frame. */
+  /**
+   * Judges the last frame. The scene must not change after {@link #begin}, so a tool that is set
+   * free breaks the chain too.
+   */
   void judge(BodyScene bodies, RigidTool tool, ToolMotion motion) {
-    broken += motion.freed() || motion.pathPose(0).sameBits(end) ? 0 : 1;
+    broken += motion.pathPose(0).sameBits(end) ? 0 : 1;
     for (int step = 0; step < motion.steps(); step++) {
       for (int body = 0; body < bodies.count(); body++) {
         bodies.body(body).toolToGrid(motion.pathPose(step), from);
