@@ -71,18 +71,19 @@ final class FrameTimer {
   }
 
   private static Times time(TimedCondition condition, int warmUp, int frames) {
-    PressAndSlide[] device = new PressAndSlide[1];
-    ToolRun run = condition.pressed(device);
+    TimedCondition.Pressed pressed = condition.pressed();
+    ToolRun run = pressed.run();
+    PressAndSlide device = pressed.device();
     Pose pose = new Pose();
     for (int frame = 0; frame < warmUp; frame++) {
-      run.follow(device[0].device(frame, pose));
+      run.follow(device.device(frame, pose));
     }
     double[] nanos = new double[frames];
     double fewest = Double.POSITIVE_INFINITY;
     for (int quarter = 0; quarter < 4; quarter++) {
       long allocated = THREADS.getCurrentThreadAllocatedBytes();
       for (int frame = quarter * frames / 4; frame < (quarter + 1) * frames / 4; frame++) {
-        device[0].device(warmUp + frame, pose);
+        device.device(warmUp + frame, pose);
         long begin = THREADS.getCurrentThreadCpuTime();
         run.follow(pose);
         nanos[frame] = THREADS.getCurrentThreadCpuTime() - begin;

@@ -78,13 +78,16 @@ record TimedCondition(
         new RigidFigure(STUDY, label, "allocated in a quarter, least", times.bytes(), "B", 0));
   }
 
+  /** A tool that a device has pressed onto the surface. */
+  record Pressed(ToolRun run, PressAndSlide device) {}
+
   /** Makes scene and tool, and presses the tool onto the surface. */
-  ToolRun pressed(PressAndSlide[] device) {
+  Pressed pressed() {
     SurfaceScene scene = SurfaceScene.of(surface, EDGE);
     RigidTool tool = kind == Kind.PLATE ? MeasuredTools.plate(points) : MeasuredTools.cube(points);
-    device[0] = new PressAndSlide(scene, kind != Kind.CUBE);
+    PressAndSlide device = new PressAndSlide(scene, kind != Kind.CUBE);
     ToolRun run = new ToolRun(scene.bodies(), tool, clearance);
-    device[0].press(run);
-    return run;
+    device.press(run);
+    return new Pressed(run, device);
   }
 }
