@@ -30,7 +30,7 @@ final class HalvesStudy {
 
   private static final double OFF_RAD = Math.toRadians(20);
   private static final int APPROACH_FRAMES = 600;
-  private static final Vec3 WAY = unit(0.2, -0.15, 0.97);
+  private static final Vec3 APPROACH = unit(0.2, -0.15, 0.97);
   private static final Vec3 TURN = unit(0.5, -0.35, 0.79);
 
   private static final double LIFT_STEP_MM = 0.1;
@@ -110,7 +110,7 @@ final class HalvesStudy {
   }
 
   private Pose device(Pose home, double offMm, double part, Pose dest) {
-    Vec3 shift = WAY.mul(offMm, new Vec3());
+    Vec3 shift = APPROACH.mul(offMm, new Vec3());
     Vec3 turn = TURN.mul(OFF_RAD, new Vec3());
     return home.displace(shift, turn, part, scratch, dest);
   }

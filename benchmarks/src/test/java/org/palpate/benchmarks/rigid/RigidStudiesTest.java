@@ -33,7 +33,10 @@ class RigidStudiesTest {
     return figures.stream().filter(f -> f.name().equals(name)).findFirst().orElseThrow().value();
   }
 
-  /** A spring of 1 N/mm against points of 5 N/mm; the depth at rest follows by hand. */
+  /**
+   * The device ends 3 mm below the first contact, so its spring of 1 N/mm pushes with at most 3 N.
+   * Voxels may lie half a voxel higher than the plane, which adds 0.5 N.
+   */
   @Test
   void thePenaltyMethodRestsWhereItsSpringsBalance() {
     SurfaceScene scene = SurfaceScene.of("plane", 96);
