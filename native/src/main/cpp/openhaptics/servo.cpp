@@ -79,7 +79,9 @@ void Servo::readState(Sample& sample) {
   sample.motorHeat = heat_;
   // A device without a safety switch never says that one is held.
   hasSwitch_ = hasSwitch_ || held != 0;
-  sample.flags &= hasSwitch_ && held == 0 ? ~uint32_t{kForceReady} : ~uint32_t{0};
+  if (hasSwitch_ && held == 0) {
+    sample.flags &= ~uint32_t{kForceReady};
+  }
 }
 
 Wrench Servo::newestOrder(int64_t nowNanos) {
