@@ -137,7 +137,7 @@ class Backend {
   virtual std::unique_ptr<Device> open(const std::string& id, std::shared_ptr<Trace> trace,
                                        std::string& why) = 0;
 
-  /** What a device sends, as lines of a capture; empty with `why` filled where it cannot be had. */
+  /** Captures a device, as lines of text; empty with `why` filled where it cannot. */
   virtual std::string capture(const std::string& id, Trace& trace, std::string& why) {
     (void)id;
     (void)trace;

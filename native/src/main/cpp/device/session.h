@@ -31,7 +31,7 @@ class Session {
   /** Looks for devices likewise. */
   static Finding probe(Backend& backend, int64_t waitNanos);
 
-  /** Captures a device likewise; empty with `why` filled where it cannot be had. */
+  /** Captures a device likewise; empty with `why` filled where it cannot. */
   static std::string capture(Backend& backend, const std::string& id, int64_t waitNanos,
                              std::string& why);
 

@@ -81,7 +81,7 @@ void Capture::describe(const Listed& listed) {
        length > 0 ? hex(bytes, static_cast<size_t>(length)) : descriptorFile(listed.path));
 }
 
-/** What feature report 3 says of the watchdog; 0 where there is no such report. */
+/** The watchdog time in feature report 3, ms; 0 where there is no such report. */
 int64_t Capture::watchdogMillis() {
   uint8_t report[kCapabilitiesBytes + 1] = {kCapabilitiesId};
   const int length = traced(trace_, "hid_get_feature_report", link_.api().getFeature,
@@ -93,19 +93,24 @@ int64_t Capture::watchdogMillis() {
 }
 
 void Capture::receive() {
-  uint8_t bytes[192];
+  uint8_t bytes[Link::kMostReadBytes];
   const int length = traced(trace_, "hid_read_timeout", link_.api().readTimeout, link_.handle(),
                             bytes, sizeof bytes, 1);
-  if (length > 0) {
-    line("in", at() + hex(bytes, static_cast<size_t>(length)));
-    deviceMicros_ = static_cast<size_t>(length) >= kInBytes ? uint32At(bytes + 4) : deviceMicros_;
+  const size_t got = length > 0 ? static_cast<size_t>(length) : 0;
+  if (got > 0) {
+    line("in", at() + hex(bytes, got));
+  }
+  if (got >= kInBytes) {
+    deviceMicros_ = uint32At(bytes + got - kInBytes + 4);  // of the last one, where they are joined
   }
 }
 
 void Capture::send(bool ending) {
   uint8_t report[kOutBytes];
   packOut(Wrench(), ending, ++sequence_, deviceMicros_, report);
-  report[1] &= ending ? 0xFF : 0;  // no force is wanted
+  if (!ending) {
+    report[1] = 0;  // no force is wanted
+  }
   line("out", at() + hex(report, sizeof report));
   traced(trace_, "hid_write", link_.api().write, link_.handle(), report, sizeof report);
 }

@@ -178,8 +178,7 @@ Finding HidBackend::probe(Trace& trace) {
   return finding;
 }
 
-/** A handle of the device that was asked for, and how to open it. `why` says where there is none.
- */
+/** A handle of the requested device, and the function that makes a device of it. */
 struct HidBackend::Opened {
   Handle* handle = nullptr;
   Listed listed;
@@ -188,6 +187,10 @@ struct HidBackend::Opened {
 
 HidBackend::Opened HidBackend::openHandle(const std::string& id, Trace& trace, std::string& why) {
   HidApi& api = HidApi::instance();
+  why = api.whyNot;
+  if (!why.empty()) {
+    return {};
+  }
   const std::vector<Listed> all = api.list(trace);
   for (const Listed& listed : all) {
     const Opener opener = openerOf(listed);
@@ -211,10 +214,6 @@ HidBackend::Opened HidBackend::openHandle(const std::string& id, Trace& trace, s
 std::unique_ptr<Device> HidBackend::open(const std::string& id, std::shared_ptr<Trace> trace,
                                          std::string& why) {
   HidApi& api = HidApi::instance();
-  why = api.whyNot;
-  if (!why.empty()) {
-    return nullptr;
-  }
   const std::lock_guard<std::mutex> guard(api.lock);
   const Opened opened = openHandle(id, *trace, why);
   if (opened.handle == nullptr) {
@@ -225,10 +224,6 @@ std::unique_ptr<Device> HidBackend::open(const std::string& id, std::shared_ptr<
 
 std::string HidBackend::capture(const std::string& id, Trace& trace, std::string& why) {
   HidApi& api = HidApi::instance();
-  why = api.whyNot;
-  if (!why.empty()) {
-    return "";
-  }
   std::unique_lock<std::mutex> guard(api.lock);
   const Opened opened = openHandle(id, trace, why);
   guard.unlock();

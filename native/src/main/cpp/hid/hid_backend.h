@@ -21,12 +21,15 @@ class HidBackend : public Backend {
  private:
   struct Opened;
 
+  /** The caller holds the lock of HidApi. Without a handle, `why` gives the reason. */
   static Opened openHandle(const std::string& id, Trace& trace, std::string& why);
 };
 
 /** A device of hidapi's that is closed when it goes out of use. Moves, does not copy. */
 class Link {
  public:
+  static constexpr size_t kMostReadBytes = 192;  // some systems join reports
+
   Link(HidApi& api, Handle* handle) : api_(&api), handle_(handle) {}
   Link(Link&& other) noexcept : api_(other.api_), handle_(other.handle_) {
     other.handle_ = nullptr;
@@ -81,7 +84,7 @@ std::unique_ptr<Device> openSpaceMouse(Link link, const Listed& listed,
                                        std::shared_ptr<Trace> trace, std::string& why);
 
 /**
- * What a device of the protocol sends, as lines of a capture file (docs/hid-protocol.md). It first
+ * Captures a device of the protocol, as lines of a capture file (docs/hid-protocol.md). It first
  * listens, then sends zero forces, then falls silent for longer than the device's watchdog waits.
  */
 std::string captureDevice(const Link& link, const Listed& listed, Trace& trace);

@@ -3,7 +3,7 @@
 namespace palpate::hid {
 
 ReadStatus LinkedDevice::read(Sample& sample) {
-  uint8_t bytes[kMostReadBytes];
+  uint8_t bytes[Link::kMostReadBytes];
   bool fresh = false;
   for (int i = 0; i < kMostReadsAFrame && !faulty_; i++) {
     const int length = link_.read(bytes, sizeof bytes, trace(), counters());

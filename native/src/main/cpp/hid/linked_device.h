@@ -20,7 +20,6 @@ class LinkedDevice : public Device {
 
  protected:
   static constexpr size_t kMostReportBytes = 64;
-  static constexpr size_t kMostReadBytes = 192;  // some systems join reports
 
   /** Takes the bytes of one read into `sample`; whether there was a new sample among them. */
   virtual bool take(const uint8_t* bytes, size_t length, Sample& sample) = 0;

@@ -48,7 +48,7 @@ InReport unpackIn(const uint8_t* report);
 void packOut(const Wrench& wrench, bool ending, uint16_t sequence, uint32_t echoMicros,
              uint8_t (&report)[kOutBytes]);
 
-/** What feature report 3 turned out to be. */
+/** The kinds of answers to a request for feature report 3. */
 enum class CapabilitiesStatus { kOk, kAnotherReport, kOlderVersion, kNewerVersion };
 
 /** Unpacks feature report 3; `dest` is filled where the answer is kOk. */

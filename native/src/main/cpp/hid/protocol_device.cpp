@@ -19,7 +19,7 @@ class ProtocolDevice : public LinkedDevice {
   size_t pack(const Wrench& wrench, bool ending, uint8_t (&report)[kMostReportBytes]) override;
   bool takeOne(const uint8_t* report, Sample& sample);
 
-  static_assert(kMostReadBytes % kInBytes == 0, "a joined read must not cut a report");
+  static_assert(Link::kMostReadBytes % kInBytes == 0, "a joined read must not cut a report");
 
   ReportOrder order_;
   int64_t arrivedNanos_ = 0;
@@ -83,7 +83,7 @@ size_t ProtocolDevice::pack(const Wrench& wrench, bool ending,
   return kOutBytes;
 }
 
-/** Why capabilities are of no use, and what to do; empty where they are. */
+/** The reason to refuse a device by its feature report 3, and the remedy; empty for kOk. */
 std::string refusal(CapabilitiesStatus status, uint8_t version) {
   const std::string versions = "it speaks version " + std::to_string(version) +
                                " of the protocol, and this program version " +
