@@ -27,7 +27,7 @@ public record SessionSettings(
     Consumer<LoopEnd> listener) {
   private static final double USUAL_HERTZ = 1000;
 
-  /** Returns the settings of 1,000 frames a second that nobody records or listens to. */
+  /** Returns the default settings: 1,000 frames a second, no recorder and no listener. */
   public static SessionSettings standard() {
     return new SessionSettings(
         OptionalDouble.empty(), LoopSettings.ofRate(USUAL_HERTZ), Optional.empty(), end -> {});

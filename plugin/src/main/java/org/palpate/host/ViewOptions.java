@@ -33,8 +33,8 @@ public record ViewOptions(
   /**
    * A segment whose threshold changes while it is touched.
    *
-   * @param refusal why the threshold must not change, shown when its keys are pressed; empty if it
-   *     may
+   * @param refusal the reason why the threshold must not change, which its keys show; empty if it
+   *     may change
    */
   public record Threshold(ContactScene scene, LiveThreshold.Start start, String refusal) {}
 

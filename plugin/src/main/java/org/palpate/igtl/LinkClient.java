@@ -35,8 +35,8 @@ final class LinkClient {
      *
      * @param state messages that a later update makes obsolete
      * @param landmarks messages that are sent if the client does not have this version yet
-     * @param landmarksVersion the version of the landmarks; 0 if there have been none, which is not
-     *     sent
+     * @param landmarksVersion the version of the landmarks, from 1; 0 if there were none so far, so
+     *     that nothing is sent
      */
     Update(byte[] state, byte[] landmarks, long landmarksVersion) {
       this.state = state;

@@ -35,8 +35,8 @@ public final class LinkState {
   public boolean contact;
 
   /**
-   * The landmarks. A source sets another list if any of them changes, and else the same one: the
-   * server sends them again only if the list is another.
+   * The landmarks. A source never changes a list, but replaces it when a landmark changes. The
+   * server sends the landmarks again only if the list no longer equals the last one.
    */
   public List<Landmark> landmarks = List.of();
 }

@@ -46,7 +46,7 @@ public final class GreyVolumes {
    * The segments of a volume and the grey values from which they were made.
    *
    * @param segments the bits, over the grid of the values
-   * @param values all grey values; of labels that overlap the last one
+   * @param values all grey values; where labels overlap, the value of the last one
    */
   public record WithSegments(SegmentedVolume segments, ScalarVolume values) {}
 

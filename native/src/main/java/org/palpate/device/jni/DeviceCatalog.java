@@ -77,7 +77,7 @@ public final class DeviceCatalog {
   }
 
   /**
-   * Whether a back end for hardware has this name. Not so {@code empty}, which {@link #open}
+   * Whether a back end for hardware has this name. False for {@code empty}, which {@link #open}
    * accepts too.
    */
   public static boolean isNative(String backend) {

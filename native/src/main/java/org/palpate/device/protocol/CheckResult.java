@@ -11,13 +11,13 @@ import java.util.Locale;
  */
 public record CheckResult(Outcome outcome, String rule, String found) {
 
-  /** Whether a device keeps a rule. */
+  /** Outcomes of a rule. */
   public enum Outcome {
-    /** It does. */
+    /** The device keeps the rule. */
     OK,
     /** The capture does not show it, or the device may have a reason. */
     NOTE,
-    /** It does not. */
+    /** The device breaks the rule. */
     FAILED;
 
     /** Returns the word that is printed. */

@@ -98,7 +98,7 @@ final class SessionLink implements LinkListener, AutoCloseable {
     }
   }
 
-  /** Returns the landmarks in RAS: the same list until the session has others. */
+  /** Returns the landmarks in RAS. The list stays the same object until a landmark changes. */
   private List<LinkState.Landmark> landmarks(Streamed now) {
     List<NamedPoint> present = now.landmarks().get();
     if (!present.equals(convertedFrom)) {

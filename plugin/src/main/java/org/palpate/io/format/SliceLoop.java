@@ -7,23 +7,21 @@ import org.palpate.io.volume.ReadProgress;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
 
-/**
- * Reads a volume slice by slice from what is opened for it, and names the slice that is damaged.
- */
+/** Reads a volume slice by slice from a source, and names the slice that is damaged. */
 public final class SliceLoop {
   private SliceLoop() {}
 
-  /** Opens what the samples are read from. */
+  /** Opens the source of the samples. */
   @FunctionalInterface
   public interface Opener<S extends Closeable> {
     /** Returns the source at its first slice; the loop closes it. */
     S open() throws IOException;
   }
 
-  /** Reads one slice and hands it over. */
+  /** Reads one slice and passes it on. */
   @FunctionalInterface
   public interface Step<S extends Closeable> {
-    /** Reads slice {@code k} from its source. Slices are asked for in order. */
+    /** Reads slice {@code k} from the source. The loop calls it in the order of the slices. */
     void read(S source, int k) throws IOException;
   }
 

@@ -6,7 +6,7 @@ import org.palpate.io.volume.SliceSink;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VoxelSlice;
 
-/** Writes the slices of a volume, in the order in which a reader hands them over. */
+/** Writes the slices of a volume, in the order in which a reader delivers them. */
 @FunctionalInterface
 public interface SliceWriter {
   /**
@@ -16,7 +16,7 @@ public interface SliceWriter {
    */
   void write(int k, VoxelSlice slice) throws IOException;
 
-  /** One of the ways in which a volume hands over its slices. */
+  /** A method of a volume that reads its slices. */
   @FunctionalInterface
   interface Reading {
     /** Reads all slices. */

@@ -56,7 +56,7 @@ public final class SegmentBuilder implements SliceSink {
   }
 
   /**
-   * Reads the segments of a volume, and hands each slice of {@link VolumeReader#readLayers} to
+   * Reads the segments of a volume, and passes each slice of {@link VolumeReader#readLayers} to
    * another sink in the same pass.
    *
    * @throws VolumeFormatException if the volume cannot be read or its bits do not fit in memory

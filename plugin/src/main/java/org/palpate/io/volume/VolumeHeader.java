@@ -36,8 +36,8 @@ public record VolumeHeader(
   }
 
   /**
-   * Returns what a report adds if the axes are not named: that a file which has to name them takes
-   * them as these. Empty if they are named.
+   * Returns a remark for the report of a written file whose format must name its axes. The remark
+   * says which axes were assumed. Empty if this volume names its axes.
    */
   public String axesTakenAs(CoordinateSystem system) {
     return coordinateSystem == CoordinateSystem.UNKNOWN
