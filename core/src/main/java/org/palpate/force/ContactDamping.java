@@ -52,6 +52,13 @@ final class ContactDamping {
     v.z += weight * ((device.z - lastDevice.z) * metric.spacingZ() - ms * v.z);
   }
 
+  /** Writes the damping force, which acts along the coupling force, N. */
+  void compute(Vec3 coupling, double newtonSecondPerMm, Vec3 dest) {
+    double length = coupling.length();
+    coupling.mul(length > 0 ? 1 / length : 0, dest);
+    dest.mul(newton(coupling, newtonSecondPerMm), dest);
+  }
+
   /** Returns the damping force along the coupling force, N; negative if the hand moves out. */
   double newton(Vec3 coupling, double newtonSecondPerMm) {
     double length = coupling.length();

@@ -28,7 +28,6 @@ public final class ContactForce {
   private final Vec3 slide = new Vec3();
   private double slideLengthMm;
   private boolean damps;
-  private boolean pressed;
   private long frictionSkipped;
 
   /**
@@ -57,7 +56,7 @@ public final class ContactForce {
     if (settings != newSettings) {
       settings = newSettings;
       damps = newSettings.damps();
-      pressed = false;
+      material.reset();
     }
   }
 
@@ -113,19 +112,9 @@ public final class ContactForce {
     }
   }
 
-  /** Takes the touched object's material: at once if contact begins, else by a transition. */
   private void updateMaterial(InteractionPoint point, Vec3 device, double stretchMm) {
-    if (!settings.distinguishesObjects()) {
-      material.set(settings.general());
-    } else if (point.touchedObject != InteractionPoint.NO_OBJECT) {
-      Material touched = settings.material(point.touchedObject);
-      if (pressed) {
-        material.approach(touched, stretchMm, motionMm(device));
-      } else {
-        material.set(touched);
-      }
-    }
-    pressed = stretchMm > 0 && point.contact;
+    double motionMm = settings.distinguishesObjects() ? motionMm(device) : 0;
+    material.follow(settings, point.touchedObject, point.contact, stretchMm, motionMm);
   }
 
   private void limitRate(InteractionPoint point, Vec3 device, Vec3 coupling) {
@@ -143,9 +132,7 @@ public final class ContactForce {
 
   private void computeDamping(Vec3 device, long elapsedNanos, Vec3 coupling) {
     damping.update(device, elapsedNanos);
-    double length = coupling.length();
-    coupling.mul(length > 0 ? 1 / length : 0, dampingForce);
-    dampingForce.mul(damping.newton(coupling, material.dampingNewtonSecondPerMm()), dampingForce);
+    damping.compute(coupling, material.dampingNewtonSecondPerMm(), dampingForce);
   }
 
   private void addFriction(InteractionPoint point, Vec3 device, Vec3 force) {

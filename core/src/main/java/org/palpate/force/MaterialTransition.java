@@ -1,5 +1,7 @@
 package org.palpate.force;
 
+import org.palpate.proxy.InteractionPoint;
+
 /**
  * The material that the hand feels, with a bounded transition from one object to the next.
  *
@@ -16,6 +18,9 @@ final class MaterialTransition {
   private double staticFriction;
   private double slidingFriction;
   private double damping;
+
+  /** Whether the tool was pressed against an object in the last frame. */
+  private boolean pressed;
 
   MaterialTransition(double shortestEdgeMm, Material first) {
     minMotionMm = ChangeBound.MIN_MOTION_EDGES * shortestEdgeMm;
@@ -36,6 +41,34 @@ final class MaterialTransition {
 
   double dampingNewtonSecondPerMm() {
     return damping;
+  }
+
+  /** Lets the next frame take its material without transition. */
+  void reset() {
+    pressed = false;
+  }
+
+  /**
+   * Takes the material of the touched object: at once if contact begins, else by a transition.
+   *
+   * @param object the touched object; {@link InteractionPoint#NO_OBJECT} keeps the last material
+   * @param contact whether a solid holds the tool back
+   * @param stretchMm length of the virtual coupling
+   * @param motionMm motion of the hand since the last frame; not used if all objects feel alike
+   */
+  void follow(
+      ForceSettings settings, int object, boolean contact, double stretchMm, double motionMm) {
+    if (!settings.distinguishesObjects()) {
+      set(settings.general());
+    } else if (object != InteractionPoint.NO_OBJECT) {
+      Material touched = settings.material(object);
+      if (pressed) {
+        approach(touched, stretchMm, motionMm);
+      } else {
+        set(touched);
+      }
+    }
+    pressed = stretchMm > 0 && contact;
   }
 
   /** Takes a material without transition. */

@@ -4,6 +4,7 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.proxy.InteractionPoint;
 import org.palpate.rigid.CouplingRateLimit;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.ToolContacts;
@@ -20,12 +21,6 @@ import org.palpate.rigid.tool.RigidTool;
  * ToolFriction}. Haptic thread; allocates nothing.
  */
 public final class ToolForce {
-  /**
-   * The least change of what the coupling feels in a frame, in shortest voxel edges, so that a jump
-   * of the tool reaches a hand at rest too.
-   */
-  private static final double LEAST_CHANGE_EDGES = 0.05;
-
   private static final GridMetric WORLD = new GridMetric(1, 1, 1);
 
   private final RigidCoupling coupling;
@@ -43,7 +38,6 @@ public final class ToolForce {
   private final Vec3 dampingTorque = new Vec3();
   private final Quaternion scratch = new Quaternion();
   private ForceSettings settings;
-  private boolean pressed;
   private boolean known;
   private long frictionSkipped;
 
@@ -58,7 +52,7 @@ public final class ToolForce {
     this.coupling = coupling;
     this.settings = settings;
     squaredRadiusMm2 = tool.rmsRadiusMm() * tool.rmsRadiusMm();
-    rateLimit = new CouplingRateLimit(tool, LEAST_CHANGE_EDGES * shortestEdgeMm);
+    rateLimit = new CouplingRateLimit(tool, ChangeBound.MIN_MOTION_EDGES * shortestEdgeMm);
     material = new MaterialTransition(shortestEdgeMm, settings.general());
     friction = new ToolFriction(tool, shortestEdgeMm);
   }
@@ -72,7 +66,7 @@ public final class ToolForce {
   public void reset() {
     rateLimit.reset();
     friction.reset();
-    pressed = false;
+    material.reset();
   }
 
   /** Returns the number of frames that skipped friction because it is zero. */
@@ -128,25 +122,16 @@ public final class ToolForce {
     known = true;
   }
 
-  /** Takes the touched body's material: at once if contact begins, else by a transition. */
   private void updateMaterial(ToolMotion tool, double stretchMm) {
-    ToolContacts contacts = tool.contacts();
-    if (!settings.distinguishesObjects()) {
-      material.set(settings.general());
-    } else if (contacts.count() > 0) {
-      Material touched = settings.material(mostPressed(contacts));
-      if (pressed) {
-        double motionMm = Math.sqrt(motion.dot(motion) + squaredRadiusMm2 * turn.dot(turn));
-        material.approach(touched, stretchMm, motionMm);
-      } else {
-        material.set(touched);
-      }
-    }
-    pressed = stretchMm > 0 && tool.contact();
+    int body = mostPressed(tool.contacts());
+    material.follow(settings, body, tool.contact(), stretchMm, rateLimit.lengthMm(motion, turn));
   }
 
-  /** Returns the body that carries the largest share. */
+  /** Returns the body that carries the largest share, or that there is none. */
   private static int mostPressed(ToolContacts contacts) {
+    if (contacts.count() == 0) {
+      return InteractionPoint.NO_OBJECT;
+    }
     int most = 0;
     for (int n = 1; n < contacts.count(); n++) {
       most = contacts.share(n) > contacts.share(most) ? n : most;
@@ -158,13 +143,7 @@ public final class ToolForce {
     damping.update(device.translation, elapsedNanos);
     spinDamping.update(turned, elapsedNanos);
     double newtonSecondPerMm = material.dampingNewtonSecondPerMm();
-    writeAlong(force, damping.newton(force, newtonSecondPerMm), dampingForce);
-    double newtonMm = spinDamping.newton(torque, squaredRadiusMm2 * newtonSecondPerMm);
-    writeAlong(torque, newtonMm, dampingTorque);
-  }
-
-  private static void writeAlong(Vec3 direction, double length, Vec3 dest) {
-    double whole = direction.length();
-    direction.mul(whole > 0 ? length / whole : 0, dest);
+    damping.compute(force, newtonSecondPerMm, dampingForce);
+    spinDamping.compute(torque, squaredRadiusMm2 * newtonSecondPerMm, dampingTorque);
   }
 }

@@ -51,7 +51,7 @@ public final class CouplingRateLimit {
     double lateMm = 0;
     if (known) {
       lastDevice.differenceTo(device, motion, turn, scratch);
-      double mostMm = Math.max(leastMm, length(motion, turn));
+      double mostMm = Math.max(leastMm, lengthMm(motion, turn));
       lateMm = approach(displacementMm, rotationVector, mostMm);
     }
     displacement.set(displacementMm);
@@ -67,7 +67,7 @@ public final class CouplingRateLimit {
   private double approach(Vec3 displacementMm, Vec3 rotationVector, double mostMm) {
     displacementMm.sub(displacement, motion);
     rotationVector.sub(rotation, turn);
-    double changeMm = length(motion, turn);
+    double changeMm = lengthMm(motion, turn);
     if (changeMm <= mostMm) {
       return 0;
     }
@@ -77,7 +77,9 @@ public final class CouplingRateLimit {
     return changeMm - mostMm;
   }
 
-  private double length(Vec3 v, Vec3 w) {
-    return Math.sqrt(v.dot(v) + squaredRadiusMm2 * w.dot(w));
+  /** Returns the length of a displacement, mm, with a rotation vector that counts as above. */
+  public double lengthMm(Vec3 displacementMm, Vec3 rotationVector) {
+    return Math.sqrt(
+        displacementMm.dot(displacementMm) + squaredRadiusMm2 * rotationVector.dot(rotationVector));
   }
 }
