@@ -23,7 +23,7 @@ final class ConeFriction {
   static final double SLIDING_FRACTION = 0.75;
 
   /** A sliding point that moves less than this in a frame sticks; in shortest voxel edges. */
-  private static final double STOP_EDGES = 1e-4;
+  static final double STOP_EDGES = 1e-4;
 
   private final GridMetric metric;
   private final double stopMm;
@@ -31,6 +31,7 @@ final class ConeFriction {
   private final Vec3 lastDevice = new Vec3();
   private final Vec3 lastPoint = new Vec3();
   private final Vec3 pull = new Vec3();
+  private final Vec3 handMotion = new Vec3();
   private boolean anchored;
   private boolean sliding;
 
@@ -73,7 +74,7 @@ final class ConeFriction {
     removeComponentAlong(force, pressing);
     pull.mul(material.stiffnessNewtonPerMm(), pull);
     limitToCone(position, material, pressing);
-    releasePush(device);
+    releasePush(measureMotion(device), pull);
     force.add(pull, force);
     moveAnchor(position, material.stiffnessNewtonPerMm());
   }
@@ -102,15 +103,23 @@ final class ConeFriction {
     }
   }
 
-  /** Removes from {@link #pull} the component along the motion of the hand, if it is positive. */
-  private void releasePush(Vec3 device) {
-    double x = (device.x - lastDevice.x) * metric.spacingX();
-    double y = (device.y - lastDevice.y) * metric.spacingY();
-    double z = (device.z - lastDevice.z) * metric.spacingZ();
-    double along = pull.x * x + pull.y * y + pull.z * z;
+  private Vec3 measureMotion(Vec3 device) {
+    return handMotion.set(
+        (device.x - lastDevice.x) * metric.spacingX(),
+        (device.y - lastDevice.y) * metric.spacingY(),
+        (device.z - lastDevice.z) * metric.spacingZ());
+  }
+
+  /**
+   * Removes from a pull the component along the motion of the hand, if it is positive.
+   *
+   * @param motion of the hand since the last frame; overwritten
+   * @param pull a force or a stretch; changed in place
+   */
+  static void releasePush(Vec3 motion, Vec3 pull) {
+    double along = pull.dot(motion);
     if (along > 0) {
-      double fraction = along / (x * x + y * y + z * z);
-      pull.set(pull.x - fraction * x, pull.y - fraction * y, pull.z - fraction * z);
+      pull.sub(motion.mul(along / motion.dot(motion), motion), pull);
     }
   }
 

@@ -18,9 +18,6 @@ import org.palpate.rigid.tool.RigidTool;
  * <p>Haptic thread; allocates nothing.
  */
 final class ToolFriction {
-  /** A sliding contact that moves less than this in a frame sticks; in shortest voxel edges. */
-  private static final double STOP_EDGES = 1e-4;
-
   private final RigidTool tool;
   private final double stopMm;
   private final double[] positionX = new double[ToolContacts.MOST];
@@ -40,7 +37,7 @@ final class ToolFriction {
 
   ToolFriction(RigidTool tool, double shortestEdgeMm) {
     this.tool = tool;
-    stopMm = STOP_EDGES * shortestEdgeMm;
+    stopMm = ConeFriction.STOP_EDGES * shortestEdgeMm;
     for (int n = 0; n < ToolContacts.MOST; n++) {
       stretch[n] = new Vec3();
       lastStretch[n] = new Vec3();
@@ -55,7 +52,7 @@ final class ToolFriction {
   /**
    * Adds friction to a coupling force and torque.
    *
-   * @param from the tool pose at the begin of the frame
+   * @param from the tool pose at the beginning of the frame
    * @param to the tool pose at its end
    * @param forceNewton its length is the pressing force
    */
@@ -130,16 +127,11 @@ final class ToolFriction {
     }
   }
 
-  /** Removes the part of a stretch along the hand's motion at the contact, if it is positive. */
   private void releasePush(int contact, int point, Pose device) {
     tool.point(point, local);
     lastDevice.transform(local, position);
     device.transform(local, moved).sub(position, moved);
-    double along = stretch[contact].dot(moved);
-    if (along > 0) {
-      moved.mul(along / moved.dot(moved), moved);
-      stretch[contact].sub(moved, stretch[contact]);
-    }
+    ConeFriction.releasePush(moved, stretch[contact]);
   }
 
   private void remember(ToolContacts contacts, Pose to) {
