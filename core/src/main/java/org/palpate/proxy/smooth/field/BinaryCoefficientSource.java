@@ -169,11 +169,6 @@ final class BinaryCoefficientSource implements CoefficientSource {
   }
 
   @Override
-  public boolean isSolid(CollisionScene scene, int x, int y, int z) {
-    return window.isSolid(scene, x, y, z);
-  }
-
-  @Override
   public void forget() {
     window.forget();
   }

@@ -37,7 +37,6 @@ final class BinaryWindow {
   private static final int FACE = EDGE * WORDS;
 
   private final ThinGrid grid;
-  private final BrickSource source;
   private final BrickCopy copy;
 
   /** The empty voxels. */
@@ -73,13 +72,7 @@ final class BinaryWindow {
    */
   BinaryWindow(ThinGrid grid, BrickSource source) {
     this.grid = grid;
-    this.source = source;
     copy = new BrickCopy(source);
-  }
-
-  /** Whether any cell, inside the window or outside, is solid. */
-  boolean isSolid(CollisionScene scene, int x, int y, int z) {
-    return source.isSolid(scene, x, y, z);
   }
 
   /** Forgets the copied bits. */
@@ -196,29 +189,29 @@ final class BinaryWindow {
    */
   private boolean findSeed(SeedCell seed) {
     if (grid.isWhole()) {
-      return isSeed(seed.x(), seed.y(), seed.z());
+      return setSeed(seed.x(), seed.y(), seed.z());
     }
     int voxel = grid.axis() == 0 ? seed.x() : grid.axis() == 1 ? seed.y() : seed.z();
     int middle = grid.middleOf(voxel);
     for (int n = 0; n < grid.perVoxel() + 2; n++) {
       int cell = (n & 1) == 0 ? middle - n / 2 : middle + (n + 1) / 2;
-      if (grid.voxelOf(cell) == voxel && isSeed(seed, cell)) {
+      if (grid.voxelOf(cell) == voxel && setSeed(seed, cell)) {
         return true;
       }
     }
     return false;
   }
 
-  private boolean isSeed(SeedCell seed, int cell) {
+  private boolean setSeed(SeedCell seed, int cell) {
     return switch (grid.axis()) {
-      case 0 -> isSeed(cell, seed.y(), seed.z());
-      case 1 -> isSeed(seed.x(), cell, seed.z());
-      default -> isSeed(seed.x(), seed.y(), cell);
+      case 0 -> setSeed(cell, seed.y(), seed.z());
+      case 1 -> setSeed(seed.x(), cell, seed.z());
+      default -> setSeed(seed.x(), seed.y(), cell);
     };
   }
 
-  /** Notes a cell as the seed; returns whether it is an empty one of the window. */
-  private boolean isSeed(int x, int y, int z) {
+  /** Sets the seed to a cell; returns whether it is an empty one of the window. */
+  private boolean setSeed(int x, int y, int z) {
     seedX = x - lowX;
     seedY = y - lowY;
     seedZ = z - lowZ;

@@ -17,9 +17,6 @@ interface CoefficientSource {
   /** Whether the coefficients that were loaded last are the same for this seed cell. */
   boolean holdsFor(SeedCell seed);
 
-  /** Whether a cell counts as solid; cells are voxels, or thin slices of them. */
-  boolean isSolid(CollisionScene scene, int x, int y, int z);
-
   /** Forgets all cached voxels. */
   void forget();
 

@@ -158,11 +158,6 @@ final class GreyCoefficientSource implements CoefficientSource {
   }
 
   @Override
-  public boolean isSolid(CollisionScene scene, int x, int y, int z) {
-    return window.isSolid(scene, x, y, z);
-  }
-
-  @Override
   public void forget() {
     window.forget();
     cache.forget();

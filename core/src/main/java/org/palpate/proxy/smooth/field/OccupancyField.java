@@ -23,6 +23,7 @@ import org.palpate.geometry.Vec3;
 public final class OccupancyField {
   private static final int COEFFICIENTS = 27;
 
+  private final BrickSource cells;
   private final CoefficientSource source;
   private final IsoLevel level;
   private final FieldSample sample;
@@ -53,9 +54,11 @@ public final class OccupancyField {
    * Creates a field over any coefficients.
    *
    * @param grid the cells to whose corners the coefficients belong
+   * @param cells gives their bits
    * @param edges the edges of a voxel along x, y and z, in shortest edges: at least 1
    */
-  private OccupancyField(CoefficientSource source, ThinGrid grid, Vec3 edges) {
+  private OccupancyField(ThinGrid grid, BrickSource cells, CoefficientSource source, Vec3 edges) {
+    this.cells = cells;
     this.source = source;
     cellsX = grid.perVoxel(0);
     cellsY = grid.perVoxel(1);
@@ -72,7 +75,9 @@ public final class OccupancyField {
     Vec3 edges = edges(metric);
     ThinGrid grid = ThinGrid.of(edges);
     SmoothingKernel kernel = SmoothingKernel.forBits(grid.cellEdges(edges));
-    return new OccupancyField(new BinaryCoefficientSource(kernel, window(grid)), grid, edges);
+    BrickSource cells = cells(grid);
+    BinaryWindow window = new BinaryWindow(grid, cells);
+    return new OccupancyField(grid, cells, new BinaryCoefficientSource(kernel, window), edges);
   }
 
   /**
@@ -85,12 +90,14 @@ public final class OccupancyField {
     ThinGrid cut = ThinGrid.of(edges);
     ThinGrid grid = cut.perVoxel() < ThinOccupancies.MIN_PER_VOXEL ? ThinGrid.WHOLE : cut;
     SmoothingKernel kernel = SmoothingKernel.forGrey(grid.cellEdges(edges));
-    CoefficientSource source = new GreyCoefficientSource(kernel, grid, window(grid), grey);
-    return new OccupancyField(source, grid, edges);
+    BrickSource cells = cells(grid);
+    BinaryWindow window = new BinaryWindow(grid, cells);
+    return new OccupancyField(
+        grid, cells, new GreyCoefficientSource(kernel, grid, window, grey), edges);
   }
 
-  private static BinaryWindow window(ThinGrid grid) {
-    return new BinaryWindow(grid, grid.isWhole() ? BrickSource.VOXELS : new ThinSlices(grid));
+  private static BrickSource cells(ThinGrid grid) {
+    return grid.isWhole() ? BrickSource.VOXELS : new ThinSlices(grid);
   }
 
   /** Returns the edges of a voxel, in shortest edges. */
@@ -134,7 +141,7 @@ public final class OccupancyField {
    * may be solid within an empty voxel.
    */
   public boolean isSolid(Vec3 point) {
-    return source.isSolid(
+    return cells.isSolid(
         scene,
         (int) Math.floor(cellsX * point.x),
         (int) Math.floor(cellsY * point.y),
@@ -163,9 +170,9 @@ public final class OccupancyField {
   /**
    * Evaluates the field at another point or from another seed.
    *
-   * <p>The steps are written out. So this method is just too large to be inlined, and the JIT
-   * compiles it once and whole. Inlined at each evaluation of a frame, the frame was cut off
-   * halfway, and {@code ResponseBenchmark} took 7 % longer on slow slides.
+   * <p>The steps are written out on purpose. They make this method just too large to be inlined, so
+   * the JIT compiles it once and whole. If it is inlined at each evaluation, the inlining of a
+   * frame ends halfway, and {@code ResponseBenchmark} takes 7 % longer on slow slides.
    */
   private void evaluateAnew(SeedCell seed, Vec3 point) {
     lastSeed.set(seed);
