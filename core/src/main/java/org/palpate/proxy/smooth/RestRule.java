@@ -8,12 +8,13 @@ import org.palpate.geometry.Vec3;
  * <p>Rule. A frame in contact counts only if it leaves the {@link Potential} at or below a limit:
  * the potential before the frame, plus the distance that the device has moved since the last frame,
  * less {@link #LEAST_FALL_EDGES}. Otherwise the frame is taken back. A frame that reaches the
- * device counts. Free-space motion towards a device beyond w_max counts if the device has moved, or
- * if the distance to it is smaller by {@link #LEAST_FALL_EDGES} than at each such motion since.
+ * device counts too, unless the device lies in a solid cell of the field. Free-space motion towards
+ * a device beyond w_max counts if the device has moved, or if the distance to it is smaller by
+ * {@link #LEAST_FALL_EDGES} than at each such motion since.
  *
  * <p>Claim. While the device rests, only finitely many frames move the point.
  *
- * <p>Proof. A frame that reaches the device ends the sequence: the next leg has no length.
+ * <p>Proof. A frame that ends at the device ends the sequence: the next leg has no length.
  * Free-space motions are finitely many, because the distance at which they start falls by a least
  * amount from each to the next and is not negative. After the last one each frame that moves the
  * point lowers the potential by at least {@link #LEAST_FALL_EDGES}. The potential is a fixed
