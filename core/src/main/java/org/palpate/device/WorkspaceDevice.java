@@ -10,7 +10,7 @@ import org.palpate.geometry.Vec3;
  * <p>While the clutch is held, position and orientation rest and there is no force. The hand can
  * then return to a pose with more room. After the release the force returns over {@link
  * #RETURN_NANOS}. The speed button switches between full and fine motion about the present
- * position; rotation is never scaled. Other axes change neither position nor orientation.
+ * position; rotation is never scaled. New axes change neither position nor orientation.
  *
  * <p>Buttons pass through. A position that is not finite passes too and changes nothing of the
  * mapping; so does an orientation that is not {@linkplain Quaternion#isNearUnit near} a unit
@@ -33,8 +33,8 @@ public final class WorkspaceDevice extends DeviceDecorator {
   private final Vec3 originMm;
 
   /**
-   * Follows the mapped orientation, in the probe's axes, so that neither the clutch nor other axes
-   * turn anything, and later turns are about the axes of the hand.
+   * A turn about the probe's own axes that is applied before the mapped orientation. With it,
+   * neither the clutch nor other axes turn the probe. Later turns are about the axes of the hand.
    */
   private final Quaternion offset = new Quaternion();
 
@@ -140,15 +140,15 @@ public final class WorkspaceDevice extends DeviceDecorator {
 
   /**
    * Takes the axes that were requested last, once they map a position to finite numbers. Returns
-   * whether they are others.
+   * whether the axes changed.
    */
   private boolean takeAxes() {
     Axes requested = requestedAxes;
-    boolean others =
+    boolean changed =
         requested != axes
             && requested.workspace.toWorldStep(raw.positionMm, displacementMm).isFinite();
-    axes = others ? requested : axes;
-    return others;
+    axes = changed ? requested : axes;
+    return changed;
   }
 
   private void mapPosition(DeviceState state, boolean turned) {

@@ -9,7 +9,7 @@ import org.palpate.volume.VoxelGrid;
 
 /**
  * A device as a {@link PointFrame} takes it: positions are grid coordinates, and forces act along
- * the grid's axes. It is no {@link HapticDevice}, whose positions are world mm, so the compiler
+ * the grid's axes. It is not a {@link HapticDevice}, whose positions are world mm, so the compiler
  * keeps the two apart.
  *
  * <p>{@link #fromWorld} is the one place where the haptic thread converts between world and grid.
