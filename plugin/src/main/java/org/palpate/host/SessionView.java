@@ -196,7 +196,7 @@ public final class SessionView implements AutoCloseable {
     } catch (GraphicsException e) {
       loader = null;
       started.close();
-      print("no window (" + e.what() + "): " + e.remedy() + "; the session goes on without one");
+      windowLost("no window (" + e.what() + "): " + e.remedy());
     }
   }
 
@@ -339,11 +339,18 @@ public final class SessionView implements AutoCloseable {
   private void windowEnded(SceneWindow.End end) {
     if (end == SceneWindow.End.CLOSED_BY_USER) {
       listener.stop();
-    } else if (device instanceof MouseDevice mouse) {
-      print("the window failed (" + reason() + "), and the mouse is lost with it");
+    } else {
+      windowLost("the window failed (" + reason() + ")");
+    }
+  }
+
+  /** Ends a session with the mouse, which has no other input; any other session goes on. */
+  private void windowLost(String what) {
+    if (device instanceof MouseDevice mouse) {
+      print(what + "; the mouse is lost with it");
       mouse.close();
     } else {
-      print("the window failed (" + reason() + "); the session goes on without it");
+      print(what + "; the session goes on without it");
     }
   }
 

@@ -55,6 +55,19 @@ class DisplayFaultsTest {
     }
   }
 
+  @Test
+  void aDriverWithoutOpenGl3EndsASessionWithTheMouse() throws Exception {
+    try (XServer display = XServer.start()) {
+      ProcessBuilder old =
+          on(display.display(), "touch", "--phantom", "sphere:32", "--device", "mouse")
+              .redirectErrorStream(true);
+      old.environment().put("MESA_GL_VERSION_OVERRIDE", "2.1");
+      CommandRun run = CommandRun.waitFor(old);
+      assertEquals(1, run.exitCode(), run.out());
+      assertTrue(run.out().contains("the mouse is lost with it"), run.out());
+    }
+  }
+
   private ProcessBuilder picture(String display) {
     return on(display, "render", "--phantom", "sphere:32", "--out", folder.resolve("x.png"));
   }
