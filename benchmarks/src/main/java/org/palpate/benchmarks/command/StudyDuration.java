@@ -6,14 +6,14 @@ import java.util.stream.Collectors;
 
 /**
  * The durations of studies of {@code bench} that are not run by JMH, for the line that it prints
- * first. Measured in November 2026 on two processors of an Intel Xeon that other work had too. A
- * full study that was never timed has no number.
+ * first. Measured in November 2026 on two processors that other work had too; of {@link #RIGID} it
+ * is the processor time. A full study that was never timed has no number.
  */
 enum StudyDuration {
   CPP(56, 56),
   STABILITY(480, 60),
   ACCURACY(Double.NaN, 42),
-  RIGID(Double.NaN, 120),
+  RIGID(720, 120),
   SYNC(83, 22),
   SURFACES(38, 38);
 
