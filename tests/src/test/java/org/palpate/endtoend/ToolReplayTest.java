@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -200,6 +201,16 @@ class ToolReplayTest {
             .collect(Collectors.joining("\n"));
     assertEquals(expected, Files.readString(file("part")).strip());
     assertTrue(expected.lines().count() > 100);
+  }
+
+  @Test
+  void aTableOfFramesReplaysToTheSameFrames() throws IOException {
+    trajectory(100, new Vec3(24, 24, 24));
+    Object[] scene = {"--phantom", "sphere:48", "--tool", "capsule:2,6"};
+    replay(with(scene, "--out", file("once"))).mustSucceed();
+    Files.copy(file("once"), file("t.csv"), StandardCopyOption.REPLACE_EXISTING);
+    replay(with(scene, "--out", file("again"))).mustSucceed();
+    assertArrayEquals(Files.readAllBytes(file("once")), Files.readAllBytes(file("again")));
   }
 
   private static boolean isPart(String line) {

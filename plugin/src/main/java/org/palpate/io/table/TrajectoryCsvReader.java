@@ -18,10 +18,18 @@ import org.palpate.io.file.NumberText;
  * Reads a trajectory: a header that names {@code t_ms,x,y,z} in any order, optionally {@code
  * qw,qx,qy,qz}, {@code flags} and other columns, then a line for each sample. Empty lines and lines
  * that start with # are skipped. Quaternions are scaled to the norm 1.
+ *
+ * <p>A table of frames, which has {@code dx,dy,dz} and perhaps {@code dqw,dqx,dqy,dqz} instead, is
+ * read as the trajectory of its device poses.
  */
 public final class TrajectoryCsvReader {
   private static final List<String> NEEDED = List.of("t_ms", "x", "y", "z");
   private static final List<String> ROTATION = List.of("qw", "qx", "qy", "qz");
+
+  /** The device pose in a table of frames. */
+  private static final List<String> NEEDED_OF_FRAMES = List.of("t_ms", "dx", "dy", "dz");
+
+  private static final List<String> ROTATION_OF_FRAMES = List.of("dqw", "dqx", "dqy", "dqz");
   private static final double[] NO_ROTATION = {1, 0, 0, 0};
 
   private static final String FLAGS = "flags";
@@ -48,6 +56,7 @@ public final class TrajectoryCsvReader {
   private final double[] needed = new double[NEEDED.size()];
   private final double[] rotation = new double[ROTATION.size()];
   private final Quaternion quaternion = new Quaternion();
+  private List<String> neededNames = NEEDED;
   private int[] neededColumns = {};
   private int[] rotationColumns = {};
   private int flagsColumn = -1;
@@ -105,20 +114,26 @@ public final class TrajectoryCsvReader {
   private void readHeader(String line) throws CsvFormatException {
     List<String> names =
         Arrays.stream(line.replace("\ufeff", "").split(",", -1)).map(String::strip).toList();
-    neededColumns = NEEDED.stream().mapToInt(names::indexOf).toArray();
+    boolean ofFrames = names.containsAll(NEEDED_OF_FRAMES) && !names.containsAll(NEEDED);
+    neededNames = ofFrames ? NEEDED_OF_FRAMES : NEEDED;
+    neededColumns = columns(names, neededNames);
     for (int n = 0; n < neededColumns.length; n++) {
       if (neededColumns[n] < 0) {
         throw new CsvFormatException(
             "there is no column " + NEEDED.get(n), file, lineNumber, "begin with t_ms,x,y,z");
       }
     }
-    int[] columns = ROTATION.stream().mapToInt(names::indexOf).toArray();
-    rotationColumns = Arrays.stream(columns).allMatch(n -> n >= 0) ? columns : new int[0];
+    int[] found = columns(names, ofFrames ? ROTATION_OF_FRAMES : ROTATION);
+    rotationColumns = Arrays.stream(found).allMatch(n -> n >= 0) ? found : new int[0];
     flagsColumn = names.indexOf(FLAGS);
   }
 
+  private static int[] columns(List<String> header, List<String> wanted) {
+    return wanted.stream().mapToInt(header::indexOf).toArray();
+  }
+
   private void readSample(String[] words, SampleSink sink) throws CsvFormatException {
-    read(words, neededColumns, NEEDED, needed);
+    read(words, neededColumns, neededNames, needed);
     if (rotationColumns.length > 0) {
       read(words, rotationColumns, ROTATION, rotation);
       normalizeRotation();

@@ -9,8 +9,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
 import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
 
 class TrajectoryCsvReaderTest {
   @TempDir Path folder;
@@ -24,6 +26,27 @@ class TrajectoryCsvReaderTest {
     assertEquals(0.5, q.y, 1e-12);
     assertEquals(0.1, q.z, 1e-12);
     assertEquals(1, q.norm(), 1e-15);
+  }
+
+  @Test
+  void aTableOfFramesIsTheTrajectoryOfItsDevicePoses() throws IOException {
+    Trajectory read =
+        read(
+            true,
+            "frame,t_ms,dx,dy,dz,px,py,pz,dqw,dqx,dqy,dqz,pqw,pqx,pqy,pqz",
+            "0,5,1,2,3,7,7,7,0.6,0,0.8,0,1,0,0,0");
+    DeviceState state = new DeviceState();
+    read.read(0, state);
+    assertTrue(state.positionMm.sameBits(new Vec3(1, 2, 3)));
+    assertTrue(state.orientation.sameBits(new Quaternion(0.6, 0, 0.8, 0)));
+  }
+
+  @Test
+  void positionsCountBeforeTheDevicePosesOfFrames() throws IOException {
+    Trajectory read = read(true, "t_ms,dx,dy,dz,x,y,z", "0,1,2,3,4,5,6");
+    DeviceState state = new DeviceState();
+    read.read(0, state);
+    assertTrue(state.positionMm.sameBits(new Vec3(4, 5, 6)));
   }
 
   @Test
