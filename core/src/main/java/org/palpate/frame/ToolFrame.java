@@ -146,8 +146,7 @@ public final class ToolFrame extends HapticFrame {
   @Override
   void publish(long frame) {
     mostReduced = Math.max(mostReduced, motion.reducedPoints());
-    publisher.publish(
-        devicePose, motion.pose(), forceNewton, torqueNewtonMm, motion.contact(), frame);
+    publisher.publish(devicePose, motion, forceNewton, torqueNewtonMm, frame);
   }
 
   /** Changes materials and friction from the next frame on. Any thread. */

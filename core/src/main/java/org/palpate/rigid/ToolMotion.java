@@ -1,6 +1,8 @@
 package org.palpate.rigid;
 
 import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
 
 /**
  * The tool's pose and what the last frame did with it. The legs of a frame are the straight
@@ -55,6 +57,11 @@ public final class ToolMotion {
   /** Returns the contacts that hold the tool back; none without {@link #contact}. */
   public ToolContacts contacts() {
     return contacts;
+  }
+
+  /** Writes the position of the sample point of a contact of {@code tool}, world mm. */
+  public Vec3 contactMm(int contact, RigidTool tool, Vec3 dest) {
+    return pose().transform(tool.point(contacts.point(contact), dest), dest);
   }
 
   /** Whether the tool was set free in the last frame; then the path has a single pose. */

@@ -250,8 +250,8 @@ class ToolFrameTest {
         frame(
             device,
             unlimited(),
-            (d, tool, f, t, contact, n) -> {
-              published.set(tool);
+            (d, motion, f, t, n) -> {
+              published.set(motion.pose());
               torque.set(t);
               assertTrue(f.sameBits(device.lastForce()));
             });

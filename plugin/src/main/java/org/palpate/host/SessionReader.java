@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.Property;
 import org.palpate.sync.TouchProperties;
@@ -23,10 +24,10 @@ public final class SessionReader {
   private final Pose upright = new Pose();
   private final Vec3 scratch = new Vec3();
 
-  /** Creates a reader; {@code rigid} says whether the session holds a rigid tool. */
-  SessionReader(VoxelGrid grid, boolean rigid) {
+  /** Creates a reader of a session that holds a rigid tool, or of one without. */
+  SessionReader(VoxelGrid grid, Optional<RigidTool> held) {
     this.grid = grid;
-    tool = rigid ? Optional.of(new ToolPublisher(properties, grid)) : Optional.empty();
+    tool = held.map(rigid -> new ToolPublisher(properties, grid, rigid));
   }
 
   /** Returns the properties into which the frames of a point publish. Haptic thread. */

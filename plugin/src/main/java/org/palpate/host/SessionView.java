@@ -178,6 +178,7 @@ public final class SessionView implements AutoCloseable {
                 ToolMarks.at(
                     toolPoints,
                     held.publisher().toolToWorld().read(),
+                    held.publisher().contactsMm(),
                     held.publisher().torqueNewtonMm().read(new Vec3()),
                     model.axes()));
   }

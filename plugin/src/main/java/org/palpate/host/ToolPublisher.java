@@ -1,9 +1,15 @@
 package org.palpate.host;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.palpate.frame.ToolFramePublisher;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.ToolContacts;
+import org.palpate.rigid.ToolMotion;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.sync.NumberProperty;
 import org.palpate.sync.PositionProperty;
 import org.palpate.sync.TouchProperties;
 import org.palpate.sync.TransformProperty;
@@ -11,40 +17,58 @@ import org.palpate.volume.VoxelGrid;
 
 /**
  * Publishes the frames of a rigid tool. One publication holds device, reference point, force and
- * contact, as for a point, and the poses and the torque.
+ * contact, as for a point, and the poses, the torque and the points in contact.
  *
  * <p>Haptic thread; allocates nothing.
  */
 final class ToolPublisher implements ToolFramePublisher {
   private final TouchProperties properties;
   private final VoxelGrid grid;
+  private final RigidTool tool;
   private final TransformProperty toolToWorld;
   private final TransformProperty deviceToWorld;
   private final PositionProperty torqueNewtonMm;
+  private final NumberProperty contactCount;
+  private final PositionProperty[] contactMm = new PositionProperty[ToolContacts.MOST];
+  private final Vec3 contactPoint = new Vec3();
   private final Vec3 deviceGrid = new Vec3();
   private final Vec3 pointGrid = new Vec3();
   private final Vec3 gridNewton = new Vec3();
   private final RigidTransform toWorld = RigidTransform.identity();
 
   /** Creates the properties of a tool beside those of a point, before the session starts. */
-  ToolPublisher(TouchProperties properties, VoxelGrid grid) {
+  ToolPublisher(TouchProperties properties, VoxelGrid grid, RigidTool tool) {
     this.properties = properties;
     this.grid = grid;
+    this.tool = tool;
     toolToWorld = properties.accumulator().transform("tool");
     deviceToWorld = properties.accumulator().transform("device");
     torqueNewtonMm = properties.accumulator().position("torque");
+    contactCount = properties.accumulator().number("contacts");
+    for (int n = 0; n < contactMm.length; n++) {
+      contactMm[n] = properties.accumulator().position("contact " + n);
+    }
   }
 
   @Override
-  public void publish(
-      Pose device, Pose tool, Vec3 forceNewton, Vec3 torque, boolean contact, long frame) {
-    toolToWorld.set(tool.transform(toWorld));
+  public void publish(Pose device, ToolMotion motion, Vec3 forceNewton, Vec3 torque, long frame) {
+    Pose pose = motion.pose();
+    toolToWorld.set(pose.transform(toWorld));
+    setContacts(motion);
     deviceToWorld.set(device.transform(toWorld));
     torqueNewtonMm.set(torque);
     grid.worldToGrid(device.translation, deviceGrid);
-    grid.worldToGrid(tool.translation, pointGrid);
+    grid.worldToGrid(pose.translation, pointGrid);
     grid.gridMmToWorld().inverseRotate(forceNewton, gridNewton);
-    properties.publish(deviceGrid, pointGrid, gridNewton, contact, frame);
+    properties.publish(deviceGrid, pointGrid, gridNewton, motion.contact(), frame);
+  }
+
+  private void setContacts(ToolMotion motion) {
+    int count = motion.contacts().count();
+    contactCount.set(count);
+    for (int n = 0; n < count; n++) {
+      contactMm[n].set(motion.contactMm(n, tool, contactPoint));
+    }
   }
 
   /** Returns the device pose, device frame to world mm. */
@@ -55,6 +79,15 @@ final class ToolPublisher implements ToolFramePublisher {
   /** Returns the tool pose, tool frame to world mm. */
   TransformProperty toolToWorld() {
     return toolToWorld;
+  }
+
+  /** Returns the sample points that are in contact, world mm; a new list. */
+  List<Vec3> contactsMm() {
+    List<Vec3> contacts = new ArrayList<>();
+    for (int n = 0; n < (int) contactCount.read(); n++) {
+      contacts.add(contactMm[n].read(new Vec3()));
+    }
+    return contacts;
   }
 
   /** Returns the torque on the hand about the reference point, world axes. */

@@ -104,7 +104,7 @@ public final class TouchSession implements AutoCloseable {
     FrameSettings frameSettings = scene.liveFrame(specification, defaultNewtonPerMm);
     RigidCoupling coupling = scene.coupling(defaultNewtonPerMm);
     grid = scene.contactScene().grid();
-    ToolPublisher publisher = new ToolPublisher(properties, grid);
+    ToolPublisher publisher = new ToolPublisher(properties, grid, scene.tool());
     ToolFrame frame = scene.newFrame(device, frameSettings, coupling, published(publisher));
     tuning = ContactTuning.ofTool(frame, frameSettings.force(), specification);
     HapticDevice hand =
@@ -148,10 +148,10 @@ public final class TouchSession implements AutoCloseable {
 
   /** Returns a publisher of a tool's frames for both readers. */
   private ToolFramePublisher published(ToolPublisher first) {
-    return (devicePose, tool, newton, torque, contact, frame) -> {
-      first.publish(devicePose, tool, newton, torque, contact, frame);
+    return (devicePose, motion, newton, torque, frame) -> {
+      first.publish(devicePose, motion, newton, torque, frame);
       if (secondReader != null) {
-        secondReader.toolPublisher().publish(devicePose, tool, newton, torque, contact, frame);
+        secondReader.toolPublisher().publish(devicePose, motion, newton, torque, frame);
       }
     };
   }
@@ -166,7 +166,7 @@ public final class TouchSession implements AutoCloseable {
     if (started || secondReader != null) {
       throw new IllegalStateException("a second reader is made once, before the session starts");
     }
-    secondReader = new SessionReader(grid, held.isPresent());
+    secondReader = new SessionReader(grid, held.map(tool -> tool.scene().tool()));
     return secondReader;
   }
 

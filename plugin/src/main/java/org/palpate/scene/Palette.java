@@ -19,6 +19,7 @@ public final class Palette {
   public static final int FORCE = VERMILION;
   public static final int TORQUE = VERMILION;
   public static final int TOOL = BLUISH_GREEN;
+  public static final int CONTACT = YELLOW;
   public static final int TRAIL = YELLOW;
   public static final int LANDMARK = REDDISH_PURPLE;
   public static final int SPRING = 0x9fb4c8;

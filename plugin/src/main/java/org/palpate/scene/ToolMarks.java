@@ -6,14 +6,15 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /**
- * The drawing of a rigid tool in one frame: some of its sample points, and the torque on the hand
- * as an arc about the reference point. Scene frame, mm.
+ * The drawing of a rigid tool in one frame: some of its sample points, the points in contact, and
+ * the torque on the hand as an arc about the reference point. Scene frame, mm.
  *
  * @param points sample points at the tool pose
+ * @param contacts the points in contact
  * @param torqueArc points along the arc, in the direction in which the torque turns the hand; empty
  *     if there is no torque
  */
-public record ToolMarks(List<Vec3> points, List<Vec3> torqueArc) {
+public record ToolMarks(List<Vec3> points, List<Vec3> contacts, List<Vec3> torqueArc) {
   /** The most points that are drawn. */
   public static final int MOST_POINTS = 3000;
 
@@ -25,6 +26,7 @@ public record ToolMarks(List<Vec3> points, List<Vec3> torqueArc) {
   /** Copies the lists. */
   public ToolMarks {
     points = List.copyOf(points);
+    contacts = List.copyOf(contacts);
     torqueArc = List.copyOf(torqueArc);
   }
 
@@ -33,11 +35,16 @@ public record ToolMarks(List<Vec3> points, List<Vec3> torqueArc) {
    *
    * @param toolPoints sample points, tool frame, mm
    * @param toolToWorld the tool pose
+   * @param contactsMm the points in contact, world mm
    * @param torqueNewtonMm the torque on the hand about the reference point, world axes
    * @param axes the orientation of the world's axes
    */
   public static ToolMarks at(
-      List<Vec3> toolPoints, RigidTransform toolToWorld, Vec3 torqueNewtonMm, WorldAxes axes) {
+      List<Vec3> toolPoints,
+      RigidTransform toolToWorld,
+      List<Vec3> contactsMm,
+      Vec3 torqueNewtonMm,
+      WorldAxes axes) {
     List<Vec3> points = new ArrayList<>();
     double radiusMm = 0;
     for (Vec3 point : toolPoints) {
@@ -45,12 +52,14 @@ public record ToolMarks(List<Vec3> points, List<Vec3> torqueArc) {
       Vec3 world = toolToWorld.transform(point, new Vec3());
       points.add(axes.toSceneOrBack(world, world));
     }
+    List<Vec3> contacts =
+        contactsMm.stream().map(contact -> axes.toSceneOrBack(contact, new Vec3())).toList();
     List<Vec3> arc = new ArrayList<>();
     if (torqueNewtonMm.length() > LEAST_NEWTON_MM) {
       addArc(toolToWorld.origin(), torqueNewtonMm, 1.2 * radiusMm, arc);
     }
     arc.forEach(point -> axes.toSceneOrBack(point, point));
-    return new ToolMarks(points, arc);
+    return new ToolMarks(points, contacts, arc);
   }
 
   /** Adds the arc in the world, so that a mirrored scene shows the torque mirrored too. */

@@ -15,10 +15,12 @@ class ToolMarksTest {
 
   @Test
   void pointsLieWhereTheToolPosePutsThem() {
-    ToolMarks marks = ToolMarks.at(List.of(new Vec3(2, 0, 0)), POSE, new Vec3(), WorldAxes.UNKNOWN);
+    ToolMarks marks = marks(List.of(new Vec3(5, 6, 7)), new Vec3());
     Vec3 expected = WorldAxes.UNKNOWN.toSceneOrBack(new Vec3(10, 22, 30), new Vec3());
     assertEquals(0, expected.sub(marks.points().get(0), new Vec3()).length(), 1e-12);
     assertTrue(marks.torqueArc().isEmpty(), "no torque, no arc");
+    Vec3 contact = WorldAxes.UNKNOWN.toSceneOrBack(new Vec3(5, 6, 7), new Vec3());
+    assertTrue(contact.sameBits(marks.contacts().get(0)));
   }
 
   @Test
@@ -40,9 +42,12 @@ class ToolMarksTest {
 
   /** Returns the arc in the world. */
   private static List<Vec3> arc(Vec3 torque) {
-    WorldAxes axes = WorldAxes.UNKNOWN;
-    return ToolMarks.at(List.of(new Vec3(2, 0, 0)), POSE, torque, axes).torqueArc().stream()
-        .map(point -> axes.toSceneOrBack(point, new Vec3()))
+    return marks(List.of(), torque).torqueArc().stream()
+        .map(point -> WorldAxes.UNKNOWN.toSceneOrBack(point, new Vec3()))
         .toList();
+  }
+
+  private static ToolMarks marks(List<Vec3> contactsMm, Vec3 torque) {
+    return ToolMarks.at(List.of(new Vec3(2, 0, 0)), POSE, contactsMm, torque, WorldAxes.UNKNOWN);
   }
 }

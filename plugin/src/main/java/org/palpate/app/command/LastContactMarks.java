@@ -15,6 +15,7 @@ import org.palpate.host.ToolReplay;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TrajectoryFile;
 import org.palpate.proxy.InteractionPoint;
+import org.palpate.rigid.ToolMotion;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.ToolMarks;
 import org.palpate.scene.TouchMarks;
@@ -58,19 +59,26 @@ final class LastContactMarks {
     LastContactMarks marks = new LastContactMarks(axes);
     Pose shownPose = new Pose();
     Vec3 shownTorque = new Vec3();
+    List<Vec3> shownContacts = new ArrayList<>();
     new ToolReplay(scene, trajectory, false)
         .run(
             (number, frame) -> {
-              Pose pose = frame.motion().pose();
-              boolean contact = frame.motion().contact();
+              ToolMotion motion = frame.motion();
+              Pose pose = motion.pose();
+              boolean contact = motion.contact();
               if (contact || !marks.hasContact) {
                 shownPose.set(pose);
                 shownTorque.set(frame.torqueNewtonMm());
+                shownContacts.clear();
+                for (int n = 0; n < motion.contacts().count(); n++) {
+                  shownContacts.add(motion.contactMm(n, scene.tool(), new Vec3()));
+                }
               }
               marks.take(frame.sample().positionMm, pose.translation, frame.forceNewton(), contact);
             });
     RigidTransform toolToWorld = shownPose.transform(RigidTransform.identity());
-    ToolMarks tool = ToolMarks.at(scene.drawnPoints(), toolToWorld, shownTorque, axes);
+    ToolMarks tool =
+        ToolMarks.at(scene.drawnPoints(), toolToWorld, shownContacts, shownTorque, axes);
     return new TouchMarks(
         marks.shownDevice,
         marks.shownPoint,

@@ -11,7 +11,7 @@ import org.palpate.scene.TouchMarks;
 
 /**
  * Draws the device, the interaction point, the spring between them, the force and the trail. Draws
- * the sample points and the torque of a rigid tool.
+ * the sample points, the contacts and the torque of a rigid tool.
  */
 final class MarkPainter {
   /** Radius of the interaction point's ball over the camera's distance. */
@@ -36,7 +36,7 @@ final class MarkPainter {
    */
   private final MarkMesh point = new MarkMesh();
 
-  /** The sample points of a rigid tool, and its torque. */
+  /** The sample points of a rigid tool, its contacts and its torque. */
   private final MarkMesh tool = new MarkMesh();
 
   /** Compiles the program. */
@@ -74,6 +74,8 @@ final class MarkPainter {
   private void buildTool(ToolMarks held, double size) {
     tool.colour(Palette.TOOL, 1);
     held.points().forEach(point -> tool.dot(point, 0.22 * size));
+    tool.colour(Palette.CONTACT, 1);
+    held.contacts().forEach(contact -> tool.ball(contact, 0.6 * size));
     List<Vec3> arc = held.torqueArc();
     if (arc.size() > 1) {
       tool.colour(Palette.TORQUE, 1).tube(arc, 0.25 * size);
