@@ -185,6 +185,11 @@ public final class PointFrame extends HapticFrame {
     return point;
   }
 
+  /** Returns the work of the last frame that followed the device, see {@link ProxySolver#steps}. */
+  public long work() {
+    return solver.steps();
+  }
+
   @Override
   Map<String, Long> skipped() {
     SkipCounters all = new SkipCounters();

@@ -33,6 +33,14 @@ public interface ProxySolver {
    */
   default void reset() {}
 
+  /**
+   * Returns the work of the last frame, in steps of the solver that no machine changes; 0 if the
+   * solver does not count them.
+   */
+  default int steps() {
+    return 0;
+  }
+
   /** Adds the number of times that this solver skipped work to {@code dest}. */
   default void addSkips(SkipCounters dest) {}
 }

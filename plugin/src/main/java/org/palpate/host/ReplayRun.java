@@ -12,6 +12,8 @@ import org.palpate.frame.PointFrame;
 import org.palpate.frame.Watchdog;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.statistics.WorkPercentiles;
 
 /**
  * Runs the frames of a session over a recorded trajectory, one frame a sample. It uses no clock, so
@@ -69,8 +71,15 @@ public final class ReplayRun {
     return new ReplayRun(scene, trajectory, world, true);
   }
 
-  /** Runs every frame once from a fresh start and returns the statistics of all frames. */
-  public FrameStatistics run(FrameSink sink) throws IOException {
+  /**
+   * The result of a replay.
+   *
+   * @param work in the units of {@link ProxySolver#steps}
+   */
+  public record Result(FrameStatistics statistics, WorkPercentiles work) {}
+
+  /** Runs every frame once from a fresh start. */
+  public Result run(FrameSink sink) throws IOException {
     TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
     GridDevice gridDevice =
         world ? GridDevice.fromWorld(device, scene.grid()) : GridDevice.inGridCoordinates(device);
@@ -79,12 +88,14 @@ public final class ReplayRun {
         scene.newFrame(gridDevice, frameSettings(scene, contact, raw), FramePublisher.NONE);
     Vec3 point = new Vec3();
     Vec3 force = new Vec3();
-    for (int n = 0; n < trajectory.size(); n++) {
+    long[] work = new long[trajectory.size()];
+    for (int n = 0; n < work.length; n++) {
       frame.run(frameNanos(trajectory, n, raw));
+      work[n] = frame.followed() ? frame.work() : 0;
       toTrajectory(frame, point, force);
       sink.accept(n, device.lastPosition(), point, force, frame.point(), frame.wasFreed());
     }
-    return frame.statistics();
+    return new Result(frame.statistics(), WorkPercentiles.of(work));
   }
 
   /** Returns the time at which the frame of a sample begins. */

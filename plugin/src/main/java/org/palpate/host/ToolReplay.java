@@ -2,7 +2,6 @@ package org.palpate.host;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
@@ -15,6 +14,7 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
+import org.palpate.statistics.WorkPercentiles;
 
 /**
  * Runs the frames of a rigid tool over a recorded trajectory in world mm, one frame a sample. It
@@ -40,32 +40,12 @@ public final class ToolReplay {
   }
 
   /**
-   * The work of the frames, in the units of {@link RigidSolver#work}.
-   *
-   * @param p50 median
-   * @param p99 99th percentile
-   * @param p999 99.9th percentile
-   * @param max the most
-   */
-  public record Work(long p50, long p99, long p999, long max) {
-    private static Work of(long[] work) {
-      Arrays.sort(work);
-      return new Work(
-          quantile(work, 0.5), quantile(work, 0.99), quantile(work, 0.999), quantile(work, 1));
-    }
-
-    private static long quantile(long[] sorted, double fraction) {
-      int rank = (int) Math.ceil(fraction * sorted.length);
-      return sorted[Math.max(0, rank - 1)];
-    }
-  }
-
-  /**
    * The result of a replay.
    *
+   * @param work in the units of {@link RigidSolver#work}
    * @param mostReduced the most points that kept less than their clearance in any frame
    */
-  public record Result(FrameStatistics statistics, Work work, int mostReduced) {}
+  public record Result(FrameStatistics statistics, WorkPercentiles work, int mostReduced) {}
 
   /**
    * Creates a replay.
@@ -135,6 +115,6 @@ public final class ToolReplay {
       work[n] = frame.followed() ? frame.work() : 0;
       sink.accept(n, frame);
     }
-    return new Result(frame.statistics(), Work.of(work), frame.mostReducedPoints());
+    return new Result(frame.statistics(), WorkPercentiles.of(work), frame.mostReducedPoints());
   }
 }

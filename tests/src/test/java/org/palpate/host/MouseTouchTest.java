@@ -19,7 +19,6 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.device.HapticDevice;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
-import org.palpate.frame.FrameStatistics;
 import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.RigidTransform;
@@ -257,10 +256,10 @@ class MouseTouchTest {
       recorder.drainTo(new TrajectoryWriter(writer, Double::toString));
     }
     List<Vec3> replayed = new ArrayList<>();
-    FrameStatistics statistics =
+    ReplayRun.Result result =
         ReplayRun.inWorld(scene, TrajectoryFile.read(file, true))
             .run((n, d, p, f, state, freed) -> replayed.add(new Vec3().set(state.position)));
-    assertEquals(3, statistics.freed());
+    assertEquals(3, result.statistics().freed());
     assertEquals(points.size() + 1, replayed.size());
     for (int n = 0; n < points.size(); n++) {
       assertTrue(points.get(n).sameBits(replayed.get(n + 1)), "frame " + n);

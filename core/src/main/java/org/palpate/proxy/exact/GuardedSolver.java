@@ -143,6 +143,7 @@ public final class GuardedSolver implements ProxySolver {
    * voxels of a long slide. Reading the solids is not counted here; a {@link
    * org.palpate.volume.BitCube} can count that.
    */
+  @Override
   public int steps() {
     return steps;
   }

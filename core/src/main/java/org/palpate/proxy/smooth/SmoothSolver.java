@@ -118,6 +118,7 @@ public final class SmoothSolver implements ProxySolver {
    * steps of the voxel solver. Words of voxels that were read are not included; a {@link
    * org.palpate.volume.BitCube} can count them.
    */
+  @Override
   public int steps() {
     return (int) (field.sample().evaluation() - evaluationsBefore) + motion.casts() + voxelSteps;
   }

@@ -20,6 +20,7 @@ import org.palpate.app.output.ReplayTables;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
 import org.palpate.app.output.ToolTables;
+import org.palpate.app.output.WorkFields;
 import org.palpate.app.output.WriteFailures;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.Trajectory;
@@ -157,12 +158,12 @@ public final class ReplayCommand implements Callable<Integer> {
     ContactScene scene = contact.scene(source, segments);
     ReplayRun replay =
         world ? ReplayRun.inWorld(scene, trajectory) : ReplayRun.inGrid(scene, trajectory);
-    FrameStatistics statistics = run(rawDevice ? replay.inRawMode() : replay, trajectory, tables);
-    print(statistics);
+    ReplayRun.Result result = run(rawDevice ? replay.inRawMode() : replay, trajectory, tables);
+    print(result.statistics());
     if (report.isWanted()) {
       report.putVolume(source, segments.segments());
     }
-    putStatistics(report, statistics);
+    putResult(report, result);
     if (repeat != null) {
       putTime(new ReplayTiming(scene, trajectory, world).run(repeat), report);
     }
@@ -219,13 +220,13 @@ public final class ReplayCommand implements Callable<Integer> {
     }
   }
 
-  private static FrameStatistics run(ReplayRun replay, Trajectory trajectory, ReplayTables tables)
+  private static ReplayRun.Result run(ReplayRun replay, Trajectory trajectory, ReplayTables tables)
       throws IOException {
     try (tables) {
       tables.open(trajectory);
-      FrameStatistics statistics = replay.run(tables);
+      ReplayRun.Result result = replay.run(tables);
       tables.commit();
-      return statistics;
+      return result;
     }
   }
 
@@ -243,7 +244,8 @@ public final class ReplayCommand implements Callable<Integer> {
             contact.collision()));
   }
 
-  private void putStatistics(Report report, FrameStatistics statistics) {
+  private void putResult(Report report, ReplayRun.Result result) {
+    FrameStatistics statistics = result.statistics();
     report
         .put("frames", statistics.frames())
         .put("contact_frames", statistics.contactFrames())
@@ -251,6 +253,7 @@ public final class ReplayCommand implements Callable<Integer> {
         .put("max_force_n", statistics.maxForceNewton())
         .put("solver", contact.solver().toString())
         .put("collision", contact.collision().toString())
+        .put("work", WorkFields.of(result.work()))
         .put("skipped", statistics.skipped())
         .put("faults", FaultFields.of(statistics.faults()));
   }

@@ -64,7 +64,7 @@ public final class ToolReport {
         .put("solver", SOLVER)
         .put("collision", COLLISION)
         .put("tool", tool(result.mostReduced()))
-        .put("work", work(result.work()))
+        .put("work", WorkFields.of(result.work()))
         .put("skipped", counts.skipped())
         .put("faults", FaultFields.ofTool(counts.faults()));
   }
@@ -85,15 +85,6 @@ public final class ToolReport {
               fields.put("clearance_reduced", mostReduced);
             });
     massKg.ifPresent(kg -> fields.put("mass_kg", kg));
-    return fields;
-  }
-
-  private static Map<String, Object> work(ToolReplay.Work work) {
-    Map<String, Object> fields = new LinkedHashMap<>();
-    fields.put("p50", work.p50());
-    fields.put("p99", work.p99());
-    fields.put("p99_9", work.p999());
-    fields.put("max", work.max());
     return fields;
   }
 }
