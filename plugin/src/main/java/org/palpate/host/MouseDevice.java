@@ -6,11 +6,13 @@ import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
 import org.palpate.device.SimulatedDevice;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 /**
- * A mouse as a haptic device without force. With each sample the position covers a fiftieth of the
- * way to the pointer, so it moves smoothly. A new press makes it jump. Any thread moves the
+ * A mouse as a haptic device without force. With each sample its pose covers a fiftieth of the way
+ * to the pointer, so it moves and turns smoothly. A new press makes it jump. Any thread moves the
  * pointer; the haptic thread reads the device.
  */
 public final class MouseDevice implements HapticDevice {
@@ -19,7 +21,8 @@ public final class MouseDevice implements HapticDevice {
 
   private final DeviceSpecification specification;
   private final long intervalNanos;
-  private final Vec3 position = new Vec3();
+  private final Pose pose = new Pose();
+  private final Pose.Scratch scratch = new Pose.Scratch();
   private volatile Motion motion;
   private volatile boolean closed;
   private long reads;
@@ -32,9 +35,9 @@ public final class MouseDevice implements HapticDevice {
    *
    * @param jumps number of jumps so far
    * @param from the position of the last jump
-   * @param target the position to approach
+   * @param target the pose to approach
    */
-  private record Motion(long jumps, Vec3 from, Vec3 target) {}
+  private record Motion(long jumps, Vec3 from, Pose target) {}
 
   /**
    * Creates a device that rests beside the region until the pointer moves.
@@ -44,8 +47,9 @@ public final class MouseDevice implements HapticDevice {
    */
   public MouseDevice(HandTarget region, long intervalNanos) {
     this.intervalNanos = intervalNanos;
-    position.set(beside(region));
-    motion = new Motion(0, position, new Vec3().set(position));
+    Vec3 start = beside(region);
+    pose.translation.set(start);
+    motion = new Motion(0, start, new Pose().set(pose));
     specification =
         new DeviceSpecification(
             "mouse",
@@ -70,7 +74,19 @@ public final class MouseDevice implements HapticDevice {
   /** Sets the position that the device approaches, world mm. Any thread. */
   public synchronized void moveTo(Vec3 worldMm) {
     Motion now = motion;
-    motion = new Motion(now.jumps, now.from, new Vec3().set(worldMm));
+    motion = new Motion(now.jumps, now.from, new Pose().set(worldMm, now.target.rotation));
+  }
+
+  /**
+   * Turns the orientation that the device approaches, which a rigid tool follows. Any thread.
+   *
+   * @param rotationVector axis times angle, world axes, rad
+   */
+  public synchronized void turn(Vec3 rotationVector) {
+    Motion now = motion;
+    Pose target = new Pose();
+    now.target.displace(new Vec3(), rotationVector, 1, new Quaternion(), target);
+    motion = new Motion(now.jumps, now.from, target);
   }
 
   /**
@@ -81,7 +97,8 @@ public final class MouseDevice implements HapticDevice {
    * @param toMm the position to approach, world mm
    */
   public synchronized void jump(Vec3 fromMm, Vec3 toMm) {
-    motion = new Motion(motion.jumps + 1, new Vec3().set(fromMm), new Vec3().set(toMm));
+    Pose target = new Pose().set(toMm, motion.target.rotation);
+    motion = new Motion(motion.jumps + 1, new Vec3().set(fromMm), target);
   }
 
   /** Whether the device has jumped, because the user pressed somewhere. Any thread. */
@@ -103,21 +120,15 @@ public final class MouseDevice implements HapticDevice {
     boolean jumps = now.jumps != jumpsMade;
     if (jumps) {
       jumpsMade = now.jumps;
-      position.set(now.from);
+      pose.translation.set(now.from);
     } else {
-      approach(now.target);
+      pose.interpolate(now.target, APPROACH_FRACTION_PER_SAMPLE, scratch, pose);
     }
-    state.positionMm.set(position);
+    state.positionMm.set(pose.translation);
+    state.orientation.set(pose.rotation);
     state.relocated = jumps;
     state.timeNanos = reads++ * intervalNanos;
     return ReadStatus.FRESH;
-  }
-
-  private void approach(Vec3 end) {
-    position.set(
-        position.x + (end.x - position.x) * APPROACH_FRACTION_PER_SAMPLE,
-        position.y + (end.y - position.y) * APPROACH_FRACTION_PER_SAMPLE,
-        position.z + (end.z - position.z) * APPROACH_FRACTION_PER_SAMPLE);
   }
 
   @Override

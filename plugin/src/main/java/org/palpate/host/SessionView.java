@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.geometry.IntBox;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Camera;
 import org.palpate.scene.MovableSlices;
@@ -241,6 +242,23 @@ public final class SessionView implements AutoCloseable {
     MouseTouch touch = new MouseTouch(solids, mouse, overlay::hint);
     input.setPointer(touch);
     input.onKey('c', "free the point: withdraw it from the surface", touch::free);
+    if (session.held().isPresent()) {
+      input.onDrag(
+          WindowInput.DragKeys.CONTROL_AND_SHIFT,
+          "turn the tool",
+          (right, up) -> mouse.turn(rotation(right, up)));
+    }
+  }
+
+  /**
+   * Returns the rotation that moves the side of the tool that is seen, rad: half a turn for a drag
+   * over the height of the picture.
+   */
+  private Vec3 rotation(double right, double up) {
+    RigidTransform picture = model.camera().axes(model.axes());
+    Vec3 drag = picture.rotate(new Vec3(right, up, 0), new Vec3());
+    Vec3 towardsViewer = picture.rotate(new Vec3(0, 0, 1), new Vec3());
+    return towardsViewer.cross(drag, new Vec3()).mul(Math.PI, drag);
   }
 
   private void addSliceKeys(WindowInput input, MovableSlices planes) {
@@ -250,7 +268,8 @@ public final class SessionView implements AutoCloseable {
         () -> applyAndShow(planes::nextMode));
     input.onKey('p', "axis that [ and ] move: x, y, z", () -> applyAndShow(planes::nextAxis));
     input.onKey('w', "next window of the slices, for CT", () -> applyAndShow(planes::nextWindow));
-    input.onControlDrag(
+    input.onDrag(
+        WindowInput.DragKeys.CONTROL,
         "window and level of the slices",
         (right, up) -> applyAndShow(() -> planes.dragWindow(right, up)));
     input.onHeldKey('[', "move the slice back", () -> applyAndShow(() -> planes.move(-1)));

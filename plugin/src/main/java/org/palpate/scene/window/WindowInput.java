@@ -6,6 +6,7 @@ import com.jogamp.newt.event.KeyListener;
 import com.jogamp.newt.event.MouseAdapter;
 import com.jogamp.newt.event.MouseEvent;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,8 +29,8 @@ import org.palpate.scene.gl.PickedPoint;
  * The actions of mouse and keys.
  *
  * <p>A left drag that begins on a surface touches it if the mouse is a device. A left drag with
- * Shift or a middle drag moves the scene, and one with Ctrl goes to {@link #onControlDrag}. Any
- * other drag turns the scene. The wheel zooms or, while touching, changes the pressure.
+ * Shift or a middle drag moves the scene, and others with keys go to {@link #onDrag}. Any other
+ * drag turns the scene. The wheel zooms or, while touching, changes the pressure.
  *
  * <p>A press does nothing until the drawing thread has found what lies under it.
  */
@@ -49,8 +50,8 @@ public final class WindowInput extends MouseAdapter {
   private volatile Optional<PointerListener> pointer = Optional.empty();
   private volatile double pressFraction = 0.02;
   private Optional<SceneLegend> legend = Optional.empty();
-  private Optional<DragListener> controlDrag = Optional.empty();
-  private String controlDragHelp = "";
+  private final Map<DragKeys, Drag> drags = new EnumMap<>(DragKeys.class);
+  private Optional<DragListener> presentDrag = Optional.empty();
   private volatile Optional<TextEntry> entry = Optional.empty();
   private boolean helpShown;
   private int lastX;
@@ -58,6 +59,21 @@ public final class WindowInput extends MouseAdapter {
 
   /** The action of a key; {@code repeats} means that it repeats while the key is held down. */
   private record Key(String help, Runnable action, boolean repeats) {}
+
+  /** The keys that are held down during a left drag. */
+  public enum DragKeys {
+    CONTROL("Ctrl and drag"),
+    CONTROL_AND_SHIFT("Ctrl, Shift and drag");
+
+    private final String text;
+
+    DragKeys(String text) {
+      this.text = text;
+    }
+  }
+
+  /** The action of a drag with keys. */
+  private record Drag(String help, DragListener listener) {}
 
   /** The action of the mouse while a button is held down. */
   private enum Gesture {
@@ -67,8 +83,8 @@ public final class WindowInput extends MouseAdapter {
     TOUCH,
     TURN,
     MOVE,
-    /** A drag with Ctrl, which the owner's listener receives. */
-    CONTROL
+    /** A drag with keys, which the owner's listener receives. */
+    KEYS
   }
 
   /**
@@ -150,10 +166,9 @@ public final class WindowInput extends MouseAdapter {
     void dragged(double right, double up);
   }
 
-  /** Assigns an action to left drags with Ctrl. Before the window is shown. */
-  public void onControlDrag(String help, DragListener listener) {
-    controlDrag = Optional.of(listener);
-    controlDragHelp = help;
+  /** Assigns an action to left drags with keys. Before the window is shown. */
+  public void onDrag(DragKeys held, String help, DragListener listener) {
+    drags.put(held, new Drag(help, listener));
   }
 
   /**
@@ -210,9 +225,7 @@ public final class WindowInput extends MouseAdapter {
     }
     lines.add("middle or Shift drag   move");
     lines.add("wheel   nearer or further");
-    if (controlDrag.isPresent()) {
-      lines.add("Ctrl and drag   " + controlDragHelp);
-    }
+    drags.forEach((held, drag) -> lines.add(held.text + "   " + drag.help));
     synchronized (keys) {
       keys.forEach((key, action) -> lines.add(name(key) + "   " + action.help));
     }
@@ -272,13 +285,22 @@ public final class WindowInput extends MouseAdapter {
 
   private Gesture gestureOf(MouseEvent event) {
     boolean left = event.getButton() == MouseEvent.BUTTON1;
+    presentDrag = left ? dragWithKeys(event) : Optional.empty();
+    if (presentDrag.isPresent()) {
+      return Gesture.KEYS;
+    }
     if (event.getButton() == MouseEvent.BUTTON2 || (left && event.isShiftDown())) {
       return Gesture.MOVE;
     }
-    if (left && event.isControlDown() && controlDrag.isPresent()) {
-      return Gesture.CONTROL;
-    }
     return left && pointer.isPresent() ? Gesture.UNDECIDED : Gesture.TURN;
+  }
+
+  private Optional<DragListener> dragWithKeys(MouseEvent event) {
+    if (!event.isControlDown()) {
+      return Optional.empty();
+    }
+    DragKeys held = event.isShiftDown() ? DragKeys.CONTROL_AND_SHIFT : DragKeys.CONTROL;
+    return Optional.ofNullable(drags.get(held)).map(Drag::listener);
   }
 
   private void requestPick(MouseEvent event, boolean begins) {
@@ -294,7 +316,7 @@ public final class WindowInput extends MouseAdapter {
     lastY = event.getY();
     switch (gesture.get()) {
       case TOUCH -> requestPick(event, false);
-      case CONTROL -> controlDrag.ifPresent(listener -> listener.dragged(dx, -dy));
+      case KEYS -> presentDrag.ifPresent(listener -> listener.dragged(dx, -dy));
       case MOVE -> model.moveCamera(camera -> camera.pan(dx, -dy), true);
       case TURN ->
           model.moveCamera(
