@@ -183,7 +183,8 @@ class ArchitectureTest {
           Map.entry("sync", List.of("geometry")),
           Map.entry("tool", List.of("io", "io.mesh", "rigid")),
           Map.entry("volume", List.of("geometry")),
-          Map.entry("volume.phantom", List.of("volume")));
+          Map.entry("volume.fracture", List.of("volume")),
+          Map.entry("volume.phantom", List.of("volume.fracture")));
 
   /**
    * Production classes that no other production class seems to use. Some are for embedding

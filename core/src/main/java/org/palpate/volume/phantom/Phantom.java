@@ -112,7 +112,9 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
       }
     }
     throw new IllegalArgumentException(
-        "no such phantom: " + spec + ": choose head, sphere, shell, plane, torus or maze");
+        "no such phantom: "
+            + spec
+            + ": choose head, sphere, shell, plane, torus, maze or fracture");
   }
 
   private static int parseEdge(String edge, String spec) {

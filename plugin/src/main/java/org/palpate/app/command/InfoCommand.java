@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.palpate.app.options.OutputOptions;
@@ -21,11 +22,15 @@ import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.label.ValueStatistics;
+import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
+import org.palpate.volume.fracture.FractureSpec;
+import org.palpate.volume.fracture.FragmentCutter;
+import org.palpate.volume.fracture.Fragments;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -44,6 +49,7 @@ import picocli.CommandLine.Spec;
       "  palpate info --volume scan.nrrd --segment 'bone=>=1500' --export bone.nii.gz",
       "  palpate info --volume labels.nii.gz --export segments.dcm",
       "  palpate info --volume scan.nii.gz --export for-imagej.tif",
+      "  palpate info --volume scan.nrrd --segment 'jaw=>=1500' --fracture 4 --export parts.nrrd",
       "  palpate info --volume slices.raw --raw 256x256x113:u16be:1,1,2",
       "  palpate info --phantom torus:192"
     })
@@ -62,6 +68,16 @@ public final class InfoCommand implements Callable<Integer> {
       })
   private Path export;
 
+  @Option(
+      names = "--fracture",
+      paramLabel = "PARTS[:SEED[:KERF]]",
+      description = {
+        "Cuts the only segment into 2 to 8 fragments and exports these as labels. The cuts are"
+            + " rough and depend on SEED. A saw takes KERF voxels away between them, 0 to 4."
+            + " Default: seed 1, kerf 1."
+      })
+  private String fracture;
+
   private PrintWriter out;
 
   @Override
@@ -70,6 +86,7 @@ public final class InfoCommand implements Callable<Integer> {
     VolumeSource source = VolumeSource.open(volume);
     Report report = new Report("info", output.report(), source.files());
     checkExport(source);
+    Optional<FractureSpec> cut = fractureSpec();
     printHeader(source);
     out.flush();
     ValueStatistics statistics = new ValueStatistics(source.header());
@@ -81,7 +98,9 @@ public final class InfoCommand implements Callable<Integer> {
     if (source.requested().isEmpty()) {
       source.emptySegments(found.labels()).forEach(empty -> line("segment", empty + ": no voxel"));
     }
-    if (export != null) {
+    if (cut.isPresent()) {
+      exportFragments(fragments(segments, source, cut.get()), source);
+    } else if (export != null) {
       export(source, segments);
     }
     if (source.requested().isEmpty() && source.isIntensities(found)) {
@@ -104,6 +123,47 @@ public final class InfoCommand implements Callable<Integer> {
       OutputPaths.checkDistinct(
           Stream.concat(Stream.of(export), output.report().stream()).toList());
     }
+  }
+
+  private Optional<FractureSpec> fractureSpec() {
+    if (fracture == null) {
+      return Optional.empty();
+    }
+    if (export == null) {
+      throw PalpateException.wrongUse(
+          "the fragments have no file", "--fracture " + fracture, "add --export FILE");
+    }
+    try {
+      return Optional.of(FractureSpec.parse(fracture));
+    } catch (IllegalArgumentException e) {
+      throw PalpateException.wrongUse(e.getMessage(), e);
+    }
+  }
+
+  private static Fragments fragments(
+      List<Segment> segments, VolumeSource source, FractureSpec cut) {
+    if (segments.size() != 1) {
+      throw PalpateException.wrongUse(
+          "a fracture cuts one segment, and there are " + segments.size(),
+          source.name(),
+          "choose one with --segment NAME=SPEC");
+    }
+    try {
+      return FragmentCutter.cut(segments.get(0).bits(), source.header().grid(), cut);
+    } catch (IllegalArgumentException e) {
+      throw PalpateException.wrongUse(e.getMessage(), e);
+    }
+  }
+
+  private void exportFragments(Fragments fragments, VolumeSource source)
+      throws VolumeFormatException {
+    SegmentedVolume parts = fragments.segments();
+    printSegments(parts.segments());
+    line(
+        "left out",
+        NumberText.count((double) fragments.lostVoxels()) + " voxels of kerf and small pieces");
+    VolumeReader labels = new SegmentsAsLabels(parts, source.header().coordinateSystem());
+    line("written", VolumeWriter.write(labels, export) + ": " + export);
   }
 
   private static List<Segment> segments(VolumeSource source, ValueStatistics.Summary found)

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Function;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.ProgressLine;
 import org.palpate.io.GreyVolumes;
@@ -20,7 +21,9 @@ import org.palpate.io.file.NumberText;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentProposal;
 import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.label.ValueStatistics;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.RawLayout;
 import org.palpate.io.volume.ReadOptions;
@@ -30,6 +33,7 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.phantom.FracturePhantom;
 import org.palpate.volume.phantom.Phantom;
 
 /** The volume of a command: its header is read, its values are not read yet. One thread. */
@@ -56,8 +60,11 @@ public final class VolumeSource {
   public static VolumeSource open(VolumeOptions options) throws VolumeFormatException {
     List<SegmentSpec> requested = parseSegments(options.segments());
     Optional<Path> file = options.volume();
+    if (file.isEmpty() && FracturePhantom.accepts(options.phantom())) {
+      return ofFracture(parsed(FracturePhantom::parse, options.phantom()), requested);
+    }
     if (file.isEmpty()) {
-      Phantom phantom = parsePhantom(options.phantom());
+      Phantom phantom = parsed(Phantom::parse, options.phantom());
       return new VolumeSource(
           "phantom " + phantom.spec(), new PhantomReader(phantom), Optional.of(phantom), requested);
     }
@@ -109,9 +116,17 @@ public final class VolumeSource {
     return specs;
   }
 
-  private static Phantom parsePhantom(String spec) {
+  private static VolumeSource ofFracture(FracturePhantom phantom, List<SegmentSpec> requested) {
+    String name = "phantom " + phantom.spec();
+    SegmentedVolume segments = parsed(FracturePhantom::segments, phantom);
+    VolumeReader reader = new SegmentsAsLabels(name, segments, CoordinateSystem.UNKNOWN);
+    return new VolumeSource(name, reader, Optional.empty(), requested);
+  }
+
+  /** Returns what a function makes of an option; what it refuses is wrong use. */
+  private static <T, R> R parsed(Function<T, R> function, T option) {
     try {
-      return Phantom.parse(spec);
+      return function.apply(option);
     } catch (IllegalArgumentException e) {
       throw PalpateException.wrongUse(e.getMessage(), e);
     }

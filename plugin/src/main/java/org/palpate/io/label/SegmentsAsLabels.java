@@ -27,11 +27,22 @@ import org.palpate.volume.VoxelGrid;
  * and so on. If two overlap, the later one wins. Nobody may edit the segments meanwhile.
  */
 public final class SegmentsAsLabels implements VolumeReader {
+  private final String name;
   private final SegmentedVolume volume;
   private final VolumeHeader header;
 
   /** Creates a reader of segments in a coordinate system. */
   public SegmentsAsLabels(SegmentedVolume volume, CoordinateSystem coordinateSystem) {
+    this("segments", volume, coordinateSystem);
+  }
+
+  /**
+   * Creates a reader of segments in a coordinate system.
+   *
+   * @param name the source as messages name it
+   */
+  public SegmentsAsLabels(String name, SegmentedVolume volume, CoordinateSystem coordinateSystem) {
+    this.name = name;
     this.volume = volume;
     Map<Long, Label> labels = new TreeMap<>();
     for (Segment segment : volume.segments()) {
@@ -106,7 +117,7 @@ public final class SegmentsAsLabels implements VolumeReader {
 
   @Override
   public String sourceName() {
-    return "segments";
+    return name;
   }
 
   @Override

@@ -1,0 +1,145 @@
+package org.palpate.volume.fracture;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Voxels on a grid, and a pose.
+ *
+ * @param bits the voxels
+ * @param grid their grid, at rest
+ * @param pose the pose, from rest to present, world mm
+ */
+public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
+
+  /**
+   * Returns the voxels of a grid whose centres lie in voxels of the posed bodies: nearest-voxel
+   * resampling by the inverse map, which leaves no gap inside a body nor between bodies that touch
+   * as they did at rest. A voxel that lies in two bodies goes to the one whose voxel centre is
+   * nearer, or to the first of equals.
+   *
+   * @return a cube for each body, of the size of the grid; no two share a voxel
+   */
+  public static List<BitCube> resample(List<PosedBits> bodies, VoxelGrid target) {
+    List<BitCube> cubes = new ArrayList<>();
+    List<AffineMap> maps = new ArrayList<>();
+    for (PosedBits body : bodies) {
+      cubes.add(new BitCube(target.sizeX(), target.sizeY(), target.sizeZ()));
+      maps.add(body.gridFrom(target, new Pose()));
+    }
+    Resampling work = new Resampling(bodies, cubes, maps);
+    for (int n = 0; n < bodies.size(); n++) {
+      work.fill(n, bodies.get(n).boxIn(target));
+    }
+    return cubes;
+  }
+
+  /** Returns the map from the coordinates of another posed grid to the grid of this posed body. */
+  AffineMap gridFrom(VoxelGrid other, Pose otherPose) {
+    AffineMap otherMmToWorld = new AffineMap().set(other.gridMmToWorld());
+    AffineMap scaling = new AffineMap();
+    scaling.mXX = other.spacingMm().x;
+    scaling.mYY = other.spacingMm().y;
+    scaling.mZZ = other.spacingMm().z;
+    AffineMap otherToRest = otherMmToWorld.multiply(scaling, new AffineMap());
+    AffineMap otherToWorld = new AffineMap().set(otherPose).multiply(otherToRest, new AffineMap());
+    AffineMap worldToRest = new AffineMap().setInverse(pose);
+    AffineMap restToGrid = grid.worldToGrid(new AffineMap());
+    AffineMap worldToGrid = restToGrid.multiply(worldToRest, new AffineMap());
+    return worldToGrid.multiply(otherToWorld, new AffineMap());
+  }
+
+  /** Returns the box of the voxels of a grid that may lie in this body; empty if none does. */
+  private IntBox boxIn(VoxelGrid target) {
+    IntBox box = new IntBox();
+    IntBox solid = bits.bounds();
+    if (solid.isEmpty()) {
+      return box;
+    }
+    Vec3 low = new Vec3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
+    Vec3 high = new Vec3(-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE);
+    Vec3 p = new Vec3();
+    for (int corner = 0; corner < 8; corner++) {
+      p.set(
+          (corner & 1) == 0 ? solid.lowX : solid.highX + 1.0,
+          (corner & 2) == 0 ? solid.lowY : solid.highY + 1.0,
+          (corner & 4) == 0 ? solid.lowZ : solid.highZ + 1.0);
+      target.worldToGrid(pose.transform(grid.gridToWorld(p, p), p), p);
+      for (int axis = 0; axis < 3; axis++) {
+        low.set(axis, Math.min(low.get(axis), p.get(axis)));
+        high.set(axis, Math.max(high.get(axis), p.get(axis)));
+      }
+    }
+    box.lowX = clamped(low.x - 1, target.sizeX());
+    box.lowY = clamped(low.y - 1, target.sizeY());
+    box.lowZ = clamped(low.z - 1, target.sizeZ());
+    box.highX = clamped(high.x + 1, target.sizeX());
+    box.highY = clamped(high.y + 1, target.sizeY());
+    box.highZ = clamped(high.z + 1, target.sizeZ());
+    return box;
+  }
+
+  private static int clamped(double coordinate, int size) {
+    return (int) Math.max(0, Math.min(size - 1, Math.floor(coordinate)));
+  }
+
+  /** The state of a resampling. */
+  private record Resampling(List<PosedBits> bodies, List<BitCube> cubes, List<AffineMap> maps) {
+    void fill(int body, IntBox box) {
+      Vec3 p = new Vec3();
+      if (box.isEmpty()) {
+        return;
+      }
+      for (int k = box.lowZ; k <= box.highZ; k++) {
+        for (int j = box.lowY; j <= box.highY; j++) {
+          for (int i = box.lowX; i <= box.highX; i++) {
+            if (isSolidAt(body, i, j, k, p)) {
+              claim(body, i, j, k, p);
+            }
+          }
+        }
+      }
+    }
+
+    private boolean isSolidAt(int body, int i, int j, int k, Vec3 scratch) {
+      maps.get(body).transform(scratch.set(i + 0.5, j + 0.5, k + 0.5), scratch);
+      return bodies
+          .get(body)
+          .bits()
+          .get(
+              (int) Math.floor(scratch.x),
+              (int) Math.floor(scratch.y),
+              (int) Math.floor(scratch.z));
+    }
+
+    private void claim(int body, int i, int j, int k, Vec3 scratch) {
+      for (int earlier = 0; earlier < body; earlier++) {
+        if (cubes.get(earlier).get(i, j, k)) {
+          if (offCentreMm(earlier, i, j, k, scratch) <= offCentreMm(body, i, j, k, scratch)) {
+            return;
+          }
+          cubes.get(earlier).clear(i, j, k);
+        }
+      }
+      cubes.get(body).set(i, j, k);
+    }
+
+    /** Returns the distance of a target voxel's centre from the centre of the body's voxel, mm. */
+    private double offCentreMm(int body, int i, int j, int k, Vec3 scratch) {
+      maps.get(body).transform(scratch.set(i + 0.5, j + 0.5, k + 0.5), scratch);
+      Vec3 spacing = bodies.get(body).grid().spacingMm();
+      return scratch
+          .set(
+              (scratch.x - Math.floor(scratch.x) - 0.5) * spacing.x,
+              (scratch.y - Math.floor(scratch.y) - 0.5) * spacing.y,
+              (scratch.z - Math.floor(scratch.z) - 0.5) * spacing.z)
+          .length();
+    }
+  }
+}

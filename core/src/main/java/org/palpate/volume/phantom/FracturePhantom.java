@@ -1,0 +1,107 @@
+package org.palpate.volume.phantom;
+
+import java.util.List;
+import org.palpate.geometry.Pose;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+import org.palpate.volume.fracture.FractureSpec;
+import org.palpate.volume.fracture.FragmentCutter;
+import org.palpate.volume.fracture.FragmentScatter;
+import org.palpate.volume.fracture.Fragments;
+
+/**
+ * A broken bone like a lower jaw, with known truth: an arch of bone with marrow, cut into fragments
+ * that are displaced and rotated. Immutable; any thread. Voxels are cubes of 1 mm, and grid
+ * coordinates equal world coordinates.
+ *
+ * @param edge the voxels along each edge of the cube, {@link #MIN_EDGE} to {@link #MAX_EDGE}
+ * @param fracture the number of fragments, the seed and the saw kerf
+ */
+public record FracturePhantom(int edge, FractureSpec fracture) {
+  /** The name in a specification. */
+  public static final String NAME = "fracture";
+
+  /** The smallest edge, voxels. */
+  public static final int MIN_EDGE = 64;
+
+  /** The largest edge, voxels. */
+  public static final int MAX_EDGE = 1024;
+
+  /** The edge of a phantom whose spec names none, voxels. */
+  public static final int DEFAULT_EDGE = 160;
+
+  /** The number of fragments of a phantom whose spec names none. */
+  public static final int DEFAULT_PARTS = 4;
+
+  /**
+   * Checks the edge.
+   *
+   * @throws IllegalArgumentException if the edge is out of range
+   */
+  public FracturePhantom {
+    if (edge < MIN_EDGE || edge > MAX_EDGE) {
+      throw new IllegalArgumentException(
+          "phantom edge out of range: edge=" + edge + ": choose " + MIN_EDGE + " to " + MAX_EDGE);
+    }
+  }
+
+  /** Whether a specification names this phantom. */
+  public static boolean accepts(String spec) {
+    return spec.equals(NAME) || spec.startsWith(NAME + ":");
+  }
+
+  /**
+   * Reads {@code fracture[:EDGE[:PARTS[:SEED[:KERF]]]]}.
+   *
+   * @throws IllegalArgumentException if the text has another form; the message says what to write
+   */
+  public static FracturePhantom parse(String spec) {
+    String[] words = spec.split(":", 3);
+    String edge = words.length > 1 ? words[1] : Integer.toString(DEFAULT_EDGE);
+    if (!edge.matches("[0-9]{1,9}")) {
+      throw new IllegalArgumentException(
+          "phantom edge is not a number: "
+              + spec
+              + ": write fracture[:EDGE[:PARTS[:SEED[:KERF]]]]");
+    }
+    String fracture = words.length > 2 ? words[2] : Integer.toString(DEFAULT_PARTS);
+    return new FracturePhantom(Integer.parseInt(edge), FractureSpec.parse(fracture));
+  }
+
+  /** Returns the text from which {@link #parse} makes this phantom. */
+  public String spec() {
+    return NAME + ":" + edge + ":" + fracture;
+  }
+
+  /** Returns the grid. */
+  public VoxelGrid grid() {
+    return VoxelGrid.ofUnitVoxels(edge, edge, edge);
+  }
+
+  /** Returns the bone before it broke. */
+  public BitCube bone() {
+    return JawArch.bone(edge);
+  }
+
+  /** Returns the fragments where they belong. */
+  public Fragments fragments() {
+    return FragmentCutter.cut(bone(), grid(), fracture);
+  }
+
+  /**
+   * Returns the pose of each fragment after the fracture, from its place in the bone, world mm. The
+   * first, the largest, is not displaced.
+   *
+   * @param fragments those that {@link #fragments} returned
+   */
+  public List<Pose> startPoses(Fragments fragments) {
+    return FragmentScatter.scatter(fragments, fracture.seed(), true);
+  }
+
+  /** Returns a segment for each displaced fragment, as a scan of the broken bone shows them. */
+  public SegmentedVolume segments() {
+    Fragments fragments = fragments();
+    return fragments.segmentsAt(startPoses(fragments), grid());
+  }
+}
