@@ -130,13 +130,18 @@ public final class Body {
    * @param edit the number of the edit: from 0 to {@link #edits} - 1
    */
   public IntBox change(long edit) {
-    if (edit < edits - REMEMBERED_EDITS) {
+    if (edit < oldestEdit()) {
       everything.clear();
       everything.include(0, 0, 0);
       everything.include(bits.sizeX() - 1, bits.sizeY() - 1, bits.sizeZ() - 1);
       return everything;
     }
     return changes[(int) (edit % REMEMBERED_EDITS)];
+  }
+
+  /** Returns the number of the oldest edit whose box is remembered. */
+  public long oldestEdit() {
+    return Math.max(0, edits - REMEMBERED_EDITS);
   }
 
   /** Records an edit: voxels in a box were added or removed. */

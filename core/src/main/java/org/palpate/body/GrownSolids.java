@@ -74,7 +74,7 @@ public final class GrownSolids {
             (bits.sizeX() + 2 * pad) * partsX,
             (bits.sizeY() + 2 * pad) * partsY,
             (bits.sizeZ() + 2 * pad) * partsZ);
-    update(bits.bounds());
+    growAll();
   }
 
   /**
@@ -174,8 +174,13 @@ public final class GrownSolids {
         Math.min(cells.sizeX() - 1, firstCell(changed.highX + 1, partsX) - 1 + reachX),
         Math.min(cells.sizeY() - 1, firstCell(changed.highY + 1, partsY) - 1 + reachY),
         Math.min(cells.sizeZ() - 1, firstCell(changed.highZ + 1, partsZ) - 1 + reachZ));
-    clearRegion();
-    growIntoRegion();
+    for (int c = region.lowZ; c <= region.highZ; c++) {
+      for (int b = region.lowY; b <= region.highY; b++) {
+        for (int a = region.lowX; a <= region.highX; a++) {
+          updateCell(a, b, c);
+        }
+      }
+    }
     return region;
   }
 
@@ -183,31 +188,70 @@ public final class GrownSolids {
     return (voxel + pad) * parts;
   }
 
-  private void clearRegion() {
-    for (int k = region.lowZ; k <= region.highZ; k++) {
-      for (int j = region.lowY; j <= region.highY; j++) {
-        for (int i = region.lowX; i <= region.highX; i++) {
-          if ((i & 3) == 0 && cells.brick(i >> 2, j >> 2, k >> 2) == 0) {
-            i += 3;
-          } else {
-            cells.clear(i, j, k);
+  private void updateCell(int a, int b, int c) {
+    if (isNearSolid(a, b, c)) {
+      cells.set(a, b, c);
+    } else {
+      cells.clear(a, b, c);
+    }
+  }
+
+  /** Whether a cell is nearer to some solid voxel than the growth. */
+  private boolean isNearSolid(int a, int b, int c) {
+    int highZ = Math.min(bits.sizeZ() - 1, highestVoxel(c, 2));
+    for (int k = Math.max(0, lowestVoxel(c, 2)); k <= highZ; k++) {
+      int highY = Math.min(bits.sizeY() - 1, highestVoxel(b, 1));
+      for (int j = Math.max(0, lowestVoxel(b, 1)); j <= highY; j++) {
+        int highX = Math.min(bits.sizeX() - 1, highestVoxel(a, 0));
+        for (int i = Math.max(0, lowestVoxel(a, 0)); i <= highX; i++) {
+          if (bits.brick(i >> 2, j >> 2, k >> 2) == 0) {
+            i |= 3;
+          } else if (bits.get(i, j, k) && reaches(i, j, k, a, b, c)) {
+            return true;
           }
         }
       }
     }
+    return false;
   }
 
-  /** Grows every voxel that can reach the region. */
-  private void growIntoRegion() {
-    int lowX = Math.max(0, (region.lowX - reachX) / partsX - pad - 1);
-    int lowY = Math.max(0, (region.lowY - reachY) / partsY - pad - 1);
-    int lowZ = Math.max(0, (region.lowZ - reachZ) / partsZ - pad - 1);
-    int highX = Math.min(bits.sizeX() - 1, (region.highX + reachX) / partsX - pad + 1);
-    int highY = Math.min(bits.sizeY() - 1, (region.highY + reachY) / partsY - pad + 1);
-    int highZ = Math.min(bits.sizeZ() - 1, (region.highZ + reachZ) / partsZ - pad + 1);
-    for (int k = lowZ; k <= highZ; k++) {
-      for (int j = lowY; j <= highY; j++) {
-        for (int i = lowX; i <= highX; i++) {
+  /**
+   * Returns the lowest voxel, along an axis, that may be nearer to a cell than the growth; it may
+   * lie outside the grid.
+   *
+   * @param axis 0 is x
+   */
+  public int lowestVoxel(int cell, int axis) {
+    return Math.floorDiv(cell - reach(axis), parts(axis)) - pad;
+  }
+
+  /** Returns the highest such voxel; see {@link #lowestVoxel}. */
+  public int highestVoxel(int cell, int axis) {
+    return Math.floorDiv(cell + reach(axis), parts(axis)) - pad;
+  }
+
+  private int reach(int axis) {
+    return axis == 0 ? reachX : axis == 1 ? reachY : reachZ;
+  }
+
+  /** Whether voxel (i,j,k) is nearer to cell (a,b,c) than the growth, so that it makes it solid. */
+  public boolean reaches(int i, int j, int k, int a, int b, int c) {
+    double gapX = cellX * gap(a, firstCell(i, partsX), partsX);
+    return gapX * gapX < leftSquare(b, firstCell(j, partsY), c, firstCell(k, partsZ));
+  }
+
+  /** Returns the square of the growth that y and z leave for x, mm^2. */
+  private double leftSquare(int b, int firstY, int c, int firstZ) {
+    double gapY = cellY * gap(b, firstY, partsY);
+    double gapZ = cellZ * gap(c, firstZ, partsZ);
+    return growthMm * growthMm - gapZ * gapZ - gapY * gapY;
+  }
+
+  private void growAll() {
+    IntBox solid = bits.bounds();
+    for (int k = solid.lowZ; k <= solid.highZ; k++) {
+      for (int j = solid.lowY; j <= solid.highY; j++) {
+        for (int i = solid.lowX; i <= solid.highX; i++) {
           if (bits.brick(i >> 2, j >> 2, k >> 2) == 0) {
             i |= 3;
           } else if (bits.get(i, j, k)) {
@@ -230,15 +274,13 @@ public final class GrownSolids {
     int firstX = firstCell(i, partsX);
     int firstY = firstCell(j, partsY);
     int firstZ = firstCell(k, partsZ);
-    int lastX = Math.min(region.highX, firstX + partsX - 1 + aroundX);
-    int lastY = Math.min(region.highY, firstY + partsY - 1 + aroundY);
-    int lastZ = Math.min(region.highZ, firstZ + partsZ - 1 + aroundZ);
-    for (int c = Math.max(region.lowZ, firstZ - aroundZ); c <= lastZ; c++) {
-      double gapZ = cellZ * gap(c, firstZ, partsZ);
-      for (int b = Math.max(region.lowY, firstY - aroundY); b <= lastY; b++) {
-        double gapY = cellY * gap(b, firstY, partsY);
-        double left = growthMm * growthMm - gapZ * gapZ - gapY * gapY;
-        for (int a = Math.max(region.lowX, firstX - aroundX); a <= lastX; a++) {
+    int lastX = Math.min(cells.sizeX(), firstX + partsX + aroundX) - 1;
+    int lastY = Math.min(cells.sizeY(), firstY + partsY + aroundY) - 1;
+    int lastZ = Math.min(cells.sizeZ(), firstZ + partsZ + aroundZ) - 1;
+    for (int c = Math.max(0, firstZ - aroundZ); c <= lastZ; c++) {
+      for (int b = Math.max(0, firstY - aroundY); b <= lastY; b++) {
+        double left = leftSquare(b, firstY, c, firstZ);
+        for (int a = Math.max(0, firstX - aroundX); a <= lastX; a++) {
           double gapX = cellX * gap(a, firstX, partsX);
           if (gapX * gapX < left) {
             cells.set(a, b, c);

@@ -1,10 +1,8 @@
 package org.palpate.edit;
 
-import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
-import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -67,39 +65,29 @@ public final class BrushEdit extends Edit {
   }
 
   @Override
-  int apply(CollisionScene scene, int maxVoxels) {
+  int apply(VoxelWriter out, int maxVoxels) {
     boolean empty = box.lowX > box.highX || box.lowY > box.highY || box.lowZ > box.highZ;
     if (empty) {
       finish();
       return 1;
     }
-    BitCube bits = scene.cube(segment());
     int visited = 0;
     while (visited < maxVoxels && k <= box.highZ) {
-      brushVoxel(bits);
+      brushVoxel(out);
       moveToNextVoxel();
       visited++;
     }
+    out.applied(segment(), box);
     if (k > box.highZ) {
       finish();
     }
     return visited;
   }
 
-  @Override
-  IntBox voxels() {
-    return box;
-  }
-
-  private void brushVoxel(BitCube bits) {
+  private void brushVoxel(VoxelWriter out) {
     double square = metric.squaredDistance(centre.x, centre.y, centre.z, i + 0.5, j + 0.5, k + 0.5);
-    if (square > radiusMm * radiusMm) {
-      return;
-    }
-    if (solid) {
-      bits.set(i, j, k);
-    } else {
-      bits.clear(i, j, k);
+    if (square <= radiusMm * radiusMm) {
+      out.write(segment(), i, j, k, solid);
     }
   }
 

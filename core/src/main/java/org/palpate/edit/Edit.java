@@ -1,15 +1,13 @@
 package org.palpate.edit;
 
-import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
-import org.palpate.geometry.IntBox;
 import org.palpate.volume.VoxelGrid;
 
 /**
  * A change of a segment's voxels. Any thread makes it and puts it into an {@link EditQueue}, once;
  * the haptic thread applies it between frames.
  */
-public abstract sealed class Edit permits VoxelEdit, BrushEdit, SwapEdit, GreyEdit {
+public abstract sealed class Edit permits VoxelEdit, BrushEdit, SwapEdit, GreyEdit, HistoryEdit {
   private final int segment;
   private volatile boolean done;
 
@@ -38,15 +36,13 @@ public abstract sealed class Edit permits VoxelEdit, BrushEdit, SwapEdit, GreyEd
   abstract void prepare(VoxelGrid grid, GridMetric gridMetric);
 
   /**
-   * Applies the edit or a part of it. Haptic thread.
+   * Applies the edit or a part of it, and reports what may have changed. Haptic thread.
    *
+   * @param out changes the voxels
    * @param maxVoxels number of voxels that it may visit, at least 1
    * @return number of visited voxels, at least 1
    */
-  abstract int apply(CollisionScene scene, int maxVoxels);
-
-  /** Returns a box around the voxels that the edit may change; empty if it changes none. */
-  abstract IntBox voxels();
+  abstract int apply(VoxelWriter out, int maxVoxels);
 
   /** Marks the edit as complete. Haptic thread, after its last write. */
   final void finish() {

@@ -2,7 +2,6 @@ package org.palpate.edit;
 
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReferenceArray;
-import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.volume.VoxelGrid;
 
@@ -21,6 +20,9 @@ public final class EditQueue {
   private final AtomicReferenceArray<Edit> slots;
   private final AtomicLong offered = new AtomicLong();
   private final AtomicLong taken = new AtomicLong();
+
+  /** Whether the oldest edit is applied in part; haptic thread. */
+  private boolean inProgress;
 
   /** Makes a queue of the usual capacity. */
   public EditQueue(VoxelGrid grid, int segments) {
@@ -80,6 +82,11 @@ public final class EditQueue {
     }
   }
 
+  /** Returns the number of segments in the scene. */
+  public int segments() {
+    return segments;
+  }
+
   /** Returns the number of complete edits. Any thread. */
   public long completed() {
     return taken.get();
@@ -91,17 +98,12 @@ public final class EditQueue {
   }
 
   /**
-   * Applies waiting edits. Haptic thread.
+   * Applies waiting edits, each as a stroke of its own. Haptic thread.
    *
    * @param maxVoxels number of voxels that the edits may visit
    * @return whether any voxel may have changed
    */
-  public boolean applyTo(CollisionScene scene, int maxVoxels) {
-    return applyTo(scene, maxVoxels, EditListener.NONE);
-  }
-
-  /** Applies waiting edits as the other method does, and reports each to a listener. */
-  public boolean applyTo(CollisionScene scene, int maxVoxels, EditListener listener) {
+  public boolean applyTo(VoxelWriter out, int maxVoxels) {
     int left = maxVoxels;
     while (left > 0) {
       int slot = (int) (taken.getPlain() % slots.length());
@@ -109,9 +111,13 @@ public final class EditQueue {
       if (edit == null) {
         break;
       }
-      left -= edit.apply(scene, left);
-      listener.applied(edit.segment(), edit.voxels());
+      if (!inProgress) {
+        out.history().endStroke();
+      }
+      left -= edit.apply(out, left);
+      inProgress = !edit.isDone();
       if (edit.isDone()) {
+        out.history().endStroke();
         slots.set(slot, null);
         taken.setRelease(taken.getPlain() + 1);
       }

@@ -1,6 +1,5 @@
 package org.palpate.edit;
 
-import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
@@ -46,14 +45,10 @@ public final class GreyEdit extends Edit {
   }
 
   @Override
-  int apply(CollisionScene scene, int maxVoxels) {
+  int apply(VoxelWriter out, int maxVoxels) {
     source.replace(replacement);
+    out.applied(segment(), none);
     finish();
     return 1;
-  }
-
-  @Override
-  IntBox voxels() {
-    return none;
   }
 }

@@ -1,6 +1,5 @@
 package org.palpate.edit;
 
-import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
@@ -58,14 +57,10 @@ public final class SwapEdit extends Edit {
   }
 
   @Override
-  int apply(CollisionScene scene, int maxVoxels) {
-    replaced = scene.replace(segment(), replacement);
+  int apply(VoxelWriter out, int maxVoxels) {
+    replaced = out.replace(segment(), replacement);
+    out.applied(segment(), all);
     finish();
     return 1;
-  }
-
-  @Override
-  IntBox voxels() {
-    return all;
   }
 }

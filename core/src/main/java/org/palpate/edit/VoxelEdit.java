@@ -1,9 +1,7 @@
 package org.palpate.edit;
 
-import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
-import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /** Makes one voxel solid or empty. */
@@ -38,19 +36,10 @@ public final class VoxelEdit extends Edit {
   }
 
   @Override
-  int apply(CollisionScene scene, int maxVoxels) {
-    BitCube bits = scene.cube(segment());
-    if (solid) {
-      bits.set(i, j, k);
-    } else {
-      bits.clear(i, j, k);
-    }
+  int apply(VoxelWriter out, int maxVoxels) {
+    out.write(segment(), i, j, k, solid);
+    out.applied(segment(), voxel);
     finish();
     return 1;
-  }
-
-  @Override
-  IntBox voxels() {
-    return voxel;
   }
 }

@@ -1,9 +1,11 @@
 package org.palpate.frame;
 
 import java.util.Map;
+import org.palpate.carve.CarveSettings;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
+import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ForceLimiter;
 import org.palpate.force.ForceRamp;
 import org.palpate.geometry.Vec3;
@@ -51,6 +53,11 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   private boolean freed;
   private boolean followed;
 
+  /** The number of new samples that the device has delivered. */
+  private long samples;
+
+  private boolean isSampleNew;
+
   private boolean begun;
   private long lastNanos;
   private long elapsedNanos;
@@ -92,6 +99,8 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
       release();
       return FrameOutcome.DEVICE_GONE;
     }
+    isSampleNew = status == ReadStatus.FRESH;
+    samples += isSampleNew ? 1 : 0;
     beginFrame();
     applyRequests();
     applyEdits(settings.editVoxelsAFrame());
@@ -228,6 +237,29 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   public boolean release() {
     dropForce();
     return device.write(ZERO, ZERO);
+  }
+
+  /** Returns the time since force and torque were computed last. */
+  final long sinceForceNanos() {
+    return sinceForceNanos;
+  }
+
+  /** Returns what changes the voxels of the scene; haptic thread, or before the first frame. */
+  public abstract VoxelWriter voxels();
+
+  /**
+   * Cuts with the tool from now on. Call it before the first frame.
+   *
+   * @param settings how fast, and what is kept
+   */
+  public abstract void carve(CarveSettings settings);
+
+  /**
+   * Returns the number of the new sample, from 0, with which a replay makes a change of voxels that
+   * this frame makes: its own, or the next one if it has none. Haptic thread.
+   */
+  public long sampleOfChanges() {
+    return isSampleNew ? samples - 1 : samples;
   }
 
   /** Returns the device's last sample, unchecked. It belongs to the frame. */

@@ -1,9 +1,13 @@
 package org.palpate.frame;
 
 import java.util.Map;
+import org.palpate.carve.CarveSettings;
+import org.palpate.carve.PointCarver;
 import org.palpate.collision.CollisionScene;
 import org.palpate.collision.NearestFreeVoxel;
+import org.palpate.edit.EditListener;
 import org.palpate.edit.EditQueue;
+import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
 import org.palpate.geometry.GridMetric;
@@ -22,7 +26,9 @@ import org.palpate.statistics.SkipKind;
  */
 public final class PointFrame extends HapticFrame {
   private final CollisionScene scene;
+  private final GridMetric metric;
   private final EditQueue edits;
+  private final VoxelWriter writer;
   private final FramePublisher publisher;
   private final NearestFreeVoxel nearestFreeVoxel;
   private final TouchedObjectFinder touchedObject = new TouchedObjectFinder();
@@ -38,6 +44,9 @@ public final class PointFrame extends HapticFrame {
   private final InteractionPoint point = new InteractionPoint();
   private ProxySolver solver;
   private boolean placed;
+
+  /** Null if the point does not cut. */
+  private PointCarver carver;
 
   private volatile ForceSettings requestedForce;
   private volatile ProxySolver requestedSolver;
@@ -63,7 +72,9 @@ public final class PointFrame extends HapticFrame {
     super(device.device(), settings);
     this.solver = solver;
     this.scene = scene;
+    this.metric = metric;
     this.edits = edits;
+    writer = new VoxelWriter(scene, EditListener.NONE);
     this.publisher = publisher;
     nearestFreeVoxel = new NearestFreeVoxel(metric);
     contactForce = new ContactForce(metric, settings.force());
@@ -92,7 +103,7 @@ public final class PointFrame extends HapticFrame {
 
   @Override
   void applyEdits(int maxVoxels) {
-    boolean changed = edits.applyTo(scene, maxVoxels);
+    boolean changed = edits.applyTo(writer, maxVoxels);
     if (changed && placed) {
       solver.reset();
       freePointFromSolid();
@@ -115,11 +126,29 @@ public final class PointFrame extends HapticFrame {
     deviceGrid.set(sample.positionMm);
     if (!placed || sample.relocated) {
       placePoint();
+    } else if (carver != null) {
+      carve();
     }
     solver.follow(scene, deviceGrid, point);
     if (contactForce.settings().distinguishesObjects()) {
       touchedObject.find(scene, deviceGrid, point);
     }
+  }
+
+  private void carve() {
+    if (carver.carve(point.position, deviceGrid, forceNewton.length(), sinceForceNanos())) {
+      solver.reset();
+    }
+  }
+
+  @Override
+  public VoxelWriter voxels() {
+    return writer;
+  }
+
+  @Override
+  public void carve(CarveSettings settings) {
+    carver = new PointCarver(settings, scene, metric, edits.segments(), writer);
   }
 
   /**

@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.palpate.body.BodyScene;
+import org.palpate.carve.CarveSettings;
+import org.palpate.carve.ToolCarver;
 import org.palpate.collision.CollisionScene;
 import org.palpate.device.HapticDevice;
-import org.palpate.edit.EditListener;
 import org.palpate.edit.EditQueue;
+import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.ToolForce;
 import org.palpate.geometry.IntBox;
@@ -33,17 +35,20 @@ import org.palpate.volume.BitCube;
  */
 public final class ToolFrame extends HapticFrame {
   private final BodyScene bodies;
-  private final CollisionScene cubes;
   private final RigidSolver solver;
   private final ToolForce force;
   private final EditQueue edits;
-  private final EditListener editListener = this::noteEdit;
+  private final VoxelWriter voxels;
   private final ToolFramePublisher publisher;
   private final ToolMotion motion = new ToolMotion();
   private final Pose devicePose = new Pose();
   private final Quaternion checked = new Quaternion();
   private final SkipCounters skippedBeforeUse = new SkipCounters();
   private boolean placed;
+
+  /** Null if the tool does not cut. */
+  private ToolCarver carver;
+
   private int mostReduced;
 
   private volatile ForceSettings requestedForce;
@@ -73,7 +78,7 @@ public final class ToolFrame extends HapticFrame {
     this.solver = solver;
     this.edits = edits;
     this.publisher = publisher;
-    cubes = new CollisionScene(cubesOf(bodies));
+    voxels = new VoxelWriter(new CollisionScene(cubesOf(bodies)), this::noteEdit);
     force = new ToolForce(tool, bodies.shortestEdgeMm(), coupling, settings.force());
     requestedForce = settings.force();
     solver.addSkips(skippedBeforeUse);
@@ -95,11 +100,21 @@ public final class ToolFrame extends HapticFrame {
   /** Applies edits. The solver takes note of them before its next motion. */
   @Override
   void applyEdits(int maxVoxels) {
-    edits.applyTo(cubes, maxVoxels, editListener);
+    edits.applyTo(voxels, maxVoxels);
   }
 
-  private void noteEdit(int segment, IntBox voxels) {
-    bodies.body(segment).voxelsChanged(voxels);
+  private void noteEdit(int segment, IntBox changed) {
+    bodies.body(segment).voxelsChanged(changed);
+  }
+
+  @Override
+  public VoxelWriter voxels() {
+    return voxels;
+  }
+
+  @Override
+  public void carve(CarveSettings settings) {
+    carver = new ToolCarver(settings, bodies, solver.newBlockingVoxels(), voxels);
   }
 
   @Override
@@ -115,6 +130,8 @@ public final class ToolFrame extends HapticFrame {
     if (!placed || jumped) {
       startsAtDevice = solver.place(devicePose, motion);
       placed = true;
+    } else if (carver != null) {
+      carver.carve(devicePose, forceNewton.length(), sinceForceNanos());
     }
     solver.follow(devicePose, motion);
     if (jumped || !startsAtDevice || motion.freed()) {

@@ -120,17 +120,27 @@ final class ClearanceLevels {
     if (edits == editsSeen) {
       return false;
     }
-    for (long edit = editsSeen; edit < edits; edit++) {
-      changed.include(body.change(edit));
+    for (long edit = Math.max(editsSeen, body.oldestEdit() - 1); edit < edits; edit++) {
+      IntBox box = body.change(edit);
+      changed.include(box);
+      updateGrown(box);
     }
     editsSeen = edits;
+    return true;
+  }
+
+  private void updateGrown(IntBox box) {
     for (int level = 1; level <= highest; level++) {
-      IntBox cells = grown[level].update(changed);
+      IntBox cells = grown[level].update(box);
       if (level == highest) {
         clearance.solidsAdded(cells);
       }
     }
-    return true;
+  }
+
+  /** Returns the grown solids of a level above 0. */
+  GrownSolids grown(int level) {
+    return grown[level];
   }
 
   /** Returns the number of voxels by which the highest level reaches beyond a solid voxel. */

@@ -137,6 +137,11 @@ public final class RigidSolver {
     beginApproach();
   }
 
+  /** Returns a finder of the voxels that block the tool. It shares the haptic thread. */
+  public BlockingVoxels newBlockingVoxels() {
+    return new BlockingVoxels(scene, tool, verifier);
+  }
+
   /**
    * Returns the last valid device pose; the identity before the first. Do not write to it. Of the
    * two quaternions of norm 1 that state its orientation, it has the one nearer to the tool's.

@@ -122,6 +122,7 @@ final class ToolVerifier {
 
   /** Applies the edits of all bodies since the last call, and returns the gravest outcome. */
   EditOutcome takeEdits() {
+    boolean enclosedNothing = !enclosure.isPending() && reducedPoints() == 0;
     EditOutcome outcome = EditOutcome.NONE;
     for (BodyVerifier body : bodies) {
       EditOutcome ofBody = body.takeEdits();
@@ -130,10 +131,11 @@ final class ToolVerifier {
     if (outcome != EditOutcome.FREE) {
       return outcome;
     }
+    if (enclosedNothing && enclosure.enclosesEdited(pose)) {
+      return EditOutcome.COLLIDING;
+    }
     if (enclosure.isPending() || reducedPoints() > 0) {
       enclosure.begin();
-    } else if (enclosure.enclosesEdited(pose)) {
-      return EditOutcome.COLLIDING;
     }
     return EditOutcome.FREE;
   }

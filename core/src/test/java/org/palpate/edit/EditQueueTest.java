@@ -30,6 +30,7 @@ class EditQueueTest {
   private static final int EDGE = Floor.EDGE;
 
   private final Floor floor = Floor.make();
+  private final VoxelWriter writer = new VoxelWriter(floor.scene, EditListener.NONE);
 
   @Test
   void anEditThatDoesNotFitIsRefusedInTheThreadThatQueuesIt() {
@@ -49,10 +50,10 @@ class EditQueueTest {
     assertTrue(queue.offer(new VoxelEdit(0, 1, 1, 20, true)));
     assertTrue(queue.offer(new VoxelEdit(0, 1, 1, 21, true)));
     assertFalse(queue.offer(new VoxelEdit(0, 1, 1, 22, true)));
-    assertTrue(queue.applyTo(floor.scene, 1));
+    assertTrue(queue.applyTo(writer, 1));
     assertTrue(queue.offer(new VoxelEdit(0, 1, 1, 22, true)));
-    assertTrue(queue.applyTo(floor.scene, 10));
-    assertFalse(queue.applyTo(floor.scene, 10));
+    assertTrue(queue.applyTo(writer, 10));
+    assertFalse(queue.applyTo(writer, 10));
     assertEquals(3, queue.completed());
     assertTrue(floor.bits.get(1, 1, 22));
   }
@@ -62,7 +63,7 @@ class EditQueueTest {
     for (double at : new double[] {-50, 90, 1e12, -1e300}) {
       BrushEdit brush = new BrushEdit(0, new Vec3(at, 16, 16), 5, true);
       floor.edits.offer(brush);
-      floor.edits.applyTo(floor.scene, 1);
+      floor.edits.applyTo(writer, 1);
       assertTrue(brush.isDone(), "at=" + at);
     }
     assertEquals(Floor.TOP * EDGE * EDGE, floor.bits.solidCount());
@@ -83,7 +84,7 @@ class EditQueueTest {
       floor.edits.offer(new BrushEdit(0, centre, radius, solid));
       brushAtOnce(reference, centre, radius, solid);
       while (!floor.edits.isIdle()) {
-        floor.edits.applyTo(floor.scene, 1 + (int) ((random.nextLong() >>> 1) % 200));
+        floor.edits.applyTo(writer, 1 + (int) ((random.nextLong() >>> 1) % 200));
       }
       assertEquals(reference.cardinality(), floor.bits.solidCount(), "seed=" + Seeds.seed());
     }
@@ -103,7 +104,7 @@ class EditQueueTest {
     queue.offer(new SwapEdit(0, empty));
     editors.forEach(Thread::start);
     while (queue.completed() < 1 + 3 * EDGE * EDGE) {
-      queue.applyTo(floor.scene, 100);
+      queue.applyTo(writer, 100);
     }
     for (Thread editor : editors) {
       editor.join();

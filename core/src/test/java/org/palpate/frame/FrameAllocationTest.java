@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
+import org.palpate.carve.CarveSettings;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
@@ -18,6 +19,7 @@ import org.palpate.device.ReadStatus;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.edit.BrushEdit;
 import org.palpate.edit.Edit;
+import org.palpate.edit.HistoryEdit;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.force.Material;
@@ -71,6 +73,7 @@ class FrameAllocationTest {
             FrameSettings.live(hand.specification(), Floor.settings().force()),
             floor.edits,
             touch::publish);
+    frame.carve(CarveSettings.ofRate(5));
     assertARoundAllocatesNothing(frame);
     assertTrue(accumulator.take());
   }
@@ -93,6 +96,7 @@ class FrameAllocationTest {
             FrameSettings.live(hand.specification(), roughFloor()),
             floor.edits,
             ToolFramePublisher.NONE);
+    frame.carve(CarveSettings.ofRate(5));
     assertARoundAllocatesNothing(frame);
     assertTrue(frame.statistics().maxTorqueNewtonMm() > 0);
   }
@@ -107,7 +111,7 @@ class FrameAllocationTest {
   private void prepareEdits(double radiusMm) {
     for (int i = 0; i < waiting.length; i++) {
       Vec3 centre = new Vec3(3 + i % 26, 3 + i / 26 % 26, 8);
-      waiting[i] = new BrushEdit(0, centre, radiusMm, i % 2 == 0);
+      waiting[i] = i % 3 == 2 ? HistoryEdit.undo() : new BrushEdit(0, centre, radiusMm, i % 2 == 0);
     }
   }
 

@@ -11,10 +11,13 @@ import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.body.RandomSolids;
+import org.palpate.carve.CarveSettings;
 import org.palpate.device.DeviceState;
 import org.palpate.device.ReadStatus;
 import org.palpate.edit.BrushEdit;
+import org.palpate.edit.Edit;
 import org.palpate.edit.EditQueue;
+import org.palpate.edit.HistoryEdit;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FrameSettings;
@@ -82,11 +85,14 @@ class ToolFrameLegsTest {
                 15),
             edits,
             ToolFramePublisher.NONE);
+    if (round % 3 != 0) {
+      frame.carve(CarveSettings.ofRate(round % 3 == 1 ? 1 : 1000));
+    }
     ToolLegJudge judge = new ToolLegJudge(scene, tool);
     boolean begun = false;
     for (int n = 0; n < FRAMES; n++) {
       if (random.nextInt(20) == 0) {
-        edits.offer(editNear(frame.motion().pose()));
+        edits.offer(edit(frame.motion().pose()));
       }
       nowNanos += random.nextInt(300) == 0 ? 40_000_000 : 1_000_000;
       assertEquals(FrameOutcome.RUNNING, frame.run(nowNanos));
@@ -124,6 +130,11 @@ class ToolFrameLegsTest {
     state.orientation.set(pose.rotation);
     state.timeNanos = deviceNanos;
     return ReadStatus.FRESH;
+  }
+
+  private Edit edit(Pose pose) {
+    int kind = random.nextInt(6);
+    return kind == 0 ? HistoryEdit.undo() : kind == 1 ? HistoryEdit.redo() : editNear(pose);
   }
 
   private BrushEdit editNear(Pose pose) {

@@ -113,6 +113,7 @@ class ArchitectureTest {
               List.of("benchmarks.input", "benchmarks.report", "loop", "scene.surface")),
           Map.entry("benchmarks.sync", List.of("benchmarks.report", "host", "volume.phantom")),
           Map.entry("body", List.of("collision")),
+          Map.entry("carve", List.of("edit", "rigid")),
           Map.entry("collision", List.of("raycast")),
           Map.entry("device", List.of("geometry")),
           Map.entry("device.jni", List.of("device")),
@@ -120,7 +121,7 @@ class ArchitectureTest {
           Map.entry("display", List.of()),
           Map.entry("edit", List.of("proxy.smooth.field")),
           Map.entry("force", List.of("proxy", "rigid")),
-          Map.entry("frame", List.of("device", "edit", "force", "rigid")),
+          Map.entry("frame", List.of("carve", "device", "force")),
           Map.entry("geometry", List.of()),
           Map.entry(
               "host",
@@ -197,6 +198,7 @@ class ArchitectureTest {
           List.of(
               BASE + "device.jni.FrameLayout",
               BASE + "edit.BrushEdit",
+              BASE + "edit.HistoryEdit",
               BASE + "scene.Palette",
               BASE + "scene.gl.SceneRendererVariants",
               BASE + "scene.gl.Shaders",

@@ -1,0 +1,40 @@
+package org.palpate.edit;
+
+import org.palpate.geometry.GridMetric;
+import org.palpate.volume.VoxelGrid;
+
+/** Undoes the last stroke, or does the one again that was undone last. */
+public final class HistoryEdit extends Edit {
+  private static final int VOXELS_A_BRICK = 64;
+
+  private final boolean isUndo;
+
+  private HistoryEdit(boolean isUndo) {
+    super(0);
+    this.isUndo = isUndo;
+  }
+
+  /** Returns an edit that undoes the last stroke; it does nothing if there is none. */
+  public static HistoryEdit undo() {
+    return new HistoryEdit(true);
+  }
+
+  /** Returns an edit that does a stroke again; it does nothing if none was undone. */
+  public static HistoryEdit redo() {
+    return new HistoryEdit(false);
+  }
+
+  @Override
+  void prepare(VoxelGrid grid, GridMetric gridMetric) {
+    // Fits every grid.
+  }
+
+  @Override
+  int apply(VoxelWriter out, int maxVoxels) {
+    int bricks = Math.max(1, maxVoxels / VOXELS_A_BRICK);
+    if (isUndo ? out.history().undo(bricks) : out.history().redo(bricks)) {
+      finish();
+    }
+    return Math.max(1, Math.min(maxVoxels, bricks * VOXELS_A_BRICK));
+  }
+}

@@ -1,0 +1,105 @@
+package org.palpate.edit;
+
+import java.util.List;
+import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
+import org.palpate.volume.BitCube;
+
+/**
+ * Changes the voxels of a scene for edits, for cutting and for undo. It notes each change in the
+ * {@link UndoHistory} and reports it to listeners. Nothing else changes voxels during a session.
+ *
+ * <p>Haptic thread only; a change allocates nothing.
+ */
+public final class VoxelWriter {
+  /** The usual number of changed bricks that can be undone, which take 2 MiB. */
+  public static final int DEFAULT_CAPACITY = 1 << 16;
+
+  private final CollisionScene scene;
+  private final EditListener boxes;
+  private final VoxelLog log;
+  private final UndoHistory history;
+  private final IntBox box = new IntBox();
+  private VoxelListener voxels = VoxelListener.NONE;
+
+  /** Creates a writer with a history of the usual capacity. */
+  public VoxelWriter(CollisionScene scene, EditListener boxes) {
+    this(scene, boxes, DEFAULT_CAPACITY);
+  }
+
+  /**
+   * Creates a writer.
+   *
+   * @param boxes receives a box around the voxels of each edit
+   * @param capacity the most changed bricks that can be undone, at least 1
+   */
+  public VoxelWriter(CollisionScene scene, EditListener boxes, int capacity) {
+    this.scene = scene;
+    this.boxes = boxes;
+    log = new VoxelLog(this, capacity);
+    history = new UndoHistory(List.of(log));
+  }
+
+  /** Sets what receives each changed voxel; before the first change. */
+  public void listen(VoxelListener listener) {
+    voxels = listener;
+  }
+
+  /** Returns the history of the changes. */
+  public UndoHistory history() {
+    return history;
+  }
+
+  /**
+   * Makes a voxel of the grid solid or empty. The caller then reports the box to {@link #applied}.
+   *
+   * @return whether it changed
+   */
+  public boolean write(int segment, int i, int j, int k, boolean solid) {
+    BitCube bits = scene.cube(segment);
+    if (bits.get(i, j, k) == solid) {
+      return false;
+    }
+    history.beforeChange();
+    int x = i >> BitCube.BRICK_SHIFT;
+    int y = j >> BitCube.BRICK_SHIFT;
+    int z = k >> BitCube.BRICK_SHIFT;
+    long before = bits.brick(x, y, z);
+    if (solid) {
+      bits.set(i, j, k);
+    } else {
+      bits.clear(i, j, k);
+    }
+    log.note(segment, x, y, z, before, bits.brick(x, y, z));
+    voxels.changed(segment, i, j, k, solid);
+    return true;
+  }
+
+  /** Reports a box around voxels that {@link #write} may have changed; may be empty. */
+  public void applied(int segment, IntBox changed) {
+    boxes.applied(segment, changed);
+  }
+
+  /** Replaces the cube of a segment, which no history can undo. */
+  BitCube replace(int segment, BitCube replacement) {
+    history.forget();
+    return scene.replace(segment, replacement);
+  }
+
+  /** Writes the bits of a brick that the history knows. */
+  void restoreBrick(int segment, int x, int y, int z, long word) {
+    BitCube bits = scene.cube(segment);
+    long before = bits.brick(x, y, z);
+    bits.setBrick(x, y, z, word);
+    box.clear();
+    for (long rest = before ^ word; rest != 0; rest &= rest - 1) {
+      int bit = Long.numberOfTrailingZeros(rest);
+      int i = (x << BitCube.BRICK_SHIFT) + (bit & 3);
+      int j = (y << BitCube.BRICK_SHIFT) + (bit >> 2 & 3);
+      int k = (z << BitCube.BRICK_SHIFT) + (bit >> 4);
+      box.include(i, j, k);
+      voxels.changed(segment, i, j, k, (word >>> bit & 1) != 0);
+    }
+    boxes.applied(segment, box);
+  }
+}

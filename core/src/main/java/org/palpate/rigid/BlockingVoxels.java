@@ -1,0 +1,216 @@
+package org.palpate.rigid;
+
+import org.palpate.body.BodyScene;
+import org.palpate.body.GrownSolids;
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.RayHit;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.SphereTree;
+import org.palpate.volume.BitCube;
+
+/**
+ * Finds the voxels that keep a tool from moving on towards its device pose. A voxel blocks the tool
+ * exactly if the leg of a sample point touches the voxel, or a cell that the voxel makes solid at
+ * the clearance level of that point. Exact arithmetic decides whether a leg touches a cell.
+ *
+ * <p>The legs lead from the tool pose towards the device pose, as far as no point moves more than
+ * the shortest voxel edge of the scene. The tool gets no farther before the next frame asks again,
+ * and this bounds the work. Of each leg only the first solid cell counts, so voxels behind others
+ * are found when those are gone. Haptic thread only; allocates nothing.
+ */
+public final class BlockingVoxels {
+  /** The most cells whose voxels are reported at once, the nearest ones. */
+  static final int MOST_CELLS = 64;
+
+  /** Takes voxels. */
+  @FunctionalInterface
+  public interface Sink {
+    /**
+     * Takes a voxel.
+     *
+     * @param body index of its body
+     * @return whether further voxels are wanted
+     */
+    boolean take(int body, int i, int j, int k);
+  }
+
+  private final BodyScene scene;
+  private final RigidTool tool;
+  private final SphereTree tree;
+  private final ToolVerifier verifier;
+  private final double edgeMm;
+  private final ExactRayCaster caster = new ExactRayCaster();
+  private final Ray leg = new Ray();
+  private final RayHit hit = new RayHit();
+  private final AffineMap toGrid = new AffineMap();
+  private final AffineMap from = new AffineMap();
+  private final AffineMap to = new AffineMap();
+  private final Pose next = new Pose();
+  private final Vec3 displacement = new Vec3();
+  private final Vec3 rotation = new Vec3();
+  private final Quaternion scratch = new Quaternion();
+
+  /** The found cells in the order in which legs meet them; of equals the first found. */
+  private final double[] t = new double[MOST_CELLS + 1];
+
+  private final int[] body = new int[MOST_CELLS + 1];
+  private final int[] level = new int[MOST_CELLS + 1];
+  private final int[] cellX = new int[MOST_CELLS + 1];
+  private final int[] cellY = new int[MOST_CELLS + 1];
+  private final int[] cellZ = new int[MOST_CELLS + 1];
+  private int count;
+
+  /** Creates a finder for the tool of a verifier. */
+  BlockingVoxels(BodyScene scene, RigidTool tool, ToolVerifier verifier) {
+    this.scene = scene;
+    this.tool = tool;
+    this.verifier = verifier;
+    tree = tool.tree();
+    edgeMm = scene.shortestEdgeMm();
+  }
+
+  /**
+   * Reports the solid voxels that block the tool, in the order in which the tool meets them. Voxels
+   * of one cell come in the order of their indices, and a voxel may come twice. The sink may remove
+   * a voxel that it takes.
+   *
+   * @param device the device pose, finite, with a quaternion of norm 1
+   */
+  public void find(Pose device, Sink sink) {
+    count = 0;
+    setNext(device);
+    for (int n = 0; n < scene.count(); n++) {
+      findIn(n);
+    }
+    boolean isWanted = true;
+    for (int cell = 0; cell < count && isWanted; cell++) {
+      isWanted = report(cell, sink);
+    }
+  }
+
+  /** Sets the pose to which the legs lead. */
+  private void setNext(Pose device) {
+    Pose pose = verifier.pose();
+    pose.differenceTo(device, displacement, rotation, scratch);
+    double mostMm = displacement.length() + rotation.length() * tool.radiusMm();
+    double fraction = mostMm > edgeMm ? edgeMm / mostMm : 1;
+    pose.displace(displacement, rotation, fraction, scratch, next);
+  }
+
+  private void findIn(int index) {
+    BodyVerifier ofBody = verifier.body(index);
+    ClearanceLevels levels = ofBody.levels;
+    levels.body.toolToGrid(next, toGrid);
+    levels.toCells(ofBody.from, levels.highest, from);
+    levels.toCells(toGrid, levels.highest, to);
+    int node = 0;
+    while (node < tree.nodes()) {
+      boolean isLeaf = tree.isLeaf(node);
+      if (isEmptyAround(node, levels)) {
+        node = tree.skip(node);
+        continue;
+      }
+      for (int point = tree.first(node); isLeaf && point < tree.end(node); point++) {
+        castFrom(index, ofBody, point);
+      }
+      node++;
+    }
+  }
+
+  /**
+   * Whether no solid cell lies within twice the longest motion of a point around a node. Rounding
+   * is far below a motion.
+   */
+  private boolean isEmptyAround(int node, ClearanceLevels levels) {
+    double x = from.x(tree.x(node), tree.y(node), tree.z(node));
+    double y = from.y(tree.x(node), tree.y(node), tree.z(node));
+    double z = from.z(tree.x(node), tree.y(node), tree.z(node));
+    double neededMm = tree.radius(node) + 2 * edgeMm;
+    return levels.clearance.at(x, y, z) * levels.cellMm > neededMm;
+  }
+
+  private void castFrom(int index, BodyVerifier ofBody, int point) {
+    ClearanceLevels levels = ofBody.levels;
+    int at = ofBody.level(point);
+    if (at != levels.highest) {
+      levels.toCells(ofBody.from, at, from);
+      levels.toCells(toGrid, at, to);
+    }
+    cast(index, levels.cubes[at], at, point);
+    if (at != levels.highest) {
+      levels.toCells(ofBody.from, levels.highest, from);
+      levels.toCells(toGrid, levels.highest, to);
+    }
+  }
+
+  private void cast(int index, BitCube cells, int at, int point) {
+    double a = tool.x(point);
+    double b = tool.y(point);
+    double c = tool.z(point);
+    leg.from(from.x(a, b, c), from.y(a, b, c), from.z(a, b, c));
+    leg.to(to.x(a, b, c), to.y(a, b, c), to.z(a, b, c));
+    boolean isFree =
+        EmptyBox.holds(cells, leg.fromX, leg.fromY, leg.fromZ, leg.toX, leg.toY, leg.toZ);
+    if (!isFree && caster.cast(cells, leg, hit)) {
+      insert(index, at);
+    }
+  }
+
+  /** Inserts the hit into the ordered cells, of which only the first ones are kept. */
+  private void insert(int index, int at) {
+    int place = count;
+    while (place > 0 && t[place - 1] > hit.t) {
+      place--;
+    }
+    if (place == MOST_CELLS) {
+      return;
+    }
+    for (int n = count; n > place; n--) {
+      copy(n - 1, n);
+    }
+    t[place] = hit.t;
+    body[place] = index;
+    level[place] = at;
+    cellX[place] = hit.i;
+    cellY[place] = hit.j;
+    cellZ[place] = hit.k;
+    count = Math.min(count + 1, MOST_CELLS);
+  }
+
+  private void copy(int source, int dest) {
+    t[dest] = t[source];
+    body[dest] = body[source];
+    level[dest] = level[source];
+    cellX[dest] = cellX[source];
+    cellY[dest] = cellY[source];
+    cellZ[dest] = cellZ[source];
+  }
+
+  /** Reports the solid voxels that make a cell solid. Returns whether more are wanted. */
+  private boolean report(int cell, Sink sink) {
+    int a = cellX[cell];
+    int b = cellY[cell];
+    int c = cellZ[cell];
+    if (level[cell] == 0) {
+      return sink.take(body[cell], a, b, c);
+    }
+    BitCube bits = scene.body(body[cell]).bits();
+    GrownSolids grown = verifier.body(body[cell]).levels.grown(level[cell]);
+    for (int k = grown.lowestVoxel(c, 2); k <= grown.highestVoxel(c, 2); k++) {
+      for (int j = grown.lowestVoxel(b, 1); j <= grown.highestVoxel(b, 1); j++) {
+        for (int i = grown.lowestVoxel(a, 0); i <= grown.highestVoxel(a, 0); i++) {
+          boolean blocks = bits.get(i, j, k) && grown.reaches(i, j, k, a, b, c);
+          if (blocks && !sink.take(body[cell], i, j, k)) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+}

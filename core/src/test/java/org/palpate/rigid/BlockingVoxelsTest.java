@@ -1,0 +1,182 @@
+package org.palpate.rigid;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.SplittableRandom;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.GrownSolids;
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+import org.palpate.raycast.Ray;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.testing.ExactOracle;
+import org.palpate.testing.RandomGeometry;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+
+class BlockingVoxelsTest {
+  private final SplittableRandom random = new SplittableRandom(Seeds.seed());
+
+  @Test
+  void findsExactlyTheVoxelsThatRationalArithmeticFinds() {
+    int blocked = 0;
+    for (int round = 0; round < 60; round++) {
+      BodyScene scene = ToolScenes.clutter(random, 1 + round % 2);
+      RigidTool tool = ToolScenes.tool(random).thinned(40);
+      Clearance[] clearances = new Clearance[scene.count()];
+      for (int n = 0; n < clearances.length; n++) {
+        clearances[n] = round % 3 == 0 ? Clearance.POINTS : new Clearance(0.6, 0.72, 2);
+      }
+      ToolVerifier verifier = new ToolVerifier(scene, tool, clearances, true);
+      Pose start = RandomGeometry.pose(random, 20);
+      while (!verifier.place(start, false)) {
+        start = RandomGeometry.pose(random, 40);
+      }
+      BlockingVoxels blocking = new BlockingVoxels(scene, tool, verifier);
+      for (int step = 0; step < 60; step++) {
+        Pose device = new Pose().set(verifier.pose());
+        Vec3 off = RandomGeometry.vector(random, 4).sub(device.translation, new Vec3());
+        off.mul(random.nextDouble(0.3), off);
+        device.displace(off, RandomGeometry.vector(random, 0.3), 1, new Quaternion(), device);
+        Set<String> expected = naive(scene, tool, verifier, device);
+        Set<String> found = removeAll(scene, verifier, blocking, device);
+        assertEquals(expected, found, "seed " + Seeds.seed() + " round " + round);
+        blocked += found.isEmpty() ? 0 : 1;
+        moveTo(limited(scene, tool, verifier.pose(), device), verifier);
+      }
+    }
+    assertTrue(blocked > 60, "blocked " + blocked);
+  }
+
+  private static void moveTo(Pose pose, ToolVerifier verifier) {
+    verifier.propose(pose);
+    assertTrue(verifier.isFree(0, true, new LegHits()), "what blocked the way is gone");
+    verifier.commit();
+  }
+
+  /** Removes what is found until nothing is, and returns all of it. */
+  private static Set<String> removeAll(
+      BodyScene scene, ToolVerifier verifier, BlockingVoxels blocking, Pose device) {
+    Set<String> all = new TreeSet<>();
+    List<int[]> removed = new ArrayList<>();
+    do {
+      removed.clear();
+      blocking.find(
+          device,
+          (body, i, j, k) -> {
+            if (scene.body(body).bits().get(i, j, k)) {
+              scene.body(body).bits().clear(i, j, k);
+              removed.add(new int[] {body, i, j, k});
+            }
+            return true;
+          });
+      for (int[] voxel : removed) {
+        all.add(voxel[0] + ":" + voxel[1] + "," + voxel[2] + "," + voxel[3]);
+        IntBox box = new IntBox();
+        box.include(voxel[1], voxel[2], voxel[3]);
+        scene.body(voxel[0]).voxelsChanged(box);
+      }
+      verifier.takeEdits();
+    } while (!removed.isEmpty());
+    return all;
+  }
+
+  private static Set<String> naive(
+      BodyScene scene, RigidTool tool, ToolVerifier verifier, Pose device) {
+    Pose next = limited(scene, tool, verifier.pose(), device);
+    Set<String> all = new TreeSet<>();
+    for (int b = 0; b < scene.count(); b++) {
+      for (int point = 0; point < tool.count(); point++) {
+        addBlocking(b, verifier.body(b), tool.point(point, new Vec3()), point, next, all);
+      }
+    }
+    return all;
+  }
+
+  /** Returns the device pose, or the part of the way on which no point moves more than an edge. */
+  private static Pose limited(BodyScene scene, RigidTool tool, Pose pose, Pose device) {
+    Vec3 displacement = new Vec3();
+    Vec3 rotation = new Vec3();
+    Quaternion scratch = new Quaternion();
+    pose.differenceTo(device, displacement, rotation, scratch);
+    double mostMm = displacement.length() + rotation.length() * tool.radiusMm();
+    double edgeMm = scene.shortestEdgeMm();
+    double fraction = mostMm > edgeMm ? edgeMm / mostMm : 1;
+    return pose.displace(displacement, rotation, fraction, scratch, new Pose());
+  }
+
+  private static void addBlocking(
+      int b, BodyVerifier verifier, Vec3 point, int index, Pose next, Set<String> all) {
+    ClearanceLevels levels = verifier.levels;
+    int level = verifier.level(index);
+    AffineMap cells = new AffineMap();
+    Vec3 from = levels.toCells(verifier.from, level, cells).transform(point, new Vec3());
+    AffineMap to = levels.body.toolToGrid(next, new AffineMap());
+    Vec3 end = levels.toCells(to, level, cells).transform(point, new Vec3());
+    Ray leg = new Ray().from(from.x, from.y, from.z).to(end.x, end.y, end.z);
+    BitCube cube = levels.cubes[level];
+    for (int c = low(from.z, end.z); c <= high(from.z, end.z); c++) {
+      for (int y = low(from.y, end.y); y <= high(from.y, end.y); y++) {
+        for (int a = low(from.x, end.x); a <= high(from.x, end.x); a++) {
+          if (cube.get(a, y, c) && ExactOracle.touches(leg, a, y, c)) {
+            addSources(b, levels.body, level == 0 ? null : levels.grown(level), a, y, c, all);
+          }
+        }
+      }
+    }
+  }
+
+  private static int low(double p, double q) {
+    return (int) Math.floor(Math.min(p, q)) - 1;
+  }
+
+  private static int high(double p, double q) {
+    return (int) Math.floor(Math.max(p, q)) + 1;
+  }
+
+  private static void addSources(
+      int b, Body body, GrownSolids grown, int x, int y, int z, Set<String> all) {
+    if (grown == null) {
+      all.add(b + ":" + x + "," + y + "," + z);
+      return;
+    }
+    BitCube bits = body.bits();
+    BigDecimal growth = new BigDecimal(grown.growthMm());
+    for (int k = 0; k < bits.sizeZ(); k++) {
+      for (int j = 0; j < bits.sizeY(); j++) {
+        for (int i = 0; i < bits.sizeX(); i++) {
+          if (!bits.get(i, j, k)) {
+            continue;
+          }
+          BigDecimal square =
+              squaredGap(grown, 0, x, i)
+                  .add(squaredGap(grown, 1, y, j))
+                  .add(squaredGap(grown, 2, z, k));
+          if (square.compareTo(growth.multiply(growth)) < 0) {
+            all.add(b + ":" + i + "," + j + "," + k);
+          }
+        }
+      }
+    }
+  }
+
+  /** Returns the squared distance of a cell from a voxel along an axis, mm^2, without rounding. */
+  private static BigDecimal squaredGap(GrownSolids grown, int axis, int cell, int voxel) {
+    int parts = grown.parts(axis);
+    int first = (voxel + grown.padVoxels()) * parts;
+    int gap = Math.max(0, Math.max(first - (cell + 1), cell - (first + parts)));
+    BigDecimal mm = new BigDecimal(grown.cellMm(axis)).multiply(BigDecimal.valueOf(gap));
+    return mm.multiply(mm);
+  }
+}
