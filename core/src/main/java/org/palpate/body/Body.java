@@ -26,6 +26,7 @@ public final class Body {
   private final Pose pose = new Pose();
   private final AffineMap restToGrid = new AffineMap();
   private final AffineMap worldToGrid = new AffineMap();
+  private final AffineMap otherToGrid = new AffineMap();
   private final AffineMap scratch = new AffineMap();
   private final Vec3 direction = new Vec3();
   private final IntBox[] changes = new IntBox[REMEMBERED_EDITS];
@@ -110,6 +111,17 @@ public final class Body {
    */
   public AffineMap toolToGrid(Pose tool, AffineMap dest) {
     return worldToGrid.multiply(scratch.set(tool), dest);
+  }
+
+  /**
+   * Writes the map from a tool's frame, mm, to the grid coordinates that the body has at another
+   * pose. At the present pose it gives the same bits as {@link #toolToGrid(Pose, AffineMap)}.
+   *
+   * @param bodyPose rest to present, world mm
+   */
+  public AffineMap toolToGrid(Pose bodyPose, Pose tool, AffineMap dest) {
+    restToGrid.multiply(scratch.setInverse(bodyPose), otherToGrid);
+    return otherToGrid.multiply(scratch.set(tool), dest);
   }
 
   /** Writes the world direction of a direction along the axes of the grid, both in mm. */

@@ -54,7 +54,7 @@ public final class ToolForce {
     squaredRadiusMm2 = tool.rmsRadiusMm() * tool.rmsRadiusMm();
     rateLimit = new CouplingRateLimit(tool, ChangeBound.MIN_MOTION_EDGES * shortestEdgeMm);
     material = new MaterialTransition(shortestEdgeMm, settings.general());
-    friction = new ToolFriction(tool, shortestEdgeMm);
+    friction = new ToolFriction(shortestEdgeMm);
   }
 
   /** Changes materials and friction from the next frame on. */

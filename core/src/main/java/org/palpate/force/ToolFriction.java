@@ -3,7 +3,6 @@ package org.palpate.force;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.ToolContacts;
-import org.palpate.rigid.tool.RigidTool;
 
 /**
  * Static and sliding friction of a rigid tool with two friction cones at each contact, as {@link
@@ -18,7 +17,6 @@ import org.palpate.rigid.tool.RigidTool;
  * <p>Haptic thread; allocates nothing.
  */
 final class ToolFriction {
-  private final RigidTool tool;
   private final double stopMm;
   private final double[] positionX = new double[ToolContacts.MOST];
   private final double[] positionY = new double[ToolContacts.MOST];
@@ -35,8 +33,7 @@ final class ToolFriction {
   private final Vec3 pull = new Vec3();
   private int lastCount;
 
-  ToolFriction(RigidTool tool, double shortestEdgeMm) {
-    this.tool = tool;
+  ToolFriction(double shortestEdgeMm) {
     stopMm = ConeFriction.STOP_EDGES * shortestEdgeMm;
     for (int n = 0; n < ToolContacts.MOST; n++) {
       stretch[n] = new Vec3();
@@ -71,10 +68,10 @@ final class ToolFriction {
       stretchAnchors(contacts, from, to);
       for (int n = 0; n < contacts.count(); n++) {
         limitToCone(n, material, pressing);
-        releasePush(n, contacts.point(n), device);
+        releasePush(contacts, n, device);
         stretch[n].mul(contacts.share(n) * material.stiffnessNewtonPerMm(), pull);
         forceNewton.add(pull, forceNewton);
-        to.rotation.rotate(tool.point(contacts.point(n), local), local);
+        to.rotation.rotate(contacts.position(n, local), local);
         torqueNewtonMm.add(local.cross(pull, local), torqueNewtonMm);
       }
       remember(contacts, to);
@@ -85,7 +82,7 @@ final class ToolFriction {
   /** Writes the vector from each contact to its anchor, in the tangential plane, mm. */
   private void stretchAnchors(ToolContacts contacts, Pose from, Pose to) {
     for (int n = 0; n < contacts.count(); n++) {
-      tool.point(contacts.point(n), local);
+      contacts.position(n, local);
       from.transform(local, position);
       to.transform(local, moved).sub(position, moved);
       int old = nearestOld();
@@ -127,8 +124,8 @@ final class ToolFriction {
     }
   }
 
-  private void releasePush(int contact, int point, Pose device) {
-    tool.point(point, local);
+  private void releasePush(ToolContacts contacts, int contact, Pose device) {
+    contacts.position(contact, local);
     lastDevice.transform(local, position);
     device.transform(local, moved).sub(position, moved);
     ConeFriction.releasePush(moved, stretch[contact]);
@@ -137,7 +134,7 @@ final class ToolFriction {
   private void remember(ToolContacts contacts, Pose to) {
     lastCount = contacts.count();
     for (int n = 0; n < lastCount; n++) {
-      to.transform(tool.point(contacts.point(n), local), position);
+      to.transform(contacts.position(n, local), position);
       positionX[n] = position.x;
       positionY[n] = position.y;
       positionZ[n] = position.z;

@@ -40,7 +40,7 @@ public final class ToolFrame extends HapticFrame {
   private final EditQueue edits;
   private final VoxelWriter voxels;
   private final ToolFramePublisher publisher;
-  private final ToolMotion motion = new ToolMotion();
+  private final ToolMotion motion;
   private final Pose devicePose = new Pose();
   private final Quaternion checked = new Quaternion();
   private final SkipCounters skippedBeforeUse = new SkipCounters();
@@ -76,6 +76,7 @@ public final class ToolFrame extends HapticFrame {
     super(device, settings);
     this.bodies = bodies;
     this.solver = solver;
+    motion = solver.newMotion();
     this.edits = edits;
     this.publisher = publisher;
     voxels = new VoxelWriter(new CollisionScene(cubesOf(bodies)), this::noteEdit);
@@ -117,9 +118,14 @@ public final class ToolFrame extends HapticFrame {
     carver = new ToolCarver(settings, bodies, solver.newBlockingVoxels(), voxels);
   }
 
+  /** Without a new sample bodies move all the same, and may push the tool. */
   @Override
   void rest() {
-    motion.rest();
+    solver.rest(motion);
+    if (motion.freed()) {
+      force.reset();
+      setFree();
+    }
   }
 
   @Override

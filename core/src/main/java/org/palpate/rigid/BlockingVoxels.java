@@ -42,7 +42,7 @@ public final class BlockingVoxels {
   private final BodyScene scene;
   private final RigidTool tool;
   private final SphereTree tree;
-  private final ToolVerifier verifier;
+  private final MoverVerifier verifier;
   private final double edgeMm;
   private final ExactRayCaster caster = new ExactRayCaster();
   private final Ray leg = new Ray();
@@ -66,7 +66,7 @@ public final class BlockingVoxels {
   private int count;
 
   /** Creates a finder for the tool of a verifier. */
-  BlockingVoxels(BodyScene scene, RigidTool tool, ToolVerifier verifier) {
+  BlockingVoxels(BodyScene scene, RigidTool tool, MoverVerifier verifier) {
     this.scene = scene;
     this.tool = tool;
     this.verifier = verifier;
@@ -103,7 +103,7 @@ public final class BlockingVoxels {
   }
 
   private void findIn(int index) {
-    BodyVerifier ofBody = verifier.body(index);
+    BodyVerifier ofBody = verifier.pair(index);
     ClearanceLevels levels = ofBody.levels;
     levels.body.toolToGrid(next, toGrid);
     levels.toCells(ofBody.from, levels.highest, from);
@@ -200,7 +200,7 @@ public final class BlockingVoxels {
       return sink.take(body[cell], a, b, c);
     }
     BitCube bits = scene.body(body[cell]).bits();
-    GrownSolids grown = verifier.body(body[cell]).levels.grown(level[cell]);
+    GrownSolids grown = verifier.pair(body[cell]).levels.grown(level[cell]);
     for (int k = grown.lowestVoxel(c, 2); k <= grown.highestVoxel(c, 2); k++) {
       for (int j = grown.lowestVoxel(b, 1); j <= grown.highestVoxel(b, 1); j++) {
         for (int i = grown.lowestVoxel(a, 0); i <= grown.highestVoxel(a, 0); i++) {

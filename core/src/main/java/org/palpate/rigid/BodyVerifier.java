@@ -8,7 +8,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
-import org.palpate.rigid.ToolVerifier.EditOutcome;
+import org.palpate.rigid.MoverVerifier.EditOutcome;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.SphereTree;
 import org.palpate.statistics.SkipCounters;
@@ -16,9 +16,12 @@ import org.palpate.statistics.SkipKind;
 import org.palpate.volume.BitCube;
 
 /**
- * Verifies proposed motions of a tool against one body: whether any leg touches a solid. A leg is
- * the exact segment between a point's coordinates at the committed pose and at the proposed one.
- * The answer is that of casting every leg exactly. What is skipped is proved to be empty:
+ * Verifies proposed motions of the sample points of one {@link Mover} relative to the voxels of
+ * another: whether any leg touches a solid. A leg is the exact segment between a point's grid
+ * coordinates at the committed poses of both and at the proposed ones. It makes no difference which
+ * of the two moves. What is known about the points stays, whoever is held.
+ *
+ * <p>The answer is that of casting every leg exactly. What is skipped is proved to be empty:
  *
  * <ul>
  *   <li>A node of the tool's tree, if all around its centre is empty up to its radius plus the path
@@ -43,16 +46,21 @@ final class BodyVerifier {
   /** The odometer is reset here, before its own rounding could matter. */
   private static final double LONGEST_ODOMETER = 1 << 20;
 
+  /** The mover that carries the sample points. */
+  final Mover points;
+
+  /** The body whose voxels the points must not touch. */
+  final Mover solid;
+
   final ClearanceLevels levels;
 
-  /** The maps of the committed and of the proposed pose to the body's grid. */
+  /** The maps from the points' frame to the body's grid at the committed and the proposed poses. */
   final AffineMap from = new AffineMap();
 
   final AffineMap to = new AffineMap();
 
   private final RigidTool tool;
   private final SphereTree tree;
-  private final int index;
   private final boolean skips;
   private final int highest;
   private final double inverseCellMm;
@@ -79,8 +87,8 @@ final class BodyVerifier {
    */
   private double roundingCells;
 
-  /** The largest deviation of an arc from its chord, cells for each mm of radius. */
-  private double arcPerMm;
+  /** The deviation of arcs from chords in the present call of {@link #isFree}; null for none. */
+  private ArcBound arcs;
 
   private final ExactRayCaster caster = new ExactRayCaster();
   private final Ray ray = new Ray();
@@ -88,26 +96,47 @@ final class BodyVerifier {
   private final IntBox edited = new IntBox();
   private final IntBox changed = new IntBox();
   private final Vec3 position = new Vec3();
+  private final EnclosureCheck enclosure;
+  private long editsSeen;
   private long tested;
   private long looked;
 
   /**
-   * Creates a verifier.
+   * Creates a verifier of points that have not been placed yet.
    *
-   * @param index of the body in its scene, which hits carry
+   * @param points the mover that carries the sample points
+   * @param solid the body whose voxels they must not touch
    * @param skips whether to leave out what is proved to be empty; answers are the same
    */
-  BodyVerifier(RigidTool tool, ClearanceLevels levels, int index, boolean skips) {
-    this.tool = tool;
+  BodyVerifier(Mover points, Mover solid, ClearanceLevels levels, boolean skips) {
+    this.points = points;
+    this.solid = solid;
     this.levels = levels;
-    this.index = index;
     this.skips = skips;
+    tool = points.shape;
     tree = tool.tree();
     highest = levels.highest;
     inverseCellMm = 1 / levels.cellMm;
     level = new byte[tool.count()];
     freeUntil = new double[tool.count()];
     leafFreeUntil = new double[tree.leaves()];
+    enclosure = new EnclosureCheck(this);
+    editsSeen = levels.body.edits();
+  }
+
+  /** Whether both movers are in the scene. */
+  boolean isPresent() {
+    return points.isPresent() && solid.isPresent();
+  }
+
+  /** Returns the other mover of the two. */
+  Mover other(Mover one) {
+    return one == points ? solid : points;
+  }
+
+  /** Returns the check whether the solid of the points encloses voxels. */
+  EnclosureCheck enclosure() {
+    return enclosure;
   }
 
   /**
@@ -134,14 +163,15 @@ final class BodyVerifier {
   }
 
   /**
-   * Places the tool at a pose without a motion. A point keeps the highest level that it does not
-   * touch.
+   * Places the points without a motion. A point keeps the highest level that it does not touch.
    *
+   * @param ofPoints the pose of the points
+   * @param ofBody the pose of the body, rest to present
    * @param least the lowest level that points may keep
    * @return whether each point keeps at least that level; if not, only levels have changed
    */
-  boolean place(Pose pose, int least) {
-    levels.body.toolToGrid(pose, to);
+  boolean place(Pose ofPoints, Pose ofBody, int least) {
+    levels.body.toolToGrid(ofBody, ofPoints, to);
     levels.toCells(to, highest, cellsTo);
     reducedCount = 0;
     for (int n = 0; n < tool.count(); n++) {
@@ -191,9 +221,15 @@ final class BodyVerifier {
   /** Applies edits of the body. Points that now touch their level keep a lower one. */
   EditOutcome takeEdits() {
     edited.clear();
-    if (!levels.takeEdits(edited)) {
+    long edits = levels.body.edits();
+    if (edits == editsSeen) {
       return EditOutcome.NONE;
     }
+    for (long edit = Math.max(editsSeen, levels.body.oldestEdit() - 1); edit < edits; edit++) {
+      edited.include(levels.body.change(edit));
+    }
+    editsSeen = edits;
+    levels.takeEdits();
     resetOdometer();
     if (edited.isEmpty()) {
       return EditOutcome.FREE;
@@ -221,9 +257,14 @@ final class BodyVerifier {
         && position.z <= changed.highZ + 1;
   }
 
-  /** Proposes a motion from the committed pose to another. */
-  void propose(Pose candidate) {
-    levels.body.toolToGrid(candidate, to);
+  /**
+   * Proposes a motion from the committed poses to others.
+   *
+   * @param ofPoints the pose of the points
+   * @param ofBody the pose of the body, rest to present
+   */
+  void propose(Pose ofPoints, Pose ofBody) {
+    levels.body.toolToGrid(ofBody, ofPoints, to);
     levels.toCells(to, highest, cellsTo);
     roundingCells = LEAST_ROUNDING_CELLS + rounding();
     travel = longestMotion();
@@ -258,8 +299,8 @@ final class BodyVerifier {
   }
 
   /**
-   * Commits the proposal. It is free, or it is a pose at which the tool was committed in this frame
-   * and to which it is taken back.
+   * Commits the proposal. It is free, or it leads back to poses that were committed before while
+   * nothing else has moved.
    */
   void commit() {
     odometer += travel;
@@ -273,20 +314,20 @@ final class BodyVerifier {
   /**
    * Finds the legs of the proposal that touch a solid.
    *
-   * @param turnRad the rotation of the proposal, rad, if chords cannot stand for its arcs; else 0.
-   *     If it is not 0, the proposal is free only if whole nodes are culled together with their
+   * @param arcBound the deviation of arcs from chords if chords cannot stand for arcs; else null.
+   *     If there is one, the proposal is free only if whole nodes are culled together with their
    *     arcs
    * @param firstOnly whether to stop at the first leg that touches a solid
    * @param hits receives the earliest hit of each leaf
    * @return whether no leg touches a solid
    */
-  boolean isFree(double turnRad, boolean firstOnly, LegHits hits) {
+  boolean isFree(ArcBound arcBound, boolean firstOnly, LegHits hits) {
     int before = hits.count();
-    arcPerMm = turnRad == 0 ? 0 : (1 - Math.cos(Math.min(Math.PI, turnRad) / 2)) * inverseCellMm;
+    arcs = arcBound;
     int node = 0;
     while (node < tree.nodes()) {
       boolean isLeaf = tree.isLeaf(node);
-      if (isLeaf && turnRad == 0) {
+      if (isLeaf && arcs == null) {
         testLeaf(node, hits);
         if (hits.count() > before && (firstOnly || hits.isFull())) {
           return false;
@@ -317,8 +358,8 @@ final class BodyVerifier {
     double path = Math.max(dx, Math.max(dy, dz));
     double radius = tree.radius(node);
     double needed = radius * inverseCellMm + path + roundingCells;
-    if (arcPerMm > 0) {
-      needed += arcPerMm * (Math.sqrt(a * a + b * b + c * c) + radius);
+    if (arcs != null) {
+      needed += arcs.deviationMm(a, b, c, radius) * inverseCellMm;
     }
     return levels.clearance.at(x, y, z) > needed;
   }
@@ -425,7 +466,7 @@ final class BodyVerifier {
       return;
     }
     freeUntil[n] = -1;
-    hits.add(index, n, hit.t);
+    hits.add(n, hit.t);
     if (hit.axis == RayHit.NO_AXIS) {
       return;
     }

@@ -32,13 +32,14 @@ final class ClearanceLevels {
   /** The shortest edge of a cell of the highest level, mm. */
   final double cellMm;
 
+  private final double growthMm;
   private final GrownSolids[] grown;
   private long editsSeen;
 
   /** Grows the solids of a body by the clearance of a tool, and by parts of it. */
   ClearanceLevels(Body body, Clearance clearanceOfTool) {
     this.body = body;
-    double growthMm = clearanceOfTool.growthMm();
+    growthMm = clearanceOfTool.growthMm();
     GrownSolids whole = growthMm > 0 ? grown(body, clearanceOfTool, growthMm) : null;
     highest = whole == null ? 0 : levels(clearanceOfTool, whole);
     grown = new GrownSolids[highest + 1];
@@ -64,6 +65,11 @@ final class ClearanceLevels {
   private static int levels(Clearance clearance, GrownSolids whole) {
     double cellMm = Math.min(whole.cellMm(0), Math.min(whole.cellMm(1), whole.cellMm(2)));
     return clearance.growthMm() <= cellMm ? 1 : Math.max(1, clearance.levels());
+  }
+
+  /** Returns the length by which the solids of the highest level are grown, mm. */
+  double growthMm() {
+    return growthMm;
   }
 
   /** Returns the edge of a cell of a level along an axis, mm: 0 is x. */
@@ -109,24 +115,16 @@ final class ClearanceLevels {
     return dest;
   }
 
-  /**
-   * Applies the edits of the body since the last call.
-   *
-   * @param changed the box that is extended to contain the edited voxels, grid coordinates
-   * @return whether there was an edit
-   */
-  boolean takeEdits(IntBox changed) {
+  /** Applies the edits of the body since the last call. Several verifiers may share the levels. */
+  void takeEdits() {
     long edits = body.edits();
     if (edits == editsSeen) {
-      return false;
+      return;
     }
     for (long edit = Math.max(editsSeen, body.oldestEdit() - 1); edit < edits; edit++) {
-      IntBox box = body.change(edit);
-      changed.include(box);
-      updateGrown(box);
+      updateGrown(body.change(edit));
     }
     editsSeen = edits;
-    return true;
   }
 
   private void updateGrown(IntBox box) {

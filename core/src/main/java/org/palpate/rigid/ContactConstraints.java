@@ -3,7 +3,7 @@ package org.palpate.rigid;
 import java.util.Arrays;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
-import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.KineticMetric;
 
 /**
  * The contacts of a step as linear constraints of a nearest-point problem. It has seven unknowns:
@@ -74,7 +74,9 @@ final class ContactConstraints {
   /** A contact is near if its point is lower than this over the surface, edges. */
   private static final double NEAR_EDGES = 0.3;
 
+  /** The index of the other mover; the point belongs to whichever of the two carries points. */
   final int[] body = new int[CAPACITY];
+
   final int[] point = new int[CAPACITY];
   final NearestPointSolver problem = new NearestPointSolver(UNKNOWNS, CAPACITY + DEPTH_ROWS);
 
@@ -84,7 +86,7 @@ final class ContactConstraints {
   private final double[] heightMm = new double[CAPACITY];
   private final int[] raises = new int[CAPACITY];
   private final boolean[] face = new boolean[CAPACITY];
-  private final RigidTool tool;
+  private final KineticMetric metric;
   private final double edgeMm;
   private final Vec3 normal = new Vec3();
   private final Vec3 scratch = new Vec3();
@@ -92,8 +94,8 @@ final class ContactConstraints {
   private double depthMm;
   private int count;
 
-  ContactConstraints(RigidTool tool, double edgeMm) {
-    this.tool = tool;
+  ContactConstraints(KineticMetric metric, double edgeMm) {
+    this.metric = metric;
     this.edgeMm = edgeMm;
   }
 
@@ -140,16 +142,19 @@ final class ContactConstraints {
   }
 
   /**
-   * Adds a contact with the surface that a field has just evaluated at the point.
+   * Adds a contact with the surface at a point.
    *
+   * @param at the point in the frame of what moves, mm
+   * @param push unit, world axes: the normal along which the contact pushes what moves
+   * @param surfaceMm the height of the point over the surface, mm; negative below it
    * @param mostRiseMm the most that a point below the present depth is required to rise, mm
    * @return its index, or -1 if there are too many contacts
    */
-  int addSurface(int ofBody, int ofPoint, ContactField field, double mostRiseMm) {
-    int c = add(ofBody, ofPoint, field.normal, false);
+  int addSurface(int ofBody, int ofPoint, Vec3 at, Vec3 push, double surfaceMm, double mostRiseMm) {
+    int c = add(ofBody, ofPoint, at, push, false);
     if (c >= 0) {
-      heightMm[c] = field.heightMm;
-      problem.b[row(c)] = Math.min(-field.heightMm, depthMm + mostRiseMm);
+      heightMm[c] = surfaceMm;
+      problem.b[row(c)] = Math.min(-surfaceMm, depthMm + mostRiseMm);
       problem.a[row(c) * UNKNOWNS + DEPTH] = 1 / DEPTH_SCALE;
     }
     return c;
@@ -158,11 +163,12 @@ final class ContactConstraints {
   /**
    * Adds a contact with the face of a voxel, or tightens it.
    *
-   * @param faceNormal unit, world axes
+   * @param at the point in the frame of what moves, mm
+   * @param faceNormal unit, world axes: the normal along which the contact pushes what moves
    * @param gapMm the distance of the point from the face, mm
    * @return whether the contact is new or tighter
    */
-  boolean addFace(int ofBody, int ofPoint, Vec3 faceNormal, double gapMm) {
+  boolean addFace(int ofBody, int ofPoint, Vec3 at, Vec3 faceNormal, double gapMm) {
     double need = Math.min(0, SHORT_OF_FACE_EDGES * edgeMm - gapMm);
     for (int c = 0; c < count; c++) {
       if (face[c]
@@ -173,7 +179,7 @@ final class ContactConstraints {
         return raises[c]++ < MOST_TIGHTENINGS;
       }
     }
-    int c = add(ofBody, ofPoint, faceNormal, true);
+    int c = add(ofBody, ofPoint, at, faceNormal, true);
     if (c < 0) {
       return false;
     }
@@ -187,7 +193,7 @@ final class ContactConstraints {
     return normalX[c] * direction.x + normalY[c] * direction.y + normalZ[c] * direction.z;
   }
 
-  private int add(int ofBody, int ofPoint, Vec3 n, boolean isFace) {
+  private int add(int ofBody, int ofPoint, Vec3 at, Vec3 n, boolean isFace) {
     if (count == CAPACITY) {
       return -1;
     }
@@ -199,12 +205,9 @@ final class ContactConstraints {
     normalX[c] = n.x;
     normalY[c] = n.y;
     normalZ[c] = n.z;
-    double x = tool.x(ofPoint);
-    double y = tool.y(ofPoint);
-    double z = tool.z(ofPoint);
-    int at = row(c) * UNKNOWNS;
-    tool.metric().contactRow(pose, x, y, z, n, scratch, problem.a, at);
-    problem.a[at + DEPTH] = 0;
+    int first = row(c) * UNKNOWNS;
+    metric.contactRow(pose, at.x, at.y, at.z, n, scratch, problem.a, first);
+    problem.a[first + DEPTH] = 0;
     problem.rows = row(count);
     return c;
   }
@@ -308,7 +311,7 @@ final class ContactConstraints {
     return heightMm[c] < NEAR_EDGES * edgeMm;
   }
 
-  /** Writes the normal of a contact, unit, world axes. */
+  /** Writes the normal along which a contact pushes what moves, unit, world axes. */
   Vec3 normal(int c, Vec3 dest) {
     return dest.set(normalX[c], normalY[c], normalZ[c]);
   }

@@ -8,14 +8,14 @@ import org.palpate.rigid.tool.RigidTool;
 import org.palpate.volume.BitCube;
 
 /**
- * Checks whether the solid of a tool encloses solid voxels of a body. Sample points that keep their
- * clearance say that no solid crosses the surface of the tool. They do not say that none lies
- * inside. Only bodies with a clearance are checked.
+ * Checks whether the solid of sample points encloses solid voxels of a body. Sample points that
+ * keep their clearance say that no solid crosses the surface of their solid. They do not say that
+ * none lies inside. Only pairs with a clearance are checked.
  *
- * <p>While some points keep less than the clearance, a solid may pass between them into the tool.
+ * <p>While some points keep less than the clearance, a solid may pass between them into the other.
  * So once all points keep it again, all voxels are examined, some in each frame. As long as all
  * points keep the clearance, a connected solid stays inside or outside. Therefore the result holds
- * although the tool moves between the frames of an examination.
+ * although the two move between the frames of an examination.
  *
  * <p>Keeps scratch: haptic thread only.
  */
@@ -23,88 +23,75 @@ final class EnclosureCheck {
   /** About the number of solid voxels that are examined in a frame. */
   private static final int VOXELS_PER_FRAME = 2000;
 
-  /** The number of rows of voxels of each body that are examined in a frame. */
+  /** The number of rows of voxels that are examined in a frame. */
   private static final int ROWS_PER_FRAME = 500;
 
+  private final BodyVerifier pair;
   private final RigidTool tool;
-  private final BodyVerifier[] bodies;
+  private final Body body;
   private final double reachMm;
   private final Vec3 p = new Vec3();
   private final IntBox around = new IntBox();
   private boolean isPending;
-  private int nextBody;
   private int nextJ;
   private int nextK;
   private int examined;
 
-  EnclosureCheck(RigidTool tool, BodyVerifier[] bodies) {
-    this.tool = tool;
-    this.bodies = bodies;
+  EnclosureCheck(BodyVerifier pair) {
+    this.pair = pair;
+    tool = pair.points.shape;
+    body = pair.levels.body;
     reachMm = tool.isCovered() ? tool.radiusMm() + tool.coverRadiusMm() : tool.radiusMm();
   }
 
-  /** Whether an examination has not ended, so that the tool may enclose a solid. */
+  /** Whether an examination has not ended, so that a solid may be enclosed. */
   boolean isPending() {
     return isPending;
   }
 
+  /** Takes note that the points were placed where nothing is enclosed. */
+  void beginOrEnd() {
+    if (pair.reducedCount() > 0) {
+      begin();
+    } else {
+      isPending = false;
+    }
+  }
+
   /** Begins the examination anew, because a solid may have passed between the points. */
   void begin() {
-    isPending = hasAnythingToCheck();
-    nextBody = 0;
+    isPending = canEnclose();
     nextJ = 0;
     nextK = 0;
   }
 
-  /** Ends the examination, because the whole tool was checked at one pose. */
-  void end() {
-    isPending = false;
+  private boolean canEnclose() {
+    return pair.levels.highest > 0 && tool.solid() != null;
   }
 
-  private boolean hasAnythingToCheck() {
-    for (BodyVerifier verifier : bodies) {
-      if (hasClearance(verifier)) {
-        return tool.solid() != null;
-      }
-    }
-    return false;
-  }
-
-  private static boolean hasClearance(BodyVerifier verifier) {
-    return verifier.levels.highest > 0;
-  }
-
-  /** Whether the tool at a pose encloses the centre of a solid voxel. */
-  boolean enclosesAny(Pose pose) {
-    return enclosesAny(pose, false);
-  }
-
-  /** Whether the tool at a pose encloses the centre of a solid voxel that the last edit changed. */
-  boolean enclosesEdited(Pose pose) {
-    return enclosesAny(pose, true);
-  }
-
-  private boolean enclosesAny(Pose pose, boolean editedOnly) {
-    if (tool.solid() == null) {
+  /** Whether the solid encloses the centre of a solid voxel at these poses. */
+  boolean enclosesAny(Pose ofPoints, Pose ofBody) {
+    if (!canEnclose()) {
       return false;
     }
-    for (BodyVerifier verifier : bodies) {
-      if (hasClearance(verifier) && enclosesAny(verifier, pose, editedOnly)) {
-        return true;
-      }
-    }
-    return false;
+    setVoxelsAround(ofPoints, ofBody);
+    return enclosesInBox(ofPoints, ofBody);
   }
 
-  private boolean enclosesAny(BodyVerifier verifier, Pose pose, boolean editedOnly) {
-    Body body = verifier.levels.body;
-    setVoxelsAround(body, pose);
-    if (editedOnly) {
-      cut(verifier.editedVoxels());
+  /** Whether the solid encloses the centre of a voxel that the last edit changed. */
+  boolean enclosesEdited() {
+    if (!canEnclose()) {
+      return false;
     }
+    setVoxelsAround(pair.points.pose, pair.solid.bodyPose());
+    cut(pair.editedVoxels());
+    return enclosesInBox(pair.points.pose, pair.solid.bodyPose());
+  }
+
+  private boolean enclosesInBox(Pose ofPoints, Pose ofBody) {
     for (int k = around.lowZ; k <= around.highZ; k++) {
       for (int j = around.lowY; j <= around.highY; j++) {
-        if (enclosesInRow(body, pose, j, k)) {
+        if (enclosesInRow(ofPoints, ofBody, j, k)) {
           return true;
         }
       }
@@ -112,45 +99,30 @@ final class EnclosureCheck {
     return false;
   }
 
-  /**
-   * Goes on with the examination. It begins anew if it finds that the tool encloses a solid.
-   *
-   * @param pose the committed pose, at which all points keep their clearance
-   */
-  void continueAt(Pose pose) {
-    examined = 0;
-    boolean isBodyExamined = true;
-    while (isPending && isBodyExamined) {
-      isBodyExamined = examineBody(pose);
-      if (isBodyExamined) {
-        nextBody++;
-        nextJ = 0;
-        nextK = 0;
-        isPending = nextBody < bodies.length;
-      }
-    }
+  /** Whether the examination can go on, because all points keep their clearance. */
+  boolean canContinue() {
+    return isPending && pair.reducedCount() == 0;
   }
 
-  /** Goes on with the present body. Returns whether all of it was examined, with nothing found. */
-  private boolean examineBody(Pose pose) {
-    if (!hasClearance(bodies[nextBody])) {
-      return true;
-    }
-    Body body = bodies[nextBody].levels.body;
-    setVoxelsAround(body, pose);
+  /** Goes on with the examination. It begins anew if it finds that a solid is enclosed. */
+  void continueCheck() {
+    examined = 0;
+    Pose ofPoints = pair.points.pose;
+    Pose ofBody = pair.solid.bodyPose();
+    setVoxelsAround(ofPoints, ofBody);
     for (int rows = 0; rows < ROWS_PER_FRAME && examined < VOXELS_PER_FRAME; rows++) {
       if (!findRow()) {
-        return true;
+        isPending = false;
+        return;
       }
-      if (enclosesInRow(body, pose, nextJ++, nextK)) {
+      if (enclosesInRow(ofPoints, ofBody, nextJ++, nextK)) {
         begin();
-        return false;
+        return;
       }
     }
-    return false;
   }
 
-  /** Finds the next row of voxels that meets the box around the tool; false if there is none. */
+  /** Finds the next row of voxels that meets the box around the solid; false if there is none. */
   private boolean findRow() {
     if (nextK < around.lowZ) {
       nextK = around.lowZ;
@@ -164,29 +136,29 @@ final class EnclosureCheck {
     return !around.isEmpty() && nextK <= around.highZ;
   }
 
-  private boolean enclosesInRow(Body body, Pose pose, int j, int k) {
+  private boolean enclosesInRow(Pose ofPoints, Pose ofBody, int j, int k) {
     BitCube bits = body.bits();
     for (int i = around.lowX; i <= around.highX; i++) {
       if (bits.brick(i >> 2, j >> 2, k >> 2) == 0) {
         i |= 3;
-      } else if (bits.get(i, j, k) && encloses(body, pose, i, j, k)) {
+      } else if (bits.get(i, j, k) && encloses(ofPoints, ofBody, i, j, k)) {
         return true;
       }
     }
     return false;
   }
 
-  private boolean encloses(Body body, Pose pose, int i, int j, int k) {
+  private boolean encloses(Pose ofPoints, Pose ofBody, int i, int j, int k) {
     examined++;
     body.grid().gridToWorld(p.set(i + 0.5, j + 0.5, k + 0.5), p);
-    body.pose().transform(p, p);
-    pose.inverseTransform(p, p);
+    ofBody.transform(p, p);
+    ofPoints.inverseTransform(p, p);
     return tool.solid().contains(p.x, p.y, p.z);
   }
 
-  /** Sets the voxels of a body around the tool, cut to its grid. */
-  private void setVoxelsAround(Body body, Pose pose) {
-    body.pose().inverseTransform(pose.translation, p);
+  /** Sets the voxels of the body around the points, cut to its grid. */
+  private void setVoxelsAround(Pose ofPoints, Pose ofBody) {
+    ofBody.inverseTransform(ofPoints.translation, p);
     body.grid().worldToGrid(p, p);
     Vec3 spacing = body.grid().spacingMm();
     around.lowX = low(p.x, spacing.x);

@@ -20,12 +20,12 @@ final class FreePoseSearch {
   /** The least difference of two distances as a part of the distance. */
   private static final double GROWTH = 0.02;
 
-  private final ToolVerifier verifier;
+  private final MoverVerifier verifier;
   private final double edgeMm;
   private final Pose start = new Pose();
   private final Pose trial = new Pose();
 
-  FreePoseSearch(ToolVerifier verifier, double edgeMm) {
+  FreePoseSearch(MoverVerifier verifier, double edgeMm) {
     this.verifier = verifier;
     this.edgeMm = edgeMm;
   }
@@ -50,6 +50,7 @@ final class FreePoseSearch {
       trial.translation.x += scale * x;
       trial.translation.y += scale * y;
       trial.translation.z += scale * z;
+      verifier.mover.snap(trial);
       if (verifier.place(trial, true)) {
         return true;
       }

@@ -12,7 +12,9 @@ final class LegHits {
   /** The value of {@link #axis} for a leg that starts at the voxel. */
   static final int NO_AXIS = -1;
 
+  /** The index of the other mover: which of the two carries the point makes no difference. */
   final int[] body = new int[CAPACITY + 1];
+
   final int[] point = new int[CAPACITY + 1];
 
   /** The fraction of the leg before it meets the solid, 0 to 1. */
@@ -28,9 +30,15 @@ final class LegHits {
   final double[] gapMm = new double[CAPACITY + 1];
 
   private int count;
+  private int present;
 
   void clear() {
     count = 0;
+  }
+
+  /** Sets the index of the other mover, to which the next hits belong. */
+  void setBody(int other) {
+    present = other;
   }
 
   int count() {
@@ -42,8 +50,8 @@ final class LegHits {
   }
 
   /** Adds a hit whose face is not known. */
-  void add(int ofBody, int ofPoint, double atT) {
-    body[count] = ofBody;
+  void add(int ofPoint, double atT) {
+    body[count] = present;
     point[count] = ofPoint;
     t[count] = atT;
     axis[count] = NO_AXIS;

@@ -2,7 +2,7 @@ package org.palpate.rigid;
 
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
-import org.palpate.rigid.ToolVerifier.EditOutcome;
+import org.palpate.rigid.MoverVerifier.EditOutcome;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.statistics.SkipCounters;
 import org.palpate.statistics.SkipKind;
@@ -11,7 +11,7 @@ import org.palpate.statistics.SkipKind;
  * Moves a rigid tool after a device, once a frame: towards the pose that is nearest to the device
  * pose, in the kinetic metric, among those that the contacts allow.
  *
- * <p>Guarantee: the tool moves by steps whose legs {@link ToolVerifier} has verified exactly. It
+ * <p>Guarantee: the tool moves by steps whose legs {@link MoverVerifier} has verified exactly. It
  * does not depend on contacts or on floating-point mathematics.
  *
  * <p>Rest: each frame has a potential, the distance from the device plus the cost of the contacts'
@@ -65,9 +65,10 @@ public final class RigidSolver {
   /** The number of points whose clearance levels are tested in a frame. */
   private static final int LEVELS_PER_FRAME = 400;
 
-  private final BodyScene scene;
+  private final RigidScene scene;
   private final RigidTool tool;
-  private final ToolVerifier verifier;
+  private final MoverVerifier verifier;
+  private final BodyMover bodies;
   private final WorkBudget budget;
   private final RigidStepper stepper;
   private final FreePoseSearch freeing;
@@ -76,7 +77,6 @@ public final class RigidSolver {
   private final Pose start = new Pose();
   private final double edgeMm;
   private final double maxStepMm;
-  private long bodyMotions;
   private boolean hasTarget;
   private int failedFrames;
   private int creepingFrames;
@@ -86,23 +86,37 @@ public final class RigidSolver {
   private long rests;
 
   /**
-   * Creates a solver for a tool that stands nowhere yet; see {@link #place}.
+   * Creates a solver for a tool that stands nowhere yet, among bodies that stand still; see {@link
+   * #place}.
    *
    * @param settings clearances by body and limits
    */
-  public RigidSolver(BodyScene scene, RigidTool tool, RigidSettings settings) {
+  public RigidSolver(BodyScene bodies, RigidTool tool, RigidSettings settings) {
+    this(new RigidScene(bodies, tool, MovableShapes.none(bodies), settings));
+  }
+
+  /** Creates a solver for the tool of a scene, which stands nowhere yet; see {@link #place}. */
+  public RigidSolver(RigidScene scene) {
     this.scene = scene;
-    this.tool = tool;
-    maxStepMm = settings.maxStepMm();
-    edgeMm = scene.shortestEdgeMm();
-    verifier = new ToolVerifier(scene, tool, settings.clearancesOf(scene), settings.skips());
+    int hand = scene.toolIndex();
+    verifier = scene.verifier(hand);
+    tool = verifier.mover.shape;
+    maxStepMm = scene.settings().maxStepMm();
+    edgeMm = scene.bodies().shortestEdgeMm();
     budget = new WorkBudget(verifier);
-    ContactField[] fields = new ContactField[scene.count()];
-    for (int n = 0; n < fields.length; n++) {
-      fields[n] = new ContactField(verifier.body(n).levels, settings.grey(n));
-    }
-    stepper = new RigidStepper(scene, tool, verifier, fields, budget);
+    stepper = new RigidStepper(verifier, scene.fields(hand), budget, edgeMm);
     freeing = new FreePoseSearch(verifier, edgeMm);
+    bodies = new BodyMover(scene);
+  }
+
+  /** Returns what moves the bodies of the scene towards their goals. */
+  public BodyMover bodies() {
+    return bodies;
+  }
+
+  /** Returns a motion of the tool for this solver. */
+  public ToolMotion newMotion() {
+    return new ToolMotion(scene.bodies().count());
   }
 
   /**
@@ -118,7 +132,9 @@ public final class RigidSolver {
       throw new IllegalArgumentException(
           "the pose of a tool must be finite with a rotation: pose=" + pose);
     }
-    bodyMotions = scene.motions();
+    if (scene.wasBodyMoved()) {
+      scene.takeBodyPoses();
+    }
     boolean free = verifier.place(start, false);
     if (!free) {
       freeing.find(start);
@@ -139,7 +155,7 @@ public final class RigidSolver {
 
   /** Returns a finder of the voxels that block the tool. It shares the haptic thread. */
   public BlockingVoxels newBlockingVoxels() {
-    return new BlockingVoxels(scene, tool, verifier);
+    return new BlockingVoxels(scene.bodies(), tool, verifier);
   }
 
   /**
@@ -170,17 +186,13 @@ public final class RigidSolver {
    * @param devicePose the device pose, tool frame to world; one that is not finite or has no
    *     rotation is ignored
    * @param motion the tool's motion, which {@link #place} has set
-   * @throws IllegalStateException if a body was moved since the tool was placed, because the
-   *     relative motion was not verified
+   * @throws IllegalStateException if somebody else moved a body since the tool was placed, because
+   *     that motion was not verified
    */
   public void follow(Pose devicePose, ToolMotion motion) {
-    if (scene.motions() != bodyMotions) {
-      throw new IllegalStateException("a body was moved: place the tool again");
-    }
-    motion.rest();
-    work = 0;
-    takeEdits(motion);
+    begin(motion);
     device.take(devicePose, verifier.pose());
+    moveBodies(motion);
     if (!device.isKnown()) {
       return;
     }
@@ -192,13 +204,50 @@ public final class RigidSolver {
     } else {
       rests++;
     }
-    verifier.continueEnclosureCheck();
+    end(motion);
+  }
+
+  /**
+   * Runs one frame without a new device pose: bodies move, and may push the tool.
+   *
+   * @throws IllegalStateException as {@link #follow} does
+   */
+  public void rest(ToolMotion motion) {
+    if (!bodies.hasWork()) {
+      motion.rest();
+      return;
+    }
+    begin(motion);
+    moveBodies(motion);
+    end(motion);
+  }
+
+  private void begin(ToolMotion motion) {
+    if (scene.wasBodyMoved()) {
+      throw new IllegalStateException("a body was moved: place the tool again");
+    }
+    motion.rest();
+    work = 0;
+    takeEdits(motion);
+  }
+
+  /** A body that moved may have left the tool, or pushed it: the approach begins anew. */
+  private void moveBodies(ToolMotion motion) {
+    bodies.move(scene.toolIndex(), device.isKnown() ? device.target() : verifier.pose(), motion);
+    if (motion.bodies.count() > 0) {
+      beginApproach();
+    }
+  }
+
+  private void end(ToolMotion motion) {
+    scene.continueEnclosureCheck();
     motion.depthMm = stepper.depthMm();
     motion.reducedPoints = verifier.reducedCount();
   }
 
   private void takeEdits(ToolMotion motion) {
     EditOutcome outcome = verifier.takeEdits();
+    scene.takeEdits();
     if (outcome == EditOutcome.COLLIDING) {
       freeing.find(verifier.pose());
       reset(motion);
@@ -224,15 +273,16 @@ public final class RigidSolver {
     }
     stepper.aim(target, motion);
     double depthBefore = stepper.depthMm();
+    double pushedMm = motion.pathMm;
     double before = potentialMm();
     double riseMm = Math.min(MOST_RISE_EDGES * edgeMm, 0.5 * motionMm);
     approach(motion, first ? Double.POSITIVE_INFINITY : motionMm, riseMm);
     double fallMm = before - potentialMm();
     boolean arrived = verifier.pose().sameBits(target);
-    boolean isKept = motion.steps > 0 && (arrived || isAcceptable(fallMm, moved, riseMm));
-    if (!isKept && motion.steps > 0) {
-      takeBack(motion, depthBefore);
-    } else if (motion.steps > 0) {
+    boolean isKept = motion.hasFollowed() && (arrived || isAcceptable(fallMm, moved, riseMm));
+    if (!isKept && motion.hasFollowed()) {
+      takeBack(motion, pushedMm, depthBefore);
+    } else if (motion.hasFollowed()) {
       verifier.raiseLevels(LEVELS_PER_FRAME);
     }
     failedFrames = isKept ? 0 : failedFrames + 1;
@@ -269,10 +319,9 @@ public final class RigidSolver {
     return creepingFrames++ < MOST_CREEPING_FRAMES && fallMm >= LEAST_FALL_EDGES * edgeMm;
   }
 
-  private void takeBack(ToolMotion motion, double depthBefore) {
-    verifier.takeBack(motion.path[0]);
-    motion.steps = 0;
-    motion.pathMm = 0;
+  private void takeBack(ToolMotion motion, double pushedMm, double depthBefore) {
+    verifier.takeBack(motion.path[motion.pushes]);
+    motion.withdraw(pushedMm);
     stepper.setDepthMm(depthBefore);
   }
 
@@ -289,7 +338,7 @@ public final class RigidSolver {
     int pulls = motionMm == 0 || liftWait-- <= 0 ? PULLS.length : 0;
     int lifts = 0;
     while (canContinue(motion) && !verifier.pose().sameBits(lastTarget)) {
-      boolean first = motion.steps == 0;
+      boolean first = !motion.hasFollowed();
       double pathLeftMm = maxStepMm - motion.pathMm;
       double mostMm =
           stepper.hasContacts()
@@ -314,7 +363,9 @@ public final class RigidSolver {
   }
 
   private boolean canContinue(ToolMotion motion) {
-    return !motion.isFull() && motion.pathMm < maxStepMm && !(motion.steps > 0 && budget.isSpent());
+    return !motion.isFull()
+        && motion.pathMm < maxStepMm
+        && !(motion.hasFollowed() && budget.isSpent());
   }
 
   private boolean lift(ToolMotion motion, double pull) {

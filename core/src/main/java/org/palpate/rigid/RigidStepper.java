@@ -1,7 +1,5 @@
 package org.palpate.rigid;
 
-import org.palpate.body.Body;
-import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
@@ -44,21 +42,21 @@ final class RigidStepper {
   /** The shortest path of a lift that is proposed, edges. */
   private static final double SHORTEST_LIFT_EDGES = 1e-3;
 
-  final ToolVerifier verifier;
+  final MoverVerifier verifier;
   final ContactConstraints contacts;
 
-  private final BodyScene scene;
   private final RigidTool tool;
   private final ContactField[] fields;
   private final WorkBudget budget;
   private final double edgeMm;
-  private final double largestTurn;
   private final LegHits hits = new LegHits();
   private final Pose candidate = new Pose();
   private final Quaternion scratch = new Quaternion();
   private final Vec3 displacement = new Vec3();
   private final Vec3 turn = new Vec3();
   private final Vec3 position = new Vec3();
+  private final Vec3 push = new Vec3();
+  private final Vec3 own = new Vec3();
   private final double[] metric = new double[6];
   private final int[] keptBody = new int[MOST_KEPT_CONTACTS];
   private final int[] keptPoint = new int[MOST_KEPT_CONTACTS];
@@ -70,20 +68,19 @@ final class RigidStepper {
   private double pathLeftMm;
   private double shortestPathMm;
 
-  RigidStepper(
-      BodyScene scene,
-      RigidTool tool,
-      ToolVerifier verifier,
-      ContactField[] fields,
-      WorkBudget budget) {
-    this.scene = scene;
-    this.tool = tool;
+  /**
+   * Creates a stepper.
+   *
+   * @param fields the surface of each pair of the verifier
+   * @param edgeMm the shortest voxel edge of the scene
+   */
+  RigidStepper(MoverVerifier verifier, ContactField[] fields, WorkBudget budget, double edgeMm) {
     this.verifier = verifier;
     this.fields = fields;
     this.budget = budget;
-    edgeMm = scene.shortestEdgeMm();
-    contacts = new ContactConstraints(tool, edgeMm);
-    largestTurn = StepLimits.largestTurn(tool.radiusMm(), edgeMm);
+    this.edgeMm = edgeMm;
+    tool = verifier.mover.shape;
+    contacts = new ContactConstraints(tool.metric(), edgeMm);
   }
 
   /** Removes all contacts, after the tool was placed anew. */
@@ -144,8 +141,10 @@ final class RigidStepper {
     }
     for (double fraction = longest; fraction > 0.2 * longest; fraction /= 2) {
       proposeTwist(fraction);
+      double shifted = displacement.length() * fraction;
       double turned = turn.length() * fraction;
-      if (isFree(turned > largestTurn ? turned : 0, true)) {
+      boolean isLarge = verifier.hasLargeArcs(shifted, turned);
+      if (isFree(shifted, isLarge ? turned : 0, true)) {
         commit();
         return true;
       }
@@ -170,7 +169,7 @@ final class RigidStepper {
     verifier.propose(target);
     hits.clear();
     for (int n = 0; n < kept; n++) {
-      if (!verifier.body(keptBody[n]).isPointFree(keptPoint[n], hits)) {
+      if (!verifier.isPointFree(keptBody[n], keptPoint[n], hits)) {
         return true;
       }
     }
@@ -185,15 +184,24 @@ final class RigidStepper {
     if (fraction == 1) {
       candidate.set(target);
     } else {
-      verifier.pose().displace(displacement, turn, fraction, scratch, candidate);
+      displace(fraction);
     }
     verifier.propose(candidate);
   }
 
-  private boolean isFree(double largeTurn, boolean firstOnly) {
+  private void displace(double fraction) {
+    verifier.pose().displace(displacement, turn, fraction, scratch, candidate);
+    verifier.mover.snap(candidate);
+  }
+
+  private boolean isFree(boolean firstOnly) {
+    return isFree(0, 0, firstOnly);
+  }
+
+  private boolean isFree(double shifted, double largeTurn, boolean firstOnly) {
     long before = verifier.tested();
     hits.clear();
-    boolean free = verifier.isFree(largeTurn, firstOnly, hits);
+    boolean free = verifier.isFree(shifted, largeTurn, firstOnly, hits);
     if (free && largeTurn == 0) {
       budget.countVerification(verifier.tested() - before);
     }
@@ -237,7 +245,7 @@ final class RigidStepper {
       if (fraction == 0) {
         break;
       }
-      if (areContactsFree() && isFree(0, false)) {
+      if (areContactsFree() && isFree(false)) {
         accept(fraction);
         return true;
       }
@@ -270,7 +278,7 @@ final class RigidStepper {
     if (fraction == 0) {
       return false;
     }
-    if (isFree(0, true)) {
+    if (isFree(true)) {
       commit();
       return true;
     }
@@ -306,34 +314,40 @@ final class RigidStepper {
    */
   private void addRollingContact(int contact, double riseMm) {
     int point = contacts.point[contact];
+    int body = contacts.body[contact];
+    Mover points = verifier.pair(body).points;
     Vec3 normal = contacts.normal(contact, position);
-    verifier.pose().rotation.inverseRotate(normal, normal);
+    normal.mul(verifier.pushSign(body), normal);
+    points.pose.rotation.inverseRotate(normal, normal);
     int lowest = point;
-    double least = along(normal, point) - LOWER_EDGES * edgeMm;
-    int last = Math.min(tool.count() - 1, point + NEIGHBOURING_POINTS);
+    double least = along(normal, points.shape, point) - LOWER_EDGES * edgeMm;
+    int last = Math.min(points.shape.count() - 1, point + NEIGHBOURING_POINTS);
     for (int n = Math.max(0, point - NEIGHBOURING_POINTS); n <= last; n++) {
-      double height = along(normal, n);
+      double height = along(normal, points.shape, n);
       if (height < least) {
         least = height;
         lowest = n;
       }
     }
-    if (lowest != point && contacts.surfaceContact(contacts.body[contact], lowest) < 0) {
-      addSurface(contacts.body[contact], lowest, riseMm);
+    if (lowest != point && contacts.surfaceContact(body, lowest) < 0) {
+      addSurface(body, lowest, riseMm);
     }
   }
 
-  private double along(Vec3 direction, int point) {
-    return direction.x * tool.x(point) + direction.y * tool.y(point) + direction.z * tool.z(point);
+  private static double along(Vec3 direction, RigidTool points, int n) {
+    return direction.x * points.x(n) + direction.y * points.y(n) + direction.z * points.z(n);
   }
 
   private int addSurface(int body, int point, double riseMm) {
     budget.countField();
-    verifier.gridPosition(body, tool, point, position);
+    verifier.gridPosition(body, point, position);
     ContactField field = fields[body];
-    return field.evaluate(position, verifier.body(body).level(point))
-        ? contacts.addSurface(body, point, field, riseMm)
-        : -1;
+    if (!field.evaluate(position, verifier.pair(body).level(point))) {
+      return -1;
+    }
+    field.normal.mul(verifier.pushSign(body), push);
+    verifier.ownPosition(body, point, own);
+    return contacts.addSurface(body, point, own, push, field.heightMm, riseMm);
   }
 
   /**
@@ -354,10 +368,9 @@ final class RigidStepper {
   /** Proposes the solution, shortened to the limits of a step; returns the fraction of it, or 0. */
   private double propose(double mostMm) {
     tool.metric().toTwist(verifier.pose(), contacts.problem.y, displacement, turn);
-    double turned = turn.length();
     double path = twistPathMm();
     double longest = Math.min(StepLimits.STEP_EDGES * edgeMm, Math.min(2 * mostMm, pathLeftMm));
-    double fraction = turned > largestTurn ? largestTurn / turned : 1;
+    double fraction = verifier.largestPart(displacement.length(), turn.length());
     fraction = Math.min(fraction, path > longest ? longest / path : 1);
     if (path * fraction < shortestPathMm) {
       return 0;
@@ -367,7 +380,7 @@ final class RigidStepper {
   }
 
   private void proposeStep(double fraction) {
-    verifier.pose().displace(displacement, turn, fraction, scratch, candidate);
+    displace(fraction);
     verifier.propose(candidate);
   }
 
@@ -378,7 +391,7 @@ final class RigidStepper {
   private boolean areContactsFree() {
     hits.clear();
     for (int c = 0; c < contacts.count() && !hits.isFull(); c++) {
-      verifier.body(contacts.body[c]).isPointFree(contacts.point[c], hits);
+      verifier.isPointFree(contacts.body[c], contacts.point[c], hits);
     }
     return hits.count() == 0;
   }
@@ -419,11 +432,13 @@ final class RigidStepper {
     if (axis == LegHits.NO_AXIS) {
       return false;
     }
-    Body body = scene.body(hits.body[hit]);
+    int body = hits.body[hit];
     position.set(0, 0, 0);
     position.set(axis, hits.side[hit]);
-    body.gridDirectionToWorld(position, position);
-    return contacts.addFace(hits.body[hit], hits.point[hit], position, hits.gapMm[hit]);
+    verifier.pair(body).solid.body.gridDirectionToWorld(position, push);
+    push.mul(verifier.pushSign(body), push);
+    verifier.ownPosition(body, hits.point[hit], own);
+    return contacts.addFace(body, hits.point[hit], own, push, hits.gapMm[hit]);
   }
 
   private boolean stepShorter(double fraction) {
@@ -436,7 +451,7 @@ final class RigidStepper {
   private double committedPart(double fraction) {
     for (double part = 0.5 * fraction; part > SMALLEST_FRACTION * fraction; part /= 2) {
       proposeStep(part);
-      if (isFree(0, true)) {
+      if (isFree(true)) {
         commit();
         return part;
       }
@@ -453,7 +468,8 @@ final class RigidStepper {
       if (multiplier >= 0) {
         keep(c);
         contacts.normal(c, position);
-        motion.contacts.add(contacts.body[c], contacts.point[c], position, multiplier);
+        verifier.ownPosition(contacts.body[c], contacts.point[c], own);
+        motion.contacts.add(contacts.body[c], own, position, multiplier);
       }
     }
     keptActive = kept;

@@ -11,7 +11,9 @@ public final class ToolContacts {
   public static final int MOST = 7;
 
   final int[] body = new int[MOST];
-  final int[] point = new int[MOST];
+  final double[] x = new double[MOST];
+  final double[] y = new double[MOST];
+  final double[] z = new double[MOST];
   final double[] share = new double[MOST];
   final double[] normalX = new double[MOST];
   final double[] normalY = new double[MOST];
@@ -28,9 +30,9 @@ public final class ToolContacts {
     return body[contact];
   }
 
-  /** Returns the index of the sample point. */
-  public int point(int contact) {
-    return point[contact];
+  /** Writes where the tool is touched, tool frame, mm. */
+  public Vec3 position(int contact, Vec3 dest) {
+    return dest.set(x[contact], y[contact], z[contact]);
   }
 
   /** Returns the part of the pressing force that the contact carries; all parts add up to 1. */
@@ -48,10 +50,12 @@ public final class ToolContacts {
   }
 
   /** Adds a contact whose share is still the multiplier of its constraint. */
-  void add(int ofBody, int ofPoint, Vec3 normal, double multiplier) {
+  void add(int ofBody, Vec3 position, Vec3 normal, double multiplier) {
     if (count < MOST) {
       body[count] = ofBody;
-      point[count] = ofPoint;
+      x[count] = position.x;
+      y[count] = position.y;
+      z[count] = position.z;
       normalX[count] = normal.x;
       normalY[count] = normal.y;
       normalZ[count] = normal.z;

@@ -2,7 +2,6 @@ package org.palpate.rigid;
 
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
-import org.palpate.rigid.tool.RigidTool;
 
 /**
  * The tool's pose and what the last frame did with it. The legs of a frame are the straight
@@ -11,19 +10,30 @@ import org.palpate.rigid.tool.RigidTool;
  */
 public final class ToolMotion {
   /** The most steps of one frame. */
-  public static final int MOST_STEPS = 16;
+  public static final int MOST_STEPS = 24;
+
+  /** The most steps that follow the device. */
+  private static final int MOST_FOLLOWING = 16;
 
   final ToolContacts contacts = new ToolContacts();
   final Pose[] path = new Pose[MOST_STEPS + 1];
+  final BodyMotions bodies;
   int steps;
+  int pushes;
   double pathMm;
   boolean contact;
   boolean freed;
   double depthMm;
   int reducedPoints;
 
-  /** Creates the motion of a tool that stands at the identity. */
+  /** Creates the motion of a tool that stands at the identity, among bodies that stand still. */
   public ToolMotion() {
+    this(0);
+  }
+
+  /** Creates the motion of a tool that stands at the identity, among a number of bodies. */
+  public ToolMotion(int bodyCount) {
+    bodies = new BodyMotions(bodyCount);
     for (int n = 0; n < path.length; n++) {
       path[n] = new Pose();
     }
@@ -37,6 +47,19 @@ public final class ToolMotion {
   /** Returns the number of steps of the last frame; 0 if the tool rested. */
   public int steps() {
     return steps;
+  }
+
+  /**
+   * Returns the number of steps that bodies pushed the tool. They come first; the others follow the
+   * device.
+   */
+  public int pushes() {
+    return pushes;
+  }
+
+  /** Returns the motions of bodies in the last frame, which came before the tool followed. */
+  public BodyMotions bodies() {
+    return bodies;
   }
 
   /** Returns the pose before step {@code index}, or after the last step; not to be written. */
@@ -59,9 +82,9 @@ public final class ToolMotion {
     return contacts;
   }
 
-  /** Writes the position of the sample point of a contact of {@code tool}, world mm. */
-  public Vec3 contactMm(int contact, RigidTool tool, Vec3 dest) {
-    return pose().transform(tool.point(contacts.point(contact), dest), dest);
+  /** Writes where a contact touches the tool, world mm. */
+  public Vec3 contactMm(int contact, Vec3 dest) {
+    return pose().transform(contacts.position(contact, dest), dest);
   }
 
   /** Whether the tool was set free in the last frame; then the path has a single pose. */
@@ -86,12 +109,35 @@ public final class ToolMotion {
   public void rest() {
     path[0].set(path[steps]);
     steps = 0;
+    pushes = 0;
     pathMm = 0;
     freed = false;
+    bodies.clear();
   }
 
   boolean isFull() {
-    return steps == MOST_STEPS;
+    return steps - pushes == MOST_FOLLOWING;
+  }
+
+  /** Whether a body can push the tool once more in this frame. */
+  boolean canBePushed() {
+    return pushes < MOST_STEPS - MOST_FOLLOWING;
+  }
+
+  /** Whether the tool has taken a step after the device in this frame. */
+  boolean hasFollowed() {
+    return steps > pushes;
+  }
+
+  void addPush(Pose pose, double lengthMm) {
+    add(pose, lengthMm);
+    pushes = steps;
+  }
+
+  /** Withdraws the steps that followed the device; the tool must stand at the pose before them. */
+  void withdraw(double pathMmBefore) {
+    steps = pushes;
+    pathMm = pathMmBefore;
   }
 
   void add(Pose pose, double lengthMm) {
@@ -101,6 +147,8 @@ public final class ToolMotion {
 
   void placeAt(Pose pose) {
     steps = 0;
+    pushes = 0;
+    bodies.clear();
     pathMm = 0;
     contacts.clear();
     path[0].set(pose);

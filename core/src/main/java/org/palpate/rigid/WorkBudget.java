@@ -18,12 +18,12 @@ final class WorkBudget {
   /** The number of complete verifications that a frame may always use. */
   private static final long VERIFICATIONS = 5;
 
-  private final ToolVerifier verifier;
+  private final MoverVerifier verifier;
   private long testedBefore;
   private long otherWork;
   private long largestVerification;
 
-  WorkBudget(ToolVerifier verifier) {
+  WorkBudget(MoverVerifier verifier) {
     this.verifier = verifier;
   }
 

@@ -38,7 +38,7 @@ class BlockingVoxelsTest {
       for (int n = 0; n < clearances.length; n++) {
         clearances[n] = round % 3 == 0 ? Clearance.POINTS : new Clearance(0.6, 0.72, 2);
       }
-      ToolVerifier verifier = new ToolVerifier(scene, tool, clearances, true);
+      MoverVerifier verifier = ToolScenes.verifier(scene, tool, clearances, true);
       Pose start = RandomGeometry.pose(random, 20);
       while (!verifier.place(start, false)) {
         start = RandomGeometry.pose(random, 40);
@@ -59,15 +59,15 @@ class BlockingVoxelsTest {
     assertTrue(blocked > 60, "blocked " + blocked);
   }
 
-  private static void moveTo(Pose pose, ToolVerifier verifier) {
+  private static void moveTo(Pose pose, MoverVerifier verifier) {
     verifier.propose(pose);
-    assertTrue(verifier.isFree(0, true, new LegHits()), "what blocked the way is gone");
+    assertTrue(verifier.isFree(0, 0, true, new LegHits()), "what blocked the way is gone");
     verifier.commit();
   }
 
   /** Removes what is found until nothing is, and returns all of it. */
   private static Set<String> removeAll(
-      BodyScene scene, ToolVerifier verifier, BlockingVoxels blocking, Pose device) {
+      BodyScene scene, MoverVerifier verifier, BlockingVoxels blocking, Pose device) {
     Set<String> all = new TreeSet<>();
     List<int[]> removed = new ArrayList<>();
     do {
@@ -93,12 +93,12 @@ class BlockingVoxelsTest {
   }
 
   private static Set<String> naive(
-      BodyScene scene, RigidTool tool, ToolVerifier verifier, Pose device) {
+      BodyScene scene, RigidTool tool, MoverVerifier verifier, Pose device) {
     Pose next = limited(scene, tool, verifier.pose(), device);
     Set<String> all = new TreeSet<>();
     for (int b = 0; b < scene.count(); b++) {
       for (int point = 0; point < tool.count(); point++) {
-        addBlocking(b, verifier.body(b), tool.point(point, new Vec3()), point, next, all);
+        addBlocking(b, verifier.pair(b), tool.point(point, new Vec3()), point, next, all);
       }
     }
     return all;

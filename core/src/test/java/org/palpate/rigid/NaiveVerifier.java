@@ -50,9 +50,9 @@ final class NaiveVerifier {
   }
 
   /** Whether a motion is free of the cells of given levels, a level for each point and body. */
-  boolean isFreeOfLevels(Pose start, Pose end, ToolVerifier levels) {
+  boolean isFreeOfLevels(Pose start, Pose end, MoverVerifier levels) {
     for (int b = 0; b < scene.count(); b++) {
-      BodyVerifier verifier = levels.body(b);
+      BodyVerifier verifier = levels.pair(b);
       AffineMap cells = new AffineMap();
       for (int n = 0; n < tool.count(); n++) {
         int level = verifier.level(n);

@@ -70,6 +70,14 @@ final class ToolScenes {
     return bits;
   }
 
+  /** Returns the verifier of a tool among bodies that stand still. */
+  static MoverVerifier verifier(
+      BodyScene scene, RigidTool tool, Clearance[] clearances, boolean skips) {
+    RigidSettings settings = new RigidSettings(1, List.of(clearances), List.of(), skips);
+    RigidScene rigid = new RigidScene(scene, tool, MovableShapes.none(scene), settings);
+    return rigid.verifier(rigid.toolIndex());
+  }
+
   /** Whether the points of a tool with an extent cover its surface. */
   static boolean hasCoveredSurface(RigidTool tool) {
     return tool.coverRadiusMm() > 0 && tool.isCovered();

@@ -27,7 +27,7 @@ public final class SessionReader {
   /** Creates a reader of a session that holds a rigid tool, or of one without. */
   SessionReader(VoxelGrid grid, Optional<RigidTool> held) {
     this.grid = grid;
-    tool = held.map(rigid -> new ToolPublisher(properties, grid, rigid));
+    tool = held.map(rigid -> new ToolPublisher(properties, grid));
   }
 
   /** Returns the properties into which the frames of a point publish. Haptic thread. */

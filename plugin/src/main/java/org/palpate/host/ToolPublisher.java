@@ -8,7 +8,6 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.ToolContacts;
 import org.palpate.rigid.ToolMotion;
-import org.palpate.rigid.tool.RigidTool;
 import org.palpate.sync.NumberProperty;
 import org.palpate.sync.PositionProperty;
 import org.palpate.sync.TouchProperties;
@@ -24,7 +23,6 @@ import org.palpate.volume.VoxelGrid;
 final class ToolPublisher implements ToolFramePublisher {
   private final TouchProperties properties;
   private final VoxelGrid grid;
-  private final RigidTool tool;
   private final TransformProperty toolToWorld;
   private final TransformProperty deviceToWorld;
   private final PositionProperty torqueNewtonMm;
@@ -37,10 +35,9 @@ final class ToolPublisher implements ToolFramePublisher {
   private final RigidTransform toWorld = RigidTransform.identity();
 
   /** Creates the properties of a tool beside those of a point, before the session starts. */
-  ToolPublisher(TouchProperties properties, VoxelGrid grid, RigidTool tool) {
+  ToolPublisher(TouchProperties properties, VoxelGrid grid) {
     this.properties = properties;
     this.grid = grid;
-    this.tool = tool;
     toolToWorld = properties.accumulator().transform("tool");
     deviceToWorld = properties.accumulator().transform("device");
     torqueNewtonMm = properties.accumulator().position("torque");
@@ -67,7 +64,7 @@ final class ToolPublisher implements ToolFramePublisher {
     int count = motion.contacts().count();
     contactCount.set(count);
     for (int n = 0; n < count; n++) {
-      contactMm[n].set(motion.contactMm(n, tool, contactPoint));
+      contactMm[n].set(motion.contactMm(n, contactPoint));
     }
   }
 

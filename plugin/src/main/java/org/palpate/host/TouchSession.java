@@ -104,7 +104,7 @@ public final class TouchSession implements AutoCloseable {
     FrameSettings frameSettings = scene.liveFrame(specification, defaultNewtonPerMm);
     RigidCoupling coupling = scene.coupling(defaultNewtonPerMm);
     grid = scene.contactScene().grid();
-    ToolPublisher publisher = new ToolPublisher(properties, grid, scene.tool());
+    ToolPublisher publisher = new ToolPublisher(properties, grid);
     ToolFrame frame = scene.newFrame(device, frameSettings, coupling, published(publisher));
     tuning = ContactTuning.ofTool(frame, frameSettings.force(), specification);
     HapticDevice hand =

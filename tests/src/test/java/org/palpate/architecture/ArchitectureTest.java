@@ -83,6 +83,7 @@ class ArchitectureTest {
               "benchmarks.jitter.experiment",
               List.of("app.options", "benchmarks.jitter.trace", "realtime")),
           Map.entry("benchmarks.jitter.trace", List.of("io.file")),
+          Map.entry("benchmarks.moving", List.of("benchmarks.stress")),
           Map.entry(
               "benchmarks.nearest",
               List.of(
@@ -94,7 +95,7 @@ class ArchitectureTest {
           Map.entry("benchmarks.report", List.of("io.table")),
           Map.entry(
               "benchmarks.rigid",
-              List.of("benchmarks.accuracy", "benchmarks.shell", "benchmarks.stress")),
+              List.of("benchmarks.accuracy", "benchmarks.moving", "benchmarks.shell")),
           Map.entry("benchmarks.shell", List.of("proxy")),
           Map.entry(
               "benchmarks.speed",

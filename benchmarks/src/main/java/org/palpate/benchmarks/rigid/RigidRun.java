@@ -8,12 +8,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import org.palpate.benchmarks.moving.MovingBodiesStudy;
 import org.palpate.benchmarks.report.MachineSummary;
 import org.palpate.benchmarks.report.Progress;
 import org.palpate.benchmarks.report.StudyTable;
 
 /** Runs all studies of rigid tools, prints their figures, and writes a table and plots. */
 public final class RigidRun {
+  private static final String MOVING = "moving";
+  private static final String HOSTILE = "hostile frames";
+
   private final boolean quick;
   private final long seed;
   private final PrintWriter out;
@@ -68,6 +72,32 @@ public final class RigidRun {
     add(new HalvesStudy(seed).figures());
     progress.accept("guarantee");
     add(guarantee().figures());
+    progress.accept("moving bodies");
+    add(movingBodies());
+  }
+
+  private List<RigidFigure> movingBodies() {
+    MovingBodiesStudy.Result result =
+        new MovingBodiesStudy(quick ? 100_000 : 10_000_000, 1_000, seed, progress).run();
+    return List.of(
+        noneOf("legs that touch a solid", result.touching()),
+        countOf("legs judged", result.legs()),
+        noneOf("broken chains", result.broken()),
+        noneOf("voxels that overlap", result.overlapping()),
+        countOf("pairs of bodies compared", result.compared()),
+        countOf("frames", result.frames()),
+        countOf("motions of bodies", result.motions()),
+        countOf("pushes of the tool", result.pushes()),
+        countOf("bodies held back", result.heldBack()),
+        countOf("frames with contact", result.contacts()));
+  }
+
+  private static RigidFigure noneOf(String name, long count) {
+    return new RigidFigure(MOVING, HOSTILE, name, (double) count, "", 0);
+  }
+
+  private static RigidFigure countOf(String name, long count) {
+    return RigidFigure.of(MOVING, HOSTILE, name, (double) count, "");
   }
 
   private GuaranteeStudy guarantee() {

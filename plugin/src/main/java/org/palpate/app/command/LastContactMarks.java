@@ -71,7 +71,7 @@ final class LastContactMarks {
                 shownTorque.set(frame.torqueNewtonMm());
                 shownContacts.clear();
                 for (int n = 0; n < motion.contacts().count(); n++) {
-                  shownContacts.add(motion.contactMm(n, scene.tool(), new Vec3()));
+                  shownContacts.add(motion.contactMm(n, new Vec3()));
                 }
               }
               marks.take(frame.sample().positionMm, pose.translation, frame.forceNewton(), contact);

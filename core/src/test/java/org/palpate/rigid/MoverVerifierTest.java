@@ -17,7 +17,7 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
-import org.palpate.rigid.ToolVerifier.EditOutcome;
+import org.palpate.rigid.MoverVerifier.EditOutcome;
 import org.palpate.rigid.tool.BoxShape;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
@@ -27,7 +27,7 @@ import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
-class ToolVerifierTest {
+class MoverVerifierTest {
   private final SplittableRandom random = new SplittableRandom(Seeds.seed());
   private final Quaternion scratch = new Quaternion();
   private int freeCount;
@@ -54,9 +54,16 @@ class ToolVerifierTest {
     return result;
   }
 
+  private static void continueEnclosureCheck(MoverVerifier verifier) {
+    EnclosureCheck enclosure = verifier.pair(0).enclosure();
+    if (enclosure.canContinue()) {
+      enclosure.continueCheck();
+    }
+  }
+
   private void runChain(BodyScene scene, RigidTool tool, Clearance[] clearances, int steps) {
-    ToolVerifier quick = new ToolVerifier(scene, tool, clearances, true);
-    ToolVerifier slow = new ToolVerifier(scene, tool, clearances, false);
+    MoverVerifier quick = ToolScenes.verifier(scene, tool, clearances, true);
+    MoverVerifier slow = ToolScenes.verifier(scene, tool, clearances, false);
     NaiveVerifier naive = new NaiveVerifier(scene, tool);
     Pose start = RandomGeometry.pose(random, 30);
     while (!quick.place(start, false)) {
@@ -86,14 +93,14 @@ class ToolVerifierTest {
   }
 
   private boolean check(
-      ToolVerifier quick, ToolVerifier slow, NaiveVerifier naive, Pose candidate) {
+      MoverVerifier quick, MoverVerifier slow, NaiveVerifier naive, Pose candidate) {
     LegHits quickHits = new LegHits();
     LegHits slowHits = new LegHits();
     quick.propose(candidate);
     slow.propose(candidate);
     boolean firstOnly = random.nextBoolean();
-    boolean free = quick.isFree(0, firstOnly, quickHits);
-    assertEquals(slow.isFree(0, firstOnly, slowHits), free);
+    boolean free = quick.isFree(0, 0, firstOnly, quickHits);
+    assertEquals(slow.isFree(0, 0, firstOnly, slowHits), free);
     assertEquals(naive.isFreeOfLevels(quick.pose(), candidate, quick), free);
     assertEquals(slowHits.count(), quickHits.count());
     assertTrue(Arrays.equals(slowHits.point, quickHits.point));
@@ -145,20 +152,21 @@ class ToolVerifierTest {
     bits.set(17, 41, 30);
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("dot", bits)));
     RigidTool tool = ToolSampler.ofShape(new BoxShape(30, 1, 1), 0.7);
-    ToolVerifier verifier = new ToolVerifier(scene, tool, new Clearance[] {Clearance.POINTS}, true);
+    MoverVerifier verifier =
+        ToolScenes.verifier(scene, tool, new Clearance[] {Clearance.POINTS}, true);
     Pose start = new Pose();
     start.translation.set(17, 27, 30.5); // its end swings past the dot
     Pose end = new Pose().set(start);
     end.rotation.setRotationVector(new Vec3(0, 0, 3));
     assertTrue(verifier.place(start, true));
     verifier.propose(end);
-    assertTrue(verifier.isFree(0, true, new LegHits()), "the chords are free");
-    assertFalse(verifier.isFree(3, true, new LegHits()), "but not known to be free as arcs");
+    assertTrue(verifier.isFree(0, 0, true, new LegHits()), "the chords are free");
+    assertFalse(verifier.isFree(0, 3, true, new LegHits()), "but not known to be free as arcs");
     start.translation.set(-200, 0, 0);
     end.translation.set(-205, 0, 0);
     assertTrue(verifier.place(start, true));
     verifier.propose(end);
-    assertTrue(verifier.isFree(3, true, new LegHits()), "far away they are");
+    assertTrue(verifier.isFree(0, 3, true, new LegHits()), "far away they are");
   }
 
   @Test
@@ -170,13 +178,13 @@ class ToolVerifierTest {
       BodyScene scene = new BodyScene(List.of(body));
       RigidTool tool = ToolSampler.ofShape(RodShape.sphere(4), 0.7);
       Clearance[] clearances = clearances(scene, tool, round % 2 == 0);
-      ToolVerifier verifier = new ToolVerifier(scene, tool, clearances, true);
+      MoverVerifier verifier = ToolScenes.verifier(scene, tool, clearances, true);
       NaiveVerifier naive = new NaiveVerifier(scene, tool);
       Pose pose = new Pose();
       pose.translation.set(20.25, 20.4, 20.3);
       assertTrue(verifier.place(pose, true));
       verifier.propose(pose);
-      assertTrue(verifier.isFree(0, true, new LegHits())); // now all points rest
+      assertTrue(verifier.isFree(0, 0, true, new LegHits())); // now all points rest
       IntBox box = new IntBox();
       for (int n = 0; n < 3; n++) {
         int i = random.nextInt(12, 29);
@@ -196,7 +204,7 @@ class ToolVerifierTest {
       verifier.propose(moved);
       if (free) {
         boolean expected = naive.isFreeOfLevels(pose, moved, verifier);
-        assertEquals(expected, verifier.isFree(0, true, new LegHits()));
+        assertEquals(expected, verifier.isFree(0, 0, true, new LegHits()));
       }
     }
   }
@@ -209,8 +217,8 @@ class ToolVerifierTest {
     BodyScene scene = new BodyScene(List.of(body));
     RigidTool tool = ToolSampler.ofShape(RodShape.sphere(8), 0.7);
     for (int mode = 0; mode < 2; mode++) {
-      ToolVerifier verifier =
-          new ToolVerifier(scene, tool, clearances(scene, tool, mode == 0), true);
+      MoverVerifier verifier =
+          ToolScenes.verifier(scene, tool, clearances(scene, tool, mode == 0), true);
       Pose pose = new Pose();
       pose.translation.set(20, 20, 20);
       assertTrue(verifier.place(pose, true));
@@ -240,7 +248,7 @@ class ToolVerifierTest {
     BitCube cube = ToolScenes.block(8, 8, 8);
     RigidTool tool = ToolSampler.ofSegment(cube, VoxelGrid.ofUnitVoxels(8, 8, 8));
     Clearance[] clearance = {Clearance.ofWholeBody(tool, fine, 0)};
-    ToolVerifier verifier = new ToolVerifier(scene, tool, clearance, true);
+    MoverVerifier verifier = ToolScenes.verifier(scene, tool, clearance, true);
     Pose pose = new Pose();
     pose.translation.set(0.15, 0.15, 4.3); // the dot is 0.1 below the middle of four points
     assertFalse(verifier.place(pose, true));
@@ -250,14 +258,14 @@ class ToolVerifierTest {
     verifier.raiseLevels(tool.count());
     verifier.raiseLevels(tool.count());
     for (int frame = 0; frame < 200; frame++) {
-      verifier.continueEnclosureCheck();
+      continueEnclosureCheck(verifier);
       assertEquals(1, verifier.reducedCount(), "the tool encloses the dot");
     }
     verifier.place(pose, false);
     assertTrue(goTo(verifier, 7));
     verifier.raiseLevels(tool.count());
     verifier.raiseLevels(tool.count());
-    verifier.continueEnclosureCheck();
+    continueEnclosureCheck(verifier);
     assertEquals(0, verifier.reducedCount(), "the tool encloses nothing");
   }
 
@@ -270,7 +278,7 @@ class ToolVerifierTest {
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("slab", bits)));
     RigidTool tool = ToolSampler.point();
     Clearance clearance = new Clearance(1, 0.5, 2); // half a voxel, then a whole one
-    ToolVerifier verifier = new ToolVerifier(scene, tool, new Clearance[] {clearance}, true);
+    MoverVerifier verifier = ToolScenes.verifier(scene, tool, new Clearance[] {clearance}, true);
     Pose pose = new Pose();
     pose.translation.set(15, 15, 10.2);
     assertFalse(verifier.place(pose, true));
@@ -279,23 +287,23 @@ class ToolVerifierTest {
     assertTrue(goTo(verifier, 10.01), "level 0: no solid voxel is touched");
     assertTrue(goTo(verifier, 10.6));
     verifier.raiseLevels(10);
-    assertEquals(1, verifier.body(0).level(0));
+    assertEquals(1, verifier.pair(0).level(0));
     assertFalse(goTo(verifier, 10.49));
     assertTrue(goTo(verifier, 11.1));
     verifier.raiseLevels(10);
     assertEquals(1, verifier.reducedCount(), "it is not known yet that the tool encloses nothing");
     for (int frame = 0; frame < 10; frame++) {
-      verifier.continueEnclosureCheck();
+      continueEnclosureCheck(verifier);
     }
     assertEquals(0, verifier.reducedCount());
     assertFalse(goTo(verifier, 10.99));
   }
 
-  private static boolean goTo(ToolVerifier verifier, double z) {
+  private static boolean goTo(MoverVerifier verifier, double z) {
     Pose pose = new Pose().set(verifier.pose());
     pose.translation.z = z;
     verifier.propose(pose);
-    boolean free = verifier.isFree(0, true, new LegHits());
+    boolean free = verifier.isFree(0, 0, true, new LegHits());
     if (free) {
       verifier.commit();
     }
@@ -308,14 +316,15 @@ class ToolVerifierTest {
     bits.set(5, 5, 5);
     BodyScene scene = new BodyScene(List.of(ToolScenes.unit("dot", bits)));
     RigidTool tool = ToolSampler.point();
-    ToolVerifier verifier = new ToolVerifier(scene, tool, new Clearance[] {Clearance.POINTS}, true);
+    MoverVerifier verifier =
+        ToolScenes.verifier(scene, tool, new Clearance[] {Clearance.POINTS}, true);
     Pose pose = new Pose();
     pose.translation.set(5.5, 7.25, 5.5);
     assertTrue(verifier.place(pose, true));
     pose.translation.y = 5.5;
     verifier.propose(pose);
     LegHits hits = new LegHits();
-    assertFalse(verifier.isFree(0, false, hits));
+    assertFalse(verifier.isFree(0, 0, false, hits));
     assertEquals(1, hits.count());
     assertEquals(1, hits.axis[0]);
     assertEquals(1, hits.side[0]);

@@ -1,0 +1,128 @@
+package org.palpate.benchmarks.moving;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.rigid.Clearance;
+import org.palpate.rigid.MovableShapes;
+import org.palpate.rigid.RigidScene;
+import org.palpate.rigid.RigidSettings;
+import org.palpate.rigid.RigidSolver;
+import org.palpate.rigid.ToolMotion;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+class SceneJudgesTest {
+  private static Body dot(String name, Mobility mobility, double x) {
+    BitCube bits = new BitCube(3, 3, 3);
+    bits.set(1, 1, 1);
+    Body body = new Body(name, bits, VoxelGrid.ofUnitVoxels(3, 3, 3), mobility);
+    body.setPose(at(x, 0, 0));
+    return body;
+  }
+
+  private static Pose at(double x, double y, double z) {
+    Pose pose = new Pose();
+    pose.translation.set(x, y, z);
+    return pose;
+  }
+
+  /** Moves the second dot across the first or the tool, of which the solver knows nothing. */
+  private static SceneLegJudge judged(double toolX, double first) {
+    RigidTool point = ToolSampler.point();
+    Body mover = dot("mover", Mobility.MOVABLE, 10);
+    Body unknown = dot("unknown", Mobility.MOVABLE, first);
+    BodyScene known = new BodyScene(List.of(dot("far", Mobility.MOVABLE, -500), mover));
+    BodyScene seen = new BodyScene(List.of(unknown, mover));
+    MovableShapes shapes = MovableShapes.ofPoints(known);
+    RigidSettings settings = RigidSettings.of(100, Clearance.POINTS);
+    RigidSolver solver = new RigidSolver(new RigidScene(known, point, shapes, settings));
+    ToolMotion motion = solver.newMotion();
+    solver.place(at(0, 90, 0), motion);
+    SceneLegJudge judge = new SceneLegJudge(seen, point, shapes);
+    judge.begin(motion);
+    solver.bodies().setGoal(1, at(-10, 0, 0));
+    solver.follow(at(toolX, 90, 0), motion);
+    judge.judge(motion);
+    return judge;
+  }
+
+  @Test
+  void theLegJudgeFindsABodyThatMovesThroughAnother() {
+    assertEquals(1, judged(0, 0).touching());
+    assertEquals(0, judged(0, -100).touching());
+    assertTrue(judged(0, -100).legs() > 0);
+    assertEquals(0, judged(0, 0).broken());
+  }
+
+  @Test
+  void theLegJudgeFindsAMotionThatNobodyReported() {
+    RigidTool point = ToolSampler.point();
+    BodyScene bodies = new BodyScene(List.of(dot("dot", Mobility.MOVABLE, 10)));
+    MovableShapes shapes = MovableShapes.ofPoints(bodies);
+    RigidSettings settings = RigidSettings.of(100, Clearance.POINTS);
+    RigidSolver solver = new RigidSolver(new RigidScene(bodies, point, shapes, settings));
+    ToolMotion motion = solver.newMotion();
+    solver.place(at(0, 90, 0), motion);
+    SceneLegJudge judge = new SceneLegJudge(bodies, point, shapes);
+    judge.begin(motion);
+    solver.follow(at(0, 91, 0), motion);
+    judge.judge(motion);
+    assertEquals(0, judge.broken());
+    bodies.body(0).setPose(at(11, 0, 0));
+    judge.judge(motion);
+    assertTrue(judge.broken() > 0);
+  }
+
+  @Test
+  void theLegJudgeFindsABodyThatMovesOverTheTool() {
+    RigidTool point = ToolSampler.point();
+    Body block = dot("block", Mobility.MOVABLE, 10);
+    BodyScene bodies = new BodyScene(List.of(block));
+    MovableShapes shapes = MovableShapes.ofPoints(bodies);
+    RigidSettings settings = RigidSettings.of(100, Clearance.POINTS);
+    RigidSolver solver = new RigidSolver(new RigidScene(bodies, point, shapes, settings));
+    ToolMotion motion = solver.newMotion();
+    solver.place(at(5, 90, 1.5), motion);
+    solver.bodies().setGoal(0, at(-10, 0, 0));
+    ToolMotion planted = new ToolMotion(1);
+    Vec3 inTheWay = new Vec3(5, 1.5, 1.5);
+    planted.pose().translation.set(inTheWay);
+    SceneLegJudge judge = new SceneLegJudge(bodies, point, shapes);
+    judge.begin(planted);
+    solver.follow(at(5, 90, 1.5), motion);
+    motion.pathPose(0).translation.set(inTheWay);
+    judge.judge(motion);
+    assertEquals(1, judge.touching());
+  }
+
+  @Test
+  void voxelsThatTouchDoNotOverlapButTheSmallestDepthDoes() {
+    VoxelOverlap overlap = new VoxelOverlap();
+    Body still = dot("still", Mobility.FIXED, 0);
+    assertEquals(0, overlap.count(still, dot("beside", Mobility.MOVABLE, 1)));
+    assertEquals(1, overlap.count(still, dot("inside", Mobility.MOVABLE, 1 - 1e-6)));
+    Body turned = dot("turned", Mobility.MOVABLE, 0);
+    Pose pose = new Pose();
+    pose.rotation.setRotationVector(new Vec3(0, 0, Math.PI / 4));
+    pose.rotation.rotate(new Vec3(-1.5, -1.5, -1.5), pose.translation);
+    Vec3 beside = new Vec3(1.5 + 0.5 + Math.sqrt(0.5) + 1e-6, 1.5, 1.5);
+    pose.translation.add(beside, pose.translation);
+    turned.setPose(pose);
+    assertEquals(0, overlap.count(still, turned));
+    assertEquals(0, overlap.count(turned, still));
+    pose.translation.x -= 1e-5;
+    turned.setPose(pose);
+    assertEquals(1, overlap.count(still, turned));
+    assertEquals(1, overlap.count(turned, still));
+  }
+}

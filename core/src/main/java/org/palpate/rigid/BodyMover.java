@@ -1,0 +1,236 @@
+package org.palpate.rigid;
+
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Moves bodies towards goal poses, each by one verified step a frame, in the order of their
+ * indices. A step follows the straight interpolation to the goal. If it is blocked, shorter ones
+ * are tried, down to a sixteenth.
+ *
+ * <p>A body that another body blocks is held back. A body that only the tool blocks pushes it: the
+ * tool is carried along as if it were glued to the body, and follows its device again afterwards.
+ * If the carried tool is not free, or would be pushed too far from its device, the body is held
+ * back. A goal that is held back stays the goal.
+ *
+ * <p>Each motion is verified against all others before it is committed. Haptic thread only;
+ * allocates nothing.
+ */
+public final class BodyMover {
+  /**
+   * The farthest that a push takes the tool from its device pose in the kinetic metric, shortest
+   * edges of the scene.
+   */
+  public static final double FARTHEST_PUSH_EDGES = 16;
+
+  /** The part of w_max that pushes may use in a frame, so that the tool can follow its device. */
+  private static final double PUSHED_PART = 0.5;
+
+  /** The smallest part of a blocked step that is tried. */
+  private static final double SMALLEST_PART = 1.0 / 16;
+
+  /** The number of points whose clearance levels are tested after a motion, for each pair. */
+  private static final int LEVELS_PER_STEP = 100;
+
+  private final RigidScene scene;
+  private final double maxStepMm;
+  private final double farthestMm;
+  private final Pose[] goals;
+  private final boolean[] hasGoal;
+  private final LegHits hits = new LegHits();
+  private final Pose candidate = new Pose();
+  private final Pose carried = new Pose();
+  private final Quaternion turned = new Quaternion();
+  private final Quaternion scratch = new Quaternion();
+  private final Vec3 shift = new Vec3();
+  private final Vec3 turn = new Vec3();
+  private final Vec3 handShift = new Vec3();
+  private final Vec3 handTurn = new Vec3();
+  private long pushes;
+  private long heldBack;
+
+  BodyMover(RigidScene scene) {
+    this.scene = scene;
+    maxStepMm = scene.settings().maxStepMm();
+    farthestMm = FARTHEST_PUSH_EDGES * scene.bodies().shortestEdgeMm();
+    goals = new Pose[scene.bodies().count()];
+    hasGoal = new boolean[goals.length];
+    for (int n = 0; n < goals.length; n++) {
+      goals[n] = new Pose();
+    }
+  }
+
+  /**
+   * Sets the goal of a body, which the next frames approach.
+   *
+   * @param goal from rest to present, world mm
+   * @throws IllegalArgumentException if the body cannot move, or the pose is not finite or has no
+   *     unit quaternion
+   */
+  public void setGoal(int body, Pose goal) {
+    MoverVerifier verifier = scene.verifier(body);
+    if (verifier == null) {
+      throw new IllegalArgumentException(
+          "the body stands still: " + scene.bodies().body(body).name());
+    }
+    if (!goal.isFinite() || !goal.rotation.isUnit()) {
+      throw new IllegalArgumentException(
+          "the goal of a body must be finite with a unit quaternion: goal=" + goal);
+    }
+    verifier.mover.toReference(ReferencePose.snap(candidate.set(goal)), goals[body]);
+    ReferencePose.snap(goals[body]);
+    hasGoal[body] = true;
+  }
+
+  /** Lets a body stay where it is. */
+  public void clearGoal(int body) {
+    hasGoal[body] = false;
+  }
+
+  /** Returns the number of steps in which a body pushed the tool. */
+  public long pushes() {
+    return pushes;
+  }
+
+  /** Returns the number of frames in which a body was held back, counted for each body. */
+  public long heldBack() {
+    return heldBack;
+  }
+
+  /** Whether a body has a goal that it has not reached. */
+  boolean hasWork() {
+    for (int n = 0; n < goals.length; n++) {
+      if (hasGoal[n] && !scene.verifier(n).pose().sameBits(goals[n])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Moves each body that has not reached its goal, by one step.
+   *
+   * @param hand the index of what the device moves: the tool, or a body that is held
+   * @param device the device pose that the tool follows
+   * @param motion gets the motions of the bodies, and the pushes of the tool
+   */
+  void move(int hand, Pose device, ToolMotion motion) {
+    for (int n = 0; n < goals.length; n++) {
+      if (hasGoal[n] && n != hand && !scene.verifier(n).pose().sameBits(goals[n])) {
+        moveBody(n, hand, device, motion);
+      }
+    }
+  }
+
+  private void moveBody(int index, int hand, Pose device, ToolMotion motion) {
+    MoverVerifier body = scene.verifier(index);
+    body.pose().differenceTo(goals[index], shift, turn, scratch);
+    double part = longestPart(body);
+    double shiftMm = shift.length();
+    double turnRad = turn.length();
+    if (body.hasLargeArcs(part * shiftMm, part * turnRad)) {
+      propose(index, part);
+      if (isFree(body, part * shiftMm, part * turnRad)) {
+        commit(index, motion, BodyMotions.NO_STEP);
+        return;
+      }
+      part = Math.min(part, body.largestPart(shiftMm, turnRad));
+    }
+    double smallest = SMALLEST_PART * part;
+    for (; part >= smallest; part /= 2) {
+      propose(index, part);
+      if (isFree(body, 0, 0)) {
+        commit(index, motion, BodyMotions.NO_STEP);
+        return;
+      }
+      if (isFreeOfAllBut(hand, body) && push(index, part, hand, device, motion)) {
+        pushes++;
+        return;
+      }
+    }
+    heldBack++;
+  }
+
+  /** Returns the part of the way to the goal on which no point travels farther than w_max. */
+  private double longestPart(MoverVerifier body) {
+    double pathMm = shift.length() + turn.length() * body.mover.reachMm;
+    return pathMm > maxStepMm ? maxStepMm / pathMm : 1;
+  }
+
+  private void propose(int index, double part) {
+    MoverVerifier body = scene.verifier(index);
+    if (part == 1) {
+      candidate.set(goals[index]);
+    } else {
+      body.pose().displace(shift, turn, part, scratch, candidate);
+      ReferencePose.snap(candidate);
+    }
+    body.propose(candidate);
+  }
+
+  private boolean isFree(MoverVerifier body, double shiftMm, double turnRad) {
+    hits.clear();
+    return body.isFree(shiftMm, turnRad, true, hits);
+  }
+
+  private boolean isFreeOfAllBut(int hand, MoverVerifier body) {
+    hits.clear();
+    return body.isFreeOfAllBut(hand, hits);
+  }
+
+  private void commit(int index, ToolMotion motion, int toolStep) {
+    MoverVerifier body = scene.verifier(index);
+    motion.bodies.add(index, body.mover.bodyPose(), body.mover.bodyCandidate(), toolStep);
+    body.commit();
+    body.raiseLevels(LEVELS_PER_STEP);
+  }
+
+  /**
+   * Commits the proposed step of a body together with a step that carries the tool along, if that
+   * is free and not too far.
+   */
+  private boolean push(int index, double part, int hand, Pose device, ToolMotion motion) {
+    MoverVerifier body = scene.verifier(index);
+    MoverVerifier tool = scene.verifier(hand);
+    setCarried(body, tool);
+    tool.pose().differenceTo(carried, handShift, handTurn, scratch);
+    double pathMm = handShift.length() + handTurn.length() * tool.mover.shape.radiusMm();
+    double turnRad = Math.max(part * turn.length(), handTurn.length());
+    if (!motion.canBePushed()
+        || motion.pathMm + pathMm > PUSHED_PART * maxStepMm
+        || isTooFar(tool, device)
+        || tool.hasLargeArcs(handShift.length(), handTurn.length())
+        || !tool.keepsChordsWith(index, handShift.length(), part * shift.length(), turnRad)) {
+      return false;
+    }
+    tool.proposeWith(index, carried);
+    hits.clear();
+    if (!tool.isFree(0, 0, true, hits)) {
+      return false;
+    }
+    int step = motion.steps;
+    tool.commit();
+    motion.addPush(carried, pathMm);
+    commit(index, motion, step);
+    return true;
+  }
+
+  /** Sets the pose of a tool that moves with the proposed step of a body as if glued to it. */
+  private void setCarried(MoverVerifier body, MoverVerifier tool) {
+    body.pose().rotation.conjugate(scratch);
+    candidate.rotation.multiply(scratch, turned);
+    tool.pose().translation.sub(body.pose().translation, carried.translation);
+    turned.rotate(carried.translation, carried.translation);
+    carried.translation.add(candidate.translation, carried.translation);
+    turned.multiply(tool.pose().rotation, carried.rotation);
+    carried.rotation.normalize();
+    tool.mover.snap(carried);
+  }
+
+  /** Whether the carried tool would be too far from its device, and farther than it is now. */
+  private boolean isTooFar(MoverVerifier tool, Pose device) {
+    double awayMm = tool.mover.shape.metric().distance(carried, device);
+    return awayMm > farthestMm && awayMm > tool.mover.shape.metric().distance(tool.pose(), device);
+  }
+}

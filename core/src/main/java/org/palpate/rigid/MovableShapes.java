@@ -1,0 +1,68 @@
+package org.palpate.rigid;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.ToolSampler;
+
+/**
+ * The sample points of the bodies that move, and the clearance that two bodies keep from each
+ * other.
+ *
+ * @param shapes the sample points of each body in the order of the scene; null for one that stands
+ *     still
+ * @param marginMm the least gap between two bodies, mm; empty if only sample points keep out of the
+ *     other's voxels
+ */
+public record MovableShapes(List<RigidTool> shapes, OptionalDouble marginMm) {
+
+  /** Copies the list. */
+  public MovableShapes {
+    shapes = Collections.unmodifiableList(new ArrayList<>(shapes));
+  }
+
+  /** Returns the shapes of a scene in which no body moves. */
+  public static MovableShapes none(BodyScene scene) {
+    return new MovableShapes(
+        Collections.nCopies(scene.count(), (RigidTool) null), OptionalDouble.empty());
+  }
+
+  /** Returns the shapes of all movable bodies, whose sample points keep out of voxels. */
+  public static MovableShapes ofPoints(BodyScene scene) {
+    return new MovableShapes(shapes(scene, 0), OptionalDouble.empty());
+  }
+
+  /**
+   * Returns the shapes of all movable bodies, whose solids do not overlap.
+   *
+   * @param marginMm the least gap between two bodies, mm; negative if they may overlap by that
+   *     depth
+   * @throws org.palpate.rigid.tool.ErodedAwayException if a body has no point that is so deep
+   */
+  public static MovableShapes ofWholeBodies(BodyScene scene, double marginMm) {
+    return new MovableShapes(
+        shapes(scene, Math.max(0, -marginMm)), OptionalDouble.of(Math.max(0, marginMm)));
+  }
+
+  private static List<RigidTool> shapes(BodyScene scene, double depthMm) {
+    List<RigidTool> shapes = new ArrayList<>();
+    for (int n = 0; n < scene.count(); n++) {
+      Body body = scene.body(n);
+      boolean moves = body.mobility() == Mobility.MOVABLE;
+      shapes.add(moves ? ToolSampler.ofErodedSegment(body.bits(), body.grid(), depthMm) : null);
+    }
+    return shapes;
+  }
+
+  /** Returns the clearance of sample points from a body. */
+  Clearance clearance(RigidTool points, Body from) {
+    return marginMm.isPresent()
+        ? Clearance.ofWholeBody(points, from.grid(), marginMm.getAsDouble())
+        : Clearance.POINTS;
+  }
+}

@@ -1,0 +1,192 @@
+package org.palpate.rigid;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.rigid.MoverVerifier.EditOutcome;
+import org.palpate.rigid.tool.RigidTool;
+
+/**
+ * A tool and bodies as rigid things that move by verified motions. Each pair of which at least one
+ * can move has one {@link BodyVerifier}, whose state stays, whoever moves or is held.
+ *
+ * <p>The tool carries the sample points of its pairs. Of two bodies the one with fewer sample
+ * points carries them, and the first of two with as many. Bodies are numbered as in their scene;
+ * the tool comes last.
+ *
+ * <p>Haptic thread only. Creating a scene allocates, and grows solids by clearances; nothing else
+ * does.
+ */
+public final class RigidScene {
+  private final BodyScene bodies;
+  private final RigidSettings settings;
+  private final Mover[] movers;
+  private final MoverVerifier[] verifiers;
+  private final BodyVerifier[][] pairs;
+  private final Map<LevelsKey, ClearanceLevels> levels = new HashMap<>();
+  private final Map<ClearanceLevels, ContactField> fields = new HashMap<>();
+
+  /** Pairs in which the same body keeps the same clearance share its grown solids. */
+  private record LevelsKey(int body, Clearance clearance) {}
+
+  /**
+   * Creates a scene. The tool is not placed yet.
+   *
+   * @param shapes the sample points of the bodies that move
+   * @param settings the clearances of the tool, grey values, and whether to skip
+   * @throws IllegalArgumentException if two bodies of which one can move overlap
+   */
+  public RigidScene(
+      BodyScene bodies, RigidTool tool, MovableShapes shapes, RigidSettings settings) {
+    this.bodies = bodies;
+    this.settings = settings;
+    int count = bodies.count();
+    movers = new Mover[count + 1];
+    for (int n = 0; n < count; n++) {
+      RigidTool shape = shapes.shapes().get(n);
+      Body body = bodies.body(n);
+      movers[n] = shape == null ? Mover.standing(body) : Mover.moving(body, shape);
+    }
+    movers[count] = Mover.tool(tool);
+    pairs = new BodyVerifier[count + 1][count + 1];
+    addPairs(shapes);
+    verifiers = new MoverVerifier[count + 1];
+    for (int n = 0; n <= count; n++) {
+      if (movers[n].canMove()) {
+        verifiers[n] = new MoverVerifier(movers[n], pairs[n], bodies.shortestEdgeMm());
+      }
+    }
+  }
+
+  private void addPairs(MovableShapes shapes) {
+    Clearance[] fromTool = settings.clearancesOf(bodies);
+    for (int a = 0; a < bodies.count(); a++) {
+      addPair(toolIndex(), a, fromTool[a]);
+      for (int b = 0; b < a; b++) {
+        if (movers[a].canMove() || movers[b].canMove()) {
+          int points = carriesPoints(b, a) ? b : a;
+          int solid = points == a ? b : a;
+          Clearance clearance = shapes.clearance(movers[points].shape, bodies.body(solid));
+          addPair(points, solid, clearance);
+          requireApart(pairs[a][b]);
+        }
+      }
+    }
+  }
+
+  /** Whether the first of two bodies carries the points. */
+  private boolean carriesPoints(int first, int second) {
+    RigidTool a = movers[first].shape;
+    RigidTool b = movers[second].shape;
+    return b == null || (a != null && a.count() <= b.count());
+  }
+
+  private void addPair(int points, int solid, Clearance clearance) {
+    ClearanceLevels grown =
+        levels.computeIfAbsent(
+            new LevelsKey(solid, clearance),
+            key -> new ClearanceLevels(bodies.body(solid), clearance));
+    fields.computeIfAbsent(grown, key -> new ContactField(grown, settings.grey(solid)));
+    BodyVerifier pair = new BodyVerifier(movers[points], movers[solid], grown, settings.skips());
+    pairs[points][solid] = pair;
+    pairs[solid][points] = pair;
+  }
+
+  private static void requireApart(BodyVerifier pair) {
+    if (!place(pair)) {
+      throw new IllegalArgumentException(
+          "bodies overlap: " + pair.points.body.name() + " and " + pair.solid.body.name());
+    }
+  }
+
+  /** Places a pair of bodies where they are; returns whether they are apart. */
+  private static boolean place(BodyVerifier pair) {
+    boolean apart =
+        pair.place(pair.points.pose, pair.solid.bodyPose(), 0)
+            && !pair.enclosure().enclosesAny(pair.points.pose, pair.solid.bodyPose());
+    pair.enclosure().beginOrEnd();
+    return apart;
+  }
+
+  /** Returns the bodies. */
+  public BodyScene bodies() {
+    return bodies;
+  }
+
+  RigidSettings settings() {
+    return settings;
+  }
+
+  int toolIndex() {
+    return bodies.count();
+  }
+
+  /** Returns the verifier of a mover by its index; null for a body that stands still. */
+  MoverVerifier verifier(int mover) {
+    return verifiers[mover];
+  }
+
+  /** Returns the surface of each pair of a mover, by the index of the other. */
+  ContactField[] fields(int mover) {
+    ContactField[] ofMover = new ContactField[pairs.length];
+    for (int n = 0; n < ofMover.length; n++) {
+      BodyVerifier pair = pairs[mover][n];
+      ofMover[n] = pair == null ? null : fields.get(pair.levels);
+    }
+    return ofMover;
+  }
+
+  /** Whether somebody else set the pose of a body, so that its motion was not verified. */
+  boolean wasBodyMoved() {
+    for (Mover mover : movers) {
+      if (mover.wasMoved()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Takes the poses of all bodies as they are, unverified. The tool must be placed anew. */
+  void takeBodyPoses() {
+    for (Mover mover : movers) {
+      if (mover.wasMoved()) {
+        mover.takeBodyPose();
+      }
+    }
+    for (int a = 0; a < bodies.count(); a++) {
+      for (int b = 0; b < a; b++) {
+        if (pairs[a][b] != null) {
+          place(pairs[a][b]);
+        }
+      }
+    }
+  }
+
+  /**
+   * Applies the edits of bodies to all pairs of bodies. A body that an added voxel touches stays
+   * where it is, because every leg of it would touch that voxel.
+   */
+  void takeEdits() {
+    for (int a = 0; a < bodies.count(); a++) {
+      for (int b = 0; b < a; b++) {
+        if (pairs[a][b] != null && pairs[a][b].takeEdits() == EditOutcome.FREE) {
+          pairs[a][b].enclosure().begin();
+        }
+      }
+    }
+  }
+
+  /** Goes on with the first examination whether a solid is enclosed that can go on. */
+  void continueEnclosureCheck() {
+    for (int a = 0; a < pairs.length; a++) {
+      for (int b = 0; b < a; b++) {
+        BodyVerifier pair = pairs[a][b];
+        if (pair != null && pair.isPresent() && pair.enclosure().canContinue()) {
+          pair.enclosure().continueCheck();
+          return;
+        }
+      }
+    }
+  }
+}
