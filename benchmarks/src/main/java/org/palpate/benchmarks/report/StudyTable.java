@@ -33,6 +33,11 @@ public enum StudyTable {
   STABILITY_DEVICES("stability-devices.csv", Columns.STABILITY),
   /** Stability by shape and solver. */
   STABILITY_SHAPES("stability-shapes.csv", Columns.STABILITY),
+  /** Stability of rigid tools by device and length. */
+  STABILITY_TOOLS(
+      "stability-tools.csv",
+      "device,grip,rod_mm,rms_radius_mm,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
+          + Columns.MARGIN),
   /** Cost of a frame by the method that changes the scene. */
   SYNC(
       "sync.csv",
@@ -76,8 +81,10 @@ public enum StudyTable {
   private static final class Columns {
     static final String TIMES =
         "group,benchmark,condition,unit,median,least,greatest,iterations,bytes_per_op";
+    static final String MARGIN =
+        "default_n_per_m,largest_n_per_m,margin,play_mm,energy_back_mj,rise_n_per_ms";
     static final String STABILITY =
         "device,grip,shape,solver,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
-            + "default_n_per_m,largest_n_per_m,margin,play_mm,energy_back_mj,rise_n_per_ms";
+            + Columns.MARGIN;
   }
 }

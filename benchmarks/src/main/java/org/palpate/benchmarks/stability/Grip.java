@@ -24,6 +24,12 @@ public record Grip(
     double armNewtonSecondPerM,
     double pressNewton) {
 
+  /**
+   * The radius about which the hand turns the handle, mm: rotations have the masses, springs and
+   * dampers of translations times its square.
+   */
+  static final double RADIUS_MM = 20;
+
   /** No hand; 0.5 N press the handle on the surface. The hardest case, and that of the theory. */
   public static final Grip NONE = new Grip("none", 0.1, 0, 0, 0, 1, 0.5);
 

@@ -1,20 +1,26 @@
 package org.palpate.benchmarks.stability;
 
-import org.palpate.geometry.Vec3;
+import java.util.Arrays;
 
-/** The bounding box of the handle's motion during an interval of time. */
+/**
+ * The bounding box of the handle's motion during an interval of time. A rotation counts as the path
+ * at the grip radius.
+ */
 final class HandleExcursion {
   private static final double MM_PER_M = 1e3;
-  private static final double MOST = Double.MAX_VALUE;
 
   private final double fromSeconds;
   private final double toSeconds;
-  private final Vec3 lowestMm = new Vec3(MOST, MOST, MOST);
-  private final Vec3 highestMm = new Vec3(-MOST, -MOST, -MOST);
+  private final double[] lowest;
+  private final double[] highest;
 
-  HandleExcursion(double fromSeconds, double toSeconds) {
+  HandleExcursion(double fromSeconds, double toSeconds, int axes) {
     this.fromSeconds = fromSeconds;
     this.toSeconds = toSeconds;
+    lowest = new double[axes];
+    highest = new double[axes];
+    Arrays.fill(lowest, Double.MAX_VALUE);
+    Arrays.fill(highest, -Double.MAX_VALUE);
   }
 
   /** Extends the box if the time lies in the interval. */
@@ -22,15 +28,20 @@ final class HandleExcursion {
     if (seconds <= fromSeconds || seconds > toSeconds) {
       return;
     }
-    for (int axis = 0; axis < 3; axis++) {
-      double mm = state[HandleMotion.HANDLE + axis] * MM_PER_M;
-      lowestMm.set(axis, Math.min(lowestMm.get(axis), mm));
-      highestMm.set(axis, Math.max(highestMm.get(axis), mm));
+    for (int axis = 0; axis < lowest.length; axis++) {
+      double mm = state[axis] * (axis < HandleMotion.TRANSLATIONS ? MM_PER_M : Grip.RADIUS_MM);
+      lowest[axis] = Math.min(lowest[axis], mm);
+      highest[axis] = Math.max(highest[axis], mm);
     }
   }
 
   /** Returns the diagonal of the box, mm. */
   double excursionMm() {
-    return highestMm.sub(lowestMm, new Vec3()).length();
+    double square = 0;
+    for (int axis = 0; axis < lowest.length; axis++) {
+      double edge = highest[axis] - lowest[axis];
+      square += edge * edge;
+    }
+    return Math.sqrt(square);
   }
 }

@@ -4,13 +4,16 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.palpate.benchmarks.report.Progress;
 import org.palpate.benchmarks.report.StudyTable;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
+import org.palpate.benchmarks.stability.StabilityStudy.ToolRow;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
 import org.palpate.geometry.GridMetric;
 import org.palpate.proxy.ProxySolver;
@@ -66,6 +69,7 @@ public final class StabilityRun {
     reportTheory(folder, study.theory(), out);
     Map<String, Double> margins = reportDevices(folder, study.devices(), out);
     reportShapes(folder, study.shapes(), out);
+    reportTools(folder, study.tools(), out);
     reportLongRuns(quick, out, progress);
     out.flush();
     return margins;
@@ -98,6 +102,36 @@ public final class StabilityRun {
                 margin,
                 margin < WANTED_MARGIN ? " (below 2)" : ""));
     return margins;
+  }
+
+  private static void reportTools(Path folder, List<ToolRow> rows, PrintWriter out)
+      throws IOException {
+    StudyTable.STABILITY_TOOLS.write(folder, rows, ToolRow::cells);
+    Map<String, List<ToolRow>> conditions =
+        rows.stream()
+            .collect(
+                Collectors.groupingBy(
+                    StabilityRun::condition, LinkedHashMap::new, Collectors.toList()));
+    conditions.forEach(
+        (condition, own) ->
+            out.printf(
+                Locale.ROOT,
+                "%s: least margin of the default stiffness %.2f, unstable at the default in %d of"
+                    + " %d variations%n",
+                condition,
+                own.stream().mapToDouble(ToolRow::margin).min().orElse(0),
+                own.stream().filter(row -> !row.atDefault().stable()).count(),
+                own.size()));
+  }
+
+  private static String condition(ToolRow row) {
+    ToolTrial trial = row.trial();
+    return String.format(
+        Locale.ROOT,
+        "rod of %.0f mm with %s, grip %s",
+        trial.lengthMm(),
+        trial.device().name(),
+        trial.grip().name());
   }
 
   private static void reportLongRuns(boolean quick, PrintWriter out, PrintWriter progress) {

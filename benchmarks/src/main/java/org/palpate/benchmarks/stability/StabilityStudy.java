@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import org.palpate.benchmarks.stability.Trial.Outcome;
+import org.palpate.benchmarks.stability.ClosedLoop.Outcome;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
 import org.palpate.proxy.exact.GuardedSolver;
 
@@ -74,7 +74,7 @@ public final class StabilityStudy {
               new TheoryRow(
                   sampling,
                   damping,
-                  StiffnessSearch.largest(trial),
+                  StiffnessSearch.largest(trial::run),
                   sampling.passiveNewtonPerM(damping)));
         }
       }
@@ -125,13 +125,64 @@ public final class StabilityStudy {
       for (Grip grip : List.of(Grip.LIGHT, Grip.FIRM)) {
         for (int delay = 1; delay <= 2; delay++) {
           progress.accept("devices: " + device.name() + " grip=" + grip.name() + " delay=" + delay);
-          for (double massFactor : massFactors) {
-            for (double dampingFactor : dampingFactors) {
-              DeviceModel varied =
-                  device
-                      .withHandleKg(device.handleKg() * massFactor)
-                      .withDamping(device.dampingNewtonSecondPerM() * dampingFactor);
-              rows.add(row(varied, grip, new Sampling(DEFAULT_SAMPLING.rateHz(), delay)));
+          for (DeviceModel varied : varied(device, massFactors, dampingFactors)) {
+            rows.add(row(varied, grip, new Sampling(DEFAULT_SAMPLING.rateHz(), delay)));
+          }
+        }
+      }
+    }
+    return rows;
+  }
+
+  /**
+   * A rod in six degrees of freedom with a device at 1 kHz and the limits of a live session.
+   *
+   * @param trial the set-up
+   * @param defaultStiffness half the device's maximum, N/m
+   * @param largest the largest stable stiffness, N/m
+   * @param atDefault the outcome at the default stiffness
+   */
+  public record ToolRow(
+      ToolTrial trial, double defaultStiffness, double largest, Outcome atDefault) {
+    /** Returns the largest stable stiffness relative to the default. */
+    public double margin() {
+      return largest / defaultStiffness;
+    }
+
+    /** Returns the cells of its row in {@code stability-tools.csv}. */
+    List<Object> cells() {
+      return List.of(
+          trial.device().name(),
+          trial.grip().name(),
+          trial.lengthMm(),
+          trial.rmsRadiusMm(),
+          trial.sampling().rateHz(),
+          trial.sampling().delaySamples(),
+          trial.device().handleKg(),
+          trial.device().dampingNewtonSecondPerM(),
+          defaultStiffness,
+          largest,
+          margin(),
+          atDefault.excursionMm(),
+          atDefault.energyBackMillijoule(),
+          atDefault.riseNewtonPerMs());
+    }
+  }
+
+  /** Sweeps the length of a rod, and devices by name, mass, damping, grip and delay. */
+  public List<ToolRow> tools() {
+    double[] lengthsMm = quick ? new double[] {0, 60} : new double[] {0, 20, 60, 120};
+    double[] massFactors = quick ? new double[] {2} : new double[] {0.5, 1, 2};
+    double[] dampingFactors = quick ? new double[] {0.25} : new double[] {0.25, 1, 4};
+    List<ToolRow> rows = new ArrayList<>();
+    for (DeviceModel device : DeviceModel.KNOWN) {
+      for (double lengthMm : lengthsMm) {
+        progress.accept("tools: " + device.name() + " rod=" + lengthMm + " mm");
+        for (Grip grip : quick ? List.of(Grip.LIGHT) : List.of(Grip.LIGHT, Grip.FIRM)) {
+          for (int delay = quick ? 2 : 1; delay <= 2; delay++) {
+            Sampling sampling = new Sampling(DEFAULT_SAMPLING.rateHz(), delay);
+            for (DeviceModel varied : varied(device, massFactors, dampingFactors)) {
+              rows.add(row(new ToolTrial(varied, grip, sampling, lengthMm)));
             }
           }
         }
@@ -140,11 +191,31 @@ public final class StabilityStudy {
     return rows;
   }
 
+  private static ToolRow row(ToolTrial trial) {
+    double defaultStiffness = defaultNewtonPerM(trial.device());
+    return new ToolRow(
+        trial, defaultStiffness, StiffnessSearch.largest(trial::run), trial.run(defaultStiffness));
+  }
+
+  private static List<DeviceModel> varied(
+      DeviceModel device, double[] massFactors, double[] dampingFactors) {
+    List<DeviceModel> all = new ArrayList<>();
+    for (double massFactor : massFactors) {
+      for (double dampingFactor : dampingFactors) {
+        all.add(
+            device
+                .withHandleKg(device.handleKg() * massFactor)
+                .withDamping(device.dampingNewtonSecondPerM() * dampingFactor));
+      }
+    }
+    return all;
+  }
+
   private DeviceRow row(DeviceModel device, Grip grip, Sampling sampling) {
     double defaultStiffness = defaultNewtonPerM(device);
     Trial trial = new Trial(device, grip, sampling, wall, GUARDED, true);
     return new DeviceRow(
-        trial, defaultStiffness, StiffnessSearch.largest(trial), trial.run(defaultStiffness));
+        trial, defaultStiffness, StiffnessSearch.largest(trial::run), trial.run(defaultStiffness));
   }
 
   private static double defaultNewtonPerM(DeviceModel device) {
@@ -169,7 +240,7 @@ public final class StabilityStudy {
               new DeviceRow(
                   trial,
                   defaultStiffness,
-                  StiffnessSearch.largest(trial),
+                  StiffnessSearch.largest(trial::run),
                   trial.run(defaultStiffness)));
         }
       }

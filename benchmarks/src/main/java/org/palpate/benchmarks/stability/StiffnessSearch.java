@@ -1,5 +1,8 @@
 package org.palpate.benchmarks.stability;
 
+import java.util.function.DoubleFunction;
+import org.palpate.benchmarks.stability.ClosedLoop.Outcome;
+
 /**
  * Finds the largest stable stiffness of a trial. It doubles a soft start until the handle vibrates,
  * then bisects the interval on a logarithmic scale.
@@ -19,11 +22,13 @@ final class StiffnessSearch {
   /**
    * Returns the largest stable stiffness, N/m; 0 if the softest is unstable, infinity if the
    * stiffest is stable.
+   *
+   * @param trial runs with a stiffness, N/m
    */
-  static double largest(Trial trial) {
+  static double largest(DoubleFunction<Outcome> trial) {
     double stable = 0;
     double unstable = SOFTEST;
-    while (unstable <= STIFFEST && trial.run(unstable).stable()) {
+    while (unstable <= STIFFEST && trial.apply(unstable).stable()) {
       stable = unstable;
       unstable *= 2;
     }
@@ -33,12 +38,12 @@ final class StiffnessSearch {
     return unstable > STIFFEST ? Double.POSITIVE_INFINITY : between(trial, stable, unstable);
   }
 
-  private static double between(Trial trial, double low, double high) {
+  private static double between(DoubleFunction<Outcome> trial, double low, double high) {
     double stable = low;
     double unstable = high;
     for (int i = 0; i < HALVINGS; i++) {
       double middle = Math.sqrt(stable * unstable);
-      if (trial.run(middle).stable()) {
+      if (trial.apply(middle).stable()) {
         stable = middle;
       } else {
         unstable = middle;

@@ -110,10 +110,4 @@ public record TouchedShape(String name, CollisionScene scene, Vec3 touchMm, Vec3
     Vec3 direction = new Vec3(x, y, z);
     return direction.mul(1 / direction.length(), direction);
   }
-
-  /** Returns a point on the line through the touched point, mm outside of it (negative: inside). */
-  Vec3 alongMm(double outside) {
-    Vec3 at = inward.mul(-outside, new Vec3());
-    return at.add(touchMm, at);
-  }
 }

@@ -14,8 +14,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.palpate.benchmarks.report.StudyTable;
 import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
+import org.palpate.benchmarks.stability.StabilityStudy.ToolRow;
 import org.palpate.device.DeviceState;
 import org.palpate.device.ReadStatus;
+import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 class ClosedLoopTest {
@@ -33,7 +35,7 @@ class ClosedLoopTest {
           new Trial(BARE, Grip.NONE, sampling, TouchedShape.wall(), StabilityStudy.GUARDED, false);
       assertTrue(trial.run(passive * 0.7).stable(), "delay=" + delay);
       assertFalse(trial.run(passive * 1.4).stable(), "delay=" + delay);
-      double largest = StiffnessSearch.largest(trial);
+      double largest = StiffnessSearch.largest(trial::run);
       assertTrue(largest > passive * 0.7 && largest < passive * 1.1, "largest=" + largest);
     }
   }
@@ -75,7 +77,8 @@ class ClosedLoopTest {
   /** Pushes sideways in the first frame and returns the frame in which the handle moves. */
   private static int framesUntilPushed(int delay) {
     Reach reach = new Reach(new Vec3(0, 0, 1), new Vec3(0, 0, -1), 1, 1);
-    Plant plant = new Plant(BARE, Grip.NONE, new Sampling(1000, delay), reach, 1);
+    HandleMotion motion = new HandleMotion(BARE, Grip.NONE, reach);
+    Plant plant = new Plant(BARE, new Sampling(1000, delay), reach, 1, motion, new Quaternion());
     DeviceState sample = new DeviceState();
     for (int frame = 0; frame < 10; frame++) {
       assertEquals(ReadStatus.FRESH, plant.read(sample));
@@ -85,6 +88,39 @@ class ClosedLoopTest {
       plant.write(frame == 0 ? new Vec3(100, 0, 0) : new Vec3(), new Vec3());
     }
     return -1;
+  }
+
+  @Test
+  void aTorqueTurnsTheHandleAboutItsAxisFromTheIntendedOrientation() {
+    Reach reach = new Reach(new Vec3(0, 0, 1), new Vec3(0, 0, -1), 1, 1);
+    Quaternion upright = new Quaternion().setRotationVector(new Vec3(0, 1, 0));
+    HandleMotion motion = HandleMotion.turning(BARE, Grip.NONE, reach);
+    Plant plant = new Plant(BARE, new Sampling(1000, 0), reach, 1, motion, upright);
+    DeviceState sample = new DeviceState();
+    plant.read(sample);
+    assertEquals(1, Math.abs(sample.orientation.dot(upright)), 1e-12);
+    for (int frame = 0; frame < 10; frame++) {
+      plant.write(new Vec3(), new Vec3(40, 0, 0));
+      plant.read(sample);
+    }
+    Vec3 turned =
+        sample.orientation.multiply(upright.conjugate(upright), upright).rotationVector(new Vec3());
+    double inertia = 0.1 * 0.02 * 0.02;
+    assertEquals(0.5 * 0.04 / inertia * 0.01 * 0.01, turned.x, 0.1 * turned.x);
+    assertEquals(0, turned.y, 1e-9);
+    assertTrue(sample.positionMm.sameBits(new Vec3(0, 0, 1)), "no force, no motion");
+  }
+
+  @Test
+  void aFirmlyHeldRodRestsOnAWallAtTheDefaultStiffnessOfEveryDevice() {
+    for (DeviceModel device : DeviceModel.KNOWN) {
+      for (double lengthMm : new double[] {0, 60}) {
+        ToolTrial trial = new ToolTrial(device, Grip.FIRM, new Sampling(1000, 1), lengthMm);
+        ClosedLoop.Outcome outcome = trial.run(500 * device.maxStiffnessNewtonPerMm());
+        assertTrue(outcome.stable(), device.name() + " rod " + lengthMm + " " + outcome);
+        assertTrue(outcome.riseNewtonPerMs() > 0, device.name() + " touches nothing");
+      }
+    }
   }
 
   @Test
@@ -123,7 +159,7 @@ class ClosedLoopTest {
               shape,
               StabilityStudy.GUARDED,
               true);
-      Trial.Outcome outcome = trial.run(200);
+      ClosedLoop.Outcome outcome = trial.run(200);
       assertTrue(outcome.stable(), shape.name() + " " + outcome);
       assertTrue(outcome.riseNewtonPerMs() > 0, shape.name() + " " + outcome);
     }
@@ -149,7 +185,14 @@ class ClosedLoopTest {
             TouchedShape.wall(),
             StabilityStudy.GUARDED,
             true);
-    DeviceRow row = new DeviceRow(trial, 200, 500, new Trial.Outcome(true, 0.01, 0.2, 0.03));
+    DeviceRow row = new DeviceRow(trial, 200, 500, new ClosedLoop.Outcome(true, 0.01, 0.2, 0.03));
+    ToolTrial held = new ToolTrial(trial.device(), Grip.FIRM, trial.sampling(), 0);
+    ToolRow tool = new ToolRow(held, 200, 300, row.atDefault());
+    StudyTable.STABILITY_TOOLS.write(folder, List.of(tool), ToolRow::cells);
+    assertTrue(
+        Files.readAllLines(folder.resolve("stability-tools.csv"))
+            .get(1)
+            .endsWith(",1000.0,1,0.05,0.5,200.0,300.0,1.5,0.01,0.2,0.03"));
     TheoryRow theory = new TheoryRow(new Sampling(1000, 1), 2, 1200, 1333);
     StudyTable.STABILITY_DEVICES.write(folder, List.of(row), DeviceRow::cells);
     StudyTable.STABILITY_THEORY.write(folder, List.of(theory), TheoryRow::cells);
