@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
  */
 enum StudyDuration {
   CPP(56, 56),
-  STABILITY(480, 60),
+  STABILITY(1200, 80),
   ACCURACY(Double.NaN, 42),
   RIGID(720, 120),
   SYNC(83, 22),
