@@ -12,9 +12,12 @@ final class CacheKeys {
   static final int SLOTS = EDGE * EDGE * EDGE;
 
   private static final int MASK = EDGE - 1;
-  private static final int INTS = 4;
+  private static final int LONGS = 2;
+  private static final long LOW_INT = 0xFFFF_FFFFL;
 
-  private final int[] keys = new int[INTS * SLOTS];
+  /** For each slot x and y in one word, z and the generation in the next. */
+  private final long[] keys = new long[LONGS * SLOTS];
+
   private int generation = 1;
 
   /** Forgets all keys. */
@@ -29,14 +32,13 @@ final class CacheKeys {
 
   /** Whether a slot holds a position; otherwise it does from now on. */
   boolean holdsElseSet(int slot, int x, int y, int z) {
-    int at = INTS * slot;
-    boolean holds =
-        keys[at] == generation && keys[at + 1] == x && keys[at + 2] == y && keys[at + 3] == z;
+    int at = LONGS * slot;
+    long first = (long) x << Integer.SIZE | (y & LOW_INT);
+    long second = (long) z << Integer.SIZE | generation;
+    boolean holds = keys[at] == first && keys[at + 1] == second;
     if (!holds) {
-      keys[at] = generation;
-      keys[at + 1] = x;
-      keys[at + 2] = y;
-      keys[at + 3] = z;
+      keys[at] = first;
+      keys[at + 1] = second;
     }
     return holds;
   }

@@ -42,6 +42,9 @@ final class ShapeInterpolation {
   private final double perVoxel;
   private final double reach;
 
+  /** A terrace shorter than this needs no scatter, whatever rounding does; pixels. */
+  private final double noScatterBelow;
+
   /**
    * Creates the interpolation.
    *
@@ -51,6 +54,7 @@ final class ShapeInterpolation {
     this.outline = outline;
     this.perVoxel = perVoxel;
     reach = outline.reach();
+    noScatterBelow = 0.99 * SCATTER_FROM_CELLS * perVoxel;
   }
 
   /**
@@ -58,14 +62,12 @@ final class ShapeInterpolation {
    * more than 0, and no more than to the middle of the next slice, where it is empty.
    *
    * @param step to the next slice: 1 or -1
-   * @param endsInSolid whether the solid slice may have an outline within reach
-   * @param endsInEmpty whether the next one may
+   * @param inside the distance to the outline of the solid slice, pixels
+   * @param outside the distance to that of the next one
    */
-  double heightCells(int u, int v, int slice, int step, boolean endsInSolid, boolean endsInEmpty) {
-    double inside = endsInSolid ? outline.distance(u, v, slice, false) : reach;
-    double outside = endsInEmpty ? outline.distance(u, v, slice + step, true) : reach;
+  double heightCells(int u, int v, int slice, int step, double inside, double outside) {
     double cells = crossing(u, v, slice, step, inside, outside) * perVoxel;
-    double scattered = cells + scatter((inside + outside) / perVoxel, u, v);
+    double scattered = cells + scatter(inside + outside, u, v);
     return Math.max(MIN_HEIGHT_CELLS, Math.min(perVoxel, scattered));
   }
 
@@ -93,9 +95,9 @@ final class ShapeInterpolation {
    * @param near the distance to the nearest edge of the chord
    */
   private double endBeyond(int u, int v, int last, int before, boolean solid, double near) {
-    outline.coverAll(u, v, last);
-    outline.coverAll(u, v, before);
-    double far = outline.distanceOpposite(u, v, last, solid);
+    outline.coverAll(u >> 2, v >> 2, last);
+    outline.coverAll(u >> 2, v >> 2, before);
+    double far = outline.distanceOpposite(u, v, last, solid, near);
     double whole = outline.distance(u, v, before, solid);
     if (whole >= reach && far > reach - 1) {
       return near / (near + reach);
@@ -113,9 +115,14 @@ final class ShapeInterpolation {
    * Returns what is added to the height of a column before it is rounded to cells. On terraces that
    * are longer than the smoothing is wide, heights are scattered evenly over a cell, so that
    * columns round to the right height on average.
+   *
+   * @param terrace the length of the terrace, pixels
    */
-  private static double scatter(double terraceCells, int u, int v) {
-    double weight = (terraceCells - SCATTER_FROM_CELLS) / SCATTER_RAMP_CELLS;
+  private double scatter(double terrace, int u, int v) {
+    if (terrace < noScatterBelow) {
+      return 0;
+    }
+    double weight = (terrace / perVoxel - SCATTER_FROM_CELLS) / SCATTER_RAMP_CELLS;
     if (weight <= 0) {
       return 0;
     }

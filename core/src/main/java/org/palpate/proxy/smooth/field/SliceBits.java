@@ -113,6 +113,9 @@ final class SliceBits {
     int fromV = v - reach;
     int toV = v + reach + 1;
     boolean holds = generations[at] == generation && layer[at] == w >> 2;
+    if (holds && lowU[at] <= fromU && endU[at] >= toU && lowV[at] <= fromV && endV[at] >= toV) {
+      return;
+    }
     boolean overlaps =
         holds && lowU[at] <= toU && endU[at] >= fromU && lowV[at] <= toV && endV[at] >= fromV;
     if (!overlaps) {
@@ -160,10 +163,15 @@ final class SliceBits {
   private void write(long brick, int at, int u, int v) {
     int shift = 4 * u & EDGE_MASK;
     long others = ~(0xFL << shift);
-    int first = 4 * at * EDGE + (4 * v & EDGE_MASK);
-    for (int n = 0; n < 16; n++) {
-      int row = first + (n >> 2) * EDGE + (n & 3);
-      rows[row] = (rows[row] & others) | (brick >>> (4 * n) & 0xF) << shift;
+    int row = 4 * at * EDGE + (4 * v & EDGE_MASK);
+    long left = brick;
+    for (int slice = 0; slice < 4; slice++) {
+      rows[row] = (rows[row] & others) | (left & 0xF) << shift;
+      rows[row + 1] = (rows[row + 1] & others) | (left >>> 4 & 0xF) << shift;
+      rows[row + 2] = (rows[row + 2] & others) | (left >>> 8 & 0xF) << shift;
+      rows[row + 3] = (rows[row + 3] & others) | (left >>> 12 & 0xF) << shift;
+      row += EDGE;
+      left >>>= 16;
     }
   }
 }

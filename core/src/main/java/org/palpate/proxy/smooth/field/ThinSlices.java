@@ -14,7 +14,8 @@ final class ThinSlices implements BrickSource {
   /** All columns of a tile. */
   private static final int ALL = 0xFFFF;
 
-  private static final int COLUMNS = 16;
+  /** The columns of a tile. */
+  static final int COLUMNS = 16;
 
   /** The most cells of a pair. */
   private static final int MAX_CELLS = ThinGrid.MAX_PER_VOXEL + 1;
@@ -25,6 +26,7 @@ final class ThinSlices implements BrickSource {
   private static final int MAX_REACH_BRICKS = 7;
 
   private final ThinGrid grid;
+  private final CellPairs pairs;
   private final SliceBits slices;
   private final SliceOutline outline;
   private final ShapeInterpolation interpolation;
@@ -35,11 +37,21 @@ final class ThinSlices implements BrickSource {
   /** For each tile and each cell between the two slices, the solid columns. */
   private final char[] tiles = new char[CacheKeys.SLOTS * MAX_CELLS];
 
+  /** For each column of a tile, the distance to the outline of the solid slice, pixels. */
+  private final double[] inside = new double[COLUMNS];
+
+  /** The same for the slice where the column is empty. */
+  private final double[] outside = new double[COLUMNS];
+
+  /** The heights of the columns beyond the middle of the solid slice, in cells. */
+  private final double[] heights = new double[COLUMNS];
+
   /** Creates the thin slices of a grid whose cells are not voxels. */
   ThinSlices(ThinGrid grid) {
     this.grid = grid;
     int reachBricks =
         Math.min(MAX_REACH_BRICKS, (int) Math.ceil(REACH_BRICKS_PER_CELL * grid.perVoxel()));
+    pairs = new CellPairs(grid);
     slices = new SliceBits(grid.axis());
     outline = new SliceOutline(slices, 4 * reachBricks);
     interpolation = new ShapeInterpolation(outline, grid.perVoxel());
@@ -71,10 +83,9 @@ final class ThinSlices implements BrickSource {
   }
 
   private long thinBrick(int u, int v, int w) {
-    int first = 4 * w;
-    int pair = grid.pairOf(first);
-    int lowW = pair >> 2;
-    int highW = (grid.pairOf(first + 3) + 1) >> 2;
+    int slot = pairs.slotOf(w);
+    int lowW = pairs.pair(slot, 0) >> 2;
+    int highW = (pairs.pair(slot, 3) + 1) >> 2;
     long low = slices.brick(u, v, lowW);
     long high = highW == lowW ? low : slices.brick(u, v, highW);
     if (low == high && (low == 0 || low == -1)) {
@@ -82,10 +93,11 @@ final class ThinSlices implements BrickSource {
     }
     long brick = 0;
     for (int n = 0; n < 4; n++) {
-      pair = first + n < grid.firstOfPair(pair + 1) ? pair : pair + 1;
+      int pair = pairs.pair(slot, n);
       int lower = pixels(pair >> 2 == lowW ? low : high, pair);
       int upper = pixels((pair + 1) >> 2 == lowW ? low : high, pair + 1);
-      long columns = lower == upper ? lower : between(u, v, pair, first + n, lower, upper);
+      long columns =
+          lower == upper ? lower : between(u, v, pair, pairs.inPair(slot, n), lower, upper);
       brick |= columns << (COLUMNS * n);
     }
     return brick;
@@ -96,19 +108,22 @@ final class ThinSlices implements BrickSource {
     return (int) (brick >>> (COLUMNS * (slice & 3))) & ALL;
   }
 
-  /** Returns the solid columns of a tile in one cell between two slices that differ there. */
-  private int between(int u, int v, int pair, int cell, int lower, int upper) {
+  /**
+   * Returns the solid columns of a tile in one cell between two slices that differ there.
+   *
+   * @param inPair the number of the cell between the slices
+   */
+  private int between(int u, int v, int pair, int inPair, int lower, int upper) {
     int slot = CacheKeys.slot(u, v, pair);
     if (!tileKeys.holdsElseSet(slot, u, v, pair)) {
       fillTile(u, v, pair, lower, upper, MAX_CELLS * slot);
     }
-    return tiles[MAX_CELLS * slot + cell - grid.firstOfPair(pair)];
+    return tiles[MAX_CELLS * slot + inPair];
   }
 
   private void fillTile(int u, int v, int pair, int lower, int upper, int at) {
-    outline.coverNear(u, v, pair);
-    outline.coverNear(u, v, pair + 1);
-    int cells = grid.firstOfPair(pair + 1) - grid.firstOfPair(pair);
+    int first = grid.firstOfPair(pair);
+    int cells = grid.firstOfPair(pair + 1) - first;
     for (int n = 0; n < cells; n++) {
       tiles[at + n] = (char) (lower & upper);
     }
@@ -117,37 +132,43 @@ final class ThinSlices implements BrickSource {
   }
 
   /**
-   * Fills the columns that are solid in one slice and empty in the other.
+   * Fills the columns that are solid in one slice and empty in the other: those cells whose centres
+   * lie nearer to the middle of the solid slice than the column is high.
    *
    * @param step 1 if the lower slice is the solid one, else -1
    */
   private void fillColumns(int u, int v, int pair, int step, int columns, int at) {
+    if (columns == 0) {
+      return;
+    }
     int solidSlice = step > 0 ? pair : pair + 1;
-    boolean whole = columns == ALL;
-    boolean endsInSolid = !whole || outline.isAnyAround(u, v, solidSlice, false);
-    boolean endsInEmpty = !whole || outline.isAnyAround(u, v, solidSlice + step, true);
+    outline.measure(u, v, solidSlice, false, columns, inside);
+    outline.measure(u, v, solidSlice + step, true, columns, outside);
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
-      double height =
+      heights[column] =
           interpolation.heightCells(
               4 * u + (column & 3),
               4 * v + (column >> 2),
               solidSlice,
               step,
-              endsInSolid,
-              endsInEmpty);
-      fillColumn(pair, solidSlice, height, 1 << column, at);
+              inside[column],
+              outside[column]);
+    }
+    int first = grid.firstOfPair(pair);
+    int cells = grid.firstOfPair(pair + 1) - first;
+    for (int n = 0; n < cells; n++) {
+      tiles[at + n] |= (char) higher(Math.abs(grid.beyondMiddle(first + n, solidSlice)), columns);
     }
   }
 
-  /** Fills the cells whose centres lie nearer than a height to the middle of the solid slice. */
-  private void fillColumn(int pair, int solidSlice, double heightCells, int column, int at) {
-    int first = grid.firstOfPair(pair);
-    int end = grid.firstOfPair(pair + 1);
-    for (int cell = first; cell < end; cell++) {
-      if (Math.abs(grid.beyondMiddle(cell, solidSlice)) < heightCells) {
-        tiles[at + cell - first] |= (char) column;
-      }
+  /** Returns those of some columns that are higher than a number of cells. */
+  private int higher(double cells, int columns) {
+    int higher = 0;
+    for (int left = columns; left != 0; left &= left - 1) {
+      int column = Integer.numberOfTrailingZeros(left);
+      higher |= heights[column] > cells ? 1 << column : 0;
     }
+    return higher;
   }
 }

@@ -1,0 +1,122 @@
+package org.palpate.proxy.smooth.field;
+
+import java.util.Arrays;
+
+/**
+ * Finds the nearest solid or empty pixel for all columns of a tile at once.
+ *
+ * <p>Pixels count by their distance: those one pixel away first, then those along a diagonal, and
+ * so on. A step adds all pixels that lie {@code off} rows and {@code along} pixels away. It spreads
+ * each set bit of these rows by one more pixel to either side, and thereby reaches all columns of
+ * the tile (SIMD within a register, SWAR).
+ *
+ * <pre>
+ *   word   16 bits for each of four rows; column c of the tile is bit 6 + c of a row
+ * </pre>
+ */
+final class NearestPixels {
+  /**
+   * The greatest distance along u or v that is searched. A bit that spreads so far reaches no
+   * column of the tile in another row of the word.
+   */
+  static final int REACH = 6;
+
+  /** Squared distances from this on are not found, because some such pixels are out of reach. */
+  private static final int END_SQUARE = (REACH + 1) * (REACH + 1);
+
+  private static final int ROW_BITS = 16;
+  private static final long ROW = 0xFFFF;
+  private static final int OFF = 0xF;
+  private static final int ALONG = 4;
+
+  /** The steps in the order of distance: rows away in the low four bits, then pixels along. */
+  private static final byte[] STEPS = steps();
+
+  private final SliceBits bits;
+
+  /** The set bits of the rows that are so many rows away on either side, spread so far. */
+  private final long[] spread = new long[REACH + 1];
+
+  NearestPixels(SliceBits bits) {
+    this.bits = bits;
+  }
+
+  private static byte[] steps() {
+    byte[] steps = new byte[END_SQUARE];
+    int count = 0;
+    for (int square = 1; square < END_SQUARE; square++) {
+      for (int off = 0; off <= REACH; off++) {
+        for (int along = 0; along <= REACH; along++) {
+          if (off * off + along * along == square) {
+            steps[count++] = (byte) (along << ALONG | off);
+          }
+        }
+      }
+    }
+    return Arrays.copyOf(steps, count);
+  }
+
+  /**
+   * Finds the nearest pixels of a kind around the tile of brick (u,v). Pixels within reach of it
+   * must be covered.
+   *
+   * @param solid whether the nearest solid or the nearest empty pixel is sought
+   * @param columns the pixels of the tile that are of the other kind and search, a bit each
+   * @param squares receives the squared distance for each pixel that is returned
+   * @return those of the columns that have found one
+   */
+  int find(int brickU, int brickV, int slice, boolean solid, int columns, int[] squares) {
+    long flip = solid ? 0 : -1;
+    int turn = 4 * brickU - REACH;
+    int v = 4 * brickV;
+    long up = 0;
+    for (int n = 0; n < 4; n++) {
+      up |= row(v + n, slice, turn, flip) << (ROW_BITS * n);
+    }
+    long down = up;
+    spread[0] = up;
+    long left = spaced(columns);
+    for (int n = 0; n < STEPS.length && left != 0; n++) {
+      int off = STEPS[n] & OFF;
+      int along = STEPS[n] >> ALONG;
+      if (along == 0) {
+        up = up >>> ROW_BITS | row(v + 3 + off, slice, turn, flip) << (3 * ROW_BITS);
+        down = down << ROW_BITS | row(v - off, slice, turn, flip);
+        spread[off] = up | down;
+      } else {
+        spread[off] |= spread[off] << 1 | spread[off] >>> 1;
+      }
+      long reached = left & spread[off];
+      if (reached != 0) {
+        left ^= reached;
+        write(off * off + along * along, reached, squares);
+      }
+    }
+    return columns & ~gathered(left);
+  }
+
+  /** Returns a row with column 0 of the tile at bit REACH. */
+  private long row(int v, int slice, int turn, long flip) {
+    return Long.rotateRight(bits.row(v, slice) ^ flip, turn) & ROW;
+  }
+
+  /** Returns the columns of a tile as bits of a word. */
+  private static long spaced(int columns) {
+    long rows = (columns | (long) columns << 24) & 0x0000_00FF_0000_00FFL;
+    return ((rows | rows << 12) & 0x000F_000F_000F_000FL) << REACH;
+  }
+
+  /** Returns the bits of a word as columns of a tile. */
+  private static int gathered(long word) {
+    long rows = word >>> REACH;
+    rows = (rows | rows >>> 12) & 0x0000_00FF_0000_00FFL;
+    return (int) (rows | rows >>> 24) & 0xFFFF;
+  }
+
+  private static void write(int square, long reached, int[] squares) {
+    for (long left = reached; left != 0; left &= left - 1) {
+      int bit = Long.numberOfTrailingZeros(left) - REACH;
+      squares[((bit >> 2) & ~3) | (bit & 3)] = square;
+    }
+  }
+}
