@@ -7,7 +7,8 @@ import org.palpate.volume.VoxelGrid;
  * A change of a segment's voxels. Any thread makes it and puts it into an {@link EditQueue}, once;
  * the haptic thread applies it between frames.
  */
-public abstract sealed class Edit permits VoxelEdit, BrushEdit, SwapEdit, GreyEdit, HistoryEdit {
+public abstract sealed class Edit
+    permits VoxelEdit, VoxelListEdit, BrushEdit, SwapEdit, GreyEdit, HistoryEdit {
   private final int segment;
   private volatile boolean done;
 

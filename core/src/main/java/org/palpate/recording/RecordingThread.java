@@ -18,18 +18,30 @@ public final class RecordingThread implements AutoCloseable {
 
   private final SampleRecorder recorder;
   private final SampleRecorder.Sink sink;
+  private final Runnable others;
   private final Thread thread = new Thread(this::writeUntilEnded, "palpate-recorder");
   private volatile boolean ended;
   private volatile RuntimeException failure;
 
-  private RecordingThread(SampleRecorder recorder, SampleRecorder.Sink sink) {
+  private RecordingThread(SampleRecorder recorder, SampleRecorder.Sink sink, Runnable others) {
     this.recorder = recorder;
     this.sink = sink;
+    this.others = others;
   }
 
   /** Starts a thread that writes the samples of {@code recorder} into {@code sink}. */
   public static RecordingThread start(SampleRecorder recorder, SampleRecorder.Sink sink) {
-    RecordingThread recording = new RecordingThread(recorder, sink);
+    return start(recorder, sink, () -> {});
+  }
+
+  /**
+   * Starts a thread that also moves what other recorders hold.
+   *
+   * @param others moves it, after the samples; runs in the thread
+   */
+  public static RecordingThread start(
+      SampleRecorder recorder, SampleRecorder.Sink sink, Runnable others) {
+    RecordingThread recording = new RecordingThread(recorder, sink, others);
     recording.thread.setDaemon(true);
     recording.thread.start();
     return recording;
@@ -39,9 +51,11 @@ public final class RecordingThread implements AutoCloseable {
     try {
       while (!ended) {
         recorder.drainTo(sink);
+        others.run();
         LockSupport.parkNanos(this, PAUSE_NANOS);
       }
       recorder.drainTo(sink);
+      others.run();
     } catch (RuntimeException e) {
       failure = e;
     }

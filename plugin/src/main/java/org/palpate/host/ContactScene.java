@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
+import org.palpate.carve.CarveSettings;
 import org.palpate.collision.CollisionScene;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
@@ -253,8 +254,30 @@ public final class ContactScene {
    * @param publisher receives the result of each frame on the haptic thread
    */
   public PointFrame newFrame(GridDevice gridDevice, FrameSettings frame, FramePublisher publisher) {
-    return new PointFrame(
-        gridDevice, newSolver(), newCollisionScene(), metric, frame, edits, publisher);
+    PointFrame made =
+        new PointFrame(
+            gridDevice, newSolver(), newCollisionScene(), metric, frame, edits, publisher);
+    carve().ifPresent(made::carve);
+    return made;
+  }
+
+  /** Returns how a tool cuts, if it does. */
+  Optional<CarveSettings> carve() {
+    return settings.carveMm3PerNewtonSecond().isPresent()
+        ? Optional.of(
+            new CarveSettings(
+                settings.carveMm3PerNewtonSecond().getAsDouble(),
+                volume.segments().stream().map(this::cutNewton).toList(),
+                null))
+        : Optional.empty();
+  }
+
+  private double cutNewton(Segment segment) {
+    return settings
+        .materials()
+        .getOrDefault(segment.name(), MaterialOverride.NONE)
+        .cutNewton()
+        .orElse(0);
   }
 
   /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */

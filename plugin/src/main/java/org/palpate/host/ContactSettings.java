@@ -26,6 +26,9 @@ import org.palpate.volume.VoxelGrid;
  * @param maxForceNewton the largest force, N; if empty, the device's maximum
  * @param frictionForm the friction model
  * @param materials overrides of stiffness, friction and damping by the name of a segment
+ * @param carveMm3PerNewtonSecond the volume that the tool removes for each N s, mm^3; if empty, it
+ *     does not cut
+ * @param protectedMm for names of segments the margin around them that nothing cuts, mm
  * @param border how {@link SolverKind#DOT} and {@link SolverKind#PAPER} find border voxels; frames
  *     do not depend on it
  */
@@ -38,6 +41,8 @@ public record ContactSettings(
     OptionalDouble maxForceNewton,
     FrictionForm frictionForm,
     Map<String, MaterialOverride> materials,
+    OptionalDouble carveMm3PerNewtonSecond,
+    Map<String, Double> protectedMm,
     BorderChoice border) {
   private static final double SMALLEST_USUAL_MM = 32;
   private static final double LARGEST_USUAL_MM = 1000;
@@ -48,9 +53,10 @@ public record ContactSettings(
   /** Exponent of the stiffness against the extent, for scenes just below the usual extents. */
   private static final double GROWTH = 1.5;
 
-  /** Copies the map. */
+  /** Copies the maps. */
   public ContactSettings {
     materials = Map.copyOf(materials);
+    protectedMm = Map.copyOf(protectedMm);
   }
 
   /** Returns the default settings. */
@@ -111,6 +117,8 @@ public record ContactSettings(
     private OptionalDouble maxForceNewton = OptionalDouble.empty();
     private FrictionForm frictionForm = FrictionForm.EQUATION_4;
     private Map<String, MaterialOverride> materials = Map.of();
+    private OptionalDouble carveMm3PerNewtonSecond = OptionalDouble.empty();
+    private Map<String, Double> protectedMm = Map.of();
     private BorderChoice border = BorderChoice.ON_THE_FLY;
 
     private Builder(SolverKind solver) {
@@ -165,6 +173,18 @@ public record ContactSettings(
       return this;
     }
 
+    /** Sets the volume that the tool removes for each N s, mm^3; empty if it does not cut. */
+    public Builder carve(OptionalDouble mm3PerNewtonSecond) {
+      carveMm3PerNewtonSecond = mm3PerNewtonSecond;
+      return this;
+    }
+
+    /** Sets margins around segments, by their names, that nothing cuts, mm. */
+    public Builder protect(Map<String, Double> marginsMm) {
+      protectedMm = marginsMm;
+      return this;
+    }
+
     /** Sets how the paper's solvers find border voxels. */
     public Builder border(BorderChoice choice) {
       border = choice;
@@ -182,6 +202,8 @@ public record ContactSettings(
           maxForceNewton,
           frictionForm,
           materials,
+          carveMm3PerNewtonSecond,
+          protectedMm,
           border);
     }
   }

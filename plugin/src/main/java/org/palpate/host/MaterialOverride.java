@@ -12,12 +12,14 @@ import org.palpate.force.Material;
  * @param friction static friction coefficient; also the kinetic one if that is not given
  * @param slidingFriction kinetic friction coefficient, at most the static one
  * @param dampingNewtonSecondPerMm force per speed, N s/mm
+ * @param cutNewton the force below which a cutting tool meets a hard wall, N
  */
 public record MaterialOverride(
     OptionalDouble stiffnessNewtonPerMm,
     OptionalDouble friction,
     OptionalDouble slidingFriction,
-    OptionalDouble dampingNewtonSecondPerMm) {
+    OptionalDouble dampingNewtonSecondPerMm,
+    OptionalDouble cutNewton) {
   /** The smallest stiffness other than 0, N/mm. */
   public static final double LEAST_STIFFNESS = 1e-6;
 
@@ -35,11 +37,12 @@ public record MaterialOverride(
           OptionalDouble.empty(),
           OptionalDouble.empty(),
           OptionalDouble.empty(),
+          OptionalDouble.empty(),
           OptionalDouble.empty());
 
   /**
-   * Parses any of the four as in {@code stiffness:0.8,friction:0.3,sliding:0.2,damping:0.001}, each
-   * at most once.
+   * Parses any of the five as in {@code
+   * stiffness:0.8,friction:0.3,sliding:0.2,damping:0.001,cut:0.5}, each at most once.
    *
    * <p>Returns empty if the text has another form, a number is out of its range, or sliding exceeds
    * friction. A stiffness of 0 is allowed: the user does not feel such a segment.
@@ -91,17 +94,24 @@ public record MaterialOverride(
    */
   private MaterialOverride with(String name, OptionalDouble value) {
     if (name.equals("stiffness") && stiffnessNewtonPerMm.isEmpty()) {
-      return new MaterialOverride(value, friction, slidingFriction, dampingNewtonSecondPerMm);
+      return new MaterialOverride(
+          value, friction, slidingFriction, dampingNewtonSecondPerMm, cutNewton);
     }
     if (name.equals("friction") && friction.isEmpty()) {
       return new MaterialOverride(
-          stiffnessNewtonPerMm, value, slidingFriction, dampingNewtonSecondPerMm);
+          stiffnessNewtonPerMm, value, slidingFriction, dampingNewtonSecondPerMm, cutNewton);
     }
     if (name.equals("sliding") && slidingFriction.isEmpty()) {
-      return new MaterialOverride(stiffnessNewtonPerMm, friction, value, dampingNewtonSecondPerMm);
+      return new MaterialOverride(
+          stiffnessNewtonPerMm, friction, value, dampingNewtonSecondPerMm, cutNewton);
     }
     if (name.equals("damping") && dampingNewtonSecondPerMm.isEmpty()) {
-      return new MaterialOverride(stiffnessNewtonPerMm, friction, slidingFriction, value);
+      return new MaterialOverride(
+          stiffnessNewtonPerMm, friction, slidingFriction, value, cutNewton);
+    }
+    if (name.equals("cut") && cutNewton.isEmpty()) {
+      return new MaterialOverride(
+          stiffnessNewtonPerMm, friction, slidingFriction, dampingNewtonSecondPerMm, value);
     }
     return this;
   }

@@ -2,12 +2,15 @@ package org.palpate.host;
 
 import java.io.IOException;
 import org.palpate.device.Trajectory;
+import org.palpate.edit.EditQueue;
+import org.palpate.edit.EditSchedule;
 import org.palpate.force.ForceRamp;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
 import org.palpate.frame.GridDevice;
+import org.palpate.frame.HapticFrame;
 import org.palpate.frame.PointFrame;
 import org.palpate.frame.Watchdog;
 import org.palpate.geometry.Vec3;
@@ -30,6 +33,7 @@ public final class ReplayRun {
   private final Trajectory trajectory;
   private final boolean world;
   private final boolean raw;
+  private final EditSchedule edits;
 
   /** Receives the result of each frame. */
   @FunctionalInterface
@@ -49,7 +53,9 @@ public final class ReplayRun {
         throws IOException;
   }
 
-  private ReplayRun(ContactScene scene, Trajectory trajectory, boolean world, boolean raw) {
+  private ReplayRun(
+      ContactScene scene, Trajectory trajectory, boolean world, boolean raw, EditSchedule edits) {
+    this.edits = edits;
     this.scene = scene;
     this.trajectory = trajectory;
     this.world = world;
@@ -58,17 +64,22 @@ public final class ReplayRun {
 
   /** Returns a replay of a trajectory in world mm. */
   public static ReplayRun inWorld(ContactScene scene, Trajectory trajectory) {
-    return new ReplayRun(scene, trajectory, true, false);
+    return new ReplayRun(scene, trajectory, true, false, EditSchedule.NONE);
   }
 
   /** Returns a replay of a trajectory in grid coordinates. */
   public static ReplayRun inGrid(ContactScene scene, Trajectory trajectory) {
-    return new ReplayRun(scene, trajectory, false, false);
+    return new ReplayRun(scene, trajectory, false, false, EditSchedule.NONE);
   }
 
   /** Returns this replay in raw mode, which treats samples as a live session does. */
   public ReplayRun inRawMode() {
-    return new ReplayRun(scene, trajectory, world, true);
+    return new ReplayRun(scene, trajectory, world, true, edits);
+  }
+
+  /** Returns this replay with recorded changes of voxels; it uses up the schedule. */
+  public ReplayRun withEdits(EditSchedule recorded) {
+    return new ReplayRun(scene, trajectory, world, raw, recorded);
   }
 
   /**
@@ -90,12 +101,20 @@ public final class ReplayRun {
     Vec3 force = new Vec3();
     long[] work = new long[trajectory.size()];
     for (int n = 0; n < work.length; n++) {
+      edits.offerUpTo(n, scene.edits());
       frame.run(frameNanos(trajectory, n, raw));
       work[n] = frame.followed() ? frame.work() : 0;
       toTrajectory(frame, point, force);
       sink.accept(n, device.lastPosition(), point, force, frame.point(), frame.wasFreed());
     }
+    applyRest(edits, scene.edits(), frame);
     return new Result(frame.statistics(), WorkPercentiles.of(work));
+  }
+
+  /** Applies the changes that a session made after its last sample. */
+  static void applyRest(EditSchedule edits, EditQueue queue, HapticFrame frame) {
+    edits.offerUpTo(Long.MAX_VALUE, queue);
+    queue.applyTo(frame.voxels(), Integer.MAX_VALUE);
   }
 
   /** Returns the time at which the frame of a sample begins. */
@@ -113,7 +132,7 @@ public final class ReplayRun {
         Double.POSITIVE_INFINITY,
         ForceRamp.DEFAULT_NANOS,
         raw ? Watchdog.MIN_SILENCE_NANOS : FrameSettings.NO_SILENCE,
-        FrameSettings.DEFAULT_EDIT_VOXELS_A_FRAME);
+        Integer.MAX_VALUE);
   }
 
   private void toTrajectory(PointFrame frame, Vec3 point, Vec3 force) {

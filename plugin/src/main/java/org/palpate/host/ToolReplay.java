@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
+import org.palpate.edit.EditSchedule;
 import org.palpate.force.ToolForce;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
@@ -26,6 +27,7 @@ public final class ToolReplay {
   private final ToolScene scene;
   private final Trajectory trajectory;
   private final boolean raw;
+  private final EditSchedule edits;
 
   /** Receives the result of each frame. */
   @FunctionalInterface
@@ -53,6 +55,12 @@ public final class ToolReplay {
    * @param raw whether samples are treated as in a live session
    */
   public ToolReplay(ToolScene scene, Trajectory trajectory, boolean raw) {
+    this(scene, trajectory, raw, EditSchedule.NONE);
+  }
+
+  /** Creates a replay with recorded changes of voxels; it uses up the schedule. */
+  public ToolReplay(ToolScene scene, Trajectory trajectory, boolean raw, EditSchedule edits) {
+    this.edits = edits;
     this.scene = scene;
     this.trajectory = trajectory;
     this.raw = raw;
@@ -111,10 +119,12 @@ public final class ToolReplay {
         scene.newFrame(device, settings, scene.coupling(newtonPerMm), ToolFramePublisher.NONE);
     long[] work = new long[trajectory.size()];
     for (int n = 0; n < work.length; n++) {
+      edits.offerUpTo(n, scene.edits());
       frame.run(ReplayRun.frameNanos(trajectory, n, raw));
       work[n] = frame.followed() ? frame.work() : 0;
       sink.accept(n, frame);
     }
+    ReplayRun.applyRest(edits, scene.edits(), frame);
     return new Result(frame.statistics(), WorkPercentiles.of(work), frame.mostReducedPoints());
   }
 }

@@ -163,7 +163,10 @@ public final class ToolScene {
       FrameSettings frame,
       RigidCoupling coupling,
       ToolFramePublisher publisher) {
-    return new ToolFrame(worldDevice, bodies, tool, solver, coupling, frame, edits, publisher);
+    ToolFrame made =
+        new ToolFrame(worldDevice, bodies, tool, solver, coupling, frame, edits, publisher);
+    scene.carve().ifPresent(made::carve);
+    return made;
   }
 
   /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */

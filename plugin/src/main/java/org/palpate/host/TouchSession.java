@@ -124,6 +124,15 @@ public final class TouchSession implements AutoCloseable {
   }
 
   private static HapticLoop newLoop(HapticFrame frame, SessionSettings settings, Runnable warmUp) {
+    settings
+        .editRecorder()
+        .ifPresent(
+            recorder ->
+                frame
+                    .voxels()
+                    .listen(
+                        (segment, i, j, k, solid) ->
+                            recorder.offer(frame.sampleOfChanges(), segment, i, j, k, solid)));
     return new HapticLoop(frame, settings.loop().withWarmUp(warmUp), settings.listener());
   }
 

@@ -6,9 +6,13 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
+import org.palpate.io.table.CsvWriter;
+import org.palpate.io.table.EditsCsv;
+import org.palpate.recording.EditRecorder;
 import org.palpate.recording.RecordingThread;
 import org.palpate.recording.SampleRecorder;
 import org.palpate.recording.TrajectoryWriter;
@@ -24,18 +28,37 @@ public final class TrajectoryRecording implements AutoCloseable {
   private final AtomicFile file;
   private final Writer writer;
   private final SampleRecorder recorder = new SampleRecorder();
+  private final EditRecorder editRecorder = new EditRecorder();
+  private final List<String> segments;
+
+  /** The file of edits, from the first edit on; belongs to the recording thread until it ends. */
+  private AtomicFile editsFile;
+
+  private CsvWriter editRows;
   private final RecordingThread thread;
 
   /** Written by the recording thread alone. */
   private volatile boolean holdsSamples;
 
   /**
-   * Starts a recording.
+   * Starts a recording of samples alone.
    *
    * @throws IOException if the file cannot be created
    */
   public TrajectoryRecording(Path target) throws IOException {
+    this(target, List.of());
+  }
+
+  /**
+   * Starts a recording. Changes of voxels go into a second file, {@code T.edits.csv} beside {@code
+   * T.csv}, if there are any.
+   *
+   * @param segments names of the segments, in the order of their indices
+   * @throws IOException if the file cannot be created
+   */
+  public TrajectoryRecording(Path target, List<String> segments) throws IOException {
     this.target = target;
+    this.segments = List.copyOf(segments);
     file = new AtomicFile(target);
     writer = new OutputStreamWriter(file.stream(), StandardCharsets.UTF_8);
     TrajectoryWriter rows = new TrajectoryWriter(writer, NumberText::text);
@@ -45,7 +68,27 @@ public final class TrajectoryRecording implements AutoCloseable {
             (sample, flags) -> {
               holdsSamples = true;
               rows.accept(sample, flags);
-            });
+            },
+            () -> editRecorder.drainTo(this::writeEdit));
+  }
+
+  private void writeEdit(long sample, int segment, int i, int j, int k, boolean solid) {
+    try {
+      if (editsFile == null) {
+        editsFile = new AtomicFile(editsTarget());
+        editRows = EditsCsv.writer(editsFile.stream());
+      }
+      EditsCsv.add(editRows, sample, segments.get(segment), i, j, k, solid);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Returns the file of the edits: {@code T.edits.csv} for {@code T.csv}. */
+  private Path editsTarget() {
+    String name = target.getFileName().toString();
+    String stem = name.endsWith(".csv") ? name.substring(0, name.length() - 4) : name;
+    return target.resolveSibling(stem + ".edits.csv");
   }
 
   /** Returns why the recording cannot be written, as far as is known. Any thread. */
@@ -65,6 +108,11 @@ public final class TrajectoryRecording implements AutoCloseable {
     return recorder;
   }
 
+  /** Returns the recorder of the changes of voxels, to give to a {@link TouchSession}. */
+  public EditRecorder editRecorder() {
+    return editRecorder;
+  }
+
   /**
    * Writes the remaining samples and moves the file over its target, unless there is no sample at
    * all. Call it after the session's last frame.
@@ -80,6 +128,14 @@ public final class TrajectoryRecording implements AutoCloseable {
     writer.flush();
     if (holdsSamples) {
       file.commit();
+    }
+    if (editsFile != null) {
+      editsFile.stream().flush();
+      editsFile.commit();
+    }
+    if (editRecorder.overflows() > 0) {
+      throw new IOException(
+          editRecorder.overflows() + " changes of voxels were lost; a replay would differ");
     }
   }
 
@@ -98,6 +154,9 @@ public final class TrajectoryRecording implements AutoCloseable {
       thread.close();
     } finally {
       file.close();
+      if (editsFile != null) {
+        editsFile.close();
+      }
     }
   }
 }

@@ -161,7 +161,7 @@ class ArchitectureTest {
           Map.entry("io.nifti", List.of("io.format")),
           Map.entry("io.nrrd", List.of("io.codec", "io.format")),
           Map.entry("io.raw", List.of("io.format")),
-          Map.entry("io.table", List.of("geometry", "io.file")),
+          Map.entry("io.table", List.of("edit", "io.file")),
           Map.entry("io.tiff", List.of("io.codec", "io.format")),
           Map.entry("io.volume", List.of("io.file", "volume")),
           Map.entry("loop", List.of("frame")),
@@ -335,6 +335,7 @@ class ArchitectureTest {
             BASE + "force..",
             BASE + "device",
             BASE + "edit..",
+            BASE + "carve..",
             BASE + "frame..",
             BASE + "loop..",
             BASE + "recording..",
@@ -436,6 +437,7 @@ class ArchitectureTest {
             BASE + "proxy..",
             BASE + "force..",
             BASE + "edit..",
+            BASE + "carve..",
             BASE + "frame..",
             BASE + "sync..")
         .should()

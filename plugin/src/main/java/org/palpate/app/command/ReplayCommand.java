@@ -8,13 +8,18 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
+import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.ToolOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
+import org.palpate.app.output.EditedVolume;
 import org.palpate.app.output.FaultFields;
 import org.palpate.app.output.ReplayTables;
 import org.palpate.app.output.Report;
@@ -24,6 +29,7 @@ import org.palpate.app.output.WorkFields;
 import org.palpate.app.output.WriteFailures;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.Trajectory;
+import org.palpate.edit.EditSchedule;
 import org.palpate.frame.FrameStatistics;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
@@ -31,7 +37,10 @@ import org.palpate.host.ReplayTiming;
 import org.palpate.host.ToolReplay;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TrajectoryFile;
+import org.palpate.io.table.EditsCsv;
+import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.tool.MadeTool;
+import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -50,6 +59,7 @@ import picocli.CommandLine.Spec;
       "  palpate replay --volume scan.nrrd --segment 'bone=>=1500' --trajectory t.csv \\",
       "    --out frames.csv --legs legs.csv --solver guarded --report r.json",
       "  palpate replay --tool sphere:4 --trajectory t.csv --out frames.csv --legs legs.csv",
+      "  palpate replay --tool sphere:3 --trajectory t.csv --edits t.edits.csv --export cut.nrrd",
       "  palpate replay --phantom sphere:192 --coordinates grid --trajectory t.csv --repeat 12 \\",
       "    --report time.json"
     })
@@ -123,6 +133,22 @@ public final class ReplayCommand implements Callable<Integer> {
   private String legsFrames;
 
   @Option(
+      names = "--edits",
+      paramLabel = "EDITS.csv",
+      description = {
+        "Changes of voxels, as touch --record writes them: frame,body,segment,i,j,k,solid."
+            + " Each is made before the tool moves in its frame."
+      })
+  private Path editsFile;
+
+  @Option(
+      names = "--export",
+      paramLabel = "FILE",
+      description =
+          "Writes the segments as the replay left them: .nrrd, .nii, .nii.gz, .tif or .dcm.")
+  private Path exportFile;
+
+  @Option(
       names = "--repeat",
       paramLabel = "N",
       description = "Replays N times, at least 3, and reports the time of solver and force.")
@@ -148,16 +174,20 @@ public final class ReplayCommand implements Callable<Integer> {
     boolean world = coordinates == Coordinates.world;
     VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
-    inputs.add(trajectoryFile);
+    addTables(inputs);
     Report report = new Report("replay", output.report(), inputs);
+    Optional<Path> export = checkedExport(inputs);
     ReplayTables tables =
         ReplayTables.checked(framesFile, legsFile, output.report(), inputs, failures);
     Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
     SegmentedVolume segments =
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
+    EditSchedule edits = edits(segments);
+    EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
     ContactScene scene = contact.scene(source, segments);
-    ReplayRun replay =
+    ReplayRun plain =
         world ? ReplayRun.inWorld(scene, trajectory) : ReplayRun.inGrid(scene, trajectory);
+    ReplayRun replay = plain.withEdits(edits);
     ReplayRun.Result result = run(rawDevice ? replay.inRawMode() : replay, trajectory, tables);
     print(result.statistics());
     if (report.isWanted()) {
@@ -167,7 +197,7 @@ public final class ReplayCommand implements Callable<Integer> {
     if (repeat != null) {
       putTime(new ReplayTiming(scene, trajectory, world).run(repeat), report);
     }
-    report.write();
+    finish(report, edited);
     return failures.exitCode();
   }
 
@@ -182,17 +212,20 @@ public final class ReplayCommand implements Callable<Integer> {
     VolumeSource source = VolumeSource.open(volume);
     MadeTool made = tool.make(source.header());
     List<Path> inputs = new ArrayList<>(source.files());
-    inputs.add(trajectoryFile);
+    addTables(inputs);
     inputs.addAll(made.files());
     Report report = new Report("replay", output.report(), inputs);
+    Optional<Path> export = checkedExport(inputs);
     ReplayTables tables =
         ReplayTables.checked(framesFile, legsFile, output.report(), inputs, failures);
     Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
     made.notes().forEach(spec.commandLine().getErr()::println);
     SegmentedVolume segments =
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
+    EditSchedule edits = edits(segments);
+    EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
     ToolScene scene = tool.scene(contact.scene(source, segments), made);
-    ToolReplay.Result result = run(scene, trajectory, tables, selection);
+    ToolReplay.Result result = run(scene, trajectory, edits, tables, selection);
     ToolReport measured = new ToolReport(made, tool.massKg());
     measured.print(result, spec.commandLine().getOut());
     if (report.isWanted()) {
@@ -202,19 +235,51 @@ public final class ReplayCommand implements Callable<Integer> {
     if (repeat != null) {
       putTime(new ToolReplay(scene, trajectory, rawDevice).time(repeat), report);
     }
-    report.write();
+    finish(report, edited);
     return failures.exitCode();
+  }
+
+  private void addTables(List<Path> inputs) {
+    inputs.add(trajectoryFile);
+    if (editsFile != null) {
+      inputs.add(editsFile);
+    }
+  }
+
+  private Optional<Path> checkedExport(List<Path> inputs) throws VolumeFormatException {
+    Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
+    OutputPaths.checkDistinct(
+        Stream.of(exportFile, framesFile, legsFile, output.report().orElse(null))
+            .filter(Objects::nonNull)
+            .toList());
+    return export;
+  }
+
+  private EditSchedule edits(SegmentedVolume segments) throws IOException {
+    return editsFile == null
+        ? EditSchedule.NONE
+        : EditsCsv.read(
+            editsFile, segments.segments().stream().map(Segment::name).toList(), segments.grid());
+  }
+
+  private void finish(Report report, EditedVolume edited) {
+    if (contact.cuts() || editsFile != null) {
+      report.put("carved", edited.carvedMm3());
+    }
+    edited.write(failures);
+    report.write();
   }
 
   private ToolReplay.Result run(
       ToolScene scene,
       Trajectory trajectory,
+      EditSchedule edits,
       ReplayTables tables,
       ToolTables.LegSelection selection)
       throws IOException {
     try (tables) {
       ToolTables rows = tables.openForTool(trajectory, scene, selection);
-      ToolReplay.Result result = new ToolReplay(scene, trajectory, rawDevice).run(rows);
+      ToolReplay.Result result = new ToolReplay(scene, trajectory, rawDevice, edits).run(rows);
       tables.commit();
       return result;
     }

@@ -2,10 +2,13 @@ package org.palpate.app.command;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.palpate.app.output.WriteFailures;
 import org.palpate.host.TrajectoryRecording;
+import org.palpate.recording.EditRecorder;
 import org.palpate.recording.SampleRecorder;
+import org.palpate.volume.Segment;
 
 /**
  * The recording of a session, if one was asked for. A recording that fails is reported while the
@@ -19,17 +22,28 @@ final class SessionRecording implements AutoCloseable {
    * Starts a recording.
    *
    * @param target the file; if empty, nothing is recorded
+   * @param segments the segments of the scene
    * @throws IOException if the file cannot be created
    */
-  SessionRecording(Optional<Path> target, WriteFailures failures) throws IOException {
+  SessionRecording(Optional<Path> target, List<Segment> segments, WriteFailures failures)
+      throws IOException {
     this.failures = failures;
     recording =
-        target.isPresent() ? Optional.of(new TrajectoryRecording(target.get())) : Optional.empty();
+        target.isPresent()
+            ? Optional.of(
+                new TrajectoryRecording(
+                    target.get(), segments.stream().map(Segment::name).toList()))
+            : Optional.empty();
   }
 
   /** Returns the recorder of the session. */
   Optional<SampleRecorder> recorder() {
     return recording.map(TrajectoryRecording::recorder);
+  }
+
+  /** Returns the recorder of the changes of voxels. */
+  Optional<EditRecorder> editRecorder() {
+    return recording.map(TrajectoryRecording::editRecorder);
   }
 
   /** Reports a failure so far. Called regularly while the session runs. */

@@ -19,6 +19,7 @@ import org.palpate.app.options.SurfaceOptions;
 import org.palpate.app.options.ToolOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
+import org.palpate.app.output.EditedVolume;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
 import org.palpate.app.output.WriteFailures;
@@ -66,6 +67,7 @@ import picocli.CommandLine.Spec;
       "  palpate touch --phantom torus:192 --device simulated:7 --solver paper",
       "  palpate touch --volume labels.nrrd --device hid",
       "  palpate touch --tool sphere:4 --seconds 10 --headless --report r.json",
+      "  palpate touch --tool sphere:3 --carve 40 --seconds 10 --headless --export drilled.nrrd",
       "  palpate touch --device mouse",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --slices point",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --igtl 18944",
@@ -142,6 +144,13 @@ public final class TouchCommand implements Callable<Integer> {
       paramLabel = "T.csv",
       description = "Records what the device sends, for palpate replay.")
   private Path recordFile;
+
+  @Option(
+      names = "--export",
+      paramLabel = "FILE",
+      description =
+          "Writes the segments as the session left them: .nrrd, .nii, .nii.gz, .tif or .dcm.")
+  private Path exportFile;
 
   @Option(
       names = "--explain",
@@ -224,12 +233,14 @@ public final class TouchCommand implements Callable<Integer> {
     Report report = new Report("touch", output.report(), inputs);
     Optional<Path> record =
         Optional.ofNullable(recordFile).map(path -> OutputPaths.checked("--record", path, inputs));
-    checkDistinct(record);
+    Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
+    checkDistinct(record, export);
     printStart(source, choice, made.map(ToolReport::line).orElse("solver " + settings.solver()));
     made.ifPresent(each -> each.notes().forEach(out::println));
     SegmentedVolume segments =
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     SessionScene scene = SessionScene.of(contact.scene(source, segments), tool, made);
+    EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
     try (HapticDevice opened = open(choice, source, target, loop.periodNanos())) {
@@ -242,7 +253,11 @@ public final class TouchCommand implements Callable<Integer> {
         report.putVolume(source, segments.segments());
         measured.putInto(report);
         scene.putInto(report, measured);
+        if (contact.cuts()) {
+          report.put("carved", edited.carvedMm3());
+        }
       }
+      edited.write(failures);
       report.write();
       return Math.max(measured.exitCode(), failures.exitCode());
     }
@@ -304,8 +319,9 @@ public final class TouchCommand implements Callable<Integer> {
     NumberRange.seconds().checkGiven(seconds);
   }
 
-  private void checkDistinct(Optional<Path> record) {
+  private void checkDistinct(Optional<Path> record, Optional<Path> export) {
     List<Path> outputs = new ArrayList<>();
+    export.ifPresent(outputs::add);
     output.report().ifPresent(outputs::add);
     record.ifPresent(outputs::add);
     OutputPaths.checkDistinct(outputs);
@@ -337,7 +353,8 @@ public final class TouchCommand implements Callable<Integer> {
       Optional<ViewOptions> viewOptions,
       WorldAxes axes)
       throws IOException {
-    try (SessionRecording recording = new SessionRecording(record, failures);
+    try (SessionRecording recording =
+            new SessionRecording(record, scene.volume().segments(), failures);
         RealtimeThread realtime = RealtimeThread.recommended();
         TouchSession session =
             scene.newSession(
@@ -345,7 +362,8 @@ public final class TouchCommand implements Callable<Integer> {
                 SessionSettings.standard()
                     .withDefaultStiffness(choice.defaultStiffness(opened, scene.contactScene()))
                     .withLoop(loop.with(realtime, realtime))
-                    .withRecorder(recording.recorder()))) {
+                    .withRecorder(recording.recorder())
+                    .withEditRecorder(recording.editRecorder()))) {
       SessionSupervisor supervisor =
           new SessionSupervisor(session, Optional.ofNullable(seconds), recording::check, out);
       ConsoleViewListener listener = new ConsoleViewListener(out, supervisor::stop);
@@ -371,9 +389,13 @@ public final class TouchCommand implements Callable<Integer> {
 
   /** Returns why the threshold must not change; empty if it may. */
   private String thresholdRefusal() {
-    return recordFile == null
-        ? ""
-        : "the threshold stays while --record records: a replay has one threshold";
+    if (recordFile != null) {
+      return "the threshold stays while --record records: a replay has one threshold";
+    }
+    return contact.cuts() || exportFile != null
+        ? "the threshold stays with --carve and --export: they are about the voxels of one"
+            + " threshold"
+        : "";
   }
 
   private boolean hasWindow() {

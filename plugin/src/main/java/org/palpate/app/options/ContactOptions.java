@@ -30,6 +30,8 @@ public final class ContactOptions {
   private static final NumberRange FRICTION =
       new NumberRange(
           "--friction", "the friction coefficient", 0, MaterialOverride.MOST_FRICTION, "", "0.2");
+  private static final NumberRange CARVE =
+      NumberRange.positive("--carve", "the rate", "mm^3 per N s");
   private static final NumberRange MAX_STEP =
       NumberRange.positive("--max-step", "the longest path", "mm");
   private static final NumberRange MAX_FORCE =
@@ -98,7 +100,8 @@ public final class ContactOptions {
       paramLabel = "NAME=WHAT",
       description = {
         "Material of one segment, if it differs from the others; may be repeated. WHAT is any of"
-            + " stiffness:N/MM, friction:MU, sliding:MU and damping:N*S/MM, separated by commas, as"
+            + " stiffness:N/MM, friction:MU, sliding:MU, damping:N*S/MM and cut:N (the force below"
+            + " which --carve cuts nothing), separated by commas, as"
             + " in --material bone=stiffness:0.8,friction:0.3 --material"
             + " skin=stiffness:0.2,damping:0.002. If segments share a voxel, the first of them"
             + " counts."
@@ -122,6 +125,15 @@ public final class ContactOptions {
         "Default: 8 times the shortest or 3 times the longest voxel edge, whichever is larger."
       })
   private Double maxStep;
+
+  @Option(
+      names = "--carve",
+      paramLabel = "RATE",
+      description = {
+        "Cuts: removes the voxels that the tool would overlap on its way to the device, at most"
+            + " RATE mm^3 for each N of force and second, the nearest first."
+      })
+  private Double carve;
 
   @Option(
       names = "--max-force",
@@ -158,6 +170,7 @@ public final class ContactOptions {
         .maxForce(maxForceNewton())
         .frictionForm(frictionForm())
         .materials(materials())
+        .carve(carveMm3PerNewtonSecond())
         .border(border())
         .build();
   }
@@ -178,8 +191,8 @@ public final class ContactOptions {
                                     + name
                                     + "=stiffness:0.8,friction:0.3,damping:0, with a stiffness of"
                                     + " 0 or from 0.000001 to 1,000,000 N/mm, friction from 0 to"
-                                    + " 100, sliding at most friction, and damping from 0 to"
-                                    + " 1,000,000 N s/mm"))));
+                                    + " 100, sliding at most friction, damping from 0 to"
+                                    + " 1,000,000 N s/mm, and cut from 0 to 1,000,000 N"))));
     return choices;
   }
 
@@ -249,6 +262,15 @@ public final class ContactOptions {
           "choose one with --segment NAME=>=VALUE, or leave --smooth-from out");
     }
     return found;
+  }
+
+  private OptionalDouble carveMm3PerNewtonSecond() {
+    return CARVE.checkGiven(carve);
+  }
+
+  /** Whether the tool cuts. */
+  public boolean cuts() {
+    return carve != null;
   }
 
   private OptionalDouble stiffnessNewtonPerMm() {

@@ -1,0 +1,85 @@
+package org.palpate.recording;
+
+import java.util.concurrent.atomic.AtomicLong;
+
+/**
+ * A ring buffer of changes of voxels from the haptic thread to a file.
+ *
+ * <p>One writer, the haptic thread. One reader, a {@link RecordingThread}. A full buffer drops the
+ * newest change and counts it.
+ */
+public final class EditRecorder {
+  /** The usual capacity: over a hundred frames of the largest edits. */
+  public static final int DEFAULT_CAPACITY = 1 << 18;
+
+  private static final int WORDS_A_CHANGE = 3;
+  private static final int COORDINATE_BITS = 31;
+  private static final long COORDINATE = (1L << COORDINATE_BITS) - 1;
+
+  private final long[] ring;
+  private final int capacity;
+  private final AtomicLong written = new AtomicLong();
+  private final AtomicLong taken = new AtomicLong();
+  private final AtomicLong overflows = new AtomicLong();
+
+  /** Receives the recorded changes. */
+  @FunctionalInterface
+  public interface Sink {
+    /**
+     * Receives a change.
+     *
+     * @param sample number of the device sample with which a replay makes the change, from 0
+     * @param segment index of the segment in the scene
+     * @param solid whether voxel (i,j,k) became solid; empty else
+     */
+    void accept(long sample, int segment, int i, int j, int k, boolean solid);
+  }
+
+  /** Makes an empty buffer of the usual capacity. */
+  public EditRecorder() {
+    this(DEFAULT_CAPACITY);
+  }
+
+  /** Makes an empty buffer for {@code capacity} changes, at least 1. */
+  public EditRecorder(int capacity) {
+    this.capacity = capacity;
+    ring = new long[Math.multiplyExact(capacity, WORDS_A_CHANGE)];
+  }
+
+  /** Adds a change; see {@link Sink#accept}. Haptic thread: never waits, allocates nothing. */
+  public void offer(long sample, int segment, int i, int j, int k, boolean solid) {
+    long at = written.getPlain();
+    if (at - taken.get() >= capacity) {
+      overflows.lazySet(overflows.getPlain() + 1);
+      return;
+    }
+    int from = (int) (at % capacity) * WORDS_A_CHANGE;
+    ring[from] = sample;
+    ring[from + 1] = (long) segment << COORDINATE_BITS | i;
+    ring[from + 2] = (long) j << COORDINATE_BITS | k | (solid ? Long.MIN_VALUE : 0);
+    written.setRelease(at + 1);
+  }
+
+  /** Moves all changes from the buffer into a sink. Reader. */
+  public void drainTo(Sink sink) {
+    long end = written.getAcquire();
+    for (long at = taken.getPlain(); at < end; at++) {
+      int from = (int) (at % capacity) * WORDS_A_CHANGE;
+      long first = ring[from + 1];
+      long second = ring[from + 2];
+      sink.accept(
+          ring[from],
+          (int) (first >>> COORDINATE_BITS),
+          (int) (first & COORDINATE),
+          (int) (second >>> COORDINATE_BITS & COORDINATE),
+          (int) (second & COORDINATE),
+          second < 0);
+      taken.setRelease(at + 1);
+    }
+  }
+
+  /** Returns the number of changes that were dropped because the buffer was full. Any thread. */
+  public long overflows() {
+    return overflows.get();
+  }
+}

@@ -1,0 +1,164 @@
+package org.palpate.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Cuts with the commands, and replays what was cut. */
+class CarveCommandTest {
+  private static final Pattern CARVED =
+      Pattern.compile("\"carved\" : \\{\\s*\"sphere\" : ([-0-9.E]+)\\s*\\}");
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @ValueSource(strings = {"sphere:2", "point"})
+  void aRecordedSessionReplaysToTheSameVoxelsAndCarvedIsWhatIsMissing(String tool)
+      throws IOException {
+    Path recording = folder.resolve("t.csv");
+    Path live = folder.resolve("live.nrrd");
+    Path again = folder.resolve("again.nrrd");
+    Path report = folder.resolve("r.json");
+    List<Object> touch = new ArrayList<>(List.of("touch", "--phantom", "sphere:32", "--headless"));
+    touch.addAll(List.of("--tool", tool, "--carve", 400, "--seconds", 2, "--record", recording));
+    touch.addAll(List.of("--export", live, "--report", report));
+    CommandRun.of(touch.toArray()).mustSucceed();
+    double carved = carved(report);
+    assertTrue(carved > 3, "carved " + carved);
+    Path edits = folder.resolve("t.edits.csv");
+    assertEquals(carved, Files.readAllLines(edits).size() - 1.0, "voxels of 1 mm^3");
+    assertEquals((long) carved, voxels("--phantom", "sphere:32") - voxels("--volume", live));
+
+    List<Object> replay = new ArrayList<>(List.of("replay", "--phantom", "sphere:32"));
+    replay.addAll(List.of("--tool", tool, "--trajectory", recording, "--edits", edits));
+    replay.addAll(List.of("--export", again, "--report", report));
+    CommandRun.of(replay.toArray()).mustSucceed();
+    assertArrayEquals(Files.readAllBytes(live), Files.readAllBytes(again));
+    assertEquals(carved, carved(report));
+  }
+
+  private static double carved(Path report) throws IOException {
+    Matcher found = CARVED.matcher(Files.readString(report));
+    assertTrue(found.find(), () -> report + " has no carved");
+    return Double.parseDouble(found.group(1));
+  }
+
+  private static long voxels(Object... volume) {
+    List<Object> info = new ArrayList<>(List.of("info"));
+    info.addAll(List.of(volume));
+    String out = CommandRun.of(info.toArray()).mustSucceed().out();
+    Matcher found = Pattern.compile("segment +sphere: ([0-9,]+) voxels").matcher(out);
+    assertTrue(found.find(), out);
+    return Long.parseLong(found.group(1).replace(",", ""));
+  }
+
+  @Test
+  void aReplayThatCutsGivesTheSameBytesEveryTime() throws IOException {
+    Path trajectory = Files.writeString(folder.resolve("t.csv"), press());
+    byte[][] frames = new byte[2][];
+    byte[][] voxels = new byte[2][];
+    for (int n = 0; n < 2; n++) {
+      Path out = folder.resolve("f.csv");
+      Path export = folder.resolve("cut.nrrd");
+      List<Object> replay = new ArrayList<>(List.of("replay", "--phantom", "sphere:32"));
+      replay.addAll(List.of("--tool", "sphere:2", "--carve", 30, "--trajectory", trajectory));
+      replay.addAll(List.of("--out", out, "--export", export));
+      CommandRun.of(replay.toArray()).mustSucceed();
+      frames[n] = Files.readAllBytes(out);
+      voxels[n] = Files.readAllBytes(export);
+    }
+    assertArrayEquals(frames[0], frames[1]);
+    assertArrayEquals(voxels[0], voxels[1]);
+  }
+
+  private static String press() {
+    StringBuilder rows = new StringBuilder("t_ms,x,y,z\n");
+    for (int n = 0; n < 600; n++) {
+      rows.append(n).append(",16,16,").append(32 - n * 0.03).append('\n');
+    }
+    return rows.toString();
+  }
+
+  @Test
+  void aFullDiskAtTheExportIsOneLineAndKeepsTheReport() throws IOException {
+    Path target = Files.createSymbolicLink(folder.resolve("full.nrrd"), Path.of("/dev/full"));
+    Path report = folder.resolve("r.json");
+    List<Object> touch = new ArrayList<>(List.of("touch", "--phantom", "sphere:32", "--headless"));
+    touch.addAll(List.of("--carve", 40, "--seconds", 0.3));
+    touch.addAll(List.of("--export", target, "--report", report));
+    CommandRun run = CommandRun.of(touch.toArray());
+    assertEquals(1, run.exitCode());
+    assertEquals(
+        "palpate: could not be written (No space left on device): "
+            + target
+            + ": check the disk and its permissions",
+        run.err().strip());
+    assertTrue(Files.size(report) > 100);
+  }
+
+  @Test
+  void aSessionWithoutACutLeavesNoTableOfEdits() throws IOException {
+    Path recording = folder.resolve("t.csv");
+    CommandRun.of(
+            "touch",
+            "--phantom",
+            "sphere:16",
+            "--headless",
+            "--seconds",
+            0.3,
+            "--record",
+            recording)
+        .mustSucceed();
+    assertTrue(Files.exists(recording));
+    assertFalse(Files.exists(folder.resolve("t.edits.csv")));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "frame,body,segment,i,j,k\n0,sphere,sphere,1,1,1 => there is no column solid",
+        "frame,body,segment,i,j,k,solid\n0,sphere,ball,1,1,1,0 => there is no segment ball",
+        "frame,body,segment,i,j,k,solid\n0,ball,sphere,1,1,1,0 => the body of segment sphere",
+        "frame,body,segment,i,j,k,solid\n0,sphere,sphere,1,99,1,0 => j is 99",
+        "frame,body,segment,i,j,k,solid\n-1,sphere,sphere,1,1,1,0 => frame is -1",
+        "frame,body,segment,i,j,k,solid\n0,sphere,sphere,1,1,1,2 => solid is 2",
+        "frame,body,segment,i,j,k,solid\n0,sphere,sphere,1,1 => k is missing",
+      })
+  void aTableThatIsNotUnderstoodIsRefusedWithItsLine(String text) throws IOException {
+    String[] parts = text.split(" => ", 2);
+    Path edits = Files.writeString(folder.resolve("e.csv"), parts[0] + "\n");
+    Path trajectory = Files.writeString(folder.resolve("t.csv"), press());
+    String line =
+        CommandRun.of(
+                "replay", "--phantom", "sphere:32", "--trajectory", trajectory, "--edits", edits)
+            .mustRefuse();
+    assertTrue(line.startsWith("palpate: " + parts[1]), line);
+    assertTrue(line.contains("e.csv line "), line);
+  }
+
+  @Test
+  void outputsThatWouldHarmAnInputAreRefused() throws IOException {
+    Path trajectory = Files.writeString(folder.resolve("t.csv"), press());
+    Path edits = Files.writeString(folder.resolve("e.nrrd"), "frame,body,segment,i,j,k,solid\n");
+    List<Object> replay = new ArrayList<>(List.of("replay", "--phantom", "sphere:32"));
+    replay.addAll(List.of("--trajectory", trajectory, "--edits", edits, "--export", edits));
+    assertTrue(CommandRun.of(replay.toArray()).mustRefuse().contains("the target is an input"));
+    assertTrue(
+        CommandRun.of("touch", "--headless", "--export", folder.resolve("x.stl"))
+            .mustRefuse()
+            .contains("cannot be written in this format"));
+  }
+}
