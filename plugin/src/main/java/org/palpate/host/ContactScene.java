@@ -1,5 +1,6 @@
 package org.palpate.host;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -7,6 +8,7 @@ import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.carve.CarveSettings;
+import org.palpate.body.Placement;
 import org.palpate.collision.CollisionScene;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
@@ -20,6 +22,7 @@ import org.palpate.frame.FrameSettings;
 import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.proxy.exact.GuardedSolver;
@@ -39,6 +42,7 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
+import org.palpate.volume.fracture.PosedBits;
 
 /**
  * Builds collision scenes, solvers and haptic frames from a segmented volume and its contact
@@ -48,7 +52,10 @@ import org.palpate.volume.VoxelGrid;
  * belongs to the thread that runs it. Positions are grid coordinates unless a name says otherwise.
  */
 public final class ContactScene {
+  private static final Placement AT_REST = new Placement(Mobility.FIXED, new Pose());
+
   private final SegmentedVolume volume;
+  private final List<Placement> placements;
   private final ContactSettings settings;
   private final GridMetric metric;
   private final double maxStepMm;
@@ -72,6 +79,24 @@ public final class ContactScene {
    */
   public ContactScene(
       SegmentedVolume volume, ContactSettings settings, Optional<GreyIsosurface> grey) {
+    this(volume, List.of(), settings, grey);
+  }
+
+  /**
+   * Creates a scene of bodies that stand where their placements say. Only rigid tools touch them
+   * there; solvers of a point know no poses.
+   *
+   * @param volume the segments at rest; once a session runs, its haptic thread alone changes their
+   *     bits
+   * @param placements the placement of each segment, in their order; none if all stand at rest
+   * @param grey the isosurface for {@link SolverKind#SMOOTH}; if empty, the solver uses the bits
+   */
+  public ContactScene(
+      SegmentedVolume volume,
+      List<Placement> placements,
+      ContactSettings settings,
+      Optional<GreyIsosurface> grey) {
+    this.placements = List.copyOf(placements);
     this.grey = grey.map(GreyIsosurfaceSource::new);
     this.volume = volume;
     this.settings = settings;
@@ -133,7 +158,10 @@ public final class ContactScene {
 
   /** Returns the region and surface points that a simulated hand presses, world mm. */
   public HandTarget handTarget() {
-    return HandTargetFinder.of(volume);
+    return HandTargetFinder.of(
+        placements.isEmpty()
+            ? volume
+            : PosedBits.resample(volume, placements.stream().map(Placement::pose).toList()));
   }
 
   /** Returns the source of the grey values, if there is one. */
@@ -143,11 +171,21 @@ public final class ContactScene {
 
   /** Returns new bodies, one for each segment in their order, which share the segments' voxels. */
   public BodyScene newBodies() {
-    VoxelGrid grid = volume.grid();
-    return new BodyScene(
-        volume.segments().stream()
-            .map(segment -> new Body(segment.name(), segment.bits(), grid, Mobility.FIXED))
-            .toList());
+    List<Body> bodies = new ArrayList<>();
+    for (Segment segment : volume.segments()) {
+      Placement placement = placements.isEmpty() ? AT_REST : placements.get(bodies.size());
+      Body body = new Body(segment.name(), segment.bits(), grid(), placement.mobility());
+      if (!placements.isEmpty()) {
+        body.setPose(placement.pose());
+      }
+      bodies.add(body);
+    }
+    return new BodyScene(bodies);
+  }
+
+  /** Returns the placement of each segment; empty if all stand at rest. */
+  public List<Placement> placements() {
+    return placements;
   }
 
   /** Returns a new collision scene in which each segment is one object. */

@@ -2,6 +2,7 @@ package org.palpate.host;
 
 import java.util.List;
 import java.util.Optional;
+import org.palpate.body.Placement;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.geometry.IntBox;
@@ -312,8 +313,16 @@ public final class SessionView implements AutoCloseable {
     return closed;
   }
 
+  /** Returns the pose of each segment in the world, from grid mm; none if all stand at rest. */
+  private List<RigidTransform> poses() {
+    return session
+        .held()
+        .map(held -> Placement.poses(held.scene().contactScene().placements(), volume.grid()))
+        .orElse(List.of());
+  }
+
   private SceneLoader startLoading() {
-    SceneLoader started = SceneLoader.forWindow(model, volume, options.greys(), 1);
+    SceneLoader started = SceneLoader.forWindow(model, volume, options.greys(), poses(), 1);
     model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
     loader = started;
     return started;

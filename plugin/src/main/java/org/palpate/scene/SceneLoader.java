@@ -39,6 +39,10 @@ public final class SceneLoader implements AutoCloseable {
   private final SceneModel model;
   private final SurfaceBuilder builder;
   private final VoxelGrid grid;
+
+  /** Whether the segments stand at poses, so that those at rest do not darken each other. */
+  private final boolean isPlaced;
+
   private volatile AmbientOcclusion occlusion;
   private final List<BitCube> cubes = new ArrayList<>();
   private final List<Optional<GreyRange>> greys;
@@ -66,26 +70,43 @@ public final class SceneLoader implements AutoCloseable {
    */
   public SceneLoader(
       SceneModel model, SegmentedVolume volume, List<Optional<GreyRange>> greys, int threads) {
-    this(model, volume, greys, threads, false);
+    this(model, volume, greys, List.of(), threads, false);
+  }
+
+  /**
+   * Adds segments to a model where their placements put them, and starts building their surfaces
+   * from bits.
+   *
+   * @param gridMmToWorld the pose of each segment in the world; none if all stand at rest
+   */
+  public static SceneLoader ofPlaced(
+      SceneModel model, SegmentedVolume volume, List<RigidTransform> gridMmToWorld, int threads) {
+    return new SceneLoader(model, volume, List.of(), gridMmToWorld, threads, false);
   }
 
   private SceneLoader(
       SceneModel model,
       SegmentedVolume volume,
       List<Optional<GreyRange>> greys,
+      List<RigidTransform> poses,
       int threads,
       boolean waitsForPicture) {
     this.model = model;
     this.greys = List.copyOf(greys);
     grid = volume.grid();
+    isPlaced = !poses.isEmpty();
     builder = new SurfaceBuilder(threads);
     List<Segment> segments = volume.segments();
     segments.forEach(segment -> cubes.add(segment.bits()));
     occlusion = newOcclusion();
     Vec3 spacing = grid.spacingMm();
     model.addDetail(Math.max(spacing.x, Math.max(spacing.y, spacing.z)));
-    segments.forEach(this::add);
-    makeEnclosingTranslucent();
+    for (int n = 0; n < segments.size(); n++) {
+      add(segments.get(n), isPlaced ? poses.get(n) : grid.gridMmToWorld());
+    }
+    if (!isPlaced) {
+      makeEnclosingTranslucent();
+    }
     start(COARSEST_LEVEL);
     if (!waitsForPicture) {
       refine();
@@ -95,10 +116,16 @@ public final class SceneLoader implements AutoCloseable {
   /**
    * Returns a loader for a window: it starts the finer levels in {@link #pictureDrawn}, once the
    * coarsest level is complete.
+   *
+   * @param poses the pose of each segment in the world, from grid mm; none if all stand at rest
    */
   public static SceneLoader forWindow(
-      SceneModel model, SegmentedVolume volume, List<Optional<GreyRange>> greys, int threads) {
-    return new SceneLoader(model, volume, greys, threads, true);
+      SceneModel model,
+      SegmentedVolume volume,
+      List<Optional<GreyRange>> greys,
+      List<RigidTransform> poses,
+      int threads) {
+    return new SceneLoader(model, volume, greys, poses, threads, true);
   }
 
   /**
@@ -140,7 +167,7 @@ public final class SceneLoader implements AutoCloseable {
     }
   }
 
-  private void add(Segment segment) {
+  private void add(Segment segment, RigidTransform pose) {
     IntBox box = segment.bits().bounds();
     Vec3 spacing = grid.spacingMm();
     Vec3 low = new Vec3();
@@ -151,7 +178,6 @@ public final class SceneLoader implements AutoCloseable {
     }
     low.set(low.x * spacing.x, low.y * spacing.y, low.z * spacing.z);
     high.set(high.x * spacing.x, high.y * spacing.y, high.z * spacing.z);
-    RigidTransform pose = grid.gridMmToWorld();
     objects.add(model.add(segment.name(), segment.rgb(), pose, low, high));
     coarse.add(List.of(CoarseVolume.of(segment.bits(), 1), CoarseVolume.of(segment.bits(), 2)));
     int number = sources.size();
@@ -176,7 +202,7 @@ public final class SceneLoader implements AutoCloseable {
     int urgency = level == 0 ? SurfaceBuilder.FINE : SurfaceBuilder.COARSE;
     return builder.build(
         source(number, level),
-        occlusionAt(level),
+        occlusionAt(number, level),
         urgency,
         (brick, started, mesh) -> object.put(level, brick, started, mesh),
         () -> markComplete(object, level));
@@ -191,12 +217,14 @@ public final class SceneLoader implements AutoCloseable {
     return coarse.get(number).get(level - 1);
   }
 
-  private AmbientOcclusion occlusionAt(int level) {
-    return level == 0 ? occlusion : scaled(1 << level);
+  private AmbientOcclusion occlusionAt(int segment, int level) {
+    AmbientOcclusion fine =
+        isPlaced ? new DensityAmbientOcclusion(List.of(cubes.get(segment))) : occlusion;
+    return level == 0 ? fine : scaled(fine, 1 << level);
   }
 
-  private AmbientOcclusion scaled(int factor) {
-    return (x, y, z, nx, ny, nz) -> occlusion.at(x * factor, y * factor, z * factor, nx, ny, nz);
+  private static AmbientOcclusion scaled(AmbientOcclusion fine, int factor) {
+    return (x, y, z, nx, ny, nz) -> fine.at(x * factor, y * factor, z * factor, nx, ny, nz);
   }
 
   private void markComplete(SceneObject object, int level) {
@@ -280,7 +308,7 @@ public final class SceneLoader implements AutoCloseable {
     SceneObject object = objects.get(segment);
     return builder.build(
         source,
-        occlusionAt(level),
+        occlusionAt(segment, level),
         urgency,
         touchedBricks(source, voxels),
         (brick, started, mesh) -> object.put(level, brick, started, mesh),

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.file.NumberText;
@@ -12,6 +11,7 @@ import org.palpate.io.format.MemoryCheck;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.mesh.MeshFiles;
+import org.palpate.io.volume.AxisSigns;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
@@ -86,7 +86,8 @@ public final class ToolMaker {
   private MadeTool make() throws VolumeFormatException {
     Optional<TriangleMesh> mesh = readMesh();
     boolean isOpen = mesh.isPresent() && !mesh.get().isClosed();
-    boolean pointsOnly = isOpen || request.points().isPresent();
+    boolean isPoint = request.spec() instanceof ToolSpec.Point;
+    boolean pointsOnly = isPoint || isOpen || request.points().isPresent();
     ClearanceChoice clearance =
         request.clearance().orElse(pointsOnly ? ClearanceChoice.POINTS : ClearanceChoice.BODY);
     double depthMm = Math.max(0, -clearance.marginMm());
@@ -247,22 +248,10 @@ public final class ToolMaker {
   /** Returns the grid of a volume with its axes turned into those of the world of the scene. */
   private VoxelGrid inWorld(VolumeReader reader, Path file) {
     VoxelGrid grid = reader.header().grid();
-    CoordinateSystem own = reader.header().coordinateSystem();
-    Optional<Vec3> signs = AxisSigns.between(own, world);
-    if (signs.isEmpty()) {
+    Optional<VoxelGrid> turned = AxisSigns.convert(grid, reader.header().coordinateSystem(), world);
+    if (turned.isEmpty()) {
       notes.add("The world axes of " + file + " are taken as those of the scene.");
-      return grid;
     }
-    RigidTransform t = grid.gridMmToWorld();
-    return new VoxelGrid(
-        grid.sizeX(),
-        grid.sizeY(),
-        grid.sizeZ(),
-        grid.spacingMm(),
-        new RigidTransform(
-            AxisSigns.apply(signs.get(), t.axisX()),
-            AxisSigns.apply(signs.get(), t.axisY()),
-            AxisSigns.apply(signs.get(), t.axisZ()),
-            AxisSigns.apply(signs.get(), t.origin())));
+    return turned.orElse(grid);
   }
 }

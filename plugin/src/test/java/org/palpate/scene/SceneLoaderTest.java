@@ -23,7 +23,8 @@ class SceneLoaderTest {
 
   @Test
   void finerLevelsWaitUntilTheCoarsestWasDrawn() throws Exception {
-    try (SceneLoader loader = SceneLoader.forWindow(model, volume(box(), dot()), List.of(), 1)) {
+    try (SceneLoader loader =
+        SceneLoader.forWindow(model, volume(box(), dot()), List.of(), List.of(), 1)) {
       loader.await(PATIENCE_MS);
       assertEquals(List.of(2, 2), finest());
       assertEquals(1.0 / SceneObject.LEVELS, loader.progress());
@@ -38,7 +39,8 @@ class SceneLoaderTest {
   @Test
   void anEmptySegmentDoesNotDelayFinerLevels() throws Exception {
     BitCube empty = new BitCube(EDGE, EDGE, EDGE);
-    try (SceneLoader loader = SceneLoader.forWindow(model, volume(empty, box()), List.of(), 1)) {
+    try (SceneLoader loader =
+        SceneLoader.forWindow(model, volume(empty, box()), List.of(), List.of(), 1)) {
       loader.await(PATIENCE_MS);
       loader.pictureDrawn();
       loader.await(PATIENCE_MS);
@@ -49,7 +51,7 @@ class SceneLoaderTest {
   @Test
   void anEditBeforeThePictureAppearsInTheFinerLevels() throws Exception {
     BitCube bits = box();
-    try (SceneLoader loader = SceneLoader.forWindow(model, volume(bits), List.of(), 1)) {
+    try (SceneLoader loader = SceneLoader.forWindow(model, volume(bits), List.of(), List.of(), 1)) {
       loader.await(PATIENCE_MS);
       IntBox edited = new IntBox();
       for (int i = 14; i < 20; i++) {
@@ -76,7 +78,7 @@ class SceneLoaderTest {
 
   @Test
   void aPictureAfterClosingStartsNothing() throws Exception {
-    SceneLoader loader = SceneLoader.forWindow(model, volume(box()), List.of(), 1);
+    SceneLoader loader = SceneLoader.forWindow(model, volume(box()), List.of(), List.of(), 1);
     loader.await(PATIENCE_MS);
     loader.close();
     loader.pictureDrawn();

@@ -2,7 +2,6 @@ package org.palpate.volume.fracture;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.palpate.geometry.Pose;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
@@ -28,28 +27,11 @@ public record Fragments(VoxelGrid grid, List<BitCube> bits, long lostVoxels) {
 
   /** Returns a segment for each fragment, named {@code fragment1} and so on. */
   public SegmentedVolume segments() {
-    return new SegmentedVolume(grid, segments(bits));
-  }
-
-  /**
-   * Returns the fragments at poses as segments of a grid; see {@link PosedBits#resample}.
-   *
-   * @param poses the pose of each fragment, from rest to present, world mm
-   */
-  public SegmentedVolume segmentsAt(List<Pose> poses, VoxelGrid target) {
-    List<PosedBits> posed = new ArrayList<>();
-    for (int n = 0; n < bits.size(); n++) {
-      posed.add(new PosedBits(bits.get(n), grid, poses.get(n)));
-    }
-    return new SegmentedVolume(target, segments(PosedBits.resample(posed, target)));
-  }
-
-  private static List<Segment> segments(List<BitCube> cubes) {
     List<Segment> segments = new ArrayList<>();
-    for (BitCube cube : cubes) {
+    for (BitCube cube : bits) {
       int n = segments.size();
       segments.add(new Segment("fragment" + (n + 1), cube, COLOURS[n % COLOURS.length]));
     }
-    return segments;
+    return new SegmentedVolume(grid, segments);
   }
 }

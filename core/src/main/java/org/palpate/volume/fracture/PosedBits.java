@@ -7,6 +7,8 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -17,6 +19,24 @@ import org.palpate.volume.VoxelGrid;
  * @param pose the pose, from rest to present, world mm
  */
 public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
+
+  /**
+   * Returns the segments of a volume at poses, on the same grid; see the other method.
+   *
+   * @param poses the pose of each segment, from rest to present, world mm
+   */
+  public static SegmentedVolume resample(SegmentedVolume rest, List<Pose> poses) {
+    List<PosedBits> bodies = new ArrayList<>();
+    for (int n = 0; n < poses.size(); n++) {
+      bodies.add(new PosedBits(rest.segments().get(n).bits(), rest.grid(), poses.get(n)));
+    }
+    List<BitCube> cubes = resample(bodies, rest.grid());
+    List<Segment> segments = new ArrayList<>();
+    for (Segment segment : rest.segments()) {
+      segments.add(new Segment(segment.name(), cubes.get(segments.size()), segment.rgb()));
+    }
+    return new SegmentedVolume(rest.grid(), segments);
+  }
 
   /**
    * Returns the voxels of a grid whose centres lie in voxels of the posed bodies: nearest-voxel

@@ -3,7 +3,6 @@ package org.palpate.volume.phantom;
 import java.util.List;
 import org.palpate.geometry.Pose;
 import org.palpate.volume.BitCube;
-import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.fracture.FractureSpec;
 import org.palpate.volume.fracture.FragmentCutter;
@@ -97,11 +96,5 @@ public record FracturePhantom(int edge, FractureSpec fracture) {
    */
   public List<Pose> startPoses(Fragments fragments) {
     return FragmentScatter.scatter(fragments, fracture.seed(), true);
-  }
-
-  /** Returns a segment for each displaced fragment, as a scan of the broken bone shows them. */
-  public SegmentedVolume segments() {
-    Fragments fragments = fragments();
-    return fragments.segmentsAt(startPoses(fragments), grid());
   }
 }

@@ -72,7 +72,9 @@ class PosedBitsTest {
                 List.of(new PosedBits(phantom.bone(), phantom.grid(), pose)), phantom.grid())
             .get(0);
     long sum =
-        fragments.segmentsAt(List.of(pose, pose, pose, pose), phantom.grid()).segments().stream()
+        PosedBits.resample(fragments.segments(), List.of(pose, pose, pose, pose))
+            .segments()
+            .stream()
             .mapToLong(segment -> segment.bits().solidCount())
             .sum();
     assertEquals(whole.solidCount(), sum);

@@ -3,17 +3,19 @@ package org.palpate.app.command;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.OrientationText;
 import org.palpate.io.VolumeWriter;
@@ -22,7 +24,7 @@ import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.label.ValueStatistics;
-import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.volume.Segment;
@@ -30,6 +32,7 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.fracture.FractureSpec;
 import org.palpate.volume.fracture.FragmentCutter;
+import org.palpate.volume.fracture.FragmentScatter;
 import org.palpate.volume.fracture.Fragments;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -50,6 +53,7 @@ import picocli.CommandLine.Spec;
       "  palpate info --volume labels.nii.gz --export segments.dcm",
       "  palpate info --volume scan.nii.gz --export for-imagej.tif",
       "  palpate info --volume scan.nrrd --segment 'jaw=>=1500' --fracture 4 --export parts.nrrd",
+      "  palpate info --volume jaw.nrrd --fracture 4 --export parts.nrrd --save-scene jaw.json",
       "  palpate info --volume slices.raw --raw 256x256x113:u16be:1,1,2",
       "  palpate info --phantom torus:192"
     })
@@ -78,6 +82,24 @@ public final class InfoCommand implements Callable<Integer> {
       })
   private String fracture;
 
+  @Option(
+      names = "--save-scene",
+      paramLabel = "FILE.json",
+      description = {
+        "Writes a scene file: the bodies of --scene, the fragments of --fracture or those of"
+            + " --phantom fracture, displaced. --export then writes their voxels at rest."
+      })
+  private Path savedScene;
+
+  @Option(
+      names = "--save-transforms",
+      paramLabel = "DIR",
+      description = {
+        "Writes the pose of each such body as an ITK transform, BODY.tfm: from rest to present,"
+            + " LPS."
+      })
+  private Path savedTransforms;
+
   private PrintWriter out;
 
   @Override
@@ -99,7 +121,9 @@ public final class InfoCommand implements Callable<Integer> {
       source.emptySegments(found.labels()).forEach(empty -> line("segment", empty + ": no voxel"));
     }
     if (cut.isPresent()) {
-      exportFragments(fragments(segments, source, cut.get()), source);
+      exportPlaced(broken(source, segments, cut.get()));
+    } else if (fragmentExport().writesPoses()) {
+      exportPlaced(source.placed().get());
     } else if (export != null) {
       export(source, segments);
     }
@@ -117,12 +141,20 @@ public final class InfoCommand implements Callable<Integer> {
   }
 
   private void checkExport(VolumeSource source) throws IOException {
+    if (fragmentExport().writesPoses() && fracture == null && source.placements().isEmpty()) {
+      throw PalpateException.wrongUse(
+          "the volume has no bodies with poses",
+          source.name(),
+          "add --fracture PARTS, or choose --scene or --phantom fracture");
+    }
+    List<Path> targets = new ArrayList<>(fragmentExport().checked(source.files()));
     if (export != null) {
       OutputPaths.checked("--export", export, source.files());
       VolumeWriter.checkName(export);
-      OutputPaths.checkDistinct(
-          Stream.concat(Stream.of(export), output.report().stream()).toList());
+      targets.add(export);
     }
+    output.report().ifPresent(targets::add);
+    OutputPaths.checkDistinct(targets);
   }
 
   private Optional<FractureSpec> fractureSpec() {
@@ -155,15 +187,31 @@ public final class InfoCommand implements Callable<Integer> {
     }
   }
 
-  private void exportFragments(Fragments fragments, VolumeSource source)
-      throws VolumeFormatException {
-    SegmentedVolume parts = fragments.segments();
-    printSegments(parts.segments());
+  /** Cuts the segment and prints the fragments; with poses to write, it displaces them too. */
+  private PlacedVolume broken(VolumeSource source, List<Segment> segments, FractureSpec cut) {
+    Fragments fragments = fragments(segments, source, cut);
+    printSegments(fragments.segments().segments());
     line(
         "left out",
         NumberText.count((double) fragments.lostVoxels()) + " voxels of kerf and small pieces");
-    VolumeReader labels = new SegmentsAsLabels(parts, source.header().coordinateSystem());
-    line("written", VolumeWriter.write(labels, export) + ": " + export);
+    try {
+      List<Pose> poses =
+          fragmentExport().writesPoses()
+              ? FragmentScatter.scatter(fragments, cut.seed(), false)
+              : Collections.nCopies(cut.parts(), new Pose());
+      return PlacedVolume.ofFragments(fragments, poses, source.header().coordinateSystem());
+    } catch (IllegalArgumentException e) {
+      throw PalpateException.wrongUse(e.getMessage(), e);
+    }
+  }
+
+  private FragmentExport fragmentExport() {
+    return new FragmentExport(
+        export, Optional.ofNullable(savedScene), Optional.ofNullable(savedTransforms));
+  }
+
+  private void exportPlaced(PlacedVolume bodies) throws IOException {
+    fragmentExport().write(bodies).forEach(written -> line("written", written));
   }
 
   private static List<Segment> segments(VolumeSource source, ValueStatistics.Summary found)

@@ -24,6 +24,8 @@ import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VirtualDisplay;
+import org.palpate.body.Placement;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.io.file.AtomicFile;
@@ -40,6 +42,7 @@ import org.palpate.scene.Theme;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.surface.GreyRange;
+import org.palpate.scene.surface.WeldedSurface;
 import org.palpate.scene.window.GraphicsDriver;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.scene.window.OffscreenRenderer;
@@ -190,7 +193,7 @@ public final class RenderCommand implements Callable<Integer> {
     VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
     Optional.ofNullable(trajectory).ifPresent(inputs::add);
-    if (tool.isRigid()) {
+    if (tool.isRigid() && trajectory != null) {
       made = Optional.of(tool.make(source.header()));
       inputs.addAll(made.get().files());
     }
@@ -215,13 +218,20 @@ public final class RenderCommand implements Callable<Integer> {
     List<Optional<GreyRange>> greys = surface.greys(source, true);
     long started = System.nanoTime();
     int threads = Runtime.getRuntime().availableProcessors();
-    try (SceneLoader loader = new SceneLoader(model, segments, greys, threads)) {
+    List<RigidTransform> poses = Placement.poses(source.placements(), segments.grid());
+    try (SceneLoader loader =
+        poses.isEmpty()
+            ? new SceneLoader(model, segments, greys, threads)
+            : SceneLoader.ofPlaced(model, segments, poses, threads)) {
       awaitSurfaces(loader, source);
       report.put("surface_ms", millisSince(started));
       report.put("triangles", triangles(model));
       if (surfaceOnly) {
         export
-            .write(loader.weldedSurfaces(), segments, source.header().coordinateSystem())
+            .write(
+                placed(loader.weldedSurfaces(), source, segments.grid()),
+                segments,
+                source.header().coordinateSystem())
             .forEach(spec.commandLine().getOut()::println);
         spec.commandLine().getOut().flush();
       } else {
@@ -231,6 +241,16 @@ public final class RenderCommand implements Callable<Integer> {
     report.putVolume(source, segments.segments());
     report.write();
     return 0;
+  }
+
+  /** Returns the surfaces where the bodies stand, still in millimetres of the grid at rest. */
+  private static List<WeldedSurface> placed(
+      List<WeldedSurface> surfaces, VolumeSource source, VoxelGrid grid) {
+    List<WeldedSurface> placed = new ArrayList<>(surfaces);
+    for (int n = 0; n < source.placements().size(); n++) {
+      placed.set(n, surfaces.get(n).moved(source.placements().get(n).pose(), grid.gridMmToWorld()));
+    }
+    return placed;
   }
 
   /** Rejects options that would otherwise be ignored silently. */
@@ -260,8 +280,10 @@ public final class RenderCommand implements Callable<Integer> {
   }
 
   private void checkTool() throws VolumeFormatException {
+    tool.takeFrom(volume, spec.commandLine().getParseResult());
     tool.checkOthers(spec.commandLine().getParseResult());
-    if (tool.isRigid() && trajectory == null) {
+    boolean isAskedFor = spec.commandLine().getParseResult().hasMatchedOption("--tool");
+    if (isAskedFor && tool.isRigid() && trajectory == null) {
       throw PalpateException.wrongUse(
           "nothing moves the tool", "--tool", "add --trajectory, or leave --tool out");
     }

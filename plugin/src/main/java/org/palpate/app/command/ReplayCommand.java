@@ -166,6 +166,7 @@ public final class ReplayCommand implements Callable<Integer> {
     failures = new WriteFailures(spec.commandLine().getErr());
     REPEAT.checkGiven(repeat);
     contact.settings();
+    tool.takeFrom(volume, spec.commandLine().getParseResult());
     tool.checkOthers(spec.commandLine().getParseResult());
     return tool.isRigid() ? replayTool() : replayPoint();
   }

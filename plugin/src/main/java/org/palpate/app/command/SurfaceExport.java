@@ -62,7 +62,7 @@ final class SurfaceExport {
     Set<String> used = new HashSet<>();
     List<Path> files = new ArrayList<>();
     for (Segment segment : segments) {
-      String word = segment.name().strip().replaceAll("[^\\p{L}\\p{N}._-]+", "_");
+      String word = OutputPaths.fileWord(segment.name());
       String unique = word;
       for (int n = 2; !used.add(unique.toLowerCase(Locale.ROOT)); n++) {
         unique = word + "-" + n;

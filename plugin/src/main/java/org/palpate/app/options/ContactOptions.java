@@ -221,7 +221,7 @@ public final class ContactOptions {
     for (String name : materials.keySet()) {
       checkNamed(segments, name);
     }
-    return new ContactScene(segments, settings(), grey(source));
+    return new ContactScene(segments, source.placements(), settings(), grey(source));
   }
 
   /**

@@ -44,11 +44,16 @@ public final class OutputPaths {
    *
    * @throws PalpateException exit code 2, if a file has that name
    */
-  static Path checkedFolder(String option, Path folder) {
+  public static Path checkedFolder(String option, Path folder) {
     if (Files.exists(folder) && !Files.isDirectory(folder)) {
       throw wrong("the target is not a folder", option, folder, "name a new folder");
     }
     return folder;
+  }
+
+  /** Returns a name as a part of a file's name: letters, digits, dots, hyphens, underscores. */
+  public static String fileWord(String name) {
+    return name.strip().replaceAll("[^\\p{L}\\p{N}._-]+", "_");
   }
 
   /**

@@ -1,11 +1,14 @@
 package org.palpate.app.options;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.BodyScene;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ToolScene;
+import org.palpate.io.scene.SceneReader;
+import org.palpate.io.scene.SceneTool;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.tool.MadeTool;
@@ -77,9 +80,42 @@ public final class ToolOptions {
               + " fixed bodies does not depend on it.")
   private Double mass;
 
-  /** Whether the tool is more than a point. */
+  private boolean isAmongPlacedBodies;
+
+  /**
+   * Takes the tool of a scene file. Among bodies that have poses even a point is a rigid tool.
+   *
+   * @throws VolumeFormatException if the scene cannot be read
+   * @throws PalpateException exit code 2, if an option contradicts the scene
+   */
+  public void takeFrom(VolumeOptions volume, ParseResult given) throws VolumeFormatException {
+    isAmongPlacedBodies = volume.isPlaced();
+    if (volume.scene().isEmpty()) {
+      return;
+    }
+    for (String option : List.of("--tool", "--tool-segment", "--clearance", "--mass")) {
+      if (given.hasMatchedOption(option)) {
+        throw PalpateException.wrongUse(
+            "the scene names the tool",
+            option + " with --scene",
+            "change the key tool of the scene");
+      }
+    }
+    Path file = volume.scene().get();
+    SceneReader.read(file).tool().ifPresent(own -> take(own, file));
+  }
+
+  private void take(SceneTool own, Path sceneFile) {
+    boolean isFile = own.spec().indexOf(':') < 0 && !own.spec().equals("point");
+    tool = isFile ? sceneFile.toAbsolutePath().resolveSibling(own.spec()).toString() : own.spec();
+    segment = own.segment().orElse(null);
+    clearance = own.clearance().orElse(null);
+    mass = own.massKg().isPresent() ? own.massKg().getAsDouble() : null;
+  }
+
+  /** Whether the tool is more than a point, or a point among bodies that have poses. */
   public boolean isRigid() throws VolumeFormatException {
-    return !(request().spec() instanceof ToolSpec.Point);
+    return isAmongPlacedBodies || !(request().spec() instanceof ToolSpec.Point);
   }
 
   /**

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.palpate.app.process.PalpateException;
+import org.palpate.volume.phantom.FracturePhantom;
 import picocli.CommandLine.Option;
 
 /** The options that choose the volume and its segments. */
@@ -65,6 +66,24 @@ public final class VolumeOptions {
       })
   private List<String> segments = List.of();
 
+  @Option(
+      names = "--scene",
+      paramLabel = "FILE.json",
+      description = {
+        "A scene file: bodies, their poses and the tool; replaces --volume, --segment and --tool."
+      })
+  private Path scene;
+
+  /** Returns the scene file that was asked for, if any. */
+  public Optional<Path> scene() {
+    return Optional.ofNullable(scene);
+  }
+
+  /** Whether the bodies have poses of their own: in a scene file, or as a broken bone. */
+  public boolean isPlaced() {
+    return scene != null || (volume == null && FracturePhantom.accepts(phantom()));
+  }
+
   /**
    * Returns the file that was asked for, if any.
    *
@@ -106,6 +125,12 @@ public final class VolumeOptions {
   }
 
   private void check() {
+    if (scene != null && (volume != null || phantom != null || !segments.isEmpty())) {
+      throw PalpateException.wrongUse(
+          "a scene names its own volumes and segments",
+          "--scene " + scene,
+          "leave --volume, --phantom and --segment out");
+    }
     if (volume != null && phantom != null) {
       throw PalpateException.wrongUse(
           "a file and a phantom were both given",

@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.function.Function;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.ProgressLine;
+import org.palpate.body.Placement;
 import org.palpate.io.GreyVolumes;
 import org.palpate.io.PhantomReader;
 import org.palpate.io.VolumeDigest;
@@ -23,6 +24,9 @@ import org.palpate.io.label.SegmentProposal;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.label.ValueStatistics;
+import org.palpate.io.scene.BodyReader;
+import org.palpate.io.scene.PlacedVolume;
+import org.palpate.io.scene.SceneReader;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.RawLayout;
@@ -33,6 +37,7 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.fracture.Fragments;
 import org.palpate.volume.phantom.FracturePhantom;
 import org.palpate.volume.phantom.Phantom;
 
@@ -42,6 +47,7 @@ public final class VolumeSource {
   private final VolumeReader reader;
   private final Optional<Phantom> phantom;
   private final List<SegmentSpec> requested;
+  private final Optional<PlacedVolume> placed;
   private ScalarVolume greyValues;
 
   private VolumeSource(
@@ -49,6 +55,16 @@ public final class VolumeSource {
     this.name = name;
     this.reader = reader;
     this.phantom = phantom;
+    this.requested = requested;
+    placed = Optional.empty();
+  }
+
+  /** Creates the source of placed bodies; its reader shows them where they stand, as labels. */
+  private VolumeSource(String name, PlacedVolume placed, List<SegmentSpec> requested) {
+    this.name = name;
+    this.placed = Optional.of(placed);
+    reader = new SegmentsAsLabels(name, placed.present(), placed.world(), placed.files());
+    phantom = Optional.empty();
     this.requested = requested;
   }
 
@@ -60,6 +76,11 @@ public final class VolumeSource {
   public static VolumeSource open(VolumeOptions options) throws VolumeFormatException {
     List<SegmentSpec> requested = parseSegments(options.segments());
     Optional<Path> file = options.volume();
+    if (options.scene().isPresent()) {
+      Path scene = options.scene().get();
+      PlacedVolume bodies = BodyReader.read(SceneReader.read(scene), scene);
+      return new VolumeSource("scene " + scene, bodies, requested);
+    }
     if (file.isEmpty() && FracturePhantom.accepts(options.phantom())) {
       return ofFracture(parsed(FracturePhantom::parse, options.phantom()), requested);
     }
@@ -117,10 +138,15 @@ public final class VolumeSource {
   }
 
   private static VolumeSource ofFracture(FracturePhantom phantom, List<SegmentSpec> requested) {
-    String name = "phantom " + phantom.spec();
-    SegmentedVolume segments = parsed(FracturePhantom::segments, phantom);
-    VolumeReader reader = new SegmentsAsLabels(name, segments, CoordinateSystem.UNKNOWN);
-    return new VolumeSource(name, reader, Optional.empty(), requested);
+    return new VolumeSource(
+        "phantom " + phantom.spec(), parsed(VolumeSource::broken, phantom), requested);
+  }
+
+  /** Returns the fragments of a bone, displaced; all but the first, the largest, are movable. */
+  private static PlacedVolume broken(FracturePhantom phantom) {
+    Fragments fragments = phantom.fragments();
+    return PlacedVolume.ofFragments(
+        fragments, phantom.startPoses(fragments), CoordinateSystem.UNKNOWN);
   }
 
   /** Returns what a function makes of an option; what it refuses is wrong use. */
@@ -157,13 +183,27 @@ public final class VolumeSource {
     return reader.files();
   }
 
+  /** Returns the placement of each segment of a scene; empty if the segments stand at rest. */
+  public List<Placement> placements() {
+    return placed
+        .filter(bodies -> requested.isEmpty())
+        .map(PlacedVolume::placements)
+        .orElse(List.of());
+  }
+
+  /** Returns the bodies of a scene and their placements, if this is a scene. */
+  public Optional<PlacedVolume> placed() {
+    return placed;
+  }
+
   /** Returns the SHA-256 of the files, or of the phantom's values. */
   public String sha256() throws IOException {
     return VolumeDigest.sha256(reader);
   }
 
   /**
-   * Reads the segments that were asked for, otherwise one for each label.
+   * Reads the segments that were asked for, otherwise one for each label. Those of a scene are
+   * where they rest; see {@link #placements}.
    *
    * @param err receives a line for each segment without voxels
    * @param keepsGrey whether to keep the grey values too, in the same pass over the file, if
@@ -172,6 +212,9 @@ public final class VolumeSource {
    *     intensities
    */
   public SegmentedVolume segments(PrintWriter err, boolean keepsGrey) throws VolumeFormatException {
+    if (placed.isPresent() && requested.isEmpty()) {
+      return placed.get().rest();
+    }
     if (!requested.isEmpty()) {
       SegmentedVolume found = keepsGrey ? readWithGreyValues() : read(requested);
       found.segments().stream()

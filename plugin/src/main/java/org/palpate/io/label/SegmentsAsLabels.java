@@ -30,19 +30,23 @@ public final class SegmentsAsLabels implements VolumeReader {
   private final String name;
   private final SegmentedVolume volume;
   private final VolumeHeader header;
+  private final List<Path> files;
 
   /** Creates a reader of segments in a coordinate system. */
   public SegmentsAsLabels(SegmentedVolume volume, CoordinateSystem coordinateSystem) {
-    this("segments", volume, coordinateSystem);
+    this("segments", volume, coordinateSystem, List.of());
   }
 
   /**
    * Creates a reader of segments in a coordinate system.
    *
    * @param name the source as messages name it
+   * @param files the files from which the segments were made
    */
-  public SegmentsAsLabels(String name, SegmentedVolume volume, CoordinateSystem coordinateSystem) {
+  public SegmentsAsLabels(
+      String name, SegmentedVolume volume, CoordinateSystem coordinateSystem, List<Path> files) {
     this.name = name;
+    this.files = List.copyOf(files);
     this.volume = volume;
     Map<Long, Label> labels = new TreeMap<>();
     for (Segment segment : volume.segments()) {
@@ -122,6 +126,6 @@ public final class SegmentsAsLabels implements VolumeReader {
 
   @Override
   public List<Path> files() {
-    return List.of();
+    return files;
   }
 }

@@ -3,6 +3,9 @@ package org.palpate.scene.surface;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.geometry.Vec3;
 
 /**
  * A surface without duplicate vertices, welded from bricks. Immutable by convention: its arrays are
@@ -50,6 +53,33 @@ public final class WeldedSurface {
       vertices += part.vertexCount();
     }
     return all;
+  }
+
+  /**
+   * Returns this surface after a motion of the world.
+   *
+   * @param motion from rest to present, world mm
+   * @param gridMmToWorld from the frame of the vertices to the world at rest
+   */
+  public WeldedSurface moved(Pose motion, RigidTransform gridMmToWorld) {
+    float[] positions = positionsMm.clone();
+    short[] turned = normals.clone();
+    Vec3 v = new Vec3();
+    for (int n = 0; n < vertexCount(); n++) {
+      v.set(positions[3 * n], positions[3 * n + 1], positions[3 * n + 2]);
+      motion.transform(gridMmToWorld.transform(v, v), v);
+      gridMmToWorld.inverseTransform(v, v);
+      for (int axis = 0; axis < 3; axis++) {
+        positions[3 * n + axis] = (float) v.get(axis);
+      }
+      v.set(turned[4 * n], turned[4 * n + 1], turned[4 * n + 2]);
+      motion.rotation.rotate(gridMmToWorld.rotate(v, v), v);
+      gridMmToWorld.inverseRotate(v, v);
+      for (int axis = 0; axis < 3; axis++) {
+        turned[4 * n + axis] = (short) Math.rint(v.get(axis));
+      }
+    }
+    return new WeldedSurface(positions, turned, triangles);
   }
 
   /** Returns x, y, z of each vertex in grid mm. */

@@ -1,0 +1,124 @@
+package org.palpate.app.command;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.palpate.app.options.OutputPaths;
+import org.palpate.app.process.PalpateException;
+import org.palpate.body.Placement;
+import org.palpate.io.VolumeWriter;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.label.SegmentsAsLabels;
+import org.palpate.io.scene.PlacedVolume;
+import org.palpate.io.scene.SceneBody;
+import org.palpate.io.scene.SceneFile;
+import org.palpate.io.scene.SceneWriter;
+import org.palpate.io.scene.TransformWriter;
+import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.volume.Segment;
+
+/** Writes bodies at rest as a label volume, and their poses as a scene file or as transforms. */
+final class FragmentExport {
+  private final Path labels;
+  private final Optional<Path> scene;
+  private final Optional<Path> transforms;
+
+  /**
+   * Creates an export.
+   *
+   * @param labels the label volume, or null if none is written
+   * @param scene the scene file, which names the label volume
+   * @param transforms the folder of the transform files
+   */
+  FragmentExport(Path labels, Optional<Path> scene, Optional<Path> transforms) {
+    this.labels = labels;
+    this.scene = scene;
+    this.transforms = transforms;
+  }
+
+  /** Whether poses are written. */
+  boolean writesPoses() {
+    return scene.isPresent() || transforms.isPresent();
+  }
+
+  /**
+   * Checks the targets before any work is done.
+   *
+   * @param inputs files that must not be replaced
+   * @return the files whose names are known already
+   */
+  List<Path> checked(List<Path> inputs) {
+    if (scene.isPresent() && labels == null) {
+      throw PalpateException.wrongUse(
+          "the bodies of the scene have no volume",
+          "--save-scene " + scene.get(),
+          "add --export FILE");
+    }
+    transforms.ifPresent(folder -> OutputPaths.checkedFolder("--save-transforms", folder));
+    return scene.map(file -> OutputPaths.checked("--save-scene", file, inputs)).stream().toList();
+  }
+
+  /** Writes everything that was asked for, and returns a line for each file or folder. */
+  List<String> write(PlacedVolume bodies) throws IOException {
+    List<String> lines = new ArrayList<>();
+    if (labels != null) {
+      String format =
+          VolumeWriter.write(new SegmentsAsLabels(bodies.rest(), bodies.world()), labels);
+      lines.add(format + ": " + labels);
+    }
+    if (scene.isPresent()) {
+      writeScene(bodies, scene.get());
+      lines.add("scene: " + scene.get());
+    }
+    if (transforms.isPresent()) {
+      writeTransforms(bodies, transforms.get());
+      lines.add("transforms" + axes(bodies) + ": " + transforms.get());
+    }
+    return lines;
+  }
+
+  private static String axes(PlacedVolume bodies) {
+    return bodies.world() == CoordinateSystem.UNKNOWN
+        ? "; the axes are not named and are taken as LPS"
+        : "";
+  }
+
+  private void writeScene(PlacedVolume bodies, Path file) {
+    Path folder = file.toAbsolutePath().normalize().getParent();
+    Path volume = folder.relativize(labels.toAbsolutePath().normalize());
+    List<SceneBody> written = new ArrayList<>();
+    for (Segment segment : bodies.rest().segments()) {
+      Placement placement = bodies.placements().get(written.size());
+      written.add(
+          SceneBody.ofVolume(
+              segment.name(),
+              volume.toString().replace('\\', '/'),
+              "label:" + (written.size() + 1),
+              placement.mobility(),
+              placement.pose()));
+    }
+    try (AtomicFile target = new AtomicFile(file)) {
+      SceneWriter.write(SceneFile.ofBodies(written), target.stream());
+      target.commit();
+    } catch (IOException e) {
+      throw OutputPaths.failed(file, e);
+    }
+  }
+
+  private static void writeTransforms(PlacedVolume bodies, Path folder) {
+    try {
+      Files.createDirectories(folder);
+      int n = 0;
+      for (Segment segment : bodies.rest().segments()) {
+        Path file = folder.resolve(OutputPaths.fileWord(segment.name()) + ".tfm");
+        AtomicFile.write(
+            file, TransformWriter.text(bodies.placements().get(n++).pose(), bodies.world()));
+      }
+    } catch (IOException e) {
+      throw OutputPaths.failed(folder, e);
+    }
+  }
+}

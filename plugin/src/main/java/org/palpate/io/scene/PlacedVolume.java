@@ -1,0 +1,60 @@
+package org.palpate.io.scene;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.palpate.body.Mobility;
+import org.palpate.body.Placement;
+import org.palpate.geometry.Pose;
+import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.fracture.Fragments;
+import org.palpate.volume.fracture.PosedBits;
+
+/**
+ * Bodies that share a grid at rest, and their placements.
+ *
+ * @param rest a segment for each body, where it rests
+ * @param placements the placement of each body, in the same order
+ * @param world the directions of the world axes
+ * @param files the files that hold the bodies, which no output may replace
+ * @param notes what the user should know, a sentence each
+ */
+public record PlacedVolume(
+    SegmentedVolume rest,
+    List<Placement> placements,
+    CoordinateSystem world,
+    List<Path> files,
+    List<String> notes) {
+
+  /** Copies the lists. */
+  public PlacedVolume {
+    placements = List.copyOf(placements);
+    files = List.copyOf(files);
+    notes = List.copyOf(notes);
+  }
+
+  /**
+   * Returns the fragments of a bone. The first, the largest, is fixed; the others are movable.
+   *
+   * @param poses the pose of each fragment, from its place in the bone, world mm
+   */
+  public static PlacedVolume ofFragments(
+      Fragments fragments, List<Pose> poses, CoordinateSystem world) {
+    List<Placement> placements = new ArrayList<>();
+    for (Pose pose : poses) {
+      placements.add(new Placement(placements.isEmpty() ? Mobility.FIXED : Mobility.MOVABLE, pose));
+    }
+    return new PlacedVolume(fragments.segments(), placements, world, List.of(), List.of());
+  }
+
+  /** Returns the poses, from rest to present, world mm. */
+  public List<Pose> poses() {
+    return placements.stream().map(Placement::pose).toList();
+  }
+
+  /** Returns the placed bodies as segments of the same grid; see {@link PosedBits#resample}. */
+  public SegmentedVolume present() {
+    return PosedBits.resample(rest, poses());
+  }
+}

@@ -1,0 +1,36 @@
+package org.palpate.io.scene;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * The content of a scene file.
+ *
+ * @param bodies the bodies in the order in which results number them; at least one
+ * @param tool the tool; empty for a point
+ * @param device the mapping of the device
+ * @param protect what cutting spares, as in {@code --protect}
+ * @param carve the rate of cutting, mm^3 for each N s; empty if nothing is cut
+ */
+public record SceneFile(
+    List<SceneBody> bodies,
+    Optional<SceneTool> tool,
+    Optional<SceneDevice> device,
+    List<String> protect,
+    OptionalDouble carve) {
+  /** The version of the format, which files may state. */
+  public static final int VERSION = 1;
+
+  /** Copies the lists. */
+  public SceneFile {
+    bodies = List.copyOf(bodies);
+    protect = List.copyOf(protect);
+  }
+
+  /** Returns a scene of bodies and a point tool. */
+  public static SceneFile ofBodies(List<SceneBody> bodies) {
+    return new SceneFile(
+        bodies, Optional.empty(), Optional.empty(), List.of(), OptionalDouble.empty());
+  }
+}

@@ -1,0 +1,76 @@
+package org.palpate.io.scene;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.table.ReportJson;
+
+/**
+ * Writes a scene file. Doubles are the shortest decimals that read back the same, so a scene that
+ * is written and read has the same bits.
+ */
+public final class SceneWriter {
+  private SceneWriter() {}
+
+  /** Writes a scene and leaves the stream open. The names of files are written as they are. */
+  public static void write(SceneFile scene, OutputStream stream) throws IOException {
+    Map<String, Object> top = new LinkedHashMap<>();
+    top.put("version", SceneFile.VERSION);
+    top.put("bodies", scene.bodies().stream().map(SceneWriter::body).toList());
+    scene.tool().ifPresent(tool -> top.put("tool", tool(tool)));
+    scene.device().ifPresent(device -> top.put("device", device(device)));
+    if (!scene.protect().isEmpty()) {
+      top.put("protect", scene.protect());
+    }
+    scene.carve().ifPresent(rate -> top.put("carve", rate));
+    ReportJson.write(top, stream);
+  }
+
+  private static Map<String, Object> body(SceneBody body) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("name", body.name());
+    fields.put(body.isMesh() ? "mesh" : "volume", body.source());
+    body.segment().ifPresent(segment -> fields.put("segment", segment));
+    fields.put("mobility", body.mobility().name().toLowerCase(Locale.ROOT));
+    fields.put("pose", pose(body.pose()));
+    body.material().ifPresent(material -> fields.put("material", material));
+    body.youngPa().ifPresent(young -> fields.put("young_pa", young));
+    body.poisson().ifPresent(ratio -> fields.put("poisson", ratio));
+    return fields;
+  }
+
+  private static Map<String, Object> pose(Pose pose) {
+    Quaternion q = pose.rotation;
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("translation_mm", vector(pose.translation));
+    fields.put("rotation", List.of(q.w, q.x, q.y, q.z));
+    return fields;
+  }
+
+  private static List<Double> vector(Vec3 v) {
+    return List.of(v.x, v.y, v.z);
+  }
+
+  private static Map<String, Object> tool(SceneTool tool) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("spec", tool.spec());
+    tool.segment().ifPresent(segment -> fields.put("segment", segment));
+    tool.clearance().ifPresent(clearance -> fields.put("clearance", clearance));
+    tool.massKg().ifPresent(mass -> fields.put("mass_kg", mass));
+    return fields;
+  }
+
+  private static Map<String, Object> device(SceneDevice device) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    device.scale().ifPresent(scale -> fields.put("scale", scale));
+    device.axes().ifPresent(axes -> fields.put("axes", axes));
+    device.offsetMm().ifPresent(offset -> fields.put("offset_mm", vector(offset)));
+    return fields;
+  }
+}
