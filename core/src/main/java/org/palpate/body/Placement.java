@@ -1,5 +1,6 @@
 package org.palpate.body;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
@@ -7,7 +8,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Where a body stands when a scene starts, and whether it can move.
+ * The pose of a body when a scene starts, and its mobility.
  *
  * @param mobility whether and how the body can move
  * @param pose the pose, from rest to present, world mm; not to be written
@@ -20,7 +21,11 @@ public record Placement(Mobility mobility, Pose pose) {
    * @param grid the grid of all bodies at rest
    */
   public static List<RigidTransform> poses(List<Placement> placements, VoxelGrid grid) {
-    return placements.stream().map(each -> each.applyTo(grid.gridMmToWorld())).toList();
+    List<RigidTransform> poses = new ArrayList<>();
+    for (Placement placement : placements) {
+      poses.add(placement.applyTo(grid.gridMmToWorld()));
+    }
+    return poses;
   }
 
   private RigidTransform applyTo(RigidTransform toRest) {

@@ -84,9 +84,9 @@ class SceneCommandTest {
     Map<String, String> json = FlatJson.read(report);
     assertTrue(Integer.parseInt(json.get("/contact_frames")) > 20, json.toString());
     List<String> lines = Files.readAllLines(frames);
-    List<String> columns = List.of(lines.get(0).split(","));
+    List<String> columns = List.of(lines.get(0).split(",", -1));
     for (String line : lines.subList(1, lines.size())) {
-      String[] row = line.split(",");
+      String[] row = line.split(",", -1);
       Vec3 point =
           new Vec3(
               Double.parseDouble(row[columns.indexOf("px")]),
@@ -191,7 +191,7 @@ class SceneCommandTest {
         process.exitValue() != WITHOUT_SIMPLEITK,
         "skipped: SimpleITK is not installed (-Dpalpate.python=PYTHON)");
     assertEquals(0, process.exitValue());
-    return out.strip().split(" ");
+    return out.strip().split(" ", -1);
   }
 
   @Test

@@ -10,7 +10,7 @@ import java.util.OptionalDouble;
  * @param bodies the bodies in the order in which results number them; at least one
  * @param tool the tool; empty for a point
  * @param device the mapping of the device
- * @param protect what cutting spares, as in {@code --protect}
+ * @param protect what cutting spares
  * @param carve the rate of cutting, mm^3 for each N s; empty if nothing is cut
  */
 public record SceneFile(
