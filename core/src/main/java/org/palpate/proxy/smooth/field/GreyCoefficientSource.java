@@ -34,9 +34,6 @@ final class GreyCoefficientSource implements CoefficientSource {
   private final GreyOccupancyCache cache;
   private final BinaryWindow window;
 
-  /** Null if cells are voxels. */
-  private final ThinOccupancies thin;
-
   private final double scale;
 
   /** The occupancies of the window, a row in a word, y fastest. */
@@ -58,8 +55,8 @@ final class GreyCoefficientSource implements CoefficientSource {
       SmoothingKernel kernel, ThinGrid grid, BinaryWindow window, GreyIsosurfaceSource grey) {
     this.kernel = kernel;
     this.window = window;
-    cache = new GreyOccupancyCache(grey);
-    thin = grid.isWhole() ? null : new ThinOccupancies(grid, cache);
+    OccupancySource voxels = new GreyVoxels(grey);
+    cache = new GreyOccupancyCache(grid.isWhole() ? voxels : new ThinOccupancies(grid, voxels));
     scale = kernel.scale() / GreyOccupancyCache.WHOLE;
   }
 
@@ -71,11 +68,7 @@ final class GreyCoefficientSource implements CoefficientSource {
       return false;
     }
     window.floodFrom(seed);
-    if (thin == null) {
-      cache.read(scene, x - TO_MIDDLE, y - TO_MIDDLE, z - TO_MIDDLE, rows);
-    } else {
-      thin.read(scene, x - TO_MIDDLE, y - TO_MIDDLE, z - TO_MIDDLE, rows);
-    }
+    cache.read(scene, x - TO_MIDDLE, y - TO_MIDDLE, z - TO_MIDDLE, rows);
     if (window.anyUnreached()) {
       fillUnreached();
     }

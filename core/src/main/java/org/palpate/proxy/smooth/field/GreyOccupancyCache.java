@@ -2,17 +2,11 @@ package org.palpate.proxy.smooth.field;
 
 import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
-import org.palpate.volume.GreyQuantizer;
 import org.palpate.volume.ScalarVolume;
-import org.palpate.volume.VoxelGrid;
 
 /**
- * A cache of the occupancies of voxels, a byte each, as their grey values give them. Windows that
- * move by a few voxels read only the voxels that came in.
- *
- * <p>Where an edit changed the bits the bits win: a voxel that is solid against its grey value has
- * full occupancy, one that is empty against it none. Call {@link #forget} after any change of
- * solids or values.
+ * A cache of the occupancies of cells, a byte each. Windows that move by a few cells read only the
+ * cells that came in. Call {@link #forget} after any change of solids or grey values.
  *
  * <pre>
  *   ring buffer of 16 planes of 16 rows; row j of plane k is kept at (k mod 16, j mod 16)
@@ -24,7 +18,7 @@ final class GreyOccupancyCache {
   /** The byte that stands for occupancy 1. */
   static final int WHOLE = 255;
 
-  /** The edge of what is read at once, in voxels. */
+  /** The edge of what is read at once, in cells. */
   static final int EDGE = ScalarVolume.LEVELS;
 
   private static final int RING = 16;
@@ -38,11 +32,7 @@ final class GreyOccupancyCache {
   /** Bit n of byte n. */
   private static final long DIAGONAL = 0x8040_2010_0804_0201L;
 
-  /** A factor that gathers the top bits of all bytes in the topmost byte. */
-  private static final long GATHER = 0x0002_0408_1020_4081L;
-
-  private final GreyIsosurfaceSource source;
-  private final VoxelGrid grid;
+  private final OccupancySource source;
   private final long[] ring = new long[RING * RING * WORDS];
 
   /** The k that each plane of the ring holds. */
@@ -57,39 +47,19 @@ final class GreyOccupancyCache {
   /** The row behind the last one that each plane holds. */
   private final int[] endRow = new int[RING];
 
-  private GreyIsosurface surface;
-  private ScalarVolume volume;
-  private GreyQuantizer quantizer;
-
-  /** The bricks of bits read last: two for words of even number at 0, two for odd ones at 2. */
-  private final long[] bricks = new long[4];
-
-  /** The word number of those bricks, at 0 and 2. */
-  private final int[] brickWord = new int[3];
-
-  private final int[] brickY = new int[3];
-  private final int[] brickZ = new int[3];
-
-  GreyOccupancyCache(GreyIsosurfaceSource source) {
+  GreyOccupancyCache(OccupancySource source) {
     this.source = source;
-    grid = source.grid();
     forget();
   }
 
-  /** Forgets all occupancies and takes the present values of the source. */
+  /** Forgets all occupancies, and those of the source. */
   void forget() {
-    GreyIsosurface now = source.now();
-    if (!now.equals(surface)) { // otherwise a frame after an edit would allocate
-      surface = now;
-      volume = now.volume();
-      quantizer = new GreyQuantizer(now.threshold(), 0.5 * WHOLE / now.contrast());
-    }
+    source.forget();
     Arrays.fill(planeK, NONE);
-    Arrays.fill(brickWord, NONE);
   }
 
   /**
-   * Writes the occupancies of the 8x8x8 voxels from (x,y,z) on, a row in a word, voxel x in the
+   * Writes the occupancies of the 8x8x8 cells from (x,y,z) on, a row in a word, cell x in the
    * lowest byte; y fastest.
    *
    * @param scene the same one since {@link #forget}
@@ -154,48 +124,8 @@ final class GreyOccupancyCache {
   }
 
   private void readWord(int plane, int word, int j, int k, CollisionScene scene) {
-    ring[(plane * RING | (j & RING_MASK)) * WORDS | (word & 1)] = occupancies(word, j, k, scene);
-  }
-
-  private long occupancies(int word, int j, int k, CollisionScene scene) {
-    long fromGrey = levels(word << 3, j, k);
-    int solid = solidVoxels(word, j, k, scene);
-    int above = (int) (((fromGrey & TOP_BITS) * GATHER) >>> 56);
-    return above == solid ? fromGrey : corrected(fromGrey, solid, above ^ solid);
-  }
-
-  /** Returns the solid voxels of a word, a bit each. */
-  private int solidVoxels(int word, int j, int k, CollisionScene scene) {
-    int at = (word & 1) << 1;
-    if (brickWord[at] != word || brickY[at] != j >> 2 || brickZ[at] != k >> 2) {
-      brickWord[at] = word;
-      brickY[at] = j >> 2;
-      brickZ[at] = k >> 2;
-      bricks[at] = scene.brick(word << 1, j >> 2, k >> 2);
-      bricks[at + 1] = scene.brick(word << 1 | 1, j >> 2, k >> 2);
-    }
-    int shift = (k & 3) << 4 | (j & 3) << 2;
-    return (int) ((bricks[at] >>> shift & 0xF) | (bricks[at + 1] >>> shift & 0xF) << 4);
-  }
-
-  /** Returns the occupancies of the 8 voxels from i on by their grey values; 0 outside the grid. */
-  private long levels(int i, int j, int k) {
-    if (grid.contains(i, j, k) && grid.contains(i + EDGE - 1, j, k)) {
-      return volume.levels(i, j, k, quantizer);
-    }
-    long levels = 0;
-    for (int n = 0; n < EDGE; n++) {
-      if (grid.contains(i + n, j, k)) {
-        levels |= (long) quantizer.of(volume.value(i + n, j, k)) << (8 * n);
-      }
-    }
-    return levels;
-  }
-
-  /** Returns the occupancies with those of {@code wrong} voxels taken from the bits. */
-  private static long corrected(long occupancies, int solid, int wrong) {
-    long wrongBytes = bytesOf(wrong);
-    return (occupancies & ~wrongBytes) | (wrongBytes & bytesOf(solid));
+    ring[(plane * RING | (j & RING_MASK)) * WORDS | (word & 1)] =
+        source.occupancies(scene, word, j, k);
   }
 
   /** Returns eight bytes, each of ones if its bit is set and else 0; the lowest bit's is lowest. */

@@ -87,8 +87,7 @@ public final class OccupancyField {
    */
   public static OccupancyField ofGrey(GridMetric metric, GreyIsosurfaceSource grey) {
     Vec3 edges = edges(metric);
-    ThinGrid cut = ThinGrid.of(edges);
-    ThinGrid grid = cut.perVoxel() < ThinOccupancies.MIN_PER_VOXEL ? ThinGrid.WHOLE : cut;
+    ThinGrid grid = ThinGrid.of(edges);
     SmoothingKernel kernel = SmoothingKernel.forGrey(grid.cellEdges(edges));
     BrickSource cells = cells(grid);
     BinaryWindow window = new BinaryWindow(grid, cells);

@@ -1,5 +1,6 @@
 package org.palpate.proxy.smooth.field;
 
+import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
 
 /**
@@ -7,95 +8,139 @@ import org.palpate.collision.CollisionScene;
  * that is partly solid is filled from the side of its solid neighbour along the long axis, as far
  * as its occupancy goes. If the neighbours on both sides are alike, it is filled evenly.
  *
- * <p>Occupancies are whole numbers from 0 to {@link GreyOccupancyCache#WHOLE}, a byte each. Cost:
- * 512 cells for each window.
+ * <p>A cell lies in one voxel or in two. It depends on these and on the next voxel on either side,
+ * so four words of voxels give a word of cells, whichever window asks. Voxels are cached, because
+ * the cells of a voxel and of its neighbours all need it. Cost: some ten operations for each cell
+ * in or beside a voxel that is partly solid.
  */
-final class ThinOccupancies {
-  /** The least number of cells for each voxel at which a window's voxels fit into one reading. */
-  static final double MIN_PER_VOXEL = 1.6;
-
+final class ThinOccupancies implements OccupancySource {
   private static final int EDGE = GreyOccupancyCache.EDGE;
   private static final int WHOLE = GreyOccupancyCache.WHOLE;
   private static final int BYTE = 0xFF;
+  private static final long ONE_A_BYTE = 0x0101_0101_0101_0101L;
+
+  private static final int SLOTS = 64;
+  private static final int NONE = Integer.MIN_VALUE;
 
   private final ThinGrid grid;
-  private final GreyOccupancyCache cache;
+  private final OccupancySource voxels;
+  private final CacheKeys voxelKeys = new CacheKeys();
+  private final long[] voxelWords = new long[CacheKeys.SLOTS];
 
-  /** The occupancies of voxels, as the cache reads them. */
-  private final long[] voxels = new long[EDGE * EDGE];
+  /** The cell whose place in its voxels each slot holds. */
+  private final int[] cells = new int[SLOTS];
 
-  /** One column of these along the long axis. */
-  private final int[] column = new int[EDGE];
-
-  /** The voxel of a column that holds the lower end of each cell. */
-  private final int[] lowVoxel = new int[EDGE];
+  /** The voxel that holds the lower end of each cell. */
+  private final int[] lowVoxel = new int[SLOTS];
 
   /** The fraction of that voxel below the cell. */
-  private final double[] below = new double[EDGE];
+  private final double[] below = new double[SLOTS];
 
-  /** Creates the cells of a grid that has at least {@link #MIN_PER_VOXEL} for each voxel. */
-  ThinOccupancies(ThinGrid grid, GreyOccupancyCache cache) {
+  /** Creates the cells of a grid whose cells are not voxels. */
+  ThinOccupancies(ThinGrid grid, OccupancySource voxels) {
     this.grid = grid;
-    this.cache = cache;
+    this.voxels = voxels;
+    Arrays.fill(cells, NONE);
   }
 
-  /** Writes the occupancies of the 8x8x8 cells from (x,y,z) on, as {@link GreyOccupancyCache}. */
-  void read(CollisionScene scene, int x, int y, int z, long[] dest) {
-    int firstCell = grid.axis() == 0 ? x : grid.axis() == 1 ? y : z;
-    int firstVoxel = SeedCell.floor(firstCell / grid.perVoxel()) - 1;
+  @Override
+  public void forget() {
+    voxels.forget();
+    voxelKeys.forget();
+  }
+
+  @Override
+  public long occupancies(CollisionScene scene, int word, int j, int k) {
+    return grid.axis() == 0 ? alongX(scene, word, j, k) : acrossX(scene, word, j, k);
+  }
+
+  /** Returns cells that lie side by side along the long axis. */
+  private long alongX(CollisionScene scene, int word, int j, int k) {
+    long result = 0;
     for (int n = 0; n < EDGE; n++) {
-      double at = (firstCell + n) / grid.perVoxel() - firstVoxel;
-      lowVoxel[n] = (int) at;
-      below[n] = at - lowVoxel[n];
+      int slot = slotOf(EDGE * word + n);
+      int voxel = lowVoxel[slot];
+      int cell =
+          cell(
+              slot,
+              voxelAlongX(scene, voxel - 1, j, k),
+              voxelAlongX(scene, voxel, j, k),
+              voxelAlongX(scene, voxel + 1, j, k),
+              voxelAlongX(scene, voxel + 2, j, k));
+      result |= (long) cell << (8 * n);
     }
-    switch (grid.axis()) {
-      case 0 -> cache.read(scene, firstVoxel, y, z, voxels);
-      case 1 -> cache.read(scene, x, firstVoxel, z, voxels);
-      default -> cache.read(scene, x, y, firstVoxel, voxels);
-    }
-    for (int row = 0; row < EDGE * EDGE; row++) {
-      dest[row] = 0;
-    }
-    for (int n = 0; n < EDGE * EDGE; n++) {
-      cutColumn(n & (EDGE - 1), n >> 3, dest);
-    }
+    return result;
   }
 
-  /** Cuts one column into cells; (a,b) are its coordinates along the two other axes. */
-  private void cutColumn(int a, int b, long[] dest) {
-    int lowest = WHOLE;
-    int highest = 0;
+  private int voxelAlongX(CollisionScene scene, int i, int j, int k) {
+    return byteOf(voxels(scene, i >> 3, j, k), i & (EDGE - 1));
+  }
+
+  /** Returns cells that lie side by side across the long axis. */
+  private long acrossX(CollisionScene scene, int word, int j, int k) {
+    int slot = slotOf(grid.axis() == 1 ? j : k);
+    int voxel = lowVoxel[slot];
+    long lower = voxelsAt(scene, word, j, k, voxel);
+    long upper = voxelsAt(scene, word, j, k, voxel + 1);
+    if (lower == upper && lower == (lower & ONE_A_BYTE) * BYTE) {
+      return lower; // each voxel is empty or solid, and the next one alike
+    }
+    long before = voxelsAt(scene, word, j, k, voxel - 1);
+    long behind = voxelsAt(scene, word, j, k, voxel + 2);
+    long result = 0;
     for (int n = 0; n < EDGE; n++) {
-      column[n] = (int) (voxels[rowOf(a, b, n)] >>> shiftOf(a, n)) & BYTE;
-      lowest = Math.min(lowest, column[n]);
-      highest = Math.max(highest, column[n]);
+      int cell =
+          cell(slot, byteOf(before, n), byteOf(lower, n), byteOf(upper, n), byteOf(behind, n));
+      result |= (long) cell << (8 * n);
     }
-    if (highest == 0) {
-      return;
-    }
-    for (int n = 0; n < EDGE; n++) {
-      int occupancy = lowest == WHOLE ? WHOLE : cell(n);
-      dest[rowOf(a, b, n)] |= (long) occupancy << shiftOf(a, n);
-    }
+    return result;
   }
 
-  private int rowOf(int a, int b, int n) {
-    return grid.axis() == 0 ? EDGE * b + a : grid.axis() == 1 ? EDGE * b + n : EDGE * n + b;
+  /** Returns a word of voxels, given its coordinate along the long axis. */
+  private long voxelsAt(CollisionScene scene, int word, int j, int k, int voxel) {
+    return grid.axis() == 1 ? voxels(scene, word, voxel, k) : voxels(scene, word, j, voxel);
   }
 
-  private int shiftOf(int a, int n) {
-    return 8 * (grid.axis() == 0 ? n : a);
+  private long voxels(CollisionScene scene, int word, int j, int k) {
+    int slot = CacheKeys.slot(word, j, k);
+    if (!voxelKeys.holdsElseSet(slot, word, j, k)) {
+      voxelWords[slot] = voxels.occupancies(scene, word, j, k);
+    }
+    return voxelWords[slot];
   }
 
-  /** Returns the occupancy of a cell, which lies in one voxel or in two. */
-  private int cell(int n) {
-    int voxel = lowVoxel[n];
-    double from = below[n];
+  private static int byteOf(long word, int n) {
+    return (int) (word >>> (8 * n)) & BYTE;
+  }
+
+  /** Returns the slot that holds the place of a cell in its voxels from now on. */
+  private int slotOf(int cell) {
+    int slot = cell & (SLOTS - 1);
+    if (cells[slot] != cell) {
+      double at = cell / grid.perVoxel();
+      cells[slot] = cell;
+      lowVoxel[slot] = SeedCell.floor(at);
+      below[slot] = at - lowVoxel[slot];
+    }
+    return slot;
+  }
+
+  /**
+   * Returns the occupancy of a cell.
+   *
+   * @param slot holds its place
+   * @param lower the occupancy of the voxel that holds its lower end, which may hold all of it
+   * @param before that of the voxel before
+   * @param upper that of the next voxel
+   * @param behind that of the one behind
+   */
+  private int cell(int slot, int before, int lower, int upper, int behind) {
+    double from = below[slot];
     double height = 1 / grid.perVoxel();
     double inLower = Math.min(height, 1 - from);
-    double solid = inLower * part(voxel, from, inLower);
+    double solid = inLower * part(before, lower, upper, from, inLower);
     if (inLower < height) {
-      solid += (height - inLower) * part(voxel + 1, 0, height - inLower);
+      solid += (height - inLower) * part(lower, upper, behind, 0, height - inLower);
     }
     return (int) (solid * grid.perVoxel() + 0.5);
   }
@@ -103,16 +148,16 @@ final class ThinOccupancies {
   /**
    * Returns the occupancy of a part of a voxel.
    *
+   * @param whole the occupancy of the voxel
+   * @param lower that of its lower neighbour
+   * @param upper that of its upper neighbour
    * @param from the lower end of the part, as a fraction of the voxel
    * @param height its height, as a fraction of the voxel
    */
-  private double part(int voxel, double from, double height) {
-    int whole = column[voxel];
+  private static double part(int lower, int whole, int upper, double from, double height) {
     if (whole == 0 || whole == WHOLE) {
       return whole;
     }
-    int lower = column[voxel - 1];
-    int upper = column[voxel + 1];
     double start = lower > upper ? from : 1 - from - height;
     double filled = Math.max(0, Math.min(WHOLE, (whole - WHOLE * start) / height));
     double directed = Math.abs(lower - upper) / (double) WHOLE;
