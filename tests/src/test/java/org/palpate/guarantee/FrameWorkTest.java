@@ -14,18 +14,25 @@ import org.palpate.testing.Seeds;
 /** Bounds the work of a frame at the default w_max, in work units that no machine changes. */
 class FrameWorkTest {
   private static final int MAX_RATIO_TO_A_SLIDE = 20;
+
+  /** The same among alternating slices of long voxels, whose outlines are sought far around. */
+  private static final int MAX_RATIO_AMONG_SLICES = 30;
+
+  /** The same if an edit before each frame makes it read everything anew. */
+  private static final int MAX_RATIO_AMONG_EDITED_SLICES = 40;
+
   private static final int CASES = 500;
   private static final int JUMPS = 20_000;
 
   @ParameterizedTest
   @EnumSource
-  void noFrameNeedsMoreThanTwentyTimesTheWorkOfASlidingFrame(Attacked solver) {
+  void noFrameNeedsMuchMoreWorkThanASlidingFrame(Attacked solver) {
     List<WorkStudy.Row> rows = rows(solver);
     long sliding = median(rows, WorkStudy.SLIDING);
     assertTrue(sliding > 10, "the words that a frame reads are counted: " + rows);
     for (WorkStudy.Row row : rows) {
       assertTrue(
-          row.worst() <= MAX_RATIO_TO_A_SLIDE * sliding,
+          row.worst() <= maxRatio(row.hand()) * sliding,
           () -> row + " sliding " + sliding + " seed " + Seeds.seed());
     }
     System.out.println("work units of " + solver + ": " + rows);
@@ -35,6 +42,14 @@ class FrameWorkTest {
   void theCountIsTheSameInEveryRun() {
     WorkStudy study = new WorkStudy(Attacked.GUARDED, Seeds.seed(), 5, 1000);
     assertEquals(study.rows(), study.rows());
+  }
+
+  private static int maxRatio(String hand) {
+    return switch (hand) {
+      case WorkStudy.SLICES -> MAX_RATIO_AMONG_SLICES;
+      case WorkStudy.EDITED_SLICES -> MAX_RATIO_AMONG_EDITED_SLICES;
+      default -> MAX_RATIO_TO_A_SLIDE;
+    };
   }
 
   private static List<WorkStudy.Row> rows(Attacked solver) {

@@ -43,6 +43,16 @@ final class WorkCounts {
     return point.position;
   }
 
+  /** Makes a voxel empty; the next frame feels it. */
+  void clear(int i, int j, int k) {
+    bits.clear(i, j, k);
+    if (guarded != null) {
+      guarded.reset();
+    } else {
+      smooth.reset();
+    }
+  }
+
   /** Runs one frame and counts its work. */
   void follow(Vec3 device) {
     long before = bits.words();

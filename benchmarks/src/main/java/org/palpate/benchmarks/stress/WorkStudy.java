@@ -3,6 +3,7 @@ package org.palpate.benchmarks.stress;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.SplittableRandom;
 import org.palpate.benchmarks.input.Trajectories;
 import org.palpate.collision.CollisionScene;
 import org.palpate.collision.NearestFreeVoxel;
@@ -15,7 +16,8 @@ import org.palpate.volume.phantom.Phantom;
 
 /**
  * Measures the work of a frame at the default w_max, in the units of {@link WorkCounts}, for hands
- * that slide, hands that jump 5 to 50 voxels, and hostile hands in hostile scenes.
+ * that slide, hands that jump 5 to 50 voxels, hostile hands in hostile scenes, and hands that jump
+ * among alternating slices.
  */
 public final class WorkStudy {
   /** The slide to compare with: a sphere, 5 voxels deep, 2 voxels per frame. */
@@ -24,9 +26,20 @@ public final class WorkStudy {
   /** The name of hostile hands in hostile scenes. */
   public static final String HOSTILE = "hostile";
 
+  /** The name of hands that jump among alternating slices of long voxels. */
+  public static final String SLICES = "jumps, alternating slices";
+
+  /** The name of the same if a voxel is edited before each frame. */
+  public static final String EDITED_SLICES = "jumps and edits, alternating slices";
+
   private static final double DEPTH_VOXELS = 5;
   private static final int SLIDE_FRAMES = 5000;
   private static final String SLID_ON = "sphere:192";
+
+  /** The spacings of alternating slices, in pixels. */
+  private static final double[] SLICE_SPACINGS = {1.5, 2, 3, 5, 10};
+
+  private static final int SLICES_EDGE = 160;
 
   private final StressSession.Attacked attacked;
   private final long seed;
@@ -84,6 +97,8 @@ public final class WorkStudy {
       rows.add(Row.of("jumps, " + phantom, follow(bits, trajectory)));
     }
     rows.add(hostile());
+    rows.add(slices(SLICES, false));
+    rows.add(slices(EDITED_SLICES, true));
     return rows;
   }
 
@@ -133,5 +148,50 @@ public final class WorkStudy {
       System.arraycopy(counts.counts(), 0, all, number * StressCase.FRAMES, StressCase.FRAMES);
     }
     return Row.of(HOSTILE, all);
+  }
+
+  /**
+   * Follows hands that jump among slices of which every other one is solid but for single holes.
+   * Outlines are then far apart, so that the search for them reads most.
+   */
+  private Row slices(String name, boolean edited) {
+    int frames = jumps / SLICE_SPACINGS.length;
+    long[] all = new long[frames * SLICE_SPACINGS.length];
+    for (int n = 0; n < SLICE_SPACINGS.length; n++) {
+      long[] counts = jumpAmongSlices(SLICE_SPACINGS[n], frames, edited);
+      System.arraycopy(counts, 0, all, frames * n, frames);
+    }
+    return Row.of(name, all);
+  }
+
+  private long[] jumpAmongSlices(double spacing, int frames, boolean edited) {
+    SplittableRandom random = new SplittableRandom(seed);
+    BitCube bits = new BitCube(SLICES_EDGE, SLICES_EDGE, (int) (SLICES_EDGE / spacing));
+    for (int k = 0; k < bits.sizeZ(); k += 2) {
+      for (int n = 0; n < SLICES_EDGE * SLICES_EDGE; n++) {
+        if (random.nextInt(16) != 0) {
+          bits.set(n % SLICES_EDGE, n / SLICES_EDGE, k);
+        }
+      }
+    }
+    Vec3 edges = new Vec3(1, 1, spacing);
+    double maxStepMm = ContactSettings.defaultMaxStepMm(edges);
+    Vec3 device = new Vec3(-5, -5, -5);
+    WorkCounts counts =
+        new WorkCounts(attacked, bits, GridMetric.of(edges), maxStepMm, new Vec3().set(device));
+    for (int frame = 0; frame < frames; frame++) {
+      boolean jumps = frame % 3 == 0; // in between the point catches up
+      for (int axis = 0; axis < 3; axis++) {
+        double edge = axis == 2 ? bits.sizeZ() : SLICES_EDGE;
+        double at = device.get(axis) + (4 * random.nextDouble() - 2) / edges.get(axis);
+        device.set(axis, jumps ? edge * random.nextDouble() : at);
+      }
+      if (edited) {
+        counts.clear(
+            random.nextInt(SLICES_EDGE), random.nextInt(SLICES_EDGE), random.nextInt(bits.sizeZ()));
+      }
+      counts.follow(device);
+    }
+    return counts.counts();
   }
 }

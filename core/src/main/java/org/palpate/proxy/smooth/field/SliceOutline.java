@@ -41,7 +41,7 @@ final class SliceOutline {
   /**
    * Creates distances over the bits of slices.
    *
-   * @param reach a multiple of 4, at most 28
+   * @param reach a multiple of 4, at most 24
    */
   SliceOutline(SliceBits bits, int reach) {
     this.bits = bits;

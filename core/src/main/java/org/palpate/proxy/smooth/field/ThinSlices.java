@@ -23,7 +23,11 @@ final class ThinSlices implements BrickSource {
   /** The reach of searches for the outline, in bricks, for each cell of a voxel. */
   private static final double REACH_BRICKS_PER_CELL = 2;
 
-  private static final int MAX_REACH_BRICKS = 7;
+  /**
+   * The greatest reach, in bricks. With it a window and all that its outlines reach fit into {@link
+   * SliceBits}. If they did not, tiles side by side would read the same bricks again and again.
+   */
+  private static final int MAX_REACH_BRICKS = 6;
 
   private final ThinGrid grid;
   private final CellPairs pairs;

@@ -94,7 +94,7 @@ class GreyOccupancyTest {
 
   private void compareThin(ScalarVolume volume, GridMetric metric) {
     ThinGrid grid = ThinGrid.of(OccupancyField.edges(metric));
-    int reach = 4 * Math.min(7, (int) Math.ceil(2 * grid.perVoxel()));
+    int reach = 4 * Math.min(6, (int) Math.ceil(2 * grid.perVoxel()));
     NaiveThinSlices slices = new NaiveThinSlices(scene, grid.axis(), grid.perVoxel(), reach);
     int[][] boxes = {ISOTROPIC, ISOTROPIC, ISOTROPIC};
     NaiveOccupancyField naive =

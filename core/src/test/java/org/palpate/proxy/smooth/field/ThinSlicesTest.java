@@ -147,7 +147,7 @@ class ThinSlicesTest {
 
   /** Compares all cells of a brick; returns 1 if it has both kinds, else 0. */
   private int compare(ThinSlices slices, ThinGrid grid, int[] brick) {
-    int reach = 4 * Math.min(7, (int) Math.ceil(2 * grid.perVoxel()));
+    int reach = 4 * Math.min(6, (int) Math.ceil(2 * grid.perVoxel()));
     NaiveThinSlices naive = new NaiveThinSlices(scene, grid.axis(), grid.perVoxel(), reach);
     long expected = 0;
     for (int n = 0; n < 64; n++) {
