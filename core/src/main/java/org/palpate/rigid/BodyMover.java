@@ -27,6 +27,12 @@ public final class BodyMover {
   /** The part of w_max that pushes may use in a frame, so that the tool can follow its device. */
   private static final double PUSHED_PART = 0.5;
 
+  /**
+   * Steps stop this much short of their limits. So a step that was limited and is repeated as a
+   * goal, as a replay does, is within the limits despite rounding and is taken whole.
+   */
+  private static final double SHORT_OF_LIMIT = 1 - 1e-9;
+
   /** The smallest part of a blocked step that is tried. */
   private static final double SMALLEST_PART = 1.0 / 16;
 
@@ -135,7 +141,7 @@ public final class BodyMover {
         commit(index, motion, BodyMotions.NO_STEP);
         return;
       }
-      part = Math.min(part, body.largestPart(shiftMm, turnRad));
+      part = Math.min(part, SHORT_OF_LIMIT * body.largestPart(shiftMm, turnRad));
     }
     double smallest = SMALLEST_PART * part;
     for (; part >= smallest; part /= 2) {
@@ -155,7 +161,7 @@ public final class BodyMover {
   /** Returns the part of the way to the goal on which no point travels farther than w_max. */
   private double longestPart(MoverVerifier body) {
     double pathMm = shift.length() + turn.length() * body.mover.reachMm;
-    return pathMm > maxStepMm ? maxStepMm / pathMm : 1;
+    return pathMm > maxStepMm ? SHORT_OF_LIMIT * maxStepMm / pathMm : 1;
   }
 
   private void propose(int index, double part) {

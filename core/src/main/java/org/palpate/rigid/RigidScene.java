@@ -27,6 +27,15 @@ public final class RigidScene {
   private final Map<LevelsKey, ClearanceLevels> levels = new HashMap<>();
   private final Map<ClearanceLevels, ContactField> fields = new HashMap<>();
 
+  /** Two bodies overlap of which one can move, so that no motion could be verified. */
+  public static final class BodiesOverlapException extends IllegalArgumentException {
+    private static final long serialVersionUID = 1;
+
+    private BodiesOverlapException(String one, String other) {
+      super("the bodies " + one + " and " + other + " overlap");
+    }
+  }
+
   /** Pairs in which the same body keeps the same clearance share its grown solids. */
   private record LevelsKey(int body, Clearance clearance) {}
 
@@ -35,7 +44,7 @@ public final class RigidScene {
    *
    * @param shapes the sample points of the bodies that move
    * @param settings the clearances of the tool, grey values, and whether to skip
-   * @throws IllegalArgumentException if two bodies of which one can move overlap
+   * @throws BodiesOverlapException if two bodies of which one can move overlap
    */
   public RigidScene(
       BodyScene bodies, RigidTool tool, MovableShapes shapes, RigidSettings settings) {
@@ -95,8 +104,7 @@ public final class RigidScene {
 
   private static void requireApart(BodyVerifier pair) {
     if (!place(pair)) {
-      throw new IllegalArgumentException(
-          "bodies overlap: " + pair.points.body.name() + " and " + pair.solid.body.name());
+      throw new BodiesOverlapException(pair.points.body.name(), pair.solid.body.name());
     }
   }
 

@@ -222,7 +222,7 @@ class BodyMoverTest {
     Exception refused =
         assertThrows(
             IllegalArgumentException.class, () -> solver(scene, ToolSampler.point(), false, true));
-    assertTrue(refused.getMessage().contains("first and second"), refused.getMessage());
+    assertTrue(refused.getMessage().contains("first and second overlap"), refused.getMessage());
   }
 
   @Test

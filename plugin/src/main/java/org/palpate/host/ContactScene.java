@@ -4,11 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
-import org.palpate.carve.CarveSettings;
 import org.palpate.body.Placement;
+import org.palpate.carve.CarveSettings;
 import org.palpate.collision.CollisionScene;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
@@ -169,12 +170,24 @@ public final class ContactScene {
     return grey;
   }
 
-  /** Returns new bodies, one for each segment in their order, which share the segments' voxels. */
+  /** Returns new bodies; see {@link #newBodies(Set)}. */
   public BodyScene newBodies() {
+    return newBodies(Set.of());
+  }
+
+  /**
+   * Returns new bodies, one for each segment in their order, which share the segments' voxels.
+   *
+   * @param movable the indices of those that can move; the others are placed and can move as the
+   *     scene says
+   */
+  public BodyScene newBodies(Set<Integer> movable) {
     List<Body> bodies = new ArrayList<>();
     for (Segment segment : volume.segments()) {
-      Placement placement = placements.isEmpty() ? AT_REST : placements.get(bodies.size());
-      Body body = new Body(segment.name(), segment.bits(), grid(), placement.mobility());
+      int index = bodies.size();
+      Placement placement = placements.isEmpty() ? AT_REST : placements.get(index);
+      Mobility mobility = movable.contains(index) ? Mobility.MOVABLE : placement.mobility();
+      Body body = new Body(segment.name(), segment.bits(), grid(), mobility);
       if (!placements.isEmpty()) {
         body.setPose(placement.pose());
       }

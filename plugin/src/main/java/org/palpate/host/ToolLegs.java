@@ -6,6 +6,7 @@ import org.palpate.body.BodyScene;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.BodyMotions;
 import org.palpate.rigid.ToolMotion;
 import org.palpate.rigid.tool.RigidTool;
 
@@ -16,7 +17,7 @@ import org.palpate.rigid.tool.RigidTool;
 public final class ToolLegs {
   private final BodyScene bodies;
   private final RigidTool tool;
-  private final AffineMap[] maps = new AffineMap[ToolMotion.MOST_STEPS + 1];
+  private final AffineMap[] maps;
   private final Vec3 start = new Vec3();
   private final Vec3 end = new Vec3();
 
@@ -43,6 +44,7 @@ public final class ToolLegs {
   public ToolLegs(BodyScene bodies, RigidTool tool) {
     this.bodies = bodies;
     this.tool = tool;
+    maps = new AffineMap[ToolMotion.MOST_STEPS + bodies.count() + 1];
     for (int n = 0; n < maps.length; n++) {
       maps[n] = new AffineMap();
     }
@@ -57,14 +59,49 @@ public final class ToolLegs {
    */
   public void list(ToolMotion motion, boolean freed, int every, LegSink sink) throws IOException {
     for (int b = 0; b < bodies.count(); b++) {
-      Body body = bodies.body(b);
-      for (int pose = 0; pose <= motion.steps(); pose++) {
-        body.toolToGrid(motion.pathPose(pose), maps[pose]);
-      }
+      int steps = setMaps(motion, b);
       for (int point = 0; point < tool.count(); point += every) {
-        listPoint(motion.steps(), freed, b, point, sink);
+        listPoint(steps, freed, b, point, sink);
       }
     }
+  }
+
+  /**
+   * Writes the maps from the tool to the grid of a body before and after each step in which one of
+   * the two moved. First bodies move, and may push the tool; then the tool follows its device.
+   *
+   * @return the number of steps
+   */
+  private int setMaps(ToolMotion motion, int b) {
+    Body body = bodies.body(b);
+    BodyMotions moved = motion.bodies();
+    Pose bodyPose = poseBefore(moved, b);
+    Pose toolPose = motion.pathPose(0);
+    int steps = 0;
+    body.toolToGrid(bodyPose, toolPose, maps[0]);
+    for (int n = 0; n < moved.count(); n++) {
+      int toolStep = moved.toolStep(n);
+      if (toolStep != BodyMotions.NO_STEP) {
+        toolPose = motion.pathPose(toolStep + 1);
+      }
+      if (moved.body(n) == b) {
+        bodyPose = moved.to(n);
+      }
+      body.toolToGrid(bodyPose, toolPose, maps[++steps]);
+    }
+    for (int step = motion.pushes(); step < motion.steps(); step++) {
+      body.toolToGrid(bodyPose, motion.pathPose(step + 1), maps[++steps]);
+    }
+    return steps;
+  }
+
+  private Pose poseBefore(BodyMotions moved, int b) {
+    for (int n = 0; n < moved.count(); n++) {
+      if (moved.body(n) == b) {
+        return moved.from(n);
+      }
+    }
+    return bodies.body(b).pose();
   }
 
   private void listPoint(int steps, boolean freed, int body, int point, LegSink sink)

@@ -3,6 +3,9 @@ package org.palpate.host;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
 import org.palpate.edit.EditSchedule;
@@ -13,6 +16,8 @@ import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.table.BodyPose;
+import org.palpate.rigid.BodyMover;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
 import org.palpate.statistics.WorkPercentiles;
@@ -28,6 +33,7 @@ public final class ToolReplay {
   private final Trajectory trajectory;
   private final boolean raw;
   private final EditSchedule edits;
+  private final List<BodyPose> poses;
 
   /** Receives the result of each frame. */
   @FunctionalInterface
@@ -46,21 +52,45 @@ public final class ToolReplay {
    *
    * @param work in the units of {@link RigidSolver#work}
    * @param mostReduced the most points that kept less than their clearance in any frame
+   * @param bodies what happened to bodies that move
    */
-  public record Result(FrameStatistics statistics, WorkPercentiles work, int mostReduced) {}
+  public record Result(
+      FrameStatistics statistics, WorkPercentiles work, int mostReduced, MovedBodies bodies) {}
+
+  /**
+   * The motions of bodies during a replay.
+   *
+   * @param movable the number of bodies that can move
+   * @param motions the number of steps that bodies moved
+   * @param pushes the number of those that pushed the tool
+   * @param heldBack the number of frames in which a body was held back, counted for each body
+   */
+  public record MovedBodies(int movable, long motions, long pushes, long heldBack) {}
+
+  /**
+   * Creates a replay in which no body moves.
+   *
+   * @param raw whether samples are treated as in a live session
+   */
+  public ToolReplay(ToolScene scene, Trajectory trajectory, boolean raw) {
+    this(scene, trajectory, raw, EditSchedule.NONE, List.of());
+  }
 
   /**
    * Creates a replay.
    *
    * @param raw whether samples are treated as in a live session
+   * @param edits recorded changes of voxels; the replay uses up the schedule
+   * @param poses the poses that bodies approach, in the order of their frames
    */
-  public ToolReplay(ToolScene scene, Trajectory trajectory, boolean raw) {
-    this(scene, trajectory, raw, EditSchedule.NONE);
-  }
-
-  /** Creates a replay with recorded changes of voxels; it uses up the schedule. */
-  public ToolReplay(ToolScene scene, Trajectory trajectory, boolean raw, EditSchedule edits) {
+  public ToolReplay(
+      ToolScene scene,
+      Trajectory trajectory,
+      boolean raw,
+      EditSchedule edits,
+      List<BodyPose> poses) {
     this.edits = edits;
+    this.poses = poses;
     this.scene = scene;
     this.trajectory = trajectory;
     this.raw = raw;
@@ -118,13 +148,29 @@ public final class ToolReplay {
     ToolFrame frame =
         scene.newFrame(device, settings, scene.coupling(newtonPerMm), ToolFramePublisher.NONE);
     long[] work = new long[trajectory.size()];
+    int goal = 0;
+    long motions = 0;
+    BodyMover bodies = scene.solver().bodies();
     for (int n = 0; n < work.length; n++) {
       edits.offerUpTo(n, scene.edits());
+      for (; goal < poses.size() && poses.get(goal).frame() <= n; goal++) {
+        bodies.setGoal(poses.get(goal).body(), poses.get(goal).restToPresent());
+      }
       frame.run(ReplayRun.frameNanos(trajectory, n, raw));
       work[n] = frame.followed() ? frame.work() : 0;
+      motions += frame.motion().bodies().count();
       sink.accept(n, frame);
     }
     ReplayRun.applyRest(edits, scene.edits(), frame);
-    return new Result(frame.statistics(), WorkPercentiles.of(work), frame.mostReducedPoints());
+    return new Result(
+        frame.statistics(),
+        WorkPercentiles.of(work),
+        frame.mostReducedPoints(),
+        new MovedBodies(movable(poses).size(), motions, bodies.pushes(), bodies.heldBack()));
+  }
+
+  /** Returns the indices of the bodies that move. */
+  public static Set<Integer> movable(List<BodyPose> poses) {
+    return poses.stream().map(BodyPose::body).collect(Collectors.toCollection(TreeSet::new));
   }
 }

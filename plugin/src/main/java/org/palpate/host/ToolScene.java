@@ -16,7 +16,9 @@ import org.palpate.frame.ToolFramePublisher;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
 import org.palpate.rigid.Clearance;
+import org.palpate.rigid.MovableShapes;
 import org.palpate.rigid.RigidCoupling;
+import org.palpate.rigid.RigidScene;
 import org.palpate.rigid.RigidSettings;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.tool.RigidTool;
@@ -37,19 +39,32 @@ public final class ToolScene {
   private final RigidSolver solver;
   private final EditQueue edits;
 
+  /** Creates a scene in which no body moves. */
+  public ToolScene(
+      ContactScene scene,
+      BodyScene bodies,
+      RigidTool tool,
+      List<Clearance> clearances,
+      OptionalDouble rotationalStiffness) {
+    this(scene, bodies, tool, MovableShapes.none(bodies), clearances, rotationalStiffness);
+  }
+
   /**
    * Creates a scene.
    *
    * @param scene the volume, its contact settings and its grey values
    * @param bodies the bodies that {@link ContactScene#newBodies} returned
+   * @param shapes the sample points of the bodies that move
    * @param clearances the clearance from each body
    * @param rotationalStiffness torque per angle, N mm/rad; if empty, the stiffness times the
    *     squared rms radius of the tool
+   * @throws RigidScene.BodiesOverlapException if two bodies of which one can move overlap
    */
   public ToolScene(
       ContactScene scene,
       BodyScene bodies,
       RigidTool tool,
+      MovableShapes shapes,
       List<Clearance> clearances,
       OptionalDouble rotationalStiffness) {
     this.scene = scene;
@@ -59,7 +74,11 @@ public final class ToolScene {
     List<GreyIsosurfaceSource> greys = scene.greySource().map(List::of).orElse(List.of());
     solver =
         new RigidSolver(
-            bodies, tool, new RigidSettings(scene.maxStepMm(), clearances, greys, true));
+            new RigidScene(
+                bodies,
+                tool,
+                shapes,
+                new RigidSettings(scene.maxStepMm(), clearances, greys, true)));
     edits = EditQueue.ofBodies(scene.grid(), bodies.count());
   }
 

@@ -7,11 +7,15 @@ import java.util.OptionalDouble;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.GrownSolids;
+import org.palpate.body.Mobility;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.format.MemoryCheck;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.rigid.Clearance;
+import org.palpate.rigid.MovableShapes;
+import org.palpate.rigid.tool.ErodedAwayException;
 import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.ToolSampler;
 
 /**
  * A rigid tool that was made as the user asked, and the clearance that it keeps.
@@ -57,8 +61,45 @@ public record MadeTool(
     return result;
   }
 
-  private Clearance clearanceFrom(Body body) throws VolumeFormatException {
+  /**
+   * Returns the sample points of the bodies of a scene that move, which keep the same clearance
+   * from each other as the tool does from them.
+   *
+   * @throws VolumeFormatException if nothing is left of a body that a negative margin erodes, or
+   *     the sample points and grown solids do not fit in memory
+   */
+  public MovableShapes movableShapes(BodyScene scene) throws VolumeFormatException {
     if (!clearance.wholeBody()) {
+      return MovableShapes.ofPoints(scene);
+    }
+    requireMemory(scene);
+    try {
+      return MovableShapes.ofWholeBodies(scene, clearance.marginMm());
+    } catch (ErodedAwayException e) {
+      throw new VolumeFormatException(
+          "a body that moves has no part so deep",
+          "--clearance " + NumberText.display(clearance.marginMm()),
+          "choose a margin nearer to 0",
+          e);
+    }
+  }
+
+  private void requireMemory(BodyScene scene) throws VolumeFormatException {
+    double bytes = 0;
+    for (int n = 0; n < scene.count(); n++) {
+      Body body = scene.body(n);
+      double halfDiagonalMm = body.grid().spacingMm().length() / 2;
+      bytes += bytesFor(body, new Clearance(halfDiagonalMm, halfDiagonalMm, 2));
+      if (body.mobility() == Mobility.MOVABLE) {
+        bytes += ToolSampler.bytesFor(body.bits(), body.grid(), Math.max(0, -clearance.marginMm()));
+      }
+    }
+    MemoryCheck.require(bytes, "the clearance of bodies that move", "--poses");
+  }
+
+  private Clearance clearanceFrom(Body body) throws VolumeFormatException {
+    boolean hasNoExtent = tool.coverRadiusMm() == 0 && clearance.marginMm() <= 0;
+    if (!clearance.wholeBody() || hasNoExtent) {
       return Clearance.POINTS;
     }
     Clearance ofBody = Clearance.ofWholeBody(tool, body.grid(), Math.max(0, clearance.marginMm()));

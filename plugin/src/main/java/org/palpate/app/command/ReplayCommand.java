@@ -37,7 +37,9 @@ import org.palpate.host.ReplayTiming;
 import org.palpate.host.ToolReplay;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TrajectoryFile;
+import org.palpate.io.table.BodyPose;
 import org.palpate.io.table.EditsCsv;
+import org.palpate.io.table.PosesCsvReader;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.tool.MadeTool;
 import org.palpate.volume.Segment;
@@ -60,6 +62,7 @@ import picocli.CommandLine.Spec;
       "    --out frames.csv --legs legs.csv --solver guarded --report r.json",
       "  palpate replay --tool sphere:4 --trajectory t.csv --out frames.csv --legs legs.csv",
       "  palpate replay --tool sphere:3 --trajectory t.csv --edits t.edits.csv --export cut.nrrd",
+      "  palpate replay --tool sphere:4 --trajectory t.csv --poses poses.csv --legs legs.csv",
       "  palpate replay --phantom sphere:192 --coordinates grid --trajectory t.csv --repeat 12 \\",
       "    --report time.json"
     })
@@ -149,6 +152,16 @@ public final class ReplayCommand implements Callable<Integer> {
   private Path exportFile;
 
   @Option(
+      names = "--poses",
+      paramLabel = "POSES.csv",
+      description = {
+        "Moves bodies: a header frame,body,x,y,z,qw,qx,qy,qz, then a row for each pose that a"
+            + " segment approaches from a frame on. The segments that it names can move, the"
+            + " others stand still. A point then moves as a rigid tool of one point."
+      })
+  private Path posesFile;
+
+  @Option(
       names = "--repeat",
       paramLabel = "N",
       description = "Replays N times, at least 3, and reports the time of solver and force.")
@@ -167,8 +180,9 @@ public final class ReplayCommand implements Callable<Integer> {
     REPEAT.checkGiven(repeat);
     contact.settings();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
-    tool.checkOthers(spec.commandLine().getParseResult());
-    return tool.isRigid() ? replayTool() : replayPoint();
+    boolean rigid = tool.isRigid() || posesFile != null;
+    tool.checkOthers(spec.commandLine().getParseResult(), rigid);
+    return rigid ? replayTool() : replayPoint();
   }
 
   private int replayPoint() throws IOException {
@@ -206,8 +220,14 @@ public final class ReplayCommand implements Callable<Integer> {
     if (coordinates == Coordinates.grid) {
       throw PalpateException.wrongUse(
           "a tool moves in the world",
-          "--coordinates grid with --tool",
+          posesFile == null ? "--coordinates grid with --tool" : "--coordinates grid with --poses",
           "give a trajectory in world mm");
+    }
+    if (repeat != null && posesFile != null) {
+      throw PalpateException.wrongUse(
+          "a pass would not begin where the last one did",
+          "--repeat with --poses",
+          "leave one of them out");
     }
     ToolTables.LegSelection selection = ToolTables.LegSelection.parse(legsEvery, legsFrames);
     VolumeSource source = VolumeSource.open(volume);
@@ -225,8 +245,10 @@ public final class ReplayCommand implements Callable<Integer> {
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     EditSchedule edits = edits(segments);
     EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
-    ToolScene scene = tool.scene(contact.scene(source, segments), made);
-    ToolReplay.Result result = run(scene, trajectory, edits, tables, selection);
+    List<BodyPose> poses = readPoses(segments);
+    ToolScene scene = tool.scene(contact.scene(source, segments), made, ToolReplay.movable(poses));
+    ToolReplay replay = new ToolReplay(scene, trajectory, rawDevice, edits, poses);
+    ToolReplay.Result result = run(replay, scene, trajectory, tables, selection);
     ToolReport measured = new ToolReport(made, tool.massKg());
     measured.print(result, spec.commandLine().getOut());
     if (report.isWanted()) {
@@ -244,6 +266,9 @@ public final class ReplayCommand implements Callable<Integer> {
     inputs.add(trajectoryFile);
     if (editsFile != null) {
       inputs.add(editsFile);
+    }
+    if (posesFile != null) {
+      inputs.add(posesFile);
     }
   }
 
@@ -271,16 +296,22 @@ public final class ReplayCommand implements Callable<Integer> {
     report.write();
   }
 
-  private ToolReplay.Result run(
+  private List<BodyPose> readPoses(SegmentedVolume segments) throws IOException {
+    return posesFile == null
+        ? List.of()
+        : PosesCsvReader.read(posesFile, segments.segments().stream().map(Segment::name).toList());
+  }
+
+  private static ToolReplay.Result run(
+      ToolReplay replay,
       ToolScene scene,
       Trajectory trajectory,
-      EditSchedule edits,
       ReplayTables tables,
       ToolTables.LegSelection selection)
       throws IOException {
     try (tables) {
       ToolTables rows = tables.openForTool(trajectory, scene, selection);
-      ToolReplay.Result result = new ToolReplay(scene, trajectory, rawDevice, edits).run(rows);
+      ToolReplay.Result result = replay.run(rows);
       tables.commit();
       return result;
     }

@@ -3,6 +3,7 @@ package org.palpate.app.options;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.BodyScene;
 import org.palpate.host.ContactScene;
@@ -11,6 +12,8 @@ import org.palpate.io.scene.SceneReader;
 import org.palpate.io.scene.SceneTool;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
+import org.palpate.rigid.MovableShapes;
+import org.palpate.rigid.RigidScene;
 import org.palpate.tool.MadeTool;
 import org.palpate.tool.ToolMaker;
 import org.palpate.tool.ToolRequest;
@@ -143,15 +146,23 @@ public final class ToolOptions {
    * @throws PalpateException exit code 2, if a number is out of range or an option does not fit
    */
   public void checkOthers(ParseResult given) throws VolumeFormatException {
+    checkOthers(given, isRigid());
+  }
+
+  /**
+   * Checks the numbers, and refuses options that do not fit.
+   *
+   * @param rigid whether the tool moves as a rigid tool, as a point does among moving bodies
+   * @throws PalpateException exit code 2, if a number is out of range or an option does not fit
+   */
+  public void checkOthers(ParseResult given, boolean rigid) throws VolumeFormatException {
     rotationalStiffness();
     massKg();
-    List<String> unfit = isRigid() ? OF_POINTS : OF_RIGID_TOOLS;
+    List<String> unfit = rigid ? OF_POINTS : OF_RIGID_TOOLS;
     for (String option : unfit) {
       if (given.hasMatchedOption(option)) {
         throw PalpateException.wrongUse(
-            isRigid()
-                ? "this option is for a point alone"
-                : "this option is for a rigid tool alone",
+            rigid ? "this option is for a point alone" : "this option is for a rigid tool alone",
             option + " with --tool " + tool,
             "leave one of them out");
       }
@@ -175,9 +186,31 @@ public final class ToolOptions {
    * @throws VolumeFormatException if the clearance is too large or does not fit in memory
    */
   public ToolScene scene(ContactScene scene, MadeTool made) throws VolumeFormatException {
-    BodyScene bodies = scene.newBodies();
-    return new ToolScene(
-        scene, bodies, made.tool(), made.clearances(bodies), rotationalStiffness());
+    return scene(scene, made, Set.of());
+  }
+
+  /**
+   * Returns the scene of a tool among the segments of a contact scene, some of which can move.
+   *
+   * @param movable the indices of the segments that can move
+   * @throws VolumeFormatException if the clearance is too large or does not fit in memory, or
+   *     segments of which one can move overlap
+   */
+  public ToolScene scene(ContactScene scene, MadeTool made, Set<Integer> movable)
+      throws VolumeFormatException {
+    BodyScene bodies = scene.newBodies(movable);
+    try {
+      return new ToolScene(
+          scene,
+          bodies,
+          made.tool(),
+          movable.isEmpty() ? MovableShapes.none(bodies) : made.movableShapes(bodies),
+          made.clearances(bodies),
+          rotationalStiffness());
+    } catch (RigidScene.BodiesOverlapException e) {
+      throw new VolumeFormatException(
+          e.getMessage(), "--poses", "choose segments that share no voxel", e);
+    }
   }
 
   /**

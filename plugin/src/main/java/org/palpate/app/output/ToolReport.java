@@ -50,6 +50,17 @@ public final class ToolReport {
             counts.maxTorqueNewtonMm(),
             made.name(),
             made.tool().count()));
+    ToolReplay.MovedBodies bodies = result.bodies();
+    if (bodies.movable() > 0) {
+      out.println(
+          String.format(
+              Locale.ROOT,
+              "%,d bodies moved by %,d steps, pushed the tool %,d times, were held back %,d times",
+              bodies.movable(),
+              bodies.motions(),
+              bodies.pushes(),
+              bodies.heldBack()));
+    }
   }
 
   /** Adds the fields of a replay to a report. */
@@ -67,6 +78,18 @@ public final class ToolReport {
         .put("work", WorkFields.of(result.work()))
         .put("skipped", counts.skipped())
         .put("faults", FaultFields.ofTool(counts.faults()));
+    if (result.bodies().movable() > 0) {
+      report.put("moving", moving(result.bodies()));
+    }
+  }
+
+  private static Map<String, Object> moving(ToolReplay.MovedBodies bodies) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("bodies", bodies.movable());
+    fields.put("motions", bodies.motions());
+    fields.put("pushes", bodies.pushes());
+    fields.put("held_back", bodies.heldBack());
+    return fields;
   }
 
   /**

@@ -1,16 +1,9 @@
 package org.palpate.io.table;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.charset.MalformedInputException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystemException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import org.palpate.geometry.Quaternion;
 import org.palpate.io.file.NumberText;
 
@@ -22,7 +15,7 @@ import org.palpate.io.file.NumberText;
  * <p>A table of frames, which has {@code dx,dy,dz} and perhaps {@code dqw,dqx,dqy,dqz} instead, is
  * read as the trajectory of its device poses.
  */
-public final class TrajectoryCsvReader {
+public final class TrajectoryCsvReader implements CsvLines.Rows {
   private static final List<String> NEEDED = List.of("t_ms", "x", "y", "z");
   private static final List<String> ROTATION = List.of("qw", "qx", "qy", "qz");
 
@@ -53,6 +46,8 @@ public final class TrajectoryCsvReader {
 
   private final Path file;
   private final boolean checked;
+  private final SampleSink sink;
+  private final CsvLines lines;
   private final double[] needed = new double[NEEDED.size()];
   private final double[] rotation = new double[ROTATION.size()];
   private final Quaternion quaternion = new Quaternion();
@@ -61,12 +56,13 @@ public final class TrajectoryCsvReader {
   private int[] rotationColumns = {};
   private int flagsColumn = -1;
   private double lastMs = Double.NEGATIVE_INFINITY;
-  private long lineNumber;
   private long samples;
 
-  private TrajectoryCsvReader(Path file, boolean checked) {
+  private TrajectoryCsvReader(Path file, boolean checked, SampleSink sink) {
     this.file = file;
     this.checked = checked;
+    this.sink = sink;
+    lines = new CsvLines(file);
   }
 
   /**
@@ -78,32 +74,11 @@ public final class TrajectoryCsvReader {
    * @throws CsvFormatException if the file is missing or not understood; the message names the line
    */
   public static long read(Path file, boolean checked, SampleSink sink) throws IOException {
-    if (Files.isDirectory(file)) {
-      throw new CsvFormatException("the path is a folder", file, "give a table with t_ms,x,y,z");
-    }
-    try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
-      return new TrajectoryCsvReader(file, checked).read(reader, sink);
-    } catch (NoSuchFileException e) {
-      throw new CsvFormatException("no such file", file, "check the path");
-    } catch (MalformedInputException e) {
-      throw new CsvFormatException("the file is no text", file, "give a table with t_ms,x,y,z");
-    } catch (FileSystemException e) {
-      throw new CsvFormatException("the file cannot be read", file, "check that you may read it");
-    }
+    return new TrajectoryCsvReader(file, checked, sink).read();
   }
 
-  private long read(BufferedReader reader, SampleSink sink) throws IOException {
-    for (String line = reader.readLine(); line != null; line = reader.readLine()) {
-      lineNumber++;
-      if (line.isBlank() || line.startsWith("#")) {
-        continue;
-      }
-      if (neededColumns.length == 0) {
-        readHeader(line);
-      } else {
-        readSample(line.split(",", -1), sink);
-      }
-    }
+  private long read() throws IOException {
+    lines.read("t_ms,x,y,z", this);
     if (samples == 0) {
       throw new CsvFormatException(
           "the file has no sample", file, "give a header t_ms,x,y,z and rows");
@@ -111,28 +86,23 @@ public final class TrajectoryCsvReader {
     return samples;
   }
 
-  private void readHeader(String line) throws CsvFormatException {
-    List<String> names =
-        Arrays.stream(line.replace("\ufeff", "").split(",", -1)).map(String::strip).toList();
+  @Override
+  public void header(List<String> names) throws CsvFormatException {
     boolean ofFrames = names.containsAll(NEEDED_OF_FRAMES) && !names.containsAll(NEEDED);
     neededNames = ofFrames ? NEEDED_OF_FRAMES : NEEDED;
-    neededColumns = columns(names, neededNames);
+    neededColumns = CsvLines.columns(names, neededNames);
     for (int n = 0; n < neededColumns.length; n++) {
       if (neededColumns[n] < 0) {
-        throw new CsvFormatException(
-            "there is no column " + NEEDED.get(n), file, lineNumber, "begin with t_ms,x,y,z");
+        throw lines.fault("there is no column " + NEEDED.get(n), "begin with t_ms,x,y,z");
       }
     }
-    int[] found = columns(names, ofFrames ? ROTATION_OF_FRAMES : ROTATION);
+    int[] found = CsvLines.columns(names, ofFrames ? ROTATION_OF_FRAMES : ROTATION);
     rotationColumns = Arrays.stream(found).allMatch(n -> n >= 0) ? found : new int[0];
     flagsColumn = names.indexOf(FLAGS);
   }
 
-  private static int[] columns(List<String> header, List<String> wanted) {
-    return wanted.stream().mapToInt(header::indexOf).toArray();
-  }
-
-  private void readSample(String[] words, SampleSink sink) throws CsvFormatException {
+  @Override
+  public void row(String[] words) throws CsvFormatException {
     read(words, neededColumns, neededNames, needed);
     if (rotationColumns.length > 0) {
       read(words, rotationColumns, ROTATION, rotation);
@@ -141,13 +111,11 @@ public final class TrajectoryCsvReader {
       System.arraycopy(NO_ROTATION, 0, rotation, 0, NO_ROTATION.length);
     }
     if (checked && needed[0] < lastMs) {
-      throw new CsvFormatException(
+      throw lines.fault(
           "time runs backward, from "
               + NumberText.text(lastMs)
               + " to "
               + NumberText.text(needed[0]),
-          file,
-          lineNumber,
           "sort the rows, or accept it with --raw-device");
     }
     lastMs = needed[0];
@@ -184,12 +152,10 @@ public final class TrajectoryCsvReader {
       rotation[2] = quaternion.y;
       rotation[3] = quaternion.z;
     } else if (checked) {
-      throw new CsvFormatException(
+      throw lines.fault(
           "the quaternion qw,qx,qy,qz has the norm "
               + NumberText.text(quaternion.norm())
               + " instead of 1",
-          file,
-          lineNumber,
           "normalize it, or accept it with --raw-device");
     }
   }
@@ -197,29 +163,12 @@ public final class TrajectoryCsvReader {
   private void read(String[] words, int[] columns, List<String> names, double[] dest)
       throws CsvFormatException {
     for (int n = 0; n < columns.length; n++) {
-      String word = columns[n] < words.length ? words[columns[n]].strip() : "";
-      dest[n] = number(word, names.get(n));
+      String word = CsvLines.word(words, columns[n]);
+      dest[n] = lines.number(word, names.get(n));
       if (checked && !Double.isFinite(dest[n])) {
-        throw new CsvFormatException(
-            names.get(n) + " is " + word,
-            file,
-            lineNumber,
-            "correct the row, or accept it with --raw-device");
+        throw lines.fault(
+            names.get(n) + " is " + word, "correct the row, or accept it with --raw-device");
       }
-    }
-  }
-
-  private double number(String word, String name) throws CsvFormatException {
-    try {
-      return switch (word.toLowerCase(Locale.ROOT)) {
-        case "nan", "+nan", "-nan" -> Double.NaN;
-        case "inf", "+inf", "+infinity", "infinity" -> Double.POSITIVE_INFINITY;
-        case "-inf", "-infinity" -> Double.NEGATIVE_INFINITY;
-        default -> Double.parseDouble(word);
-      };
-    } catch (NumberFormatException e) {
-      String what = word.isEmpty() ? name + " is missing" : name + " is no number: " + word;
-      throw new CsvFormatException(what, file, lineNumber, "write numbers with a dot");
     }
   }
 }
