@@ -91,6 +91,35 @@ public final class GrownSolids {
     return voxels * partsX * partsY * partsZ / 8;
   }
 
+  /**
+   * Adds to a cube the voxels that are nearer to solid voxels than a distance, and the solid voxels
+   * themselves.
+   *
+   * @param solids solid voxels
+   * @param marginMm the distance, mm; at least 0
+   * @param dest a cube of the same size
+   */
+  public static void addNear(BitCube solids, GridMetric metric, double marginMm, BitCube dest) {
+    if (marginMm == 0) {
+      addTo(dest, solids, 0);
+      return;
+    }
+    GrownSolids grown = new GrownSolids(solids, metric, marginMm, Double.POSITIVE_INFINITY);
+    addTo(dest, grown.cells(), grown.padVoxels());
+  }
+
+  private static void addTo(BitCube dest, BitCube source, int pad) {
+    for (int k = 0; k < dest.sizeZ(); k++) {
+      for (int j = 0; j < dest.sizeY(); j++) {
+        for (int i = 0; i < dest.sizeX(); i++) {
+          if (source.get(i + pad, j + pad, k + pad)) {
+            dest.set(i, j, k);
+          }
+        }
+      }
+    }
+  }
+
   private static int parts(double edgeMm, double longestCellMm) {
     int parts = 1;
     while (parts < LARGEST_PARTS && edgeMm / parts > longestCellMm) {

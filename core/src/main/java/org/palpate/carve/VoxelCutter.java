@@ -71,10 +71,11 @@ final class VoxelCutter {
   /**
    * Removes a solid voxel if the force suffices, nothing keeps it and the budget pays for it.
    *
+   * @param segment the segment; any number for a voxel that is kept
    * @return whether the frame may remove more
    */
   boolean cut(int segment, int i, int j, int k) {
-    if (newton < settings.leastNewton(segment) || settings.keeps(i, j, k)) {
+    if (settings.keeps(i, j, k) || newton < settings.leastNewton(segment)) {
       return true;
     }
     if (removed == MOST_VOXELS || budgetMm3 < voxelMm3[segment]) {

@@ -39,6 +39,17 @@ public record Clearance(double growthMm, double longestCellMm, int levels) {
   }
 
   /**
+   * Returns the clearance at which each sample point keeps a margin from a body.
+   *
+   * @param grid the grid of the body
+   * @param marginMm the least distance of a point from a solid voxel, mm, positive
+   */
+  public static Clearance ofPoints(VoxelGrid grid, double marginMm) {
+    double growthMm = marginMm * (1 + grid.gridMmToWorld().distortion()) + ROUNDING_MM;
+    return new Clearance(growthMm, LONGEST_CELL * growthMm, LEVELS);
+  }
+
+  /**
    * Returns the clearance of mode {@code body}, at which the solid of a tool and a body cannot
    * overlap: the cover radius of the sample points, the deviation of arcs from chords, and
    * rounding.

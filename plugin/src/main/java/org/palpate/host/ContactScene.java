@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
+import org.palpate.body.GrownSolids;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
 import org.palpate.carve.CarveSettings;
@@ -63,6 +65,9 @@ public final class ContactScene {
   private final EditQueue edits;
   private final Optional<GreyIsosurfaceSource> grey;
 
+  /** The voxels within the margins of protected segments, as they were at first. */
+  private final Optional<BitCube> kept;
+
   /**
    * Creates a scene of bits alone.
    *
@@ -105,6 +110,19 @@ public final class ContactScene {
     metric = GridMetric.of(spacing);
     maxStepMm = settings.maxStepMm().orElseGet(() -> ContactSettings.defaultMaxStepMm(spacing));
     edits = new EditQueue(volume.grid(), volume.segments().size());
+    kept = settings.protectedMm().isEmpty() ? Optional.empty() : Optional.of(keptVoxels());
+  }
+
+  private BitCube keptVoxels() {
+    VoxelGrid grid = volume.grid();
+    BitCube voxels = new BitCube(grid.sizeX(), grid.sizeY(), grid.sizeZ());
+    for (Segment segment : volume.segments()) {
+      Double marginMm = settings.protectedMm().get(segment.name());
+      if (marginMm != null) {
+        GrownSolids.addNear(segment.bits(), metric, marginMm, voxels);
+      }
+    }
+    return voxels;
   }
 
   /** Returns the grid of the volume, which converts between world and grid coordinates. */
@@ -201,10 +219,13 @@ public final class ContactScene {
     return placements;
   }
 
-  /** Returns a new collision scene in which each segment is one object. */
+  /**
+   * Returns a new collision scene in which each segment is one object. If segments are protected,
+   * their margins are one more object, the last.
+   */
   public CollisionScene newCollisionScene() {
-    List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
-    return new CollisionScene(cubes);
+    return new CollisionScene(
+        Stream.concat(volume.segments().stream().map(Segment::bits), kept.stream()).toList());
   }
 
   /** Returns a new solver of the kind that the settings name. */
@@ -275,8 +296,10 @@ public final class ContactScene {
     Map<String, MaterialOverride> chosen = settings.materials();
     return volume.segments().stream().noneMatch(segment -> chosen.containsKey(segment.name()))
         ? List.of()
-        : volume.segments().stream()
-            .map(segment -> chosen.getOrDefault(segment.name(), MaterialOverride.NONE))
+        : Stream.concat(
+                volume.segments().stream()
+                    .map(segment -> chosen.getOrDefault(segment.name(), MaterialOverride.NONE)),
+                kept.stream().map(margins -> MaterialOverride.NONE))
             .map(choice -> choice.over(general, form))
             .toList();
   }
@@ -319,7 +342,7 @@ public final class ContactScene {
             new CarveSettings(
                 settings.carveMm3PerNewtonSecond().getAsDouble(),
                 volume.segments().stream().map(this::cutNewton).toList(),
-                null))
+                kept.orElse(null)))
         : Optional.empty();
   }
 

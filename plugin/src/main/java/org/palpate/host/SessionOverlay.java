@@ -25,6 +25,7 @@ final class SessionOverlay {
   private volatile boolean invalid;
   private volatile Hint hint = new Hint("", 0);
   private volatile String touched = "contact";
+  private volatile String removedText = "";
   private List<String> lines = List.of();
   private long updateNanos;
   private long lastFrames;
@@ -62,6 +63,11 @@ final class SessionOverlay {
   /** Sets the name of the segment that is touched while there is contact. */
   void touches(Optional<String> segment) {
     touched = segment.orElse("contact");
+  }
+
+  /** Shows the volume that was removed, mm^3. */
+  void removed(double mm3) {
+    removedText = format("   removed %.1f mm³", mm3);
   }
 
   private void dropOldHint(long now) {
@@ -128,7 +134,8 @@ final class SessionOverlay {
   private List<String> lines(LoopStatus status, String rate, String surfaces) {
     return List.of(
         format("%slate %.0f µs", rate, status.latestLatenessNanos() / 1e3),
-        format("%.2f N   %s", status.forceNewton(), status.contact() ? touched : "free"),
+        format("%.2f N   %s", status.forceNewton(), status.contact() ? touched : "free")
+            + removedText,
         tuningLine(),
         threshold.map(LiveThreshold::line).orElse(""),
         slices.map(MovableSlices::line).orElse(""),

@@ -8,7 +8,9 @@ import org.palpate.device.WorkspaceDevice;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.recording.EditRecorder;
 import org.palpate.scene.Camera;
+import org.palpate.scene.ChangedVoxels;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.NamedPoint;
 import org.palpate.scene.SceneLoader;
@@ -74,6 +76,8 @@ public final class SessionView implements AutoCloseable {
   private final Thread opening;
   private final Vec3 point = new Vec3();
   private final Vec3 deviceGrid = new Vec3();
+  private final EditRecorder changes;
+  private final ChangedVoxels changed;
 
   /** The camera whose axes the device has; synchronization thread. */
   private Camera followed;
@@ -136,6 +140,8 @@ public final class SessionView implements AutoCloseable {
         new SceneSynchronizer(
             session.properties(), volume.grid(), model, this::overlayLines, this::toolMarks);
     synchronization = new SynchronizationThread(this::tick, this::synchronizationFailed);
+    changes = session.changes();
+    changed = new ChangedVoxels(volume.segments().size());
     opening = new Thread(this::open, "palpate-open-view");
     opening.setDaemon(true);
   }
@@ -153,12 +159,22 @@ public final class SessionView implements AutoCloseable {
       touched.refresh();
       overlay.touches(touched.firstName(proxyGrid, deviceGrid));
     }
+    remeshChanges();
     synchronizer.run();
     if (synchronizer.applications() > 0) {
       session.properties().touch().interactionPoint(point);
       session.properties().touch().device(deviceGrid);
       proxyGrid = new Vec3().set(point);
       slices.ifPresent(planes -> planes.follow(point));
+    }
+  }
+
+  /** Rebuilds the surfaces where frames have changed voxels since the last tick. */
+  private void remeshChanges() {
+    changes.drainTo((sample, segment, i, j, k, solid) -> changed.note(segment, i, j, k, solid));
+    if (changed.remesh(this::remesh)) {
+      Vec3 spacing = volume.grid().spacingMm();
+      overlay.removed(changed.removed() * spacing.x * spacing.y * spacing.z);
     }
   }
 
@@ -218,6 +234,10 @@ public final class SessionView implements AutoCloseable {
     input.onKey(',', "less friction", () -> applyAndShow(tuning::decreaseFriction));
     input.onKey(
         'n', "next solver: smooth, guarded, paper, dot", () -> applyAndShow(tuning::nextSolver));
+    if (session.cuts()) {
+      input.onKey('e', "undo the last cut", session::undo);
+      input.onKey('y', "redo the last cut", session::redo);
+    }
     mouse().ifPresent(mouse -> addMouse(input, mouse));
     if (device instanceof WorkspaceDevice mapped) {
       input.onKey(
@@ -336,8 +356,9 @@ public final class SessionView implements AutoCloseable {
   }
 
   /**
-   * Rebuilds the surface where an edit changed voxels. Call it on the thread that closes the view,
-   * after the bits of the drawn volume have changed.
+   * Rebuilds the surface where an edit changed voxels of a copy that is drawn. Changes that frames
+   * make are followed by themselves. Call it on the thread that closes the view, after the bits of
+   * the drawn volume have changed.
    *
    * @param segment its number
    * @param voxels a box around the changed voxels

@@ -6,6 +6,8 @@ import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
+import org.palpate.edit.EditQueue;
+import org.palpate.edit.HistoryEdit;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.GridDevice;
 import org.palpate.frame.HapticFrame;
@@ -19,6 +21,7 @@ import org.palpate.loop.LoopReport;
 import org.palpate.loop.LoopStatus;
 import org.palpate.loop.NanoClock;
 import org.palpate.loop.WarmUp;
+import org.palpate.recording.EditRecorder;
 import org.palpate.recording.RecordingDevice;
 import org.palpate.recording.SampleRecorder;
 import org.palpate.rigid.RigidCoupling;
@@ -69,6 +72,11 @@ public final class TouchSession implements AutoCloseable {
   /** Set before the haptic thread starts, which reads it; null without a second reader. */
   private SessionReader secondReader;
 
+  /** Set before the haptic thread starts, which writes it; null without a reader of changes. */
+  private EditRecorder changes;
+
+  private final EditQueue edits;
+  private final boolean cuts;
   private boolean started;
   private long ticks;
 
@@ -85,6 +93,8 @@ public final class TouchSession implements AutoCloseable {
     PointFrame frame =
         scene.newFrame(GridDevice.fromWorld(device, scene.grid()), frameSettings, this::publish);
     grid = scene.grid();
+    edits = scene.edits();
+    cuts = scene.carve().isPresent();
     tuning = new ContactTuning(frame, scene, frameSettings.force(), specification);
     Runnable warmUp = warmUp(scene, frameSettings, settings.loop().periodNanos());
     loop = newLoop(frame, settings, warmUp);
@@ -104,6 +114,8 @@ public final class TouchSession implements AutoCloseable {
     FrameSettings frameSettings = scene.liveFrame(specification, defaultNewtonPerMm);
     RigidCoupling coupling = scene.coupling(defaultNewtonPerMm);
     grid = scene.contactScene().grid();
+    edits = scene.edits();
+    cuts = scene.contactScene().carve().isPresent();
     ToolPublisher publisher = new ToolPublisher(properties, grid);
     ToolFrame frame = scene.newFrame(device, frameSettings, coupling, published(publisher));
     tuning = ContactTuning.ofTool(frame, frameSettings.force(), specification);
@@ -123,16 +135,19 @@ public final class TouchSession implements AutoCloseable {
     return recorder.isPresent() ? new RecordingDevice(device, recorder.get()) : device;
   }
 
-  private static HapticLoop newLoop(HapticFrame frame, SessionSettings settings, Runnable warmUp) {
-    settings
-        .editRecorder()
-        .ifPresent(
-            recorder ->
-                frame
-                    .voxels()
-                    .listen(
-                        (segment, i, j, k, solid) ->
-                            recorder.offer(frame.sampleOfChanges(), segment, i, j, k, solid)));
+  private HapticLoop newLoop(HapticFrame frame, SessionSettings settings, Runnable warmUp) {
+    EditRecorder recorder = settings.editRecorder().orElse(null);
+    frame
+        .voxels()
+        .listen(
+            (segment, i, j, k, solid) -> {
+              if (recorder != null) {
+                recorder.offer(frame.sampleOfChanges(), segment, i, j, k, solid);
+              }
+              if (changes != null) {
+                changes.offer(frame.sampleOfChanges(), segment, i, j, k, solid);
+              }
+            });
     return new HapticLoop(frame, settings.loop().withWarmUp(warmUp), settings.listener());
   }
 
@@ -177,6 +192,41 @@ public final class TouchSession implements AutoCloseable {
     }
     secondReader = new SessionReader(grid, held.map(tool -> tool.scene().tool()));
     return secondReader;
+  }
+
+  /**
+   * Returns the voxels that frames change from the start on, for one reader. Call it once, before
+   * {@link #start}.
+   *
+   * @throws IllegalStateException if it was called before or the session has started
+   */
+  EditRecorder changes() {
+    if (started || changes != null) {
+      throw new IllegalStateException(
+          "a reader of changes is made once, before the session starts");
+    }
+    changes = new EditRecorder();
+    return changes;
+  }
+
+  /** Whether the tool cuts. */
+  boolean cuts() {
+    return cuts;
+  }
+
+  /**
+   * Undoes the last edit or the last cut, as soon as no earlier edit waits; nothing happens if
+   * there is none. Any thread.
+   *
+   * @return false if the queue of edits is full; then try again later
+   */
+  public boolean undo() {
+    return edits.offer(HistoryEdit.undo());
+  }
+
+  /** Does an edit or a cut again that was undone; as {@link #undo}. Any thread. */
+  public boolean redo() {
+    return edits.offer(HistoryEdit.redo());
   }
 
   /** Starts the haptic thread. It warms up and then switches the force on. */

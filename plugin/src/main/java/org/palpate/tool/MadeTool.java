@@ -3,6 +3,7 @@ package org.palpate.tool;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
@@ -43,17 +44,25 @@ public record MadeTool(
     return clearance.wholeBody() ? OptionalDouble.of(clearance.marginMm()) : OptionalDouble.empty();
   }
 
+  /** Returns the clearances from bodies of which none is protected. */
+  public List<Clearance> clearances(BodyScene scene) throws VolumeFormatException {
+    return clearances(scene, Map.of());
+  }
+
   /**
    * Returns the clearance from each body of a scene, in its order.
    *
+   * @param protectedMm for names of bodies the margin that the tool keeps from them, mm
    * @throws VolumeFormatException if the clearance is too large for a body's voxels, or the grown
    *     solids do not fit in memory
    */
-  public List<Clearance> clearances(BodyScene scene) throws VolumeFormatException {
+  public List<Clearance> clearances(BodyScene scene, Map<String, Double> protectedMm)
+      throws VolumeFormatException {
     List<Clearance> result = new ArrayList<>();
     double bytes = 0;
     for (int n = 0; n < scene.count(); n++) {
-      Clearance ofBody = clearanceFrom(scene.body(n));
+      Body body = scene.body(n);
+      Clearance ofBody = clearanceFrom(body, protectedMm.getOrDefault(body.name(), 0.0));
       bytes += bytesFor(scene.body(n), ofBody);
       result.add(ofBody);
     }
@@ -97,12 +106,8 @@ public record MadeTool(
     MemoryCheck.require(bytes, "the clearance of bodies that move", "--poses");
   }
 
-  private Clearance clearanceFrom(Body body) throws VolumeFormatException {
-    boolean hasNoExtent = tool.coverRadiusMm() == 0 && clearance.marginMm() <= 0;
-    if (!clearance.wholeBody() || hasNoExtent) {
-      return Clearance.POINTS;
-    }
-    Clearance ofBody = Clearance.ofWholeBody(tool, body.grid(), Math.max(0, clearance.marginMm()));
+  private Clearance clearanceFrom(Body body, double protectedMm) throws VolumeFormatException {
+    Clearance ofBody = plainClearanceFrom(body, protectedMm);
     double mostMm = GrownSolids.MOST_GROWTH_EDGES * body.metric().shortestEdgeMm();
     if (ofBody.growthMm() > mostMm) {
       throw new VolumeFormatException(
@@ -114,9 +119,22 @@ public record MadeTool(
               + NumberText.display(GrownSolids.MOST_GROWTH_EDGES)
               + " voxels",
           "--tool " + name,
-          "choose a smaller --clearance or a tool of smaller voxels, or write --clearance points");
+          "choose a smaller --clearance or margin, or a tool of smaller voxels, or write"
+              + " --clearance points");
     }
     return ofBody;
+  }
+
+  private Clearance plainClearanceFrom(Body body, double protectedMm) {
+    double marginMm = clearance.marginMm();
+    if (protectedMm > 0) {
+      marginMm = Math.max(marginMm, protectedMm + Math.max(0, -marginMm)); // of the eroded tool
+    }
+    boolean hasNoExtent = tool.coverRadiusMm() == 0 && marginMm <= 0;
+    if (clearance.wholeBody() && !hasNoExtent) {
+      return Clearance.ofWholeBody(tool, body.grid(), Math.max(0, marginMm));
+    }
+    return protectedMm > 0 ? Clearance.ofPoints(body.grid(), protectedMm) : Clearance.POINTS;
   }
 
   private static double bytesFor(Body body, Clearance clearance) {

@@ -201,7 +201,6 @@ class ArchitectureTest {
           List.of(
               BASE + "device.jni.FrameLayout",
               BASE + "edit.BrushEdit",
-              BASE + "edit.HistoryEdit",
               BASE + "scene.Palette",
               BASE + "scene.gl.SceneRendererVariants",
               BASE + "scene.gl.Shaders",

@@ -223,6 +223,12 @@ public final class ReplayCommand implements Callable<Integer> {
           posesFile == null ? "--coordinates grid with --tool" : "--coordinates grid with --poses",
           "give a trajectory in world mm");
     }
+    if (contact.protects() && posesFile != null) {
+      throw PalpateException.wrongUse(
+          "margins are for segments that stand still",
+          "--protect with --poses",
+          "leave one of them out");
+    }
     if (repeat != null && posesFile != null) {
       throw PalpateException.wrongUse(
           "a pass would not begin where the last one did",

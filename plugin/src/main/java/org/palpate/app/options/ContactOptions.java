@@ -1,10 +1,12 @@
 package org.palpate.app.options;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.app.process.PalpateException;
+import org.palpate.body.GrownSolids;
 import org.palpate.force.FrictionForm;
 import org.palpate.host.BorderChoice;
 import org.palpate.host.CollisionChoice;
@@ -12,6 +14,7 @@ import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MaterialOverride;
 import org.palpate.host.SolverKind;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.SegmentedVolume;
@@ -136,6 +139,15 @@ public final class ContactOptions {
   private Double carve;
 
   @Option(
+      names = "--protect",
+      paramLabel = "NAME[:MM]",
+      description = {
+        "A segment that the tool keeps away from by a margin in mm, 0 if none is given, and from"
+            + " which and from whose margin nothing is cut; may be repeated."
+      })
+  private List<String> protectedSegments = List.of();
+
+  @Option(
       names = "--max-force",
       paramLabel = "N",
       description = "Largest force that is sent. Default: the device's maximum.")
@@ -171,6 +183,7 @@ public final class ContactOptions {
         .frictionForm(frictionForm())
         .materials(materials())
         .carve(carveMm3PerNewtonSecond())
+        .protect(protectedMm())
         .border(border())
         .build();
   }
@@ -218,10 +231,19 @@ public final class ContactOptions {
    */
   public ContactScene scene(VolumeSource source, SegmentedVolume segments)
       throws VolumeFormatException {
+    ContactSettings settings = settings();
     for (String name : materials.keySet()) {
-      checkNamed(segments, name);
+      checkNamed(segments, "--material ", name);
     }
-    return new ContactScene(segments, source.placements(), settings(), grey(source));
+    if (!settings.protectedMm().isEmpty() && !source.placements().isEmpty()) {
+      throw PalpateException.wrongUse(
+          "margins are for the segments of one volume", "--protect", "leave out --scene");
+    }
+    for (Map.Entry<String, Double> margin : settings.protectedMm().entrySet()) {
+      checkNamed(segments, "--protect ", margin.getKey());
+      checkMargin(segments, margin.getKey(), margin.getValue());
+    }
+    return new ContactScene(segments, source.placements(), settings, grey(source));
   }
 
   /**
@@ -243,10 +265,20 @@ public final class ContactOptions {
     return solver() == SolverKind.SMOOTH && !"bits".equals(smoothFrom);
   }
 
-  private static void checkNamed(SegmentedVolume segments, String name) {
+  private static void checkMargin(SegmentedVolume segments, String name, double marginMm) {
+    double mostMm = GrownSolids.MOST_GROWTH_EDGES * segments.grid().metric().shortestEdgeMm();
+    if (marginMm > mostMm) {
+      throw PalpateException.wrongUse(
+          "the margin is wider than " + NumberText.display(mostMm) + " mm, 64 voxels",
+          "--protect " + name + ":" + NumberText.display(marginMm),
+          "choose a smaller one");
+    }
+  }
+
+  private static void checkNamed(SegmentedVolume segments, String option, String name) {
     if (segments.segments().stream().noneMatch(segment -> segment.name().equals(name))) {
       throw PalpateException.wrongUse(
-          "there is no such segment", "--material " + name, "list them with palpate info");
+          "there is no such segment", option + name, "list them with palpate info");
     }
   }
 
@@ -266,6 +298,38 @@ public final class ContactOptions {
 
   private OptionalDouble carveMm3PerNewtonSecond() {
     return CARVE.checkGiven(carve);
+  }
+
+  private Map<String, Double> protectedMm() {
+    Map<String, Double> margins = new LinkedHashMap<>();
+    for (String text : protectedSegments) {
+      int colon = text.lastIndexOf(':');
+      String name = colon < 0 ? text : text.substring(0, colon);
+      OptionalDouble marginMm =
+          colon < 0 ? OptionalDouble.of(0) : margin(text.substring(colon + 1));
+      if (name.isEmpty() || marginMm.isEmpty()) {
+        throw PalpateException.wrongUse(
+            "the margin cannot be read",
+            "--protect " + text,
+            "write NAME or NAME:MM with a margin from 0 to 1,000 mm, as in nerve:1.5");
+      }
+      margins.put(name, marginMm.getAsDouble());
+    }
+    return margins;
+  }
+
+  private static OptionalDouble margin(String text) {
+    try {
+      double mm = Double.parseDouble(text);
+      return mm >= 0 && mm <= 1000 ? OptionalDouble.of(mm) : OptionalDouble.empty();
+    } catch (NumberFormatException e) {
+      return OptionalDouble.empty();
+    }
+  }
+
+  /** Whether segments are protected. */
+  public boolean protects() {
+    return !protectedSegments.isEmpty();
   }
 
   /** Whether the tool cuts. */

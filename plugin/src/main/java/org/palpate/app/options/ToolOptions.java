@@ -205,7 +205,7 @@ public final class ToolOptions {
           bodies,
           made.tool(),
           movable.isEmpty() ? MovableShapes.none(bodies) : made.movableShapes(bodies),
-          made.clearances(bodies),
+          made.clearances(bodies, scene.settings().protectedMm()),
           rotationalStiffness());
     } catch (RigidScene.BodiesOverlapException e) {
       throw new VolumeFormatException(
