@@ -24,6 +24,7 @@ import org.palpate.scene.WorldAxes;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.scene.window.SceneWindow;
+import org.palpate.scene.window.SliceKeys;
 import org.palpate.scene.window.WindowInput;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.SegmentedVolume;
@@ -243,7 +244,7 @@ public final class SessionView implements AutoCloseable {
       input.onKey(
           ' ', "clutch: hold or release the point", () -> applyAndShow(() -> toggleClutch(mapped)));
     }
-    slices.ifPresent(planes -> addSliceKeys(input, planes));
+    slices.ifPresent(planes -> SliceKeys.add(input, planes, this::applyAndShow));
     threshold.ifPresent(live -> addThresholdKeys(input, live));
     if (!volume.segments().isEmpty()) {
       input.addLegend();
@@ -280,21 +281,6 @@ public final class SessionView implements AutoCloseable {
     Vec3 drag = picture.rotate(new Vec3(right, up, 0), new Vec3());
     Vec3 towardsViewer = picture.rotate(new Vec3(0, 0, 1), new Vec3());
     return towardsViewer.cross(drag, new Vec3()).mul(Math.PI, drag);
-  }
-
-  private void addSliceKeys(WindowInput input, MovableSlices planes) {
-    input.onKey(
-        'g',
-        "slices of grey values: off, fixed, at the point",
-        () -> applyAndShow(planes::nextMode));
-    input.onKey('p', "axis that [ and ] move: x, y, z", () -> applyAndShow(planes::nextAxis));
-    input.onKey('w', "next window of the slices, for CT", () -> applyAndShow(planes::nextWindow));
-    input.onDrag(
-        WindowInput.DragKeys.CONTROL,
-        "window and level of the slices",
-        (right, up) -> applyAndShow(() -> planes.dragWindow(right, up)));
-    input.onHeldKey('[', "move the slice back", () -> applyAndShow(() -> planes.move(-1)));
-    input.onHeldKey(']', "move the slice forward", () -> applyAndShow(() -> planes.move(1)));
   }
 
   private void addThresholdKeys(WindowInput input, LiveThreshold live) {
