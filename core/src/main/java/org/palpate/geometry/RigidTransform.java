@@ -46,6 +46,23 @@ public record RigidTransform(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
         axisX.z * x + axisY.z * y + axisZ.z * z);
   }
 
+  /** Whether both have the same bits. */
+  public boolean sameBits(RigidTransform other) {
+    return axisX.sameBits(other.axisX)
+        && axisY.sameBits(other.axisY)
+        && axisZ.sameBits(other.axisZ)
+        && origin.sameBits(other.origin);
+  }
+
+  /** Returns the transform that applies {@code first} and then this. */
+  public RigidTransform multiply(RigidTransform first) {
+    return new RigidTransform(
+        rotate(first.axisX, new Vec3()),
+        rotate(first.axisY, new Vec3()),
+        rotate(first.axisZ, new Vec3()),
+        transform(first.origin, new Vec3()));
+  }
+
   /**
    * Writes the point whose image is {@code point} into {@code dest}, which may be {@code point}.
    */

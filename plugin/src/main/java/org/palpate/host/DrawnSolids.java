@@ -4,34 +4,36 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayCaster;
 import org.palpate.raycast.RayHit;
+import org.palpate.scene.SceneLoader;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
 
-/** The segments that a view draws at present. Any thread reads them. */
+/**
+ * The segments that a view draws at present, where it draws them. Any thread reads them; the
+ * synchronization thread moves them.
+ */
 final class DrawnSolids {
-  private final SegmentedVolume volume;
+  private final VoxelGrid grid;
   private volatile List<Segment> segments;
+  private volatile List<RigidTransform> poses;
 
-  DrawnSolids(SegmentedVolume volume) {
-    this.volume = volume;
+  /**
+   * Creates the segments of a volume.
+   *
+   * @param poses the pose of each segment, from rest to present, world mm; none if all are at rest
+   */
+  DrawnSolids(SegmentedVolume volume, List<RigidTransform> poses) {
+    grid = volume.grid();
+    this.poses = List.copyOf(poses);
     segments = volume.segments();
-  }
-
-  /** Returns the segments: the same list as long as none was replaced. */
-  List<Segment> segments() {
-    return segments;
-  }
-
-  /** Returns the volume before any replacement, with its grid. */
-  SegmentedVolume volume() {
-    return volume;
   }
 
   /** Replaces the voxels of a segment. */
@@ -42,52 +44,146 @@ final class DrawnSolids {
     segments = List.copyOf(changed);
   }
 
+  /** Returns the pose of each segment, from rest to present, world mm; none if all are at rest. */
+  List<RigidTransform> poses() {
+    return poses;
+  }
+
   /**
-   * Casts rays through the drawn voxels. One thread. It reads them without a lock, so a voxel that
-   * changes meanwhile may count as it was.
+   * Moves the bodies that have moved since the last call.
+   *
+   * @param published the poses of the last publication that was taken
+   * @param shown draws them; empty before there is a window
+   */
+  void follow(ToolPublisher published, Optional<SceneLoader> shown) {
+    for (int n = 0; n < poses.size(); n++) {
+      Optional<RigidTransform> pose = published.bodyPose(n);
+      if (pose.isPresent() && !pose.get().sameBits(poses.get(n))) {
+        List<RigidTransform> moved = new ArrayList<>(poses);
+        moved.set(n, pose.get());
+        poses = List.copyOf(moved);
+        int segment = n;
+        shown.ifPresent(loader -> loader.move(segment, pose.get()));
+      }
+    }
+  }
+
+  /** Moves the surfaces of a loader to the present poses. */
+  void showPoses(SceneLoader shown) {
+    List<RigidTransform> present = poses;
+    for (int n = 0; n < present.size(); n++) {
+      shown.move(n, present.get(n));
+    }
+  }
+
+  /**
+   * Examines the drawn voxels around points and along rays. World mm. One thread. It reads voxels
+   * without a lock, so one that changes meanwhile may count as it was.
    */
   static final class Probe {
     private final DrawnSolids solids;
     private final RayCaster caster = new ExactRayCaster();
     private final Ray ray = new Ray();
     private final RayHit hit = new RayHit();
+    private final Vec3 from = new Vec3();
+    private final Vec3 to = new Vec3();
     private List<Segment> segments = List.of();
-    private CollisionScene scene = new CollisionScene(List.of());
+    private List<RigidTransform> poses = List.of();
+
+    /** Receives a solid voxel. */
+    @FunctionalInterface
+    interface VoxelSink {
+      /** Receives its centre, world mm; a new vector. */
+      void take(Vec3 centreMm);
+    }
 
     Probe(DrawnSolids solids) {
       this.solids = solids;
     }
 
-    /** Takes the segments that are drawn now. */
+    /** Returns the grid of the segments at rest. */
+    VoxelGrid grid() {
+      return solids.grid;
+    }
+
+    /** Takes the segments as they are drawn now. */
     void refresh() {
-      List<Segment> drawn = solids.segments();
-      if (segments != drawn) {
-        segments = drawn;
-        scene = new CollisionScene(drawn.stream().map(Segment::bits).toList());
-      }
+      segments = solids.segments;
+      poses = solids.poses;
     }
 
     /**
      * Returns where the ray between two points first meets a solid, as a fraction of its length.
-     * Empty if it meets none or a point is not finite. Grid coordinates.
+     * Empty if it meets none or a point is not finite.
      */
-    OptionalDouble firstHit(Vec3 from, Vec3 to) {
-      boolean hits =
-          from.isFinite()
-              && to.isFinite()
-              && scene.cast(caster, ray.from(from.x, from.y, from.z).to(to.x, to.y, to.z), hit);
-      return hits ? OptionalDouble.of(hit.t) : OptionalDouble.empty();
+    OptionalDouble firstHit(Vec3 fromMm, Vec3 toMm) {
+      return first(fromMm, toMm) < 0 ? OptionalDouble.empty() : OptionalDouble.of(hit.t);
     }
 
-    /** Returns the name of the first segment that the ray between two points meets. */
-    Optional<String> firstName(Vec3 from, Vec3 to) {
-      int object = firstHit(from, to).isPresent() ? scene.objectAt(hit.i, hit.j, hit.k) : -1;
-      return object < 0 ? Optional.empty() : Optional.of(segments.get(object).name());
+    /**
+     * Returns the name of the first segment that the ray between two points meets, which are in
+     * coordinates of the grid at rest.
+     */
+    Optional<String> firstName(Vec3 fromGrid, Vec3 toGrid) {
+      int first =
+          first(
+              solids.grid.gridToWorld(fromGrid, new Vec3()),
+              solids.grid.gridToWorld(toGrid, new Vec3()));
+      return first < 0 ? Optional.empty() : Optional.of(segments.get(first).name());
     }
 
-    /** Whether a voxel is solid. */
-    boolean isSolid(int i, int j, int k) {
-      return scene.isSolid(i, j, k);
+    /** Returns the index of the first segment that a ray meets, and sets its hit; -1 if none. */
+    private int first(Vec3 fromMm, Vec3 toMm) {
+      int first = -1;
+      double least = Double.POSITIVE_INFINITY;
+      for (int n = 0; n < segments.size() && fromMm.isFinite() && toMm.isFinite(); n++) {
+        toGrid(n, fromMm, from);
+        toGrid(n, toMm, to);
+        ray.from(from.x, from.y, from.z).to(to.x, to.y, to.z);
+        if (caster.cast(segments.get(n).bits(), ray, hit) && hit.t < least) {
+          least = hit.t;
+          first = n;
+        }
+      }
+      hit.t = least;
+      return first;
+    }
+
+    /**
+     * Reports the solid voxels around a point.
+     *
+     * @param reachX how many voxels on either side along x, as are y and z
+     */
+    void around(Vec3 pointMm, int reachX, int reachY, int reachZ, VoxelSink sink) {
+      for (int n = 0; n < segments.size(); n++) {
+        BitCube bits = segments.get(n).bits();
+        toGrid(n, pointMm, from);
+        int i = (int) Math.floor(from.x);
+        int j = (int) Math.floor(from.y);
+        int k = (int) Math.floor(from.z);
+        for (int z = k - reachZ; z <= k + reachZ; z++) {
+          for (int y = j - reachY; y <= j + reachY; y++) {
+            for (int x = i - reachX; x <= i + reachX; x++) {
+              if (bits.get(x, y, z)) {
+                sink.take(centreMm(n, x, y, z));
+              }
+            }
+          }
+        }
+      }
+    }
+
+    private void toGrid(int segment, Vec3 mm, Vec3 dest) {
+      if (poses.isEmpty()) {
+        solids.grid.worldToGrid(mm, dest);
+      } else {
+        solids.grid.worldToGrid(poses.get(segment).inverseTransform(mm, dest), dest);
+      }
+    }
+
+    private Vec3 centreMm(int segment, int i, int j, int k) {
+      Vec3 centre = solids.grid.gridToWorld(new Vec3(i + 0.5, j + 0.5, k + 0.5), new Vec3());
+      return poses.isEmpty() ? centre : poses.get(segment).transform(centre, centre);
     }
   }
 }

@@ -1,12 +1,14 @@
 package org.palpate.host;
 
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.window.PointerListener;
 import org.palpate.scene.window.PointerSpot;
-import org.palpate.volume.VoxelGrid;
 
 /**
  * Touches with the mouse what the user sees: a press begins in front of the first solid on the line
@@ -43,7 +45,6 @@ final class MouseTouch implements PointerListener {
   /** Distance from the surface to which a freed point withdraws, as a fraction of the radius. */
   private static final double WITHDRAWAL_FRACTION = 0.15;
 
-  private final VoxelGrid grid;
   private final DrawnSolids.Probe solids;
   private final MouseDevice mouse;
   private final Consumer<String> hints;
@@ -64,10 +65,9 @@ final class MouseTouch implements PointerListener {
    */
   MouseTouch(DrawnSolids solids, MouseDevice mouse, Consumer<String> hints) {
     this.solids = new DrawnSolids.Probe(solids);
-    grid = solids.volume().grid();
     this.mouse = mouse;
     this.hints = hints;
-    Vec3 spacing = grid.spacingMm();
+    Vec3 spacing = this.solids.grid().spacingMm();
     voxelMm = Math.max(spacing.x, Math.max(spacing.y, spacing.z));
     radiusMm = mouse.specification().workspaceRadiusMm();
   }
@@ -113,9 +113,7 @@ final class MouseTouch implements PointerListener {
   }
 
   private Optional<Vec3> firstHit(Vec3 fromMm, Vec3 toMm) {
-    Vec3 from = grid.worldToGrid(fromMm, new Vec3());
-    Vec3 to = grid.worldToGrid(toMm, new Vec3());
-    OptionalDouble hit = solids.firstHit(from, to);
+    OptionalDouble hit = solids.firstHit(fromMm, toMm);
     return hit.orElse(0) > 0
         ? Optional.of(along(fromMm, toMm, hit.getAsDouble() * distance(fromMm, toMm)))
         : Optional.empty();
@@ -123,25 +121,9 @@ final class MouseTouch implements PointerListener {
 
   /** Returns the centre of a solid voxel next to a drawn point, world mm: the nearest one. */
   private Optional<Vec3> solidNear(Vec3 drawnMm) {
-    Vec3 at = grid.worldToGrid(drawnMm, new Vec3());
-    int i = (int) Math.floor(at.x);
-    int j = (int) Math.floor(at.y);
-    int k = (int) Math.floor(at.z);
-    Optional<Vec3> nearest = Optional.empty();
-    double least = Double.POSITIVE_INFINITY;
-    for (int z = k - DRAWN_VOXELS; z <= k + DRAWN_VOXELS; z++) {
-      for (int y = j - DRAWN_VOXELS; y <= j + DRAWN_VOXELS; y++) {
-        for (int x = i - DRAWN_VOXELS; x <= i + DRAWN_VOXELS; x++) {
-          Vec3 centre = grid.gridToWorld(new Vec3(x + 0.5, y + 0.5, z + 0.5), new Vec3());
-          double distance = distance(centre, drawnMm);
-          if (distance < least && solids.isSolid(x, y, z)) {
-            least = distance;
-            nearest = Optional.of(centre);
-          }
-        }
-      }
-    }
-    return nearest;
+    List<Vec3> centres = new ArrayList<>();
+    solids.around(drawnMm, DRAWN_VOXELS, DRAWN_VOXELS, DRAWN_VOXELS, centres::add);
+    return centres.stream().min(Comparator.comparingDouble(centre -> distance(centre, drawnMm)));
   }
 
   /**
@@ -151,31 +133,23 @@ final class MouseTouch implements PointerListener {
   private Vec3 inward(Vec3 eyeMm, Vec3 faceMm) {
     Vec3 sight = unit(faceMm.sub(eyeMm, new Vec3()));
     Vec3 sum = new Vec3();
-    Vec3 spacing = grid.spacingMm();
-    Vec3 at = grid.worldToGrid(faceMm, new Vec3());
+    Vec3 spacing = solids.grid().spacingMm();
     double reach = NORMAL_VOXELS * voxelMm;
-    int i = (int) Math.min(MAX_NORMAL_REACH, reach / spacing.x);
-    int j = (int) Math.min(MAX_NORMAL_REACH, reach / spacing.y);
-    int k = (int) Math.min(MAX_NORMAL_REACH, reach / spacing.z);
-    for (int z = -k; z <= k; z++) {
-      for (int y = -j; y <= j; y++) {
-        for (int x = -i; x <= i; x++) {
-          addIfSolid(Math.floor(at.x) + x, Math.floor(at.y) + y, Math.floor(at.z) + z, faceMm, sum);
-        }
-      }
-    }
+    solids.around(
+        faceMm,
+        (int) Math.min(MAX_NORMAL_REACH, reach / spacing.x),
+        (int) Math.min(MAX_NORMAL_REACH, reach / spacing.y),
+        (int) Math.min(MAX_NORMAL_REACH, reach / spacing.z),
+        centre -> addIfNear(centre, faceMm, sum));
     boolean isClear = sum.length() > 0 && sum.dot(sight) >= LEAST_INWARD * sum.length();
     return isClear ? unit(sum) : sight;
   }
 
-  /** Adds the direction from a face to the centre of voxel (i,j,k) if it is solid and near. */
-  private void addIfSolid(double i, double j, double k, Vec3 faceMm, Vec3 sum) {
-    if (solids.isSolid((int) i, (int) j, (int) k)) {
-      Vec3 centre = grid.gridToWorld(new Vec3(i + 0.5, j + 0.5, k + 0.5), new Vec3());
-      centre.sub(faceMm, centre);
-      if (centre.length() <= NORMAL_VOXELS * voxelMm) {
-        sum.add(centre, sum);
-      }
+  /** Adds the direction from a face to the centre of a voxel if it is near. */
+  private void addIfNear(Vec3 centre, Vec3 faceMm, Vec3 sum) {
+    centre.sub(faceMm, centre);
+    if (centre.length() <= NORMAL_VOXELS * voxelMm) {
+      sum.add(centre, sum);
     }
   }
 

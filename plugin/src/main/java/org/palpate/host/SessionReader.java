@@ -1,10 +1,10 @@
 package org.palpate.host;
 
 import java.util.Optional;
+import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.rigid.tool.RigidTool;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.Property;
 import org.palpate.sync.TouchProperties;
@@ -24,10 +24,14 @@ public final class SessionReader {
   private final Pose upright = new Pose();
   private final Vec3 scratch = new Vec3();
 
-  /** Creates a reader of a session that holds a rigid tool, or of one without. */
-  SessionReader(VoxelGrid grid, Optional<RigidTool> held) {
+  /**
+   * Creates a reader.
+   *
+   * @param bodies what a rigid tool touches; empty if the session holds none
+   */
+  SessionReader(VoxelGrid grid, Optional<BodyScene> bodies) {
     this.grid = grid;
-    tool = held.map(rigid -> new ToolPublisher(properties, grid));
+    tool = bodies.map(touched -> new ToolPublisher(properties, grid, touched));
   }
 
   /** Returns the properties into which the frames of a point publish. Haptic thread. */

@@ -120,7 +120,7 @@ public final class SessionView implements AutoCloseable {
     this.session = session;
     this.options = options;
     this.volume = volume;
-    solids = new DrawnSolids(volume);
+    solids = new DrawnSolids(volume, startPoses());
     touched = new DrawnSolids.Probe(solids);
     this.device = device;
     this.listener = listener;
@@ -165,6 +165,9 @@ public final class SessionView implements AutoCloseable {
     if (synchronizer.applications() > 0) {
       session.properties().touch().interactionPoint(point);
       session.properties().touch().device(deviceGrid);
+      session
+          .held()
+          .ifPresent(held -> solids.follow(held.publisher(), Optional.ofNullable(loader)));
       proxyGrid = new Vec3().set(point);
       slices.ifPresent(planes -> planes.follow(point));
     }
@@ -319,18 +322,19 @@ public final class SessionView implements AutoCloseable {
     return closed;
   }
 
-  /** Returns the pose of each segment in the world, from grid mm; none if all stand at rest. */
-  private List<RigidTransform> poses() {
+  /** Returns the pose of each segment at the start; none if all stand at rest. */
+  private List<RigidTransform> startPoses() {
     return session
         .held()
-        .map(held -> Placement.poses(held.scene().contactScene().placements(), volume.grid()))
+        .map(held -> Placement.transforms(held.scene().contactScene().placements()))
         .orElse(List.of());
   }
 
   private SceneLoader startLoading() {
-    SceneLoader started = SceneLoader.forWindow(model, volume, options.greys(), poses(), 1);
+    SceneLoader started = SceneLoader.forWindow(model, volume, options.greys(), solids.poses(), 1);
     model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
     loader = started;
+    solids.showPoses(started); // Bodies may have moved meanwhile.
     return started;
   }
 

@@ -2,6 +2,9 @@ package org.palpate.host;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
 import org.palpate.frame.ToolFramePublisher;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
@@ -16,7 +19,7 @@ import org.palpate.volume.VoxelGrid;
 
 /**
  * Publishes the frames of a rigid tool. One publication holds device, reference point, force and
- * contact, as for a point, and the poses, the torque and the points in contact.
+ * contact, as for a point, and the poses of tool and bodies, the torque and the points in contact.
  *
  * <p>Haptic thread; allocates nothing.
  */
@@ -32,12 +35,24 @@ final class ToolPublisher implements ToolFramePublisher {
   private final Vec3 deviceGrid = new Vec3();
   private final Vec3 pointGrid = new Vec3();
   private final Vec3 gridNewton = new Vec3();
+  private final BodyScene bodies;
+
+  /** The pose of each body that can move, from rest to present; null for the others. */
+  private final TransformProperty[] bodyPoses;
+
   private final RigidTransform toWorld = RigidTransform.identity();
 
   /** Creates the properties of a tool beside those of a point, before the session starts. */
-  ToolPublisher(TouchProperties properties, VoxelGrid grid) {
+  ToolPublisher(TouchProperties properties, VoxelGrid grid, BodyScene bodies) {
     this.properties = properties;
     this.grid = grid;
+    this.bodies = bodies;
+    bodyPoses = new TransformProperty[bodies.count()];
+    for (int n = 0; n < bodyPoses.length; n++) {
+      if (bodies.body(n).mobility() == Mobility.MOVABLE) {
+        bodyPoses[n] = properties.accumulator().transform("body " + n);
+      }
+    }
     toolToWorld = properties.accumulator().transform("tool");
     deviceToWorld = properties.accumulator().transform("device");
     torqueNewtonMm = properties.accumulator().position("torque");
@@ -52,6 +67,7 @@ final class ToolPublisher implements ToolFramePublisher {
     Pose pose = motion.pose();
     toolToWorld.set(pose.transform(toWorld));
     setContacts(motion);
+    setBodyPoses();
     deviceToWorld.set(device.transform(toWorld));
     torqueNewtonMm.set(torque);
     grid.worldToGrid(device.translation, deviceGrid);
@@ -66,6 +82,22 @@ final class ToolPublisher implements ToolFramePublisher {
     for (int n = 0; n < count; n++) {
       contactMm[n].set(motion.contactMm(n, contactPoint));
     }
+  }
+
+  private void setBodyPoses() {
+    for (int n = 0; n < bodyPoses.length; n++) {
+      if (bodyPoses[n] != null) {
+        bodyPoses[n].set(bodies.body(n).pose().transform(toWorld));
+      }
+    }
+  }
+
+  /**
+   * Returns the pose of a body as of the last publication that was taken, from rest to present,
+   * world mm; empty for one that cannot move.
+   */
+  Optional<RigidTransform> bodyPose(int body) {
+    return Optional.ofNullable(bodyPoses[body]).map(TransformProperty::read);
   }
 
   /** Returns the device pose, device frame to world mm. */

@@ -116,7 +116,7 @@ public final class TouchSession implements AutoCloseable {
     grid = scene.contactScene().grid();
     edits = scene.edits();
     cuts = scene.contactScene().carve().isPresent();
-    ToolPublisher publisher = new ToolPublisher(properties, grid);
+    ToolPublisher publisher = new ToolPublisher(properties, grid, scene.bodies());
     ToolFrame frame = scene.newFrame(device, frameSettings, coupling, published(publisher));
     tuning = ContactTuning.ofTool(frame, frameSettings.force(), specification);
     HapticDevice hand =
@@ -190,7 +190,7 @@ public final class TouchSession implements AutoCloseable {
     if (started || secondReader != null) {
       throw new IllegalStateException("a second reader is made once, before the session starts");
     }
-    secondReader = new SessionReader(grid, held.map(tool -> tool.scene().tool()));
+    secondReader = new SessionReader(grid, held.map(tool -> tool.scene().bodies()));
     return secondReader;
   }
 

@@ -77,11 +77,12 @@ public final class SceneLoader implements AutoCloseable {
    * Adds segments to a model where their placements put them, and starts building their surfaces
    * from bits.
    *
-   * @param gridMmToWorld the pose of each segment in the world; none if all stand at rest
+   * @param poses the pose of each segment, from rest to present, world mm; none if all stand at
+   *     rest
    */
   public static SceneLoader ofPlaced(
-      SceneModel model, SegmentedVolume volume, List<RigidTransform> gridMmToWorld, int threads) {
-    return new SceneLoader(model, volume, List.of(), gridMmToWorld, threads, false);
+      SceneModel model, SegmentedVolume volume, List<RigidTransform> poses, int threads) {
+    return new SceneLoader(model, volume, List.of(), poses, threads, false);
   }
 
   private SceneLoader(
@@ -102,7 +103,7 @@ public final class SceneLoader implements AutoCloseable {
     Vec3 spacing = grid.spacingMm();
     model.addDetail(Math.max(spacing.x, Math.max(spacing.y, spacing.z)));
     for (int n = 0; n < segments.size(); n++) {
-      add(segments.get(n), isPlaced ? poses.get(n) : grid.gridMmToWorld());
+      add(segments.get(n), isPlaced ? gridMmToWorld(poses.get(n)) : grid.gridMmToWorld());
     }
     if (!isPlaced) {
       makeEnclosingTranslucent();
@@ -117,7 +118,8 @@ public final class SceneLoader implements AutoCloseable {
    * Returns a loader for a window: it starts the finer levels in {@link #pictureDrawn}, once the
    * coarsest level is complete.
    *
-   * @param poses the pose of each segment in the world, from grid mm; none if all stand at rest
+   * @param poses the pose of each segment, from rest to present, world mm; none if all stand at
+   *     rest
    */
   public static SceneLoader forWindow(
       SceneModel model,
@@ -126,6 +128,20 @@ public final class SceneLoader implements AutoCloseable {
       List<RigidTransform> poses,
       int threads) {
     return new SceneLoader(model, volume, greys, poses, threads, true);
+  }
+
+  private RigidTransform gridMmToWorld(RigidTransform restToPresent) {
+    return restToPresent.multiply(grid.gridMmToWorld());
+  }
+
+  /**
+   * Moves a segment as a whole; its surface is not built again.
+   *
+   * @param segment number of the segment
+   * @param restToPresent its pose, world mm
+   */
+  public void move(int segment, RigidTransform restToPresent) {
+    model.setPose(objects.get(segment), gridMmToWorld(restToPresent));
   }
 
   /**

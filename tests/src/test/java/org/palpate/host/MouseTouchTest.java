@@ -305,7 +305,7 @@ class MouseTouchTest {
         new SegmentedVolume(GRID, List.of(new Segment("ball", bits, 0xffffff)));
     scene = new ContactScene(volume, ContactSettings.standard(solver));
     mouse = new MouseDevice(scene.handTarget(), ManualClock.MS);
-    touch = new MouseTouch(new DrawnSolids(volume), mouse, text -> hint = text);
+    touch = new MouseTouch(new DrawnSolids(volume, List.of()), mouse, text -> hint = text);
     FrameSettings settings = scene.liveFrame(mouse.specification(), 0.5);
     GridDevice device = GridDevice.fromWorld(around.apply(mouse), GRID);
     frame = scene.newFrame(device, settings, FramePublisher.NONE);

@@ -218,7 +218,7 @@ public final class RenderCommand implements Callable<Integer> {
     List<Optional<GreyRange>> greys = surface.greys(source, true);
     long started = System.nanoTime();
     int threads = Runtime.getRuntime().availableProcessors();
-    List<RigidTransform> poses = Placement.poses(source.placements(), segments.grid());
+    List<RigidTransform> poses = Placement.transforms(source.placements());
     try (SceneLoader loader =
         poses.isEmpty()
             ? new SceneLoader(model, segments, greys, threads)
