@@ -40,6 +40,19 @@ public final class VoxelWriter {
     history = new UndoHistory(List.of(log));
   }
 
+  /**
+   * Creates a writer whose history holds the placements of bodies too.
+   *
+   * @param boxes receives a box around the voxels of each edit
+   */
+  public VoxelWriter(CollisionScene scene, EditListener boxes, PlacementLog placements) {
+    this.scene = scene;
+    this.boxes = boxes;
+    log = new VoxelLog(this, DEFAULT_CAPACITY);
+    history = new UndoHistory(List.of(log, placements));
+    placements.keepIn(history);
+  }
+
   /** Sets what receives each changed voxel; before the first change. */
   public void listen(VoxelListener listener) {
     voxels = listener;

@@ -27,6 +27,11 @@ final class ContactDamping {
     this.metric = metric;
   }
 
+  /** Forgets the speed of the hand. */
+  void reset() {
+    begun = false;
+  }
+
   /**
    * Updates the speed of the hand.
    *

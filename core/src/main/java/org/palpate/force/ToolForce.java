@@ -69,6 +69,14 @@ public final class ToolForce {
     material.reset();
   }
 
+  /** Forgets the hand as well, which held something else meanwhile. */
+  public void takeOver() {
+    reset();
+    damping.reset();
+    spinDamping.reset();
+    known = false;
+  }
+
   /** Returns the number of frames that skipped friction because it is zero. */
   public long frictionSkipped() {
     return frictionSkipped;

@@ -9,16 +9,15 @@ import org.palpate.carve.ToolCarver;
 import org.palpate.collision.CollisionScene;
 import org.palpate.device.HapticDevice;
 import org.palpate.edit.EditQueue;
+import org.palpate.edit.PlacementLog;
 import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ForceSettings;
-import org.palpate.force.ToolForce;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
-import org.palpate.rigid.tool.RigidTool;
 import org.palpate.statistics.SkipCounters;
 import org.palpate.statistics.SkipKind;
 import org.palpate.volume.BitCube;
@@ -36,7 +35,7 @@ import org.palpate.volume.BitCube;
 public final class ToolFrame extends HapticFrame {
   private final BodyScene bodies;
   private final RigidSolver solver;
-  private final ToolForce force;
+  private final Grasp grasp;
   private final EditQueue edits;
   private final VoxelWriter voxels;
   private final ToolFramePublisher publisher;
@@ -52,13 +51,22 @@ public final class ToolFrame extends HapticFrame {
   private int mostReduced;
 
   private volatile ForceSettings requestedForce;
+  private volatile HoldRequest holdRequest = HoldRequest.NONE;
+  private volatile int heldBody = Grasp.NO_BODY;
+
+  /** A change of what the hand holds. */
+  private enum HoldRequest {
+    NONE,
+    TAKE,
+    LET_GO
+  }
 
   /**
    * Makes a frame that has not run yet.
    *
    * @param device read and written once a frame, never closed
    * @param bodies the solids, in the order of the segments that edits change
-   * @param solver moves {@code tool} among the bodies; belongs to the frame from now on
+   * @param solver moves the tool among the bodies; belongs to the frame from now on
    * @param coupling turns the distance between device and tool into force and torque, with the
    *     stiffness of the general material of {@code settings}
    * @param edits changes of the bodies' voxels, applied before the tool moves
@@ -67,7 +75,6 @@ public final class ToolFrame extends HapticFrame {
   public ToolFrame(
       HapticDevice device,
       BodyScene bodies,
-      RigidTool tool,
       RigidSolver solver,
       RigidCoupling coupling,
       FrameSettings settings,
@@ -79,8 +86,9 @@ public final class ToolFrame extends HapticFrame {
     motion = solver.newMotion();
     this.edits = edits;
     this.publisher = publisher;
-    voxels = new VoxelWriter(new CollisionScene(cubesOf(bodies)), this::noteEdit);
-    force = new ToolForce(tool, bodies.shortestEdgeMm(), coupling, settings.force());
+    PlacementLog placements = new PlacementLog((body, pose) -> bodies.body(body).setPose(pose));
+    voxels = new VoxelWriter(new CollisionScene(cubesOf(bodies)), this::noteEdit, placements);
+    grasp = new Grasp(bodies, solver, coupling, settings.force(), placements);
     requestedForce = settings.force();
     solver.addSkips(skippedBeforeUse);
   }
@@ -95,13 +103,41 @@ public final class ToolFrame extends HapticFrame {
 
   @Override
   void applyRequests() {
-    force.change(requestedForce);
+    grasp.force().change(requestedForce);
+    HoldRequest request = holdRequest;
+    if (request != HoldRequest.NONE) {
+      holdRequest = HoldRequest.NONE;
+      applyHold(request);
+    }
   }
 
-  /** Applies edits. The solver takes note of them before its next motion. */
+  private void applyHold(HoldRequest request) {
+    boolean holds = grasp.held() != Grasp.NO_BODY;
+    int touched = holds ? Grasp.NO_BODY : grasp.touched(motion);
+    if (request == HoldRequest.TAKE && touched != Grasp.NO_BODY) {
+      grasp.take(touched, devicePose, forceNewton, torqueNewtonMm, motion);
+    } else if (request == HoldRequest.LET_GO && holds && !grasp.letGo(motion)) {
+      setFree();
+    }
+    grasp.force().change(requestedForce);
+    heldBody = grasp.held();
+  }
+
+  /**
+   * Applies edits. The solver takes note of them before its next motion. They wait while a body is
+   * held. If undo has moved a body, the tool is set free.
+   */
   @Override
   void applyEdits(int maxVoxels) {
+    if (grasp.held() != Grasp.NO_BODY) {
+      return;
+    }
     edits.applyTo(voxels, maxVoxels);
+    if (placed && solver.wasBodyMoved()) {
+      solver.place(motion.pose(), motion);
+      grasp.force().reset();
+      setFree();
+    }
   }
 
   private void noteEdit(int segment, IntBox changed) {
@@ -121,9 +157,9 @@ public final class ToolFrame extends HapticFrame {
   /** Without a new sample bodies move all the same, and may push the tool. */
   @Override
   void rest() {
-    solver.rest(motion);
+    grasp.solver().rest(motion);
     if (motion.freed()) {
-      force.reset();
+      grasp.force().reset();
       setFree();
     }
   }
@@ -134,14 +170,18 @@ public final class ToolFrame extends HapticFrame {
     boolean jumped = placed && sample.relocated;
     boolean startsAtDevice = true;
     if (!placed || jumped) {
+      if (grasp.held() != Grasp.NO_BODY) {
+        grasp.letGo(motion);
+        heldBody = Grasp.NO_BODY;
+      }
       startsAtDevice = solver.place(devicePose, motion);
       placed = true;
-    } else if (carver != null) {
+    } else if (carver != null && grasp.held() == Grasp.NO_BODY) {
       carver.carve(devicePose, forceNewton.length(), sinceForceNanos());
     }
-    solver.follow(devicePose, motion);
+    grasp.solver().follow(grasp.target(devicePose), motion);
     if (jumped || !startsAtDevice || motion.freed()) {
-      force.reset();
+      grasp.force().reset();
       setFree();
     }
   }
@@ -158,7 +198,9 @@ public final class ToolFrame extends HapticFrame {
 
   @Override
   void computeForce(long sinceLastNanos) {
-    force.compute(motion, solver.target(), sinceLastNanos, forceNewton, torqueNewtonMm);
+    Pose target = grasp.solver().target();
+    grasp.force().compute(motion, target, sinceLastNanos, forceNewton, torqueNewtonMm);
+    grasp.moveTorque(motion.pose(), devicePose, forceNewton, torqueNewtonMm);
   }
 
   @Override
@@ -177,7 +219,31 @@ public final class ToolFrame extends HapticFrame {
     requestedForce = requested;
   }
 
-  /** Returns the tool's motion in the last frame. It belongs to the frame. */
+  /**
+   * Takes hold of the movable body that the tool presses most, in the next frame. From then on the
+   * body moves with the device instead of the tool. Nothing happens without one. Any thread.
+   */
+  public void requestTake() {
+    holdRequest = HoldRequest.TAKE;
+  }
+
+  /**
+   * Lets go of the body that is held, in the next frame. It stays where it is, and undo can take it
+   * back. Any thread.
+   */
+  public void requestLetGo() {
+    holdRequest = HoldRequest.LET_GO;
+  }
+
+  /** Returns the index of the body that is held; -1 if the hand holds the tool. Any thread. */
+  public int heldBody() {
+    return heldBody;
+  }
+
+  /**
+   * Returns the motion of the tool, or of the body that is held, in the last frame. It belongs to
+   * the frame.
+   */
   public ToolMotion motion() {
     return motion;
   }
@@ -197,7 +263,7 @@ public final class ToolFrame extends HapticFrame {
 
   /** Returns the work of the last frame, in the units of {@link RigidSolver#work}. */
   public long work() {
-    return solver.work();
+    return grasp.solver().work();
   }
 
   @Override
@@ -205,7 +271,7 @@ public final class ToolFrame extends HapticFrame {
     SkipCounters skips = new SkipCounters();
     solver.addSkips(skips);
     skips.subtract(skippedBeforeUse);
-    skips.add(SkipKind.FRICTION, force.frictionSkipped());
+    skips.add(SkipKind.FRICTION, grasp.force().frictionSkipped());
     return skips.byKey();
   }
 }

@@ -167,7 +167,8 @@ final class BodyVerifier {
    *
    * @param ofPoints the pose of the points
    * @param ofBody the pose of the body, rest to present
-   * @param least the lowest level that points may keep
+   * @param least the lowest level that points may keep; -1 to place points that touch a voxel too,
+   *     all legs of which will then touch it
    * @return whether each point keeps at least that level; if not, only levels have changed
    */
   boolean place(Pose ofPoints, Pose ofBody, int least) {
@@ -179,7 +180,7 @@ final class BodyVerifier {
       if (free < least) {
         return false;
       }
-      level[n] = (byte) free;
+      level[n] = (byte) Math.max(0, free);
       reducedCount += free < highest ? 1 : 0;
     }
     from.set(to);

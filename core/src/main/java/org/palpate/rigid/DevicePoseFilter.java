@@ -25,7 +25,7 @@ final class DevicePoseFilter {
     return known;
   }
 
-  /** Returns the target; not to be written. */
+  /** Returns the target, which the solver moves to the nearest pose that its mover can have. */
   Pose target() {
     return target;
   }

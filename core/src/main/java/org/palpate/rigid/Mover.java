@@ -121,6 +121,7 @@ final class Mover {
   void propose(Pose ofPoints) {
     candidate.set(ofPoints);
     if (body != null) {
+      assert snap(bodyCandidate.set(ofPoints)).sameBits(ofPoints) : "not snapped: " + ofPoints;
       reference.toRest(ofPoints, bodyCandidate);
     }
   }

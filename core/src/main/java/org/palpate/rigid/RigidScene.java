@@ -24,6 +24,7 @@ public final class RigidScene {
   private final Mover[] movers;
   private final MoverVerifier[] verifiers;
   private final BodyVerifier[][] pairs;
+  private final BodyMover bodyMover;
   private final Map<LevelsKey, ClearanceLevels> levels = new HashMap<>();
   private final Map<ClearanceLevels, ContactField> fields = new HashMap<>();
 
@@ -66,6 +67,7 @@ public final class RigidScene {
         verifiers[n] = new MoverVerifier(movers[n], pairs[n], bodies.shortestEdgeMm());
       }
     }
+    bodyMover = new BodyMover(this);
   }
 
   private void addPairs(MovableShapes shapes) {
@@ -103,23 +105,22 @@ public final class RigidScene {
   }
 
   private static void requireApart(BodyVerifier pair) {
-    if (!place(pair)) {
-      throw new BodiesOverlapException(pair.points.body.name(), pair.solid.body.name());
-    }
-  }
-
-  /** Places a pair of bodies where they are; returns whether they are apart. */
-  private static boolean place(BodyVerifier pair) {
     boolean apart =
         pair.place(pair.points.pose, pair.solid.bodyPose(), 0)
             && !pair.enclosure().enclosesAny(pair.points.pose, pair.solid.bodyPose());
     pair.enclosure().beginOrEnd();
-    return apart;
+    if (!apart) {
+      throw new BodiesOverlapException(pair.points.body.name(), pair.solid.body.name());
+    }
   }
 
   /** Returns the bodies. */
   public BodyScene bodies() {
     return bodies;
+  }
+
+  BodyMover bodyMover() {
+    return bodyMover;
   }
 
   RigidSettings settings() {
@@ -155,7 +156,10 @@ public final class RigidScene {
     return false;
   }
 
-  /** Takes the poses of all bodies as they are, unverified. The tool must be placed anew. */
+  /**
+   * Takes the poses of all bodies as they are, unverified. The tool must be placed anew. Bodies
+   * that overlap then stay where they are until somebody sets a pose again.
+   */
   void takeBodyPoses() {
     for (Mover mover : movers) {
       if (mover.wasMoved()) {
@@ -164,8 +168,10 @@ public final class RigidScene {
     }
     for (int a = 0; a < bodies.count(); a++) {
       for (int b = 0; b < a; b++) {
-        if (pairs[a][b] != null) {
-          place(pairs[a][b]);
+        BodyVerifier pair = pairs[a][b];
+        if (pair != null) {
+          pair.place(pair.points.pose, pair.solid.bodyPose(), -1);
+          pair.enclosure().begin();
         }
       }
     }

@@ -66,6 +66,7 @@ public final class RigidSolver {
   private static final int LEVELS_PER_FRAME = 400;
 
   private final RigidScene scene;
+  private final int hand;
   private final RigidTool tool;
   private final MoverVerifier verifier;
   private final BodyMover bodies;
@@ -97,8 +98,12 @@ public final class RigidSolver {
 
   /** Creates a solver for the tool of a scene, which stands nowhere yet; see {@link #place}. */
   public RigidSolver(RigidScene scene) {
+    this(scene, scene.toolIndex());
+  }
+
+  private RigidSolver(RigidScene scene, int hand) {
     this.scene = scene;
-    int hand = scene.toolIndex();
+    this.hand = hand;
     verifier = scene.verifier(hand);
     tool = verifier.mover.shape;
     maxStepMm = scene.settings().maxStepMm();
@@ -106,7 +111,47 @@ public final class RigidSolver {
     budget = new WorkBudget(verifier);
     stepper = new RigidStepper(verifier, scene.fields(hand), budget, edgeMm);
     freeing = new FreePoseSearch(verifier, edgeMm);
-    bodies = new BodyMover(scene);
+    bodies = scene.bodyMover();
+  }
+
+  /**
+   * Returns a solver that moves a body of the same scene as the tool of the hand, once {@link
+   * #takeOver} was called. Allocates.
+   *
+   * @throws IllegalArgumentException if the body stands still
+   */
+  public RigidSolver ofBody(int body) {
+    if (scene.verifier(body) == null) {
+      throw new IllegalArgumentException(
+          "the body stands still: " + scene.bodies().body(body).name());
+    }
+    return new RigidSolver(scene, body);
+  }
+
+  /** Whether a body of the scene can move. */
+  public boolean canMove(int body) {
+    return scene.verifier(body) != null;
+  }
+
+  /** Returns what this solver moves: its sample points and its metric. */
+  public RigidTool shape() {
+    return tool;
+  }
+
+  /**
+   * Takes a body in hand where it is, bit for bit. The tool leaves the scene until its own solver
+   * places it again.
+   */
+  public void takeOver(ToolMotion motion) {
+    scene.verifier(scene.toolIndex()).mover.setPresent(false);
+    bodies.clearGoal(hand);
+    motion.freed = false;
+    reset(motion);
+  }
+
+  /** Whether somebody set the pose of a body unverified, so that the tool must be placed again. */
+  public boolean wasBodyMoved() {
+    return scene.wasBodyMoved();
   }
 
   /** Returns what moves the bodies of the scene towards their goals. */
@@ -192,6 +237,7 @@ public final class RigidSolver {
   public void follow(Pose devicePose, ToolMotion motion) {
     begin(motion);
     device.take(devicePose, verifier.pose());
+    verifier.mover.snap(device.target());
     moveBodies(motion);
     if (!device.isKnown()) {
       return;
@@ -233,7 +279,7 @@ public final class RigidSolver {
 
   /** A body that moved may have left the tool, or pushed it: the approach begins anew. */
   private void moveBodies(ToolMotion motion) {
-    bodies.move(scene.toolIndex(), device.isKnown() ? device.target() : verifier.pose(), motion);
+    bodies.move(hand, device.isKnown() ? device.target() : verifier.pose(), motion);
     if (motion.bodies.count() > 0) {
       beginApproach();
     }

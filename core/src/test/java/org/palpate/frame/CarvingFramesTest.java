@@ -219,7 +219,6 @@ class CarvingFramesTest {
         new ToolFrame(
             device,
             bodies,
-            tool,
             new RigidSolver(bodies, tool, RigidSettings.ofWholeBodies(5, bodies, tool)),
             RigidCoupling.of(tool, STIFFNESS),
             settings(),

@@ -90,7 +90,6 @@ class FrameAllocationTest {
         new ToolFrame(
             new MeasuringDevice(new RecordingDevice(hand, recorder)),
             bodies,
-            tool,
             new RigidSolver(bodies, tool, RigidSettings.ofWholeBodies(8, bodies, tool)),
             RigidCoupling.of(tool, 0.5),
             FrameSettings.live(hand.specification(), roughFloor()),

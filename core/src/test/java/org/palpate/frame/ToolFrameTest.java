@@ -289,7 +289,6 @@ class ToolFrameTest {
     return new ToolFrame(
         device,
         bodies,
-        plate,
         new RigidSolver(bodies, plate, RigidSettings.ofWholeBodies(8, bodies, plate)),
         RigidCoupling.of(plate, 0.5),
         settings,

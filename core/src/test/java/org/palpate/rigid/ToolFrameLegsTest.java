@@ -71,7 +71,6 @@ class ToolFrameLegsTest {
         new ToolFrame(
             device,
             scene,
-            tool,
             new RigidSolver(scene, tool, settings),
             RigidCoupling.of(tool, 0.5),
             new FrameSettings(

@@ -182,8 +182,7 @@ public final class ToolScene {
       FrameSettings frame,
       RigidCoupling coupling,
       ToolFramePublisher publisher) {
-    ToolFrame made =
-        new ToolFrame(worldDevice, bodies, tool, solver, coupling, frame, edits, publisher);
+    ToolFrame made = new ToolFrame(worldDevice, bodies, solver, coupling, frame, edits, publisher);
     scene.carve().ifPresent(made::carve);
     return made;
   }
@@ -192,6 +191,6 @@ public final class ToolScene {
   ToolFrame newWarmUpFrame(HapticDevice worldDevice, FrameSettings frame, RigidCoupling coupling) {
     EditQueue none = EditQueue.ofBodies(scene.grid(), bodies.count());
     return new ToolFrame(
-        worldDevice, bodies, tool, solver, coupling, frame, none, ToolFramePublisher.NONE);
+        worldDevice, bodies, solver, coupling, frame, none, ToolFramePublisher.NONE);
   }
 }

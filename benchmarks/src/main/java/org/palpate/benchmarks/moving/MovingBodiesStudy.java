@@ -27,12 +27,14 @@ import org.palpate.volume.VoxelGrid;
 
 /**
  * Attacks bodies that move: random goals drive them into each other and into a tool that moves too.
- * Every leg of every pair is judged exactly. In mode {@code body} all voxels of all bodies are
- * compared from time to time, once no clearance is reduced.
+ * From time to time the hand holds a body instead of the tool. Every leg of every pair is judged
+ * exactly. In mode {@code body} all voxels of all bodies are compared from time to time, once no
+ * clearance is reduced.
  */
 public final class MovingBodiesStudy {
   private static final int FRAMES_PER_ROUND = 1_000;
   private static final int MOST_FRAMES_TO_A_GOAL = 30;
+  private static final int MOST_FRAMES_TO_A_GRASP = 100;
   private static final double REACH_MM = 18;
 
   private final long frames;
@@ -42,7 +44,7 @@ public final class MovingBodiesStudy {
   private final Consumer<String> progress;
   private final Quaternion scratch = new Quaternion();
   private final VoxelOverlap overlap = new VoxelOverlap();
-  private Result total = new Result(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+  private Result total = new Result(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
 
   /**
    * The figures of an attack.
@@ -54,7 +56,8 @@ public final class MovingBodiesStudy {
    * @param motions the number of motions of bodies
    * @param pushes the number of motions that pushed the tool
    * @param heldBack the number of frames in which a body was held back
-   * @param contacts the number of frames in which the tool had contact
+   * @param contacts the number of frames in which what is held had contact
+   * @param holds the number of frames in which the hand held a body
    * @param compared the number of pairs of bodies whose voxels were compared
    * @param overlapping the number of pairs of voxels that overlap
    */
@@ -67,6 +70,7 @@ public final class MovingBodiesStudy {
       long pushes,
       long heldBack,
       long contacts,
+      long holds,
       long compared,
       long overlapping) {
 
@@ -80,6 +84,7 @@ public final class MovingBodiesStudy {
           pushes + o.pushes,
           heldBack + o.heldBack,
           contacts + o.contacts,
+          holds + o.holds,
           compared + o.compared,
           overlapping + o.overlapping);
     }
@@ -129,33 +134,69 @@ public final class MovingBodiesStudy {
     solver.place(device, motion);
     SceneLegJudge judge = new SceneLegJudge(bodies, tool, shapes);
     judge.begin(motion);
-    long motions = 0;
-    long contacts = 0;
-    long compared = 0;
-    long overlapping = 0;
+    RigidSolver hand = solver;
+    Result counts = new Result(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
     for (int frame = 0; frame < FRAMES_PER_ROUND; frame++) {
+      if (random.nextInt(MOST_FRAMES_TO_A_GRASP) == 0) {
+        hand = change(hand, solver, bodies, device, motion, judge);
+      }
       setGoals(solver, bodies);
       moveDevice(device, frame);
-      solver.follow(device, motion);
+      hand.follow(device, motion);
       judge.judge(motion);
-      motions += motion.bodies().count();
-      contacts += motion.contact() ? 1 : 0;
-      if (wholeBodies && frame % overlapEvery == 0) {
-        compared += pairs(bodies);
-        overlapping += overlapping(bodies);
-      }
+      boolean compares = wholeBodies && frame % overlapEvery == 0;
+      counts =
+          counts.plus(
+              new Result(
+                  1,
+                  0,
+                  0,
+                  0,
+                  motion.bodies().count(),
+                  0,
+                  0,
+                  motion.contact() ? 1 : 0,
+                  hand == solver ? 0 : 1,
+                  compares ? pairs(bodies) : 0,
+                  compares ? overlapping(bodies) : 0));
     }
-    return new Result(
-        FRAMES_PER_ROUND,
-        judge.legs(),
-        judge.touching(),
-        judge.broken(),
-        motions,
-        solver.bodies().pushes(),
-        solver.bodies().heldBack(),
-        contacts,
-        compared,
-        overlapping);
+    return counts.plus(
+        new Result(
+            0,
+            judge.legs(),
+            judge.touching(),
+            judge.broken(),
+            0,
+            solver.bodies().pushes(),
+            solver.bodies().heldBack(),
+            0,
+            0,
+            0,
+            0));
+  }
+
+  /** Takes hold of a movable body, or lets go of one and places the tool at the device. */
+  private RigidSolver change(
+      RigidSolver hand,
+      RigidSolver tool,
+      BodyScene bodies,
+      Pose device,
+      ToolMotion motion,
+      SceneLegJudge judge) {
+    int body = random.nextInt(bodies.count());
+    if (hand != tool) {
+      tool.place(device, motion);
+      judge.letGo(motion);
+      return tool;
+    }
+    if (!tool.canMove(body)) {
+      return tool;
+    }
+    RigidSolver holding = tool.ofBody(body);
+    holding.takeOver(motion);
+    judge.take(body, motion);
+    device.set(motion.pose());
+    return holding;
   }
 
   private static long pairs(BodyScene bodies) {

@@ -16,36 +16,46 @@ import org.palpate.rigid.tool.RigidTool;
 /**
  * Judges every leg of every pair of a scene exactly: of the tool and each body, and of each two
  * bodies of which one can move. It replays what a frame reports as committed, and knows nothing of
- * what verification looked at. One thread.
+ * what verification looked at. While a body is held, the tool is not in the scene. One thread.
  */
 final class SceneLegJudge {
+  private static final int NOTHING = -1;
+
   private final BodyScene bodies;
-  private final RigidTool tool;
-  private final MovableShapes shapes;
+  private final int tool;
+  private final RigidTool[] shapes;
   private final ReferencePose[] references;
   private final ExactJudge judge = new ExactJudge();
-  private final Pose toolPose = new Pose();
+
+  /** Poses of bodies, rest to present, and of the tool, which comes last. */
   private final Pose[] poses;
+
+  private final Pose[] next;
   private final Pose points = new Pose();
   private final Pose pointsTo = new Pose();
+  private final Pose rest = new Pose();
   private final AffineMap from = new AffineMap();
   private final AffineMap to = new AffineMap();
   private final Vec3 p = new Vec3();
   private final Ray ray = new Ray();
+  private int hand;
   private long legs;
   private long touching;
   private long broken;
 
   SceneLegJudge(BodyScene bodies, RigidTool tool, MovableShapes shapes) {
     this.bodies = bodies;
-    this.tool = tool;
-    this.shapes = shapes;
-    poses = new Pose[bodies.count()];
-    references = new ReferencePose[poses.length];
-    for (int n = 0; n < poses.length; n++) {
+    this.tool = bodies.count();
+    this.shapes = new RigidTool[this.tool + 1];
+    poses = new Pose[this.tool + 1];
+    next = new Pose[this.tool + 1];
+    references = new ReferencePose[this.tool + 1];
+    for (int n = 0; n <= this.tool; n++) {
       poses[n] = new Pose();
-      RigidTool shape = shapes.shapes().get(n);
-      references[n] = shape == null ? null : new ReferencePose(shape.referenceMm(new Vec3()));
+      next[n] = new Pose();
+      this.shapes[n] = n == this.tool ? tool : shapes.shapes().get(n);
+      boolean moves = n < this.tool && this.shapes[n] != null;
+      references[n] = moves ? new ReferencePose(this.shapes[n].referenceMm(new Vec3())) : null;
     }
   }
 
@@ -63,87 +73,104 @@ final class SceneLegJudge {
     return broken;
   }
 
-  /** Begins with bodies and tool as they stand. */
+  /** Begins with bodies and tool as they stand; the hand holds the tool. */
   void begin(ToolMotion motion) {
-    for (int n = 0; n < poses.length; n++) {
+    for (int n = 0; n < tool; n++) {
       poses[n].set(bodies.body(n).pose());
     }
-    toolPose.set(motion.pose());
-    judgeTool(toolPose, -1, null);
-    for (int n = 0; n < poses.length; n++) {
-      judgeBody(n, poses[n]);
+    poses[tool].set(motion.pose());
+    hand = tool;
+    for (int n = 0; n <= tool; n++) {
+      next[n].set(poses[n]);
     }
+    for (int n = 0; n <= tool; n++) {
+      judgeStep(n, NOTHING);
+    }
+  }
+
+  /** Takes note that the hand holds a body from now on, which has not moved. */
+  void take(int body, ToolMotion motion) {
+    hand = body;
+    expect(handPose(motion.pose()), poses[body]);
+  }
+
+  /** Takes note that the hand let go of a body, and that the tool was placed. */
+  void letGo(ToolMotion motion) {
+    hand = tool;
+    poses[tool].set(motion.pose());
+    next[tool].set(motion.pose());
+    judgeStep(tool, NOTHING);
   }
 
   /** Judges the last frame. */
   void judge(ToolMotion motion) {
     if (motion.freed()) {
-      toolPose.set(motion.pathPose(0));
+      poses[hand].set(handPose(motion.pathPose(0)));
+      next[hand].set(poses[hand]);
     }
-    expect(motion.pathPose(0), toolPose);
+    expect(handPose(motion.pathPose(0)), poses[hand]);
     BodyMotions moved = motion.bodies();
     for (int n = 0; n < moved.count(); n++) {
       int body = moved.body(n);
       int step = moved.toolStep(n);
       expect(moved.from(n), poses[body]);
-      judgeBody(body, moved.to(n));
-      judgeTool(step < 0 ? toolPose : motion.pathPose(step + 1), body, moved.to(n));
-      poses[body].set(moved.to(n));
+      next[body].set(moved.to(n));
+      if (step >= 0) {
+        next[hand].set(handPose(motion.pathPose(step + 1)));
+      }
+      judgeStep(body, step < 0 ? NOTHING : hand);
     }
     for (int step = motion.pushes(); step < motion.steps(); step++) {
-      judgeTool(motion.pathPose(step + 1), -1, null);
+      next[hand].set(handPose(motion.pathPose(step + 1)));
+      judgeStep(hand, NOTHING);
     }
-    expect(motion.pose(), toolPose);
-    for (int n = 0; n < poses.length; n++) {
+    expect(handPose(motion.pose()), poses[hand]);
+    for (int n = 0; n < tool; n++) {
       expect(bodies.body(n).pose(), poses[n]);
     }
+  }
+
+  /** Returns the pose of what is held: of the tool, or from rest to present. */
+  private Pose handPose(Pose inMotion) {
+    return hand == tool ? inMotion : references[hand].toRest(inMotion, rest);
   }
 
   private void expect(Pose actual, Pose expected) {
     broken += actual.sameBits(expected) ? 0 : 1;
   }
 
-  /** Judges a step of the tool, during which one body may move too. */
-  private void judgeTool(Pose toolTo, int moving, Pose bodyTo) {
-    for (int n = 0; n < poses.length; n++) {
-      Body body = bodies.body(n);
-      body.toolToGrid(poses[n], toolPose, from);
-      body.toolToGrid(n == moving ? bodyTo : poses[n], toolTo, to);
-      judgeLegs(tool, body);
-    }
-    toolPose.set(toolTo);
-  }
-
-  /** Judges the motion of a body against all others. */
-  private void judgeBody(int moving, Pose bodyTo) {
-    for (int n = 0; n < poses.length; n++) {
-      if (n != moving && (references[n] != null || references[moving] != null)) {
-        if (carriesPoints(moving, n)) {
-          judgePair(moving, bodyTo, n, poses[n]);
-        } else {
-          judgePair(n, poses[n], moving, bodyTo);
+  /** Judges a step of one mover, or of two at the same time, against all others. */
+  private void judgeStep(int one, int other) {
+    for (int a = 0; a <= tool; a++) {
+      for (int b = 0; b < a; b++) {
+        boolean moves = a == one || b == one || a == other || b == other;
+        boolean isPresent = a < tool || hand == tool;
+        if (moves && isPresent && (shapes[a] != null || shapes[b] != null)) {
+          judgePair(a, b);
         }
       }
     }
-  }
-
-  /** Whether the first of two bodies carries the points: the one with fewer, or the earlier one. */
-  private boolean carriesPoints(int a, int b) {
-    if (references[a] == null || references[b] == null) {
-      return references[b] == null;
+    for (int n = 0; n <= tool; n++) {
+      poses[n].set(next[n]);
     }
-    int ofA = shapes.shapes().get(a).count();
-    int ofB = shapes.shapes().get(b).count();
-    return ofA < ofB || (ofA == ofB && a < b);
   }
 
-  private void judgePair(int carrier, Pose carrierTo, int solid, Pose solidTo) {
+  /** The tool carries the points, or the body with fewer of them, or the earlier one of the two. */
+  private void judgePair(int later, int earlier) {
+    boolean laterCarries =
+        later == tool
+            || shapes[earlier] == null
+            || (shapes[later] != null && shapes[later].count() < shapes[earlier].count());
+    int carrier = laterCarries ? later : earlier;
+    int solid = laterCarries ? earlier : later;
     Body body = bodies.body(solid);
-    references[carrier].toReference(poses[carrier], points);
-    references[carrier].toReference(carrierTo, pointsTo);
-    body.toolToGrid(poses[solid], points, from);
-    body.toolToGrid(solidTo, pointsTo, to);
-    judgeLegs(shapes.shapes().get(carrier), body);
+    body.toolToGrid(poses[solid], pointsPose(carrier, poses[carrier], points), from);
+    body.toolToGrid(next[solid], pointsPose(carrier, next[carrier], pointsTo), to);
+    judgeLegs(shapes[carrier], body);
+  }
+
+  private Pose pointsPose(int carrier, Pose pose, Pose dest) {
+    return carrier == tool ? pose : references[carrier].toReference(pose, dest);
   }
 
   private void judgeLegs(RigidTool ofPoints, Body body) {

@@ -89,6 +89,7 @@ public final class RigidRun {
         countOf("motions of bodies", result.motions()),
         countOf("pushes of the tool", result.pushes()),
         countOf("bodies held back", result.heldBack()),
+        countOf("frames with a body in hand", result.holds()),
         countOf("frames with contact", result.contacts()));
   }
 

@@ -49,7 +49,6 @@ public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, double
         new ToolFrame(
             plant,
             wall,
-            rod,
             new RigidSolver(wall, rod, RigidSettings.of(MAX_STEP_MM, Clearance.POINTS)),
             RigidCoupling.of(rod, newtonPerM * 1e-3),
             settings,

@@ -13,6 +13,7 @@ class MovingBodiesStudyTest {
     assertEquals(0, result.broken(), result.toString());
     assertEquals(0, result.overlapping(), result.toString());
     assertTrue(result.pushes() > 100 && result.heldBack() > 500, result.toString());
+    assertTrue(result.holds() > 2_000, result.toString());
     assertTrue(result.contacts() > 1_000 && result.motions() > 5_000, result.toString());
   }
 }

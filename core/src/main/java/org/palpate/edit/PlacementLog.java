@@ -1,0 +1,84 @@
+package org.palpate.edit;
+
+import org.palpate.geometry.Pose;
+
+/**
+ * Keeps placements of bodies, so that they can be undone and redone to the bit. Each placement is a
+ * stroke of its own. Haptic thread only; allocates nothing after it was made.
+ */
+public final class PlacementLog implements ChangeLog {
+  /** The most placements that are kept. */
+  private static final int CAPACITY = 1024;
+
+  private final Placer placer;
+  private final int[] body = new int[CAPACITY];
+  private final Pose[] from = new Pose[CAPACITY];
+  private final Pose[] to = new Pose[CAPACITY];
+  private UndoHistory history;
+  private long end;
+  private long oldest;
+
+  /** Puts bodies where they were. */
+  @FunctionalInterface
+  public interface Placer {
+    /** Sets the pose of a body, from rest to present, world mm. */
+    void place(int body, Pose pose);
+  }
+
+  /** Creates an empty log. */
+  public PlacementLog(Placer placer) {
+    this.placer = placer;
+    for (int n = 0; n < CAPACITY; n++) {
+      from[n] = new Pose();
+      to[n] = new Pose();
+    }
+  }
+
+  /** Sets the history that groups the placements; before the first. */
+  void keepIn(UndoHistory newHistory) {
+    history = newHistory;
+  }
+
+  /** Notes that a body was moved from one pose to another. */
+  public void note(int index, Pose before, Pose after) {
+    history.endStroke();
+    history.beforeChange();
+    int at = (int) (end++ % CAPACITY);
+    body[at] = index;
+    from[at].set(before);
+    to[at].set(after);
+    oldest = Math.max(oldest, end - CAPACITY);
+    history.endStroke();
+  }
+
+  @Override
+  public long end() {
+    return end;
+  }
+
+  @Override
+  public long oldest() {
+    return oldest;
+  }
+
+  @Override
+  public void undo(long change) {
+    placer.place(body[(int) (change % CAPACITY)], from[(int) (change % CAPACITY)]);
+  }
+
+  @Override
+  public void redo(long change) {
+    placer.place(body[(int) (change % CAPACITY)], to[(int) (change % CAPACITY)]);
+  }
+
+  @Override
+  public void forgetFrom(long change) {
+    end = change;
+    oldest = Math.min(oldest, end);
+  }
+
+  @Override
+  public void beginStroke() {
+    // Each placement is a stroke of its own.
+  }
+}

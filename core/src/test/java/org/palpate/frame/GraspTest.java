@@ -1,0 +1,226 @@
+package org.palpate.frame;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
+import org.palpate.device.DeviceState;
+import org.palpate.device.ReadStatus;
+import org.palpate.edit.EditQueue;
+import org.palpate.edit.HistoryEdit;
+import org.palpate.force.ForceSettings;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+import org.palpate.rigid.Clearance;
+import org.palpate.rigid.MovableShapes;
+import org.palpate.rigid.RigidCoupling;
+import org.palpate.rigid.RigidScene;
+import org.palpate.rigid.RigidSettings;
+import org.palpate.rigid.RigidSolver;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.testing.ScriptedDevice;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+/** Takes hold of a block that lies over a floor, and lets go of it. */
+class GraspTest {
+  private static final long MS = 1_000_000;
+  private static final double INFINITE = Double.POSITIVE_INFINITY;
+  private static final double STIFFNESS = 0.5;
+
+  private final Body floor = body("floor", 40, 40, 5, Mobility.FIXED, new Vec3());
+  private final Body block = body("block", 8, 8, 8, Mobility.MOVABLE, new Vec3(16, 16, 8));
+  private final Body small = body("small", 4, 4, 4, Mobility.MOVABLE, new Vec3(30, 16, 8));
+  private final BodyScene bodies = new BodyScene(List.of(floor, block, small));
+  private final EditQueue edits = EditQueue.ofBodies(floor.grid(), 3);
+  private final Vec3 hand = new Vec3(20, 20, 20);
+  private final Quaternion turn = new Quaternion();
+  private final ScriptedDevice device = new ScriptedDevice(this::sample);
+  private final ToolFrame frame = frame();
+  private long nowNanos = 1;
+
+  private static Body body(String name, int x, int y, int z, Mobility mobility, Vec3 at) {
+    BitCube bits = new BitCube(x, y, z);
+    for (int n = 0; n < x * y * z; n++) {
+      bits.set(n % x, n / x % y, n / (x * y));
+    }
+    Body body = new Body(name, bits, VoxelGrid.ofUnitVoxels(x, y, z), mobility);
+    Pose pose = new Pose();
+    pose.translation.set(at);
+    body.setPose(pose);
+    return body;
+  }
+
+  private ReadStatus sample(int read, DeviceState state) {
+    state.orientation.set(turn);
+    return ScriptedDevice.fresh(state, read, hand.x, hand.y, hand.z);
+  }
+
+  private ToolFrame frame() {
+    RigidTool point = ToolSampler.point();
+    MovableShapes shapes = MovableShapes.ofWholeBodies(bodies, 0);
+    RigidSettings settings = RigidSettings.of(4, Clearance.POINTS);
+    return new ToolFrame(
+        device,
+        bodies,
+        new RigidSolver(new RigidScene(bodies, point, shapes, settings)),
+        RigidCoupling.of(point, STIFFNESS),
+        new FrameSettings(
+            ForceSettings.of(STIFFNESS, 0), INFINITE, INFINITE, 0, 20 * MS, 64, INFINITE, INFINITE),
+        edits,
+        ToolFramePublisher.NONE);
+  }
+
+  private void run(int frames) {
+    for (int n = 0; n < frames; n++) {
+      frame.run(nowNanos);
+      nowNanos += MS;
+    }
+  }
+
+  /** Moves the hand in steps of a tenth of a millimetre. */
+  private void moveTo(double x, double y, double z) {
+    Vec3 way = new Vec3(x, y, z).sub(hand, new Vec3());
+    int steps = (int) Math.ceil(way.length() * 10);
+    way.mul(1.0 / steps, way);
+    for (int n = 0; n < steps; n++) {
+      hand.add(way, hand);
+      run(1);
+    }
+    run(50);
+  }
+
+  private void takeBlock() {
+    moveTo(20, 20, 15); // a millimetre below its upper face
+    assertTrue(frame.motion().contact());
+    frame.requestTake();
+    run(1);
+    assertEquals(1, frame.heldBody());
+  }
+
+  @Test
+  void aBodyThatIsTakenStaysWhereItIsAndTheForceHasNoStep() {
+    moveTo(20, 20, 15);
+    Vec3 before = new Vec3().set(device.lastForce());
+    assertTrue(before.z > 0.3, "force " + before);
+    Pose rest = new Pose().set(block.pose());
+    frame.requestTake();
+    run(1);
+    assertEquals(1, frame.heldBody());
+    Vec3 first = device.forces.get(device.forces.size() - 1);
+    Vec3 moved = block.pose().translation.sub(rest.translation, new Vec3());
+    double step = first.sub(before, new Vec3()).length();
+    assertTrue(step <= STIFFNESS * moved.length() + 1e-6, "step of " + step + " N");
+    assertEquals(0, device.lastTorque().length(), 0.5);
+  }
+
+  @Test
+  void aHeldBodyMovesWithTheHandStopsAtTheFloorAndStaysWhereItIsLetGo() {
+    takeBlock();
+    moveTo(20, 20, 25);
+    assertEquals(17, block.pose().translation.z, 0.5, "lifted with the hand");
+    turn.setRotationVector(new Vec3(0, 0, 0.5));
+    run(200);
+    assertEquals(0.5, block.pose().rotation.angle(), 1e-6);
+    moveTo(22, 20, 2);
+    assertTrue(block.pose().translation.z >= 5, "above the floor: " + block.pose());
+    assertTrue(block.pose().translation.z < 7, "down to the floor: " + block.pose());
+    Vec3 pressed = new Vec3().set(device.lastForce());
+    assertTrue(pressed.z > 1, "pushes the hand up: " + pressed);
+    Pose put = new Pose().set(block.pose());
+    frame.requestLetGo();
+    run(1);
+    assertEquals(-1, frame.heldBody());
+    assertTrue(block.pose().sameBits(put));
+    assertEquals(0, frame.statistics().freed());
+    double step = device.lastForce().sub(pressed, new Vec3()).length();
+    assertTrue(step < 0.3 * pressed.length(), "step of " + step + " N");
+    moveTo(20, 20, 40);
+    assertTrue(block.pose().sameBits(put));
+    assertTrue(frame.motion().pose().translation.sameBits(hand), "the tool is back at the hand");
+  }
+
+  @Test
+  void aHeldBodyPushesAgainstOthersWhicheverCarriesThePoints() {
+    takeBlock();
+    moveTo(28, 20, 15);
+    assertTrue(block.pose().translation.x <= 22, "stopped by the small one: " + block.pose());
+    assertTrue(block.pose().translation.x > 20.5, "but near it: " + block.pose());
+    assertTrue(device.lastForce().x < -1, "force " + device.lastForce());
+    assertEquals(30, small.pose().translation.x);
+  }
+
+  @Test
+  void placementsAreUndoneAndDoneAgainToTheBitAndEachSetsTheToolFree() {
+    Pose[] poses = new Pose[4];
+    poses[0] = new Pose().set(block.pose());
+    takeBlock();
+    for (int n = 1; n < poses.length; n++) {
+      turn.setRotationVector(new Vec3(0.1 * n, 0.05, -0.1));
+      moveTo(18 + n, 21, 22 + n);
+      frame.requestLetGo();
+      run(1);
+      poses[n] = new Pose().set(block.pose());
+      frame.requestTake();
+      moveTo(hand.x, hand.y, hand.z - 3); // the point lies on the block, so this presses it
+      if (frame.heldBody() < 0) {
+        frame.requestTake();
+        run(1);
+      }
+      assertEquals(1, frame.heldBody(), "placement " + n);
+    }
+    frame.requestLetGo();
+    run(1);
+    Pose last = new Pose().set(block.pose());
+    long freed = frame.statistics().freed();
+    undo();
+    for (int n = poses.length - 1; n >= 1; n--) {
+      assertTrue(block.pose().sameBits(poses[n]), "placement " + n + ": " + block.pose());
+      undo();
+    }
+    assertTrue(block.pose().sameBits(poses[0]));
+    assertEquals(freed + poses.length, frame.statistics().freed());
+    undo();
+    assertTrue(block.pose().sameBits(poses[0]), "there is nothing more to undo");
+    for (int n = 1; n < poses.length; n++) {
+      redo();
+      assertTrue(block.pose().sameBits(poses[n]), "placement " + n);
+    }
+    redo();
+    assertTrue(block.pose().sameBits(last));
+  }
+
+  private void undo() {
+    assertTrue(edits.offer(HistoryEdit.undo()));
+    run(1);
+  }
+
+  private void redo() {
+    assertTrue(edits.offer(HistoryEdit.redo()));
+    run(1);
+  }
+
+  @Test
+  void nothingIsTakenWithoutContactOrIfTheToolTouchesWhatStandsStill() {
+    run(5);
+    frame.requestTake();
+    run(1);
+    assertEquals(-1, frame.heldBody());
+    moveTo(5, 5, 20);
+    moveTo(5, 5, 4);
+    assertTrue(frame.motion().contact());
+    frame.requestTake();
+    run(1);
+    assertEquals(-1, frame.heldBody());
+    frame.requestLetGo();
+    run(1);
+    assertFalse(frame.motion().freed());
+  }
+}
