@@ -55,8 +55,7 @@ final class GreyCoefficientSource implements CoefficientSource {
       SmoothingKernel kernel, ThinGrid grid, BinaryWindow window, GreyIsosurfaceSource grey) {
     this.kernel = kernel;
     this.window = window;
-    OccupancySource voxels = new GreyVoxels(grey);
-    cache = new GreyOccupancyCache(grid.isWhole() ? voxels : new ThinOccupancies(grid, voxels));
+    cache = new GreyOccupancyCache(grid, new GreyVoxels(grey));
     scale = kernel.scale() / GreyOccupancyCache.WHOLE;
   }
 

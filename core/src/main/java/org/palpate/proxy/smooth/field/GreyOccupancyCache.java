@@ -32,7 +32,11 @@ final class GreyOccupancyCache {
   /** Bit n of byte n. */
   private static final long DIAGONAL = 0x8040_2010_0804_0201L;
 
-  private final OccupancySource source;
+  private final GreyVoxels voxels;
+
+  /** Cuts voxels into cells; null if cells are voxels. */
+  private final ThinOccupancies thin;
+
   private final long[] ring = new long[RING * RING * WORDS];
 
   /** The k that each plane of the ring holds. */
@@ -47,14 +51,19 @@ final class GreyOccupancyCache {
   /** The row behind the last one that each plane holds. */
   private final int[] endRow = new int[RING];
 
-  GreyOccupancyCache(OccupancySource source) {
-    this.source = source;
+  /** Creates a cache of the cells of a grid. */
+  GreyOccupancyCache(ThinGrid grid, GreyVoxels voxels) {
+    this.voxels = voxels;
+    thin = grid.isWhole() ? null : new ThinOccupancies(grid, voxels);
     forget();
   }
 
-  /** Forgets all occupancies, and those of the source. */
+  /** Forgets all occupancies and takes the present grey values. */
   void forget() {
-    source.forget();
+    voxels.forget();
+    if (thin != null) {
+      thin.forget();
+    }
     Arrays.fill(planeK, NONE);
   }
 
@@ -125,7 +134,7 @@ final class GreyOccupancyCache {
 
   private void readWord(int plane, int word, int j, int k, CollisionScene scene) {
     ring[(plane * RING | (j & RING_MASK)) * WORDS | (word & 1)] =
-        source.occupancies(scene, word, j, k);
+        thin == null ? voxels.occupancies(scene, word, j, k) : thin.occupancies(scene, word, j, k);
   }
 
   /** Returns eight bytes, each of ones if its bit is set and else 0; the lowest bit's is lowest. */

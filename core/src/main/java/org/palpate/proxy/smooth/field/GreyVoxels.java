@@ -12,7 +12,7 @@ import org.palpate.volume.VoxelGrid;
  * <p>Where an edit changed the bits the bits win: a voxel that is solid against its grey value has
  * full occupancy, one that is empty against it none.
  */
-final class GreyVoxels implements OccupancySource {
+final class GreyVoxels {
   private static final int NONE = Integer.MIN_VALUE;
   private static final long TOP_BITS = 0x8080_8080_8080_8080L;
 
@@ -41,8 +41,7 @@ final class GreyVoxels implements OccupancySource {
   }
 
   /** Forgets the bricks and takes the present values of the source. */
-  @Override
-  public void forget() {
+  void forget() {
     GreyIsosurface now = source.now();
     if (!now.equals(surface)) { // otherwise a frame after an edit would allocate
       surface = now;
@@ -53,8 +52,13 @@ final class GreyVoxels implements OccupancySource {
     Arrays.fill(brickWord, NONE);
   }
 
-  @Override
-  public long occupancies(CollisionScene scene, int word, int j, int k) {
+  /**
+   * Returns the occupancies of the voxels from (8 word, j, k) on along x, a byte each, the first in
+   * the lowest byte.
+   *
+   * @param scene the same one since {@link #forget}
+   */
+  long occupancies(CollisionScene scene, int word, int j, int k) {
     long fromGrey = levels(word << 3, j, k);
     int solid = solidVoxels(word, j, k, scene);
     int above = (int) (((fromGrey & TOP_BITS) * GATHER) >>> 56);

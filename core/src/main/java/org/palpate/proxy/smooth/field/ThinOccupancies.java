@@ -13,7 +13,7 @@ import org.palpate.collision.CollisionScene;
  * the cells of a voxel and of its neighbours all need it. Cost: some ten operations for each cell
  * in or beside a voxel that is partly solid.
  */
-final class ThinOccupancies implements OccupancySource {
+final class ThinOccupancies {
   private static final int EDGE = GreyOccupancyCache.EDGE;
   private static final int WHOLE = GreyOccupancyCache.WHOLE;
   private static final int BYTE = 0xFF;
@@ -23,7 +23,7 @@ final class ThinOccupancies implements OccupancySource {
   private static final int NONE = Integer.MIN_VALUE;
 
   private final ThinGrid grid;
-  private final OccupancySource voxels;
+  private final GreyVoxels voxels;
   private final CacheKeys voxelKeys = new CacheKeys();
   private final long[] voxelWords = new long[CacheKeys.SLOTS];
 
@@ -37,20 +37,24 @@ final class ThinOccupancies implements OccupancySource {
   private final double[] below = new double[SLOTS];
 
   /** Creates the cells of a grid whose cells are not voxels. */
-  ThinOccupancies(ThinGrid grid, OccupancySource voxels) {
+  ThinOccupancies(ThinGrid grid, GreyVoxels voxels) {
     this.grid = grid;
     this.voxels = voxels;
     Arrays.fill(cells, NONE);
   }
 
-  @Override
-  public void forget() {
-    voxels.forget();
+  /** Forgets the cached voxels. */
+  void forget() {
     voxelKeys.forget();
   }
 
-  @Override
-  public long occupancies(CollisionScene scene, int word, int j, int k) {
+  /**
+   * Returns the occupancies of the cells from (8 word, j, k) on along x, a byte each, the first in
+   * the lowest byte.
+   *
+   * @param scene the same one since {@link #forget}
+   */
+  long occupancies(CollisionScene scene, int word, int j, int k) {
     return grid.axis() == 0 ? alongX(scene, word, j, k) : acrossX(scene, word, j, k);
   }
 
