@@ -53,15 +53,18 @@ class GreyAccuracyTest {
 
   @ParameterizedTest
   @CsvSource({
-    "2, plane, 0.2, 0.4, 0.01, 0.02",
-    "2, sphere, 0.4, 1.6, 0.03, 0.02",
-    "2, torus, 0.8, 3, 0.03, 0.02",
-    "3, plane, 0.2, 0.4, 0.01, 0.02",
-    "3, sphere, 0.5, 3, 0.03, 0.02",
-    "3, torus, 1.1, 4.5, 0.04, 0.02",
-    "5, plane, 1.1, 2.5, 0.02, 0.04",
-    "5, sphere, 1.4, 6, 0.04, 0.04",
-    "5, torus, 2.4, 10, 0.11, 0.04"
+    "1.3, plane, 0.25, 0.6, 0.01, 0.02",
+    "1.3, sphere, 0.35, 1.7, 0.03, 0.02",
+    "1.3, torus, 0.5, 2.2, 0.03, 0.02",
+    "2, plane, 0.2, 0.5, 0.01, 0.02",
+    "2, sphere, 0.35, 1.8, 0.03, 0.02",
+    "2, torus, 0.5, 1.9, 0.03, 0.02",
+    "3, plane, 0.2, 0.5, 0.01, 0.02",
+    "3, sphere, 0.45, 3, 0.03, 0.02",
+    "3, torus, 0.55, 3, 0.03, 0.02",
+    "5, plane, 1, 2.4, 0.02, 0.04",
+    "5, sphere, 1.3, 6.3, 0.04, 0.04",
+    "5, torus, 1.4, 6, 0.04, 0.04"
   })
   void slicesFartherApartThanPixelsHardlyTiltTheForce(
       double ratio, String shape, double rms, double worst, double heightStd, double lagOff) {

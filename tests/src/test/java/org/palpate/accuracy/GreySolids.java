@@ -12,8 +12,11 @@ import org.palpate.volume.phantom.PhantomSlices;
 
 /** Grey values of a phantom with noise, and the bits above half of the full value. */
 final class GreySolids {
-  /** The samples of a voxel along each axis. */
-  private static final int SAMPLES = 8;
+  /**
+   * The samples of a voxel along each axis, for each millimetre. Fewer would leave steps in the
+   * values where a surface is nearly parallel to the slices.
+   */
+  private static final int SAMPLES_PER_MM = 8;
 
   final ScalarVolume volume;
   final BitCube bits;
@@ -65,17 +68,26 @@ final class GreySolids {
     if (Math.abs(height) > spacingMm.length() / 2) {
       return height < 0 ? 1 : 0;
     }
+    int countX = samples(spacingMm.x);
+    int countY = samples(spacingMm.y);
+    int countZ = samples(spacingMm.z);
     int solid = 0;
-    for (int n = 0; n < SAMPLES * SAMPLES * SAMPLES; n++) {
-      int slice = n / (SAMPLES * SAMPLES);
-      int row = n / SAMPLES % SAMPLES;
-      at.set(
-          corner.x + (n % SAMPLES + 0.5) / SAMPLES * spacingMm.x,
-          corner.y + (row + 0.5) / SAMPLES * spacingMm.y,
-          corner.z + (slice + 0.5) / SAMPLES * spacingMm.z);
-      solid += truth.signedDistance(at) < 0 ? 1 : 0;
+    for (int z = 0; z < countZ; z++) {
+      for (int y = 0; y < countY; y++) {
+        for (int x = 0; x < countX; x++) {
+          at.set(
+              corner.x + (x + 0.5) / countX * spacingMm.x,
+              corner.y + (y + 0.5) / countY * spacingMm.y,
+              corner.z + (z + 0.5) / countZ * spacingMm.z);
+          solid += truth.signedDistance(at) < 0 ? 1 : 0;
+        }
+      }
     }
-    return solid / (double) (SAMPLES * SAMPLES * SAMPLES);
+    return solid / (double) (countX * countY * countZ);
+  }
+
+  private static int samples(double edgeMm) {
+    return (int) Math.ceil(SAMPLES_PER_MM * edgeMm);
   }
 
   private static double noisy(double value, double noise, SplittableRandom random) {

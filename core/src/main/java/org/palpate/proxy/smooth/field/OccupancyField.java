@@ -73,7 +73,7 @@ public final class OccupancyField {
   /** Returns a field that is made from the voxels' bits alone. */
   public static OccupancyField ofBits(GridMetric metric) {
     Vec3 edges = edges(metric);
-    ThinGrid grid = ThinGrid.of(edges);
+    ThinGrid grid = ThinGrid.ofBits(edges);
     SmoothingKernel kernel = SmoothingKernel.forBits(grid.cellEdges(edges));
     BrickSource cells = cells(grid);
     BinaryWindow window = new BinaryWindow(grid, cells);
@@ -87,7 +87,7 @@ public final class OccupancyField {
    */
   public static OccupancyField ofGrey(GridMetric metric, GreyIsosurfaceSource grey) {
     Vec3 edges = edges(metric);
-    ThinGrid grid = ThinGrid.of(edges);
+    ThinGrid grid = ThinGrid.ofGrey(edges);
     SmoothingKernel kernel = SmoothingKernel.forGrey(grid.cellEdges(edges));
     BrickSource cells = cells(grid);
     BinaryWindow window = new BinaryWindow(grid, cells);

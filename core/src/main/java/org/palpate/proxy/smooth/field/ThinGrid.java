@@ -22,14 +22,30 @@ record ThinGrid(int axis, double perVoxel) {
   /** Cells that are voxels. */
   static final ThinGrid WHOLE = new ThinGrid(2, 1);
 
-  /** Edges up to this length, in shortest edges, count as equal. */
-  private static final double MAX_EQUAL = 1.45;
+  /**
+   * Edges up to this length, in shortest edges, count as equal if the field is made from bits. To
+   * cut shorter ones helps where a surface is strongly curved, and harms where it is flat, because
+   * bits are rounded to cells.
+   */
+  private static final double MAX_EQUAL_OF_BITS = 1.45;
 
-  /** Returns the grid for voxels with these edges, in shortest edges. */
-  static ThinGrid of(Vec3 edges) {
+  /** The same for a field that is made from grey values, which need no rounding. */
+  private static final double MAX_EQUAL_OF_GREY = 1.15;
+
+  /** Returns the grid for the bits of voxels with these edges, in shortest edges. */
+  static ThinGrid ofBits(Vec3 edges) {
+    return of(edges, MAX_EQUAL_OF_BITS);
+  }
+
+  /** Returns the grid for the grey values of voxels with these edges, in shortest edges. */
+  static ThinGrid ofGrey(Vec3 edges) {
+    return of(edges, MAX_EQUAL_OF_GREY);
+  }
+
+  private static ThinGrid of(Vec3 edges, double maxEqual) {
     ThinGrid grid = WHOLE;
     for (int axis = 0; axis < 3; axis++) {
-      if (edges.get(axis) > MAX_EQUAL) {
+      if (edges.get(axis) > maxEqual) {
         if (!grid.isWhole()) {
           return WHOLE;
         }

@@ -188,7 +188,7 @@ class OccupancyFieldTest {
   private void compareThin(BitCube bits, GridMetric metric) {
     CollisionScene scene = new CollisionScene(List.of(bits));
     OccupancyField field = field(scene, metric);
-    ThinGrid grid = ThinGrid.of(OccupancyField.edges(metric));
+    ThinGrid grid = ThinGrid.ofBits(OccupancyField.edges(metric));
     int reach = 4 * (int) Math.ceil(2 * grid.perVoxel());
     NaiveThinSlices slices = new NaiveThinSlices(scene, grid.axis(), grid.perVoxel(), reach);
     NaiveOccupancyField naive =

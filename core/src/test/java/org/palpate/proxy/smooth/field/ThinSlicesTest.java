@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -23,7 +24,9 @@ class ThinSlicesTest {
   private final CollisionScene scene = new CollisionScene(List.of(bits));
 
   @ParameterizedTest
-  @CsvSource({"0, 2", "1, 2", "2, 1.5", "2, 2", "2, 2.4", "0, 3", "2, 3.57", "1, 5", "2, 7.3"})
+  @CsvSource({
+    "0, 2", "1, 2", "2, 1.2", "1, 1.5", "2, 2", "2, 2.4", "0, 3", "2, 3.57", "1, 5", "2, 7.3"
+  })
   void equalTheirDefinition(int axis, double ratio) {
     ThinGrid grid = grid(axis, ratio);
     for (Solid solid : solids()) {
@@ -70,14 +73,17 @@ class ThinSlicesTest {
 
   @Test
   void voxelsOfEqualEdgesAndThoseWithTwoLongEdgesStayWhole() {
-    assertTrue(ThinGrid.of(new Vec3(1, 1, 1)).isWhole());
-    assertTrue(ThinGrid.of(new Vec3(1.2, 1, 1.4)).isWhole());
-    assertTrue(ThinGrid.of(new Vec3(2, 1, 2)).isWhole());
+    assertTrue(ThinGrid.ofBits(new Vec3(1.2, 1, 1.4)).isWhole());
+    assertFalse(ThinGrid.ofBits(new Vec3(1.2, 1, 1.5)).isWhole());
+    assertTrue(ThinGrid.ofBits(new Vec3(2, 1, 2)).isWhole());
+    assertTrue(ThinGrid.ofGrey(new Vec3(1, 1.1, 1)).isWhole());
+    assertFalse(ThinGrid.ofGrey(new Vec3(1, 1.1, 1.2)).isWhole());
+    assertTrue(ThinGrid.ofGrey(new Vec3(2, 1, 2)).isWhole());
   }
 
   @Test
   void everyCellBelongsToThePairThatHoldsItsCentre() {
-    for (double ratio : new double[] {1.5, 1.7, 2, 2.3, 3, 4.9, 5, 10}) {
+    for (double ratio : new double[] {1.2, 1.5, 1.7, 2, 2.3, 3, 4.9, 5, 10}) {
       ThinGrid grid = grid(2, ratio);
       for (int cell = -500; cell < 500; cell++) {
         int pair = grid.pairOf(cell);
@@ -133,7 +139,7 @@ class ThinSlicesTest {
   private static ThinGrid grid(int axis, double ratio) {
     Vec3 edges = new Vec3(1, 1, 1);
     edges.set(axis, ratio);
-    return ThinGrid.of(edges);
+    return ThinGrid.ofGrey(edges);
   }
 
   /** Returns a brick in the grid or beside it. */
