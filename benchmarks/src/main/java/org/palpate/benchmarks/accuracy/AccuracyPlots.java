@@ -28,12 +28,12 @@ final class AccuracyPlots {
   private AccuracyPlots() {}
 
   /** Plots time against the angle of the force for every solver on every slide. */
-  static void plotFront(Path file, List<AccuracyRow> rows) throws IOException {
+  static void plotFront(Path file, String title, List<AccuracyRow> rows) throws IOException {
     XYChart chart =
         new XYChartBuilder()
             .width(WIDTH)
             .height(HEIGHT)
-            .title("Run time against error of the force, for every shape, depth and speed")
+            .title(title)
             .xAxisTitle("processor time per frame, ns")
             .yAxisTitle("angle of the force to the true normal, degrees rms")
             .build();

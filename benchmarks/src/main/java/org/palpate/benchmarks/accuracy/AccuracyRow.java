@@ -7,6 +7,7 @@ import java.util.List;
  *
  * @param solver the solver with its collision method
  * @param shape the phantom
+ * @param sliceMm the distance between slices, mm; pixels are 1 mm wide
  * @param depth the depth of the device, voxels
  * @param speed the speed of the device, voxels per frame
  * @param accuracy the errors
@@ -15,6 +16,7 @@ import java.util.List;
 record AccuracyRow(
     String solver,
     String shape,
+    double sliceMm,
     double depth,
     double speed,
     Accuracy accuracy,
@@ -24,6 +26,7 @@ record AccuracyRow(
   List<Object> cells() {
     return List.of(
         shape,
+        sliceMm,
         depth,
         speed,
         solver,
@@ -35,5 +38,10 @@ record AccuracyRow(
         accuracy.forceChange(),
         (double) accuracy.lostFrames(), // a count, but "0.0" in every earlier table
         nanosPerFrame);
+  }
+
+  /** Returns the solver, with the distance between slices if voxels are no cubes. */
+  String series() {
+    return sliceMm == 1 ? solver : solver + ", slices of " + (int) sliceMm + " mm";
   }
 }

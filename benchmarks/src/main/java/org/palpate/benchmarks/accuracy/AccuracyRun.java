@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -11,10 +12,14 @@ import java.util.Map;
 import org.palpate.benchmarks.report.Progress;
 import org.palpate.benchmarks.report.StudyTable;
 
-/** Runs the study and writes a table and two plots to a folder. */
+/** Runs the study and writes a table and four plots to a folder. */
 public final class AccuracyRun {
   private static final double PLOTTED_DEPTH = 5;
   private static final int PLOTTED_FRAMES = 600;
+
+  /** The distance between the slices of the plots of thick slices. */
+  private static final int THICK_MM = 3;
+
   private static final List<String> PLOTTED = List.of("paper sampled:1", "guarded", "smooth");
 
   private AccuracyRun() {}
@@ -35,16 +40,31 @@ public final class AccuracyRun {
     List<AccuracyRow> rows = study.rows();
     print(rows, out);
     StudyTable.ACCURACY.write(folder, rows, AccuracyRow::cells);
-    AccuracyPlots.plotFront(folder.resolve("accuracy-front.png"), rows);
-    drawSlide(folder.resolve("accuracy-slide.png"));
+    drawFront(folder.resolve("accuracy-front.png"), rows, 1);
+    drawFront(folder.resolve("accuracy-front-thick.png"), rows, THICK_MM);
+    drawSlide(folder.resolve("accuracy-slide.png"), 1);
+    drawSlide(folder.resolve("accuracy-slide-thick.png"), THICK_MM);
     return timesOverBaseline(rows);
+  }
+
+  private static void drawFront(Path file, List<AccuracyRow> rows, int sliceMm) throws IOException {
+    AccuracyPlots.plotFront(
+        file,
+        "Run time against error of the force, for every shape, depth and speed" + voxels(sliceMm),
+        rows.stream().filter(row -> row.sliceMm() == sliceMm).toList());
+  }
+
+  /** Returns the distance between slices as the end of a title; nothing if voxels are cubes. */
+  private static String voxels(int sliceMm) {
+    return sliceMm == 1 ? "" : ", slices of " + sliceMm + " mm";
   }
 
   private static void print(List<AccuracyRow> rows, PrintWriter out) {
     out.printf(
         Locale.ROOT,
-        "%-8s %5s %5s  %-19s %8s %7s %7s %6s %7s %5s %9s%n",
+        "%-8s %5s %5s %5s  %-19s %8s %7s %7s %6s %7s %5s %9s%n",
         "shape",
+        "slice",
         "depth",
         "speed",
         "solver",
@@ -59,8 +79,9 @@ public final class AccuracyRun {
       Accuracy a = row.accuracy();
       out.printf(
           Locale.ROOT,
-          "%-8s %5.1f %5.2f  %-19s %8.2f %7.1f %7.3f %6.3f %7.2f %5d %9.0f%n",
+          "%-8s %5.0f %5.1f %5.2f  %-19s %8.2f %7.1f %7.3f %6.3f %7.2f %5d %9.0f%n",
           row.shape(),
+          row.sliceMm(),
           row.depth(),
           row.speed(),
           row.solver(),
@@ -75,8 +96,8 @@ public final class AccuracyRun {
     out.flush();
   }
 
-  private static void drawSlide(Path file) throws IOException {
-    AccuracyScene scene = new AccuracyScene("sphere", 192);
+  private static void drawSlide(Path file, int sliceMm) throws IOException {
+    AccuracyScene scene = new AccuracyScene("sphere", 192, sliceMm);
     Map<String, double[]> angles = new LinkedHashMap<>();
     for (ComparedSolver one : ComparedSolver.all(scene)) {
       if (PLOTTED.contains(one.name())) {
@@ -84,22 +105,27 @@ public final class AccuracyRun {
       }
     }
     AccuracyPlots.plotSlide(
-        file, "A slide over a sphere of bits, 5 voxels deep, 0.05 voxel per frame", angles);
+        file,
+        "A slide over a sphere of bits, 5 mm deep, 0.05 mm per frame" + voxels(sliceMm),
+        angles);
   }
 
+  /**
+   * Returns the mean over the slides of each series; the baseline's row is the first of a slide.
+   */
   private static Map<String, Double> timesOverBaseline(List<AccuracyRow> rows) {
-    Map<String, Double> sums = new LinkedHashMap<>();
+    Map<String, DoubleSummaryStatistics> times = new LinkedHashMap<>();
     double baseline = 0;
-    int slides = 0;
     for (AccuracyRow row : rows) {
       if (row.solver().equals(ComparedSolver.BASELINE)) {
         baseline = row.nanosPerFrame();
-        slides++;
       }
-      sums.merge(row.solver(), row.nanosPerFrame() / baseline, Double::sum);
+      times
+          .computeIfAbsent(row.series(), series -> new DoubleSummaryStatistics())
+          .accept(row.nanosPerFrame() / baseline);
     }
-    int count = slides;
-    sums.replaceAll((solver, sum) -> sum / count);
-    return sums;
+    Map<String, Double> means = new LinkedHashMap<>();
+    times.forEach((series, time) -> means.put(series, time.getAverage()));
+    return means;
   }
 }

@@ -5,8 +5,8 @@ import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Consumer;
-import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.Median;
 import org.palpate.proxy.InteractionPoint;
@@ -22,7 +22,9 @@ final class AccuracyStudy {
   private static final long SEED = 7;
   private static final int ROUNDS = 7;
   private static final int WARM_UP_ROUNDS = 2;
-  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
+
+  /** The distances between slices; voxels are cubes at the first. */
+  private static final int[] SLICES_MM = {1, 2, 3, 5};
 
   private final double[] depths;
   private final double[] speeds;
@@ -40,12 +42,21 @@ final class AccuracyStudy {
   /** Measures all rows. */
   List<AccuracyRow> rows() {
     List<AccuracyRow> rows = new ArrayList<>();
-    for (String shape : SHAPES) {
-      AccuracyScene scene = new AccuracyScene(shape, EDGE);
-      for (double depth : depths) {
-        for (double speed : speeds) {
-          progress.accept(shape + ", " + depth + " voxels deep, " + speed + " per frame");
-          rows.addAll(slide(scene, shape, depth, speed));
+    for (int sliceMm : SLICES_MM) {
+      for (String shape : SHAPES) {
+        AccuracyScene scene = new AccuracyScene(shape, EDGE, sliceMm);
+        for (double depth : depths) {
+          for (double speed : speeds) {
+            progress.accept(
+                String.format(
+                    Locale.ROOT,
+                    "%s, slices of %d mm, %s voxels deep, %s per frame",
+                    shape,
+                    sliceMm,
+                    depth,
+                    speed));
+            rows.addAll(slide(scene, shape, depth, speed));
+          }
         }
       }
     }
@@ -54,24 +65,28 @@ final class AccuracyStudy {
 
   private List<AccuracyRow> slide(AccuracyScene scene, String shape, double depth, double speed) {
     SlideTrajectory slide = new SlideTrajectory(scene.truth, EDGE, depth, speed, frames, SEED);
-    List<ComparedSolver> solvers = ComparedSolver.all(scene);
-    double[] nanos = times(solvers, slide);
+    double sliceMm = scene.metric.spacingZ();
+    List<ComparedSolver> solvers =
+        sliceMm == 1 ? ComparedSolver.all(scene) : ComparedSolver.ours(scene);
+    double[] nanos = times(scene, solvers, slide);
     List<AccuracyRow> rows = new ArrayList<>();
     for (int n = 0; n < solvers.size(); n++) {
       ComparedSolver one = solvers.get(n);
       Accuracy accuracy =
-          new AccuracyMeter(scene.truth, UNIT, slide, depth).measure(one.solver(), one.scene());
-      rows.add(new AccuracyRow(one.name(), shape, depth, speed, accuracy, nanos[n]));
+          new AccuracyMeter(scene.truth, scene.metric, slide, depth)
+              .measure(one.solver(), one.scene());
+      rows.add(new AccuracyRow(one.name(), shape, sliceMm, depth, speed, accuracy, nanos[n]));
     }
     return rows;
   }
 
   /** Returns each solver's median over rounds in which the solvers alternate. */
-  private static double[] times(List<ComparedSolver> solvers, SlideTrajectory slide) {
+  private static double[] times(
+      AccuracyScene scene, List<ComparedSolver> solvers, SlideTrajectory slide) {
     double[][] nanos = new double[solvers.size()][ROUNDS];
     for (int round = -WARM_UP_ROUNDS; round < ROUNDS; round++) {
       for (int n = 0; n < solvers.size(); n++) {
-        double time = time(solvers.get(n), slide);
+        double time = time(scene, solvers.get(n), slide);
         if (round >= 0) {
           nanos[n][round] = time;
         }
@@ -80,14 +95,14 @@ final class AccuracyStudy {
     return Arrays.stream(nanos).mapToDouble(Median::of).toArray();
   }
 
-  private static double time(ComparedSolver one, SlideTrajectory slide) {
+  private static double time(AccuracyScene scene, ComparedSolver one, SlideTrajectory slide) {
     InteractionPoint point = new InteractionPoint();
     Vec3 device = new Vec3();
     one.solver().reset();
-    slide.device(0, point.position);
+    scene.toGrid(slide.device(0, device), point.position);
     long begin = THREADS.getCurrentThreadCpuTime();
     for (int frame = 0; frame < slide.frames(); frame++) {
-      one.solver().follow(one.scene(), slide.device(frame, device), point);
+      one.solver().follow(one.scene(), scene.toGrid(slide.device(frame, device), device), point);
     }
     return (THREADS.getCurrentThreadCpuTime() - begin) / (double) slide.frames();
   }
@@ -98,16 +113,17 @@ final class AccuracyStudy {
     InteractionPoint point = new InteractionPoint();
     Vec3 device = new Vec3();
     Vec3 normal = new Vec3();
+    Vec3 force = new Vec3();
     one.solver().reset();
-    slide.device(0, point.position);
+    scene.toGrid(slide.device(0, device), point.position);
     double[] angles = new double[count];
     for (int frame = 0; frame < slide.frames(); frame++) {
-      one.solver().follow(one.scene(), slide.device(frame, device), point);
+      scene.toGrid(slide.device(frame, device), device);
+      one.solver().follow(one.scene(), device, point);
       if (frame >= slide.slideStart()) {
-        Vec3 force = point.position.sub(device, device);
-        double cosine = force.dot(slide.normal(frame, normal)) / force.length();
+        scene.toMm(point.position.sub(device, force), force);
         angles[frame - slide.slideStart()] =
-            Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, cosine))));
+            AccuracyMeter.angleDegrees(force, slide.normal(frame, normal));
       }
     }
     return angles;

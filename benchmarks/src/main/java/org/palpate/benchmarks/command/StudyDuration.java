@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 enum StudyDuration {
   CPP(56, 56),
   STABILITY(1200, 80),
-  ACCURACY(Double.NaN, 42),
+  ACCURACY(Double.NaN, 61),
   RIGID(720, 120),
   SYNC(83, 22),
   SURFACES(38, 38);

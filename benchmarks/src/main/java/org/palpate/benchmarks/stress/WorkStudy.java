@@ -15,9 +15,8 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
 
 /**
- * Measures the work of a frame at the default w_max, in the units of {@link WorkCounts}, for hands
- * that slide, hands that jump 5 to 50 voxels, hostile hands in hostile scenes, and hands that jump
- * among alternating slices.
+ * Measures the work of a frame at the default w_max, in the units of {@link WorkCounts}. Hands
+ * slide, jump 5 to 50 voxels, are hostile in hostile scenes, or jump among alternating slices.
  */
 public final class WorkStudy {
   /** The slide to compare with: a sphere, 5 voxels deep, 2 voxels per frame. */
