@@ -1,7 +1,10 @@
 package org.palpate.proxy.smooth.field;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -76,6 +79,30 @@ class GreyOccupancyTest {
       if (n % 50 == 0) {
         edit(volume);
         used.forget();
+      }
+    }
+  }
+
+  @Test
+  void evaluationsOnThinSlicesAllocateNothingEvenAfterEdits() {
+    var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    OccupancyField field = field(volume(Storage.INT16, 0.02), new GridMetric(1, 1, 3));
+    Vec3 at = new Vec3(20, 20, 20);
+    SeedCell seed = new SeedCell();
+    evaluateAlongAWalk(field, at, seed, 2000);
+    long thread = Thread.currentThread().getId();
+    long before = threads.getThreadAllocatedBytes(thread);
+    evaluateAlongAWalk(field, at, seed, 20_000);
+    long allocated = threads.getThreadAllocatedBytes(thread) - before;
+    assertTrue(allocated <= 200, "allocated=" + allocated);
+  }
+
+  private void evaluateAlongAWalk(OccupancyField field, Vec3 at, SeedCell seed, int evaluations) {
+    for (int n = 0; n < evaluations; n++) {
+      move(at);
+      field.evaluate(seed.set(at), at);
+      if (n % 50 == 0) {
+        field.forget();
       }
     }
   }
