@@ -39,7 +39,8 @@ class ArchitectureTest {
       Map.ofEntries(
           Map.entry("app", List.of("app.command")),
           Map.entry("app.command", List.of("app.output", "device.protocol", "igtl", "realtime")),
-          Map.entry("app.options", List.of("app.process", "host", "io.scene", "tool")),
+          Map.entry(
+              "app.options", List.of("app.process", "host", "io.resample", "io.scene", "tool")),
           Map.entry("app.output", List.of("app.options")),
           Map.entry("app.process", List.of("display", "io.file", "io.volume")),
           Map.entry(
@@ -163,6 +164,7 @@ class ArchitectureTest {
           Map.entry("io.nrrd", List.of("io.codec", "io.format")),
           Map.entry("io.raw", List.of("io.format")),
           Map.entry("io.table", List.of("edit", "io.file")),
+          Map.entry("io.resample", List.of("io")),
           Map.entry("io.scene", List.of("body", "io", "io.table")),
           Map.entry("io.tiff", List.of("io.codec", "io.format")),
           Map.entry("io.volume", List.of("io.file", "volume")),

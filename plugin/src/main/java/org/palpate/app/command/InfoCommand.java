@@ -9,8 +9,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.palpate.app.options.FragmentOptions;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
+import org.palpate.app.options.ReshapeOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.Report;
@@ -30,8 +32,6 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
-import org.palpate.volume.fracture.FractureSpec;
-import org.palpate.volume.fracture.FragmentCutter;
 import org.palpate.volume.fracture.FragmentScatter;
 import org.palpate.volume.fracture.Fragments;
 import picocli.CommandLine.Command;
@@ -54,6 +54,8 @@ import picocli.CommandLine.Spec;
       "  palpate info --volume scan.nii.gz --export for-imagej.tif",
       "  palpate info --volume scan.nrrd --segment 'jaw=>=1500' --fracture 4 --export parts.nrrd",
       "  palpate info --volume jaw.nrrd --fracture 4 --export parts.nrrd --save-scene jaw.json",
+      "  palpate info --volume parts.nrrd --split components:500 --export parts2.nrrd",
+      "  palpate info --volume scan.nrrd --crop 10..99,0..63,5..40 --resample 1 --export s.nrrd",
       "  palpate info --volume slices.raw --raw 256x256x113:u16be:1,1,2",
       "  palpate info --phantom torus:192"
     })
@@ -61,6 +63,8 @@ public final class InfoCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
   @Mixin private OutputOptions output;
+  @Mixin private FragmentOptions fragments;
+  @Mixin private ReshapeOptions reshape;
 
   @Option(
       names = "--export",
@@ -71,16 +75,6 @@ public final class InfoCommand implements Callable<Integer> {
             + " segments."
       })
   private Path export;
-
-  @Option(
-      names = "--fracture",
-      paramLabel = "PARTS[:SEED[:KERF]]",
-      description = {
-        "Cuts the only segment into 2 to 8 fragments and exports these as labels. The cuts are"
-            + " rough and depend on SEED. A saw takes KERF voxels away between them, 0 to 4."
-            + " Default: seed 1, kerf 1."
-      })
-  private String fracture;
 
   @Option(
       names = "--save-scene",
@@ -108,7 +102,7 @@ public final class InfoCommand implements Callable<Integer> {
     VolumeSource source = VolumeSource.open(volume);
     Report report = new Report("info", output.report(), source.files());
     checkExport(source);
-    Optional<FractureSpec> cut = fractureSpec();
+    fragments.check(export);
     printHeader(source);
     out.flush();
     ValueStatistics statistics = new ValueStatistics(source.header());
@@ -120,12 +114,12 @@ public final class InfoCommand implements Callable<Integer> {
     if (source.requested().isEmpty()) {
       source.emptySegments(found.labels()).forEach(empty -> line("segment", empty + ": no voxel"));
     }
-    if (cut.isPresent()) {
-      exportPlaced(broken(source, segments, cut.get()));
+    if (fragments.isWanted()) {
+      exportPlaced(broken(source, segments));
     } else if (fragmentExport().writesPoses()) {
       exportPlaced(source.placed().get());
     } else if (export != null) {
-      export(source, segments);
+      export(source, segments, source.isIntensities(found));
     }
     if (source.requested().isEmpty() && source.isIntensities(found)) {
       line(
@@ -141,11 +135,18 @@ public final class InfoCommand implements Callable<Integer> {
   }
 
   private void checkExport(VolumeSource source) throws IOException {
-    if (fragmentExport().writesPoses() && fracture == null && source.placements().isEmpty()) {
+    boolean isReshaped = reshape.isWanted() || volume.spacing().isPresent();
+    if (isReshaped && (export == null || fragments.isWanted() || fragmentExport().writesPoses())) {
+      throw PalpateException.wrongUse(
+          "only an exported volume is cropped, resampled or mirrored",
+          "--crop, --resample or --mirror",
+          "add --export FILE, and make fragments of that file in a second step");
+    }
+    if (fragmentExport().writesPoses() && !fragments.isWanted() && source.placements().isEmpty()) {
       throw PalpateException.wrongUse(
           "the volume has no bodies with poses",
           source.name(),
-          "add --fracture PARTS, or choose --scene or --phantom fracture");
+          "add --fracture or --split, or choose --scene or --phantom fracture");
     }
     List<Path> targets = new ArrayList<>(fragmentExport().checked(source.files()));
     if (export != null) {
@@ -157,49 +158,17 @@ public final class InfoCommand implements Callable<Integer> {
     OutputPaths.checkDistinct(targets);
   }
 
-  private Optional<FractureSpec> fractureSpec() {
-    if (fracture == null) {
-      return Optional.empty();
-    }
-    if (export == null) {
-      throw PalpateException.wrongUse(
-          "the fragments have no file", "--fracture " + fracture, "add --export FILE");
-    }
-    try {
-      return Optional.of(FractureSpec.parse(fracture));
-    } catch (IllegalArgumentException e) {
-      throw PalpateException.wrongUse(e.getMessage(), e);
-    }
-  }
-
-  private static Fragments fragments(
-      List<Segment> segments, VolumeSource source, FractureSpec cut) {
-    if (segments.size() != 1) {
-      throw PalpateException.wrongUse(
-          "a fracture cuts one segment, and there are " + segments.size(),
-          source.name(),
-          "choose one with --segment NAME=SPEC");
-    }
-    try {
-      return FragmentCutter.cut(segments.get(0).bits(), source.header().grid(), cut);
-    } catch (IllegalArgumentException e) {
-      throw PalpateException.wrongUse(e.getMessage(), e);
-    }
-  }
-
-  /** Cuts the segment and prints the fragments; with poses to write, it displaces them too. */
-  private PlacedVolume broken(VolumeSource source, List<Segment> segments, FractureSpec cut) {
-    Fragments fragments = fragments(segments, source, cut);
-    printSegments(fragments.segments().segments());
-    line(
-        "left out",
-        NumberText.count((double) fragments.lostVoxels()) + " voxels of kerf and small pieces");
+  /** Makes and prints the fragments. Those of a fracture are displaced if poses are written. */
+  private PlacedVolume broken(VolumeSource source, List<Segment> segments) {
+    Fragments made = fragments.make(segments, source.header().grid(), source.name());
+    printSegments(made.segments().segments());
+    line("left out", NumberText.count((double) made.lostVoxels()) + " voxels");
     try {
       List<Pose> poses =
-          fragmentExport().writesPoses()
-              ? FragmentScatter.scatter(fragments, cut.seed(), false)
-              : Collections.nCopies(cut.parts(), new Pose());
-      return PlacedVolume.ofFragments(fragments, poses, source.header().coordinateSystem());
+          fragments.isFracture() && fragmentExport().writesPoses()
+              ? FragmentScatter.scatter(made, fragments.spec().seed(), false)
+              : Collections.nCopies(made.bits().size(), new Pose());
+      return PlacedVolume.ofFragments(made, poses, source.header().coordinateSystem());
     } catch (IllegalArgumentException e) {
       throw PalpateException.wrongUse(e.getMessage(), e);
     }
@@ -278,7 +247,8 @@ public final class InfoCommand implements Callable<Integer> {
     }
   }
 
-  private void export(VolumeSource source, List<Segment> segments) throws IOException {
+  private void export(VolumeSource source, List<Segment> segments, boolean isIntensities)
+      throws IOException {
     VolumeHeader header = source.header();
     if (VolumeWriter.isDicom(export) && segments.isEmpty()) {
       throw PalpateException.wrongUse(
@@ -286,12 +256,14 @@ public final class InfoCommand implements Callable<Integer> {
           "--export " + export,
           "choose segments with --segment, or name the file .nrrd or .nii.gz");
     }
+    boolean isWhole = source.requested().isEmpty() && !VolumeWriter.isDicom(export);
     VolumeReader written =
-        source.requested().isEmpty() && !VolumeWriter.isDicom(export)
+        isWhole
             ? source.reader()
             : new SegmentsAsLabels(
                 new SegmentedVolume(header.grid(), segments), header.coordinateSystem());
-    line("written", VolumeWriter.write(written, export) + ": " + export);
+    VolumeReader shaped = reshape.applyTo(written, volume.spacing(), !(isWhole && isIntensities));
+    line("written", VolumeWriter.write(shaped, export) + ": " + export);
   }
 
   private void line(String what, String text) {

@@ -179,6 +179,7 @@ public final class ReplayCommand implements Callable<Integer> {
     failures = new WriteFailures(spec.commandLine().getErr());
     REPEAT.checkGiven(repeat);
     contact.settings();
+    volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     boolean rigid = tool.isRigid() || posesFile != null;
     tool.checkOthers(spec.commandLine().getParseResult(), rigid);

@@ -178,6 +178,7 @@ public final class TouchCommand implements Callable<Integer> {
     failures = new WriteFailures(spec.commandLine().getErr());
     checkNumbers();
     checkOptionCombination();
+    volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     tool.checkOthers(spec.commandLine().getParseResult());
     ShutdownHook.endQuietly();

@@ -43,8 +43,15 @@ public final class VolumeOptions {
 
   @Option(
       names = "--resample",
-      description = "Interpolates slices if those of a DICOM series are unevenly spaced.")
-  private boolean resample;
+      arity = "0..1",
+      fallbackValue = "",
+      paramLabel = "VOXELS",
+      description = {
+        "Without VOXELS, interpolates slices if those of a DICOM series are unevenly spaced. With"
+            + " VOXELS, info --export writes voxels of other edges: mm, as 0.5 or 0.5,0.5,1, or so"
+            + " many times as many, as x2."
+      })
+  private String resample;
 
   @Option(
       names = "--phantom",
@@ -104,6 +111,20 @@ public final class VolumeOptions {
     return time == null ? OptionalInt.empty() : OptionalInt.of(time);
   }
 
+  /**
+   * Refuses voxels of other edges, for commands that export no volume.
+   *
+   * @throws PalpateException exit code 2, if they were asked for
+   */
+  public void refuseSpacing() {
+    if (spacing().isPresent()) {
+      throw PalpateException.wrongUse(
+          "only info --export writes other voxels",
+          "--resample " + resample,
+          "export the volume first, or write --resample alone");
+    }
+  }
+
   /** Returns the series of a folder, if given. */
   Optional<String> series() {
     return Optional.ofNullable(series);
@@ -111,7 +132,12 @@ public final class VolumeOptions {
 
   /** Whether unevenly spaced slices may be resampled. */
   boolean resample() {
-    return resample;
+    return "".equals(resample);
+  }
+
+  /** Returns the voxels that an export is resampled to, if any. */
+  public Optional<String> spacing() {
+    return Optional.ofNullable(resample).filter(text -> !text.isEmpty());
   }
 
   /** Returns the phantom to use if no file was asked for. */
@@ -143,7 +169,7 @@ public final class VolumeOptions {
     }
     requireFile("--time", time);
     requireFile("--series", series);
-    requireFile("--resample", resample ? "" : null);
+    requireFile("--resample", resample() ? "" : null);
   }
 
   private void requireFile(String option, Object value) {
