@@ -41,7 +41,7 @@ class ArchitectureTest {
           Map.entry("app.command", List.of("app.output", "device.protocol", "igtl", "realtime")),
           Map.entry(
               "app.options", List.of("app.process", "host", "io.resample", "io.scene", "tool")),
-          Map.entry("app.output", List.of("app.options")),
+          Map.entry("app.output", List.of("app.options", "fracture")),
           Map.entry("app.process", List.of("display", "io.file", "io.volume")),
           Map.entry(
               "benchmarks",
@@ -124,6 +124,7 @@ class ArchitectureTest {
           Map.entry("edit", List.of("proxy.smooth.field")),
           Map.entry("force", List.of("proxy", "rigid")),
           Map.entry("frame", List.of("carve", "device", "force")),
+          Map.entry("fracture", List.of("volume.fracture")),
           Map.entry("geometry", List.of()),
           Map.entry(
               "host",

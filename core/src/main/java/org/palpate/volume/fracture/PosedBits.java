@@ -61,7 +61,7 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
   }
 
   /** Returns the map from the coordinates of another posed grid to the grid of this posed body. */
-  AffineMap gridFrom(VoxelGrid other, Pose otherPose) {
+  public AffineMap gridFrom(VoxelGrid other, Pose otherPose) {
     AffineMap otherMmToWorld = new AffineMap().set(other.gridMmToWorld());
     AffineMap scaling = new AffineMap();
     scaling.mXX = other.spacingMm().x;

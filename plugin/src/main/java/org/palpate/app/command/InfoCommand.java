@@ -15,6 +15,7 @@ import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.ReshapeOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
+import org.palpate.app.output.FractureReport;
 import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
 import org.palpate.geometry.Pose;
@@ -111,6 +112,8 @@ public final class InfoCommand implements Callable<Integer> {
     printValues(found);
     List<Segment> segments = segments(source, found);
     printSegments(segments);
+    Optional<FractureReport> readings = source.placed().map(FractureReport::new);
+    readings.ifPresent(read -> read.lines().forEach(words -> line("reading", words)));
     if (source.requested().isEmpty()) {
       source.emptySegments(found.labels()).forEach(empty -> line("segment", empty + ": no voxel"));
     }
@@ -129,6 +132,7 @@ public final class InfoCommand implements Callable<Integer> {
     double bytes = SegmentBuilder.bytesFor(source.header().grid(), segments.size());
     line("memory", NumberText.bytes(bytes) + " for the segments");
     if (report.isWanted()) {
+      readings.ifPresent(read -> report.put("fracture", read.field()));
       writeReport(report, source, found, segments, bytes);
     }
     return 0;

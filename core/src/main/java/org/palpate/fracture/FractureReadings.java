@@ -1,0 +1,58 @@
+package org.palpate.fracture;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.palpate.volume.fracture.PosedBits;
+
+/**
+ * Readings of all fragments of a bone. The largest fragment is the reference; where all rest is the
+ * truth of a synthetic fracture.
+ *
+ * @param residualMm largest displacement of a fragment's centroid from the truth, relative to the
+ *     reference
+ * @param residualDegrees largest rotation from the truth, relative to the reference
+ * @param overlapVoxels pairs of voxels of different fragments whose interiors intersect
+ * @param pairs the readings of each pair of fragments that face each other
+ */
+public record FractureReadings(
+    double residualMm, double residualDegrees, long overlapVoxels, List<Pair> pairs) {
+
+  /**
+   * Readings of two fragments.
+   *
+   * @param one the index of the fragment whose faces are measured
+   * @param other the index of the fragment that it faces
+   */
+  public record Pair(int one, int other, PairReadings readings) {}
+
+  /** Copies the list. */
+  public FractureReadings {
+    pairs = List.copyOf(pairs);
+  }
+
+  /** Reads fragments at their poses. */
+  public static FractureReadings read(List<PosedBits> fragments) {
+    PosedBits reference = fragments.get(0);
+    for (PosedBits fragment : fragments) {
+      reference =
+          fragment.bits().solidCount() > reference.bits().solidCount() ? fragment : reference;
+    }
+    double residualMm = 0;
+    double residualDegrees = 0;
+    long overlap = 0;
+    List<Pair> pairs = new ArrayList<>();
+    for (int one = 0; one < fragments.size(); one++) {
+      Residual residual = Residual.fromRest(fragments.get(one), reference.pose());
+      residualMm = Math.max(residualMm, residual.distanceMm());
+      residualDegrees = Math.max(residualDegrees, residual.angleDegrees());
+      for (int other = 0; other < one; other++) {
+        PairReadings readings = PairReadings.read(fragments.get(one), fragments.get(other));
+        overlap += readings.overlapVoxels();
+        if (readings.isFacing()) {
+          pairs.add(new Pair(one, other, readings));
+        }
+      }
+    }
+    return new FractureReadings(residualMm, residualDegrees, overlap, pairs);
+  }
+}

@@ -1,0 +1,50 @@
+package org.palpate.fracture;
+
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.fracture.PosedBits;
+
+/**
+ * The motion of a fragment between two situations, both relative to a reference fragment.
+ *
+ * @param distanceMm displacement of the fragment's centroid
+ * @param angleDegrees angle of its rotation
+ */
+public record Residual(double distanceMm, double angleDegrees) {
+
+  /**
+   * Returns the motion that leads from rest, the truth of a synthetic fracture, to the poses.
+   *
+   * @param reference the pose of the reference fragment
+   */
+  public static Residual fromRest(PosedBits fragment, Pose reference) {
+    Vec3 centroid = centroid(fragment);
+    Vec3 present = fragment.pose().transform(centroid, new Vec3());
+    reference.inverseTransform(present, present);
+    Pose relative = new Pose();
+    reference.rotation.conjugate(relative.rotation);
+    relative.rotation.multiply(fragment.pose().rotation, relative.rotation);
+    return new Residual(
+        present.sub(centroid, present).length(), Math.toDegrees(relative.rotation.angle()));
+  }
+
+  /** Returns the mean of the voxel centres at rest, world mm. */
+  private static Vec3 centroid(PosedBits fragment) {
+    BitCube bits = fragment.bits();
+    IntBox box = bits.bounds();
+    Vec3 sum = new Vec3();
+    for (int k = box.lowZ; k <= box.highZ; k++) {
+      for (int j = box.lowY; j <= box.highY; j++) {
+        for (int i = box.lowX; i <= box.highX; i++) {
+          if (bits.get(i, j, k)) {
+            sum.set(sum.x + i + 0.5, sum.y + j + 0.5, sum.z + k + 0.5);
+          }
+        }
+      }
+    }
+    sum.mul(1.0 / bits.solidCount(), sum);
+    return fragment.grid().gridToWorld(sum, sum);
+  }
+}

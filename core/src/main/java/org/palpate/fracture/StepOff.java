@@ -1,0 +1,230 @@
+package org.palpate.fracture;
+
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Vec3;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.fracture.PosedBits;
+
+/**
+ * The displacement across a fracture of one fragment's skin against the other's, by least squares.
+ * One thread an instance.
+ *
+ * <p>Skin points of the one fragment lie some voxels behind the fracture, where smoothing does not
+ * see it. The point of the other skin lies as far beyond the gap. Let the two points be p and q,
+ * and n the direction half way between their normals. On a straight skin, and on a circular one, (p
+ * - q) n is the part of the displacement along n. The displacement that explains all such parts
+ * best is the step-off. It is unsigned, and 0 for skins that continue each other. A direction along
+ * which no skin would show a step is left out.
+ *
+ * <p>Reference: Rusinkiewicz, A symmetric objective function for ICP, 2019, for the pairs.
+ */
+final class StepOff {
+  /** The distance of skin points from the fracture, voxel edges. */
+  private static final double NEAREST_EDGES = 3.5;
+
+  private static final double FARTHEST_EDGES = 7;
+
+  /** The largest step that is found, mm. */
+  private static final double MOST_MM = 4;
+
+  /** The skin's normal lies across that of the fracture: the largest cosine between them. */
+  private static final double SKIN_COSINE = 0.5;
+
+  /** The least cosine between normals of the two skins. */
+  private static final double SAME_SKIN_COSINE = 0.7;
+
+  /** A direction counts if its share of the squared normals is at least this. */
+  private static final double LEAST_SHARE = 0.05;
+
+  /** The depth under a skin at which the other fragment may follow, voxel edges. */
+  private static final int UNDER_SKIN_EDGES = 3;
+
+  private static final double WALK_EDGES = 0.25;
+  private static final int LEAST_PAIRS = 20;
+  private static final int BISECTIONS = 12;
+
+  private final PosedBits one;
+  private final SmoothedBits own;
+  private final SmoothedBits facing;
+  private final Vec3 across;
+  private final double gapMm;
+  private final double edgeMm;
+  private final Vec3 u = new Vec3();
+  private final Vec3 v = new Vec3();
+  private double uu;
+  private double uv;
+  private double vv;
+  private double ur;
+  private double vr;
+  private int pairs;
+
+  /**
+   * Prepares a measurement.
+   *
+   * @param across the normal of the fracture from the one fragment to the other, world
+   * @param gapMm the mean gap
+   */
+  StepOff(PosedBits one, PosedBits other, Vec3 across, double gapMm) {
+    this.one = one;
+    this.across = across;
+    this.gapMm = gapMm;
+    own = new SmoothedBits(one);
+    facing = new SmoothedBits(other);
+    Vec3 s = one.grid().spacingMm();
+    edgeMm = Math.max(s.x, Math.max(s.y, s.z));
+    Vec3 least = Math.abs(across.x) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0);
+    across.cross(least, u);
+    u.mul(1 / u.length(), u);
+    across.cross(u, v);
+  }
+
+  /** Returns the step-off, mm; NaN if too little skin lies on both sides of the fracture. */
+  double measure() {
+    BitCube bits = one.bits();
+    IntBox box = bits.bounds();
+    Vec3 p = new Vec3();
+    for (int k = box.lowZ; k <= box.highZ; k++) {
+      for (int j = box.lowY; j <= box.highY; j++) {
+        for (int i = box.lowX; i <= box.highX; i++) {
+          if (bits.get(i, j, k) && !bits.isSurrounded(i, j, k)) {
+            one.grid().gridToWorld(p.set(i + 0.5, j + 0.5, k + 0.5), p);
+            add(one.pose().transform(p, p));
+          }
+        }
+      }
+    }
+    return pairs < LEAST_PAIRS ? Double.NaN : solve();
+  }
+
+  private void add(Vec3 rim) {
+    double depth = depthMm(rim);
+    if (!(depth >= NEAREST_EDGES * edgeMm && depth <= FARTHEST_EDGES * edgeMm)) {
+      return;
+    }
+    Vec3 normal = new Vec3();
+    own.occupancy(rim, normal);
+    Vec3 p = new Vec3();
+    if (!isFollowed(rim, depth, normal)) {
+      return;
+    }
+    if (Math.abs(normal.dot(across)) > SKIN_COSINE || !surface(own, rim, normal, p)) {
+      return;
+    }
+    double beyond = 2 * depth + gapMm;
+    Vec3 start = p.add(across.mul(beyond, new Vec3()), new Vec3());
+    Vec3 q = new Vec3();
+    Vec3 otherNormal = new Vec3();
+    if (surface(facing, start, normal, q)) {
+      facing.occupancy(q, otherNormal);
+      own.occupancy(p, normal);
+      if (normal.dot(otherNormal) >= SAME_SKIN_COSINE && isDeep(q, otherNormal)) {
+        addPair(p, q, normal, otherNormal);
+      }
+    }
+  }
+
+  /** Returns the distance from a rim voxel to the fracture along its normal, mm; NaN if far. */
+  private double depthMm(Vec3 rim) {
+    Vec3 p = new Vec3();
+    double step = WALK_EDGES * edgeMm;
+    for (double depth = 0; depth <= FARTHEST_EDGES * edgeMm; depth += step) {
+      if (!own.isSolid(along(rim, depth, p))) {
+        return depth;
+      }
+    }
+    return Double.NaN;
+  }
+
+  /** Whether the other fragment follows after the gap, under the skin too if not behind it. */
+  private boolean isFollowed(Vec3 rim, double depth, Vec3 outward) {
+    double most = depth + Math.max(0, gapMm) + MOST_MM;
+    Vec3 start = new Vec3();
+    Vec3 p = new Vec3();
+    for (int under = 0; under <= UNDER_SKIN_EDGES; under++) {
+      shifted(rim, outward, -under * edgeMm, start);
+      for (double t = depth; t <= most; t += WALK_EDGES * edgeMm) {
+        if (facing.isSolid(along(start, t, p))) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /** Whether a point of the other skin lies so far from the fracture as those of the own skin. */
+  private boolean isDeep(Vec3 skin, Vec3 outward) {
+    Vec3 start = shifted(skin, outward, -edgeMm, new Vec3());
+    Vec3 p = new Vec3();
+    for (double t = 0; t <= NEAREST_EDGES * edgeMm; t += WALK_EDGES * edgeMm) {
+      if (!facing.isSolid(along(start, -t, p))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private Vec3 along(Vec3 start, double t, Vec3 dest) {
+    return dest.set(start.x + t * across.x, start.y + t * across.y, start.z + t * across.z);
+  }
+
+  /** Finds the surface of a fragment nearest to a point along a normal, from out to in. */
+  private boolean surface(SmoothedBits fragment, Vec3 start, Vec3 normal, Vec3 dest) {
+    Vec3 scratch = new Vec3();
+    Vec3 at = new Vec3();
+    double step = 0.5 * edgeMm;
+    double best = Double.NaN;
+    double before = Double.NaN;
+    for (double h = MOST_MM; h >= -MOST_MM; h -= step) {
+      double now = fragment.occupancy(shifted(start, normal, h, at), scratch);
+      if (before < 0.5 && now >= 0.5 && !(Math.abs(h) > Math.abs(best))) {
+        best = h;
+      }
+      before = now;
+    }
+    if (Double.isNaN(best)) {
+      return false;
+    }
+    double low = best;
+    double high = best + step;
+    for (int n = 0; n < BISECTIONS; n++) {
+      double middle = (low + high) / 2;
+      if (fragment.occupancy(shifted(start, normal, middle, at), scratch) >= 0.5) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    shifted(start, normal, (low + high) / 2, dest);
+    return true;
+  }
+
+  private static Vec3 shifted(Vec3 start, Vec3 normal, double h, Vec3 dest) {
+    return dest.set(start.x + h * normal.x, start.y + h * normal.y, start.z + h * normal.z);
+  }
+
+  private void addPair(Vec3 p, Vec3 q, Vec3 normal, Vec3 otherNormal) {
+    Vec3 n = normal.add(otherNormal, new Vec3());
+    n.mul(1 / n.length(), n);
+    double r = p.sub(q, new Vec3()).dot(n);
+    double a = n.dot(u);
+    double b = n.dot(v);
+    uu += a * a;
+    uv += a * b;
+    vv += b * b;
+    ur += a * r;
+    vr += b * r;
+    pairs++;
+  }
+
+  /** Returns the length of the displacement in the directions that the skins determine. */
+  private double solve() {
+    double mean = (uu + vv) / 2;
+    double half = Math.sqrt((uu - vv) * (uu - vv) / 4 + uv * uv);
+    double angle = 0.5 * StrictMath.atan2(2 * uv, uu - vv);
+    double c = StrictMath.cos(angle);
+    double s = StrictMath.sin(angle);
+    double along = (c * ur + s * vr) / (mean + half);
+    double beside = mean - half < LEAST_SHARE * 2 * mean ? 0 : (c * vr - s * ur) / (mean - half);
+    return Math.sqrt(along * along + beside * beside);
+  }
+}
