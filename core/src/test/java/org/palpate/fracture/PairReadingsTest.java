@@ -150,7 +150,9 @@ class PairReadingsTest {
     int steps = 20;
     Vec3 p = new Vec3();
     for (int n = 0; n < steps * steps * steps; n++) {
-      p.set(n % steps + 0.5, n / steps % steps + 0.5, n / steps / steps + 0.5);
+      int j = n / steps % steps;
+      int k = n / steps / steps;
+      p.set(n % steps + 0.5, j + 0.5, k + 0.5);
       pose.transform(p.mul(1.0 / steps, p), p);
       if (p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1 && p.z > 0 && p.z < 1) {
         return true;

@@ -47,7 +47,8 @@ class SegmentSplitTest {
         }
         assertEquals(
             bits.get(i, j, k) ? 1 : 0,
-            (parts.bits().get(0).get(i, j, k) ? 1 : 0) + (parts.bits().get(1).get(i, j, k) ? 1 : 0));
+            (parts.bits().get(0).get(i, j, k) ? 1 : 0)
+                + (parts.bits().get(1).get(i, j, k) ? 1 : 0));
       }
       assertEquals(bits.solidCount(), Math.abs(larger), "one side only is the first part");
     }
@@ -67,8 +68,7 @@ class SegmentSplitTest {
     bits.set(0, 0, 0);
     bits.set(7, 8, 9);
     bits.set(7, 8, 8);
-    Fragments parts =
-        SegmentSplit.byComponents(bits, GRID, Neighbours.FACES_EDGES_CORNERS, 2);
+    Fragments parts = SegmentSplit.byComponents(bits, GRID, Neighbours.FACES_EDGES_CORNERS, 2);
     assertEquals(2, parts.bits().size());
     assertEquals(whole, parts.bits().get(0).solidCount());
     assertEquals(1, parts.lostVoxels());
@@ -80,11 +80,13 @@ class SegmentSplitTest {
   private static BitCube ball() {
     BitCube bits = new BitCube(8, 9, 10);
     for (int n = 0; n < 720; n++) {
+      int j = n / 8 % 9;
+      int k = n / 72;
       double x = n % 8 + 0.5 - 4;
-      double y = n / 8 % 9 + 0.5 - 4.5;
-      double z = n / 72 + 0.5 - 5;
+      double y = j + 0.5 - 4.5;
+      double z = k + 0.5 - 5;
       if (x * x + y * y + z * z < 9) {
-        bits.set(n % 8, n / 8 % 9, n / 72);
+        bits.set(n % 8, j, k);
       }
     }
     return bits;
