@@ -65,11 +65,13 @@ class ArchitectureTest {
                   "proxy.smooth",
                   "volume.phantom")),
           Map.entry("benchmarks.baseline", List.of("proxy")),
+          Map.entry("benchmarks.carve", List.of("benchmarks.rigid")),
           Map.entry(
               "benchmarks.command",
               List.of(
                   "app",
                   "benchmarks.accuracy",
+                  "benchmarks.carve",
                   "benchmarks.nearest",
                   "benchmarks.rigid",
                   "benchmarks.speed",

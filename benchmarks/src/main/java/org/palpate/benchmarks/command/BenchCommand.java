@@ -14,6 +14,7 @@ import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VirtualDisplay;
 import org.palpate.benchmarks.accuracy.AccuracyRun;
+import org.palpate.benchmarks.carve.CarveRun;
 import org.palpate.benchmarks.nearest.NearestRun;
 import org.palpate.benchmarks.rigid.RigidRun;
 import org.palpate.benchmarks.speed.CppComparison;
@@ -50,6 +51,7 @@ import picocli.CommandLine.Spec;
       "  palpate bench --sync --out figures",
       "  palpate bench --surfaces --out figures",
       "  palpate bench --rigid --quick --out figures",
+      "  palpate bench --carve --quick --out figures",
       "  palpate bench --stress --frames 20000000 --seed 7",
       "  palpate bench --skips --scale --stability --quick"
     })
@@ -93,6 +95,14 @@ public final class BenchCommand implements Callable<Integer> {
   private boolean rigid;
 
   @Option(
+      names = "--carve",
+      description = {
+        "Tools that cut: time of a cut, every leg judged exactly under hostile hands, edits and",
+        "undo, and voxels compared with a plain twin."
+      })
+  private boolean carve;
+
+  @Option(
       names = "--stress",
       description = {
         "Hostile scenes and hands against the guarantee; every leg is judged exactly.",
@@ -109,7 +119,8 @@ public final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--seed",
       paramLabel = "S",
-      description = "With --stress or --rigid: seed of the attack, or of hands and scenes (7).")
+      description =
+          "With --stress, --rigid or --carve: seed of the attack, or of hands and scenes (7).")
   private Long seed;
 
   @Option(
@@ -221,6 +232,7 @@ public final class BenchCommand implements Callable<Integer> {
     addIf(stability, StudyDuration.STABILITY, others);
     addIf(accuracy, StudyDuration.ACCURACY, others);
     addIf(rigid, StudyDuration.RIGID, others);
+    addIf(carve, StudyDuration.CARVE, others);
     addIf(sync, StudyDuration.SYNC, others);
     addIf(surfaces, StudyDuration.SURFACES, others);
     double seconds = stress ? StudyDuration.stressSeconds(attackedFrames()) : 0;
@@ -265,7 +277,7 @@ public final class BenchCommand implements Callable<Integer> {
   }
 
   private boolean hasOtherStudy() {
-    return stability || accuracy || rigid || sync || stress || cpp || surfaces;
+    return stability || accuracy || rigid || carve || sync || stress || cpp || surfaces;
   }
 
   private Path table1Data() {
@@ -298,6 +310,9 @@ public final class BenchCommand implements Callable<Integer> {
     if (rigid) {
       report.put("rigid_targets_missed", RigidRun.run(folder, quick, seed(), out(), progress()));
     }
+    if (carve) {
+      report.put("carve_targets_missed", CarveRun.run(folder, quick, seed(), out(), progress()));
+    }
     if (sync) {
       report.put("sync_work_p99_us", SyncRun.run(folder, quick, out(), progress()));
     }
@@ -310,7 +325,7 @@ public final class BenchCommand implements Callable<Integer> {
   private Attack attack() {
     if (!stress) {
       refuse("--frames", frames, "--stress");
-      refuse("--seed", rigid ? null : seed, "--stress or --rigid");
+      refuse("--seed", rigid || carve ? null : seed, "--stress, --rigid or --carve");
       refuse("--solver", solver, "--stress");
       return null;
     }

@@ -14,6 +14,7 @@ enum StudyDuration {
   STABILITY(1200, 80),
   ACCURACY(Double.NaN, 61),
   RIGID(720, 120),
+  CARVE(Double.NaN, 60),
   SYNC(83, 22),
   SURFACES(38, 38);
 

@@ -24,7 +24,9 @@ public enum StudyTable {
   NEAREST(
       "nearest.csv", "shape,depth_voxels,solver,mean_excess_voxels,worst_excess_voxels,presses"),
   /** Figures of rigid tools. */
-  RIGID("rigid.csv", "study,condition,figure,value,unit,target,verdict"),
+  RIGID("rigid.csv", Columns.FIGURES),
+  /** Figures of tools that cut. */
+  CARVE("carve.csv", Columns.FIGURES),
   /** Largest stable stiffness of the model and of the theory. */
   STABILITY_THEORY(
       "stability-theory.csv",
@@ -79,6 +81,7 @@ public enum StudyTable {
 
   /** Columns of several tables. */
   private static final class Columns {
+    static final String FIGURES = "study,condition,figure,value,unit,target,verdict";
     static final String TIMES =
         "group,benchmark,condition,unit,median,least,greatest,iterations,bytes_per_op";
     static final String MARGIN =

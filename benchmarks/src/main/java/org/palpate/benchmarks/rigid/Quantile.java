@@ -3,7 +3,7 @@ package org.palpate.benchmarks.rigid;
 import java.util.Arrays;
 
 /** Computes quantiles of measured values. */
-final class Quantile {
+public final class Quantile {
   private Quantile() {}
 
   /**
@@ -12,7 +12,7 @@ final class Quantile {
    * @param part from 0, the least value, to 1, the largest
    * @throws IllegalArgumentException if there is no value
    */
-  static double of(double[] values, double part) {
+  public static double of(double[] values, double part) {
     if (values.length == 0) {
       throw new IllegalArgumentException("no values to take a quantile of");
     }

@@ -12,25 +12,27 @@ import java.util.List;
  * @param unit its unit; empty for a count
  * @param target the largest value that meets the target; NaN without a target
  */
-record RigidFigure(
+public record RigidFigure(
     String study, String condition, String name, double value, String unit, double target) {
 
   /** Makes a figure without a target. */
-  static RigidFigure of(String study, String condition, String name, double value, String unit) {
+  public static RigidFigure of(
+      String study, String condition, String name, double value, String unit) {
     return new RigidFigure(study, condition, name, value, unit, Double.NaN);
   }
 
-  boolean hasTarget() {
+  /** Whether there is a target. */
+  public boolean hasTarget() {
     return !Double.isNaN(target);
   }
 
   /** Returns {@code met} or {@code missed}, or an empty text without a target. */
-  String verdict() {
+  public String verdict() {
     return !hasTarget() ? "" : value <= target ? "met" : "missed";
   }
 
   /** Returns the cells of its row in {@code rigid.csv}. */
-  List<Object> cells() {
+  public List<Object> cells() {
     return List.of(study, condition, name, value, unit, hasTarget() ? target : "", verdict());
   }
 }

@@ -13,7 +13,7 @@ import org.palpate.rigid.tool.RigidTool;
  * Judges every leg of every sample point exactly, from the committed poses alone. It does not know
  * what the solver looked at or left out. One thread.
  */
-final class RigidLegJudge {
+public final class RigidLegJudge {
   private final ExactJudge judge = new ExactJudge();
   private final ExactJudge reference = ExactJudge.unfiltered();
   private final long mostCompared;
@@ -33,21 +33,22 @@ final class RigidLegJudge {
    *
    * @param mostCompared the number of legs that unlimited decimal fractions decide as well
    */
-  RigidLegJudge(long mostCompared) {
+  public RigidLegJudge(long mostCompared) {
     this.mostCompared = mostCompared;
   }
 
-  long legs() {
+  /** Returns the number of legs judged. */
+  public long legs() {
     return legs;
   }
 
   /** Returns the number of legs that touch a voxel. */
-  long touching() {
+  public long touching() {
     return touching;
   }
 
   /** Returns the number of frames that did not start at the pose where the last one ended. */
-  long broken() {
+  public long broken() {
     return broken;
   }
 
@@ -61,15 +62,20 @@ final class RigidLegJudge {
   }
 
   /** Begins with a tool that was placed. */
-  void begin(ToolMotion motion) {
-    end.set(motion.pose());
+  public void begin(ToolMotion motion) {
+    begin(motion.pose());
+  }
+
+  /** Begins a new chain of legs at a pose at which the tool was set free. */
+  public void begin(Pose pose) {
+    end.set(pose);
   }
 
   /**
    * Judges the last frame. The scene must not change after {@link #begin}, so a tool that is set
    * free breaks the chain too.
    */
-  void judge(BodyScene bodies, RigidTool tool, ToolMotion motion) {
+  public void judge(BodyScene bodies, RigidTool tool, ToolMotion motion) {
     broken += motion.pathPose(0).sameBits(end) ? 0 : 1;
     for (int step = 0; step < motion.steps(); step++) {
       for (int body = 0; body < bodies.count(); body++) {

@@ -50,8 +50,13 @@ public final class RigidRun {
     run.measure();
     StudyTable.RIGID.write(folder, run.figures, RigidFigure::cells);
     RigidPlots.write(folder, run.figures);
-    long missed = run.figures.stream().filter(f -> f.verdict().equals("missed")).count();
-    long targets = run.figures.stream().filter(RigidFigure::hasTarget).count();
+    return printMissed(run.figures, out);
+  }
+
+  /** Prints and returns the number of figures that miss their targets. */
+  public static long printMissed(List<RigidFigure> figures, PrintWriter out) {
+    long missed = figures.stream().filter(f -> f.verdict().equals("missed")).count();
+    long targets = figures.stream().filter(RigidFigure::hasTarget).count();
     out.println(missed + " of " + targets + " targets missed");
     out.flush();
     return missed;
@@ -123,8 +128,13 @@ public final class RigidRun {
   }
 
   private void add(List<RigidFigure> more) {
-    for (RigidFigure figure : more) {
-      figures.add(figure);
+    figures.addAll(more);
+    print(more, out);
+  }
+
+  /** Prints a line for each figure. */
+  public static void print(List<RigidFigure> figures, PrintWriter out) {
+    for (RigidFigure figure : figures) {
       String target =
           figure.hasTarget()
               ? "at most " + shortText(figure.target()) + ": " + figure.verdict()
