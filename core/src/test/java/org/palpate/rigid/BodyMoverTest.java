@@ -268,6 +268,52 @@ class BodyMoverTest {
     return poses;
   }
 
+  @Test
+  void posesAsCommittedReplayAsGoalsToTheSameBits() {
+    for (int round = 0; round < 6; round++) {
+      long seed = random.nextLong();
+      List<Pose> committed = new ArrayList<>();
+      List<String> recorded = record(seed, committed, false);
+      assertEquals(recorded, record(seed, committed, true), "seed " + seed);
+    }
+  }
+
+  /**
+   * Runs bodies after random goals and appends the pose of each body after each frame, or after
+   * recorded poses. Returns the tool's poses.
+   */
+  private static List<String> record(long seed, List<Pose> committed, boolean replays) {
+    SplittableRandom random = new SplittableRandom(seed);
+    BodyScene scene = clutter(random);
+    RigidSolver solver =
+        solver(scene, ToolSampler.ofShape(RodShape.capsule(1, 4), 0.5), true, true);
+    ToolMotion motion = solver.newMotion();
+    solver.place(at(0, 0, 40), motion);
+    Pose device = at(0, 0, 40);
+    List<String> poses = new ArrayList<>();
+    for (int frame = 0; frame < 500; frame++) {
+      int body = random.nextInt(3);
+      Pose goal = RandomGeometry.pose(random, 12);
+      for (int n = 0; n < 3; n++) {
+        if (replays) {
+          solver.bodies().setGoal(n, committed.get(3 * frame + n));
+        } else if (n == body && frame % 10 == 0) {
+          solver.bodies().setGoal(n, goal);
+        }
+      }
+      device.translation.set(10 * Math.sin(0.01 * frame), 5, 10 * Math.cos(0.013 * frame));
+      solver.follow(device, motion);
+      poses.add(motion.pose().toString());
+      for (int n = 0; n < 3; n++) {
+        poses.add(scene.body(n).pose().toString());
+        if (!replays) {
+          committed.add(new Pose().set(scene.body(n).pose()));
+        }
+      }
+    }
+    return poses;
+  }
+
   private static BodyScene clutter(SplittableRandom random) {
     List<Body> bodies = new ArrayList<>();
     for (int n = 0; n < 3; n++) {
@@ -278,11 +324,12 @@ class BodyMoverTest {
   }
 
   @Test
-  void warmFramesOfMovingBodiesAllocateNothing() {
+  void warmFramesOfMovingAndHeldBodiesAllocateNothing() {
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     BodyScene scene = clutter(random);
     RigidTool tool = ToolSampler.ofShape(RodShape.capsule(1, 4), 0.5);
     RigidSolver solver = placed(scene, tool, at(0, 0, 40));
+    RigidSolver held = solver.ofBody(1);
     Pose[] goals = new Pose[100];
     for (int n = 0; n < goals.length; n++) {
       goals[n] = RandomGeometry.pose(random, 15);
@@ -295,7 +342,12 @@ class BodyMoverTest {
       for (int frame = 0; frame < 5_000; frame++) {
         solver.bodies().setGoal(frame % 3, goals[frame / 20 % goals.length]);
         device.translation.set(frame % 30, frame % 7, frame % 11);
-        solver.follow(device, motion);
+        if (frame % 300 == 200) {
+          held.takeOver(motion);
+        } else if (frame % 300 == 0) {
+          solver.place(device, motion);
+        }
+        (frame % 300 < 200 ? solver : held).follow(device, motion);
       }
       allocated.add(threads.getCurrentThreadAllocatedBytes() - before);
     }

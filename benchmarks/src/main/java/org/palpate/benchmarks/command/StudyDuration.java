@@ -13,7 +13,7 @@ enum StudyDuration {
   CPP(56, 56),
   STABILITY(1200, 80),
   ACCURACY(Double.NaN, 61),
-  RIGID(720, 120),
+  RIGID(Double.NaN, 140),
   CARVE(Double.NaN, 60),
   SYNC(83, 22),
   SURFACES(38, 38);
