@@ -55,7 +55,8 @@ final class GreyCoefficientSource implements CoefficientSource {
       SmoothingKernel kernel, ThinGrid grid, BinaryWindow window, GreyIsosurfaceSource grey) {
     this.kernel = kernel;
     this.window = window;
-    cache = new GreyOccupancyCache(grid, new GreyVoxels(grey));
+    GreyVoxels voxels = new GreyVoxels(grey);
+    cache = grid.isWhole() ? voxels : new ThinOccupancies(grid, voxels);
     scale = kernel.scale() / GreyOccupancyCache.WHOLE;
   }
 

@@ -14,7 +14,7 @@ import org.palpate.volume.ScalarVolume;
  *   word n voxels 8 n to 8 n + 7, the first in the lowest byte
  * </pre>
  */
-final class GreyOccupancyCache {
+abstract class GreyOccupancyCache {
   /** The byte that stands for occupancy 1. */
   static final int WHOLE = 255;
 
@@ -32,11 +32,6 @@ final class GreyOccupancyCache {
   /** Bit n of byte n. */
   private static final long DIAGONAL = 0x8040_2010_0804_0201L;
 
-  private final GreyVoxels voxels;
-
-  /** Cuts voxels into cells; null if cells are voxels. */
-  private final ThinOccupancies thin;
-
   private final long[] ring = new long[RING * RING * WORDS];
 
   /** The k that each plane of the ring holds. */
@@ -51,19 +46,20 @@ final class GreyOccupancyCache {
   /** The row behind the last one that each plane holds. */
   private final int[] endRow = new int[RING];
 
-  /** Creates a cache of the cells of a grid. */
-  GreyOccupancyCache(ThinGrid grid, GreyVoxels voxels) {
-    this.voxels = voxels;
-    thin = grid.isWhole() ? null : new ThinOccupancies(grid, voxels);
-    forget();
+  GreyOccupancyCache() {
+    Arrays.fill(planeK, NONE);
   }
+
+  /**
+   * Returns the occupancies of the cells from (8 word, j, k) on along x, a byte each, the first in
+   * the lowest byte.
+   *
+   * @param scene the same one since {@link #forget}
+   */
+  abstract long occupancies(CollisionScene scene, int word, int j, int k);
 
   /** Forgets all occupancies and takes the present grey values. */
   void forget() {
-    voxels.forget();
-    if (thin != null) {
-      thin.forget();
-    }
     Arrays.fill(planeK, NONE);
   }
 
@@ -133,8 +129,7 @@ final class GreyOccupancyCache {
   }
 
   private void readWord(int plane, int word, int j, int k, CollisionScene scene) {
-    ring[(plane * RING | (j & RING_MASK)) * WORDS | (word & 1)] =
-        thin == null ? voxels.occupancies(scene, word, j, k) : thin.occupancies(scene, word, j, k);
+    ring[(plane * RING | (j & RING_MASK)) * WORDS | (word & 1)] = occupancies(scene, word, j, k);
   }
 
   /** Returns eight bytes, each of ones if its bit is set and else 0; the lowest bit's is lowest. */

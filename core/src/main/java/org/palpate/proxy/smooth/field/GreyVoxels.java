@@ -12,7 +12,7 @@ import org.palpate.volume.VoxelGrid;
  * <p>Where an edit changed the bits the bits win: a voxel that is solid against its grey value has
  * full occupancy, one that is empty against it none.
  */
-final class GreyVoxels {
+final class GreyVoxels extends GreyOccupancyCache {
   private static final int NONE = Integer.MIN_VALUE;
   private static final long TOP_BITS = 0x8080_8080_8080_8080L;
 
@@ -37,27 +37,27 @@ final class GreyVoxels {
   GreyVoxels(GreyIsosurfaceSource source) {
     this.source = source;
     grid = source.grid();
-    forget();
+    takeValues();
   }
 
-  /** Forgets the bricks and takes the present values of the source. */
+  @Override
   void forget() {
+    super.forget();
+    takeValues();
+  }
+
+  /** Takes the present values of the source, and forgets the bricks. */
+  private void takeValues() {
     GreyIsosurface now = source.now();
     if (!now.equals(surface)) { // otherwise a frame after an edit would allocate
       surface = now;
       volume = now.volume();
-      quantizer =
-          new GreyQuantizer(now.threshold(), 0.5 * GreyOccupancyCache.WHOLE / now.contrast());
+      quantizer = new GreyQuantizer(now.threshold(), 0.5 * WHOLE / now.contrast());
     }
     Arrays.fill(brickWord, NONE);
   }
 
-  /**
-   * Returns the occupancies of the voxels from (8 word, j, k) on along x, a byte each, the first in
-   * the lowest byte.
-   *
-   * @param scene the same one since {@link #forget}
-   */
+  @Override
   long occupancies(CollisionScene scene, int word, int j, int k) {
     long fromGrey = levels(word << 3, j, k);
     int solid = solidVoxels(word, j, k, scene);
@@ -95,7 +95,7 @@ final class GreyVoxels {
 
   /** Returns the occupancies with those of {@code wrong} voxels taken from the bits. */
   private static long corrected(long occupancies, int solid, int wrong) {
-    long wrongBytes = GreyOccupancyCache.bytesOf(wrong);
-    return (occupancies & ~wrongBytes) | (wrongBytes & GreyOccupancyCache.bytesOf(solid));
+    long wrongBytes = bytesOf(wrong);
+    return (occupancies & ~wrongBytes) | (wrongBytes & bytesOf(solid));
   }
 }

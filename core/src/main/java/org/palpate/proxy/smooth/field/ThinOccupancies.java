@@ -13,9 +13,7 @@ import org.palpate.collision.CollisionScene;
  * the cells of a voxel and of its neighbours all need it. Cost: some ten operations for each cell
  * in or beside a voxel that is partly solid.
  */
-final class ThinOccupancies {
-  private static final int EDGE = GreyOccupancyCache.EDGE;
-  private static final int WHOLE = GreyOccupancyCache.WHOLE;
+final class ThinOccupancies extends GreyOccupancyCache {
   private static final int BYTE = 0xFF;
   private static final long ONE_A_BYTE = 0x0101_0101_0101_0101L;
 
@@ -43,17 +41,14 @@ final class ThinOccupancies {
     Arrays.fill(cells, NONE);
   }
 
-  /** Forgets the cached voxels. */
+  @Override
   void forget() {
+    super.forget();
+    voxels.forget();
     voxelKeys.forget();
   }
 
-  /**
-   * Returns the occupancies of the cells from (8 word, j, k) on along x, a byte each, the first in
-   * the lowest byte.
-   *
-   * @param scene the same one since {@link #forget}
-   */
+  @Override
   long occupancies(CollisionScene scene, int word, int j, int k) {
     return grid.axis() == 0 ? alongX(scene, word, j, k) : acrossX(scene, word, j, k);
   }
