@@ -19,11 +19,15 @@ import org.palpate.volume.BitCube;
  * the clearance level of that point. Exact arithmetic decides whether a leg touches a cell.
  *
  * <p>The legs lead from the tool pose towards the device pose, as far as no point moves more than
- * the shortest voxel edge of the scene. The tool gets no farther before the next frame asks again,
- * and this bounds the work. Of each leg only the first solid cell counts, so voxels behind others
- * are found when those are gone. Haptic thread only; allocates nothing.
+ * two of the shortest voxel edges of the scene. The surface on which a tool rests lies up to about
+ * one edge above the cells. The tool gets no farther before the next frame asks again, and this
+ * bounds the work. Of each leg only the first solid cell counts, so voxels behind others are found
+ * when those are gone. Haptic thread only; allocates nothing.
  */
 public final class BlockingVoxels {
+  /** The longest motion of a point towards the device pose, shortest voxel edges. */
+  static final double REACH_EDGES = 2;
+
   /** The most cells whose voxels are reported at once, the nearest ones. */
   static final int MOST_CELLS = 64;
 
@@ -43,7 +47,7 @@ public final class BlockingVoxels {
   private final RigidTool tool;
   private final SphereTree tree;
   private final MoverVerifier verifier;
-  private final double edgeMm;
+  private final double reachMm;
   private final ExactRayCaster caster = new ExactRayCaster();
   private final Ray leg = new Ray();
   private final RayHit hit = new RayHit();
@@ -71,7 +75,7 @@ public final class BlockingVoxels {
     this.tool = tool;
     this.verifier = verifier;
     tree = tool.tree();
-    edgeMm = scene.shortestEdgeMm();
+    reachMm = REACH_EDGES * scene.shortestEdgeMm();
   }
 
   /**
@@ -98,7 +102,7 @@ public final class BlockingVoxels {
     Pose pose = verifier.pose();
     pose.differenceTo(device, displacement, rotation, scratch);
     double mostMm = displacement.length() + rotation.length() * tool.radiusMm();
-    double fraction = mostMm > edgeMm ? edgeMm / mostMm : 1;
+    double fraction = mostMm > reachMm ? reachMm / mostMm : 1;
     pose.displace(displacement, rotation, fraction, scratch, next);
   }
 
@@ -130,7 +134,7 @@ public final class BlockingVoxels {
     double x = from.x(tree.x(node), tree.y(node), tree.z(node));
     double y = from.y(tree.x(node), tree.y(node), tree.z(node));
     double z = from.z(tree.x(node), tree.y(node), tree.z(node));
-    double neededMm = tree.radius(node) + 2 * edgeMm;
+    double neededMm = tree.radius(node) + 2 * reachMm;
     return levels.clearance.at(x, y, z) * levels.cellMm > neededMm;
   }
 

@@ -104,15 +104,17 @@ class BlockingVoxelsTest {
     return all;
   }
 
-  /** Returns the device pose, or the part of the way on which no point moves more than an edge. */
+  /**
+   * Returns the device pose, or the part of the way on which no point moves more than two edges.
+   */
   private static Pose limited(BodyScene scene, RigidTool tool, Pose pose, Pose device) {
     Vec3 displacement = new Vec3();
     Vec3 rotation = new Vec3();
     Quaternion scratch = new Quaternion();
     pose.differenceTo(device, displacement, rotation, scratch);
     double mostMm = displacement.length() + rotation.length() * tool.radiusMm();
-    double edgeMm = scene.shortestEdgeMm();
-    double fraction = mostMm > edgeMm ? edgeMm / mostMm : 1;
+    double reachMm = BlockingVoxels.REACH_EDGES * scene.shortestEdgeMm();
+    double fraction = mostMm > reachMm ? reachMm / mostMm : 1;
     return pose.displace(displacement, rotation, fraction, scratch, new Pose());
   }
 
