@@ -10,6 +10,9 @@ import org.palpate.geometry.Vec3;
  * <p>The device states its frame; {@link HapticDevice} uses world millimetres.
  */
 public final class DeviceState {
+  /** The bit of the first button. A rigid tool takes hold of a body as long as it is pressed. */
+  public static final int FIRST_BUTTON = 1;
+
   /** Position of the probe, mm. */
   public final Vec3 positionMm = new Vec3();
 

@@ -37,7 +37,7 @@ public record HandTarget(Vec3 lowMm, Vec3 highMm, double voxelMm, List<Vec3> sur
   }
 
   /** Returns half the diagonal of the box, but at least four voxels. */
-  double radiusMm() {
+  public double radiusMm() {
     return Math.max(highMm.sub(lowMm, new Vec3()).length() / 2, 4 * voxelMm);
   }
 }

@@ -7,6 +7,7 @@ import org.palpate.body.BodyScene;
 import org.palpate.carve.CarveSettings;
 import org.palpate.carve.ToolCarver;
 import org.palpate.collision.CollisionScene;
+import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.PlacementLog;
@@ -30,6 +31,9 @@ import org.palpate.volume.BitCube;
  * zero, is no orientation: the frame keeps the last valid one. A quaternion and its negative are
  * the same orientation.
  *
+ * <p>As long as the first button of the device is pressed, the hand holds the movable body that the
+ * tool pressed; see {@link #requestTake}.
+ *
  * <p>Threads are those of {@link HapticFrame}.
  */
 public final class ToolFrame extends HapticFrame {
@@ -51,6 +55,7 @@ public final class ToolFrame extends HapticFrame {
   private int mostReduced;
 
   private volatile ForceSettings requestedForce;
+  private boolean isHoldPressed;
   private volatile HoldRequest holdRequest = HoldRequest.NONE;
   private volatile int heldBody = Grasp.NO_BODY;
 
@@ -104,10 +109,19 @@ public final class ToolFrame extends HapticFrame {
   @Override
   void applyRequests() {
     grasp.force().change(requestedForce);
+    takeButton();
     HoldRequest request = holdRequest;
     if (request != HoldRequest.NONE) {
       holdRequest = HoldRequest.NONE;
       applyHold(request);
+    }
+  }
+
+  private void takeButton() {
+    boolean pressed = (sample.buttons & DeviceState.FIRST_BUTTON) != 0;
+    if (pressed != isHoldPressed) {
+      isHoldPressed = pressed;
+      holdRequest = pressed ? HoldRequest.TAKE : HoldRequest.LET_GO;
     }
   }
 

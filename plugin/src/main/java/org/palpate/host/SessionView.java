@@ -238,9 +238,12 @@ public final class SessionView implements AutoCloseable {
     input.onKey(',', "less friction", () -> applyAndShow(tuning::decreaseFriction));
     input.onKey(
         'n', "next solver: smooth, guarded, paper, dot", () -> applyAndShow(tuning::nextSolver));
-    if (session.cuts()) {
-      input.onKey('e', "undo the last cut", session::undo);
-      input.onKey('y', "redo the last cut", session::redo);
+    if (session.canHold()) {
+      input.onKey('x', "take hold of the touched body, or let go", session::toggleHold);
+    }
+    if (session.cuts() || session.canHold()) {
+      input.onKey('e', "undo the last cut or placement", session::undo);
+      input.onKey('y', "redo the last cut or placement", session::redo);
     }
     mouse().ifPresent(mouse -> addMouse(input, mouse));
     if (device instanceof WorkspaceDevice mapped) {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
@@ -90,6 +91,16 @@ public final class ToolScene {
   /** Returns the bodies, in the order of the segments. */
   public BodyScene bodies() {
     return bodies;
+  }
+
+  /** Whether a body can move. */
+  boolean hasMovableBodies() {
+    for (int n = 0; n < bodies.count(); n++) {
+      if (bodies.body(n).mobility() == Mobility.MOVABLE) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns the tool. */

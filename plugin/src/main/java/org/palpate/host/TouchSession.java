@@ -214,6 +214,27 @@ public final class TouchSession implements AutoCloseable {
     return cuts;
   }
 
+  /** Whether a body can be taken in hand. */
+  boolean canHold() {
+    return held.isPresent() && held.get().scene().hasMovableBodies();
+  }
+
+  /**
+   * Takes hold of the movable body that the tool presses most, or lets go of the body that is held,
+   * in the next frame. Any thread.
+   */
+  public void toggleHold() {
+    held.map(HeldTool::frame)
+        .ifPresent(
+            frame -> {
+              if (frame.heldBody() < 0) {
+                frame.requestTake();
+              } else {
+                frame.requestLetGo();
+              }
+            });
+  }
+
   /**
    * Undoes the last edit or the last cut, as soon as no earlier edit waits; nothing happens if
    * there is none. Any thread.

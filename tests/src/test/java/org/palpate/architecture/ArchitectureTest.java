@@ -38,7 +38,9 @@ class ArchitectureTest {
   private static final Map<String, List<String>> MAY_USE =
       Map.ofEntries(
           Map.entry("app", List.of("app.command")),
-          Map.entry("app.command", List.of("app.output", "device.protocol", "igtl", "realtime")),
+          Map.entry(
+              "app.command",
+              List.of("app.output", "device.protocol", "igtl", "realtime", "reduction")),
           Map.entry(
               "app.options", List.of("app.process", "host", "io.resample", "io.scene", "tool")),
           Map.entry("app.output", List.of("app.options", "fracture")),
@@ -181,6 +183,7 @@ class ArchitectureTest {
           Map.entry("realtime", List.of("loop", "realtime.os")),
           Map.entry("realtime.os", List.of()),
           Map.entry("recording", List.of("device")),
+          Map.entry("reduction", List.of("body", "device", "rigid.tool")),
           Map.entry("rigid", List.of("body", "proxy.smooth.field", "rigid.tool")),
           Map.entry("rigid.tool", List.of("volume")),
           Map.entry("scene", List.of("scene.surface", "sync")),
@@ -345,6 +348,7 @@ class ArchitectureTest {
             BASE + "frame..",
             BASE + "loop..",
             BASE + "recording..",
+            BASE + "reduction..",
             BASE + "sync..")
         .should()
         .onlyDependOnClassesThat()

@@ -57,6 +57,56 @@ class SceneCommandTest {
   }
 
   @Test
+  void aSessionWithoutMotionReportsAndWritesTheBodiesWhereTheyStand() throws IOException {
+    Path report = folder.resolve("r.json");
+    Path left = folder.resolve("left.json");
+    CommandRun run =
+        CommandRun.of(
+            "touch",
+            "--scene",
+            scene,
+            "--headless",
+            "--seconds",
+            0.3,
+            "--report",
+            report,
+            "--export",
+            folder.resolve("left.nrrd"),
+            "--save-scene",
+            left,
+            "--save-transforms",
+            folder.resolve("tfm"));
+    run.mustSucceed();
+    Map<String, String> fields = FlatJson.read(report);
+    assertTrue(Double.parseDouble(fields.get("/fracture/residual_mm")) > 1, fields.toString());
+    assertEquals("0", fields.get("/fracture/overlap_voxels"));
+    List<Pose> before = bodies().poses();
+    List<Pose> after = BodyReader.read(SceneReader.read(left), left).poses();
+    assertEquals(before.size(), after.size());
+    for (int n = 0; n < before.size(); n++) {
+      double moved = before.get(n).translation.sub(after.get(n).translation, new Vec3()).length();
+      assertTrue(moved <= 1e-9, "only the lattice of poses may move a body: " + moved);
+    }
+    assertTrue(Files.exists(folder.resolve("tfm").resolve("fragment2.tfm")));
+  }
+
+  @Test
+  void posesAreWrittenOfPlacedBodiesAlone() {
+    String refusal =
+        CommandRun.of(
+                "touch",
+                "--phantom",
+                "sphere:16",
+                "--headless",
+                "--save-scene",
+                folder.resolve("x.json"),
+                "--export",
+                folder.resolve("x.nrrd"))
+            .mustRefuse();
+    assertTrue(refusal.contains("the volume has no bodies with poses"), refusal);
+  }
+
+  @Test
   void aPointStopsAtADisplacedFragmentAndNeverEntersIt() throws IOException {
     PlacedVolume bodies = bodies();
     int fragment = 2;

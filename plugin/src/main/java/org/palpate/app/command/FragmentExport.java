@@ -19,8 +19,12 @@ import org.palpate.io.scene.SceneWriter;
 import org.palpate.io.scene.TransformWriter;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
 
-/** Writes bodies at rest as a label volume, and their poses as a scene file or as transforms. */
+/**
+ * Writes bodies as a label volume, and their poses as a scene file or as transforms. With poses the
+ * volume has the bodies at rest, and without them where they stand.
+ */
 final class FragmentExport {
   private final Path labels;
   private final Optional<Path> scene;
@@ -37,6 +41,11 @@ final class FragmentExport {
     this.labels = labels;
     this.scene = scene;
     this.transforms = transforms;
+  }
+
+  /** Whether anything is written. */
+  boolean isWanted() {
+    return labels != null || writesPoses();
   }
 
   /** Whether poses are written. */
@@ -65,8 +74,8 @@ final class FragmentExport {
   List<String> write(PlacedVolume bodies) throws IOException {
     List<String> lines = new ArrayList<>();
     if (labels != null) {
-      String format =
-          VolumeWriter.write(new SegmentsAsLabels(bodies.rest(), bodies.world()), labels);
+      SegmentedVolume written = writesPoses() ? bodies.rest() : bodies.present();
+      String format = VolumeWriter.write(new SegmentsAsLabels(written, bodies.world()), labels);
       lines.add(format + ": " + labels);
     }
     if (scene.isPresent()) {

@@ -1,23 +1,37 @@
 package org.palpate.app.command;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.app.options.ToolOptions;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
+import org.palpate.body.BodyScene;
 import org.palpate.device.DeviceSpecification;
+import org.palpate.device.GuidedHand;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
+import org.palpate.device.Tremor;
+import org.palpate.geometry.Pose;
 import org.palpate.host.ContactScene;
 import org.palpate.host.SessionSettings;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TouchSession;
+import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.reduction.ReductionPlan;
 import org.palpate.tool.MadeTool;
 import org.palpate.volume.SegmentedVolume;
 
 /** The scene of a live session, which a point or a rigid tool touches. */
 final class SessionScene {
+  /** The tremor of a hand that reduces a fracture: that of a raised hand, see {@link Tremor}. */
+  private static final double TREMOR_MM = 0.3;
+
+  private static final double TREMOR_RAD = Math.toRadians(1);
+  private static final double TREMOR_HZ = 8;
+
   private final ContactScene scene;
   private final Optional<ToolScene> rigid;
   private final Optional<ToolReport> toolReport;
@@ -59,6 +73,37 @@ final class SessionScene {
   /** Returns the region that a simulated hand touches, world mm. */
   HandTarget handTarget() {
     return rigid.map(ToolScene::handTarget).orElseGet(scene::handTarget);
+  }
+
+  /**
+   * Returns a simulated hand that puts the fragments of a bone back to where they rest, and then
+   * stays.
+   *
+   * @param seed chooses the phases of its tremor
+   * @param periodNanos time between two samples, positive
+   */
+  HapticDevice reducingHand(long seed, long periodNanos) {
+    BodyScene seen = rigid.orElseThrow().bodies();
+    List<Pose> truth = Collections.nCopies(seen.count(), new Pose());
+    return new GuidedHand(
+        ReductionPlan.of(scene.newBodies(), truth, seen),
+        new Tremor(TREMOR_MM, TREMOR_RAD, TREMOR_HZ, seed),
+        handTarget().radiusMm(),
+        periodNanos);
+  }
+
+  /**
+   * Returns placed bodies where the session has left them.
+   *
+   * @param start the bodies of this scene at the start
+   */
+  PlacedVolume ended(PlacedVolume start) {
+    BodyScene bodies = rigid.orElseThrow().bodies();
+    List<Pose> poses = new ArrayList<>();
+    for (int n = 0; n < bodies.count(); n++) {
+      poses.add(bodies.body(n).pose());
+    }
+    return start.at(poses);
   }
 
   /** Returns notes about the device for the user, a sentence each. */

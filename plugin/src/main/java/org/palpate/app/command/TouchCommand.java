@@ -20,6 +20,7 @@ import org.palpate.app.options.ToolOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.EditedVolume;
+import org.palpate.app.output.FractureReport;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
 import org.palpate.app.output.WriteFailures;
@@ -35,6 +36,7 @@ import org.palpate.host.SessionSettings;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.host.ViewOptions;
+import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.loop.LoopEnd;
@@ -153,6 +155,20 @@ public final class TouchCommand implements Callable<Integer> {
   private Path exportFile;
 
   @Option(
+      names = "--save-scene",
+      paramLabel = "FILE.json",
+      description =
+          "Writes the bodies of --scene or --phantom fracture where the session left them, as a"
+              + " scene file; --export then writes their voxels at rest.")
+  private Path savedScene;
+
+  @Option(
+      names = "--save-transforms",
+      paramLabel = "DIR",
+      description = "Writes the pose of each such body as an ITK transform, BODY.tfm.")
+  private Path savedTransforms;
+
+  @Option(
       names = "--explain",
       description =
           "Explains what real time needs and what this JVM and this system grant, then ends.")
@@ -236,7 +252,12 @@ public final class TouchCommand implements Callable<Integer> {
     Optional<Path> record =
         Optional.ofNullable(recordFile).map(path -> OutputPaths.checked("--record", path, inputs));
     Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
-    checkDistinct(record, export);
+    FragmentExport bodies = fragmentExport(source);
+    List<Path> targets = new ArrayList<>(bodies.checked(inputs));
+    export.ifPresent(targets::add);
+    output.report().ifPresent(targets::add);
+    record.ifPresent(targets::add);
+    OutputPaths.checkDistinct(targets);
     printStart(source, choice, made.map(ToolReport::line).orElse("solver " + settings.solver()));
     made.ifPresent(each -> each.notes().forEach(out::println));
     SegmentedVolume segments =
@@ -245,7 +266,7 @@ public final class TouchCommand implements Callable<Integer> {
     EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
-    try (HapticDevice opened = open(choice, source, target, loop.periodNanos())) {
+    try (HapticDevice opened = open(choice, source, scene, target, loop.periodNanos())) {
       scene.notes(opened.specification()).forEach(out::println);
       Optional<ViewOptions> view = view(source, scene.contactScene());
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
@@ -259,9 +280,23 @@ public final class TouchCommand implements Callable<Integer> {
           report.put("carved", edited.carvedMm3());
         }
       }
-      edited.write(failures);
+      if (source.placed().isPresent()) {
+        finish(scene.ended(source.placed().get()), bodies, report);
+      } else {
+        edited.write(failures);
+      }
       report.write();
       return Math.max(measured.exitCode(), failures.exitCode());
+    }
+  }
+
+  /** Prints, reports and writes where the session left placed bodies. */
+  private void finish(PlacedVolume left, FragmentExport bodies, Report report) throws IOException {
+    FractureReport readings = new FractureReport(left);
+    readings.lines().forEach(out::println);
+    report.put("fracture", readings.field());
+    if (bodies.isWanted()) {
+      bodies.write(left).forEach(out::println);
     }
   }
 
@@ -278,10 +313,16 @@ public final class TouchCommand implements Callable<Integer> {
 
   /** Opens the device; the mouse may take a simulated hand over if there is a window. */
   private HapticDevice open(
-      DeviceChoice choice, VolumeSource source, HandTarget target, long periodNanos)
+      DeviceChoice choice,
+      VolumeSource source,
+      SessionScene scene,
+      HandTarget target,
+      long periodNanos)
       throws IOException {
     HapticDevice opened =
-        choice.open(target, source.header().coordinateSystem(), periodNanos, tool.isRigid());
+        choice.device().isSimulated() && volume.isBrokenPhantom()
+            ? scene.reducingHand(choice.device().seed(), periodNanos)
+            : choice.open(target, source.header().coordinateSystem(), periodNanos, tool.isRigid());
     return hasWindow() && choice.device().isSimulated()
         ? new MouseTakeover(opened, target, periodNanos)
         : opened;
@@ -321,12 +362,17 @@ public final class TouchCommand implements Callable<Integer> {
     NumberRange.seconds().checkGiven(seconds);
   }
 
-  private void checkDistinct(Optional<Path> record, Optional<Path> export) {
-    List<Path> outputs = new ArrayList<>();
-    export.ifPresent(outputs::add);
-    output.report().ifPresent(outputs::add);
-    record.ifPresent(outputs::add);
-    OutputPaths.checkDistinct(outputs);
+  private FragmentExport fragmentExport(VolumeSource source) {
+    FragmentExport bodies =
+        new FragmentExport(
+            exportFile, Optional.ofNullable(savedScene), Optional.ofNullable(savedTransforms));
+    if (bodies.writesPoses() && source.placed().isEmpty()) {
+      throw PalpateException.wrongUse(
+          "the volume has no bodies with poses",
+          source.name(),
+          "choose --scene or --phantom fracture");
+    }
+    return bodies;
   }
 
   private void printStart(VolumeSource source, DeviceChoice choice, String held) {

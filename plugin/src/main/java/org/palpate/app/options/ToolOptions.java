@@ -12,7 +12,6 @@ import org.palpate.io.scene.SceneReader;
 import org.palpate.io.scene.SceneTool;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
-import org.palpate.rigid.MovableShapes;
 import org.palpate.rigid.RigidScene;
 import org.palpate.tool.MadeTool;
 import org.palpate.tool.ToolMaker;
@@ -181,18 +180,20 @@ public final class ToolOptions {
   }
 
   /**
-   * Returns the scene of a tool among the segments of a contact scene.
+   * Returns the scene of a tool among the segments of a contact scene. Those that are placed as
+   * movable can move.
    *
-   * @throws VolumeFormatException if the clearance is too large or does not fit in memory
+   * @throws VolumeFormatException if the clearance is too large or does not fit in memory, or
+   *     segments of which one can move overlap
    */
   public ToolScene scene(ContactScene scene, MadeTool made) throws VolumeFormatException {
     return scene(scene, made, Set.of());
   }
 
   /**
-   * Returns the scene of a tool among the segments of a contact scene, some of which can move.
+   * Returns the scene of a tool among the segments of a contact scene.
    *
-   * @param movable the indices of the segments that can move
+   * @param movable the indices of the segments that can move besides those that are placed so
    * @throws VolumeFormatException if the clearance is too large or does not fit in memory, or
    *     segments of which one can move overlap
    */
@@ -204,7 +205,7 @@ public final class ToolOptions {
           scene,
           bodies,
           made.tool(),
-          movable.isEmpty() ? MovableShapes.none(bodies) : made.movableShapes(bodies),
+          made.movableShapes(bodies),
           made.clearances(bodies, scene.settings().protectedMm()),
           rotationalStiffness());
     } catch (RigidScene.BodiesOverlapException e) {

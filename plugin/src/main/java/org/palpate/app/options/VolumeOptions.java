@@ -88,7 +88,12 @@ public final class VolumeOptions {
 
   /** Whether the bodies have poses of their own: in a scene file, or as a broken bone. */
   public boolean isPlaced() {
-    return scene != null || (volume == null && FracturePhantom.accepts(phantom()));
+    return scene != null || isBrokenPhantom();
+  }
+
+  /** Whether the bodies are the fragments of a phantom, which belong where they rest. */
+  public boolean isBrokenPhantom() {
+    return scene == null && volume == null && FracturePhantom.accepts(phantom());
   }
 
   /**

@@ -48,6 +48,19 @@ public record PlacedVolume(
     return new PlacedVolume(fragments.segments(), placements, world, List.of(), List.of());
   }
 
+  /**
+   * Returns these bodies at other poses, with the same mobility.
+   *
+   * @param poses the pose of each body, from rest to present, world mm
+   */
+  public PlacedVolume at(List<Pose> poses) {
+    List<Placement> moved = new ArrayList<>();
+    for (Placement placement : placements) {
+      moved.add(new Placement(placement.mobility(), poses.get(moved.size())));
+    }
+    return new PlacedVolume(rest, moved, world, files, notes);
+  }
+
   /** Returns the poses, from rest to present, world mm. */
   public List<Pose> poses() {
     return placements.stream().map(Placement::pose).toList();

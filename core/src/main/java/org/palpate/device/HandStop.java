@@ -1,0 +1,32 @@
+package org.palpate.device;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.palpate.geometry.Pose;
+
+/**
+ * A pose at which a {@link GuidedHand} stops on its way.
+ *
+ * @param pose where the hand holds the device, world mm; not to be written
+ * @param buttons the buttons that are pressed from the arrival on; bit 0 is the first
+ * @param restSeconds how long the hand stays
+ * @param isSteady whether the tremor dies away while the hand stays
+ * @param aim what the hand corrects by eye while it stays
+ */
+public record HandStop(
+    Pose pose, int buttons, double restSeconds, boolean isSteady, Optional<Aim> aim) {
+
+  /**
+   * A thing that the hand moves to its goal by eye.
+   *
+   * @param seen returns the present pose of the thing, rest to present, world mm; called by the
+   *     thread that reads the device
+   * @param goal the pose at which it belongs; not to be written
+   */
+  public record Aim(Supplier<Pose> seen, Pose goal) {}
+
+  /** Creates a stop at which the hand corrects nothing. */
+  public HandStop(Pose pose, int buttons, double restSeconds, boolean isSteady) {
+    this(pose, buttons, restSeconds, isSteady, Optional.empty());
+  }
+}

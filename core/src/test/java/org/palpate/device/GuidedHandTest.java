@@ -1,0 +1,108 @@
+package org.palpate.device;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+
+class GuidedHandTest {
+  private static final long MS = 1_000_000;
+  private static final Quaternion TURNED = new Quaternion().setRotationVector(new Vec3(0, 0, 0.5));
+
+  private static final HandStop FIRST = new HandStop(new Pose(), 0, 0.1, false);
+  private static final HandStop SECOND =
+      new HandStop(new Pose().set(new Vec3(60, 0, 0), TURNED), 1, 1, true);
+
+  private final DeviceState state = new DeviceState();
+
+  @Test
+  void goesFromStopToStopAtItsMeanSpeedAndPressesTheButtonOnArrival() {
+    GuidedHand hand = hand(Tremor.NONE);
+    assertEquals(1.1, hand.durationSeconds(), 1e-12);
+    read(hand, 101);
+    assertTrue(state.positionMm.sameBits(new Vec3()), "rests first");
+    read(hand, 500);
+    assertEquals(30, state.positionMm.x, 1e-9, "is half way after half a second");
+    assertEquals(0, state.buttons);
+    read(hand, 501);
+    assertTrue(state.positionMm.sameBits(new Vec3(60, 0, 0)));
+    assertTrue(state.orientation.sameBits(TURNED));
+    assertEquals(1, state.buttons);
+    read(hand, 5000);
+    assertEquals(60, state.positionMm.x, "stays at the last stop");
+  }
+
+  @Test
+  void aSlowRotationSetsTheDurationIfItTakesLonger() {
+    HandStop far =
+        new HandStop(
+            new Pose().set(new Vec3(), new Quaternion().setRotationVector(new Vec3(0, 2, 0))),
+            0,
+            0,
+            false);
+    assertEquals(
+        2.1, new GuidedHand(List.of(FIRST, far), Tremor.NONE, 100, MS).durationSeconds(), 1e-12);
+  }
+
+  @Test
+  void theTremorShakesAtItsFrequencyAndDiesAwayAtASteadyStop() {
+    GuidedHand hand = hand(new Tremor(0.3, 0.02, 8, 5));
+    double most = 0;
+    int crossings = 0;
+    double last = 0;
+    for (int n = 0; n < 100; n++) {
+      read(hand, 1);
+      most = Math.max(most, Math.abs(state.positionMm.y));
+      crossings += state.positionMm.y * last < 0 ? 1 : 0;
+      last = state.positionMm.y;
+    }
+    assertEquals(0.3, most, 0.05);
+    assertTrue(crossings == 1 || crossings == 2, "0.8 of a period crosses zero: " + crossings);
+    read(hand, 1400);
+    assertTrue(state.positionMm.sameBits(new Vec3(60, 0, 0)), "steady: " + state.positionMm);
+  }
+
+  @Test
+  void correctsByEyeWhatItHolds() {
+    Pose goal = new Pose().set(new Vec3(3, 2, 1), TURNED);
+    Pose grip = new Pose().set(new Vec3(0, 5, 0), new Quaternion());
+    Pose seen = new Pose();
+    HandStop aimed =
+        new HandStop(new Pose(), 1, 10, true, Optional.of(new HandStop.Aim(() -> seen, goal)));
+    GuidedHand hand = new GuidedHand(List.of(aimed), Tremor.NONE, 100, MS);
+    for (int n = 0; n < 5000; n++) {
+      hand.read(state);
+      new Pose().set(state.positionMm, state.orientation).multiply(grip, seen);
+    }
+    assertEquals(0, seen.translation.sub(goal.translation, new Vec3()).length(), 1e-6);
+    assertEquals(1, Math.abs(seen.rotation.dot(goal.rotation)), 1e-9);
+  }
+
+  @Test
+  void theSameStopsAndSeedGiveTheSameBits() {
+    GuidedHand one = hand(new Tremor(0.3, 0.02, 8, 5));
+    GuidedHand other = hand(new Tremor(0.3, 0.02, 8, 5));
+    DeviceState second = new DeviceState();
+    for (int n = 0; n < 1500; n++) {
+      one.read(state);
+      other.read(second);
+      assertTrue(state.positionMm.sameBits(second.positionMm), "sample " + n);
+      assertTrue(state.orientation.sameBits(second.orientation), "sample " + n);
+    }
+  }
+
+  private static GuidedHand hand(Tremor tremor) {
+    return new GuidedHand(List.of(FIRST, SECOND), tremor, 100, MS);
+  }
+
+  private void read(GuidedHand hand, int samples) {
+    for (int n = 0; n < samples; n++) {
+      hand.read(state);
+    }
+  }
+}

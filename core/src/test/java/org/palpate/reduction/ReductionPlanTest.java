@@ -1,0 +1,108 @@
+package org.palpate.reduction;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
+import org.palpate.device.DeviceState;
+import org.palpate.device.HandStop;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+import org.palpate.volume.fracture.Fragments;
+import org.palpate.volume.phantom.FracturePhantom;
+
+class ReductionPlanTest {
+  private static final FracturePhantom PHANTOM = FracturePhantom.parse("fracture:96:4:3");
+
+  private final Fragments fragments = PHANTOM.fragments();
+  private final List<Pose> starts = PHANTOM.startPoses(fragments);
+
+  @Test
+  void leadsEachFragmentFromWhereItIsToItsPlace() {
+    List<HandStop> stops = plan();
+    List<Pose> led = new ArrayList<>();
+    Pose taken = null;
+    for (int n = 1; n < stops.size(); n++) {
+      boolean held = stops.get(n).buttons() == DeviceState.FIRST_BUTTON;
+      if (held && taken == null) {
+        taken = stops.get(n).pose();
+        assertTrue(stops.get(n).isSteady(), "takes hold without tremor");
+      } else if (!held && taken != null) {
+        led.add(motion(taken, stops.get(n).pose()));
+        taken = null;
+      }
+    }
+    assertEquals(3, led.size());
+    List<Pose> ways = new ArrayList<>(starts.subList(1, 4));
+    for (Pose way : led) {
+      assertTrue(ways.removeIf(start -> isInverse(way, start)), "leads nobody home: " + way);
+    }
+  }
+
+  /** Returns the motion that leads a held body from one pose of the hand to another. */
+  private static Pose motion(Pose from, Pose to) {
+    Pose motion = new Pose();
+    to.rotation.multiply(from.rotation.conjugate(new Quaternion()), motion.rotation);
+    Vec3 turned = motion.rotation.rotate(from.translation, new Vec3());
+    to.translation.sub(turned, motion.translation);
+    return motion;
+  }
+
+  private static boolean isInverse(Pose way, Pose start) {
+    Pose back = way.multiply(start, new Pose());
+    return back.translation.length() < 1e-9 && back.rotation.angle() < 1e-9;
+  }
+
+  @Test
+  void theFreeHandTouchesOnlyTheFragmentThatItPresses() {
+    List<HandStop> stops = plan();
+    BodyScene scene = scene();
+    FreeWays ways = new FreeWays(scene);
+    int presses = 0;
+    for (int n = 1; n < stops.size(); n++) {
+      HandStop from = stops.get(n - 1);
+      HandStop to = stops.get(n);
+      if (from.buttons() == 0 && to.buttons() == 0 && presses == 0) {
+        boolean isPress = stops.get(n + 1).buttons() != 0;
+        Vec3 end = to.pose().translation;
+        assertEquals(!isPress, ways.isFree(from.pose().translation, end), "stop " + n);
+        presses += isPress ? 1 : 0;
+      }
+    }
+    assertEquals(1, presses);
+  }
+
+  @Test
+  void theWidestWayLeadsOutOfAHole() {
+    Body block = new Body("block", BlockWithHole.bits(), BlockWithHole.GRID, Mobility.FIXED);
+    FreeWays ways = new FreeWays(new BodyScene(List.of(block)));
+    Vec3[] points = {new Vec3(8, 8, 6), new Vec3(8.5, 8.5, 7)};
+    Vec3 way = ways.widest(1, points, 30);
+    assertTrue(way.z > 0.95, "the hole opens upwards: " + way);
+    assertTrue(ways.isFree(points[0], new Vec3(8, 8, 40)));
+    assertFalse(ways.isFree(points[0], new Vec3(40, 8, 6)));
+  }
+
+  private List<HandStop> plan() {
+    return ReductionPlan.of(scene(), Collections.nCopies(4, new Pose()), scene());
+  }
+
+  private BodyScene scene() {
+    List<Body> bodies = new ArrayList<>();
+    for (int n = 0; n < 4; n++) {
+      Mobility mobility = n == 0 ? Mobility.FIXED : Mobility.MOVABLE;
+      Body body = new Body("f" + n, fragments.bits().get(n), fragments.grid(), mobility);
+      body.setPose(starts.get(n));
+      bodies.add(body);
+    }
+    return new BodyScene(bodies);
+  }
+}
