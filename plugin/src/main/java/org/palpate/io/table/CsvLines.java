@@ -8,13 +8,14 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
 /**
- * Reads a table of comma-separated lines: a header, then rows. Empty lines and lines that start
- * with # are skipped. One thread.
+ * Reads a table of comma-separated lines: a header, then rows. Words may be quoted as in RFC 4180,
+ * without line ends. Empty lines and lines that start with # are skipped. One thread.
  */
 final class CsvLines {
   private final Path file;
@@ -64,13 +65,55 @@ final class CsvLines {
         continue;
       }
       if (count++ < 0) {
-        rows.header(
-            Arrays.stream(line.replace("\ufeff", "").split(",", -1)).map(String::strip).toList());
+        rows.header(Arrays.stream(words(line.replace("\ufeff", ""))).map(String::strip).toList());
       } else {
-        rows.row(line.split(",", -1));
+        rows.row(words(line));
       }
     }
     return Math.max(0, count);
+  }
+
+  /** Splits a line at the commas outside quotes, as RFC 4180 does. */
+  private static String[] words(String line) {
+    return line.indexOf('"') < 0 ? line.split(",", -1) : quotedWords(line);
+  }
+
+  private static String[] quotedWords(String line) {
+    List<String> words = new ArrayList<>();
+    StringBuilder word = new StringBuilder();
+    boolean quoted = false;
+    for (int n = 0; n < line.length(); n++) {
+      char c = line.charAt(n);
+      if (c == '"' && quoted && n + 1 < line.length() && line.charAt(n + 1) == '"') {
+        word.append(c);
+        n++;
+      } else if (c == '"') {
+        quoted = !quoted;
+      } else if (c == ',' && !quoted) {
+        words.add(word.toString());
+        word.setLength(0);
+      } else {
+        word.append(c);
+      }
+    }
+    words.add(word.toString());
+    return words.toArray(new String[0]);
+  }
+
+  /**
+   * Returns the index of each column that the table must have.
+   *
+   * @throws CsvFormatException if one is missing
+   */
+  int[] neededColumns(List<String> header, List<String> needed) throws CsvFormatException {
+    int[] found = columns(header, needed);
+    for (int n = 0; n < found.length; n++) {
+      if (found[n] < 0) {
+        throw fault(
+            "there is no column " + needed.get(n), "begin with " + String.join(",", needed));
+      }
+    }
+    return found;
   }
 
   /** Returns the index of each column that is wanted, -1 for one that is missing. */

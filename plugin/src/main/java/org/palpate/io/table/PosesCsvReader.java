@@ -47,12 +47,7 @@ public final class PosesCsvReader implements CsvLines.Rows {
 
   @Override
   public void header(List<String> names) throws CsvFormatException {
-    columns = CsvLines.columns(names, COLUMNS);
-    for (int n = 0; n < columns.length; n++) {
-      if (columns[n] < 0) {
-        throw lines.fault("there is no column " + COLUMNS.get(n), "begin with " + HEADER);
-      }
-    }
+    columns = lines.neededColumns(names, COLUMNS);
   }
 
   @Override

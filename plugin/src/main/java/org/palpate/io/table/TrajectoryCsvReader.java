@@ -90,12 +90,7 @@ public final class TrajectoryCsvReader implements CsvLines.Rows {
   public void header(List<String> names) throws CsvFormatException {
     boolean ofFrames = names.containsAll(NEEDED_OF_FRAMES) && !names.containsAll(NEEDED);
     neededNames = ofFrames ? NEEDED_OF_FRAMES : NEEDED;
-    neededColumns = CsvLines.columns(names, neededNames);
-    for (int n = 0; n < neededColumns.length; n++) {
-      if (neededColumns[n] < 0) {
-        throw lines.fault("there is no column " + NEEDED.get(n), "begin with t_ms,x,y,z");
-      }
-    }
+    neededColumns = lines.neededColumns(names, neededNames);
     int[] found = CsvLines.columns(names, ofFrames ? ROTATION_OF_FRAMES : ROTATION);
     rotationColumns = Arrays.stream(found).allMatch(n -> n >= 0) ? found : new int[0];
     flagsColumn = names.indexOf(FLAGS);
