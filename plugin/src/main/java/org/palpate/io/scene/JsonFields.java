@@ -78,14 +78,13 @@ final class JsonFields {
 
   /** Returns a number above 0. */
   OptionalDouble positive(String name) throws VolumeFormatException {
-    return has(name) ? OptionalDouble.of(number(name, 0)) : OptionalDouble.empty();
-  }
-
-  private double number(String name, double above) throws VolumeFormatException {
-    if (value(name) instanceof Double number && number > above && Double.isFinite(number)) {
-      return number;
+    if (!has(name)) {
+      return OptionalDouble.empty();
     }
-    throw refusal(key(name), "must be a number above " + above);
+    if (value(name) instanceof Double number && number > 0 && Double.isFinite(number)) {
+      return OptionalDouble.of(number);
+    }
+    throw refusal(key(name), "must be a number above 0");
   }
 
   /** Returns an array of numbers of a fixed length. */

@@ -5,6 +5,8 @@ import com.fasterxml.jackson.core.JsonParseException;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.core.exc.StreamConstraintsException;
+import com.fasterxml.jackson.core.io.JsonEOFException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -41,8 +43,16 @@ final class JsonValues {
           throw refusal(file, json, "something follows the end of the scene", null);
         }
         return value;
+      } catch (JsonEOFException e) {
+        throw refusal(file, e.getProcessor(), "the file is no JSON, it ends too early", e);
       } catch (JsonParseException e) {
         throw refusal(file, e.getProcessor(), "the file is no JSON, " + e.getOriginalMessage(), e);
+      } catch (StreamConstraintsException e) {
+        throw new VolumeFormatException(
+            "the file is nested too deeply for a scene, or has too long a name or number",
+            file,
+            "give a scene file",
+            e);
       }
     } catch (VolumeFormatException e) {
       throw e;

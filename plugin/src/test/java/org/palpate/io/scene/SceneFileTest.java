@@ -149,6 +149,8 @@ class SceneFileTest {
         "version must be 1|{'version':2,'bodies':[B]}",
         "the scene must be an object|[1]",
         "no JSON|{'bodies':[B}",
+        "no JSON, it ends too early|{'bodies':[B",
+        "must be a number above 0:|{'bodies':[B],'carve':-1}",
         "no JSON|{'carve':1,'carve':2}",
         "something follows|{'bodies':[B]} {}",
         "no JSON|{'carve':NaN}"
@@ -159,6 +161,13 @@ class SceneFileTest {
     String message = assertThrows(VolumeFormatException.class, () -> read(text)).getMessage();
     assertTrue(message.contains(names), message);
     assertTrue(message.contains("s.json: ") && !message.contains("\n"), message);
+  }
+
+  @Test
+  void saysThatAFileIsNestedTooDeeply() {
+    String message =
+        assertThrows(VolumeFormatException.class, () -> read("[".repeat(5000))).getMessage();
+    assertTrue(message.contains("nested too deeply"), message);
   }
 
   @Test
