@@ -8,11 +8,11 @@ import org.palpate.volume.fracture.PosedBits;
 
 /**
  * Counts pairs of voxels of two posed fragments whose interiors intersect, by the 15 axes that can
- * separate two boxes. One thread an instance.
+ * separate two boxes. It compares every pair of near voxels. One thread an instance.
  *
  * <p>Reference: Gottschalk, Lin, Manocha, OBBTree, 1996.
  */
-final class VoxelOverlap {
+public final class VoxelOverlap {
   /** Voxels that share less than this along some axis only touch, mm. */
   private static final double TOUCHING_MM = 1e-9;
 
@@ -31,7 +31,8 @@ final class VoxelOverlap {
   private final double[] reachesMm = new double[15];
   private final double longestMm;
 
-  VoxelOverlap(PosedBits one, PosedBits other) {
+  /** Prepares to count; poses and bits must not change meanwhile. */
+  public VoxelOverlap(PosedBits one, PosedBits other) {
     this.one = one;
     otherBits = other.bits();
     spacing = other.grid().spacingMm();
@@ -71,7 +72,7 @@ final class VoxelOverlap {
   }
 
   /** Returns the number of pairs. */
-  long count() {
+  public long count() {
     long pairs = 0;
     IntBox box = one.bits().bounds();
     Vec3 p = new Vec3();

@@ -145,6 +145,38 @@ class PairReadingsTest {
     assertTrue(seen > 100, "rounds with an overlap: " + seen);
   }
 
+  @Test
+  void voxelsThatTouchDoNotOverlapButTheSmallestDepthDoes() {
+    assertEquals(0, overlapsOfDot(moved(1, 0, 0)));
+    assertEquals(1, overlapsOfDot(moved(1 - 1e-6, 0, 0)));
+    double edgeBeside = 0.5 + 0.5 + Math.sqrt(0.5);
+    Pose turned = new Pose();
+    turned.rotation.setRotationVector(new Vec3(0, 0, Math.PI / 4));
+    turned.rotation.rotate(new Vec3(-0.5, -0.5, -0.5), turned.translation);
+    turned.translation.add(new Vec3(edgeBeside + 1e-6, 0.5, 0.5), turned.translation);
+    assertEquals(0, overlapsOfDot(turned));
+    turned.translation.x -= 1e-5;
+    assertEquals(1, overlapsOfDot(turned));
+  }
+
+  private static Pose moved(double x, double y, double z) {
+    Pose pose = new Pose();
+    pose.translation.set(x, y, z);
+    return pose;
+  }
+
+  /** Counts for a voxel at rest and one at a pose, whichever is the first. */
+  private static long overlapsOfDot(Pose pose) {
+    VoxelGrid grid = VoxelGrid.ofUnitVoxels(1, 1, 1);
+    BitCube voxel = new BitCube(1, 1, 1);
+    voxel.set(0, 0, 0);
+    PosedBits still = new PosedBits(voxel, grid, new Pose());
+    PosedBits posed = new PosedBits(voxel, grid, pose);
+    long count = new VoxelOverlap(still, posed).count();
+    assertEquals(count, new VoxelOverlap(posed, still).count());
+    return count;
+  }
+
   /** Whether a point of a fine lattice in the turned voxel lies in the voxel at rest. */
   private static boolean sharesAPoint(Pose pose) {
     int steps = 20;

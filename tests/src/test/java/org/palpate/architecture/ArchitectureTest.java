@@ -88,7 +88,7 @@ class ArchitectureTest {
               "benchmarks.jitter.experiment",
               List.of("app.options", "benchmarks.jitter.trace", "realtime")),
           Map.entry("benchmarks.jitter.trace", List.of("io.file")),
-          Map.entry("benchmarks.moving", List.of("benchmarks.stress")),
+          Map.entry("benchmarks.moving", List.of("benchmarks.stress", "fracture")),
           Map.entry(
               "benchmarks.nearest",
               List.of(

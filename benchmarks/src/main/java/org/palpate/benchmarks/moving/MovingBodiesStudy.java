@@ -8,6 +8,7 @@ import org.palpate.benchmarks.stress.HostileScene;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
+import org.palpate.fracture.VoxelOverlap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.RigidTransform;
@@ -24,6 +25,7 @@ import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
+import org.palpate.volume.fracture.PosedBits;
 
 /**
  * Attacks bodies that move: random goals drive them into each other and into a tool that moves too.
@@ -43,7 +45,6 @@ public final class MovingBodiesStudy {
   private final SplittableRandom goals;
   private final Consumer<String> progress;
   private final Quaternion scratch = new Quaternion();
-  private final VoxelOverlap overlap = new VoxelOverlap();
   private Result total = new Result(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
 
   /**
@@ -203,11 +204,15 @@ public final class MovingBodiesStudy {
     return (long) bodies.count() * (bodies.count() - 1) / 2;
   }
 
-  private long overlapping(BodyScene bodies) {
+  private static PosedBits posed(Body body) {
+    return new PosedBits(body.bits(), body.grid(), body.pose());
+  }
+
+  private static long overlapping(BodyScene bodies) {
     long sum = 0;
     for (int a = 0; a < bodies.count(); a++) {
       for (int b = 0; b < a; b++) {
-        sum += overlap.count(bodies.body(a), bodies.body(b));
+        sum += new VoxelOverlap(posed(bodies.body(a)), posed(bodies.body(b))).count();
       }
     }
     return sum;

@@ -104,25 +104,4 @@ class SceneJudgesTest {
     judge.judge(motion);
     assertEquals(1, judge.touching());
   }
-
-  @Test
-  void voxelsThatTouchDoNotOverlapButTheSmallestDepthDoes() {
-    VoxelOverlap overlap = new VoxelOverlap();
-    Body still = dot("still", Mobility.FIXED, 0);
-    assertEquals(0, overlap.count(still, dot("beside", Mobility.MOVABLE, 1)));
-    assertEquals(1, overlap.count(still, dot("inside", Mobility.MOVABLE, 1 - 1e-6)));
-    Body turned = dot("turned", Mobility.MOVABLE, 0);
-    Pose pose = new Pose();
-    pose.rotation.setRotationVector(new Vec3(0, 0, Math.PI / 4));
-    pose.rotation.rotate(new Vec3(-1.5, -1.5, -1.5), pose.translation);
-    Vec3 beside = new Vec3(1.5 + 0.5 + Math.sqrt(0.5) + 1e-6, 1.5, 1.5);
-    pose.translation.add(beside, pose.translation);
-    turned.setPose(pose);
-    assertEquals(0, overlap.count(still, turned));
-    assertEquals(0, overlap.count(turned, still));
-    pose.translation.x -= 1e-5;
-    turned.setPose(pose);
-    assertEquals(1, overlap.count(still, turned));
-    assertEquals(1, overlap.count(turned, still));
-  }
 }
