@@ -98,6 +98,15 @@ public record VoxelGrid(
     return dest.set(dest.x / spacingMm.x, dest.y / spacingMm.y, dest.z / spacingMm.z);
   }
 
+  /** Sets {@code dest} to the map from grid coordinates to world mm, and returns it. */
+  public AffineMap gridToWorld(AffineMap dest) {
+    AffineMap scaling = new AffineMap();
+    scaling.mXX = spacingMm.x;
+    scaling.mYY = spacingMm.y;
+    scaling.mZZ = spacingMm.z;
+    return new AffineMap().set(gridMmToWorld).multiply(scaling, dest);
+  }
+
   /** Sets {@code dest} to the map from world mm to grid coordinates, and returns it. */
   public AffineMap worldToGrid(AffineMap dest) {
     return dest.setInverseGrid(gridMmToWorld, spacingMm);

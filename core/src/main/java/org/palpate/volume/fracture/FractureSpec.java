@@ -31,7 +31,12 @@ public record FractureSpec(int parts, long seed, int kerfVoxels) {
   public FractureSpec {
     if (parts < MIN_PARTS || parts > MAX_PARTS) {
       throw new IllegalArgumentException(
-          "number of fragments out of range: " + parts + ": choose 2 to 8");
+          "number of fragments out of range: "
+              + parts
+              + ": choose "
+              + MIN_PARTS
+              + " to "
+              + MAX_PARTS);
     }
     if (kerfVoxels < 0 || kerfVoxels > MAX_KERF) {
       throw new IllegalArgumentException(

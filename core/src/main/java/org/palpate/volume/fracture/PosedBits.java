@@ -62,12 +62,7 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
 
   /** Returns the map from the coordinates of another posed grid to the grid of this posed body. */
   public AffineMap gridFrom(VoxelGrid other, Pose otherPose) {
-    AffineMap otherMmToWorld = new AffineMap().set(other.gridMmToWorld());
-    AffineMap scaling = new AffineMap();
-    scaling.mXX = other.spacingMm().x;
-    scaling.mYY = other.spacingMm().y;
-    scaling.mZZ = other.spacingMm().z;
-    AffineMap otherToRest = otherMmToWorld.multiply(scaling, new AffineMap());
+    AffineMap otherToRest = other.gridToWorld(new AffineMap());
     AffineMap otherToWorld = new AffineMap().set(otherPose).multiply(otherToRest, new AffineMap());
     AffineMap worldToRest = new AffineMap().setInverse(pose);
     AffineMap restToGrid = grid.worldToGrid(new AffineMap());

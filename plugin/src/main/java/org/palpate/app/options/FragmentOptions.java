@@ -3,10 +3,10 @@ package org.palpate.app.options;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Supplier;
 import org.palpate.app.process.PalpateException;
-import org.palpate.geometry.Vec3;
-import org.palpate.io.file.NumberParser;
+import org.palpate.io.resample.Plane;
 import org.palpate.volume.ConnectedComponents.Neighbours;
 import org.palpate.volume.Segment;
 import org.palpate.volume.VoxelGrid;
@@ -84,11 +84,7 @@ public final class FragmentOptions {
   }
 
   private void checkSplit() {
-    boolean isRight =
-        split.startsWith(PLANE)
-            ? plane() != null
-            : split.matches(COMPONENTS + "(:[0-9]{1,12}(:(6|26))?)?");
-    if (!isRight) {
+    if (plane().isEmpty() && !split.matches(COMPONENTS + "(:[0-9]{1,12}(:(6|26))?)?")) {
       throw PalpateException.wrongUse(
           "the split is not understood",
           "--split " + split,
@@ -96,18 +92,10 @@ public final class FragmentOptions {
     }
   }
 
-  /** Returns the six numbers of the plane; null if the text has another form. */
-  private double[] plane() {
-    String[] words = split.substring(PLANE.length()).split(",", -1);
-    double[] numbers = new double[6];
-    for (int n = 0; n < words.length && n < 6; n++) {
-      numbers[n] = NumberParser.number(words[n]);
-    }
-    boolean hasNormal = numbers[3] != 0 || numbers[4] != 0 || numbers[5] != 0;
-    for (double number : numbers) {
-      hasNormal = hasNormal && Double.isFinite(number);
-    }
-    return words.length == 6 && hasNormal ? numbers : null;
+  private Optional<Plane> plane() {
+    return split.startsWith(PLANE)
+        ? Plane.parse(split.substring(PLANE.length()))
+        : Optional.empty();
   }
 
   /**
@@ -134,10 +122,10 @@ public final class FragmentOptions {
     if (isFracture()) {
       return FragmentCutter.cut(segment.bits(), grid, spec());
     }
-    if (split.startsWith(PLANE)) {
-      double[] p = plane();
+    Optional<Plane> plane = plane();
+    if (plane.isPresent()) {
       return SegmentSplit.byPlane(
-          segment.bits(), grid, new Vec3(p[0], p[1], p[2]), new Vec3(p[3], p[4], p[5]));
+          segment.bits(), grid, plane.get().pointMm(), plane.get().normal());
     }
     String[] words = split.split(":", -1);
     boolean sharesFaces = words.length > 2 && words[2].equals("6");

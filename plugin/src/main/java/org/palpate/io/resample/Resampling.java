@@ -1,6 +1,7 @@
 package org.palpate.io.resample;
 
 import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberParser;
@@ -74,9 +75,13 @@ public record Resampling(VoxelGrid grid, AffineMap toSource) {
     double x = Math.max(1, Math.rint(source.sizeX() * old.x / spacing.x));
     double y = Math.max(1, Math.rint(source.sizeY() * old.y / spacing.y));
     double z = Math.max(1, Math.rint(source.sizeZ() * old.z / spacing.z));
-    if (!(edges[0] > 0 && edges[1] > 0 && edges[2] > 0 && x * y * z <= MOST_VOXELS)) {
+    boolean isValid = true;
+    for (int axis = 0; axis < 3; axis++) {
+      isValid = isValid && edges[axis] > 0 && GridMetric.isValidSpacing(spacing.get(axis));
+    }
+    if (!(isValid && x * y * z <= MOST_VOXELS)) {
       throw new VolumeFormatException(
-          "the voxels are not understood, or there would be more than 2^30 of them",
+          "the voxels are not understood, are too large or small, or are more than 2^30",
           "--resample " + text,
           "write their edges in mm, as 0.5 or 0.5,0.5,1, or a factor, as x2");
     }
@@ -99,35 +104,30 @@ public record Resampling(VoxelGrid grid, AffineMap toSource) {
   }
 
   /**
-   * Returns the same voxels of the volume as a plane mirrors it, as in {@code 80,0,0,1,0,0}: a point
-   * of the plane and its normal, world mm.
+   * Returns the same voxels of the volume as a plane mirrors it, as in {@code 80,0,0,1,0,0}: a
+   * point of the plane and its normal, world mm.
    *
    * @throws VolumeFormatException if the text has another form
    */
   public static Resampling mirror(VoxelGrid source, String plane) throws VolumeFormatException {
-    String[] words = plane.split(",", -1);
-    double[] v = new double[6];
-    boolean isRight = words.length == 6;
-    for (int n = 0; isRight && n < 6; n++) {
-      v[n] = NumberParser.number(words[n]);
-      isRight = Double.isFinite(v[n]);
-    }
-    Vec3 normal = new Vec3(v[3], v[4], v[5]);
-    double length = normal.length();
-    if (!isRight || !(length > 0) || !Double.isFinite(length)) {
-      throw new VolumeFormatException(
-          "the plane is not understood",
-          "--mirror " + plane,
-          "write a point and a normal in mm, X,Y,Z,NX,NY,NZ, for example 80,0,0,1,0,0");
-    }
-    normal.mul(1 / length, normal);
+    Plane mirror =
+        Plane.parse(plane)
+            .orElseThrow(
+                () ->
+                    new VolumeFormatException(
+                        "the plane is not understood",
+                        "--mirror " + plane,
+                        "write a point and a normal in mm, X,Y,Z,NX,NY,NZ, for example"
+                            + " 80,0,0,1,0,0"));
     AffineMap worldToGrid = source.worldToGrid(new AffineMap());
-    AffineMap mirrored = worldToGrid.multiply(reflection(normal, v), new AffineMap());
-    return new Resampling(source, mirrored.multiply(gridToWorld(source), new AffineMap()));
+    AffineMap mirrored = worldToGrid.multiply(reflection(mirror), new AffineMap());
+    return new Resampling(
+        source, mirrored.multiply(source.gridToWorld(new AffineMap()), new AffineMap()));
   }
 
-  private static AffineMap reflection(Vec3 n, double[] point) {
-    double offset = 2 * (n.x * point[0] + n.y * point[1] + n.z * point[2]);
+  private static AffineMap reflection(Plane mirror) {
+    Vec3 n = mirror.normal();
+    double offset = 2 * n.dot(mirror.pointMm());
     AffineMap m = new AffineMap();
     m.mXX = 1 - 2 * n.x * n.x;
     m.mXY = -2 * n.x * n.y;
@@ -142,13 +142,5 @@ public record Resampling(VoxelGrid grid, AffineMap toSource) {
     m.offsetY = offset * n.y;
     m.offsetZ = offset * n.z;
     return m;
-  }
-
-  private static AffineMap gridToWorld(VoxelGrid grid) {
-    AffineMap scaling = new AffineMap();
-    scaling.mXX = grid.spacingMm().x;
-    scaling.mYY = grid.spacingMm().y;
-    scaling.mZZ = grid.spacingMm().z;
-    return new AffineMap().set(grid.gridMmToWorld()).multiply(scaling, new AffineMap());
   }
 }

@@ -124,7 +124,10 @@ class ResampledReaderTest {
         found,
         (v, at) ->
             assertEquals(
-                alongX(whole, at), found.value((int) v.x, (int) v.y, (int) v.z), 1e-3, v.toString()));
+                alongX(whole, at),
+                found.value((int) v.x, (int) v.y, (int) v.z),
+                1e-3,
+                v.toString()));
   }
 
   private static double alongX(ScalarVolume v, Vec3 at) {
@@ -189,10 +192,11 @@ class ResampledReaderTest {
 
   @Test
   void wrongTextsAreRefused() {
-    for (String box : List.of("", "1..2,3..4", "0..9,0..6,0..4", "3..2,0..6,0..4", "a..b,0..1,0..1")) {
+    for (String box :
+        List.of("", "1..2,3..4", "0..9,0..6,0..4", "3..2,0..6,0..4", "a..b,0..1,0..1")) {
       assertThrows(VolumeFormatException.class, () -> Resampling.crop(GRID, box), box);
     }
-    for (String spacing : List.of("0", "x0", "-1", "1,2", "x", "1e-9", "1,1,1,1", "NaN")) {
+    for (String spacing : List.of("0", "x0", "-1", "1,2", "x", "1e-9", "1,1,1,1", "NaN", "1e300")) {
       assertThrows(VolumeFormatException.class, () -> Resampling.spacing(GRID, spacing), spacing);
     }
     for (String plane : List.of("", "1,2,3", "1,2,3,0,0,0", "1,2,3,4,5,x", "1,2,3,4,5,6,7")) {
