@@ -27,6 +27,11 @@ class PairReadingsTest {
   private static final double[] OFFSETS_MM = {0, 0.5, 1, 2};
   private static final VoxelGrid GRID = VoxelGrid.ofUnitVoxels(44, 44, 120);
 
+  private static final int LATTICE_STEPS = 20;
+
+  /** No point of a voxel is farther from the lattice in it. */
+  private static final double HALF_LATTICE_DIAGONAL = Math.sqrt(3) / 2 / LATTICE_STEPS;
+
   private final SplittableRandom random = new SplittableRandom(Seeds.seed());
 
   @ParameterizedTest
@@ -126,23 +131,27 @@ class PairReadingsTest {
   }
 
   @Test
-  void turnedVoxelsOverlapExactlyIfTheyShareAPoint() {
+  void turnedVoxelsOverlapIfTheyShareAPointAndNotIfTheyAreApart() {
     VoxelGrid grid = VoxelGrid.ofUnitVoxels(1, 1, 1);
     BitCube voxel = new BitCube(1, 1, 1);
     voxel.set(0, 0, 0);
     int seen = 0;
+    int apart = 0;
     for (int round = 0; round < 500; round++) {
       Pose pose = RandomGeometry.pose(random, 1.2);
       PosedBits turned = new PosedBits(voxel, grid, pose);
       PosedBits still = new PosedBits(voxel, grid, new Pose());
       long count = new VoxelOverlap(turned, still).count();
       assertEquals(count, new VoxelOverlap(still, turned).count());
-      if (sharesAPoint(pose)) {
+      if (sharesAPoint(pose, 0)) {
         assertEquals(1, count, pose.toString());
         seen++;
+      } else if (!sharesAPoint(pose, HALF_LATTICE_DIAGONAL)) {
+        assertEquals(0, count, pose.toString());
+        apart++;
       }
     }
-    assertTrue(seen > 100, "rounds with an overlap: " + seen);
+    assertTrue(seen > 100 && apart > 100, "overlap in " + seen + " rounds, none in " + apart);
   }
 
   @Test
@@ -177,16 +186,21 @@ class PairReadingsTest {
     return count;
   }
 
-  /** Whether a point of a fine lattice in the turned voxel lies in the voxel at rest. */
-  private static boolean sharesAPoint(Pose pose) {
-    int steps = 20;
+  /**
+   * Whether a point of a fine lattice in the turned voxel lies in the voxel at rest, or nearer to
+   * it than a margin along each axis.
+   */
+  private static boolean sharesAPoint(Pose pose, double margin) {
+    int steps = LATTICE_STEPS;
+    double low = -margin;
+    double high = 1 + margin;
     Vec3 p = new Vec3();
     for (int n = 0; n < steps * steps * steps; n++) {
       int j = n / steps % steps;
       int k = n / steps / steps;
       p.set(n % steps + 0.5, j + 0.5, k + 0.5);
       pose.transform(p.mul(1.0 / steps, p), p);
-      if (p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1 && p.z > 0 && p.z < 1) {
+      if (p.x > low && p.x < high && p.y > low && p.y < high && p.z > low && p.z < high) {
         return true;
       }
     }
