@@ -3,6 +3,7 @@ package org.palpate.frame;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicReference;
 import org.palpate.body.BodyScene;
 import org.palpate.carve.CarveSettings;
 import org.palpate.carve.ToolCarver;
@@ -56,7 +57,7 @@ public final class ToolFrame extends HapticFrame {
 
   private volatile ForceSettings requestedForce;
   private boolean isHoldPressed;
-  private volatile HoldRequest holdRequest = HoldRequest.NONE;
+  private final AtomicReference<HoldRequest> holdRequest = new AtomicReference<>(HoldRequest.NONE);
   private volatile int heldBody = Grasp.NO_BODY;
 
   /** A change of what the hand holds. */
@@ -106,14 +107,16 @@ public final class ToolFrame extends HapticFrame {
     return cubes;
   }
 
+  /**
+   * Applies requests. What the hand holds changes only between strokes of undo: letting go notes a
+   * placement, which must not come into the middle of one.
+   */
   @Override
   void applyRequests() {
     grasp.force().change(requestedForce);
     takeButton();
-    HoldRequest request = holdRequest;
-    if (request != HoldRequest.NONE) {
-      holdRequest = HoldRequest.NONE;
-      applyHold(request);
+    if (!voxels.history().isMoving()) {
+      applyHold(holdRequest.getAndSet(HoldRequest.NONE));
     }
   }
 
@@ -121,11 +124,14 @@ public final class ToolFrame extends HapticFrame {
     boolean pressed = (sample.buttons & DeviceState.FIRST_BUTTON) != 0;
     if (pressed != isHoldPressed) {
       isHoldPressed = pressed;
-      holdRequest = pressed ? HoldRequest.TAKE : HoldRequest.LET_GO;
+      holdRequest.set(pressed ? HoldRequest.TAKE : HoldRequest.LET_GO);
     }
   }
 
   private void applyHold(HoldRequest request) {
+    if (request == HoldRequest.NONE) {
+      return;
+    }
     boolean holds = grasp.held() != Grasp.NO_BODY;
     int touched = holds ? Grasp.NO_BODY : grasp.touched(motion);
     if (request == HoldRequest.TAKE && touched != Grasp.NO_BODY) {
@@ -234,11 +240,12 @@ public final class ToolFrame extends HapticFrame {
   }
 
   /**
-   * Takes hold of the movable body that the tool presses most, in the next frame. From then on the
-   * body moves with the device instead of the tool. Nothing happens without one. Any thread.
+   * Takes hold of the movable body that the tool presses most, in the next frame, or after an undo
+   * that takes several frames. From then on the body moves with the device instead of the tool.
+   * Nothing happens without one. Any thread.
    */
   public void requestTake() {
-    holdRequest = HoldRequest.TAKE;
+    holdRequest.set(HoldRequest.TAKE);
   }
 
   /**
@@ -246,7 +253,7 @@ public final class ToolFrame extends HapticFrame {
    * back. Any thread.
    */
   public void requestLetGo() {
-    holdRequest = HoldRequest.LET_GO;
+    holdRequest.set(HoldRequest.LET_GO);
   }
 
   /** Returns the index of the body that is held; -1 if the hand holds the tool. Any thread. */

@@ -11,6 +11,7 @@ import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.device.DeviceState;
 import org.palpate.device.ReadStatus;
+import org.palpate.edit.BrushEdit;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.HistoryEdit;
 import org.palpate.force.ForceSettings;
@@ -205,6 +206,33 @@ class GraspTest {
   private void redo() {
     assertTrue(edits.offer(HistoryEdit.redo()));
     run(1);
+  }
+
+  @Test
+  void aBodyIsTakenOnlyOnceAnUndoOfSeveralFramesIsWhole() {
+    long solid = floor.bits().solidCount();
+    assertTrue(edits.offer(new BrushEdit(0, new Vec3(3, 3, 3), 8, false)));
+    moveTo(20, 20, 15);
+    assertTrue(frame.motion().contact());
+    assertTrue(floor.bits().solidCount() < solid);
+    undo();
+    assertTrue(frame.voxels().history().isMoving(), "the undo takes several frames");
+    frame.requestTake();
+    run(1);
+    assertEquals(-1, frame.heldBody());
+    run(50);
+    assertFalse(frame.voxels().history().isMoving());
+    assertEquals(1, frame.heldBody());
+    moveTo(20, 20, 20);
+    frame.requestLetGo();
+    run(1);
+    assertEquals(solid, floor.bits().solidCount());
+    Pose put = new Pose().set(block.pose());
+    undo();
+    assertFalse(block.pose().sameBits(put));
+    redo();
+    assertTrue(block.pose().sameBits(put));
+    assertEquals(solid, floor.bits().solidCount());
   }
 
   @Test
