@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
@@ -27,6 +28,7 @@ import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.testing.ScriptedDevice;
+import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
@@ -233,6 +235,72 @@ class GraspTest {
     redo();
     assertTrue(block.pose().sameBits(put));
     assertEquals(solid, floor.bits().solidCount());
+  }
+
+  @Test
+  void aHeldBodyNeverEntersAnotherWhateverEditsUndoAndJumpsMeet() {
+    SplittableRandom random = new SplittableRandom(Seeds.seed());
+    device.script = (read, state) -> hostileSample(random, read, state);
+    int moved = 0;
+    for (int n = 0; n < 20_000; n++) {
+      act(random);
+      int held = frame.heldBody();
+      boolean apart = frame.motion().reducedPoints() == 0 && !entersAnother();
+      Pose before = new Pose().set(block.pose());
+      run(1);
+      if (held == 1 && frame.heldBody() == 1 && apart) {
+        String where = "seed " + Seeds.seed() + " frame " + n;
+        assertFalse(entersAnother(), where);
+        moved += block.pose().sameBits(before) ? 0 : 1;
+      }
+    }
+    assertTrue(moved > 1000, "frames in which the block moved: " + moved);
+  }
+
+  private ReadStatus hostileSample(SplittableRandom random, int read, DeviceState state) {
+    hand.x += random.nextDouble(-0.3, 0.3) + 0.01 * (20 - hand.x);
+    hand.y += random.nextDouble(-0.3, 0.3) + 0.01 * (20 - hand.y);
+    hand.z += random.nextDouble(-0.3, 0.3) + 0.01 * (13 - hand.z);
+    turn.setRotationVector(new Vec3(0.3 * Math.sin(read / 900.0), 0, 0.5 * Math.sin(read / 700.0)));
+    if (random.nextInt(300) == 0) {
+      state.relocated = true;
+      hand.set(random.nextDouble(5, 35), 18, random.nextDouble(4, 30));
+    }
+    return random.nextInt(20) == 0 ? ReadStatus.REPEATED : sample(read, state);
+  }
+
+  /** Whether a corner of a voxel of the block lies in a voxel of another body. */
+  private boolean entersAnother() {
+    Vec3 world = new Vec3();
+    for (int n = 0; n < 9 * 9 * 9; n++) {
+      int i = n % 9;
+      int j = n / 9 % 9;
+      int k = n / 81;
+      block.pose().transform(world.set(i, j, k), world);
+      if (isInside(floor, world) || isInside(small, world)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static boolean isInside(Body body, Vec3 worldMm) {
+    Vec3 p = body.pose().inverseTransform(worldMm, new Vec3());
+    return body.bits().get((int) Math.floor(p.x), (int) Math.floor(p.y), (int) Math.floor(p.z));
+  }
+
+  private void act(SplittableRandom random) {
+    switch (random.nextInt(200)) {
+      case 0, 1, 2, 3, 4 -> frame.requestTake();
+      case 5, 6 -> frame.requestLetGo();
+      case 7, 8 -> edits.offer(HistoryEdit.undo());
+      case 9, 10 -> edits.offer(HistoryEdit.redo());
+      case 11 -> {
+        Vec3 centre = new Vec3(random.nextDouble(40), random.nextDouble(40), random.nextDouble(5));
+        edits.offer(new BrushEdit(0, centre, random.nextDouble(6), random.nextBoolean()));
+      }
+      default -> {}
+    }
   }
 
   @Test
