@@ -74,7 +74,6 @@ public final class PlacementLog implements ChangeLog {
   @Override
   public void forgetFrom(long change) {
     end = change;
-    oldest = Math.min(oldest, end);
   }
 
   @Override

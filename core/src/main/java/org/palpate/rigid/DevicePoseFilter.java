@@ -15,11 +15,6 @@ final class DevicePoseFilter {
   private final Pose checked = new Pose();
   private boolean known;
 
-  /** Forgets the last target. */
-  void reset() {
-    known = false;
-  }
-
   /** Whether any report was a pose so far. */
   boolean isKnown() {
     return known;

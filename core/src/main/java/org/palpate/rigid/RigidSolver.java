@@ -212,8 +212,8 @@ public final class RigidSolver {
   }
 
   /**
-   * Returns the work of the last frame: the number of points that were tested, and other work in
-   * its equivalent.
+   * Returns the work of following the device in the last frame: the number of points that were
+   * tested, and other work in its equivalent. Motions of other bodies do not count.
    */
   public long work() {
     return work;
