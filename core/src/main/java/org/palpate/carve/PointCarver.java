@@ -10,7 +10,7 @@ import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
 
 /**
- * Cuts with an interaction point: removes the first voxel on its straight way to the device, in
+ * Cuts with an interaction point: removes the first voxel on the straight line to the device, in
  * every segment that has it.
  *
  * <p>Haptic thread only; allocates nothing. Grid coordinates.
@@ -23,7 +23,7 @@ public final class PointCarver {
   private final GridMetric metric;
   private final VoxelCutter cutter;
   private final ExactRayCaster caster = new ExactRayCaster();
-  private final Ray way = new Ray();
+  private final Ray line = new Ray();
   private final RayHit hit = new RayHit();
 
   /**
@@ -61,12 +61,12 @@ public final class PointCarver {
     double distanceMm = metric.distance(point.x, point.y, point.z, device.x, device.y, device.z);
     double reachMm = REACH_EDGES * metric.shortestEdgeMm();
     double fraction = distanceMm > reachMm ? reachMm / distanceMm : 1;
-    way.from(point.x, point.y, point.z);
-    way.to(
+    line.from(point.x, point.y, point.z);
+    line.to(
         point.x + fraction * (device.x - point.x),
         point.y + fraction * (device.y - point.y),
         point.z + fraction * (device.z - point.z));
-    if (scene.cast(caster, way, hit)) {
+    if (scene.cast(caster, line, hit)) {
       cutAll();
     }
     return cutter.removed() > 0;

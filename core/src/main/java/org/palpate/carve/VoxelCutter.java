@@ -23,6 +23,8 @@ final class VoxelCutter {
 
   private final CarveSettings settings;
   private final double[] voxelMm3;
+  private final double largestMm3;
+  private final double smallestMm3;
   private final VoxelWriter out;
   private final IntBox voxel = new IntBox();
   private double budgetMm3;
@@ -39,6 +41,14 @@ final class VoxelCutter {
   VoxelCutter(CarveSettings settings, double[] voxelMm3, VoxelWriter out) {
     this.settings = settings;
     this.voxelMm3 = voxelMm3;
+    double largest = 0;
+    double smallest = Double.POSITIVE_INFINITY;
+    for (double mm3 : voxelMm3) {
+      largest = Math.max(largest, mm3);
+      smallest = Math.min(smallest, mm3);
+    }
+    largestMm3 = largest;
+    smallestMm3 = smallest;
     this.out = out;
   }
 
@@ -50,14 +60,8 @@ final class VoxelCutter {
    * @return whether a voxel may be removed in this frame
    */
   boolean begin(double forceNewton, long nanos) {
-    double largest = 0;
-    double smallest = Double.POSITIVE_INFINITY;
-    for (double mm3 : voxelMm3) {
-      largest = Math.max(largest, mm3);
-      smallest = Math.min(smallest, mm3);
-    }
     double seconds = Math.max(0, Math.min(LONGEST_NANOS, nanos)) / NANOS_PER_SECOND;
-    budgetMm3 = Math.min(budgetMm3, largest);
+    budgetMm3 = Math.min(budgetMm3, largestMm3);
     budgetMm3 += settings.rateMm3PerNewtonSecond() * forceNewton * seconds;
     newton = forceNewton;
     removed = 0;
@@ -65,7 +69,7 @@ final class VoxelCutter {
     if (sinceCutNanos >= STROKE_NANOS && !out.history().isMoving()) {
       out.history().endStroke();
     }
-    return newton > 0 && budgetMm3 >= smallest && !out.history().isMoving();
+    return newton > 0 && budgetMm3 >= smallestMm3 && !out.history().isMoving();
   }
 
   /**
