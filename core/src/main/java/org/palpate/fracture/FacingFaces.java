@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.GridMetric;
-import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.fracture.PosedBits;
@@ -53,7 +52,7 @@ final class FacingFaces {
     Vec3 s = one.grid().spacingMm();
     reachMm = Math.max(REACH_MM, REACH_EDGES * Math.max(s.x, Math.max(s.y, s.z)));
     stepMm = STEP_EDGES * metric.shortestEdgeMm();
-    findFaces();
+    one.bits().forEachRimVoxel(this::addFacesOf);
     if (!faces.isEmpty()) {
       measureGaps();
     }
@@ -91,19 +90,6 @@ final class FacingFaces {
       sum += gapsMm[n] <= mostMm ? weightsMm2[n] : 0;
     }
     return sum;
-  }
-
-  private void findFaces() {
-    IntBox box = one.bits().bounds();
-    for (int k = box.lowZ; k <= box.highZ; k++) {
-      for (int j = box.lowY; j <= box.highY; j++) {
-        for (int i = box.lowX; i <= box.highX; i++) {
-          if (one.bits().get(i, j, k) && !one.bits().isSurrounded(i, j, k)) {
-            addFacesOf(i, j, k);
-          }
-        }
-      }
-    }
   }
 
   private void addFacesOf(int i, int j, int k) {

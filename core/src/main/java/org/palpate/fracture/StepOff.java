@@ -1,8 +1,6 @@
 package org.palpate.fracture;
 
-import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
-import org.palpate.volume.BitCube;
 import org.palpate.volume.fracture.PosedBits;
 
 /**
@@ -80,19 +78,13 @@ final class StepOff {
 
   /** Returns the step-off, mm; NaN if too little skin lies on both sides of the fracture. */
   double measure() {
-    BitCube bits = one.bits();
-    IntBox box = bits.bounds();
     Vec3 p = new Vec3();
-    for (int k = box.lowZ; k <= box.highZ; k++) {
-      for (int j = box.lowY; j <= box.highY; j++) {
-        for (int i = box.lowX; i <= box.highX; i++) {
-          if (bits.get(i, j, k) && !bits.isSurrounded(i, j, k)) {
-            one.grid().gridToWorld(p.set(i + 0.5, j + 0.5, k + 0.5), p);
-            add(one.pose().transform(p, p));
-          }
-        }
-      }
-    }
+    one.bits()
+        .forEachRimVoxel(
+            (i, j, k) -> {
+              one.grid().gridToWorld(p.set(i + 0.5, j + 0.5, k + 0.5), p);
+              add(one.pose().transform(p, p));
+            });
     return pairs < LEAST_PAIRS ? Double.NaN : solve();
   }
 

@@ -139,6 +139,26 @@ public class BitCube {
         && get(i, j, k + 1);
   }
 
+  /** Receives voxels. */
+  @FunctionalInterface
+  public interface VoxelSink {
+    /** Receives voxel (i,j,k). */
+    void take(int i, int j, int k);
+  }
+
+  /** Hands every solid voxel that is not surrounded to a sink, in the order of k, j and i. */
+  public void forEachRimVoxel(VoxelSink sink) {
+    for (int k = bounds.lowZ; k <= bounds.highZ; k++) {
+      for (int j = bounds.lowY; j <= bounds.highY; j++) {
+        for (int i = bounds.lowX; i <= bounds.highX; i++) {
+          if (get(i, j, k) && !isSurrounded(i, j, k)) {
+            sink.take(i, j, k);
+          }
+        }
+      }
+    }
+  }
+
   /**
    * Makes voxel (i,j,k) solid.
    *

@@ -2,6 +2,7 @@ package org.palpate.volume;
 
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
@@ -78,6 +79,15 @@ public record VoxelGrid(
   /** Whether voxel (i,j,k) lies in the grid. */
   public boolean contains(int i, int j, int k) {
     return i >= 0 && i < sizeX && j >= 0 && j < sizeY && k >= 0 && k < sizeZ;
+  }
+
+  /** Returns the length of the diagonal of a box of voxels that is not empty, mm. */
+  public double diagonalMm(IntBox box) {
+    return new Vec3(
+            (box.highX - box.lowX + 1) * spacingMm.x,
+            (box.highY - box.lowY + 1) * spacingMm.y,
+            (box.highZ - box.lowZ + 1) * spacingMm.z)
+        .length();
   }
 
   /**

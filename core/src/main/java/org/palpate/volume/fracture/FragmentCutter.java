@@ -198,14 +198,8 @@ public final class FragmentCutter {
   }
 
   private Waves waves() {
-    IntBox box = bone.bounds();
     Vec3 spacing = grid.spacingMm();
-    double diagonal =
-        new Vec3(
-                (box.highX - box.lowX + 1) * spacing.x,
-                (box.highY - box.lowY + 1) * spacing.y,
-                (box.highZ - box.lowZ + 1) * spacing.z)
-            .length();
+    double diagonal = grid.diagonalMm(bone.bounds());
     double longestEdge = Math.max(spacing.x, Math.max(spacing.y, spacing.z));
     double shortest = Math.max(SHORTEST_WAVE * diagonal, SHORTEST_WAVE_EDGES * longestEdge);
     return new Waves(

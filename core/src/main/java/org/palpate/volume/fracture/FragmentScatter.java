@@ -2,6 +2,7 @@ package org.palpate.volume.fracture;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
@@ -55,7 +56,7 @@ public final class FragmentScatter {
       middles.add(middle(bits.bounds()));
     }
     Vec3 spacing = grid.spacingMm();
-    diagonalMm = diagonalMm(all);
+    diagonalMm = grid.diagonalMm(all);
     leastCentresMm =
         spacing.length() + LEAST_GAP_EDGES * Math.max(spacing.x, Math.max(spacing.y, spacing.z));
   }
@@ -75,15 +76,6 @@ public final class FragmentScatter {
     return List.copyOf(scatter.poses);
   }
 
-  private double diagonalMm(IntBox box) {
-    Vec3 s = grid.spacingMm();
-    return new Vec3(
-            (box.highX - box.lowX + 1) * s.x,
-            (box.highY - box.lowY + 1) * s.y,
-            (box.highZ - box.lowZ + 1) * s.z)
-        .length();
-  }
-
   /** Returns the middle of a box of voxels, world mm. */
   private Vec3 middle(IntBox box) {
     Vec3 p =
@@ -95,20 +87,9 @@ public final class FragmentScatter {
   }
 
   private static int[] rim(BitCube bits) {
-    List<Integer> found = new ArrayList<>();
-    IntBox box = bits.bounds();
-    for (int k = box.lowZ; k <= box.highZ; k++) {
-      for (int j = box.lowY; j <= box.highY; j++) {
-        for (int i = box.lowX; i <= box.highX; i++) {
-          if (bits.get(i, j, k) && !bits.isSurrounded(i, j, k)) {
-            found.add(i);
-            found.add(j);
-            found.add(k);
-          }
-        }
-      }
-    }
-    return found.stream().mapToInt(Integer::intValue).toArray();
+    IntStream.Builder found = IntStream.builder();
+    bits.forEachRimVoxel((i, j, k) -> found.add(i).add(j).add(k));
+    return found.build().toArray();
   }
 
   private void place(int n, boolean isInside) {
