@@ -31,7 +31,7 @@ import org.palpate.volume.VoxelGrid;
 
 /**
  * Attacks tools that cut: hostile hands, cuts, brushes that fill and erase, undo and redo. Every
- * leg of the tool is judged exactly. At the end of each round the voxels are compared with a twin
+ * leg of the tool is judged exactly. At the end of each round the voxels are compared with a copy
  * that listeners changed voxel by voxel, and all strokes are undone and done again.
  */
 final class CarveStudy {
@@ -62,7 +62,7 @@ final class CarveStudy {
     return List.of(
         noneOf("legs that touch a solid", judge.touching()),
         noneOf("broken chains", judge.broken()),
-        noneOf("bricks that differ from the twin", different),
+        noneOf("bricks that differ from a copy", different),
         noneOf("states that undo and redo do not restore", strokesThatDiffer),
         countOf("legs judged", judge.legs()),
         countOf("frames", frames),
@@ -82,7 +82,7 @@ final class CarveStudy {
   private void attack() {
     HostileScene scene = HostileScene.next(random);
     BitCube bits = scene.bits();
-    BitCube twin = bits.copy();
+    BitCube copy = bits.copy();
     Body body = new Body("solid", bits, gridOf(scene), Mobility.FIXED);
     BodyScene bodies = new BodyScene(List.of(body));
     double edgeMm = bodies.shortestEdgeMm();
@@ -93,7 +93,7 @@ final class CarveStudy {
     VoxelWriter writer =
         new VoxelWriter(
             new CollisionScene(List.of(bits)), (segment, box) -> body.voxelsChanged(box));
-    writer.listen((segment, i, j, k, solid) -> change(twin, i, j, k, solid));
+    writer.listen((segment, i, j, k, solid) -> change(copy, i, j, k, solid));
     EditQueue queue = EditQueue.ofBodies(body.grid(), 1);
     ToolCarver carver =
         new ToolCarver(
@@ -120,16 +120,16 @@ final class CarveStudy {
       judge.judge(bodies, tool, motion);
     }
     frames += FRAMES_PER_ROUND;
-    different += differentBricks(bits, twin);
+    different += differentBricks(bits, copy);
     undoAndRedo(writer, queue, bits);
   }
 
-  private void change(BitCube twin, int i, int j, int k, boolean solid) {
+  private void change(BitCube copy, int i, int j, int k, boolean solid) {
     removed++;
     if (solid) {
-      twin.set(i, j, k);
+      copy.set(i, j, k);
     } else {
-      twin.clear(i, j, k);
+      copy.clear(i, j, k);
     }
   }
 

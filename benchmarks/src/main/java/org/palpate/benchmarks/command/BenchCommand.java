@@ -98,7 +98,7 @@ public final class BenchCommand implements Callable<Integer> {
       names = "--carve",
       description = {
         "Tools that cut: time of a cut, every leg judged exactly under hostile hands, edits and",
-        "undo, and voxels compared with a plain twin."
+        "undo, and voxels compared with a plain copy."
       })
   private boolean carve;
 
