@@ -1,6 +1,7 @@
 package org.palpate.edit;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 
@@ -21,6 +22,11 @@ public final class EditSchedule {
     List<VoxelChange> sorted = new ArrayList<>(changes);
     sorted.sort(Comparator.comparingLong(VoxelChange::frame));
     this.changes = sorted;
+  }
+
+  /** Returns all changes, in the order of their frames. */
+  public List<VoxelChange> changes() {
+    return Collections.unmodifiableList(changes);
   }
 
   /**

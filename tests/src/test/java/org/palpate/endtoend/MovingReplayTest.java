@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -65,8 +66,14 @@ class MovingReplayTest {
     return dx * dx + dy * dy + dz * dz < radius * radius;
   }
 
-  private CommandRun replay(String tool, String suffix) {
-    return CommandRun.of(
+  private CommandRun replay(String tool, String suffix, Object... further) {
+    List<Object> args = new ArrayList<>(arguments(tool, suffix));
+    args.addAll(List.of(further));
+    return CommandRun.of(args.toArray());
+  }
+
+  private List<Object> arguments(String tool, String suffix) {
+    return List.of(
         "replay",
         "--volume",
         scan,
@@ -155,5 +162,17 @@ class MovingReplayTest {
       String line = replay("point", "w").mustRefuse();
       assertTrue(line.contains(entry.getValue()), line);
     }
+  }
+
+  @Test
+  void aBodyThatMovesGetsBackItsVoxelsButNoOthers() throws IOException {
+    String rows =
+        "frame,body,segment,i,j,k,solid\n0,mover,mover,21,15,15,0\n3,mover,mover,21,15,15,1\n";
+    Path edits = Files.writeString(file("e.csv"), rows + "4,still,still,0,0,0,1\n");
+    replay("sphere:2", "e", "--edits", edits).mustSucceed();
+    Files.writeString(edits, rows + "4,mover,mover,0,0,0,1\n");
+    String line = replay("sphere:2", "e", "--edits", edits).mustRefuse();
+    assertTrue(line.startsWith("palpate: a body that moves gains a voxel: mover: "), line);
+    assertTrue(line.contains("e.csv frame 4: "), line);
   }
 }

@@ -28,8 +28,12 @@ import org.palpate.app.output.ToolTables;
 import org.palpate.app.output.WorkFields;
 import org.palpate.app.output.WriteFailures;
 import org.palpate.app.process.PalpateException;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
 import org.palpate.device.Trajectory;
 import org.palpate.edit.EditSchedule;
+import org.palpate.edit.VoxelChange;
 import org.palpate.frame.FrameStatistics;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
@@ -254,6 +258,7 @@ public final class ReplayCommand implements Callable<Integer> {
     EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
     List<BodyPose> poses = readPoses(segments);
     ToolScene scene = tool.scene(contact.scene(source, segments), made, ToolReplay.movable(poses));
+    requireNothingAddedToMovable(scene.bodies(), edits);
     ToolReplay replay = new ToolReplay(scene, trajectory, rawDevice, edits, poses);
     ToolReplay.Result result = run(replay, scene, trajectory, tables, selection);
     ToolReport measured = new ToolReport(made, tool.massKg());
@@ -293,6 +298,20 @@ public final class ReplayCommand implements Callable<Integer> {
         ? EditSchedule.NONE
         : EditsCsv.read(
             editsFile, segments.segments().stream().map(Segment::name).toList(), segments.grid());
+  }
+
+  /** The sample points of a body that moves cover only the voxels that it has at the start. */
+  private void requireNothingAddedToMovable(BodyScene bodies, EditSchedule edits) {
+    for (VoxelChange change : edits.changes()) {
+      Body body = bodies.body(change.segment());
+      boolean isNew = change.solid() && !body.bits().get(change.i(), change.j(), change.k());
+      if (isNew && body.mobility() == Mobility.MOVABLE) {
+        throw PalpateException.wrongUse(
+            "a body that moves gains a voxel: " + body.name(),
+            editsFile + " frame " + change.frame(),
+            "add voxels to bodies that stand still only");
+      }
+    }
   }
 
   private void finish(Report report, EditedVolume edited) {
