@@ -172,6 +172,7 @@ final class BodyVerifier {
    * @return whether each point keeps at least that level; if not, only levels have changed
    */
   boolean place(Pose ofPoints, Pose ofBody, int least) {
+    levels.takeEdits(); // or a solid that was added since would be seen at the lowest level only
     levels.body.toolToGrid(ofBody, ofPoints, to);
     levels.toCells(to, highest, cellsTo);
     reducedCount = 0;

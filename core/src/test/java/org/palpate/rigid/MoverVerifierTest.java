@@ -299,6 +299,23 @@ class MoverVerifierTest {
     assertFalse(goTo(verifier, 10.99));
   }
 
+  @Test
+  void aPlaceThatWasFilledSinceTheLastFrameIsNotFree() {
+    BitCube bits = new BitCube(30, 30, 30);
+    Body body = ToolScenes.unit("filled", bits);
+    Clearance[] clearance = {new Clearance(1, 0.5, 2)};
+    BodyScene scene = new BodyScene(List.of(body));
+    MoverVerifier verifier = ToolScenes.verifier(scene, ToolSampler.point(), clearance, true);
+    Pose pose = new Pose();
+    pose.translation.set(15.5, 15.5, 15.5);
+    assertTrue(verifier.place(pose, true));
+    bits.set(15, 15, 15);
+    IntBox filled = new IntBox();
+    filled.include(15, 15, 15);
+    body.voxelsChanged(filled);
+    assertFalse(verifier.place(pose, false));
+  }
+
   private static boolean goTo(MoverVerifier verifier, double z) {
     Pose pose = new Pose().set(verifier.pose());
     pose.translation.z = z;
