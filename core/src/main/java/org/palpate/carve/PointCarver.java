@@ -10,7 +10,7 @@ import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
 
 /**
- * Cuts with an interaction point: removes the first voxel on the straight line to the device, in
+ * Cuts with an interaction point: removes the first voxel on the straight line to the device, from
  * every segment that has it.
  *
  * <p>Haptic thread only; allocates nothing. Grid coordinates.

@@ -4,8 +4,8 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * A change of a segment's voxels. Any thread makes it and puts it into an {@link EditQueue}, once;
- * the haptic thread applies it between frames.
+ * A change of voxels, of grey values, or of the history. Any thread makes an edit and puts it into
+ * an {@link EditQueue} once. The haptic thread applies it between frames.
  */
 public abstract sealed class Edit
     permits VoxelEdit, VoxelListEdit, BrushEdit, SwapEdit, GreyEdit, HistoryEdit {
@@ -16,7 +16,10 @@ public abstract sealed class Edit
     this.segment = segment;
   }
 
-  /** Returns the index of the changed segment in the scene. */
+  /**
+   * Returns the index of the changed segment in the scene; for a list of voxels that of the first
+   * one, for undo and redo 0.
+   */
   public final int segment() {
     return segment;
   }

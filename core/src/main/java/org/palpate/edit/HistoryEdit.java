@@ -3,7 +3,7 @@ package org.palpate.edit;
 import org.palpate.geometry.GridMetric;
 import org.palpate.volume.VoxelGrid;
 
-/** Undoes the last stroke, or does the one again that was undone last. */
+/** Undoes the last stroke, or redoes the stroke that was undone last. */
 public final class HistoryEdit extends Edit {
   private static final int VOXELS_A_BRICK = 64;
 

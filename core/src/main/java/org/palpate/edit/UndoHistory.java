@@ -3,7 +3,7 @@ package org.palpate.edit;
 import java.util.List;
 
 /**
- * Groups changes into strokes, undoes the last ones and does them again. Changes of several kinds
+ * Groups changes into strokes, and undoes and redoes the last strokes. Changes of several kinds
  * share one history; each kind has a {@link ChangeLog}.
  *
  * <p>Memory is bounded: the oldest strokes are forgotten, and so is a stroke of which a log has
@@ -179,7 +179,7 @@ public final class UndoHistory {
   }
 
   /**
-   * Does the stroke again that was undone last, or a part of it.
+   * Redoes the stroke that was undone last, or a part of it.
    *
    * @param mostChanges the most changes to do, at least 1
    * @return whether the stroke is done again; true as well if there is none

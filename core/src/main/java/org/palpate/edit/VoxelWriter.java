@@ -53,7 +53,7 @@ public final class VoxelWriter {
     placements.keepIn(history);
   }
 
-  /** Sets what receives each changed voxel; before the first change. */
+  /** Sets the receiver of each changed voxel. Call it before the first change. */
   public void listen(VoxelListener listener) {
     voxels = listener;
   }

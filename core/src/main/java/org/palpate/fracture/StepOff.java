@@ -4,15 +4,15 @@ import org.palpate.geometry.Vec3;
 import org.palpate.volume.fracture.PosedBits;
 
 /**
- * The displacement across a fracture of one fragment's skin against the other's, by least squares.
- * One thread an instance.
+ * Measures the step-off of a fracture: the displacement of one fragment's skin against the other's,
+ * fitted by least squares. One thread an instance.
  *
- * <p>Skin points of the one fragment lie some voxels behind the fracture, where smoothing does not
- * see it. The point of the other skin lies as far beyond the gap. Let the two points be p and q,
- * and n the direction half way between their normals. On a straight skin, and on a circular one, (p
- * - q) n is the part of the displacement along n. The displacement that explains all such parts
- * best is the step-off. It is unsigned, and 0 for skins that continue each other. A direction along
- * which no skin would show a step is left out.
+ * <p>Each pair has a skin point p of the one fragment and a skin point q of the other. Both lie
+ * some voxels from the fracture and equally far from it, so that it does not change the smoothed
+ * skin. Let n be the direction half way between their normals. On a straight skin, and on a
+ * circular one, (p - q) n is the component of the displacement along n. The step-off is the length
+ * of the displacement that fits all pairs best; it is 0 for skins that continue each other. A
+ * direction is left out if the normals hardly point along it.
  *
  * <p>Reference: Rusinkiewicz, A symmetric objective function for ICP, 2019, for the pairs.
  */
@@ -143,7 +143,9 @@ final class StepOff {
     return false;
   }
 
-  /** Whether a point of the other skin lies so far from the fracture as those of the own skin. */
+  /**
+   * Whether a point of the other skin is as far from the fracture as points of this skin must be.
+   */
   private boolean isDeep(Vec3 skin, Vec3 outward) {
     Vec3 start = shifted(skin, outward, -edgeMm, new Vec3());
     Vec3 p = new Vec3();

@@ -33,7 +33,10 @@ public final class ReductionPlan {
   /** The depth below the touched voxel to which the hand presses, mm. */
   private static final double PRESS_MM = 1;
 
-  /** Beyond this many shortest voxel edges from its voxel a touched point must be outside. */
+  /**
+   * The distance from a touched point beyond which its straight way outwards must be free, shortest
+   * voxel edges.
+   */
   private static final double CLEAR_EDGES = 2;
 
   private static final double PRESS_SECONDS = 0.4;
@@ -67,8 +70,8 @@ public final class ReductionPlan {
    * Returns the stops of the hand.
    *
    * @param bodies the bodies where they are when the hand begins; the plan moves them
-   * @param truth the pose at which each body belongs, from rest to present; movable bodies are led
-   *     there, those first that belong beside bodies that stand already
+   * @param truth the pose at which each body belongs, from rest to present; the next body to move
+   *     is always the one that belongs nearest to the bodies in place
    * @param seen the bodies that the hand sees while it carries out the plan, in the same order
    */
   public static List<HandStop> of(BodyScene bodies, List<Pose> truth, BodyScene seen) {

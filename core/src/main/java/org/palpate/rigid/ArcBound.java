@@ -38,7 +38,8 @@ final class ArcBound {
   }
 
   /**
-   * Returns the largest deviation of a point as a body sees it that turns and moves straight.
+   * Returns the largest deviation of a point from its chord, in the frame of a body that turns and
+   * shifts.
    *
    * @param shiftMm the motion of the body's reference point
    * @param distanceMm the largest distance of the point from that reference point

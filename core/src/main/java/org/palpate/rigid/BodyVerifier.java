@@ -19,20 +19,21 @@ import org.palpate.volume.BitCube;
  * Verifies proposed motions of the sample points of one {@link Mover} relative to the voxels of
  * another: whether any leg touches a solid. A leg is the exact segment between a point's grid
  * coordinates at the committed poses of both and at the proposed ones. It makes no difference which
- * of the two moves. What is known about the points stays, whoever is held.
+ * of the two moves. Levels and empty cubes of the points stay valid if the hand takes another body.
  *
  * <p>The answer is that of casting every leg exactly. What is skipped is proved to be empty:
  *
  * <ul>
- *   <li>A node of the tool's tree, if all around its centre is empty up to its radius plus the path
- *       of its centre. The legs of its points lie within that distance.
+ *   <li>A node of the tool's tree, if its centre has an empty cube around it. The cube reaches
+ *       farther than the node's radius plus the path of its centre, so it holds all legs of the
+ *       node.
  *   <li>A point or a leaf, until its odometer has used up the empty cube that was found around it.
  *       Each committed motion adds the longest motion of any point along an axis.
  *   <li>A leg whose bounding box is empty.
  * </ul>
  *
- * <p>Work is counted in tested points, as if odometers and boxes had skipped none. Belongs to the
- * haptic thread; allocates nothing.
+ * <p>Work is counted in tested points. Points that odometers and boxes skip count too. Belongs to
+ * the haptic thread; allocates nothing.
  */
 final class BodyVerifier {
   /** The least allowance for the rounding of coordinates where clearances are compared, cells. */
@@ -146,7 +147,10 @@ final class BodyVerifier {
     return tested;
   }
 
-  /** Adds the work that was skipped; a point whose empty surroundings still held is a neighbour. */
+  /**
+   * Adds the work that was skipped. A point that was still within its empty cube counts as {@link
+   * SkipKind#NEIGHBOURS}.
+   */
   void addSkips(SkipCounters dest) {
     caster.addSkips(dest);
     dest.add(SkipKind.NEIGHBOURS, tested - looked);

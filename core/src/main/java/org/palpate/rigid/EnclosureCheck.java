@@ -49,7 +49,10 @@ final class EnclosureCheck {
     return isPending;
   }
 
-  /** Takes note that the points were placed where nothing is enclosed. */
+  /**
+   * Notes that the points were placed where nothing is enclosed. An examination begins if some of
+   * them keep less than their clearance; otherwise none is pending.
+   */
   void beginOrEnd() {
     if (pair.reducedCount() > 0) {
       begin();

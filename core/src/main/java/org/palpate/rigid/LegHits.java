@@ -1,9 +1,9 @@
 package org.palpate.rigid;
 
 /**
- * The legs of a proposed motion that touch a solid. Verification adds at most one leg for each leaf
- * of the tool's tree and body: the one that touches first. Written by {@link BodyVerifier}; haptic
- * thread only.
+ * The legs of a proposed motion that touch a solid. For each other mover and each leaf of the tree
+ * of sample points, verification adds at most one leg: the one that touches first. Written by
+ * {@link BodyVerifier}; haptic thread only.
  */
 final class LegHits {
   /** The number of hits at which verification stops, because the proposal is far from free. */

@@ -38,11 +38,13 @@ public record MovableShapes(List<RigidTool> shapes, OptionalDouble marginMm) {
   }
 
   /**
-   * Returns the shapes of all movable bodies, whose solids do not overlap.
+   * Returns the shapes of all movable bodies. Whole solids keep out of each other, up to the
+   * margin.
    *
    * @param marginMm the least gap between two bodies, mm; negative if they may overlap by that
    *     depth
-   * @throws org.palpate.rigid.tool.ErodedAwayException if a body has no point that is so deep
+   * @throws org.palpate.rigid.tool.ErodedAwayException if a body has no part as deep as a negative
+   *     margin
    */
   public static MovableShapes ofWholeBodies(BodyScene scene, double marginMm) {
     return new MovableShapes(

@@ -93,7 +93,10 @@ final class MouseTouch implements PointerListener {
     hints.accept(NOTHING_THERE);
   }
 
-  /** Withdraws device and interaction point to a position before the last spot. Any thread. */
+  /**
+   * Withdraws device and interaction point to a position in front of the spot that was pressed
+   * last. Any thread.
+   */
   void free() {
     withdrawnMm.ifPresent(position -> mouse.jump(position, position));
   }

@@ -349,8 +349,8 @@ public final class SessionView implements AutoCloseable {
   }
 
   /**
-   * Rebuilds the surface where an edit changed voxels of a copy that is drawn. Changes that frames
-   * make are followed by themselves. Call it on the thread that closes the view, after the bits of
+   * Rebuilds the surface where the caller has changed voxels of the drawn copy. Changes that frames
+   * make are shown without this call. Call it on the thread that closes the view, after the bits of
    * the drawn volume have changed.
    *
    * @param segment its number

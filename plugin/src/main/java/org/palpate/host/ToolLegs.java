@@ -11,8 +11,8 @@ import org.palpate.rigid.ToolMotion;
 import org.palpate.rigid.tool.RigidTool;
 
 /**
- * Lists the legs of a tool's points in a frame, from the poses that the solver committed, with the
- * same bits as those that were verified. One thread.
+ * Lists the legs of a tool's points in a frame. They are computed from the poses that the solver
+ * committed, and equal the verified legs bit for bit. One thread.
  */
 public final class ToolLegs {
   private final BodyScene bodies;

@@ -18,8 +18,9 @@ import org.palpate.sync.TransformProperty;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Publishes the frames of a rigid tool. One publication holds device, reference point, force and
- * contact, as for a point, and the poses of tool and bodies, the torque and the points in contact.
+ * Publishes the frames of a rigid tool. Like the publication of a point, one holds the device, the
+ * reference point, the force and the contact. It adds the poses of tool and bodies, the torque and
+ * the points in contact.
  *
  * <p>Haptic thread; allocates nothing.
  */
@@ -93,8 +94,8 @@ final class ToolPublisher implements ToolFramePublisher {
   }
 
   /**
-   * Returns the pose of a body as of the last publication that was taken, from rest to present,
-   * world mm; empty for one that cannot move.
+   * Returns the pose of a body from rest to present, world mm; empty for one that cannot move. It
+   * is that of the publication that the reader took last.
    */
   Optional<RigidTransform> bodyPose(int body) {
     return Optional.ofNullable(bodyPoses[body]).map(TransformProperty::read);

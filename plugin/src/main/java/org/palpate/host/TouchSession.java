@@ -245,7 +245,10 @@ public final class TouchSession implements AutoCloseable {
     return edits.offer(HistoryEdit.undo());
   }
 
-  /** Does an edit or a cut again that was undone; as {@link #undo}. Any thread. */
+  /**
+   * Redoes the edit or the cut that was undone last. Otherwise it is like {@link #undo}. Any
+   * thread.
+   */
   public boolean redo() {
     return edits.offer(HistoryEdit.redo());
   }

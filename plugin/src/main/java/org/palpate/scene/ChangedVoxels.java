@@ -13,7 +13,8 @@ public final class ChangedVoxels {
   @FunctionalInterface
   public interface Remesher {
     /**
-     * Rebuilds the surface of a segment around voxels in a box, which it must not keep.
+     * Rebuilds the surface of a segment around the voxels in a box. An implementation must not keep
+     * the box.
      *
      * @param segment index of the segment
      */
@@ -51,7 +52,7 @@ public final class ChangedVoxels {
     return any;
   }
 
-  /** Returns the number of removed voxels less those that were added, from the start on. */
+  /** Returns the number of voxels removed minus the number added since this object was made. */
   public long removed() {
     return removed;
   }

@@ -14,8 +14,8 @@ import org.palpate.volume.phantom.Phantom;
 import org.palpate.volume.phantom.PhantomSlices;
 
 /**
- * A phantom as bits and as grey values, with its analytic surface. Pixels are 1 mm wide; slices may
- * lie farther apart, and are then as thick.
+ * A phantom as bits and as grey values, with its analytic surface. Pixels are 1 mm wide. The
+ * distance between slices may be larger, and a slice is as thick as that distance.
  */
 final class AccuracyScene {
   final AnalyticSurface truth;

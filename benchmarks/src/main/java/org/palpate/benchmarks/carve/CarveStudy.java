@@ -32,7 +32,7 @@ import org.palpate.volume.VoxelGrid;
 /**
  * Attacks tools that cut: hostile hands, cuts, brushes that fill and erase, undo and redo. Every
  * leg of the tool is judged exactly. At the end of each round the voxels are compared with a copy
- * that listeners changed voxel by voxel, and all strokes are undone and done again.
+ * that a listener changed voxel by voxel. Then all strokes are undone and redone.
  */
 final class CarveStudy {
   private static final int FRAMES_PER_ROUND = 1_000;
@@ -54,7 +54,7 @@ final class CarveStudy {
     random = new SplittableRandom(seed);
   }
 
-  /** Runs the attack for a number of frames at least, and returns its figures. */
+  /** Runs the attack for at least a number of frames, and returns its figures. */
   List<RigidFigure> figures(long mostFrames) {
     while (frames < mostFrames) {
       attack();

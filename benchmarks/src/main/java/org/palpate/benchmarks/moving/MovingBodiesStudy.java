@@ -30,8 +30,7 @@ import org.palpate.volume.fracture.PosedBits;
 /**
  * Attacks bodies that move: random goals drive them into each other and into a tool that moves too.
  * From time to time the hand holds a body instead of the tool. Every leg of every pair is judged
- * exactly. In mode {@code body} all voxels of all bodies are compared from time to time, once no
- * clearance is reduced.
+ * exactly. In mode {@code body}, all voxels of all bodies are compared at regular intervals.
  */
 public final class MovingBodiesStudy {
   private static final int FRAMES_PER_ROUND = 1_000;

@@ -28,7 +28,7 @@ public final class WorkStudy {
   /** The name of hands that jump among alternating slices of long voxels. */
   public static final String SLICES = "jumps, alternating slices";
 
-  /** The name of the same if a voxel is edited before each frame. */
+  /** The name of hands that jump among such slices while a voxel is edited before each frame. */
   public static final String EDITED_SLICES = "jumps and edits, alternating slices";
 
   private static final double DEPTH_VOXELS = 5;

@@ -8,8 +8,9 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * The fragments of a bone where they belong: the truth of a synthetic fracture. The first is the
- * largest and the reference of all others.
+ * The fragments of a bone at rest. In a synthetic fracture they rest where they belong in the whole
+ * bone; from a scan, where the scan shows them. The first is the largest and the reference of all
+ * others.
  *
  * @param grid the grid of all fragments
  * @param bits the voxels of each fragment, which no two share, the largest first

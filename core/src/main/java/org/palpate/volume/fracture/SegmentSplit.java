@@ -7,7 +7,7 @@ import org.palpate.volume.ConnectedComponents;
 import org.palpate.volume.ConnectedComponents.Neighbours;
 import org.palpate.volume.VoxelGrid;
 
-/** Splits a segment into the fragments that it shows: by its components, or by a plane. */
+/** Splits a segment into fragments: its connected components, or the two parts beside a plane. */
 public final class SegmentSplit {
   /** The most fragments of a split. */
   public static final int MOST_PARTS = 254;
@@ -64,8 +64,7 @@ public final class SegmentSplit {
           "the plane does not cut the segment: all voxels lie on one side: choose a point inside");
     }
     boolean isFrontLarger = front.solidCount() > behind.solidCount();
-    return fragments(
-        bits, grid, isFrontLarger ? List.of(front, behind) : List.of(behind, front));
+    return fragments(bits, grid, isFrontLarger ? List.of(front, behind) : List.of(behind, front));
   }
 
   private static Fragments fragments(BitCube bits, VoxelGrid grid, List<BitCube> parts) {

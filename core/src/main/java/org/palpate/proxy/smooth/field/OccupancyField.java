@@ -10,9 +10,10 @@ import org.palpate.geometry.Vec3;
  *
  * <p>The field is a sum of quadratic B-splines over box-filtered voxels, see {@link
  * SmoothingKernel}. Each evaluation uses a window of voxels around the grid corner nearest to the
- * point; near one corner the field is twice differentiable. Empty voxels of the window that cannot
- * be reached from the seed count as solid: a flood fill by faces decides that. A wall one voxel
- * thick thus looks like a half space from either side.
+ * point. The field is twice differentiable while the nearest corner stays the same. Each evaluation
+ * also has a seed, a cell from which a flood fill by faces starts. Empty voxels of the window that
+ * the fill does not reach count as solid. A wall one voxel thick thus looks like a half space from
+ * either side.
  *
  * <p>For a given scene, seed cell and point the answer is the same to the last bit, whatever was
  * evaluated before. The caches only save time.

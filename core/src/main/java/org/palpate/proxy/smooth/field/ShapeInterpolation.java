@@ -4,13 +4,14 @@ package org.palpate.proxy.smooth.field;
  * Shape-based interpolation between two slices: where a column that is solid in one slice and empty
  * in the next crosses the surface.
  *
- * <p>A column that lies a inside the outline of the solid slice, and b outside the outline of the
- * next, crosses at a / (a + b) of the way. The terraces of an inclined plane thus become the plane,
- * however long they are, if their ends are within reach.
+ * <p>Let a be the distance of a column to the outline of the solid slice, and b that to the outline
+ * of the next. The column crosses the surface at the fraction a / (a + b) of the way. The terraces
+ * of an inclined plane thus become the plane, however long they are, if their ends are within
+ * reach.
  *
- * <p>If the next slice has no outline within reach, the shape ends between the two. It is then
- * taken to end as a parabola through both edges of a chord in this slice and both edges of the
- * slice before. An end with upright walls stays flat, half way.
+ * <p>If the next slice has no outline within reach, the shape ends between the two. The end is
+ * modelled as a parabola. It passes through both edges of a chord in this slice and both edges in
+ * the slice before. An end with upright walls stays flat, half way.
  *
  * <p>References: Raya and Udupa 1990; Herman, Zheng and Bucholtz 1992.
  */

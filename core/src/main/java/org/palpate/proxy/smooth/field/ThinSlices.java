@@ -4,7 +4,7 @@ import org.palpate.collision.CollisionScene;
 
 /**
  * The bits of thin slices, which {@link ShapeInterpolation} interpolates between the slices of
- * voxels. They are made when a window asks for them; nothing is precalculated.
+ * voxels. They are computed when the field reads a window of them, and not in advance.
  *
  * <p>The interpolation works on tiles of 4x4 columns between the middles of two slices, see {@link
  * ThinGrid}. Tiles and bricks are cached only to save time. Coordinates (u,v,w) have the long axis
