@@ -1,5 +1,6 @@
 package org.palpate.edit;
 
+import java.util.Arrays;
 import java.util.List;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.IntBox;
@@ -20,6 +21,7 @@ public final class VoxelWriter {
   private final VoxelLog log;
   private final UndoHistory history;
   private final IntBox box = new IntBox();
+  private BitCube[] limits = {};
   private VoxelListener voxels = VoxelListener.NONE;
 
   /** Creates a writer with a history of the usual capacity. */
@@ -58,6 +60,15 @@ public final class VoxelWriter {
     voxels = listener;
   }
 
+  /**
+   * Limits a segment: a voxel that is not solid in {@code most} never becomes solid. Call it before
+   * the first change.
+   */
+  public void limit(int segment, BitCube most) {
+    limits = Arrays.copyOf(limits, Math.max(limits.length, segment + 1));
+    limits[segment] = most;
+  }
+
   /** Returns the history of the changes. */
   public UndoHistory history() {
     return history;
@@ -66,11 +77,11 @@ public final class VoxelWriter {
   /**
    * Makes a voxel of the grid solid or empty. The caller then reports the box to {@link #applied}.
    *
-   * @return whether it changed
+   * @return whether it changed; a voxel beyond the {@link #limit} stays empty
    */
   public boolean write(int segment, int i, int j, int k, boolean solid) {
     BitCube bits = scene.cube(segment);
-    if (bits.get(i, j, k) == solid) {
+    if (bits.get(i, j, k) == solid || (solid && isBeyondLimit(segment, i, j, k))) {
       return false;
     }
     history.beforeChange();
@@ -86,6 +97,10 @@ public final class VoxelWriter {
     log.note(segment, x, y, z, before, bits.brick(x, y, z));
     voxels.changed(segment, i, j, k, solid);
     return true;
+  }
+
+  private boolean isBeyondLimit(int segment, int i, int j, int k) {
+    return segment < limits.length && limits[segment] != null && !limits[segment].get(i, j, k);
   }
 
   /** Reports a box around voxels that {@link #write} may have changed; may be empty. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
 import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
 import org.palpate.carve.CarveSettings;
 import org.palpate.carve.ToolCarver;
 import org.palpate.collision.CollisionScene;
@@ -94,9 +95,19 @@ public final class ToolFrame extends HapticFrame {
     this.publisher = publisher;
     PlacementLog placements = new PlacementLog((body, pose) -> bodies.body(body).setPose(pose));
     voxels = new VoxelWriter(new CollisionScene(cubesOf(bodies)), this::noteEdit, placements);
+    limitMovableBodies();
     grasp = new Grasp(bodies, solver, coupling, settings.force(), placements);
     requestedForce = settings.force();
     solver.addSkips(skippedBeforeUse);
+  }
+
+  /** The sample points of a body that moves cover only the voxels that it has at the start. */
+  private void limitMovableBodies() {
+    for (int n = 0; n < bodies.count(); n++) {
+      if (bodies.body(n).mobility() == Mobility.MOVABLE) {
+        voxels.limit(n, bodies.body(n).bits().copy());
+      }
+    }
   }
 
   private static List<BitCube> cubesOf(BodyScene bodies) {

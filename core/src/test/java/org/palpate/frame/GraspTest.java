@@ -211,6 +211,21 @@ class GraspTest {
   }
 
   @Test
+  void aMovableBodyGainsNoVoxelButWhatWasErasedComesBack() {
+    long solid = block.bits().solidCount();
+    run(1);
+    assertTrue(edits.offer(new BrushEdit(1, new Vec3(20, 20, 20), 30, true)));
+    run(2000);
+    assertEquals(solid, block.bits().solidCount(), "its sample points would not cover a new voxel");
+    assertTrue(edits.offer(new BrushEdit(1, new Vec3(20, 20, 20), 30, false)));
+    run(2000);
+    assertTrue(block.bits().solidCount() < solid);
+    assertTrue(edits.offer(new BrushEdit(1, new Vec3(20, 20, 20), 30, true)));
+    run(2000);
+    assertEquals(solid, block.bits().solidCount());
+  }
+
+  @Test
   void aBodyIsTakenOnlyOnceAnUndoOfSeveralFramesIsWhole() {
     long solid = floor.bits().solidCount();
     assertTrue(edits.offer(new BrushEdit(0, new Vec3(3, 3, 3), 8, false)));
