@@ -473,16 +473,9 @@ final class BodyVerifier {
     }
     freeUntil[n] = -1;
     hits.add(n, hit.t);
-    if (hit.axis == RayHit.NO_AXIS) {
-      return;
+    if (hit.axis != RayHit.NO_AXIS) {
+      hits.setFace(leg, hit, levels.cellMm(atLevel, hit.axis));
     }
-    double start = hit.axis == 0 ? leg.fromX : hit.axis == 1 ? leg.fromY : leg.fromZ;
-    double end = hit.axis == 0 ? leg.toX : hit.axis == 1 ? leg.toY : leg.toZ;
-    int cell = hit.cell(hit.axis);
-    boolean up = end > start;
-    double gapCells = up ? cell - start : start - (cell + 1.0);
-    double edgeMm = levels.cellMm(atLevel, hit.axis);
-    hits.setFace(hit.axis, up ? -1 : 1, gapCells * edgeMm);
   }
 
   /**

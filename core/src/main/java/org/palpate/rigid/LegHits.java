@@ -1,5 +1,8 @@
 package org.palpate.rigid;
 
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.RayHit;
+
 /**
  * The legs of a proposed motion that touch a solid. For each other mover and each leaf of the tree
  * of sample points, verification adds at most one leg: the one that touches first. Written by
@@ -58,11 +61,20 @@ final class LegHits {
     count++;
   }
 
-  /** Adds the face to the last hit. */
-  void setFace(int onAxis, int towardsStart, double distanceMm) {
-    axis[count - 1] = onAxis;
-    side[count - 1] = towardsStart;
-    gapMm[count - 1] = distanceMm;
+  /**
+   * Adds to the last hit the face through which its leg enters a cell.
+   *
+   * @param hit of the leg, with an axis
+   * @param edgeMm the edge of a cell along that axis, mm
+   */
+  void setFace(Ray leg, RayHit hit, double edgeMm) {
+    double start = hit.axis == 0 ? leg.fromX : hit.axis == 1 ? leg.fromY : leg.fromZ;
+    double end = hit.axis == 0 ? leg.toX : hit.axis == 1 ? leg.toY : leg.toZ;
+    int cell = hit.cell(hit.axis);
+    boolean up = end > start;
+    axis[count - 1] = hit.axis;
+    side[count - 1] = up ? -1 : 1;
+    gapMm[count - 1] = (up ? cell - start : start - (cell + 1.0)) * edgeMm;
   }
 
   /** Removes all hits from index {@code first} on but the earliest. */
