@@ -27,11 +27,14 @@ public final class ReductionPlan {
   /** The most sample points of a fragment that the plan looks at. */
   private static final int MOST_POINTS = 160;
 
-  /** The distance by which a fragment is lifted off and from which it approaches its place, mm. */
-  private static final double LIFT_MM = 40;
+  /**
+   * The distance by which a fragment is lifted off and from which it approaches its place, as a
+   * fraction of the radius of the ball around all bodies.
+   */
+  private static final double LIFT = 0.55;
 
-  /** The depth below the touched voxel to which the hand presses, mm. */
-  private static final double PRESS_MM = 1;
+  /** The depth below the touched point to which the hand presses, shortest voxel edges. */
+  private static final double PRESS_EDGES = 1;
 
   /**
    * The distance from a touched point beyond which its straight way outwards must be free, shortest
@@ -89,6 +92,10 @@ public final class ReductionPlan {
       plan.putBack(next, truth.get(next));
     }
     return plan.stops;
+  }
+
+  private double liftMm() {
+    return LIFT * radiusMm;
   }
 
   /** Finds the ball around all sample points. */
@@ -151,8 +158,8 @@ public final class ReductionPlan {
 
   private void putBack(int fragment, Pose truth) {
     Pose start = new Pose().set(bodies.body(fragment).pose());
-    Vec3 up = ways.widest(fragment, points(fragment, start), LIFT_MM);
-    Vec3 away = ways.widest(fragment, points(fragment, truth), LIFT_MM);
+    Vec3 up = ways.widest(fragment, points(fragment, start), liftMm());
+    Vec3 away = ways.widest(fragment, points(fragment, truth), liftMm());
     Pose hand = touch(fragment, start, up);
     Pose startToHand = inverse(start).multiply(hand, new Pose());
     hold(lifted(start, up).multiply(startToHand, new Pose()), 0, false);
@@ -176,9 +183,9 @@ public final class ReductionPlan {
     stops.add(new HandStop(pose, DeviceState.FIRST_BUTTON, seconds, isSteady));
   }
 
-  private static Pose lifted(Pose pose, Vec3 direction) {
+  private Pose lifted(Pose pose, Vec3 direction) {
     Pose lifted = new Pose().set(pose);
-    lifted.translation.add(direction.mul(LIFT_MM, new Vec3()), lifted.translation);
+    lifted.translation.add(direction.mul(liftMm(), new Vec3()), lifted.translation);
     return lifted;
   }
 
@@ -198,7 +205,8 @@ public final class ReductionPlan {
     Vec3 far = beyondBall(at, outward);
     goAround(far);
     stops.add(free(far));
-    Vec3 pressed = outward.mul(-PRESS_MM, new Vec3()).add(at, new Vec3());
+    Vec3 pressed =
+        outward.mul(-PRESS_EDGES * bodies.shortestEdgeMm(), new Vec3()).add(at, new Vec3());
     Pose hand = new Pose().set(pressed, new Quaternion());
     stops.add(new HandStop(hand, 0, PRESS_SECONDS, true));
     hold(hand, PRESS_SECONDS, true);
