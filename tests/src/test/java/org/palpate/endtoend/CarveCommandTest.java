@@ -92,6 +92,26 @@ class CarveCommandTest {
     return rows.toString();
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"point", "sphere:2"})
+  void passesAreNotTimedIfTheFirstOneChangesVoxels(String tool) throws IOException {
+    Path trajectory = Files.writeString(folder.resolve("t.csv"), press());
+    Path edits =
+        Files.writeString(
+            folder.resolve("e.csv"),
+            "frame,body,segment,i,j,k,solid\n0,sphere,sphere,16,16,16,0\n");
+    List<Object> replay = List.of("replay", "--phantom", "sphere:32", "--tool", tool);
+    for (List<Object> changing :
+        List.<List<Object>>of(List.of("--edits", edits), List.of("--carve", 40))) {
+      List<Object> timed = new ArrayList<>(replay);
+      timed.addAll(List.of("--trajectory", trajectory, "--repeat", 3));
+      timed.addAll(changing);
+      String line = CommandRun.of(timed.toArray()).mustRefuse();
+      assertTrue(line.contains("a pass would not begin where the last one did: "), line);
+      assertTrue(line.contains("--repeat with " + changing.get(0) + ": "), line);
+    }
+  }
+
   @Test
   void aFullDiskAtTheExportIsOneLineAndKeepsTheReport() throws IOException {
     Path target = Files.createSymbolicLink(folder.resolve("full.nrrd"), Path.of("/dev/full"));

@@ -165,6 +165,13 @@ class MovingReplayTest {
   }
 
   @Test
+  void passesAreNotTimedIfTheFirstOneMovesBodies() {
+    String line = replay("sphere:2", "t", "--repeat", 3).mustRefuse();
+    assertTrue(line.contains("a pass would not begin where the last one did: "), line);
+    assertTrue(line.contains("--repeat with --poses: "), line);
+  }
+
+  @Test
   void aBodyThatMovesGetsBackItsVoxelsButNoOthers() throws IOException {
     String rows =
         "frame,body,segment,i,j,k,solid\n0,mover,mover,21,15,15,0\n3,mover,mover,21,15,15,1\n";

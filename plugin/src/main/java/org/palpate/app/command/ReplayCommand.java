@@ -185,9 +185,24 @@ public final class ReplayCommand implements Callable<Integer> {
     contact.settings();
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
+    requireRepeatable();
     boolean rigid = tool.isRigid() || posesFile != null;
     tool.checkOthers(spec.commandLine().getParseResult(), rigid);
     return rigid ? replayTool() : replayPoint();
+  }
+
+  /** Refuses to time passes if the first one moves bodies or changes voxels. */
+  private void requireRepeatable() {
+    Optional<String> changing =
+        Stream.of("--poses", "--edits", "--carve")
+            .filter(spec.commandLine().getParseResult()::hasMatchedOption)
+            .findFirst();
+    if (repeat != null && changing.isPresent()) {
+      throw PalpateException.wrongUse(
+          "a pass would not begin where the last one did",
+          "--repeat with " + changing.get(),
+          "leave one of them out");
+    }
   }
 
   private int replayPoint() throws IOException {
@@ -232,12 +247,6 @@ public final class ReplayCommand implements Callable<Integer> {
       throw PalpateException.wrongUse(
           "margins are for segments that stand still",
           "--protect with --poses",
-          "leave one of them out");
-    }
-    if (repeat != null && posesFile != null) {
-      throw PalpateException.wrongUse(
-          "a pass would not begin where the last one did",
-          "--repeat with --poses",
           "leave one of them out");
     }
     ToolTables.LegSelection selection = ToolTables.LegSelection.parse(legsEvery, legsFrames);
