@@ -5,6 +5,7 @@ import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -75,7 +76,7 @@ public final class TrajectoryRecording implements AutoCloseable {
   private void writeEdit(long sample, int segment, int i, int j, int k, boolean solid) {
     try {
       if (editsFile == null) {
-        editsFile = new AtomicFile(editsTarget());
+        editsFile = new AtomicFile(editsFile(target));
         editRows = EditsCsv.writer(editsFile.stream());
       }
       EditsCsv.add(editRows, sample, segments.get(segment), i, j, k, solid);
@@ -84,11 +85,20 @@ public final class TrajectoryRecording implements AutoCloseable {
     }
   }
 
-  /** Returns the file of the edits: {@code T.edits.csv} for {@code T.csv}. */
-  private Path editsTarget() {
-    String name = target.getFileName().toString();
+  /** Returns the table of edits that belongs to a recording: {@code T.edits.csv}. */
+  public static Path editsFile(Path recording) {
+    return table(recording, ".edits.csv");
+  }
+
+  /** Returns the table of poses that belongs to a recording: {@code T.poses.csv}. */
+  public static Path posesFile(Path recording) {
+    return table(recording, ".poses.csv");
+  }
+
+  private static Path table(Path recording, String ending) {
+    String name = recording.getFileName().toString();
     String stem = name.endsWith(".csv") ? name.substring(0, name.length() - 4) : name;
-    return target.resolveSibling(stem + ".edits.csv");
+    return recording.resolveSibling(stem + ending);
   }
 
   /** Returns why the recording cannot be written, as far as is known. Any thread. */
@@ -115,7 +125,8 @@ public final class TrajectoryRecording implements AutoCloseable {
 
   /**
    * Writes the remaining samples and moves the file over its target, unless there is no sample at
-   * all. Call it after the session's last frame.
+   * all. Call it after the session's last frame. If nothing was edited, an older table of edits is
+   * deleted, because it would not fit the new samples.
    *
    * @throws IOException if the file cannot be written
    */
@@ -132,6 +143,8 @@ public final class TrajectoryRecording implements AutoCloseable {
     if (editsFile != null) {
       editsFile.stream().flush();
       editsFile.commit();
+    } else if (holdsSamples) {
+      Files.deleteIfExists(editsFile(target));
     }
     if (editRecorder.overflows() > 0) {
       throw new IOException(

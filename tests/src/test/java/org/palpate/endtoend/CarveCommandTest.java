@@ -129,21 +129,38 @@ class CarveCommandTest {
     assertTrue(Files.size(report) > 100);
   }
 
+  private CommandRun record(Path recording) {
+    List<Object> touch = new ArrayList<>(List.of("touch", "--phantom", "sphere:16", "--headless"));
+    touch.addAll(List.of("--seconds", 0.3, "--record", recording));
+    return CommandRun.of(touch.toArray());
+  }
+
   @Test
   void aSessionWithoutACutLeavesNoTableOfEdits() throws IOException {
     Path recording = folder.resolve("t.csv");
-    CommandRun.of(
-            "touch",
-            "--phantom",
-            "sphere:16",
-            "--headless",
-            "--seconds",
-            0.3,
-            "--record",
-            recording)
-        .mustSucceed();
+    Path older = Files.writeString(folder.resolve("t.edits.csv"), "of an older recording");
+    record(recording).mustSucceed();
     assertTrue(Files.exists(recording));
-    assertFalse(Files.exists(folder.resolve("t.edits.csv")));
+    assertFalse(Files.exists(older));
+  }
+
+  @Test
+  void noRecordingIsMadeBesideAnOlderTableOfPoses() throws IOException {
+    Path recording = folder.resolve("t.csv");
+    Path older = Files.writeString(folder.resolve("t.poses.csv"), "of an older recording");
+    String line = record(recording).mustRefuse();
+    assertTrue(line.contains("t.poses.csv: move it away"), line);
+    assertFalse(Files.exists(recording));
+    assertTrue(Files.exists(older));
+  }
+
+  @Test
+  void theTableOfEditsNeverReplacesAnInput() throws IOException {
+    Path played = Files.writeString(folder.resolve("t.edits.csv"), press());
+    List<Object> touch = new ArrayList<>(List.of("touch", "--phantom", "sphere:32", "--headless"));
+    touch.addAll(List.of("--device", "replay:" + played, "--record", folder.resolve("t.csv")));
+    assertTrue(CommandRun.of(touch.toArray()).mustRefuse().contains("the target is an input"));
+    assertEquals(press(), Files.readString(played));
   }
 
   @ParameterizedTest

@@ -1,10 +1,13 @@
 package org.palpate.app.command;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.palpate.app.options.OutputPaths;
 import org.palpate.app.output.WriteFailures;
+import org.palpate.app.process.PalpateException;
 import org.palpate.host.TrajectoryRecording;
 import org.palpate.recording.EditRecorder;
 import org.palpate.recording.SampleRecorder;
@@ -34,6 +37,30 @@ final class SessionRecording implements AutoCloseable {
                 new TrajectoryRecording(
                     target.get(), segments.stream().map(Segment::name).toList()))
             : Optional.empty();
+  }
+
+  /**
+   * Returns the files that a recording writes or deletes, after checking them.
+   *
+   * @param target the file; if empty, nothing is recorded
+   * @param inputs files that must not be replaced
+   * @throws PalpateException exit code 2, if one cannot be written, or a table of poses would lie
+   *     beside samples that it does not fit
+   */
+  static List<Path> checked(Optional<Path> target, List<Path> inputs) {
+    if (target.isEmpty()) {
+      return List.of();
+    }
+    Path samples = OutputPaths.checked("--record", target.get(), inputs);
+    Path poses = TrajectoryRecording.posesFile(samples);
+    if (Files.exists(poses)) {
+      throw PalpateException.wrongUse(
+          "a table of poses has the name of this recording, which would not fit it",
+          poses.toString(),
+          "move it away, or record to another file");
+    }
+    return List.of(
+        samples, OutputPaths.checked("--record", TrajectoryRecording.editsFile(samples), inputs));
   }
 
   /** Returns the recorder of the session. */

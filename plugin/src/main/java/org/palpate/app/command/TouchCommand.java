@@ -249,14 +249,14 @@ public final class TouchCommand implements Callable<Integer> {
         tool.isRigid() ? Optional.of(tool.make(source.header())) : Optional.empty();
     made.ifPresent(each -> inputs.addAll(each.files()));
     Report report = new Report("touch", output.report(), inputs);
-    Optional<Path> record =
-        Optional.ofNullable(recordFile).map(path -> OutputPaths.checked("--record", path, inputs));
+    Optional<Path> record = Optional.ofNullable(recordFile);
+    List<Path> recorded = SessionRecording.checked(record, inputs);
     Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
     FragmentExport bodies = fragmentExport(source);
     List<Path> targets = new ArrayList<>(bodies.checked(inputs));
     export.ifPresent(targets::add);
     output.report().ifPresent(targets::add);
-    record.ifPresent(targets::add);
+    targets.addAll(recorded);
     OutputPaths.checkDistinct(targets);
     printStart(source, choice, made.map(ToolReport::line).orElse("solver " + settings.solver()));
     made.ifPresent(each -> each.notes().forEach(out::println));
