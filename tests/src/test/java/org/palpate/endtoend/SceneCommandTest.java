@@ -1,5 +1,6 @@
 package org.palpate.endtoend;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -8,6 +9,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -263,6 +265,49 @@ class SceneCommandTest {
       Path file = Files.writeString(folder.resolve("wrong.json"), wrong);
       CommandRun.of("info", "--scene", file).mustRefuse();
     }
+  }
+
+  @Test
+  void keysThatHaveNoEffectYetAreNamedInANote() throws IOException {
+    String keys = "\"carve\": 40, \"protect\": [\"a:1\"], \"device\": {}, \"version\"";
+    String text =
+        Files.readString(scene)
+            .replace("\"version\"", keys)
+            .replace("\"mobility\" : \"fixed\"", "\"mobility\": \"fixed\", \"material\": \"cut:1\"");
+    Path file = Files.writeString(folder.resolve("keys.json"), text);
+    Path trajectory = Files.writeString(folder.resolve("t.csv"), "t_ms,x,y,z\n0,1,2,3\n");
+    String note =
+        "The scene has keys that are not used yet: bodies[0].material, device, protect, carve.";
+    CommandRun replay = CommandRun.of("replay", "--scene", file, "--trajectory", trajectory);
+    assertTrue(replay.mustSucceed().err().contains(note), replay.err());
+    assertTrue(CommandRun.of("info", "--scene", file).mustSucceed().out().contains(note));
+    CommandRun plain = CommandRun.of("replay", "--scene", scene, "--trajectory", trajectory);
+    assertFalse(plain.mustSucceed().err().contains("not used yet"), plain.err());
+  }
+
+  @Test
+  void noOutputReplacesTheSceneOrItsVolumes() throws IOException {
+    Path parts = folder.resolve("parts.nrrd");
+    Path other = folder.resolve("other.nrrd");
+    String sceneBefore = Files.readString(scene);
+    byte[] partsBefore = Files.readAllBytes(parts);
+    for (List<Object> command :
+        List.of(
+            List.<Object>of("info"), List.<Object>of("touch", "--headless", "--seconds", 0.3))) {
+      for (List<Object> outputs :
+          List.of(
+              List.<Object>of("--export", other, "--save-scene", scene),
+              List.<Object>of("--export", parts),
+              List.<Object>of("--report", scene))) {
+        List<Object> run = new ArrayList<>(command);
+        run.addAll(List.of("--scene", scene));
+        run.addAll(outputs);
+        String line = CommandRun.of(run.toArray()).mustRefuse();
+        assertTrue(line.startsWith("palpate: the target is an input: "), line);
+      }
+    }
+    assertEquals(sceneBefore, Files.readString(scene));
+    assertArrayEquals(partsBefore, Files.readAllBytes(parts));
   }
 
   @Test

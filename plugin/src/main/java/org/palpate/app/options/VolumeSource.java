@@ -63,7 +63,9 @@ public final class VolumeSource {
   private VolumeSource(String name, PlacedVolume placed, List<SegmentSpec> requested) {
     this.name = name;
     this.placed = Optional.of(placed);
-    reader = new SegmentsAsLabels(name, placed.present(), placed.world(), placed.files());
+    reader =
+        new SegmentsAsLabels(
+            name, placed.present(), placed.world(), placed.files(), placed.notes());
     phantom = Optional.empty();
     this.requested = requested;
   }
@@ -205,7 +207,7 @@ public final class VolumeSource {
    * Reads the segments that were asked for, otherwise one for each label. Those of a scene are
    * where they rest; see {@link #placements}.
    *
-   * @param err receives a line for each segment without voxels
+   * @param err receives a line for each segment without voxels and each note about a scene
    * @param keepsGrey whether to keep the grey values too, in the same pass over the file, if
    *     segments were asked for
    * @throws PalpateException exit code 2, if no segment was asked for and the values are
@@ -213,6 +215,8 @@ public final class VolumeSource {
    */
   public SegmentedVolume segments(PrintWriter err, boolean keepsGrey) throws VolumeFormatException {
     if (placed.isPresent() && requested.isEmpty()) {
+      placed.get().notes().forEach(err::println);
+      err.flush();
       return placed.get().rest();
     }
     if (!requested.isEmpty()) {

@@ -34,7 +34,7 @@ public final class SegmentsAsLabels implements VolumeReader {
 
   /** Creates a reader of segments in a coordinate system. */
   public SegmentsAsLabels(SegmentedVolume volume, CoordinateSystem coordinateSystem) {
-    this("segments", volume, coordinateSystem, List.of());
+    this("segments", volume, coordinateSystem, List.of(), List.of());
   }
 
   /**
@@ -42,9 +42,14 @@ public final class SegmentsAsLabels implements VolumeReader {
    *
    * @param name the source as messages name it
    * @param files the files from which the segments were made
+   * @param notes what the user should know, a sentence each
    */
   public SegmentsAsLabels(
-      String name, SegmentedVolume volume, CoordinateSystem coordinateSystem, List<Path> files) {
+      String name,
+      SegmentedVolume volume,
+      CoordinateSystem coordinateSystem,
+      List<Path> files,
+      List<String> notes) {
     this.name = name;
     this.files = List.copyOf(files);
     this.volume = volume;
@@ -61,7 +66,7 @@ public final class SegmentsAsLabels implements VolumeReader {
             ValueRange.of(type),
             coordinateSystem,
             Optional.of(new LabelTable(labels)),
-            List.of());
+            notes);
   }
 
   @Override

@@ -38,6 +38,10 @@ public final class BodyReader {
   private BodyReader(SceneFile scene, Path sceneFile) {
     this.scene = scene;
     this.sceneFile = sceneFile;
+    List<String> unused = scene.unusedKeys();
+    if (!unused.isEmpty()) {
+      notes.add("The scene has keys that are not used yet: " + String.join(", ", unused) + ".");
+    }
   }
 
   /**

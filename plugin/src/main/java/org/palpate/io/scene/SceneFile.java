@@ -1,5 +1,6 @@
 package org.palpate.io.scene;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -26,6 +27,22 @@ public record SceneFile(
   public SceneFile {
     bodies = List.copyOf(bodies);
     protect = List.copyOf(protect);
+  }
+
+  /** Returns the keys of this scene that are read but have no effect yet. */
+  List<String> unusedKeys() {
+    List<String> keys = new ArrayList<>();
+    for (int n = 0; n < bodies.size(); n++) {
+      if (bodies.get(n).material().isPresent()) {
+        keys.add("bodies[" + n + "].material");
+      }
+    }
+    device.ifPresent(given -> keys.add("device"));
+    if (!protect.isEmpty()) {
+      keys.add("protect");
+    }
+    carve.ifPresent(given -> keys.add("carve"));
+    return keys;
   }
 
   /** Returns a scene of bodies and a point tool. */
