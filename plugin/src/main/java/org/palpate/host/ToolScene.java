@@ -94,7 +94,7 @@ public final class ToolScene {
   }
 
   /** Whether a body can move. */
-  boolean hasMovableBodies() {
+  public boolean hasMovableBodies() {
     for (int n = 0; n < bodies.count(); n++) {
       if (bodies.body(n).mobility() == Mobility.MOVABLE) {
         return true;

@@ -93,6 +93,17 @@ class SceneCommandTest {
   }
 
   @Test
+  void aRecordingOfBodiesThatCanMoveSaysThatItHasNoPoses() {
+    Object[] touch = {"touch", "--scene", scene, "--headless", "--seconds", 0.3};
+    String note = "The recording has no poses of bodies yet";
+    assertFalse(CommandRun.of(touch).mustSucceed().out().contains(note));
+    List<Object> recorded = new ArrayList<>(List.of(touch));
+    recorded.addAll(List.of("--record", folder.resolve("t.csv")));
+    assertTrue(CommandRun.of(recorded.toArray()).mustSucceed().out().contains(note));
+    assertFalse(Files.exists(folder.resolve("t.poses.csv")));
+  }
+
+  @Test
   void posesAreWrittenOfPlacedBodiesAlone() {
     String refusal =
         CommandRun.of(

@@ -267,7 +267,7 @@ public final class TouchCommand implements Callable<Integer> {
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
     try (HapticDevice opened = open(choice, source, scene, target, loop.periodNanos())) {
-      scene.notes(opened.specification()).forEach(out::println);
+      scene.notes(opened.specification(), record.isPresent()).forEach(out::println);
       Optional<ViewOptions> view = view(source, scene.contactScene());
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
       TouchReport measured = run(scene, opened, choice, loop, record, view, axes);
