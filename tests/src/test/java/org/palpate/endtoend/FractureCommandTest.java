@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -160,5 +162,17 @@ class FractureCommandTest {
         new String[] {"fracture:10", "fracture:x", "fracture:64:9", "fractures"}) {
       CommandRun.of("info", "--phantom", phantom).mustRefuse();
     }
+  }
+
+  @Test
+  void segmentsOfTheBrokenPhantomAreTouchedAsTheyAreChosen() throws IOException {
+    Path report = folder.resolve("r.json");
+    List<Object> touch = new ArrayList<>(List.of("touch", "--phantom", "fracture:64"));
+    touch.addAll(List.of("--segment", "all=nonzero", "--headless", "--seconds", 0.3));
+    touch.addAll(List.of("--report", report));
+    CommandRun.of(touch.toArray()).mustSucceed();
+    Map<String, String> json = FlatJson.read(report);
+    assertEquals("all", json.get("/segments/0/name"));
+    assertFalse(json.containsKey("/fracture/residual_mm"), json.toString());
   }
 }

@@ -320,7 +320,7 @@ public final class TouchCommand implements Callable<Integer> {
       long periodNanos)
       throws IOException {
     HapticDevice opened =
-        choice.device().isSimulated() && volume.isBrokenPhantom()
+        choice.device().isSimulated() && volume.isBrokenPhantom() && source.placed().isPresent()
             ? scene.reducingHand(choice.device().seed(), periodNanos)
             : choice.open(target, source.header().coordinateSystem(), periodNanos, tool.isRigid());
     return hasWindow() && choice.device().isSimulated()

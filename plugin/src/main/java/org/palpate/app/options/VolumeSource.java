@@ -187,15 +187,15 @@ public final class VolumeSource {
 
   /** Returns the placement of each segment of a scene; empty if the segments stand at rest. */
   public List<Placement> placements() {
-    return placed
-        .filter(bodies -> requested.isEmpty())
-        .map(PlacedVolume::placements)
-        .orElse(List.of());
+    return placed().map(PlacedVolume::placements).orElse(List.of());
   }
 
-  /** Returns the bodies of a scene and their placements, if this is a scene. */
+  /**
+   * Returns the bodies of a scene and their placements; empty if this is no scene, or if {@code
+   * --segment} asked for other segments of what it shows.
+   */
   public Optional<PlacedVolume> placed() {
-    return placed;
+    return requested.isEmpty() ? placed : Optional.empty();
   }
 
   /** Returns the SHA-256 of the files, or of the phantom's values. */
@@ -214,7 +214,7 @@ public final class VolumeSource {
    *     intensities
    */
   public SegmentedVolume segments(PrintWriter err, boolean keepsGrey) throws VolumeFormatException {
-    if (placed.isPresent() && requested.isEmpty()) {
+    if (placed().isPresent()) {
       placed.get().notes().forEach(err::println);
       err.flush();
       return placed.get().rest();
