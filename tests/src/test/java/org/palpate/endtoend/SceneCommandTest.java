@@ -17,6 +17,8 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
@@ -101,6 +103,19 @@ class SceneCommandTest {
     recorded.addAll(List.of("--record", folder.resolve("t.csv")));
     assertTrue(CommandRun.of(recorded.toArray()).mustSucceed().out().contains(note));
     assertFalse(Files.exists(folder.resolve("t.poses.csv")));
+  }
+
+  @Test
+  @EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: no /dev/full on this system")
+  void aFullDiskAtTheExportKeepsTheReport() throws IOException {
+    Path full = Files.createSymbolicLink(folder.resolve("full.nrrd"), Path.of("/dev/full"));
+    Path report = folder.resolve("r.json");
+    List<Object> touch = new ArrayList<>(List.of("touch", "--scene", scene, "--headless"));
+    touch.addAll(List.of("--seconds", 0.3, "--export", full, "--report", report));
+    CommandRun run = CommandRun.of(touch.toArray());
+    assertEquals(1, run.exitCode());
+    assertTrue(run.err().contains("No space left on device): " + full), run.err());
+    assertTrue(FlatJson.read(report).containsKey("/fracture/residual_mm"));
   }
 
   @Test

@@ -43,11 +43,6 @@ final class FragmentExport {
     this.transforms = transforms;
   }
 
-  /** Whether anything is written. */
-  boolean isWanted() {
-    return labels != null || writesPoses();
-  }
-
   /** Whether poses are written. */
   boolean writesPoses() {
     return scene.isPresent() || transforms.isPresent();

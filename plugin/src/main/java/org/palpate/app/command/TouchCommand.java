@@ -284,8 +284,8 @@ public final class TouchCommand implements Callable<Integer> {
         finish(scene.ended(source.placed().get()), bodies, report);
       } else {
         edited.write(failures);
+        report.write();
       }
-      report.write();
       return Math.max(measured.exitCode(), failures.exitCode());
     }
   }
@@ -294,10 +294,8 @@ public final class TouchCommand implements Callable<Integer> {
   private void finish(PlacedVolume left, FragmentExport bodies, Report report) throws IOException {
     FractureReport readings = new FractureReport(left);
     readings.lines().forEach(out::println);
-    report.put("fracture", readings.field());
-    if (bodies.isWanted()) {
-      bodies.write(left).forEach(out::println);
-    }
+    report.put("fracture", readings.field()).write();
+    failures.attempt(exportFile, () -> bodies.write(left).forEach(out::println));
   }
 
   private DeviceChoice choice(VolumeSource source) {

@@ -1,6 +1,5 @@
 package org.palpate.app.output;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -68,14 +67,7 @@ public final class EditedVolume {
 
   /** Writes the segments as they are now if the user asked for it; a failure is reported. */
   public void write(WriteFailures failures) {
-    export.ifPresent(target -> failures.attempt(target, () -> write(target)));
-  }
-
-  private void write(Path target) throws IOException {
-    try {
-      VolumeWriter.write(new SegmentsAsLabels(volume, coordinateSystem), target);
-    } catch (VolumeFormatException e) {
-      throw e.getCause() instanceof IOException cause ? cause : e;
-    }
+    SegmentsAsLabels labels = new SegmentsAsLabels(volume, coordinateSystem);
+    export.ifPresent(target -> failures.attempt(target, () -> VolumeWriter.write(labels, target)));
   }
 }

@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.Set;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.process.PalpateException;
+import org.palpate.io.volume.VolumeFormatException;
 
 /**
  * Lets a command continue when one of its outputs fails. Prints one line at the first failure of an
@@ -38,6 +39,8 @@ public final class WriteFailures {
     }
     try {
       piece.run();
+    } catch (VolumeFormatException e) {
+      report(target, e.getCause() instanceof IOException cause ? cause : e);
     } catch (IOException e) {
       report(target, e);
     }
