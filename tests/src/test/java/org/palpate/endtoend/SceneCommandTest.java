@@ -119,6 +119,20 @@ class SceneCommandTest {
   }
 
   @Test
+  void bodiesWithLikeNamesHaveATransformEach() throws IOException {
+    String text = Files.readString(scene);
+    text = text.replace("\"fragment1\"", "\"a b\"").replace("\"fragment2\"", "\"A_b\"");
+    Path file = Files.writeString(folder.resolve("like.json"), text);
+    Path own = folder.resolve("own");
+    CommandRun.of("info", "--scene", file, "--save-transforms", own).mustSucceed();
+    for (int n = 0; n < 2; n++) {
+      assertArrayEquals(
+          Files.readAllBytes(transforms.resolve("fragment" + (n + 1) + ".tfm")),
+          Files.readAllBytes(own.resolve(List.of("a_b.tfm", "A_b-2.tfm").get(n))));
+    }
+  }
+
+  @Test
   void posesAreWrittenOfPlacedBodiesAlone() {
     String refusal =
         CommandRun.of(

@@ -115,11 +115,11 @@ final class FragmentExport {
   private static void writeTransforms(PlacedVolume bodies, Path folder) {
     try {
       Files.createDirectories(folder);
-      int n = 0;
-      for (Segment segment : bodies.rest().segments()) {
-        Path file = folder.resolve(OutputPaths.fileWord(segment.name()) + ".tfm");
+      List<String> names = OutputPaths.fileWords(bodies.rest().segments());
+      for (int n = 0; n < names.size(); n++) {
         AtomicFile.write(
-            file, TransformWriter.text(bodies.placements().get(n++).pose(), bodies.world()));
+            folder.resolve(names.get(n) + ".tfm"),
+            TransformWriter.text(bodies.placements().get(n).pose(), bodies.world()));
       }
     } catch (IOException e) {
       throw OutputPaths.failed(folder, e);

@@ -3,10 +3,8 @@ package org.palpate.app.command;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
@@ -59,17 +57,10 @@ final class SurfaceExport {
   private List<Path> separate(List<Segment> segments) {
     String name = target.getFileName().toString();
     int dot = name.lastIndexOf('.');
-    Set<String> used = new HashSet<>();
-    List<Path> files = new ArrayList<>();
-    for (Segment segment : segments) {
-      String word = OutputPaths.fileWord(segment.name());
-      String unique = word;
-      for (int n = 2; !used.add(unique.toLowerCase(Locale.ROOT)); n++) {
-        unique = word + "-" + n;
-      }
-      files.add(target.resolveSibling(name.substring(0, dot) + "-" + unique + name.substring(dot)));
-    }
-    return files;
+    return OutputPaths.fileWords(segments).stream()
+        .map(word -> name.substring(0, dot) + "-" + word + name.substring(dot))
+        .map(target::resolveSibling)
+        .toList();
   }
 
   private static Path materialsBeside(Path obj) {

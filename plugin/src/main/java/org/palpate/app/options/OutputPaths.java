@@ -3,10 +3,13 @@ package org.palpate.app.options;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.palpate.app.process.PalpateException;
+import org.palpate.volume.Segment;
 
 /** Checks the targets of output before any work is done. */
 public final class OutputPaths {
@@ -51,9 +54,22 @@ public final class OutputPaths {
     return folder;
   }
 
-  /** Returns a name as a part of a file's name: letters, digits, dots, hyphens, underscores. */
-  public static String fileWord(String name) {
-    return name.strip().replaceAll("[^\\p{L}\\p{N}._-]+", "_");
+  /**
+   * Returns a part of a file's name for each segment: letters, digits, dots, hyphens, underscores.
+   * If several have the same one, whatever the case of its letters, a number makes them different.
+   */
+  public static List<String> fileWords(List<Segment> segments) {
+    Set<String> used = new HashSet<>();
+    List<String> words = new ArrayList<>();
+    for (Segment segment : segments) {
+      String word = segment.name().strip().replaceAll("[^\\p{L}\\p{N}._-]+", "_");
+      String unique = word;
+      for (int n = 2; !used.add(unique.toLowerCase(Locale.ROOT)); n++) {
+        unique = word + "-" + n;
+      }
+      words.add(unique);
+    }
+    return words;
   }
 
   /**
