@@ -305,6 +305,12 @@ class SceneCommandTest {
       Path file = Files.writeString(folder.resolve("wrong.json"), wrong);
       CommandRun.of("info", "--scene", file).mustRefuse();
     }
+    String same = "\"volume\":\"parts.nrrd\",\"mobility\":\"movable\"";
+    String overlapping =
+        "{\"bodies\":[{\"name\":\"a\"," + same + "},{\"name\":\"b\"," + same + "}]}";
+    Path file = Files.writeString(folder.resolve("wrong.json"), overlapping);
+    String line = CommandRun.of("replay", "--scene", file, "--trajectory", trajectory).mustRefuse();
+    assertTrue(line.startsWith("palpate: the bodies a and b overlap: --scene: "), line);
   }
 
   @Test
@@ -313,7 +319,8 @@ class SceneCommandTest {
     String text =
         Files.readString(scene)
             .replace("\"version\"", keys)
-            .replace("\"mobility\" : \"fixed\"", "\"mobility\": \"fixed\", \"material\": \"cut:1\"");
+            .replace(
+                "\"mobility\" : \"fixed\"", "\"mobility\": \"fixed\", \"material\": \"cut:1\"");
     Path file = Files.writeString(folder.resolve("keys.json"), text);
     Path trajectory = Files.writeString(folder.resolve("t.csv"), "t_ms,x,y,z\n0,1,2,3\n");
     String note =

@@ -210,7 +210,10 @@ public final class ToolOptions {
           rotationalStiffness());
     } catch (RigidScene.BodiesOverlapException e) {
       throw new VolumeFormatException(
-          e.getMessage(), "--poses", "choose segments that share no voxel", e);
+          e.getMessage(),
+          isAmongPlacedBodies ? "--scene" : "--poses",
+          "choose segments and poses that do not overlap",
+          e);
     }
   }
 
