@@ -13,7 +13,6 @@ import org.knowm.xchart.CategorySeries.CategorySeriesRenderStyle;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import org.palpate.benchmarks.report.Figures;
-import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
 
 /** Draws the results as PNG files. */
@@ -95,7 +94,8 @@ final class StabilityPlots {
   }
 
   /** Plots the handle's excursion at rest, at the default stiffness, by shape and solver. */
-  static void plotExcursion(Path file, List<DeviceRow> rows, String device) throws IOException {
+  static void plotExcursion(Path file, List<MarginRow<Trial>> rows, String device)
+      throws IOException {
     CategoryChart chart =
         chart("Excursion of the handle at rest at the default stiffness, " + device);
     chart.setXAxisTitle("shape");
@@ -104,7 +104,7 @@ final class StabilityPlots {
     List<String> solvers =
         rows.stream().map(row -> row.trial().solver().name()).distinct().toList();
     for (String solver : solvers) {
-      List<DeviceRow> drawn =
+      List<MarginRow<Trial>> drawn =
           rows.stream()
               .filter(row -> row.trial().solver().name().equals(solver))
               .filter(row -> row.trial().device().name().equals(device))

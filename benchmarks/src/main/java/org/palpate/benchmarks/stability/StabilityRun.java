@@ -11,9 +11,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.palpate.benchmarks.report.Progress;
 import org.palpate.benchmarks.report.StudyTable;
-import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
-import org.palpate.benchmarks.stability.StabilityStudy.ToolRow;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
 import org.palpate.geometry.GridMetric;
 import org.palpate.proxy.ProxySolver;
@@ -89,8 +87,8 @@ public final class StabilityRun {
   }
 
   private static Map<String, Double> reportDevices(
-      Path folder, List<DeviceRow> rows, PrintWriter out) throws IOException {
-    StudyTable.STABILITY_DEVICES.write(folder, rows, DeviceRow::cells);
+      Path folder, List<MarginRow<Trial>> rows, PrintWriter out) throws IOException {
+    StudyTable.STABILITY_DEVICES.write(folder, rows, MarginRow::cells);
     Map<String, Double> margins = StabilityStudy.leastMargins(rows);
     StabilityPlots.plotMargins(folder.resolve("stability-devices.png"), margins);
     margins.forEach(
@@ -104,10 +102,10 @@ public final class StabilityRun {
     return margins;
   }
 
-  private static void reportTools(Path folder, List<ToolRow> rows, PrintWriter out)
+  private static void reportTools(Path folder, List<MarginRow<ToolTrial>> rows, PrintWriter out)
       throws IOException {
-    StudyTable.STABILITY_TOOLS.write(folder, rows, ToolRow::cells);
-    Map<String, List<ToolRow>> conditions =
+    StudyTable.STABILITY_TOOLS.write(folder, rows, MarginRow::cells);
+    Map<String, List<MarginRow<ToolTrial>>> conditions =
         rows.stream()
             .collect(
                 Collectors.groupingBy(
@@ -119,12 +117,12 @@ public final class StabilityRun {
                 "%s: least margin of the default stiffness %.2f, unstable at the default in %d of"
                     + " %d variations%n",
                 condition,
-                own.stream().mapToDouble(ToolRow::margin).min().orElse(0),
+                own.stream().mapToDouble(MarginRow::margin).min().orElse(0),
                 own.stream().filter(row -> !row.atDefault().stable()).count(),
                 own.size()));
   }
 
-  private static String condition(ToolRow row) {
+  private static String condition(MarginRow<ToolTrial> row) {
     ToolTrial trial = row.trial();
     return String.format(
         Locale.ROOT,
@@ -156,15 +154,15 @@ public final class StabilityRun {
     }
   }
 
-  private static void reportShapes(Path folder, List<DeviceRow> rows, PrintWriter out)
+  private static void reportShapes(Path folder, List<MarginRow<Trial>> rows, PrintWriter out)
       throws IOException {
-    StudyTable.STABILITY_SHAPES.write(folder, rows, DeviceRow::cells);
+    StudyTable.STABILITY_SHAPES.write(folder, rows, MarginRow::cells);
     for (String device :
         rows.stream().map(row -> row.trial().device().name()).distinct().toList()) {
       String name = "stability-shapes-" + device.toLowerCase(Locale.ROOT) + ".png";
       StabilityPlots.plotExcursion(folder.resolve(name), rows, device);
     }
-    for (DeviceRow row : rows) {
+    for (MarginRow<Trial> row : rows) {
       out.printf(
           Locale.ROOT,
           "shape %s by %s with %s: margin %.2f, excursion %.4f mm, energy %.3f mJ, rise %.2f"

@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import org.palpate.benchmarks.stability.ClosedLoop.Outcome;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
 import org.palpate.proxy.exact.GuardedSolver;
 
@@ -19,8 +18,6 @@ public final class StabilityStudy {
   /** The guarded solver, used for devices and for the theory. */
   public static final SolverChoice GUARDED = new SolverChoice("guarded", GuardedSolver::new);
 
-  private static final double N_PER_M_PER_MM = 1e3;
-  private static final double DEFAULT_FRACTION = 0.5;
   private static final Sampling DEFAULT_SAMPLING = new Sampling(1000, 1);
 
   private final boolean quick;
@@ -82,51 +79,18 @@ public final class StabilityStudy {
     return rows;
   }
 
-  /**
-   * A device at 1 kHz with the limits of a live session.
-   *
-   * @param trial the set-up
-   * @param defaultStiffness half the device's maximum, N/m
-   * @param largest the largest stable stiffness, N/m
-   * @param atDefault the outcome at the default stiffness
-   */
-  public record DeviceRow(Trial trial, double defaultStiffness, double largest, Outcome atDefault) {
-    /** Returns the largest stable stiffness relative to the default. */
-    public double margin() {
-      return largest / defaultStiffness;
-    }
-
-    /** Returns the cells of its row in {@code stability-devices.csv} and its like. */
-    List<Object> cells() {
-      return List.of(
-          trial.device().name(),
-          trial.grip().name(),
-          trial.shape().name(),
-          trial.solver().name(),
-          trial.sampling().rateHz(),
-          trial.sampling().delaySamples(),
-          trial.device().handleKg(),
-          trial.device().dampingNewtonSecondPerM(),
-          defaultStiffness,
-          largest,
-          margin(),
-          atDefault.excursionMm(),
-          atDefault.energyBackMillijoule(),
-          atDefault.riseNewtonPerMs());
-    }
-  }
-
   /** Sweeps devices by name, mass, damping, grip and delay. */
-  public List<DeviceRow> devices() {
+  public List<MarginRow<Trial>> devices() {
     double[] massFactors = quick ? new double[] {0.5, 2} : new double[] {0.5, 1, 2};
     double[] dampingFactors = quick ? new double[] {0.25, 1} : new double[] {0.25, 1, 4};
-    List<DeviceRow> rows = new ArrayList<>();
+    List<MarginRow<Trial>> rows = new ArrayList<>();
     for (DeviceModel device : DeviceModel.KNOWN) {
       for (Grip grip : List.of(Grip.LIGHT, Grip.FIRM)) {
         for (int delay = 1; delay <= 2; delay++) {
           progress.accept("devices: " + device.name() + " grip=" + grip.name() + " delay=" + delay);
           for (DeviceModel varied : varied(device, massFactors, dampingFactors)) {
-            rows.add(row(varied, grip, new Sampling(DEFAULT_SAMPLING.rateHz(), delay)));
+            Sampling sampling = new Sampling(DEFAULT_SAMPLING.rateHz(), delay);
+            rows.add(MarginRow.of(new Trial(varied, grip, sampling, wall, GUARDED, true)));
           }
         }
       }
@@ -134,47 +98,12 @@ public final class StabilityStudy {
     return rows;
   }
 
-  /**
-   * A rod in six degrees of freedom with a device at 1 kHz and the limits of a live session.
-   *
-   * @param trial the set-up
-   * @param defaultStiffness half the device's maximum, N/m
-   * @param largest the largest stable stiffness, N/m
-   * @param atDefault the outcome at the default stiffness
-   */
-  public record ToolRow(
-      ToolTrial trial, double defaultStiffness, double largest, Outcome atDefault) {
-    /** Returns the largest stable stiffness relative to the default. */
-    public double margin() {
-      return largest / defaultStiffness;
-    }
-
-    /** Returns the cells of its row in {@code stability-tools.csv}. */
-    List<Object> cells() {
-      return List.of(
-          trial.device().name(),
-          trial.grip().name(),
-          trial.lengthMm(),
-          trial.rmsRadiusMm(),
-          trial.sampling().rateHz(),
-          trial.sampling().delaySamples(),
-          trial.device().handleKg(),
-          trial.device().dampingNewtonSecondPerM(),
-          defaultStiffness,
-          largest,
-          margin(),
-          atDefault.excursionMm(),
-          atDefault.energyBackMillijoule(),
-          atDefault.riseNewtonPerMs());
-    }
-  }
-
   /** Sweeps the length of a rod, and devices by name, mass, damping, grip and delay. */
-  public List<ToolRow> tools() {
+  public List<MarginRow<ToolTrial>> tools() {
     double[] lengthsMm = quick ? new double[] {0, 60} : new double[] {0, 20, 60, 120};
     double[] massFactors = quick ? new double[] {2} : new double[] {0.5, 1, 2};
     double[] dampingFactors = quick ? new double[] {0.25} : new double[] {0.25, 1, 4};
-    List<ToolRow> rows = new ArrayList<>();
+    List<MarginRow<ToolTrial>> rows = new ArrayList<>();
     for (DeviceModel device : DeviceModel.KNOWN) {
       for (double lengthMm : lengthsMm) {
         progress.accept("tools: " + device.name() + " rod=" + lengthMm + " mm");
@@ -182,19 +111,13 @@ public final class StabilityStudy {
           for (int delay = quick ? 2 : 1; delay <= 2; delay++) {
             Sampling sampling = new Sampling(DEFAULT_SAMPLING.rateHz(), delay);
             for (DeviceModel varied : varied(device, massFactors, dampingFactors)) {
-              rows.add(row(new ToolTrial(varied, grip, sampling, lengthMm)));
+              rows.add(MarginRow.of(new ToolTrial(varied, grip, sampling, lengthMm)));
             }
           }
         }
       }
     }
     return rows;
-  }
-
-  private static ToolRow row(ToolTrial trial) {
-    double defaultStiffness = defaultNewtonPerM(trial.device());
-    return new ToolRow(
-        trial, defaultStiffness, StiffnessSearch.largest(trial::run), trial.run(defaultStiffness));
   }
 
   private static List<DeviceModel> varied(
@@ -211,37 +134,20 @@ public final class StabilityStudy {
     return all;
   }
 
-  private DeviceRow row(DeviceModel device, Grip grip, Sampling sampling) {
-    double defaultStiffness = defaultNewtonPerM(device);
-    Trial trial = new Trial(device, grip, sampling, wall, GUARDED, true);
-    return new DeviceRow(
-        trial, defaultStiffness, StiffnessSearch.largest(trial::run), trial.run(defaultStiffness));
-  }
-
-  private static double defaultNewtonPerM(DeviceModel device) {
-    return DEFAULT_FRACTION * device.maxStiffnessNewtonPerMm() * N_PER_M_PER_MM;
-  }
-
   /** Sweeps shapes and solvers with the softest and the stiffest kind of device, firmly gripped. */
-  public List<DeviceRow> shapes() {
+  public List<MarginRow<Trial>> shapes() {
     List<DeviceModel> devices =
         DeviceModel.KNOWN.stream()
             .filter(device -> List.of("Touch", "omega").contains(device.name()))
             .toList();
-    List<DeviceRow> rows = new ArrayList<>();
+    List<MarginRow<Trial>> rows = new ArrayList<>();
     for (TouchedShape shape : TouchedShape.all()) {
       for (SolverChoice solver : solvers) {
         for (DeviceModel device : devices) {
           progress.accept(
               "shapes: " + shape.name() + " by " + solver.name() + " with " + device.name());
-          Trial trial = new Trial(device, Grip.FIRM, DEFAULT_SAMPLING, shape, solver, true);
-          double defaultStiffness = defaultNewtonPerM(device);
           rows.add(
-              new DeviceRow(
-                  trial,
-                  defaultStiffness,
-                  StiffnessSearch.largest(trial::run),
-                  trial.run(defaultStiffness)));
+              MarginRow.of(new Trial(device, Grip.FIRM, DEFAULT_SAMPLING, shape, solver, true)));
         }
       }
     }
@@ -249,9 +155,9 @@ public final class StabilityStudy {
   }
 
   /** Returns the least margin of each device, in the order of the devices. */
-  public static Map<String, Double> leastMargins(List<DeviceRow> rows) {
+  public static Map<String, Double> leastMargins(List<MarginRow<Trial>> rows) {
     Map<String, Double> least = new LinkedHashMap<>();
-    for (DeviceRow row : rows) {
+    for (MarginRow<Trial> row : rows) {
       least.merge(row.trial().device().name(), row.margin(), Math::min);
     }
     return least;

@@ -31,14 +31,21 @@ import org.palpate.volume.VoxelGrid;
  * @param sampling rate and delay
  * @param lengthMm the distance between the centres of the rod's caps
  */
-public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, double lengthMm) {
+public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, double lengthMm)
+    implements LoopTrial {
   private static final double ROD_RADIUS_MM = 3;
   private static final double TILT_RAD = 0.15;
   private static final int EDGE = 128;
   private static final double COVER_RADIUS_MM = 0.5;
   private static final double MAX_STEP_MM = 8 * TouchedShape.VOXEL_MM;
 
+  @Override
+  public List<Object> conditionCells() {
+    return List.of(lengthMm, rmsRadiusMm());
+  }
+
   /** Runs the trial with a stiffness, N/m; the rotational stiffness is that of a session. */
+  @Override
   public Outcome run(double newtonPerM) {
     ClosedLoop loop = new ClosedLoop(device, grip, sampling, touchMm(), new Vec3(0, 0, -1));
     Plant plant = loop.turningPlant(upright());

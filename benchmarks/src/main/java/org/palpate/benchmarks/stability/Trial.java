@@ -1,5 +1,6 @@
 package org.palpate.benchmarks.stability;
 
+import java.util.List;
 import org.palpate.benchmarks.stability.ClosedLoop.Outcome;
 import org.palpate.edit.EditQueue;
 import org.palpate.frame.FramePublisher;
@@ -25,7 +26,8 @@ public record Trial(
     Sampling sampling,
     TouchedShape shape,
     SolverChoice solver,
-    boolean limited) {
+    boolean limited)
+    implements LoopTrial {
 
   /** The factory of a solver with its name. */
   public record SolverChoice(String name, Factory factory) {
@@ -37,7 +39,12 @@ public record Trial(
     }
   }
 
-  /** Runs the trial with a stiffness, N/m. */
+  @Override
+  public List<Object> conditionCells() {
+    return List.of(shape.name(), solver.name());
+  }
+
+  @Override
   public Outcome run(double newtonPerM) {
     double voxel = TouchedShape.VOXEL_MM;
     ClosedLoop loop = new ClosedLoop(device, grip, sampling, shape.touchMm(), shape.inward());

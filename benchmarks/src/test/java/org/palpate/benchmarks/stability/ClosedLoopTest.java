@@ -12,9 +12,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.benchmarks.report.StudyTable;
-import org.palpate.benchmarks.stability.StabilityStudy.DeviceRow;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
-import org.palpate.benchmarks.stability.StabilityStudy.ToolRow;
 import org.palpate.device.DeviceState;
 import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Quaternion;
@@ -42,7 +40,7 @@ class ClosedLoopTest {
 
   @Test
   void everyDevicesDefaultStiffnessIsStableWithAMarginOfTwo() {
-    List<DeviceRow> rows =
+    List<MarginRow<Trial>> rows =
         new StabilityStudy(true, List.of(StabilityStudy.GUARDED), line -> {}).devices();
     for (DeviceModel device : DeviceModel.KNOWN) {
       assertTrue(rows.stream().anyMatch(row -> isHeavyAndHardlyDamped(row, device)), device.name());
@@ -52,7 +50,7 @@ class ClosedLoopTest {
   }
 
   /** Whether the row has twice the assumed mass, a quarter of the damping and a light grip. */
-  private static boolean isHeavyAndHardlyDamped(DeviceRow row, DeviceModel device) {
+  private static boolean isHeavyAndHardlyDamped(MarginRow<Trial> row, DeviceModel device) {
     DeviceModel swept = row.trial().device();
     return swept.name().equals(device.name())
         && swept.handleKg() == 2 * device.handleKg()
@@ -185,16 +183,17 @@ class ClosedLoopTest {
             TouchedShape.wall(),
             StabilityStudy.GUARDED,
             true);
-    DeviceRow row = new DeviceRow(trial, 200, 500, new ClosedLoop.Outcome(true, 0.01, 0.2, 0.03));
+    MarginRow<Trial> row =
+        new MarginRow<>(trial, 200, 500, new ClosedLoop.Outcome(true, 0.01, 0.2, 0.03));
     ToolTrial held = new ToolTrial(trial.device(), Grip.FIRM, trial.sampling(), 0);
-    ToolRow tool = new ToolRow(held, 200, 300, row.atDefault());
-    StudyTable.STABILITY_TOOLS.write(folder, List.of(tool), ToolRow::cells);
+    MarginRow<ToolTrial> tool = new MarginRow<>(held, 200, 300, row.atDefault());
+    StudyTable.STABILITY_TOOLS.write(folder, List.of(tool), MarginRow::cells);
     assertTrue(
         Files.readAllLines(folder.resolve("stability-tools.csv"))
             .get(1)
             .endsWith(",1000.0,1,0.05,0.5,200.0,300.0,1.5,0.01,0.2,0.03"));
     TheoryRow theory = new TheoryRow(new Sampling(1000, 1), 2, 1200, 1333);
-    StudyTable.STABILITY_DEVICES.write(folder, List.of(row), DeviceRow::cells);
+    StudyTable.STABILITY_DEVICES.write(folder, List.of(row), MarginRow::cells);
     StudyTable.STABILITY_THEORY.write(folder, List.of(theory), TheoryRow::cells);
     assertEquals(
         "Touch,firm,wall,guarded,1000.0,1,0.05,0.5,200.0,500.0,2.5,0.01,0.2,0.03",
