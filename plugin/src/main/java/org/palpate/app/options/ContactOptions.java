@@ -14,6 +14,7 @@ import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MaterialOverride;
 import org.palpate.host.SolverKind;
+import org.palpate.io.file.NumberParser;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
@@ -35,6 +36,8 @@ public final class ContactOptions {
           "--friction", "the friction coefficient", 0, MaterialOverride.MOST_FRICTION, "", "0.2");
   private static final NumberRange CARVE =
       NumberRange.positive("--carve", "the rate", "mm^3 per N s");
+  private static final double MOST_MARGIN_MM = 1000;
+
   private static final NumberRange MAX_STEP =
       NumberRange.positive("--max-step", "the longest path", "mm");
   private static final NumberRange MAX_FORCE =
@@ -305,26 +308,16 @@ public final class ContactOptions {
     for (String text : protectedSegments) {
       int colon = text.lastIndexOf(':');
       String name = colon < 0 ? text : text.substring(0, colon);
-      OptionalDouble marginMm =
-          colon < 0 ? OptionalDouble.of(0) : margin(text.substring(colon + 1));
-      if (name.isEmpty() || marginMm.isEmpty()) {
+      double marginMm = colon < 0 ? 0 : NumberParser.number(text.substring(colon + 1));
+      if (name.isEmpty() || !(marginMm >= 0 && marginMm <= MOST_MARGIN_MM)) {
         throw PalpateException.wrongUse(
             "the margin cannot be read",
             "--protect " + text,
             "write NAME or NAME:MM with a margin from 0 to 1,000 mm, as in nerve:1.5");
       }
-      margins.put(name, marginMm.getAsDouble());
+      margins.put(name, marginMm);
     }
     return margins;
-  }
-
-  private static OptionalDouble margin(String text) {
-    try {
-      double mm = Double.parseDouble(text);
-      return mm >= 0 && mm <= 1000 ? OptionalDouble.of(mm) : OptionalDouble.empty();
-    } catch (NumberFormatException e) {
-      return OptionalDouble.empty();
-    }
   }
 
   /** Whether segments are protected. */
