@@ -1,6 +1,7 @@
 package org.palpate.scene;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -43,7 +44,7 @@ public final class SceneLoader implements AutoCloseable {
   /** Whether the segments stand at poses, so that those at rest do not darken each other. */
   private final boolean isPlaced;
 
-  private volatile AmbientOcclusion occlusion;
+  private volatile List<AmbientOcclusion> occlusions;
   private final List<BitCube> cubes = new ArrayList<>();
   private final List<Optional<GreyRange>> greys;
   private final List<SceneObject> objects = new ArrayList<>();
@@ -99,7 +100,7 @@ public final class SceneLoader implements AutoCloseable {
     builder = new SurfaceBuilder(threads);
     List<Segment> segments = volume.segments();
     segments.forEach(segment -> cubes.add(segment.bits()));
-    occlusion = newOcclusion();
+    occlusions = newOcclusions();
     Vec3 spacing = grid.spacingMm();
     model.addDetail(Math.max(spacing.x, Math.max(spacing.y, spacing.z)));
     for (int n = 0; n < segments.size(); n++) {
@@ -234,8 +235,7 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   private AmbientOcclusion occlusionAt(int segment, int level) {
-    AmbientOcclusion fine =
-        isPlaced ? new DensityAmbientOcclusion(List.of(cubes.get(segment))) : occlusion;
+    AmbientOcclusion fine = occlusions.get(segment);
     return level == 0 ? fine : scaled(fine, 1 << level);
   }
 
@@ -289,10 +289,14 @@ public final class SceneLoader implements AutoCloseable {
     return started;
   }
 
-  private AmbientOcclusion newOcclusion() {
-    return cubes.isEmpty()
-        ? AmbientOcclusion.NONE
-        : new DensityAmbientOcclusion(List.copyOf(cubes));
+  /** Returns the ambient occlusion of each segment. */
+  private List<AmbientOcclusion> newOcclusions() {
+    if (isPlaced || cubes.isEmpty()) {
+      return cubes.stream()
+          .<AmbientOcclusion>map(cube -> new DensityAmbientOcclusion(List.of(cube)))
+          .toList();
+    }
+    return Collections.nCopies(cubes.size(), new DensityAmbientOcclusion(List.copyOf(cubes)));
   }
 
   /**
@@ -305,7 +309,7 @@ public final class SceneLoader implements AutoCloseable {
   public synchronized void replace(int segment, BitCube bits, Optional<GreyRange> grey) {
     Vec3 spacing = grid.spacingMm();
     cubes.set(segment, bits);
-    occlusion = newOcclusion();
+    occlusions = newOcclusions();
     coarse.set(segment, List.of(CoarseVolume.of(bits, 1), CoarseVolume.of(bits, 2)));
     sources.set(
         segment,
