@@ -88,7 +88,8 @@ public final class Body {
    * Sets the pose, from rest to present, world mm. A tool that was placed among bodies refuses to
    * go on after a body moved, until it is placed again.
    *
-   * @throws IllegalArgumentException if the pose is not finite or its quaternion has not the norm 1
+   * @throws IllegalArgumentException if the pose is not finite or the norm of its quaternion is not
+   *     1
    */
   public void setPose(Pose newPose) {
     if (!newPose.isFinite() || !newPose.rotation.isUnit()) {

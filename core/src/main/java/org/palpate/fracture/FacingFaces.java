@@ -13,16 +13,18 @@ import org.palpate.volume.fracture.PosedBits;
  * The voxel faces of a fragment that face another fragment, and the gap at each. One thread an
  * instance.
  *
- * <p>A face of the rim faces the other fragment if the straight line along its normal meets the
- * other fragment within the reach, and the own fragment not before. The sum of the area vectors of
- * these faces gives the normal of the fracture. The gap at a face is the distance along that normal
- * from its centre to the other fragment, negative if the centre lies inside it. So a fragment that
- * moves along the normal by d widens the mean gap by d, however rough the surface is.
+ * <p>A straight line along the normal of a face on the rim decides whether it is one of them. The
+ * line must meet the other fragment within the reach, before it meets the own fragment again. The
+ * sum of the area vectors of these faces gives the normal of the fracture. The gap at a face is the
+ * distance along that normal from its centre to the other fragment, negative if the centre lies
+ * inside it. So a fragment that moves along the normal by d widens the mean gap by d, however rough
+ * the surface is.
  */
 final class FacingFaces {
-  /** The longest gap between facing surfaces, mm and longest voxel edges. */
+  /** The longest gap between facing surfaces, mm. */
   private static final double REACH_MM = 4;
 
+  /** The same in voxels, longest voxel edges; the larger of both counts. */
   private static final double REACH_EDGES = 3;
 
   /** Steps along a line, shortest voxel edges. */

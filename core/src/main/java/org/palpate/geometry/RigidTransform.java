@@ -4,8 +4,8 @@ package org.palpate.geometry;
  * A rotation, perhaps with a reflection, followed by a translation. The name of a variable states
  * from and to, as in {@code gridMmToWorld}.
  *
- * <p>Not copied: the caller gives the vectors away. They do not change after construction, except
- * in a transform that its owner keeps as a {@code dest}.
+ * <p>The vectors are not copied, so the caller must not keep them. They do not change after
+ * construction, except in a transform that its owner keeps as a {@code dest}.
  *
  * @param axisX the image of the x axis of the source, a unit vector
  * @param axisY the image of its y axis, a unit vector orthogonal to the others

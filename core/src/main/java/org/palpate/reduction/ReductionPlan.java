@@ -17,11 +17,12 @@ import org.palpate.rigid.tool.ToolSampler;
 
 /**
  * Plans how a hand that knows the truth puts fragments back: it touches each one from outside,
- * presses a button to hold it, lifts it off, leads it to its place along the widest way, and lets
- * it go.
+ * presses a button to hold it, lifts it off, leads it to its place in the direction with the widest
+ * opening, and lets it go.
  *
- * <p>The plan is geometry alone. Whether a fragment gets there is decided by the motions that are
- * verified when the hand carries it out. One thread; use bodies of your own, whose poses change.
+ * <p>The plan is geometry alone and verifies no motion. When the hand carries it out, only verified
+ * motions move a fragment, so it may stop before its place. One thread; use bodies of your own,
+ * whose poses change.
  */
 public final class ReductionPlan {
   /** The most sample points of a fragment that the plan looks at. */
@@ -37,7 +38,7 @@ public final class ReductionPlan {
   private static final double PRESS_EDGES = 1;
 
   /**
-   * The distance from a touched point beyond which its straight way outwards must be free, shortest
+   * The distance from a touched point beyond which a straight line outwards must be free, shortest
    * voxel edges.
    */
   private static final double CLEAR_EDGES = 2;
@@ -45,14 +46,14 @@ public final class ReductionPlan {
   private static final double PRESS_SECONDS = 0.4;
   private static final double SETTLE_SECONDS = 1.2;
 
-  /** The distance of a way around the bodies, as a multiple of the radius of their ball. */
+  /** The distance of a path around the bodies, as a multiple of the radius of their ball. */
   private static final double AROUND = 1.15;
 
-  private static final int PARTS_OF_A_WAY_AROUND = 4;
+  private static final int PARTS_OF_A_PATH_AROUND = 4;
 
   private final BodyScene bodies;
   private final BodyScene seen;
-  private final FreeWays ways;
+  private final FreeLines lines;
   private final List<RigidTool> shapes = new ArrayList<>();
   private final Vec3 middle = new Vec3();
   private final List<HandStop> stops = new ArrayList<>();
@@ -61,7 +62,7 @@ public final class ReductionPlan {
   private ReductionPlan(BodyScene bodies, BodyScene seen) {
     this.bodies = bodies;
     this.seen = seen;
-    ways = new FreeWays(bodies);
+    lines = new FreeLines(bodies);
     for (int n = 0; n < bodies.count(); n++) {
       Body body = bodies.body(n);
       shapes.add(ToolSampler.ofSegment(body.bits(), body.grid()).thinned(MOST_POINTS));
@@ -158,8 +159,8 @@ public final class ReductionPlan {
 
   private void putBack(int fragment, Pose truth) {
     Pose start = new Pose().set(bodies.body(fragment).pose());
-    Vec3 up = ways.widest(fragment, points(fragment, start), liftMm());
-    Vec3 away = ways.widest(fragment, points(fragment, truth), liftMm());
+    Vec3 up = lines.widest(fragment, points(fragment, start), liftMm());
+    Vec3 away = lines.widest(fragment, points(fragment, truth), liftMm());
     Pose hand = touch(fragment, start, up);
     Pose startToHand = inverse(start).multiply(hand, new Pose());
     hold(lifted(start, up).multiply(startToHand, new Pose()), 0, false);
@@ -214,8 +215,9 @@ public final class ReductionPlan {
   }
 
   /**
-   * Chooses a sample point that is reached from outside on a free straight way, and the way's
-   * direction, the one nearest to a preferred direction. Without any it chooses the first point.
+   * Chooses a sample point that a free straight line from outside reaches, and the direction of the
+   * line. Of several it chooses the direction nearest to a preferred one. Without any it chooses
+   * the first point.
    */
   private void chooseTouch(Vec3[] points, Vec3 preferred, Vec3 at, Vec3 outward) {
     double clearMm = CLEAR_EDGES * bodies.shortestEdgeMm();
@@ -231,7 +233,7 @@ public final class ReductionPlan {
       direction.mul(1 / direction.length(), direction);
       double score = direction.dot(preferred);
       Vec3 clear = direction.mul(clearMm, new Vec3()).add(point, new Vec3());
-      if (score > best && ways.isFree(clear, beyondBall(point, direction))) {
+      if (score > best && lines.isFree(clear, beyondBall(point, direction))) {
         best = score;
         at.set(point);
         outward.set(direction);
@@ -257,8 +259,8 @@ public final class ReductionPlan {
   private void goAround(Vec3 to) {
     Vec3 from = stops.get(stops.size() - 1).pose().translation.sub(middle, new Vec3());
     Vec3 end = to.sub(middle, new Vec3());
-    for (int n = 1; n < PARTS_OF_A_WAY_AROUND; n++) {
-      double part = (double) n / PARTS_OF_A_WAY_AROUND;
+    for (int n = 1; n < PARTS_OF_A_PATH_AROUND; n++) {
+      double part = (double) n / PARTS_OF_A_PATH_AROUND;
       Vec3 between = from.mul(1 - part, new Vec3()).add(end.mul(part, new Vec3()), new Vec3());
       if (between.length() > 0) {
         stops.add(free(outside(between)));

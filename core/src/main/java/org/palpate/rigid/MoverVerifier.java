@@ -310,7 +310,7 @@ final class MoverVerifier {
     }
   }
 
-  /** Takes the mover back to a pose at which it was committed, since when nothing else moved. */
+  /** Returns the mover to an earlier committed pose. Nothing else may have moved since then. */
   void takeBack(Pose earlier) {
     propose(earlier);
     commit();

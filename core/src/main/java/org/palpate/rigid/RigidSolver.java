@@ -277,7 +277,7 @@ public final class RigidSolver {
     takeEdits(motion);
   }
 
-  /** A body that moved may have left the tool, or pushed it: the approach begins anew. */
+  /** Moves the bodies. If one moved, the approach begins anew, because contacts may be others. */
   private void moveBodies(ToolMotion motion) {
     bodies.move(hand, device.isKnown() ? device.target() : verifier.pose(), motion);
     if (motion.bodies.count() > 0) {

@@ -41,9 +41,9 @@ class ReductionPlanTest {
       }
     }
     assertEquals(3, led.size());
-    List<Pose> ways = new ArrayList<>(starts.subList(1, 4));
+    List<Pose> left = new ArrayList<>(starts.subList(1, 4));
     for (Pose way : led) {
-      assertTrue(ways.removeIf(start -> isInverse(way, start)), "leads nobody home: " + way);
+      assertTrue(left.removeIf(start -> isInverse(way, start)), "leads nobody home: " + way);
     }
   }
 
@@ -65,7 +65,7 @@ class ReductionPlanTest {
   void theFreeHandTouchesOnlyTheFragmentThatItPresses() {
     List<HandStop> stops = plan();
     BodyScene scene = scene();
-    FreeWays ways = new FreeWays(scene);
+    FreeLines lines = new FreeLines(scene);
     int presses = 0;
     for (int n = 1; n < stops.size(); n++) {
       HandStop from = stops.get(n - 1);
@@ -73,7 +73,7 @@ class ReductionPlanTest {
       if (from.buttons() == 0 && to.buttons() == 0 && presses == 0) {
         boolean isPress = stops.get(n + 1).buttons() != 0;
         Vec3 end = to.pose().translation;
-        assertEquals(!isPress, ways.isFree(from.pose().translation, end), "stop " + n);
+        assertEquals(!isPress, lines.isFree(from.pose().translation, end), "stop " + n);
         presses += isPress ? 1 : 0;
       }
     }
@@ -83,12 +83,12 @@ class ReductionPlanTest {
   @Test
   void theWidestWayLeadsOutOfAHole() {
     Body block = new Body("block", BlockWithHole.bits(), BlockWithHole.GRID, Mobility.FIXED);
-    FreeWays ways = new FreeWays(new BodyScene(List.of(block)));
+    FreeLines lines = new FreeLines(new BodyScene(List.of(block)));
     Vec3[] points = {new Vec3(8, 8, 6), new Vec3(8.5, 8.5, 7)};
-    Vec3 way = ways.widest(1, points, 30);
+    Vec3 way = lines.widest(1, points, 30);
     assertTrue(way.z > 0.95, "the hole opens upwards: " + way);
-    assertTrue(ways.isFree(points[0], new Vec3(8, 8, 40)));
-    assertFalse(ways.isFree(points[0], new Vec3(40, 8, 6)));
+    assertTrue(lines.isFree(points[0], new Vec3(8, 8, 40)));
+    assertFalse(lines.isFree(points[0], new Vec3(40, 8, 6)));
   }
 
   private List<HandStop> plan() {

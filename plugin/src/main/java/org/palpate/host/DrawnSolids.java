@@ -121,8 +121,10 @@ final class DrawnSolids {
     }
 
     /**
-     * Returns the name of the first segment that the ray between two points meets, which are in
-     * coordinates of the grid at rest.
+     * Returns the name of the first segment that the ray between two points meets.
+     *
+     * @param fromGrid the start in coordinates of the grid at rest
+     * @param toGrid the end, likewise
      */
     Optional<String> firstName(Vec3 fromGrid, Vec3 toGrid) {
       int first =
@@ -152,7 +154,9 @@ final class DrawnSolids {
     /**
      * Reports the solid voxels around a point.
      *
-     * @param reachX how many voxels on either side along x, as are y and z
+     * @param reachX the number of voxels along x on either side of the point's voxel
+     * @param reachY the same along y
+     * @param reachZ the same along z
      */
     void around(Vec3 pointMm, int reachX, int reachY, int reachZ, VoxelSink sink) {
       for (int n = 0; n < segments.size(); n++) {

@@ -155,8 +155,8 @@ public final class ToolScene {
 
   /**
    * Returns the region and the points that a simulated hand presses with the tool, world mm. The
-   * points lie above the surface by the distance of the tool's nearest sample point from its
-   * reference point, so that the tool meets the surface about where the hand presses.
+   * points lie above the surface, so that the tool meets the surface about where the hand presses.
+   * Their height is the distance from the tool's reference point to its nearest sample point.
    */
   public HandTarget handTarget() {
     HandTarget target = scene.handTarget();

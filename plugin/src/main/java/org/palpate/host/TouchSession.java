@@ -236,8 +236,8 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /**
-   * Undoes the last edit or the last cut, as soon as no earlier edit waits; nothing happens if
-   * there is none. Any thread.
+   * Undoes the last edit, cut or placement of a body, as soon as no earlier edit waits. Without one
+   * nothing happens. Any thread.
    *
    * @return false if the queue of edits is full; then try again later
    */
@@ -246,7 +246,7 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /**
-   * Redoes the edit or the cut that was undone last. Otherwise it is like {@link #undo}. Any
+   * Redoes the edit, cut or placement that was undone last. Otherwise it is like {@link #undo}. Any
    * thread.
    */
   public boolean redo() {

@@ -23,7 +23,7 @@ final class AccuracyStudy {
   private static final int ROUNDS = 7;
   private static final int WARM_UP_ROUNDS = 2;
 
-  /** The distances between slices; voxels are cubes at the first. */
+  /** The distances between slices, mm. With the first one, voxels are cubes. */
   private static final int[] SLICES_MM = {1, 2, 3, 5};
 
   private final double[] depths;

@@ -50,7 +50,7 @@ record ComparedSolver(String name, ProxySolver solver, CollisionScene scene) {
     return solvers;
   }
 
-  /** Returns the plain baseline, to which all times are relative, and what keeps the guarantee. */
+  /** Returns the plain baseline and the solvers that keep the guarantee. */
   static List<ComparedSolver> ours(AccuracyScene scene) {
     CollisionScene bits = scene.collisionScene;
     GridMetric metric = scene.metric;

@@ -155,7 +155,10 @@ final class SceneLegJudge {
     }
   }
 
-  /** The tool carries the points, or the body with fewer of them, or the earlier one of the two. */
+  /**
+   * Judges the legs of a pair. The tool carries the sample points; of two bodies, the one that has
+   * fewer of them does, and of equals the earlier one.
+   */
   private void judgePair(int later, int earlier) {
     boolean laterCarries =
         later == tool

@@ -21,7 +21,8 @@ import org.palpate.volume.VoxelGrid;
 public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
 
   /**
-   * Returns the segments of a volume at poses, on the same grid; see the other method.
+   * Returns the segments of a volume at poses, on the same grid; see {@link #resample(List,
+   * VoxelGrid)}.
    *
    * @param poses the pose of each segment, from rest to present, world mm
    */
@@ -39,10 +40,10 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
   }
 
   /**
-   * Returns the voxels of a grid whose centres lie in voxels of the posed bodies: nearest-voxel
-   * resampling by the inverse map, which leaves no gap inside a body nor between bodies that touch
-   * as they did at rest. A voxel that lies in two bodies goes to the one whose voxel centre is
-   * nearer, or to the first of equals.
+   * Returns the voxels of a grid whose centres lie in voxels of the posed bodies. This is
+   * nearest-voxel resampling by the inverse map. It leaves no gap inside a body, nor between bodies
+   * that touch as they did at rest. A voxel that lies in two bodies goes to the one whose voxel
+   * centre is nearer, or to the first of equals.
    *
    * @return a cube for each body, of the size of the grid; no two share a voxel
    */

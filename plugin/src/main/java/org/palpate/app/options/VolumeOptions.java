@@ -48,8 +48,8 @@ public final class VolumeOptions {
       paramLabel = "VOXELS",
       description = {
         "Without VOXELS, interpolates slices if those of a DICOM series are unevenly spaced. With"
-            + " VOXELS, info --export writes voxels of other edges: mm, as 0.5 or 0.5,0.5,1, or so"
-            + " many times as many, as x2."
+            + " VOXELS, info --export writes voxels of other edges: mm, as 0.5 or 0.5,0.5,1, or a"
+            + " factor of their number along each axis, as x2."
       })
   private String resample;
 

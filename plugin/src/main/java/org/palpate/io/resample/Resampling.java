@@ -61,7 +61,7 @@ public record Resampling(VoxelGrid grid, AffineMap toSource) {
 
   /**
    * Returns voxels of another size from the same corner, as in {@code 0.5}, {@code 0.5,0.5,1} (mm)
-   * or {@code x2} (so many times as many along each axis). Their number is rounded.
+   * or {@code x2} (twice as many along each axis). Their number is rounded.
    *
    * @throws VolumeFormatException if the text has another form, or there would be too many voxels
    */

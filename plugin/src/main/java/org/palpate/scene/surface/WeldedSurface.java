@@ -56,9 +56,9 @@ public final class WeldedSurface {
   }
 
   /**
-   * Returns this surface after a motion of the world.
+   * Returns this surface as its body moves it, in the same frame of the vertices.
    *
-   * @param motion from rest to present, world mm
+   * @param motion the pose of the body, from rest to present, world mm
    * @param gridMmToWorld from the frame of the vertices to the world at rest
    */
   public WeldedSurface moved(Pose motion, RigidTransform gridMmToWorld) {

@@ -9,8 +9,8 @@ import org.palpate.volume.VoxelGrid;
 /**
  * The occupancies of voxels as their grey values give them.
  *
- * <p>Where an edit changed the bits the bits win: a voxel that is solid against its grey value has
- * full occupancy, one that is empty against it none.
+ * <p>Where an edit changed bits, the bits count: an added voxel has full occupancy, and a removed
+ * one has none.
  */
 final class GreyVoxels extends GreyOccupancyCache {
   private static final int NONE = Integer.MIN_VALUE;

@@ -5,10 +5,11 @@ import java.util.Arrays;
 /**
  * Finds the nearest solid or empty pixel for all columns of a tile at once.
  *
- * <p>Pixels count by their distance: those one pixel away first, then those along a diagonal, and
- * so on. A step adds all pixels that lie {@code off} rows and {@code along} pixels away. It spreads
- * each set bit of these rows by one more pixel to either side, and thereby reaches all columns of
- * the tile (SIMD within a register, SWAR).
+ * <p>The search visits pixels in the order of their distance: first those one pixel away, then
+ * those along a diagonal, and so on. One step visits all pixels that lie {@code off} rows and
+ * {@code along} pixels away from any column. For this it widens each set bit of these rows by one
+ * more pixel on either side. A word holds all columns, so a step serves them together (SIMD within
+ * a register, SWAR).
  *
  * <pre>
  *   word   16 bits for each of four rows; column c of the tile is bit 6 + c of a row
@@ -34,7 +35,10 @@ final class NearestPixels {
 
   private final SliceBits bits;
 
-  /** The set bits of the rows that are so many rows away on either side, spread so far. */
+  /**
+   * For each distance in rows, the set bits of the two rows that lie so far above and below. The
+   * steps so far have widened them.
+   */
   private final long[] spread = new long[REACH + 1];
 
   NearestPixels(SliceBits bits) {
@@ -61,9 +65,10 @@ final class NearestPixels {
    * must be covered.
    *
    * @param solid whether the nearest solid or the nearest empty pixel is sought
-   * @param columns the pixels of the tile that are of the other kind and search, a bit each
+   * @param columns the pixels of the tile for which a nearest pixel is sought, a bit each; they are
+   *     of the other kind
    * @param squares receives the squared distance for each pixel that is returned
-   * @return those of the columns that have found one
+   * @return the pixels of {@code columns} for which one was found within reach
    */
   int find(int brickU, int brickV, int slice, boolean solid, int columns, int[] squares) {
     long flip = solid ? 0 : -1;

@@ -10,10 +10,10 @@ import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
 
 /**
- * Asks which ways are free between the bodies of a scene: for a point, and for a fragment that
- * leaves a pose straight along a direction. World mm. One thread.
+ * Finds straight lines that touch no body of a scene: for a point, and for a fragment that leaves a
+ * pose along a direction. World mm. One thread.
  */
-final class FreeWays {
+final class FreeLines {
   /** The number of directions that are compared, spread evenly over the sphere. */
   private static final int DIRECTIONS = 160;
 
@@ -31,11 +31,11 @@ final class FreeWays {
   private final Vec3 gridFrom = new Vec3();
   private final Vec3 gridTo = new Vec3();
 
-  FreeWays(BodyScene scene) {
+  FreeLines(BodyScene scene) {
     this.scene = scene;
   }
 
-  /** Whether a straight way touches no body at its present pose. */
+  /** Whether a straight line touches no body at its present pose. */
   boolean isFree(Vec3 from, Vec3 to) {
     for (int n = 0; n < scene.count(); n++) {
       if (touches(n, from, to)) {
@@ -55,12 +55,13 @@ final class FreeWays {
   }
 
   /**
-   * Returns the direction along which a fragment leaves a pose most freely: the fewest of its
-   * points meet another body, and of equals the fewest around that direction.
+   * Returns the direction along which a fragment leaves a pose most freely. That is the one in
+   * which the fewest of its points meet another body. Of equals, it is the one with the fewest
+   * around it.
    *
    * @param fragment its index
    * @param points its sample points at that pose, world mm
-   * @param reachMm the length of the way
+   * @param reachMm the length of the line
    */
   Vec3 widest(int fragment, Vec3[] points, double reachMm) {
     Vec3 best = new Vec3(0, 0, 1);
@@ -103,13 +104,13 @@ final class FreeWays {
     return blocked;
   }
 
-  /** Returns the number of points that meet another body on a straight way. */
+  /** Returns the number of points that meet another body on a straight line. */
   private int blocked(int fragment, Vec3[] points, Vec3 direction, double reachMm) {
-    Vec3 way = direction.mul(reachMm, new Vec3());
+    Vec3 path = direction.mul(reachMm, new Vec3());
     Vec3 end = new Vec3();
     int blocked = 0;
     for (Vec3 point : points) {
-      point.add(way, end);
+      point.add(path, end);
       for (int n = 0; n < scene.count(); n++) {
         if (n != fragment && touches(n, point, end)) {
           blocked++;
