@@ -1,6 +1,8 @@
 package org.palpate.rigid;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
@@ -27,6 +29,11 @@ public final class RigidScene {
   private final BodyMover bodyMover;
   private final Map<LevelsKey, ClearanceLevels> levels = new HashMap<>();
   private final Map<ClearanceLevels, ContactField> fields = new HashMap<>();
+
+  /** All pairs, in the order in which their enclosure is examined. */
+  private final List<BodyVerifier> examined = new ArrayList<>();
+
+  private int nextExamined;
 
   /** Two bodies overlap of which one can move, so that no motion could be verified. */
   public static final class BodiesOverlapException extends IllegalArgumentException {
@@ -102,6 +109,7 @@ public final class RigidScene {
     BodyVerifier pair = new BodyVerifier(movers[points], movers[solid], grown, settings.skips());
     pairs[points][solid] = pair;
     pairs[solid][points] = pair;
+    examined.add(pair);
   }
 
   private static void requireApart(BodyVerifier pair) {
@@ -191,15 +199,17 @@ public final class RigidScene {
     }
   }
 
-  /** Goes on with the first examination whether a solid is enclosed that can go on. */
+  /**
+   * Goes on with one examination whether a solid is enclosed. Those that can go on take turns, so
+   * that one without an end, because a solid stays enclosed, delays no other for good.
+   */
   void continueEnclosureCheck() {
-    for (int a = 0; a < pairs.length; a++) {
-      for (int b = 0; b < a; b++) {
-        BodyVerifier pair = pairs[a][b];
-        if (pair != null && pair.isPresent() && pair.enclosure().canContinue()) {
-          pair.enclosure().continueCheck();
-          return;
-        }
+    for (int n = 0; n < examined.size(); n++) {
+      BodyVerifier pair = examined.get(nextExamined);
+      nextExamined = nextExamined + 1 < examined.size() ? nextExamined + 1 : 0;
+      if (pair.isPresent() && pair.enclosure().canContinue()) {
+        pair.enclosure().continueCheck();
+        return;
       }
     }
   }

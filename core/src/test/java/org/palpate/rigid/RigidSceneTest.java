@@ -1,0 +1,56 @@
+package org.palpate.rigid;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.RodShape;
+import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.volume.VoxelGrid;
+
+class RigidSceneTest {
+  private static Body block(String name, int edge, Mobility mobility, double x) {
+    VoxelGrid grid = VoxelGrid.ofUnitVoxels(edge, edge, edge);
+    Body body = new Body(name, ToolScenes.block(edge, edge, edge), grid, mobility);
+    body.setPose(at(x, 0, 0));
+    return body;
+  }
+
+  private static Pose at(double x, double y, double z) {
+    Pose pose = new Pose();
+    pose.translation.set(new Vec3(x, y, z));
+    return pose;
+  }
+
+  @Test
+  void aBodyThatEnclosesAnotherForGoodDelaysNoOtherExamination() {
+    Body dot = block("dot", 1, Mobility.FIXED, 0);
+    Body block = block("block", 12, Mobility.MOVABLE, 40);
+    Body wall = block("wall", 8, Mobility.FIXED, -40);
+    BodyScene scene = new BodyScene(List.of(dot, block, wall));
+    RigidTool ball = ToolSampler.ofShape(RodShape.sphere(2), 0.5);
+    RigidScene rigid =
+        new RigidScene(
+            scene,
+            ball,
+            MovableShapes.ofWholeBodies(scene, 0),
+            RigidSettings.ofWholeBodies(4, scene, ball));
+    RigidSolver solver = new RigidSolver(rigid);
+    ToolMotion motion = solver.newMotion();
+    block.setPose(at(-5.5, -5.5, -5.5)); // the dot is in its middle
+    assertTrue(solver.place(at(-29.9, 4, 4), motion), "0.1 mm from the wall");
+    assertTrue(motion.reducedPoints() > 0, "nearer than the clearance");
+    for (int frame = 0; frame < 100; frame++) {
+      solver.follow(at(-25, 4, 4), motion);
+    }
+    assertTrue(rigid.verifier(1).pair(0).enclosure().isPending(), "the block encloses the dot");
+    assertEquals(0, motion.reducedPoints(), "the tool encloses nothing");
+  }
+}
