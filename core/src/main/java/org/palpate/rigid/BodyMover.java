@@ -9,6 +9,10 @@ import org.palpate.geometry.Vec3;
  * indices. A step follows the straight interpolation to the goal. If it is blocked, shorter ones
  * are tried, down to a sixteenth.
  *
+ * <p>The work of a frame is bounded over all bodies. Once it is spent, the bodies that are left
+ * wait, and the next frame begins with them. The bodies before them have no turn in that frame. So
+ * the order within a frame is always the same, and poses as committed replay to the same bits.
+ *
  * <p>A body that another body blocks is held back. A body that only the tool blocks pushes it: the
  * tool is carried along as if it were glued to the body, and follows its device again afterwards.
  * If the carried tool is not free, or would be pushed too far from its device, the body is held
@@ -39,6 +43,12 @@ public final class BodyMover {
   /** The number of points whose clearance levels are tested after a motion, for each pair. */
   private static final int LEVELS_PER_STEP = 100;
 
+  /**
+   * The work after which a frame moves no further body, in the unit of {@link WorkBudget}. A frame
+   * begins the last step below it, so it exceeds the limit by less than one step.
+   */
+  static final long MOST_WORK = WorkBudget.LEAST_BUDGET;
+
   private final RigidScene scene;
   private final double maxStepMm;
   private final double farthestMm;
@@ -53,6 +63,11 @@ public final class BodyMover {
   private final Vec3 turn = new Vec3();
   private final Vec3 handShift = new Vec3();
   private final Vec3 handTurn = new Vec3();
+
+  /** The index of the body with which the next frame begins. */
+  private int first;
+
+  private long work;
   private long pushes;
   private long heldBack;
 
@@ -107,26 +122,43 @@ public final class BodyMover {
   /** Whether a body has a goal that it has not reached. */
   boolean hasWork() {
     for (int n = 0; n < goals.length; n++) {
-      if (hasGoal[n] && !scene.verifier(n).pose().sameBits(goals[n])) {
+      if (isOnItsWay(n)) {
         return true;
       }
     }
     return false;
   }
 
+  /** Returns the work of the last frame: the number of points that were tested. */
+  long work() {
+    return work;
+  }
+
   /**
-   * Moves each body that has not reached its goal, by one step.
+   * Moves each body that has not reached its goal, by one step, until the work is spent. The next
+   * frame begins with the first body that had to wait.
    *
    * @param hand the index of what the device moves: the tool, or a body that is held
    * @param device the device pose that the tool follows
    * @param motion gets the motions of the bodies, and the pushes of the tool
    */
   void move(int hand, Pose device, ToolMotion motion) {
-    for (int n = 0; n < goals.length; n++) {
-      if (hasGoal[n] && n != hand && !scene.verifier(n).pose().sameBits(goals[n])) {
+    work = 0;
+    int begin = first;
+    first = 0;
+    for (int n = begin; n < goals.length; n++) {
+      if (n != hand && isOnItsWay(n)) {
+        if (work >= MOST_WORK) {
+          first = n;
+          return;
+        }
         moveBody(n, hand, device, motion);
       }
     }
+  }
+
+  private boolean isOnItsWay(int n) {
+    return hasGoal[n] && !scene.verifier(n).pose().sameBits(goals[n]);
   }
 
   private void moveBody(int index, int hand, Pose device, ToolMotion motion) {
@@ -175,21 +207,27 @@ public final class BodyMover {
     body.propose(candidate);
   }
 
-  private boolean isFree(MoverVerifier body, double shiftMm, double turnRad) {
+  private boolean isFree(MoverVerifier mover, double shiftMm, double turnRad) {
     hits.clear();
-    return body.isFree(shiftMm, turnRad, true, hits);
+    long before = mover.tested();
+    boolean free = mover.isFree(shiftMm, turnRad, true, hits);
+    work += mover.tested() - before;
+    return free;
   }
 
   private boolean isFreeOfAllBut(int hand, MoverVerifier body) {
     hits.clear();
-    return body.isFreeOfAllBut(hand, hits);
+    long before = body.tested();
+    boolean free = body.isFreeOfAllBut(hand, hits);
+    work += body.tested() - before;
+    return free;
   }
 
   private void commit(int index, ToolMotion motion, int toolStep) {
     MoverVerifier body = scene.verifier(index);
     motion.bodies.add(index, body.mover.bodyPose(), body.mover.bodyCandidate(), toolStep);
     body.commit();
-    body.raiseLevels(LEVELS_PER_STEP);
+    work += body.raiseLevels(LEVELS_PER_STEP);
   }
 
   /**
@@ -211,8 +249,7 @@ public final class BodyMover {
       return false;
     }
     tool.proposeWith(index, carried);
-    hits.clear();
-    if (!tool.isFree(0, 0, true, hits)) {
+    if (!isFree(tool, 0, 0)) {
       return false;
     }
     int step = motion.steps;

@@ -480,10 +480,11 @@ final class BodyVerifier {
 
   /**
    * Raises the levels of points that have moved away from the body. Tests a bounded number of
-   * points; the next call goes on with the others.
+   * points, and returns it; the next call goes on with the others.
    */
-  void raiseLevels(int most) {
-    for (int n = 0; n < most && reducedCount > 0; n++) {
+  int raiseLevels(int most) {
+    int n = 0;
+    for (; n < most && reducedCount > 0; n++) {
       raiseNext = raiseNext + 1 < tool.count() ? raiseNext + 1 : 0;
       int now = level[raiseNext];
       if (now < highest && !touches(raiseNext, from, now + 1)) {
@@ -493,5 +494,6 @@ final class BodyVerifier {
         reducedCount -= now + 1 == highest ? 1 : 0;
       }
     }
+    return n;
   }
 }

@@ -318,14 +318,16 @@ final class MoverVerifier {
 
   /**
    * Raises the {@link ClearanceLevels} of points that have moved away from a body. Tests at most
-   * {@code most} points for each pair.
+   * {@code most} points for each pair, and returns the number of points tested.
    */
-  void raiseLevels(int most) {
+  int raiseLevels(int most) {
+    int sum = 0;
     for (int n = 0; n < pairs.length; n++) {
       if (isPresent(n)) {
-        pairs[n].raiseLevels(most);
+        sum += pairs[n].raiseLevels(most);
       }
     }
+    return sum;
   }
 
   /** Writes the grid coordinates of a point of the pair with another mover, at present. */

@@ -13,7 +13,7 @@ final class WorkBudget {
   private static final long FIELD_COST = 10;
 
   /** The work that a frame may always use. */
-  private static final long LEAST_BUDGET = 6_000;
+  static final long LEAST_BUDGET = 6_000;
 
   /** The number of complete verifications that a frame may always use. */
   private static final long VERIFICATIONS = 5;

@@ -32,6 +32,7 @@ class BodyMoverTest {
 
   private final SplittableRandom random = new SplittableRandom(Seeds.seed());
   private ToolMotion motion;
+  private int framesThatWaited;
 
   /** Returns a body of unit voxels whose middle lies at x, y, z at rest. */
   private static Body body(String name, BitCube bits, Mobility mobility, double x) {
@@ -251,7 +252,7 @@ class BodyMoverTest {
   /** Returns all poses of a run, as text. */
   private static List<String> run(long seed, boolean whole, boolean skips) {
     SplittableRandom random = new SplittableRandom(seed);
-    BodyScene scene = clutter(random);
+    BodyScene scene = clutter(random.nextLong());
     RigidTool tool = ToolSampler.ofShape(RodShape.capsule(1, 4), 0.5);
     RigidSolver solver = solver(scene, tool, whole, skips);
     ToolMotion motion = solver.newMotion();
@@ -273,38 +274,52 @@ class BodyMoverTest {
     for (int round = 0; round < 6; round++) {
       long seed = random.nextLong();
       List<Pose> committed = new ArrayList<>();
-      List<String> recorded = record(seed, committed, false);
-      assertEquals(recorded, record(seed, committed, true), "seed " + seed);
+      List<String> recorded = record(seed, clutter(seed), 500, committed, false);
+      List<String> replayed = record(seed, clutter(seed), 500, committed, true);
+      assertEquals(recorded, replayed, "seed " + seed);
     }
+  }
+
+  @Test
+  void posesReplayToTheSameBitsAlthoughBodiesHadToWait() {
+    long seed = random.nextLong();
+    List<Pose> committed = new ArrayList<>();
+    List<String> recorded = record(seed, crowd(), 100, committed, false);
+    assertTrue(framesThatWaited > 10, "waited in " + framesThatWaited + " frames");
+    assertEquals(recorded, record(seed, crowd(), 100, committed, true), "seed " + seed);
   }
 
   /**
    * Runs bodies after random goals and appends the pose of each body after each frame, or after
    * recorded poses. Returns the tool's poses.
    */
-  private static List<String> record(long seed, List<Pose> committed, boolean replays) {
+  private List<String> record(
+      long seed, BodyScene scene, int frames, List<Pose> committed, boolean replays) {
     SplittableRandom random = new SplittableRandom(seed);
-    BodyScene scene = clutter(random);
+    int count = scene.count();
     RigidSolver solver =
         solver(scene, ToolSampler.ofShape(RodShape.capsule(1, 4), 0.5), true, true);
     ToolMotion motion = solver.newMotion();
     solver.place(at(0, 0, 40), motion);
     Pose device = at(0, 0, 40);
     List<String> poses = new ArrayList<>();
-    for (int frame = 0; frame < 500; frame++) {
-      int body = random.nextInt(3);
-      Pose goal = RandomGeometry.pose(random, 12);
-      for (int n = 0; n < 3; n++) {
+    for (int frame = 0; frame < frames; frame++) {
+      for (int n = 0; n < count; n++) {
+        Pose goal = RandomGeometry.pose(random, 12);
         if (replays) {
-          solver.bodies().setGoal(n, committed.get(3 * frame + n));
-        } else if (n == body && frame % 10 == 0) {
+          solver.bodies().setGoal(n, committed.get(count * frame + n));
+        } else if ((frame + n) % 10 == 0) {
           solver.bodies().setGoal(n, goal);
         }
       }
       device.translation.set(10 * Math.sin(0.01 * frame), 5, 10 * Math.cos(0.013 * frame));
       solver.follow(device, motion);
+      for (int n = 1; n < motion.bodies().count(); n++) {
+        assertTrue(motion.bodies().body(n) > motion.bodies().body(n - 1), "order of indices");
+      }
+      framesThatWaited += solver.bodies().work() >= BodyMover.MOST_WORK ? 1 : 0;
       poses.add(motion.pose().toString());
-      for (int n = 0; n < 3; n++) {
+      for (int n = 0; n < count; n++) {
         poses.add(scene.body(n).pose().toString());
         if (!replays) {
           committed.add(new Pose().set(scene.body(n).pose()));
@@ -314,7 +329,8 @@ class BodyMoverTest {
     return poses;
   }
 
-  private static BodyScene clutter(SplittableRandom random) {
+  private static BodyScene clutter(long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
     List<Body> bodies = new ArrayList<>();
     for (int n = 0; n < 3; n++) {
       BitCube bits = RandomSolids.clutter(random, 9, 8, 7);
@@ -324,9 +340,57 @@ class BodyMoverTest {
   }
 
   @Test
+  void theWorkOfAFrameIsBoundedOverAllBodiesAndTheOthersMoveInTheNextFrames() {
+    BodyScene scene = crowd();
+    BodyScene again = crowd();
+    RigidSolver quick = solver(scene, ToolSampler.point(), false, true);
+    RigidSolver slow = solver(again, ToolSampler.point(), false, false);
+    motion = quick.newMotion();
+    ToolMotion slowMotion = slow.newMotion();
+    quick.place(at(0, 0, 90), motion);
+    slow.place(at(0, 0, 90), slowMotion);
+    Pose goal = new Pose();
+    for (int n = 0; n < scene.count(); n++) {
+      goal.set(scene.body(n).pose());
+      goal.translation.x += 0.25;
+      quick.bodies().setGoal(n, goal);
+      slow.bodies().setGoal(n, goal);
+    }
+    int next = 0;
+    long all = 0;
+    while (quick.bodies().hasWork()) {
+      quick.rest(motion);
+      slow.rest(slowMotion);
+      long work = quick.bodies().work();
+      assertEquals(slow.bodies().work(), work, "counted as if nothing were skipped");
+      assertTrue(work < BodyMover.MOST_WORK + 2_000, "work " + work);
+      assertTrue(work >= BodyMover.MOST_WORK || !quick.bodies().hasWork(), "waits in vain");
+      assertTrue(motion.bodies().count() > 0);
+      for (int n = 0; n < motion.bodies().count(); n++) {
+        assertEquals(next++, motion.bodies().body(n), "in the order of their indices");
+      }
+      all += work;
+    }
+    assertEquals(scene.count(), next, "each has moved once");
+    assertTrue(all > 2 * BodyMover.MOST_WORK, "work of all bodies " + all);
+    assertEquals(0, quick.bodies().heldBack(), "a body that waits is not held back");
+  }
+
+  /** Returns a square of blocks with half a voxel between two of them. */
+  private static BodyScene crowd() {
+    List<Body> bodies = new ArrayList<>();
+    for (int n = 0; n < 25; n++) {
+      Body block = block("block" + n, Mobility.MOVABLE, 0);
+      block.setPose(at(8.5 * (4 - n / 5), 8.5 * (n % 5), 0));
+      bodies.add(block);
+    }
+    return new BodyScene(bodies);
+  }
+
+  @Test
   void warmFramesOfMovingAndHeldBodiesAllocateNothing() {
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    BodyScene scene = clutter(random);
+    BodyScene scene = clutter(random.nextLong());
     RigidTool tool = ToolSampler.ofShape(RodShape.capsule(1, 4), 0.5);
     RigidSolver solver = placed(scene, tool, at(0, 0, 40));
     RigidSolver held = solver.ofBody(1);
