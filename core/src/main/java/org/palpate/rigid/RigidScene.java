@@ -17,8 +17,7 @@ import org.palpate.rigid.tool.RigidTool;
  * points carries them, and the first of two with as many. Bodies are numbered as in their scene;
  * the tool comes last.
  *
- * <p>Haptic thread only. Creating a scene allocates, and grows solids by clearances; nothing else
- * does.
+ * <p>Haptic thread only. Creating a scene or a solver for it allocates; frames do not.
  */
 public final class RigidScene {
   private final BodyScene bodies;
@@ -165,8 +164,9 @@ public final class RigidScene {
   }
 
   /**
-   * Takes the poses of all bodies as they are, unverified. The tool must be placed anew. Bodies
-   * that overlap then stay where they are until somebody sets a pose again.
+   * Takes the poses of all bodies as they are, unverified. The tool must be placed anew. If a
+   * sample point of one body touches a voxel of another, neither moves until a pose or an edit
+   * parts them.
    */
   void takeBodyPoses() {
     for (Mover mover : movers) {
@@ -186,8 +186,8 @@ public final class RigidScene {
   }
 
   /**
-   * Applies the edits of bodies to all pairs of bodies. A body that an added voxel touches stays
-   * where it is, because every leg of it would touch that voxel.
+   * Applies the edits of bodies to all pairs of bodies. If an added voxel touches a sample point of
+   * a pair, both bodies stay where they are, because every leg of that point would touch it.
    */
   void takeEdits() {
     for (int a = 0; a < bodies.count(); a++) {

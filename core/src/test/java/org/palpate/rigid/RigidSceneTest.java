@@ -53,4 +53,26 @@ class RigidSceneTest {
     assertTrue(rigid.verifier(1).pair(0).enclosure().isPending(), "the block encloses the dot");
     assertEquals(0, motion.reducedPoints(), "the tool encloses nothing");
   }
+
+  @Test
+  void bodiesThatWerePutIntoEachOtherStayIfASamplePointTouchesAndElseMove() {
+    Body dot = block("dot", 1, Mobility.FIXED, 0);
+    Body block = block("block", 12, Mobility.MOVABLE, 40);
+    BodyScene scene = new BodyScene(List.of(dot, block));
+    RigidSettings settings = RigidSettings.of(4, Clearance.POINTS);
+    RigidSolver solver =
+        new RigidSolver(
+            new RigidScene(
+                scene, ToolSampler.point(), MovableShapes.ofWholeBodies(scene, 0), settings));
+    ToolMotion motion = solver.newMotion();
+    for (double x : new double[] {-0.5, -5.5}) { // the dot at the surface, and in the middle
+      block.setPose(at(x, -5.5, -5.5));
+      solver.place(at(0, 0, 90), motion);
+      solver.bodies().setGoal(1, at(x - 1, -5.5, -5.5));
+      solver.rest(motion);
+      solver.rest(motion);
+      assertEquals(x == -0.5 ? x : x - 1, block.pose().translation.x);
+    }
+    assertEquals(2, solver.bodies().heldBack());
+  }
 }
