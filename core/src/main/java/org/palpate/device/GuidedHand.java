@@ -1,6 +1,7 @@
 package org.palpate.device;
 
 import java.util.List;
+import java.util.Optional;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
@@ -98,7 +99,10 @@ public final class GuidedHand implements HapticDevice {
       arrivalSeconds = arrivalAtNext();
       corrected.set(stops.get(++stop).pose());
     }
-    stops.get(stop).aim().ifPresent(this::correct);
+    Optional<HandStop.Aim> aim = stops.get(stop).aim();
+    if (aim.isPresent()) { // a method reference would be a new object in each sample
+      correct(aim.get());
+    }
     setPose(seconds);
     tremor.at(seconds, shakiness(seconds), shake, twist);
     pose.displace(shake, twist, 1, quaternion, pose);
