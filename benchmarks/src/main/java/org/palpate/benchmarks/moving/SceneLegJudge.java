@@ -102,12 +102,11 @@ final class SceneLegJudge {
     judgeStep(tool, NOTHING);
   }
 
-  /** Judges the last frame. */
+  /**
+   * Judges the last frame. Voxels must not change after {@link #begin}, so a tool that is set free
+   * breaks the chain too.
+   */
   void judge(ToolMotion motion) {
-    if (motion.freed()) {
-      poses[hand].set(handPose(motion.pathPose(0)));
-      next[hand].set(poses[hand]);
-    }
     expect(handPose(motion.pathPose(0)), poses[hand]);
     BodyMotions moved = motion.bodies();
     for (int n = 0; n < moved.count(); n++) {

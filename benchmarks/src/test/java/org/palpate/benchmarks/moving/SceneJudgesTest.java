@@ -84,6 +84,23 @@ class SceneJudgesTest {
   }
 
   @Test
+  void aToolThatIsSetFreeInAnUnchangedSceneBreaksTheChain() {
+    RigidTool point = ToolSampler.point();
+    BodyScene bodies = new BodyScene(List.of(dot("dot", Mobility.MOVABLE, 10)));
+    MovableShapes shapes = MovableShapes.ofPoints(bodies);
+    RigidSettings settings = RigidSettings.of(100, Clearance.POINTS);
+    RigidSolver solver = new RigidSolver(new RigidScene(bodies, point, shapes, settings));
+    ToolMotion motion = solver.newMotion();
+    solver.place(at(0, 90, 0), motion);
+    SceneLegJudge judge = new SceneLegJudge(bodies, point, shapes);
+    judge.begin(motion);
+    solver.place(at(11.5, 1.5, 1.5), motion);
+    assertTrue(motion.freed());
+    judge.judge(motion);
+    assertTrue(judge.broken() > 0);
+  }
+
+  @Test
   void theLegJudgeFindsABodyThatMovesOverTheTool() {
     RigidTool point = ToolSampler.point();
     Body block = dot("block", Mobility.MOVABLE, 10);
