@@ -1,6 +1,8 @@
 package org.palpate.body;
 
+import java.util.ArrayList;
 import java.util.List;
+import org.palpate.volume.VoxelGrid;
 
 /** The bodies of a scene, in the order in which results number them. Haptic thread only. */
 public final class BodyScene {
@@ -28,6 +30,15 @@ public final class BodyScene {
   /** Returns a body by its index. */
   public Body body(int index) {
     return bodies[index];
+  }
+
+  /** Returns the grid of each body. */
+  public List<VoxelGrid> grids() {
+    List<VoxelGrid> grids = new ArrayList<>();
+    for (Body body : bodies) {
+      grids.add(body.grid());
+    }
+    return grids;
   }
 
   /** Returns the number of times that the pose of any body was set. */

@@ -43,8 +43,9 @@ public final class BrushEdit extends Edit {
 
   /** Finds the box of the ball. Any ball fits: the part outside the grid is left out. */
   @Override
-  void prepare(VoxelGrid grid, GridMetric gridMetric) {
-    metric = gridMetric;
+  void prepare(SegmentGrids grids) {
+    VoxelGrid grid = grids.grid(segment());
+    metric = grids.metric(segment());
     box.lowX = lowest(centre.x, metric.spacingX());
     box.lowY = lowest(centre.y, metric.spacingY());
     box.lowZ = lowest(centre.z, metric.spacingZ());

@@ -1,8 +1,5 @@
 package org.palpate.edit;
 
-import org.palpate.geometry.GridMetric;
-import org.palpate.volume.VoxelGrid;
-
 /**
  * A change of voxels, of grey values, or of the history. Any thread makes an edit and puts it into
  * an {@link EditQueue} once. The haptic thread applies it between frames.
@@ -33,11 +30,12 @@ public abstract sealed class Edit
   }
 
   /**
-   * Checks that the edit fits the grid, and prepares it. Runs in the thread that queues the edit.
+   * Checks that the edit fits, and prepares it. Runs in the thread that queues the edit.
    *
+   * @param grids those of the segments of the scene
    * @throws IllegalArgumentException with the values, if it does not fit
    */
-  abstract void prepare(VoxelGrid grid, GridMetric gridMetric);
+  abstract void prepare(SegmentGrids grids);
 
   /**
    * Applies the edit or a part of it, and reports what may have changed. Haptic thread.

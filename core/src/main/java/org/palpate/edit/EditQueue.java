@@ -1,8 +1,9 @@
 package org.palpate.edit;
 
+import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReferenceArray;
-import org.palpate.geometry.GridMetric;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -13,9 +14,7 @@ public final class EditQueue {
   /** The usual number of edits that may wait. */
   public static final int DEFAULT_CAPACITY = 1024;
 
-  private final VoxelGrid grid;
-  private final GridMetric metric;
-  private final int segments;
+  private final SegmentGrids grids;
   private final boolean swaps;
   private final AtomicReferenceArray<Edit> slots;
   private final AtomicLong offered = new AtomicLong();
@@ -36,21 +35,21 @@ public final class EditQueue {
    * @param capacity number of edits that may wait, at least 1
    */
   public EditQueue(VoxelGrid grid, int segments, int capacity) {
-    this(grid, segments, capacity, true);
+    this(Collections.nCopies(segments, grid), capacity, true);
   }
 
   /**
    * Returns a queue that refuses a {@link SwapEdit}, for bodies, which keep their cubes for good.
+   *
+   * @param grids the grid of each body, whose index is that of the segment
    */
-  public static EditQueue ofBodies(VoxelGrid grid, int segments) {
-    return new EditQueue(grid, segments, DEFAULT_CAPACITY, false);
+  public static EditQueue ofBodies(List<VoxelGrid> grids) {
+    return new EditQueue(grids, DEFAULT_CAPACITY, false);
   }
 
-  private EditQueue(VoxelGrid grid, int segments, int capacity, boolean swaps) {
+  private EditQueue(List<VoxelGrid> grids, int capacity, boolean swaps) {
+    this.grids = new SegmentGrids(grids);
     this.swaps = swaps;
-    this.grid = grid;
-    metric = GridMetric.of(grid.spacingMm());
-    this.segments = segments;
     slots = new AtomicReferenceArray<>(capacity);
   }
 
@@ -58,18 +57,14 @@ public final class EditQueue {
    * Queues an edit. Any thread. The edits of one thread keep their order.
    *
    * @return false if the queue is full; the caller may try again later
-   * @throws IllegalArgumentException if the edit does not fit the grid or the segments
+   * @throws IllegalArgumentException if there is no such segment, or the edit does not fit its grid
    */
   public boolean offer(Edit edit) {
-    if (edit.segment() < 0 || edit.segment() >= segments) {
-      throw new IllegalArgumentException(
-          "no such segment: segment=" + edit.segment() + " segments=" + segments);
-    }
     if (!swaps && edit instanceof SwapEdit) {
       throw new IllegalArgumentException(
           "a body keeps its cube; change its voxels instead: segment=" + edit.segment());
     }
-    edit.prepare(grid, metric);
+    edit.prepare(grids);
     while (true) {
       long at = offered.get();
       if (at - taken.get() >= slots.length()) {
@@ -84,7 +79,7 @@ public final class EditQueue {
 
   /** Returns the number of segments in the scene. */
   public int segments() {
-    return segments;
+    return grids.count();
   }
 
   /** Returns the number of complete edits. Any thread. */

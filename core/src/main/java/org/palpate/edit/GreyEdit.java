@@ -1,6 +1,5 @@
 package org.palpate.edit;
 
-import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
@@ -29,7 +28,8 @@ public final class GreyEdit extends Edit {
   }
 
   @Override
-  void prepare(VoxelGrid grid, GridMetric gridMetric) {
+  void prepare(SegmentGrids grids) {
+    VoxelGrid grid = grids.grid(segment());
     VoxelGrid values = replacement.volume().grid();
     if (!sizes(values).equals(sizes(grid))) {
       throw new IllegalArgumentException(

@@ -1,8 +1,5 @@
 package org.palpate.edit;
 
-import org.palpate.geometry.GridMetric;
-import org.palpate.volume.VoxelGrid;
-
 /** Undoes the last stroke, or redoes the stroke that was undone last. */
 public final class HistoryEdit extends Edit {
   private static final int VOXELS_A_BRICK = 64;
@@ -25,8 +22,8 @@ public final class HistoryEdit extends Edit {
   }
 
   @Override
-  void prepare(VoxelGrid grid, GridMetric gridMetric) {
-    // Fits every grid.
+  void prepare(SegmentGrids grids) {
+    // Fits every scene.
   }
 
   @Override

@@ -1,6 +1,5 @@
 package org.palpate.edit;
 
-import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -43,7 +42,8 @@ public final class SwapEdit extends Edit {
   }
 
   @Override
-  void prepare(VoxelGrid grid, GridMetric gridMetric) {
+  void prepare(SegmentGrids grids) {
+    VoxelGrid grid = grids.grid(segment());
     String sizes = sizes(replacement.sizeX(), replacement.sizeY(), replacement.sizeZ());
     String gridSizes = sizes(grid.sizeX(), grid.sizeY(), grid.sizeZ());
     if (!sizes.equals(gridSizes)) {

@@ -1,8 +1,6 @@
 package org.palpate.edit;
 
-import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
-import org.palpate.volume.VoxelGrid;
 
 /** Makes one voxel solid or empty. */
 public final class VoxelEdit extends Edit {
@@ -28,11 +26,8 @@ public final class VoxelEdit extends Edit {
   }
 
   @Override
-  void prepare(VoxelGrid grid, GridMetric gridMetric) {
-    if (!grid.contains(i, j, k)) {
-      throw new IllegalArgumentException(
-          "voxel lies outside the grid: voxel=" + i + "," + j + "," + k);
-    }
+  void prepare(SegmentGrids grids) {
+    grids.requireVoxel(segment(), i, j, k);
   }
 
   @Override

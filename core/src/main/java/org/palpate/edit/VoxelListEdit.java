@@ -1,9 +1,7 @@
 package org.palpate.edit;
 
 import java.util.List;
-import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
-import org.palpate.volume.VoxelGrid;
 
 /** Makes listed voxels of any segments solid or empty, in their order and in one frame. */
 public final class VoxelListEdit extends Edit {
@@ -25,11 +23,9 @@ public final class VoxelListEdit extends Edit {
   }
 
   @Override
-  void prepare(VoxelGrid grid, GridMetric gridMetric) {
+  void prepare(SegmentGrids grids) {
     for (VoxelChange change : changes) {
-      if (!grid.contains(change.i(), change.j(), change.k())) {
-        throw new IllegalArgumentException("voxel lies outside the grid: " + change);
-      }
+      grids.requireVoxel(change.segment(), change.i(), change.j(), change.k());
     }
   }
 

@@ -12,12 +12,14 @@ import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
+import org.palpate.collision.CollisionScene;
 import org.palpate.device.HandTarget;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.ManualClock;
 import org.palpate.proxy.exact.GuardedSolver;
@@ -25,9 +27,14 @@ import org.palpate.testing.Floor;
 import org.palpate.testing.LegJudge;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
 
 class EditQueueTest {
   private static final int EDGE = Floor.EDGE;
+
+  /** The grid of a body that is smaller than the floor, with other voxels. */
+  private static final VoxelGrid SMALL =
+      new VoxelGrid(4, 5, 3, new Vec3(2, 2, 3), RigidTransform.identity());
 
   private final Floor floor = Floor.make();
   private final VoxelWriter writer = new VoxelWriter(floor.scene, EditListener.NONE);
@@ -42,6 +49,46 @@ class EditQueueTest {
     assertThrows(
         IllegalArgumentException.class,
         () -> new BrushEdit(0, new Vec3(Double.NaN, 0, 0), 1, true));
+  }
+
+  @Test
+  void anEditOfABodyMustFitTheGridOfThatBody() {
+    EditQueue bodies = EditQueue.ofBodies(List.of(Floor.GRID, SMALL));
+    String outside = "voxel lies outside the grid: voxel=4,0,0";
+    assertRefused(bodies, new VoxelEdit(1, 4, 0, 0, true), outside);
+    assertRefused(bodies, listOf(new VoxelChange(0, 1, 4, 0, 0, true)), outside);
+    assertRefused(
+        bodies,
+        listOf(new VoxelChange(0, 2, 0, 0, 0, true)),
+        "no such segment: segment=2 segments=2");
+    assertTrue(bodies.offer(new VoxelEdit(0, 4, 0, 0, true)));
+    assertTrue(bodies.offer(new VoxelEdit(1, 3, 4, 2, true)));
+  }
+
+  /** Returns the changes behind one that fits. */
+  private static Edit listOf(VoxelChange change) {
+    return new VoxelListEdit(List.of(new VoxelChange(0, 0, 4, 0, 0, true), change));
+  }
+
+  @Test
+  void aBrushIsClippedToTheGridOfItsBodyAndMeasuredInItsMillimetres() {
+    BitCube small = new BitCube(SMALL.sizeX(), SMALL.sizeY(), SMALL.sizeZ());
+    CollisionScene scene = new CollisionScene(List.of(floor.bits, small));
+    EditQueue bodies = EditQueue.ofBodies(List.of(Floor.GRID, SMALL));
+    Vec3 centre = new Vec3(3, 4, 1);
+    BrushEdit brush = new BrushEdit(1, centre, 5, true);
+    assertTrue(bodies.offer(brush));
+    bodies.applyTo(new VoxelWriter(scene, EditListener.NONE), 10_000);
+    assertTrue(brush.isDone());
+    for (int n = 0; n < 60; n++) {
+      int i = n % 4;
+      int j = n / 4 % 5;
+      int k = n / 20;
+      double x = 2 * (i + 0.5 - centre.x);
+      double y = 2 * (j + 0.5 - centre.y);
+      double z = 3 * (k + 0.5 - centre.z);
+      assertEquals(x * x + y * y + z * z <= 25, small.get(i, j, k), i + "," + j + "," + k);
+    }
   }
 
   @Test
@@ -199,9 +246,13 @@ class EditQueueTest {
   }
 
   private void assertRefused(Edit edit, String message) {
+    assertRefused(floor.edits, edit, message);
+  }
+
+  private static void assertRefused(EditQueue queue, Edit edit, String message) {
     assertEquals(
         message,
-        assertThrows(IllegalArgumentException.class, () -> floor.edits.offer(edit)).getMessage());
+        assertThrows(IllegalArgumentException.class, () -> queue.offer(edit)).getMessage());
   }
 
   private static void setLayer(EditQueue queue, int k) {

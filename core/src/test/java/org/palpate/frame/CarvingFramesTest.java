@@ -39,7 +39,7 @@ class CarvingFramesTest {
   private static final double STIFFNESS = 0.5;
 
   private final BitCube wall = slab(12, 12);
-  private final EditQueue edits = EditQueue.ofBodies(GRID, 1);
+  private final EditQueue edits = EditQueue.ofBodies(List.of(GRID));
   private final Vec3 position = new Vec3(12, 12, 20);
   private final ScriptedDevice device = new ScriptedDevice((read, state) -> read(state));
   private long nowNanos = 1;

@@ -42,7 +42,7 @@ class GraspTest {
   private final Body block = body("block", 8, 8, 8, Mobility.MOVABLE, new Vec3(16, 16, 8));
   private final Body small = body("small", 4, 4, 4, Mobility.MOVABLE, new Vec3(30, 16, 8));
   private final BodyScene bodies = new BodyScene(List.of(floor, block, small));
-  private final EditQueue edits = EditQueue.ofBodies(floor.grid(), 3);
+  private final EditQueue edits = EditQueue.ofBodies(bodies.grids());
   private final Vec3 hand = new Vec3(20, 20, 20);
   private final Quaternion turn = new Quaternion();
   private final ScriptedDevice device = new ScriptedDevice(this::sample);

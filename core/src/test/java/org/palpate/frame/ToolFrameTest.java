@@ -39,7 +39,7 @@ class ToolFrameTest {
   private final Body floor = new Body("floor", Floor.bits(), Floor.GRID, Mobility.FIXED);
   private final BodyScene bodies = new BodyScene(List.of(floor));
   private final RigidTool plate = ToolSampler.ofShape(new BoxShape(8, 8, 2), 0.7);
-  private final EditQueue edits = EditQueue.ofBodies(Floor.GRID, 1);
+  private final EditQueue edits = EditQueue.ofBodies(List.of(Floor.GRID));
   private final Quaternion turn = new Quaternion();
   private double deviceZ = 12;
   private long nowNanos = 1;

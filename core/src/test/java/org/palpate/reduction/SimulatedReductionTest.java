@@ -91,7 +91,7 @@ class SimulatedReductionTest {
         new RigidSolver(scene),
         RigidCoupling.of(point, 0.5),
         FrameSettings.live(hand.specification(), force),
-        EditQueue.ofBodies(bodies.body(0).grid(), bodies.count()),
+        EditQueue.ofBodies(bodies.grids()),
         ToolFramePublisher.NONE);
   }
 

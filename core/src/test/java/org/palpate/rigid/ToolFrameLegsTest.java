@@ -64,7 +64,7 @@ class ToolFrameLegsTest {
         ToolScenes.hasCoveredSurface(tool) && round % 2 == 0
             ? RigidSettings.ofWholeBodies(6, scene, tool)
             : RigidSettings.of(6, Clearance.POINTS);
-    EditQueue edits = EditQueue.ofBodies(grid, 1);
+    EditQueue edits = EditQueue.ofBodies(scene.grids());
     HostilePoses hand = new HostilePoses(random, 0.7 * EDGE);
     ScriptedDevice device = new ScriptedDevice((read, state) -> read(hand, state));
     ToolFrame frame =

@@ -80,7 +80,7 @@ public final class ToolScene {
                 tool,
                 shapes,
                 new RigidSettings(scene.maxStepMm(), clearances, greys, true)));
-    edits = EditQueue.ofBodies(scene.grid(), bodies.count());
+    edits = EditQueue.ofBodies(bodies.grids());
   }
 
   /** Returns the volume, its contact settings and its grey values. */
@@ -200,7 +200,7 @@ public final class ToolScene {
 
   /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */
   ToolFrame newWarmUpFrame(HapticDevice worldDevice, FrameSettings frame, RigidCoupling coupling) {
-    EditQueue none = EditQueue.ofBodies(scene.grid(), bodies.count());
+    EditQueue none = EditQueue.ofBodies(bodies.grids());
     return new ToolFrame(
         worldDevice, bodies, solver, coupling, frame, none, ToolFramePublisher.NONE);
   }

@@ -94,7 +94,7 @@ final class CarveStudy {
         new VoxelWriter(
             new CollisionScene(List.of(bits)), (segment, box) -> body.voxelsChanged(box));
     writer.listen((segment, i, j, k, solid) -> change(copy, i, j, k, solid));
-    EditQueue queue = EditQueue.ofBodies(body.grid(), 1);
+    EditQueue queue = EditQueue.ofBodies(bodies.grids());
     ToolCarver carver =
         new ToolCarver(
             CarveSettings.ofRate(random.nextDouble(1e4) * edgeMm * edgeMm * edgeMm),

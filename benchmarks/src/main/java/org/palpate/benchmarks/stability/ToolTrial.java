@@ -59,7 +59,7 @@ public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, double
             new RigidSolver(wall, rod, RigidSettings.of(MAX_STEP_MM, Clearance.POINTS)),
             RigidCoupling.of(rod, newtonPerM * 1e-3),
             settings,
-            EditQueue.ofBodies(wall.body(0).grid(), wall.count()),
+            EditQueue.ofBodies(wall.grids()),
             ToolFramePublisher.NONE);
     return loop.run(plant, frame);
   }
