@@ -15,7 +15,8 @@ import org.palpate.volume.VoxelGrid;
  * <p>Belongs to the haptic thread. Code that edits the voxels must call {@link #voxelsChanged}.
  */
 public final class Body {
-  private static final int REMEMBERED_EDITS = 64;
+  /** More than one frame makes, so that nobody who looks at each frame's edits misses a box. */
+  private static final int REMEMBERED_EDITS = 128;
 
   private final String name;
   private final BitCube bits;

@@ -14,6 +14,9 @@ public final class EditQueue {
   /** The usual number of edits that may wait. */
   public static final int DEFAULT_CAPACITY = 1024;
 
+  /** The most edits of a frame: each costs the frame something, however few voxels it has. */
+  static final int MOST_EDITS_A_FRAME = 32;
+
   private final SegmentGrids grids;
   private final boolean swaps;
   private final AtomicReferenceArray<Edit> slots;
@@ -93,14 +96,14 @@ public final class EditQueue {
   }
 
   /**
-   * Applies waiting edits, each as a stroke of its own. Haptic thread.
+   * Applies waiting edits, each as a stroke of its own, but at most 32. Haptic thread.
    *
    * @param maxVoxels number of voxels that the edits may visit
    * @return whether any voxel may have changed
    */
   public boolean applyTo(VoxelWriter out, int maxVoxels) {
     int left = maxVoxels;
-    while (left > 0) {
+    for (int n = 0; n < MOST_EDITS_A_FRAME && left > 0; n++) {
       int slot = (int) (taken.getPlain() % slots.length());
       Edit edit = slots.get(slot);
       if (edit == null) {

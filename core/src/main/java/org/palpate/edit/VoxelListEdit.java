@@ -3,8 +3,11 @@ package org.palpate.edit;
 import java.util.List;
 import org.palpate.geometry.IntBox;
 
-/** Makes listed voxels of any segments solid or empty, in their order and in one frame. */
-public final class VoxelListEdit extends Edit {
+/**
+ * Makes listed voxels of any segments solid or empty, in their order and in one frame. For replays,
+ * because a long list takes long.
+ */
+final class VoxelListEdit extends Edit {
   /** A box around several voxels is reported if it holds no more than this. */
   private static final long MOST_IN_BOX = 512;
 
@@ -17,7 +20,7 @@ public final class VoxelListEdit extends Edit {
    *
    * @param changes at least one; their frames do not matter
    */
-  public VoxelListEdit(List<VoxelChange> changes) {
+  VoxelListEdit(List<VoxelChange> changes) {
     super(changes.get(0).segment());
     this.changes = List.copyOf(changes);
   }

@@ -27,6 +27,7 @@ public final class RigidScene {
   private final BodyVerifier[][] pairs;
   private final BodyMover bodyMover;
   private final Map<LevelsKey, ClearanceLevels> levels = new HashMap<>();
+  private final ClearanceLevels[] allLevels;
   private final Map<ClearanceLevels, ContactField> fields = new HashMap<>();
 
   /** All pairs, in the order in which their enclosure is examined. */
@@ -67,6 +68,7 @@ public final class RigidScene {
     movers[count] = Mover.tool(tool);
     pairs = new BodyVerifier[count + 1][count + 1];
     addPairs(shapes);
+    allLevels = levels.values().toArray(new ClearanceLevels[0]);
     verifiers = new MoverVerifier[count + 1];
     for (int n = 0; n <= count; n++) {
       if (movers[n].canMove()) {
@@ -182,6 +184,16 @@ public final class RigidScene {
           pair.enclosure().begin();
         }
       }
+    }
+  }
+
+  /**
+   * Applies the edits of bodies to all grown solids. Otherwise edits would pile up in frames
+   * without a motion, and the next motion would have to grow whole bodies anew.
+   */
+  void growEdits() {
+    for (ClearanceLevels grown : allLevels) {
+      grown.takeEdits();
     }
   }
 

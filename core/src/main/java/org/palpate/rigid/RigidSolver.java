@@ -260,6 +260,7 @@ public final class RigidSolver {
    */
   public void rest(ToolMotion motion) {
     if (!bodies.hasWork()) {
+      scene.growEdits();
       motion.rest();
       return;
     }

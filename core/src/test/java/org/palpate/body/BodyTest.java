@@ -62,14 +62,14 @@ class BodyTest {
   void remembersWhatEditsChanged() {
     BitCube bits = new BitCube(8, 9, 10);
     Body body = new Body("b", bits, OBLIQUE, Mobility.FIXED);
-    for (int n = 0; n < 100; n++) {
+    for (int n = 0; n < 200; n++) {
       IntBox box = new IntBox();
       box.include(n % 8, n % 9, n % 10);
       bits.set(n % 8, n % 9, n % 10);
       body.voxelsChanged(box);
     }
-    assertEquals(100, body.edits());
-    assertTrue(body.change(99).contains(3, 0, 9));
+    assertEquals(200, body.edits());
+    assertTrue(body.change(199).contains(7, 1, 9));
     assertTrue(body.change(0).contains(7, 8, 9), "long past: everything");
     assertEquals(0, body.clearance().at(3.5, 0.5, 9.5));
   }

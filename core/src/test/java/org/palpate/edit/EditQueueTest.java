@@ -106,6 +106,18 @@ class EditQueueTest {
   }
 
   @Test
+  void aFrameAppliesABoundedNumberOfEdits() {
+    EditQueue queue = new EditQueue(Floor.GRID, 1);
+    for (int n = 0; n < 3 * EditQueue.MOST_EDITS_A_FRAME / 2; n++) {
+      assertTrue(queue.offer(new VoxelEdit(0, n % EDGE, n / EDGE, 20, true)));
+    }
+    queue.applyTo(writer, 10_000);
+    assertEquals(EditQueue.MOST_EDITS_A_FRAME, queue.completed());
+    queue.applyTo(writer, 10_000);
+    assertTrue(queue.isIdle());
+  }
+
+  @Test
   void aBrushOutsideTheGridChangesNothingAndCompletes() {
     for (double at : new double[] {-50, 90, 1e12, -1e300}) {
       BrushEdit brush = new BrushEdit(0, new Vec3(at, 16, 16), 5, true);

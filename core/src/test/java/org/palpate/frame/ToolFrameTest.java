@@ -36,12 +36,33 @@ class ToolFrameTest {
   private static final long MS = ManualClock.MS;
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-  private final Body floor = new Body("floor", Floor.bits(), Floor.GRID, Mobility.FIXED);
+  private final CountingFloor bits = new CountingFloor();
+  private final Body floor = new Body("floor", bits, Floor.GRID, Mobility.FIXED);
   private final BodyScene bodies = new BodyScene(List.of(floor));
   private final RigidTool plate = ToolSampler.ofShape(new BoxShape(8, 8, 2), 0.7);
   private final EditQueue edits = EditQueue.ofBodies(List.of(Floor.GRID));
   private final Quaternion turn = new Quaternion();
   private double deviceZ = 12;
+
+  /** The floor, with a count of the words that were read. */
+  private static final class CountingFloor extends BitCube {
+    private long reads;
+
+    CountingFloor() {
+      super(Floor.EDGE, Floor.EDGE, Floor.EDGE);
+      BitCube solid = Floor.bits();
+      for (int n = 0; n < 512; n++) {
+        setBrick(n % 8, n / 8 % 8, n / 64, solid.brick(n % 8, n / 8 % 8, n / 64));
+      }
+    }
+
+    @Override
+    public long brick(int brickX, int brickY, int brickZ) {
+      reads++;
+      return super.brick(brickX, brickY, brickZ);
+    }
+  }
+
   private long nowNanos = 1;
 
   @Test
@@ -226,6 +247,31 @@ class ToolFrameTest {
     assertThrows(
         IllegalArgumentException.class,
         () -> edits.offer(new SwapEdit(0, new BitCube(32, 32, 32))));
+  }
+
+  /** Otherwise that frame would grow the whole floor anew and be late. */
+  @Test
+  void theFirstFrameAfterASilenceWithManyEditsReadsFewVoxels() {
+    ScriptedDevice device = device();
+    ToolFrame frame = frame(device, unlimited());
+    run(frame, 3);
+    edits.offer(new VoxelEdit(0, 16, 16, 31, true));
+    long ofAnEdit = reads(frame);
+    device.script = (read, state) -> ReadStatus.REPEATED;
+    for (int n = 0; n < 200; n++) {
+      edits.offer(new VoxelEdit(0, n % 32, n / 32, 31, true));
+      run(frame, 1);
+    }
+    assertTrue(edits.isIdle());
+    device.script = this::read;
+    long ofResuming = reads(frame);
+    assertTrue(ofResuming <= 2 * ofAnEdit, ofResuming + " words, with one edit " + ofAnEdit);
+  }
+
+  private long reads(ToolFrame frame) {
+    long before = bits.reads;
+    run(frame, 1);
+    return bits.reads - before;
   }
 
   @Test
