@@ -9,6 +9,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.FileChannel;
 import java.util.zip.InflaterInputStream;
+import org.apache.commons.compress.compressors.zstandard.ZstdCompressorInputStream;
 import org.palpate.io.codec.LzwInputStream;
 import org.palpate.io.codec.PackBitsInputStream;
 import org.palpate.io.format.BinarySampleStream;
@@ -141,12 +142,13 @@ final class TiffDecoder {
     }
   }
 
-  private static InputStream decompressed(byte[] stored, int compression) {
+  private static InputStream decompressed(byte[] stored, int compression) throws IOException {
     InputStream in = new ByteArrayInputStream(stored);
     return switch (compression) {
       case 5 -> new LzwInputStream(in);
       case 8, 32946 -> new BufferedInputStream(new InflaterInputStream(in));
       case 32773 -> new PackBitsInputStream(in);
+      case TiffPage.ZSTD -> new ZstdCompressorInputStream(in);
       default -> in;
     };
   }

@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.apache.commons.compress.compressors.zstandard.ZstdUtils;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.format.BinaryData;
 import org.palpate.io.format.InputFiles;
@@ -11,6 +12,9 @@ import org.palpate.io.volume.VolumeFormatException;
 
 /** One page of a TIFF, with the meaning of its tags. */
 final class TiffPage {
+  /** The code of the compression ZSTD. */
+  static final int ZSTD = 50000;
+
   static final Set<Integer> KNOWN_TAGS =
       Set.of(
           254, 256, 257, 258, 259, 262, 266, 270, 273, 274, 277, 278, 279, 282, 283, 284, 296, 317,
@@ -227,6 +231,7 @@ final class TiffPage {
       case 5 -> "LZW";
       case 8, 32946 -> "deflate";
       case 32773 -> "PackBits";
+      case ZSTD -> ZstdUtils.isZstdCompressionAvailable() ? "ZSTD" : "";
       default -> "";
     };
   }
@@ -238,7 +243,7 @@ final class TiffPage {
           case 33003, 33005, 34712 -> "JPEG 2000";
           case 34887 -> "LERC";
           case 34925 -> "LZMA";
-          case 50000 -> "ZSTD";
+          case ZSTD -> "ZSTD without the library zstd-jni";
           case 50001 -> "WebP";
           case 50002 -> "JPEG XL";
           default -> "of the unknown kind " + compression;
@@ -257,6 +262,7 @@ final class TiffPage {
       case 1 -> 1;
       case 5 -> 2800; // 4096 bytes of 12 bits
       case 32773 -> 64; // 128 bytes of 2
+      case ZSTD -> 32768; // a block of 128 KiB of 4
       default -> BinaryData.MAX_DEFLATE_RATIO;
     };
   }
