@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.carve.CarveSettings;
@@ -61,6 +62,9 @@ public final class ToolFrame extends HapticFrame {
   private final AtomicReference<HoldRequest> holdRequest = new AtomicReference<>(HoldRequest.NONE);
   private volatile int heldBody = Grasp.NO_BODY;
 
+  /** For each body the pose that was requested last, until a frame takes it; else null. */
+  private final AtomicReferenceArray<Pose> requestedPoses;
+
   /** A change of what the hand holds. */
   private enum HoldRequest {
     NONE,
@@ -98,6 +102,7 @@ public final class ToolFrame extends HapticFrame {
     limitMovableBodies();
     grasp = new Grasp(bodies, solver, coupling, settings.force(), placements);
     requestedForce = settings.force();
+    requestedPoses = new AtomicReferenceArray<>(bodies.count());
     solver.addSkips(skippedBeforeUse);
   }
 
@@ -129,6 +134,18 @@ public final class ToolFrame extends HapticFrame {
     if (!voxels.history().isMoving()) {
       applyHold(holdRequest.getAndSet(HoldRequest.NONE));
     }
+    applyPoses();
+  }
+
+  private void applyPoses() {
+    for (int n = 0; n < requestedPoses.length(); n++) {
+      if (requestedPoses.get(n) != null) {
+        Pose goal = requestedPoses.getAndSet(n, null);
+        if (n != grasp.held()) {
+          solver.bodies().setGoal(n, goal);
+        }
+      }
+    }
   }
 
   private void takeButton() {
@@ -156,7 +173,7 @@ public final class ToolFrame extends HapticFrame {
 
   /**
    * Applies edits. The solver takes note of them before its next motion. They wait while a body is
-   * held. If undo has moved a body, the tool is set free.
+   * held. If undo has moved a body, the tool is set free, and no body goes on to a requested pose.
    */
   @Override
   void applyEdits(int maxVoxels) {
@@ -165,6 +182,7 @@ public final class ToolFrame extends HapticFrame {
     }
     edits.applyTo(voxels, maxVoxels);
     if (placed && solver.wasBodyMoved()) {
+      solver.bodies().clearGoals();
       solver.place(motion.pose(), motion);
       grasp.force().reset();
       setFree();
@@ -265,6 +283,21 @@ public final class ToolFrame extends HapticFrame {
    */
   public void requestLetGo() {
     holdRequest.set(HoldRequest.LET_GO);
+  }
+
+  /**
+   * Moves a body towards a pose from the next frame on, by verified steps. A pose that it cannot
+   * reach stays its goal, until another is requested, the hand takes the body, or undo moves a
+   * body. A request for a body that is held has no effect. Any thread; copies the pose.
+   *
+   * @param body the index of a body that can move
+   * @param restToPresent world mm
+   * @throws IllegalArgumentException if the body stands still, or the pose is not finite or has no
+   *     unit quaternion
+   */
+  public void requestPose(int body, Pose restToPresent) {
+    solver.bodies().requireGoal(body, restToPresent);
+    requestedPoses.set(body, new Pose().set(restToPresent));
   }
 
   /** Returns the index of the body that is held; -1 if the hand holds the tool. Any thread. */

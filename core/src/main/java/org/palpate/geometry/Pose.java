@@ -27,6 +27,13 @@ public final class Pose {
     return this;
   }
 
+  /** Copies a motion whose axes are orthonormal and right-handed, up to rounding. */
+  public Pose set(RigidTransform motion) {
+    translation.set(motion.origin());
+    rotation.setAxes(motion.axisX(), motion.axisY(), motion.axisZ());
+    return this;
+  }
+
   /** Sets the pose that moves nothing. */
   public Pose setIdentity() {
     translation.set(0, 0, 0);

@@ -76,6 +76,31 @@ public final class Quaternion {
   }
 
   /**
+   * Sets the rotation that takes the coordinate axes to the given ones, with the norm 1.
+   *
+   * <p>Reference: Shepperd 1978, Quaternion from rotation matrix.
+   *
+   * @param axisX the image of the x axis; the three are orthonormal and right-handed, up to
+   *     rounding
+   * @param axisY the image of the y axis
+   * @param axisZ the image of the z axis
+   */
+  public Quaternion setAxes(Vec3 axisX, Vec3 axisY, Vec3 axisZ) {
+    double trace = axisX.x + axisY.y + axisZ.z;
+    if (trace >= Math.max(axisX.x, Math.max(axisY.y, axisZ.z))) {
+      set(1 + trace, axisY.z - axisZ.y, axisZ.x - axisX.z, axisX.y - axisY.x);
+    } else if (axisX.x >= Math.max(axisY.y, axisZ.z)) {
+      set(axisY.z - axisZ.y, 1 + 2 * axisX.x - trace, axisX.y + axisY.x, axisZ.x + axisX.z);
+    } else if (axisY.y >= axisZ.z) {
+      set(axisZ.x - axisX.z, axisX.y + axisY.x, 1 + 2 * axisY.y - trace, axisY.z + axisZ.y);
+    } else {
+      set(axisX.y - axisY.x, axisZ.x + axisX.z, axisY.z + axisZ.y, 1 + 2 * axisZ.z - trace);
+    }
+    normalize();
+    return this;
+  }
+
+  /**
    * Writes the rotation vector, rad, of at most pi in length: the logarithm of the shorter of the
    * two ways around. This quaternion has the norm 1.
    */

@@ -1,5 +1,6 @@
 package org.palpate.rigid;
 
+import java.util.Arrays;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
@@ -90,8 +91,20 @@ public final class BodyMover {
    *     unit quaternion
    */
   public void setGoal(int body, Pose goal) {
-    MoverVerifier verifier = scene.verifier(body);
-    if (verifier == null) {
+    requireGoal(body, goal);
+    Mover mover = scene.verifier(body).mover;
+    mover.toReference(ReferencePose.snap(candidate.set(goal)), goals[body]);
+    ReferencePose.snap(goals[body]);
+    hasGoal[body] = true;
+  }
+
+  /**
+   * Checks that {@link #setGoal} would take a goal. Any thread.
+   *
+   * @throws IllegalArgumentException as {@link #setGoal}
+   */
+  public void requireGoal(int body, Pose goal) {
+    if (scene.verifier(body) == null) {
       throw new IllegalArgumentException(
           "the body stands still: " + scene.bodies().body(body).name());
     }
@@ -99,14 +112,16 @@ public final class BodyMover {
       throw new IllegalArgumentException(
           "the goal of a body must be finite with a unit quaternion: goal=" + goal);
     }
-    verifier.mover.toReference(ReferencePose.snap(candidate.set(goal)), goals[body]);
-    ReferencePose.snap(goals[body]);
-    hasGoal[body] = true;
   }
 
   /** Lets a body stay where it is. */
   public void clearGoal(int body) {
     hasGoal[body] = false;
+  }
+
+  /** Lets all bodies stay where they are. */
+  public void clearGoals() {
+    Arrays.fill(hasGoal, false);
   }
 
   /** Returns the number of steps in which a body pushed the tool. */

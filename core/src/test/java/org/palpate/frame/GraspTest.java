@@ -2,6 +2,7 @@ package org.palpate.frame;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -148,6 +149,58 @@ class GraspTest {
     moveTo(20, 20, 40);
     assertTrue(block.pose().sameBits(put));
     assertTrue(frame.motion().pose().translation.sameBits(hand), "the tool is back at the hand");
+  }
+
+  @Test
+  void aBodyGoesToARequestedPoseAndStopsWhereAnotherIsInItsWay() {
+    Pose goal = new Pose();
+    goal.rotation.setRotationVector(new Vec3(0, 0, 0.3));
+    goal.translation.set(12, 18, 20);
+    moveTo(0, 0, 60);
+    frame.requestPose(1, goal);
+    run(400);
+    assertEquals(0, goal.translation.sub(block.pose().translation, new Vec3()).length(), 1e-6);
+    assertEquals(0.3, block.pose().rotation.angle(), 1e-6);
+    goal.translation.z = -5;
+    frame.requestPose(1, goal);
+    run(400);
+    double z = block.pose().translation.z;
+    assertTrue(z > 5 && z < 6, "over the floor: " + block.pose());
+    frame.requestPose(1, new Pose().set(block.pose())); // what it could not reach is forgotten
+    run(10);
+    assertTrue(frame.motion().bodies().count() == 0, "at rest");
+  }
+
+  @Test
+  void aRequestedPoseWaitsForNobodyWhoHoldsTheBodyAndUndoIsNotReversed() {
+    Pose start = new Pose().set(block.pose());
+    Pose goal = new Pose();
+    goal.translation.set(2, 2, 30);
+    takeBlock();
+    frame.requestPose(1, goal);
+    moveTo(20, 20, 25);
+    assertEquals(17, block.pose().translation.z, 0.5, "where the hand leads it");
+    frame.requestLetGo();
+    run(200);
+    assertEquals(17, block.pose().translation.z, 0.5, "where it was let go");
+    frame.requestPose(1, goal);
+    run(5);
+    assertTrue(block.pose().translation.x < 16, "on its way");
+    undo();
+    assertTrue(block.pose().sameBits(start));
+    run(50);
+    assertTrue(block.pose().sameBits(start));
+  }
+
+  @Test
+  void onlyABodyThatCanMoveTakesAFinitePose() {
+    Pose goal = new Pose();
+    assertThrows(IllegalArgumentException.class, () -> frame.requestPose(0, goal));
+    goal.translation.y = Double.NaN;
+    assertThrows(IllegalArgumentException.class, () -> frame.requestPose(1, goal));
+    goal.translation.y = 0;
+    goal.rotation.w = 2;
+    assertThrows(IllegalArgumentException.class, () -> frame.requestPose(1, goal));
   }
 
   @Test

@@ -28,6 +28,23 @@ class QuaternionTest {
   }
 
   @Test
+  void theAxesOfARotationGiveItBack() {
+    for (int n = 0; n < 1000; n++) {
+      Quaternion q = randomRotation();
+      if (n < 8) { // half turns and others for which some sums vanish
+        q.set(n == 0 ? 1 : 0, n & 1, n & 2, n & 4);
+        q.normalize();
+      }
+      Vec3 x = q.rotate(new Vec3(1, 0, 0), new Vec3());
+      Vec3 y = q.rotate(new Vec3(0, 1, 0), new Vec3());
+      Vec3 z = q.rotate(new Vec3(0, 0, 1), new Vec3());
+      Quaternion back = new Quaternion().setAxes(x, y, z);
+      assertEquals(1, Math.abs(back.dot(q)), TOLERANCE, () -> Seeds.seed() + " " + q);
+      assertEquals(1, back.norm(), TOLERANCE);
+    }
+  }
+
+  @Test
   void multipliesLikeRotationsOneAfterTheOther() {
     for (int n = 0; n < 1000; n++) {
       Quaternion a = randomRotation();

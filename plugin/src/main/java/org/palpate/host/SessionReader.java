@@ -1,5 +1,6 @@
 package org.palpate.host;
 
+import java.util.List;
 import java.util.Optional;
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
@@ -33,6 +34,14 @@ public final class SessionReader {
     this.grid = grid;
     tool = bodies.map(touched -> new ToolPublisher(properties, grid, touched));
   }
+
+  /**
+   * The pose of a body.
+   *
+   * @param name the name of the body
+   * @param restToPresent world mm
+   */
+  public record BodyPose(String name, RigidTransform restToPresent) {}
 
   /** Returns the properties into which the frames of a point publish. Haptic thread. */
   TouchProperties properties() {
@@ -89,6 +98,11 @@ public final class SessionReader {
   public void torque(Vec3 dest) {
     dest.set(0, 0, 0);
     tool.ifPresent(publisher -> publisher.torqueNewtonMm().read(dest));
+  }
+
+  /** Returns the poses of the bodies that can move; empty for a point. */
+  public List<BodyPose> bodies() {
+    return tool.map(ToolPublisher::bodyPoses).orElse(List.of());
   }
 
   /** Whether there is contact. */

@@ -101,6 +101,16 @@ final class ToolPublisher implements ToolFramePublisher {
     return Optional.ofNullable(bodyPoses[body]).map(TransformProperty::read);
   }
 
+  /** Returns the present pose of each body that can move; a new list. See {@link #bodyPose}. */
+  List<SessionReader.BodyPose> bodyPoses() {
+    List<SessionReader.BodyPose> poses = new ArrayList<>();
+    for (int n = 0; n < bodyPoses.length; n++) {
+      String name = bodies.body(n).name();
+      bodyPose(n).ifPresent(pose -> poses.add(new SessionReader.BodyPose(name, pose)));
+    }
+    return poses;
+  }
+
   /** Returns the device pose, device frame to world mm. */
   TransformProperty deviceToWorld() {
     return deviceToWorld;

@@ -2,6 +2,7 @@ package org.palpate.host;
 
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
@@ -95,12 +96,18 @@ public final class ToolScene {
 
   /** Whether a body can move. */
   public boolean hasMovableBodies() {
-    for (int n = 0; n < bodies.count(); n++) {
-      if (bodies.body(n).mobility() == Mobility.MOVABLE) {
-        return true;
-      }
-    }
-    return false;
+    return movableBodies().findAny().isPresent();
+  }
+
+  /** Returns the indices of the bodies that can move. */
+  IntStream movableBodies() {
+    return IntStream.range(0, bodies.count())
+        .filter(n -> bodies.body(n).mobility() == Mobility.MOVABLE);
+  }
+
+  /** Returns the index of the first body of a name that can move; empty without one. */
+  OptionalInt movableBody(String name) {
+    return movableBodies().filter(n -> bodies.body(n).name().equals(name)).findFirst();
   }
 
   /** Returns the tool. */

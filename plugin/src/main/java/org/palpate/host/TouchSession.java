@@ -2,6 +2,7 @@ package org.palpate.host;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
@@ -14,6 +15,7 @@ import org.palpate.frame.HapticFrame;
 import org.palpate.frame.PointFrame;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.HapticLoop;
 import org.palpate.loop.LoopEnd;
@@ -233,6 +235,20 @@ public final class TouchSession implements AutoCloseable {
                 frame.requestLetGo();
               }
             });
+  }
+
+  /**
+   * Moves a body towards a pose from the next frame on, as {@link ToolFrame#requestPose} does. Any
+   * thread.
+   *
+   * @param restToPresent world mm
+   * @return false if the scene has no body of this name that can move
+   * @throws IllegalArgumentException if the pose is not finite or has no unit quaternion
+   */
+  public boolean moveBody(String name, Pose restToPresent) {
+    OptionalInt body = held.map(tool -> tool.scene().movableBody(name)).orElse(OptionalInt.empty());
+    body.ifPresent(index -> held.orElseThrow().frame().requestPose(index, restToPresent));
+    return body.isPresent();
   }
 
   /**

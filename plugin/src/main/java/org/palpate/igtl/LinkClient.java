@@ -137,14 +137,15 @@ final class LinkClient {
 
   private void answer(Message message) {
     switch (message.header().type()) {
-      case ReceivedImage.TYPE -> receive(message);
+      case ReceivedImage.TYPE -> receiveImage(message);
+      case ReceivedTransform.TYPE -> receiveTransform(message);
       case "GET_STATUS" -> reply(MessageWriter.STATUS_OK, "");
-      default -> {} // other messages, such as those of trackers, have no effect here
+      default -> {} // other messages have no effect here
     }
   }
 
   /** Receives an image. A fault of its content costs that image, not the connection. */
-  private void receive(Message message) {
+  private void receiveImage(Message message) {
     String fault;
     try {
       fault = listener.received(ReceivedImage.parse(message));
@@ -155,6 +156,22 @@ final class LinkClient {
       reply(MessageWriter.STATUS_OK, "");
     } else {
       listener.print("OpenIGTLink: an image was not taken: " + fault);
+      reply(MessageWriter.STATUS_ILLEGAL, fault);
+    }
+  }
+
+  /**
+   * Receives a transform. Only one that is not accepted is answered, because a client may send many
+   * a second.
+   */
+  private void receiveTransform(Message message) {
+    String fault;
+    try {
+      fault = listener.received(ReceivedTransform.parse(message));
+    } catch (LinkProtocolException e) {
+      fault = e.getMessage();
+    }
+    if (!fault.isEmpty()) {
       reply(MessageWriter.STATUS_ILLEGAL, fault);
     }
   }

@@ -9,6 +9,14 @@ public interface LinkListener {
    */
   String received(ReceivedImage image);
 
+  /**
+   * Receives a pose, which belongs to the body of its name.
+   *
+   * @return an empty text if it is accepted or there is no such body, else the reason, which the
+   *     client gets as a status
+   */
+  String received(ReceivedTransform transform);
+
   /** Prints a line for the user. */
   void print(String line);
 }

@@ -11,19 +11,20 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * An OpenIGTLink server that streams a session and accepts images.
+ * An OpenIGTLink server that streams a session and accepts images and poses of bodies.
  *
  * <p>Sent up to 60 times a second, with the header of version 1:
  *
  * <ul>
  *   <li>TRANSFORM {@code PalpateTool} and {@code PalpateDevice}: the poses of tool and device.
+ *   <li>TRANSFORM with the name of a body: its pose, for each body that can move.
  *   <li>SENSOR {@code PalpateForce} (N), {@code PalpateTorque} (N mm) and {@code PalpateContact} (0
  *       or 1).
  *   <li>POINT {@code PalpateLandmarks}: all landmarks, to each client once and after each change.
  * </ul>
  *
- * <p>Accepted, with headers of version 1 to 3: IMAGE, which the listener gets, and GET_STATUS.
- * Other types are read and ignored. A message with a fault is answered by a STATUS.
+ * <p>Accepted, with headers of version 1 to 3: IMAGE and TRANSFORM, which the listener gets, and
+ * GET_STATUS. Other types are read and ignored. A message with a fault is answered by a STATUS.
  *
  * <p>The server runs on threads of its own and shares nothing with the haptic thread but what its
  * {@link LinkSource} reads. A slow client loses updates. Any thread may close the server.
@@ -166,6 +167,9 @@ public final class LinkServer implements AutoCloseable {
   private byte[] encode(LinkState state) {
     writer.transform("PalpateTool", state.tool);
     writer.transform("PalpateDevice", state.device);
+    for (LinkState.NamedPose body : state.bodies) {
+      writer.transform(body.name(), body.pose());
+    }
     writer.sensor(
         "PalpateForce", MessageWriter.UNIT_NEWTON, state.force.x, state.force.y, state.force.z);
     writer.sensor(

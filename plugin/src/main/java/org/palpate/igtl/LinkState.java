@@ -19,11 +19,22 @@ public final class LinkState {
    */
   public record Landmark(String name, Vec3 position) {}
 
+  /**
+   * The pose of a body.
+   *
+   * @param name the name of the body; clients get its first 20 characters
+   * @param pose from rest to present, RAS, mm
+   */
+  public record NamedPose(String name, RigidTransform pose) {}
+
   /** The pose of the device, from its frame to RAS; its vectors are written. */
   public final RigidTransform device = RigidTransform.identity();
 
   /** The pose of the tool: of the interaction point, or of the tool's reference point. */
   public final RigidTransform tool = RigidTransform.identity();
+
+  /** The poses of the bodies that can move. */
+  public List<NamedPose> bodies = List.of();
 
   /** The force on the hand, N. */
   public final Vec3 force = new Vec3();

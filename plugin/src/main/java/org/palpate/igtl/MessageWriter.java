@@ -28,7 +28,6 @@ final class MessageWriter {
   static final long UNIT_NEWTON_MM = 0xbL << 60 | UNIT_NEWTON | 1L << 44 | 1L << 40;
 
   private static final int HEADER_VERSION = 1;
-  private static final int TRANSFORM_BYTES = 48;
   private static final int POINT_BYTES = 136;
   private static final int POINT_NAME_BYTES = 64;
   private static final int POINT_GROUP_BYTES = 32;
@@ -50,12 +49,12 @@ final class MessageWriter {
 
   /** Appends a TRANSFORM: the rotation by columns, then the translation, as floats. */
   void transform(String name, RigidTransform pose) {
-    ByteBuffer body = ByteBuffer.allocate(TRANSFORM_BYTES);
+    ByteBuffer body = ByteBuffer.allocate(ReceivedTransform.BYTES);
     putFloats(body, pose.axisX());
     putFloats(body, pose.axisY());
     putFloats(body, pose.axisZ());
     putFloats(body, pose.origin());
-    append("TRANSFORM", name, body.array());
+    append(ReceivedTransform.TYPE, name, body.array());
   }
 
   private static void putFloats(ByteBuffer body, Vec3 vector) {

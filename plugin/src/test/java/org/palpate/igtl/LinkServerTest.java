@@ -23,6 +23,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /** A server with clients made of plain sockets. */
@@ -32,6 +33,7 @@ class LinkServerTest {
   private static final int PATIENCE_S = 30;
 
   private final BlockingQueue<ReceivedImage> images = new LinkedBlockingQueue<>();
+  private final BlockingQueue<ReceivedTransform> transforms = new LinkedBlockingQueue<>();
   private final List<String> lines = Collections.synchronizedList(new ArrayList<>());
   private final AtomicLong reads = new AtomicLong();
   private volatile List<LinkState.Landmark> landmarks = List.of();
@@ -45,6 +47,12 @@ class LinkServerTest {
           @Override
           public String received(ReceivedImage image) {
             images.add(image);
+            return answer;
+          }
+
+          @Override
+          public String received(ReceivedTransform transform) {
+            transforms.add(transform);
             return answer;
           }
 
@@ -63,6 +71,9 @@ class LinkServerTest {
     state.device.origin().set(4, 5, 6);
     state.force.set(0.5, -0.25, 8);
     state.contact = true;
+    RigidTransform pose = RigidTransform.identity();
+    pose.origin().set(7, 8, 9);
+    state.bodies = List.of(new LinkState.NamedPose("fragment 2", pose));
     state.landmarks = landmarks;
   }
 
@@ -105,6 +116,7 @@ class LinkServerTest {
       assertEquals(1f, tool.content().getFloat(36));
       assertEquals(2f, tool.content().getFloat(40));
       assertEquals(5f, next(in, "PalpateDevice").content().getFloat(40));
+      assertEquals(9f, next(in, "fragment 2").content().getFloat(44));
       Message force = next(in, "PalpateForce");
       assertEquals(3, force.content().get(0));
       assertEquals(0x02c4_0000_0000_0000L, force.content().getLong(2));
@@ -162,6 +174,40 @@ class LinkServerTest {
       status.content().get(30, text);
       assertArrayEquals(answer.getBytes(StandardCharsets.US_ASCII), text);
       assertEquals("TRANSFORM", next(in, "PalpateTool").header().type());
+    }
+  }
+
+  @Test
+  void aTransformIsReceivedAndAnsweredOnlyIfItIsNotAccepted() throws Exception {
+    try (Socket socket = connect()) {
+      RigidTransform pose =
+          new RigidTransform(
+              new Vec3(0, 1, 0), new Vec3(-1, 0, 0), new Vec3(0, 0, 1), new Vec3(10, -20, 30.5));
+      MessageWriter out = new MessageWriter();
+      out.transform("fragment 1", pose);
+      socket.getOutputStream().write(out.take());
+      ReceivedTransform received = transforms.poll(PATIENCE_S, TimeUnit.SECONDS);
+      assertEquals("fragment 1", received.name());
+      assertTrue(received.pose().sameBits(pose));
+
+      pose.axisX().set(0, 1.01, 0);
+      out.transform("scaled", pose);
+      pose.axisX().set(0, -1, 0);
+      out.transform("mirrored", pose);
+      pose.axisX().set(0, 1, 0);
+      pose.origin().x = Double.NaN;
+      out.transform("nowhere", pose);
+      socket.getOutputStream().write(out.take());
+      MessageReader in = reader(socket);
+      for (int n = 0; n < 3; n++) {
+        assertEquals(12, status(in).content().getShort(0));
+      }
+      pose.origin().x = 0;
+      answer = "it is held";
+      out.transform("fragment 3", pose);
+      socket.getOutputStream().write(out.take());
+      assertEquals(12, status(in).content().getShort(0));
+      assertEquals("fragment 3", transforms.poll(PATIENCE_S, TimeUnit.SECONDS).name());
     }
   }
 

@@ -32,6 +32,7 @@ class PyigtlTest {
   private static final int WITHOUT_PYIGTL = 3;
 
   private final BlockingQueue<ReceivedImage> images = new LinkedBlockingQueue<>();
+  private final BlockingQueue<ReceivedTransform> transforms = new LinkedBlockingQueue<>();
   private final AtomicLong updates = new AtomicLong();
 
   private void fill(LinkState state) {
@@ -45,6 +46,12 @@ class PyigtlTest {
           @Override
           public String received(ReceivedImage image) {
             images.add(image);
+            return "";
+          }
+
+          @Override
+          public String received(ReceivedTransform transform) {
+            transforms.add(transform);
             return "";
           }
 
@@ -71,6 +78,10 @@ class PyigtlTest {
         assertEquals(23, image.value(23));
         assertEquals(-0.75, image.stepY().y);
       }
+      ReceivedTransform moved = transforms.poll(20, TimeUnit.SECONDS);
+      assertEquals("fragment 2", moved.name());
+      assertEquals(1, moved.pose().axisX().y);
+      assertEquals(30, moved.pose().origin().z);
     }
   }
 

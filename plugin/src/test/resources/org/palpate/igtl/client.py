@@ -1,4 +1,4 @@
-"""A client made with pyigtl: receives poses for some seconds, then sends a label map.
+"""A client made with pyigtl: receives poses for some seconds, then sends a label map and a transform.
 
 Arguments: port, seconds. Prints one line a fact, as "name value"; exit status 3 without pyigtl.
 """
@@ -38,5 +38,7 @@ for version in (1, 2):
     image = pyigtl.ImageMessage(labels, ijk_to_world_matrix=matrix, device_name="labels")
     image.header_version = version
     client.send_message(image, wait=True)
+pose = numpy.array([[0, -1, 0, 10], [1, 0, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]], float)
+client.send_message(pyigtl.TransformMessage(pose, device_name="fragment 2"), wait=True)
 time.sleep(0.5)
 client.stop()

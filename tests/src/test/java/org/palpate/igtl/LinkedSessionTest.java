@@ -15,6 +15,7 @@ import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.palpate.app.PalpateCommandLine;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 
 /** A live session that a client watches, and to which it sends another scan. */
@@ -26,6 +27,10 @@ class LinkedSessionTest {
   private final ByteArrayOutputStream out = new ByteArrayOutputStream();
 
   private CompletableFuture<Integer> start(int port) {
+    return start(port, "sphere:48");
+  }
+
+  private CompletableFuture<Integer> start(int port, String phantom) {
     PrintStream stream = new PrintStream(out, true, StandardCharsets.UTF_8);
     return CompletableFuture.supplyAsync(
         () ->
@@ -33,7 +38,7 @@ class LinkedSessionTest {
                 .run(
                     "touch",
                     "--phantom",
-                    "sphere:48",
+                    phantom,
                     "--headless",
                     "--seconds",
                     "4",
@@ -60,8 +65,12 @@ class LinkedSessionTest {
   }
 
   private static Vec3 nextTool(MessageReader in) throws IOException {
+    return nextPosition(in, "PalpateTool");
+  }
+
+  private static Vec3 nextPosition(MessageReader in, String name) throws IOException {
     Message message = in.read();
-    while (!message.header().deviceName().equals("PalpateTool")) {
+    while (!message.header().deviceName().equals(name)) {
       message = in.read();
     }
     ByteBuffer content = message.content();
@@ -119,6 +128,28 @@ class LinkedSessionTest {
     String printed = out.toString(StandardCharsets.UTF_8);
     assertTrue(printed.contains("the image cube of 24x24x24 voxels was received"), printed);
     assertTrue(printed.contains("image cube, device simulated"), printed);
+  }
+
+  @Test
+  void aTransformMovesTheFragmentOfItsName() throws Exception {
+    int port = freePort();
+    CompletableFuture<Integer> session = start(port, "fracture:64:3");
+    try (Socket socket = connect(port)) {
+      MessageReader in = new MessageReader(socket.getInputStream(), 1 << 20);
+      String name = "fragment3";
+      Vec3 start = nextPosition(in, name);
+      RigidTransform goal = RigidTransform.identity();
+      goal.origin().set(start.x + 40, start.y - 30, start.z + 200);
+      MessageWriter message = new MessageWriter();
+      message.transform("nobody", goal);
+      message.transform(name, goal);
+      socket.getOutputStream().write(message.take());
+      double left = Double.POSITIVE_INFINITY;
+      while (left > 1e-3) {
+        left = goal.origin().sub(nextPosition(in, name), new Vec3()).length();
+      }
+    }
+    assertEquals(0, session.get(), () -> out.toString(StandardCharsets.UTF_8));
   }
 
   @Test

@@ -96,7 +96,8 @@ final class NearestStudy {
     BorderVoxels border = BorderVoxels.onTheFly();
     Map<String, ProxySolver> solvers = new LinkedHashMap<>();
     solvers.put(
-        "plain twin", new PlainBaselineSolver(new PlainBaseline(solid.bits(), MAX_STEP_VOXELS)));
+        "plain baseline",
+        new PlainBaselineSolver(new PlainBaseline(solid.bits(), MAX_STEP_VOXELS)));
     solvers.put("dot", new DotSolver(sampled, UNIT, MAX_STEP_VOXELS, border));
     solvers.put("paper", new PaperSolver(sampled, UNIT, MAX_STEP_VOXELS, border));
     solvers.put(GUARDED, new GuardedSolver(UNIT, MAX_STEP_VOXELS));

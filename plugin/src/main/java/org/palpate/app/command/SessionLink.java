@@ -7,26 +7,34 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.palpate.app.process.PalpateException;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.SessionReader;
+import org.palpate.host.TouchSession;
 import org.palpate.igtl.LinkListener;
 import org.palpate.igtl.LinkServer;
 import org.palpate.igtl.LinkState;
 import org.palpate.igtl.ReceivedImage;
+import org.palpate.igtl.ReceivedTransform;
 import org.palpate.scene.NamedPoint;
 import org.palpate.scene.WorldAxes;
 
 /**
- * Connects sessions with an OpenIGTLink server: streams each one, and takes the images that clients
- * send. The server outlives a session, so that a client stays connected when the scan changes.
+ * Connects sessions with an OpenIGTLink server: streams each one, and takes the images and poses
+ * that clients send. The server outlives a session, so that a client stays connected when the scan
+ * changes.
  *
  * <p>Any thread.
  */
 final class SessionLink implements LinkListener, AutoCloseable {
   /** The session that the server streams at present. */
   private record Streamed(
-      SessionReader reader, WorldAxes axes, Supplier<List<NamedPoint>> landmarks, Runnable stop) {}
+      TouchSession session,
+      SessionReader reader,
+      WorldAxes axes,
+      Supplier<List<NamedPoint>> landmarks,
+      Runnable stop) {}
 
   private final LinkServer server;
   private final boolean recorded;
@@ -64,14 +72,15 @@ final class SessionLink implements LinkListener, AutoCloseable {
    * Streams a session from now on. If an image was received while its scan was loading, the session
    * ends at once, so that the image is touched next.
    *
+   * @param session a session that has not started
    * @param axes the orientation of the session's world axes
    * @param landmarks the landmarks in world mm
    * @param stop ends the session when another scan was received
    */
   void stream(
-      SessionReader reader, WorldAxes axes, Supplier<List<NamedPoint>> landmarks, Runnable stop) {
+      TouchSession session, WorldAxes axes, Supplier<List<NamedPoint>> landmarks, Runnable stop) {
     synchronized (this) {
-      streamed = new Streamed(reader, axes, landmarks, stop);
+      streamed = new Streamed(session, session.secondReader(), axes, landmarks, stop);
       if (received != null) {
         stop.run();
       }
@@ -93,6 +102,10 @@ final class SessionLink implements LinkListener, AutoCloseable {
       now.reader().force(dest.force);
       now.reader().torque(dest.torque);
       dest.contact = now.reader().contact();
+      dest.bodies =
+          now.reader().bodies().stream()
+              .map(body -> new LinkState.NamedPose(body.name(), body.restToPresent()))
+              .toList();
       dest.landmarks = landmarks(now);
       toRas(now.axes(), dest);
     }
@@ -114,6 +127,7 @@ final class SessionLink implements LinkListener, AutoCloseable {
   private static void toRas(WorldAxes axes, LinkState state) {
     toRas(axes, state.tool);
     toRas(axes, state.device);
+    state.bodies.forEach(body -> toRas(axes, body.pose()));
     flip(axes, state.force);
     // A torque is an axial vector: a reflection of the axes also changes its sign.
     flip(axes, state.torque);
@@ -175,6 +189,17 @@ final class SessionLink implements LinkListener, AutoCloseable {
             + image.sizeZ()
             + " voxels was received");
     keep(volume.get());
+    return "";
+  }
+
+  /** Moves the body of the transform's name towards its pose. */
+  @Override
+  public String received(ReceivedTransform transform) {
+    Streamed now = streamed;
+    if (now != null) {
+      toRas(now.axes(), transform.pose()); // the same change of axes leads back
+      now.session().moveBody(transform.name(), new Pose().set(transform.pose()));
+    }
     return "";
   }
 

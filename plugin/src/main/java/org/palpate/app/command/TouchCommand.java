@@ -421,7 +421,7 @@ public final class TouchCommand implements Callable<Integer> {
       link.ifPresent(
           server ->
               server.stream(
-                  session.secondReader(),
+                  session,
                   axes,
                   () -> view.map(SessionView::landmarks).orElse(List.of()),
                   supervisor::stop));

@@ -48,7 +48,7 @@ class SessionLinkTest {
     try (TouchSession session =
             new TouchSession(scene, device, SessionSettings.standard().withLoop(loop));
         SessionLink link = newLink()) {
-      link.stream(session.secondReader(), WorldAxes.LPS, () -> landmarks, () -> {});
+      link.stream(session, WorldAxes.LPS, () -> landmarks, () -> {});
       int points = 0;
       try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port())) {
         DataInputStream in = new DataInputStream(socket.getInputStream());
@@ -83,7 +83,7 @@ class SessionLinkTest {
       assertEquals("", link.received(image("second")));
       assertEquals("", link.received(image("third")));
       assertTrue(printed.toString().contains("replaces the image second"), printed.toString());
-      link.stream(session.secondReader(), WorldAxes.RAS, () -> List.of(), stops::incrementAndGet);
+      link.stream(session, WorldAxes.RAS, () -> List.of(), stops::incrementAndGet);
       assertEquals(1, stops.get());
       link.pause();
       assertEquals("image third", link.takeReceived().orElseThrow().sourceName());
