@@ -109,7 +109,7 @@ public final class SpeedRun {
     out.flush();
   }
 
-  private static void writeJson(Path file, Map<String, Object> machine, List<SpeedRow> rows)
+  static void writeJson(Path file, Map<String, Object> machine, List<SpeedRow> rows)
       throws IOException {
     Map<String, Object> report = new LinkedHashMap<>(machine);
     List<Object> entries = new ArrayList<>();
