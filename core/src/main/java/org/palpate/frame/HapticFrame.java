@@ -1,5 +1,6 @@
 package org.palpate.frame;
 
+import java.util.List;
 import java.util.Map;
 import org.palpate.carve.CarveSettings;
 import org.palpate.device.DeviceState;
@@ -8,6 +9,9 @@ import org.palpate.device.ReadStatus;
 import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ForceLimiter;
 import org.palpate.force.ForceRamp;
+import org.palpate.force.HandState;
+import org.palpate.force.HapticEffect;
+import org.palpate.force.HapticEffects;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -49,6 +53,8 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   private final ForceLimiter torqueLimiter;
   private final boolean givesTorque;
   private final ForceRamp ramp;
+  private final HapticEffects effects = new HapticEffects();
+  private final HandState hand = new HandState();
   private final Watchdog watchdog;
   private boolean freed;
   private boolean followed;
@@ -63,6 +69,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   private long elapsedNanos;
   private long sinceForceNanos;
   private long unreachableNanos;
+  private volatile List<HapticEffect> requestedEffects = List.of();
 
   /**
    * Makes a frame that has not run yet.
@@ -102,6 +109,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     isSampleNew = status == ReadStatus.FRESH;
     samples += isSampleNew ? 1 : 0;
     beginFrame();
+    effects.use(requestedEffects);
     applyRequests();
     applyEdits(settings.editVoxelsAFrame());
     applyVerdict(watchdog.judge(status, sample, nowNanos));
@@ -162,6 +170,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     freed = true;
     ramp.start();
     dropForce();
+    beginEffectsAnew();
   }
 
   private void computeForce() {
@@ -178,6 +187,43 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
    */
   abstract void computeForce(long sinceLastNanos);
 
+  /** Adds the effects to force and torque, about the reference point of what is held. */
+  final void addEffects(long sinceLastNanos) {
+    if (effects.areActive()) {
+      describe(hand);
+      hand.contactNewton.set(forceNewton);
+      hand.contactTorqueNewtonMm.set(torqueNewtonMm);
+      hand.advance(sinceLastNanos);
+      effects.add(hand, sinceLastNanos, forceNewton, torqueNewtonMm);
+      if (!hand.isRigid) {
+        torqueNewtonMm.set(0, 0, 0);
+      }
+    }
+  }
+
+  /** Writes poses, contact and what is held. */
+  abstract void describe(HandState dest);
+
+  /** Lets effects begin anew, because the hand holds something else from now on. */
+  final void beginEffectsAnew() {
+    if (effects.areActive()) {
+      hand.forget();
+      effects.beginAnew();
+    }
+  }
+
+  /** Returns the length of the force with which the tool presses, without that of effects, N. */
+  final double pressingNewton() {
+    double felt = forceNewton.length();
+    return effects.areActive() ? Math.min(felt, hand.contactNewton.length()) : felt;
+  }
+
+  /** Writes the part of the last force and torque that no effect made. */
+  final void withoutEffects(Vec3 forceDest, Vec3 torqueDest) {
+    forceNewton.sub(effects.lastForceNewton(), forceDest);
+    torqueNewtonMm.sub(effects.lastTorqueNewtonMm(), torqueDest);
+  }
+
   /** Limits force and torque; a device without torque gets none. */
   private void limitForce() {
     forceLimiter.clamp(forceNewton, elapsedNanos);
@@ -191,6 +237,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   private void dropForce() {
     forceNewton.set(0, 0, 0);
     torqueNewtonMm.set(0, 0, 0);
+    effects.drop();
     resetLimiters();
   }
 
@@ -253,6 +300,16 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
    * @param settings how fast, and what is kept
    */
   public abstract void carve(CarveSettings settings);
+
+  /**
+   * Passes to these effects from the next frame on, without a step in the force; see {@link
+   * HapticEffects}. They then belong to the frame. Any thread.
+   *
+   * @param wanted new effects in the order in which they add up; empty for none
+   */
+  public void requestEffects(List<HapticEffect> wanted) {
+    requestedEffects = List.copyOf(wanted);
+  }
 
   /**
    * Returns the number of the new sample, from 0, with which a replay makes a change of voxels that

@@ -10,6 +10,7 @@ import org.palpate.edit.EditQueue;
 import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.HandState;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
@@ -136,7 +137,7 @@ public final class PointFrame extends HapticFrame {
   }
 
   private void carve() {
-    if (carver.carve(point.position, deviceGrid, forceNewton.length(), sinceForceNanos())) {
+    if (carver.carve(point.position, deviceGrid, pressingNewton(), sinceForceNanos())) {
       solver.reset();
     }
   }
@@ -185,6 +186,18 @@ public final class PointFrame extends HapticFrame {
   @Override
   void computeForce(long sinceLastNanos) {
     contactForce.compute(point, deviceGrid, sinceLastNanos, forceNewton);
+    addEffects(sinceLastNanos);
+  }
+
+  @Override
+  void describe(HandState dest) {
+    toMillimetres(deviceGrid, dest.device.translation);
+    toMillimetres(point.position, dest.tool.translation);
+    dest.contact = point.contact;
+  }
+
+  private void toMillimetres(Vec3 grid, Vec3 dest) {
+    dest.set(grid.x * metric.spacingX(), grid.y * metric.spacingY(), grid.z * metric.spacingZ());
   }
 
   @Override

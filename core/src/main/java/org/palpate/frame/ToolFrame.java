@@ -16,9 +16,11 @@ import org.palpate.edit.EditQueue;
 import org.palpate.edit.PlacementLog;
 import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.HandState;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
@@ -48,6 +50,8 @@ public final class ToolFrame extends HapticFrame {
   private final ToolFramePublisher publisher;
   private final ToolMotion motion;
   private final Pose devicePose = new Pose();
+  private final Vec3 pressingForce = new Vec3();
+  private final Vec3 pressingTorque = new Vec3();
   private final Quaternion checked = new Quaternion();
   private final SkipCounters skippedBeforeUse = new SkipCounters();
   private boolean placed;
@@ -163,12 +167,16 @@ public final class ToolFrame extends HapticFrame {
     boolean holds = grasp.held() != Grasp.NO_BODY;
     int touched = holds ? Grasp.NO_BODY : grasp.touched(motion);
     if (request == HoldRequest.TAKE && touched != Grasp.NO_BODY) {
-      grasp.take(touched, devicePose, forceNewton, torqueNewtonMm, motion);
+      withoutEffects(pressingForce, pressingTorque);
+      grasp.take(touched, devicePose, pressingForce, pressingTorque, motion);
     } else if (request == HoldRequest.LET_GO && holds && !grasp.letGo(motion)) {
       setFree();
     }
     grasp.force().change(requestedForce);
-    heldBody = grasp.held();
+    if (heldBody != grasp.held()) {
+      heldBody = grasp.held();
+      beginEffectsAnew();
+    }
   }
 
   /**
@@ -226,7 +234,7 @@ public final class ToolFrame extends HapticFrame {
       startsAtDevice = solver.place(devicePose, motion);
       placed = true;
     } else if (carver != null && grasp.held() == Grasp.NO_BODY) {
-      carver.carve(devicePose, forceNewton.length(), sinceForceNanos());
+      carver.carve(devicePose, pressingNewton(), sinceForceNanos());
     }
     grasp.solver().follow(grasp.target(devicePose), motion);
     if (jumped || !startsAtDevice || motion.freed()) {
@@ -249,7 +257,17 @@ public final class ToolFrame extends HapticFrame {
   void computeForce(long sinceLastNanos) {
     Pose target = grasp.solver().target();
     grasp.force().compute(motion, target, sinceLastNanos, forceNewton, torqueNewtonMm);
+    addEffects(sinceLastNanos);
     grasp.moveTorque(motion.pose(), devicePose, forceNewton, torqueNewtonMm);
+  }
+
+  @Override
+  void describe(HandState dest) {
+    dest.device.set(grasp.solver().target());
+    dest.tool.set(motion.pose());
+    dest.contact = motion.contact();
+    dest.isRigid = true;
+    dest.heldBody = grasp.held();
   }
 
   @Override

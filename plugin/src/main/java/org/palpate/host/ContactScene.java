@@ -17,8 +17,10 @@ import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.GreyEdit;
+import org.palpate.force.EffectSite;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
+import org.palpate.force.HapticEffect;
 import org.palpate.force.Material;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
@@ -332,7 +334,19 @@ public final class ContactScene {
         new PointFrame(
             gridDevice, newSolver(), newCollisionScene(), metric, frame, edits, publisher);
     carve().ifPresent(made::carve);
+    made.requestEffects(newEffects(pointSite(frame)));
     return made;
+  }
+
+  private EffectSite pointSite(FrameSettings frame) {
+    double newtonPerMm = frame.force().stiffnessNewtonPerMm();
+    return new EffectSite(
+        grid().gridMmToWorld(), newtonPerMm, 0, frame.maxForceNewton(), List.of(new Vec3()));
+  }
+
+  /** Returns new effects of one frame. */
+  List<HapticEffect> newEffects(EffectSite site) {
+    return settings.effects().stream().map(plan -> plan.make(site)).toList();
   }
 
   /** Returns how a tool cuts, if it does. */
@@ -357,7 +371,10 @@ public final class ContactScene {
   /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */
   PointFrame newWarmUpFrame(GridDevice gridDevice, FrameSettings frame) {
     EditQueue none = new EditQueue(volume.grid(), volume.segments().size(), 1);
-    return new PointFrame(
-        gridDevice, newSolver(), newCollisionScene(), metric, frame, none, FramePublisher.NONE);
+    PointFrame made =
+        new PointFrame(
+            gridDevice, newSolver(), newCollisionScene(), metric, frame, none, FramePublisher.NONE);
+    made.requestEffects(newEffects(pointSite(frame)));
+    return made;
   }
 }

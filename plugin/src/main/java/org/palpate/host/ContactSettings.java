@@ -1,7 +1,9 @@
 package org.palpate.host;
 
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.palpate.force.EffectPlan;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.geometry.Vec3;
@@ -29,6 +31,7 @@ import org.palpate.volume.VoxelGrid;
  * @param carveMm3PerNewtonSecond the volume that the tool removes for each N s, mm^3; if empty, it
  *     does not cut
  * @param protectedMm for names of segments the margin around them that nothing cuts, mm
+ * @param effects what the hand feels beside contact, in the order in which the forces add up
  * @param border how {@link SolverKind#DOT} and {@link SolverKind#PAPER} find border voxels; frames
  *     do not depend on it
  */
@@ -43,6 +46,7 @@ public record ContactSettings(
     Map<String, MaterialOverride> materials,
     OptionalDouble carveMm3PerNewtonSecond,
     Map<String, Double> protectedMm,
+    List<EffectPlan> effects,
     BorderChoice border) {
   private static final double SMALLEST_USUAL_MM = 32;
   private static final double LARGEST_USUAL_MM = 1000;
@@ -53,10 +57,11 @@ public record ContactSettings(
   /** Exponent of the stiffness against the extent, for scenes just below the usual extents. */
   private static final double GROWTH = 1.5;
 
-  /** Copies the maps. */
+  /** Copies maps and list. */
   public ContactSettings {
     materials = Map.copyOf(materials);
     protectedMm = Map.copyOf(protectedMm);
+    effects = List.copyOf(effects);
   }
 
   /** Returns the default settings. */
@@ -119,6 +124,7 @@ public record ContactSettings(
     private Map<String, MaterialOverride> materials = Map.of();
     private OptionalDouble carveMm3PerNewtonSecond = OptionalDouble.empty();
     private Map<String, Double> protectedMm = Map.of();
+    private List<EffectPlan> effects = List.of();
     private BorderChoice border = BorderChoice.ON_THE_FLY;
 
     private Builder(SolverKind solver) {
@@ -185,6 +191,12 @@ public record ContactSettings(
       return this;
     }
 
+    /** Sets what the hand feels beside contact. */
+    public Builder effects(List<EffectPlan> plans) {
+      effects = plans;
+      return this;
+    }
+
     /** Sets how the paper's solvers find border voxels. */
     public Builder border(BorderChoice choice) {
       border = choice;
@@ -204,6 +216,7 @@ public record ContactSettings(
           materials,
           carveMm3PerNewtonSecond,
           protectedMm,
+          effects,
           border);
     }
   }

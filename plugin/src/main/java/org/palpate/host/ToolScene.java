@@ -10,11 +10,14 @@ import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.edit.EditQueue;
+import org.palpate.force.EffectSite;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
+import org.palpate.force.HapticEffect;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
 import org.palpate.rigid.Clearance;
@@ -34,6 +37,9 @@ import org.palpate.scene.ToolMarks;
  * thread that runs it. World millimetres.
  */
 public final class ToolScene {
+  /** The most points of the tool that an effect sees, so that its work in a frame stays small. */
+  private static final int MOST_POINTS_OF_EFFECTS = 200;
+
   private final ContactScene scene;
   private final BodyScene bodies;
   private final RigidTool tool;
@@ -117,7 +123,11 @@ public final class ToolScene {
 
   /** Returns sample points of the tool that show its form, tool frame, mm. */
   public List<Vec3> drawnPoints() {
-    int every = (tool.count() + ToolMarks.MOST_POINTS - 1) / ToolMarks.MOST_POINTS;
+    return points(ToolMarks.MOST_POINTS);
+  }
+
+  private List<Vec3> points(int most) {
+    int every = (tool.count() + most - 1) / most;
     return IntStream.iterate(0, point -> point < tool.count(), point -> point + every)
         .mapToObj(point -> tool.point(point, new Vec3()))
         .toList();
@@ -202,13 +212,26 @@ public final class ToolScene {
       ToolFramePublisher publisher) {
     ToolFrame made = new ToolFrame(worldDevice, bodies, solver, coupling, frame, edits, publisher);
     scene.carve().ifPresent(made::carve);
+    made.requestEffects(newEffects(frame, coupling));
     return made;
+  }
+
+  private List<HapticEffect> newEffects(FrameSettings frame, RigidCoupling coupling) {
+    return scene.newEffects(
+        new EffectSite(
+            RigidTransform.identity(),
+            coupling.stiffnessNewtonPerMm(),
+            coupling.rotationalStiffness(),
+            frame.maxForceNewton(),
+            points(MOST_POINTS_OF_EFFECTS)));
   }
 
   /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */
   ToolFrame newWarmUpFrame(HapticDevice worldDevice, FrameSettings frame, RigidCoupling coupling) {
     EditQueue none = EditQueue.ofBodies(bodies.grids());
-    return new ToolFrame(
-        worldDevice, bodies, solver, coupling, frame, none, ToolFramePublisher.NONE);
+    ToolFrame made =
+        new ToolFrame(worldDevice, bodies, solver, coupling, frame, none, ToolFramePublisher.NONE);
+    made.requestEffects(newEffects(frame, coupling));
+    return made;
   }
 }

@@ -42,7 +42,8 @@ class ArchitectureTest {
               "app.command",
               List.of("app.output", "device.protocol", "igtl", "realtime", "reduction")),
           Map.entry(
-              "app.options", List.of("app.process", "host", "io.resample", "io.scene", "tool")),
+              "app.options",
+              List.of("app.process", "force.guide", "host", "io.resample", "io.scene", "tool")),
           Map.entry("app.output", List.of("app.options", "fracture")),
           Map.entry("app.process", List.of("display", "io.file", "io.volume")),
           Map.entry(
@@ -127,6 +128,7 @@ class ArchitectureTest {
           Map.entry("display", List.of()),
           Map.entry("edit", List.of("proxy.smooth.field")),
           Map.entry("force", List.of("proxy", "rigid")),
+          Map.entry("force.guide", List.of("force")),
           Map.entry("frame", List.of("carve", "device", "force")),
           Map.entry("fracture", List.of("volume.fracture")),
           Map.entry("geometry", List.of()),

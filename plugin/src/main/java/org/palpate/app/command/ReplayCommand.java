@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.palpate.app.options.ContactOptions;
+import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
@@ -91,6 +92,7 @@ public final class ReplayCommand implements Callable<Integer> {
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
   @Mixin private ToolOptions tool;
+  @Mixin private FeelOptions feel;
   @Mixin private OutputOptions output;
 
   @Option(
@@ -188,6 +190,7 @@ public final class ReplayCommand implements Callable<Integer> {
     requireRepeatable();
     boolean rigid = tool.isRigid() || posesFile != null;
     tool.checkOthers(spec.commandLine().getParseResult(), rigid);
+    feel.check(rigid);
     return rigid ? replayTool() : replayPoint();
   }
 
@@ -219,7 +222,7 @@ public final class ReplayCommand implements Callable<Integer> {
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     EditSchedule edits = edits(segments);
     EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
-    ContactScene scene = contact.scene(source, segments);
+    ContactScene scene = contact.scene(source, segments, feel.effects(segments));
     ReplayRun plain =
         world ? ReplayRun.inWorld(scene, trajectory) : ReplayRun.inGrid(scene, trajectory);
     ReplayRun replay = plain.withEdits(edits);
@@ -266,7 +269,8 @@ public final class ReplayCommand implements Callable<Integer> {
     EditSchedule edits = edits(segments);
     EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
     List<BodyPose> poses = readPoses(segments);
-    ToolScene scene = tool.scene(contact.scene(source, segments), made, ToolReplay.movable(poses));
+    ContactScene fixed = contact.scene(source, segments, feel.effects(segments));
+    ToolScene scene = tool.scene(fixed, made, ToolReplay.movable(poses));
     requireNothingAddedToMovable(scene.bodies(), edits);
     ToolReplay replay = new ToolReplay(scene, trajectory, rawDevice, edits, poses);
     ToolReplay.Result result = run(replay, scene, trajectory, tables, selection);
@@ -285,6 +289,7 @@ public final class ReplayCommand implements Callable<Integer> {
 
   private void addTables(List<Path> inputs) {
     inputs.add(trajectoryFile);
+    inputs.addAll(feel.files());
     if (editsFile != null) {
       inputs.add(editsFile);
     }

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.DeviceChoice;
+import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.LinkOptions;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
@@ -88,6 +89,7 @@ public final class TouchCommand implements Callable<Integer> {
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
   @Mixin private ToolOptions tool;
+  @Mixin private FeelOptions feel;
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
@@ -197,6 +199,7 @@ public final class TouchCommand implements Callable<Integer> {
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     tool.checkOthers(spec.commandLine().getParseResult());
+    feel.check(tool.isRigid());
     ShutdownHook.endQuietly();
     try {
       return touch();
@@ -245,6 +248,7 @@ public final class TouchCommand implements Callable<Integer> {
     DeviceChoice choice = choice(source);
     List<Path> inputs = new ArrayList<>(source.files());
     inputs.addAll(choice.files());
+    inputs.addAll(feel.files());
     Optional<MadeTool> made =
         tool.isRigid() ? Optional.of(tool.make(source.header())) : Optional.empty();
     made.ifPresent(each -> inputs.addAll(each.files()));
@@ -262,7 +266,8 @@ public final class TouchCommand implements Callable<Integer> {
     made.ifPresent(each -> each.notes().forEach(out::println));
     SegmentedVolume segments =
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
-    SessionScene scene = SessionScene.of(contact.scene(source, segments), tool, made);
+    ContactScene contactScene = contact.scene(source, segments, feel.effects(segments));
+    SessionScene scene = SessionScene.of(contactScene, tool, made);
     EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);

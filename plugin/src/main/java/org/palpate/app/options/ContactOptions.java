@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.GrownSolids;
+import org.palpate.force.EffectPlan;
 import org.palpate.force.FrictionForm;
 import org.palpate.host.BorderChoice;
 import org.palpate.host.CollisionChoice;
@@ -18,6 +19,7 @@ import org.palpate.io.file.NumberParser;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
+import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Option;
 
@@ -177,7 +179,12 @@ public final class ContactOptions {
    * @throws PalpateException exit code 2, if an option is wrong
    */
   public ContactSettings settings() {
+    return settings(List.of());
+  }
+
+  private ContactSettings settings(List<EffectPlan> effects) {
     return ContactSettings.builder(solver())
+        .effects(effects)
         .collision(collision())
         .stiffness(stiffnessNewtonPerMm())
         .friction(friction())
@@ -234,16 +241,27 @@ public final class ContactOptions {
    */
   public ContactScene scene(VolumeSource source, SegmentedVolume segments)
       throws VolumeFormatException {
-    ContactSettings settings = settings();
+    return scene(source, segments, List.of());
+  }
+
+  /**
+   * Returns the contact scene of a volume with effects.
+   *
+   * @param effects what the hand feels beside contact
+   * @throws VolumeFormatException if the grey values are needed and cannot be read
+   */
+  public ContactScene scene(VolumeSource source, SegmentedVolume segments, List<EffectPlan> effects)
+      throws VolumeFormatException {
+    ContactSettings settings = settings(effects);
     for (String name : materials.keySet()) {
-      checkNamed(segments, "--material ", name);
+      named(segments, "--material ", name, name);
     }
     if (!settings.protectedMm().isEmpty() && !source.placements().isEmpty()) {
       throw PalpateException.wrongUse(
           "margins are for the segments of one volume", "--protect", "leave out --scene");
     }
     for (Map.Entry<String, Double> margin : settings.protectedMm().entrySet()) {
-      checkNamed(segments, "--protect ", margin.getKey());
+      named(segments, "--protect ", margin.getKey(), margin.getKey());
       checkMargin(segments, margin.getKey(), margin.getValue());
     }
     return new ContactScene(segments, source.placements(), settings, grey(source));
@@ -278,11 +296,21 @@ public final class ContactOptions {
     }
   }
 
-  private static void checkNamed(SegmentedVolume segments, String option, String name) {
-    if (segments.segments().stream().noneMatch(segment -> segment.name().equals(name))) {
-      throw PalpateException.wrongUse(
-          "there is no such segment", option + name, "list them with palpate info");
-    }
+  /**
+   * Returns the segment of a name.
+   *
+   * @param option the option that names it, with a blank
+   * @param text the value of the option
+   * @throws PalpateException exit code 2, if there is no such segment
+   */
+  static Segment named(SegmentedVolume segments, String option, String text, String name) {
+    return segments.segments().stream()
+        .filter(segment -> segment.name().equals(name))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                PalpateException.wrongUse(
+                    "there is no such segment", option + text, "list them with palpate info"));
   }
 
   private Optional<GreyIsosurface> grey(VolumeSource source) throws VolumeFormatException {

@@ -1,0 +1,244 @@
+package org.palpate.app.options;
+
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.palpate.app.process.PalpateException;
+import org.palpate.force.EffectPlan;
+import org.palpate.force.guide.GuideStrength;
+import org.palpate.force.guide.Guides;
+import org.palpate.force.guide.PathShape;
+import org.palpate.force.guide.SegmentDistance;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
+import org.palpate.io.table.PositionsCsvReader;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import picocli.CommandLine.Option;
+
+/** The options of what the hand feels beside contact: guides. */
+public final class FeelOptions {
+  private static final NumberRange STRENGTH =
+      new NumberRange(
+          "--guide-stiffness", "the stiffness of guides", NumberRange.LEAST, 1e6, "N/mm", "0.2");
+  private static final NumberRange PULL =
+      new NumberRange("--guide-force", "the largest pull", NumberRange.LEAST, 1e6, "N", "2");
+  private static final NumberRange RANGE =
+      NumberRange.positive("--guide-range", "the range of guides", "mm");
+  private static final double MOST_MM = 1e6;
+
+  @Option(
+      names = "--guide",
+      paramLabel = "KIND:WHERE",
+      description = {
+        "Guides the hand with a force; may be repeated. In world mm: axis:X,Y,Z,DX,DY,DZ (on a"
+            + " line), plane:X,Y,Z,NX,NY,NZ (in a plane), sphere:X,Y,Z,R (in a ball),"
+            + " hinge:X,Y,Z,DX,DY,DZ (turns about a line), path:FILE.csv (along positions x,y,z),"
+            + " away:NAME,MM (out of a margin around a segment), align:DX,DY,DZ (the axis z of a"
+            + " rigid tool along a direction)."
+      })
+  private List<String> guides = List.of();
+
+  @Option(
+      names = "--guide-stiffness",
+      paramLabel = "N/MM",
+      description = "Pull of guides for each mm. Default: half the stiffness of contact.")
+  private Double guideStiffness;
+
+  @Option(
+      names = "--guide-force",
+      paramLabel = "N",
+      description = "Largest pull of each guide. Default: 2.")
+  private Double guideForce;
+
+  @Option(
+      names = "--guide-range",
+      paramLabel = "MM",
+      description =
+          "Distance beyond which guides do not pull; from half of it on they fade. Default: none.")
+  private Double guideRange;
+
+  /**
+   * Checks the numbers and the forms, before a volume is read.
+   *
+   * @param isRigid whether the hand holds a rigid tool
+   * @throws PalpateException exit code 2, if an option is wrong
+   */
+  public void check(boolean isRigid) {
+    GuideStrength strength = strength();
+    for (String text : guides) {
+      String kind = kind(text);
+      if (kind.equals("away")) {
+        marginMm(text);
+      } else if (kind.equals("path")) {
+        file(text);
+      } else {
+        plan(text, kind, strength);
+      }
+      if (kind.equals("align") && !isRigid) {
+        throw PalpateException.wrongUse(
+            "a point has no direction", "--guide " + text, "choose a rigid tool with --tool");
+      }
+    }
+  }
+
+  /** Returns the files that the options name, which no output may replace. */
+  public List<Path> files() {
+    return guides.stream().filter(text -> kind(text).equals("path")).map(this::file).toList();
+  }
+
+  /**
+   * Returns the plans of all effects, in the order in which they add up.
+   *
+   * @throws IOException if a file cannot be read
+   * @throws PalpateException exit code 2, if an option is wrong
+   */
+  public List<EffectPlan> effects(SegmentedVolume segments) throws IOException {
+    GuideStrength strength = strength();
+    List<EffectPlan> plans = new ArrayList<>();
+    for (String text : guides) {
+      String kind = kind(text);
+      plans.add(
+          switch (kind) {
+            case "away" -> away(text, segments, strength);
+            case "path" -> path(text, strength);
+            default -> plan(text, kind, strength);
+          });
+    }
+    return plans;
+  }
+
+  private GuideStrength strength() {
+    OptionalDouble range = RANGE.checkGiven(guideRange);
+    return new GuideStrength(
+        STRENGTH.checkGiven(guideStiffness),
+        PULL.checkGiven(guideForce),
+        range.orElse(Double.POSITIVE_INFINITY));
+  }
+
+  private static String kind(String text) {
+    int colon = text.indexOf(':');
+    return colon < 0 ? text : text.substring(0, colon);
+  }
+
+  private static String where(String text) {
+    return text.substring(Math.min(text.length(), kind(text).length() + 1));
+  }
+
+  private static EffectPlan plan(String text, String kind, GuideStrength strength) {
+    return switch (kind) {
+      case "axis" -> {
+        double[] n = numbers(text, "axis:X,Y,Z,DX,DY,DZ", 6, 3);
+        yield Guides.axis(vector(n, 0), vector(n, 3), strength);
+      }
+      case "plane" -> {
+        double[] n = numbers(text, "plane:X,Y,Z,NX,NY,NZ", 6, 3);
+        yield Guides.plane(vector(n, 0), vector(n, 3), strength);
+      }
+      case "hinge" -> {
+        double[] n = numbers(text, "hinge:X,Y,Z,DX,DY,DZ", 6, 3);
+        yield Guides.hinge(vector(n, 0), vector(n, 3), strength);
+      }
+      case "align" -> Guides.align(vector(numbers(text, "align:DX,DY,DZ", 3, 0), 0), strength);
+      case "sphere" -> {
+        double[] n = numbers(text, "sphere:X,Y,Z,R", 4, 4);
+        if (!(n[3] > 0)) {
+          throw PalpateException.wrongUse(
+              "the radius must be positive", "--guide " + text, "write sphere:X,Y,Z,R");
+        }
+        yield Guides.ball(vector(n, 0), n[3], strength);
+      }
+      default ->
+          throw PalpateException.wrongUse(
+              "there is no such guide",
+              "--guide " + text,
+              "choose axis, plane, sphere, hinge, path, away or align");
+    };
+  }
+
+  /**
+   * Returns the numbers of a guide.
+   *
+   * @param direction the index of the first of three that are not all zero; {@code count} if none
+   */
+  private static double[] numbers(String text, String form, int count, int direction) {
+    double[] found =
+        Arrays.stream(where(text).split(",", -1)).mapToDouble(NumberParser::number).toArray();
+    boolean isRead =
+        found.length == count && Arrays.stream(found).allMatch(n -> Math.abs(n) <= MOST_MM);
+    if (!isRead) {
+      throw PalpateException.wrongUse(
+          "the guide cannot be read",
+          "--guide " + text,
+          "write " + form + " with " + count + " numbers from -1,000,000 to 1,000,000");
+    }
+    if (direction < count && !(vector(found, direction).length() > 0)) {
+      throw PalpateException.wrongUse(
+          "the direction is zero", "--guide " + text, "write " + form + " with a direction");
+    }
+    return found;
+  }
+
+  private static Vec3 vector(double[] numbers, int first) {
+    return new Vec3(numbers[first], numbers[first + 1], numbers[first + 2]);
+  }
+
+  private Path file(String text) {
+    try {
+      String name = where(text);
+      if (!name.isBlank()) {
+        return Path.of(name);
+      }
+    } catch (InvalidPathException e) {
+      throw PalpateException.wrongUse(
+          "the path is no file name", "--guide " + text, "write path:FILE.csv", e);
+    }
+    throw PalpateException.wrongUse(
+        "the path has no file", "--guide " + text, "write path:FILE.csv");
+  }
+
+  private EffectPlan path(String text, GuideStrength strength) throws IOException {
+    List<Vec3> positions = PositionsCsvReader.read(file(text));
+    if (positions.size() < 2 || positions.size() > PathShape.MOST_POSITIONS) {
+      throw PalpateException.wrongUse(
+          "a path has 2 to 1,000 positions and this one has " + NumberText.count(positions.size()),
+          file(text).toString(),
+          "leave out rows, or add some");
+    }
+    return Guides.path(positions, strength);
+  }
+
+  private static double marginMm(String text) {
+    int comma = text.lastIndexOf(',');
+    double mm = comma < 0 ? Double.NaN : NumberParser.number(text.substring(comma + 1));
+    if (comma <= "away:".length() || !(mm > 0 && mm <= 1000)) {
+      throw PalpateException.wrongUse(
+          "the margin cannot be read",
+          "--guide " + text,
+          "write away:NAME,MM with a margin above 0 and up to 1,000 mm, as in away:nerve,3");
+    }
+    return mm;
+  }
+
+  private static EffectPlan away(String text, SegmentedVolume segments, GuideStrength strength) {
+    double mm = marginMm(text);
+    String name = where(text).substring(0, where(text).lastIndexOf(','));
+    Segment segment = ContactOptions.named(segments, "--guide ", text, name);
+    double voxels = SegmentDistance.voxelsFor(segment.bits(), segments.grid(), mm);
+    if (voxels > SegmentDistance.MOST_VOXELS) {
+      throw PalpateException.wrongUse(
+          "the segment and its margin fill a box of "
+              + NumberText.count(voxels)
+              + " voxels, more than "
+              + NumberText.count(SegmentDistance.MOST_VOXELS),
+          "--guide " + text,
+          "choose a smaller margin or a smaller segment");
+    }
+    return Guides.away(new SegmentDistance(segment.bits(), segments.grid(), mm), mm, strength);
+  }
+}
