@@ -1,23 +1,24 @@
 package org.palpate.edit;
 
-import org.palpate.geometry.GridMetric;
-import org.palpate.geometry.IntBox;
+import java.util.Optional;
 import org.palpate.geometry.Vec3;
-import org.palpate.volume.VoxelGrid;
 
 /**
- * Makes every voxel solid or empty whose centre lies within a ball. A large ball takes several
- * frames.
+ * Makes every voxel solid or empty whose centre lies within a ball, or within a distance of a
+ * straight path. A large brush takes several frames.
  */
-public final class BrushEdit extends Edit {
-  private final Vec3 centre;
+public final class BrushEdit extends BoxEdit {
+  private final Vec3 from = new Vec3();
+  private final Vec3 to = new Vec3();
+  private final Optional<BrushPath> path;
   private final double radiusMm;
   private final boolean solid;
-  private GridMetric metric;
-  private final IntBox box = new IntBox();
-  private int i;
-  private int j;
-  private int k;
+  private final BrushLimits limits;
+
+  /** The piece of the path as a vector, mm along the axes of the grid. */
+  private final Vec3 wayMm = new Vec3();
+
+  private double squaredWayMm;
 
   /**
    * Makes an edit of a ball.
@@ -28,77 +29,76 @@ public final class BrushEdit extends Edit {
    * @param solid whether the voxels become solid; empty else
    */
   public BrushEdit(int segment, Vec3 centreGrid, double radiusMm, boolean solid) {
+    this(segment, Optional.empty(), radiusMm, solid, BrushLimits.NONE);
+    from.set(centreGrid);
+    to.set(centreGrid);
+    if (!to.isFinite()) {
+      throw new IllegalArgumentException("centre must be finite: centreGrid=" + centreGrid);
+    }
+  }
+
+  /**
+   * Makes an edit of the next piece of a stroke. The piece ends where the device is when the edit
+   * is applied if voxels are added, and where the tool touches if they are removed. So what is
+   * added cannot push the brush along. Nothing happens if the tool has no place yet.
+   *
+   * @param segment index of the segment in the scene
+   * @param path the path of the stroke
+   * @param radiusMm metric radius, at least 0
+   * @param solid whether the voxels become solid; empty else
+   */
+  public static BrushEdit atTool(
+      int segment, BrushPath path, double radiusMm, boolean solid, BrushLimits limits) {
+    return new BrushEdit(segment, Optional.of(path), radiusMm, solid, limits);
+  }
+
+  private BrushEdit(
+      int segment, Optional<BrushPath> path, double radiusMm, boolean solid, BrushLimits limits) {
     super(segment);
-    centre = new Vec3().set(centreGrid);
+    this.path = path;
     this.radiusMm = radiusMm;
     this.solid = solid;
-    if (!centre.isFinite() || !(radiusMm >= 0)) {
-      throw new IllegalArgumentException(
-          "centre must be finite and radius at least 0: centreGrid="
-              + centreGrid
-              + " radiusMm="
-              + radiusMm);
+    this.limits = limits;
+    if (!(radiusMm >= 0)) {
+      throw new IllegalArgumentException("radius must be at least 0: radiusMm=" + radiusMm);
     }
-  }
-
-  /** Finds the box of the ball. Any ball fits: the part outside the grid is left out. */
-  @Override
-  void prepare(SegmentGrids grids) {
-    VoxelGrid grid = grids.grid(segment());
-    metric = grids.metric(segment());
-    box.lowX = lowest(centre.x, metric.spacingX());
-    box.lowY = lowest(centre.y, metric.spacingY());
-    box.lowZ = lowest(centre.z, metric.spacingZ());
-    box.highX = highest(centre.x, metric.spacingX(), grid.sizeX());
-    box.highY = highest(centre.y, metric.spacingY(), grid.sizeY());
-    box.highZ = highest(centre.z, metric.spacingZ(), grid.sizeZ());
-    i = box.lowX;
-    j = box.lowY;
-    k = box.lowZ;
-  }
-
-  private int lowest(double centreGrid, double spacing) {
-    return (int) Math.max(0, Math.floor(centreGrid - radiusMm / spacing));
-  }
-
-  private int highest(double centreGrid, double spacing, int size) {
-    return (int) Math.min(size - 1, Math.ceil(centreGrid + radiusMm / spacing));
   }
 
   @Override
-  int apply(VoxelWriter out, int maxVoxels) {
-    boolean empty = box.lowX > box.highX || box.lowY > box.highY || box.lowZ > box.highZ;
-    if (empty) {
-      finish();
-      return 1;
-    }
-    int visited = 0;
-    while (visited < maxVoxels && k <= box.highZ) {
-      brushVoxel(out);
-      moveToNextVoxel();
-      visited++;
-    }
-    out.applied(segment(), box);
-    if (k > box.highZ) {
-      finish();
-    }
-    return visited;
-  }
-
-  private void brushVoxel(VoxelWriter out) {
-    double square = metric.squaredDistance(centre.x, centre.y, centre.z, i + 0.5, j + 0.5, k + 0.5);
-    if (square <= radiusMm * radiusMm) {
-      out.write(segment(), i, j, k, solid);
-    }
-  }
-
-  private void moveToNextVoxel() {
-    if (++i > box.highX) {
-      i = box.lowX;
-      if (++j > box.highY) {
-        j = box.lowY;
-        k++;
+  void findBox(VoxelWriter out) {
+    if (path.isPresent()) {
+      boolean isPlaced =
+          solid ? out.tool().devicePoint(segment(), to) : out.tool().touchedPoint(segment(), to);
+      if (!isPlaced) {
+        return;
       }
+      path.get().goTo(to, metric(), radiusMm, from);
     }
+    wayMm.set(
+        (to.x - from.x) * metric().spacingX(),
+        (to.y - from.y) * metric().spacingY(),
+        (to.z - from.z) * metric().spacingZ());
+    squaredWayMm = wayMm.dot(wayMm);
+    include(from.x, from.y, from.z, radiusMm);
+    include(to.x, to.y, to.z, radiusMm);
+  }
+
+  @Override
+  boolean visit(VoxelWriter out, int i, int j, int k) {
+    double t = fraction(i + 0.5, j + 0.5, k + 0.5);
+    double x = from.x + t * (to.x - from.x);
+    double y = from.y + t * (to.y - from.y);
+    double z = from.z + t * (to.z - from.z);
+    double square = metric().squaredDistance(x, y, z, i + 0.5, j + 0.5, k + 0.5);
+    return square <= radiusMm * radiusMm && limits.write(out, segment(), i, j, k, solid);
+  }
+
+  /** Returns the fraction of the piece, 0 to 1, at its point nearest to a point of the grid. */
+  private double fraction(double x, double y, double z) {
+    double along =
+        (x - from.x) * metric().spacingX() * wayMm.x
+            + (y - from.y) * metric().spacingY() * wayMm.y
+            + (z - from.z) * metric().spacingZ() * wayMm.z;
+    return squaredWayMm > 0 ? Math.max(0, Math.min(1, along / squaredWayMm)) : 0;
   }
 }

@@ -5,8 +5,9 @@ package org.palpate.edit;
  * an {@link EditQueue} once. The haptic thread applies it between frames.
  */
 public abstract sealed class Edit
-    permits VoxelEdit, VoxelListEdit, BrushEdit, SwapEdit, GreyEdit, HistoryEdit {
+    permits VoxelEdit, VoxelListEdit, BoxEdit, DifferenceEdit, SwapEdit, GreyEdit, HistoryEdit {
   private final int segment;
+  private boolean continuesStroke;
   private volatile boolean done;
 
   Edit(int segment) {
@@ -19,6 +20,18 @@ public abstract sealed class Edit
    */
   public final int segment() {
     return segment;
+  }
+
+  /**
+   * Makes the edit a part of the stroke of the last edit, if nothing else changed since then, so
+   * that one undo takes back both. Call it before the edit is queued.
+   */
+  public final void continueStroke() {
+    continuesStroke = true;
+  }
+
+  final boolean continuesStroke() {
+    return continuesStroke;
   }
 
   /**

@@ -17,6 +17,8 @@ public final class EditQueue {
   /** The most edits of a frame: each costs the frame something, however few voxels it has. */
   static final int MOST_EDITS_A_FRAME = 32;
 
+  private static final long NO_STROKE = -1;
+
   private final SegmentGrids grids;
   private final boolean swaps;
   private final AtomicReferenceArray<Edit> slots;
@@ -25,6 +27,11 @@ public final class EditQueue {
 
   /** Whether the oldest edit is applied in part; haptic thread. */
   private boolean inProgress;
+
+  /** The number of ended strokes before and after the last edit that made one; haptic thread. */
+  private long strokesBefore;
+
+  private long strokesAfter = NO_STROKE;
 
   /** Makes a queue of the usual capacity. */
   public EditQueue(VoxelGrid grid, int segments) {
@@ -96,7 +103,8 @@ public final class EditQueue {
   }
 
   /**
-   * Applies waiting edits, each as a stroke of its own, but at most 32. Haptic thread.
+   * Applies waiting edits, each as a stroke of its own unless it continues one, but at most 32.
+   * Haptic thread.
    *
    * @param maxVoxels number of voxels that the edits may visit
    * @return whether any voxel may have changed
@@ -110,16 +118,32 @@ public final class EditQueue {
         break;
       }
       if (!inProgress) {
-        out.history().endStroke();
+        beginStroke(edit, out.history());
       }
       left -= edit.apply(out, left);
       inProgress = !edit.isDone();
       if (edit.isDone()) {
-        out.history().endStroke();
+        endStroke(edit, out.history());
         slots.set(slot, null);
         taken.setRelease(taken.getPlain() + 1);
       }
     }
     return left < maxVoxels;
+  }
+
+  private void beginStroke(Edit edit, UndoHistory history) {
+    history.endStroke();
+    if (edit.continuesStroke() && history.strokes() == strokesAfter) {
+      history.reopenStroke();
+    }
+    strokesBefore = history.strokes();
+  }
+
+  private void endStroke(Edit edit, UndoHistory history) {
+    history.endStroke();
+    boolean madeOne = history.strokes() > strokesBefore;
+    if (madeOne || !edit.continuesStroke()) {
+      strokesAfter = madeOne ? history.strokes() : NO_STROKE;
+    }
   }
 }

@@ -2,7 +2,8 @@ package org.palpate.edit;
 
 /** Undoes the last stroke, or redoes the stroke that was undone last. */
 public final class HistoryEdit extends Edit {
-  private static final int VOXELS_A_BRICK = 64;
+  /** The voxels for which a brick counts, however many of its bits change. */
+  static final int VOXELS_A_BRICK = 64;
 
   private final boolean isUndo;
 

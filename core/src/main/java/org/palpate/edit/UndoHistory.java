@@ -84,6 +84,23 @@ public final class UndoHistory {
     rememberEnds();
   }
 
+  /**
+   * Takes up the last stroke again, so that the next changes belong to it. Nothing happens if there
+   * is none, if one is open, or if strokes were undone.
+   */
+  void reopenStroke() {
+    if (!isMoving && known == done && !isOpen() && canUndo(0)) {
+      done--;
+      known = done;
+      System.arraycopy(ends, at(done), begins, 0, logs.length);
+    }
+  }
+
+  /** Returns the number of strokes that were ever ended, without those that were undone. */
+  long strokes() {
+    return done;
+  }
+
   private void rememberEnds() {
     System.arraycopy(begins, 0, ends, at(done), logs.length);
   }

@@ -23,6 +23,7 @@ public final class VoxelWriter {
   private final IntBox box = new IntBox();
   private BitCube[] limits = {};
   private VoxelListener voxels = VoxelListener.NONE;
+  private ToolPlace tool = ToolPlace.NONE;
 
   /** Creates a writer with a history of the usual capacity. */
   public VoxelWriter(CollisionScene scene, EditListener boxes) {
@@ -67,6 +68,16 @@ public final class VoxelWriter {
   public void limit(int segment, BitCube most) {
     limits = Arrays.copyOf(limits, Math.max(limits.length, segment + 1));
     limits[segment] = most;
+  }
+
+  /** Sets where the tool is, for edits that act there. Call it before the first change. */
+  public void follow(ToolPlace place) {
+    tool = place;
+  }
+
+  /** Returns where the tool is. */
+  ToolPlace tool() {
+    return tool;
   }
 
   /** Returns the history of the changes. */

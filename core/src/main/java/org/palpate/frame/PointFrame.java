@@ -7,10 +7,12 @@ import org.palpate.collision.CollisionScene;
 import org.palpate.collision.NearestFreeVoxel;
 import org.palpate.edit.EditListener;
 import org.palpate.edit.EditQueue;
+import org.palpate.edit.ToolPlace;
 import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.HandState;
+import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
@@ -76,11 +78,44 @@ public final class PointFrame extends HapticFrame {
     this.metric = metric;
     this.edits = edits;
     writer = new VoxelWriter(scene, EditListener.NONE);
+    writer.follow(new Place());
     this.publisher = publisher;
     nearestFreeVoxel = new NearestFreeVoxel(metric);
     contactForce = new ContactForce(metric, settings.force());
     requestedForce = settings.force();
     requestedSolver = solver;
+  }
+
+  /** The place of the interaction point, for edits. */
+  private final class Place implements ToolPlace {
+    @Override
+    public boolean touchedPoint(int segment, Vec3 destGrid) {
+      destGrid.set(point.position);
+      return placed;
+    }
+
+    @Override
+    public boolean devicePoint(int segment, Vec3 destGrid) {
+      destGrid.set(deviceGrid);
+      return placed;
+    }
+
+    @Override
+    public boolean gridToDevice(int segment, AffineMap dest) {
+      return false;
+    }
+
+    @Override
+    public boolean meets(int segment, int i, int j, int k) {
+      return placed
+          && holds(i, point.position.x)
+          && holds(j, point.position.y)
+          && holds(k, point.position.z);
+    }
+
+    private static boolean holds(int voxel, double coordinate) {
+      return voxel <= coordinate && coordinate <= voxel + 1.0;
+    }
   }
 
   @Override

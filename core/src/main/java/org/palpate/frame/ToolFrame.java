@@ -21,6 +21,7 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.BlockingVoxels;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
@@ -54,6 +55,8 @@ public final class ToolFrame extends HapticFrame {
   private final Vec3 pressingTorque = new Vec3();
   private final Quaternion checked = new Quaternion();
   private final SkipCounters skippedBeforeUse = new SkipCounters();
+  private final BlockingVoxels blocking;
+  private final RigidPlace place;
   private boolean placed;
 
   /** Null if the tool does not cut. */
@@ -104,6 +107,9 @@ public final class ToolFrame extends HapticFrame {
     PlacementLog placements = new PlacementLog((body, pose) -> bodies.body(body).setPose(pose));
     voxels = new VoxelWriter(new CollisionScene(cubesOf(bodies)), this::noteEdit, placements);
     limitMovableBodies();
+    blocking = solver.newBlockingVoxels();
+    place = new RigidPlace(bodies, blocking, motion, devicePose);
+    voxels.follow(place);
     grasp = new Grasp(bodies, solver, coupling, settings.force(), placements);
     requestedForce = settings.force();
     requestedPoses = new AtomicReferenceArray<>(bodies.count());
@@ -208,7 +214,7 @@ public final class ToolFrame extends HapticFrame {
 
   @Override
   public void carve(CarveSettings settings) {
-    carver = new ToolCarver(settings, bodies, solver.newBlockingVoxels(), voxels);
+    carver = new ToolCarver(settings, bodies, blocking, voxels);
   }
 
   /** Without a new sample bodies move all the same, and may push the tool. */
@@ -233,6 +239,7 @@ public final class ToolFrame extends HapticFrame {
       }
       startsAtDevice = solver.place(devicePose, motion);
       placed = true;
+      place.place();
     } else if (carver != null && grasp.held() == Grasp.NO_BODY) {
       carver.carve(devicePose, pressingNewton(), sinceForceNanos());
     }

@@ -28,6 +28,9 @@ public final class BlockingVoxels {
   /** The longest motion of a point towards the device pose, shortest voxel edges. */
   static final double REACH_EDGES = 2;
 
+  /** The frame of a grid may differ from an orthonormal one by less than this factor. */
+  private static final double FAR_FACTOR = 1.01;
+
   /** The most cells whose voxels are reported at once, the nearest ones. */
   static final int MOST_CELLS = 64;
 
@@ -95,6 +98,71 @@ public final class BlockingVoxels {
     for (int cell = 0; cell < count && isWanted; cell++) {
       isWanted = report(cell, sink);
     }
+  }
+
+  /**
+   * Whether the tool at its present pose would touch a voxel, enclose it, or come nearer to it than
+   * its clearance, if the voxel were solid.
+   *
+   * @param index the body of the voxel
+   */
+  public boolean meets(int index, int i, int j, int k) {
+    BodyVerifier ofBody = verifier.pair(index);
+    if (ofBody.enclosure().encloses(i, j, k)) {
+      return true;
+    }
+    int node = 0;
+    while (node < tree.nodes()) {
+      if (isFar(node, ofBody, i, j, k)) {
+        node = tree.skip(node);
+        continue;
+      }
+      for (int point = tree.first(node); tree.isLeaf(node) && point < tree.end(node); point++) {
+        if (meets(ofBody, point, i, j, k)) {
+          return true;
+        }
+      }
+      node++;
+    }
+    return false;
+  }
+
+  /** Whether no point of a node lies within the growth of a voxel and the diagonal of a cell. */
+  private boolean isFar(int node, BodyVerifier ofBody, int i, int j, int k) {
+    ClearanceLevels levels = ofBody.levels;
+    AffineMap map = ofBody.from;
+    Vec3 s = levels.body.grid().spacingMm();
+    double x = gap(map.x(tree.x(node), tree.y(node), tree.z(node)), i, s.x);
+    double y = gap(map.y(tree.x(node), tree.y(node), tree.z(node)), j, s.y);
+    double z = gap(map.z(tree.x(node), tree.y(node), tree.z(node)), k, s.z);
+    double diagonalMm = s.length();
+    double nearMm = FAR_FACTOR * (tree.radius(node) + levels.growthMm()) + diagonalMm;
+    return x * x + y * y + z * z > nearMm * nearMm;
+  }
+
+  private static double gap(double coordinate, int voxel, double spacingMm) {
+    return spacingMm * Math.max(0, Math.max(voxel - coordinate, coordinate - (voxel + 1)));
+  }
+
+  private boolean meets(BodyVerifier ofBody, int point, int i, int j, int k) {
+    ClearanceLevels levels = ofBody.levels;
+    int at = ofBody.level(point);
+    levels.toCells(ofBody.from, at, from);
+    double x = from.x(tool.x(point), tool.y(point), tool.z(point));
+    double y = from.y(tool.x(point), tool.y(point), tool.z(point));
+    double z = from.z(tool.x(point), tool.y(point), tool.z(point));
+    for (int c = (int) Math.ceil(z) - 1; c <= Math.floor(z); c++) {
+      for (int b = (int) Math.ceil(y) - 1; b <= Math.floor(y); b++) {
+        for (int a = (int) Math.ceil(x) - 1; a <= Math.floor(x); a++) {
+          boolean reaches =
+              at == 0 ? a == i && b == j && c == k : levels.grown(at).reaches(i, j, k, a, b, c);
+          if (reaches) {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
   }
 
   /** Sets the pose to which the legs lead. */

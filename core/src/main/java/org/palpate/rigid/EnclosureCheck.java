@@ -91,6 +91,11 @@ final class EnclosureCheck {
     return enclosesInBox(pair.points.pose, pair.solid.bodyPose());
   }
 
+  /** Whether the solid encloses the centre of voxel (i,j,k) at the committed poses. */
+  boolean encloses(int i, int j, int k) {
+    return canEnclose() && encloses(pair.points.pose, pair.solid.bodyPose(), i, j, k);
+  }
+
   private boolean enclosesInBox(Pose ofPoints, Pose ofBody) {
     for (int k = around.lowZ; k <= around.highZ; k++) {
       for (int j = around.lowY; j <= around.highY; j++) {

@@ -59,6 +59,76 @@ class BlockingVoxelsTest {
     assertTrue(blocked > 60, "blocked " + blocked);
   }
 
+  @Test
+  void meetsExactlyTheVoxelsThatRationalArithmeticFinds() {
+    int met = 0;
+    for (int round = 0; round < 30; round++) {
+      BodyScene scene = ToolScenes.clutter(random, 1);
+      RigidTool tool = ToolScenes.tool(random).thinned(40);
+      Clearance clearance = round % 3 == 0 ? Clearance.POINTS : new Clearance(0.6, 0.72, 2);
+      MoverVerifier verifier = ToolScenes.verifier(scene, tool, new Clearance[] {clearance}, true);
+      Pose start = RandomGeometry.pose(random, 20);
+      while (!verifier.place(start, false)) {
+        start = RandomGeometry.pose(random, 40);
+      }
+      BlockingVoxels blocking = new BlockingVoxels(scene, tool, verifier);
+      BitCube bits = scene.body(0).bits();
+      for (int k = 0; k < bits.sizeZ(); k++) {
+        for (int j = 0; j < bits.sizeY(); j++) {
+          for (int i = 0; i < bits.sizeX(); i++) {
+            boolean expected =
+                naiveMeets(verifier.pair(0), tool, i, j, k)
+                    || naiveEncloses(verifier, tool, clearance, i, j, k);
+            assertEquals(expected, blocking.meets(0, i, j, k), "seed " + Seeds.seed());
+            met += expected ? 1 : 0;
+          }
+        }
+      }
+    }
+    assertTrue(met > 100, "met " + met);
+  }
+
+  private static boolean naiveMeets(BodyVerifier verifier, RigidTool tool, int i, int j, int k) {
+    for (int point = 0; point < tool.count(); point++) {
+      int level = verifier.level(point);
+      AffineMap map = verifier.levels.toCells(verifier.from, level, new AffineMap());
+      Vec3 p = map.transform(tool.point(point, new Vec3()), new Vec3());
+      Ray rest = new Ray().from(p.x, p.y, p.z).to(p.x, p.y, p.z);
+      for (int c = (int) Math.floor(p.z) - 1; c <= p.z; c++) {
+        for (int b = (int) Math.floor(p.y) - 1; b <= p.y; b++) {
+          for (int a = (int) Math.floor(p.x) - 1; a <= p.x; a++) {
+            if (ExactOracle.touches(rest, a, b, c)
+                && makesSolid(verifier.levels, level, a, b, c, i, j, k)) {
+              return true;
+            }
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  private static boolean naiveEncloses(
+      MoverVerifier verifier, RigidTool tool, Clearance clearance, int i, int j, int k) {
+    Body body = verifier.pair(0).levels.body;
+    Vec3 p = body.grid().gridToWorld(new Vec3(i + 0.5, j + 0.5, k + 0.5), new Vec3());
+    body.pose().transform(p, p);
+    verifier.pose().inverseTransform(p, p);
+    return clearance.growthMm() > 0 && tool.solid() != null && tool.solid().contains(p.x, p.y, p.z);
+  }
+
+  private static boolean makesSolid(
+      ClearanceLevels levels, int level, int a, int b, int c, int i, int j, int k) {
+    if (level == 0) {
+      return a == i && b == j && c == k;
+    }
+    GrownSolids grown = levels.grown(level);
+    BigDecimal growth = new BigDecimal(grown.growthMm());
+    BigDecimal square =
+        squaredGap(grown, 0, a, i).add(squaredGap(grown, 1, b, j)).add(squaredGap(grown, 2, c, k));
+    return square.compareTo(growth.multiply(growth)) < 0;
+  }
+
   private static void moveTo(Pose pose, MoverVerifier verifier) {
     verifier.propose(pose);
     assertTrue(verifier.isFree(0, 0, true, new LegHits()), "what blocked the way is gone");

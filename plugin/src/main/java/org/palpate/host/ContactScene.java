@@ -142,6 +142,11 @@ public final class ContactScene {
     return settings;
   }
 
+  /** Returns the voxels within the margins of protected segments, if there are any; not copied. */
+  public Optional<BitCube> protectedVoxels() {
+    return kept;
+  }
+
   /** Returns the metric of the grid, which measures lengths in millimetres. */
   public GridMetric metric() {
     return metric;

@@ -7,6 +7,7 @@ import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
+import org.palpate.edit.Edit;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.HistoryEdit;
 import org.palpate.frame.FrameSettings;
@@ -258,7 +259,7 @@ public final class TouchSession implements AutoCloseable {
    * @return false if the queue of edits is full; then try again later
    */
   public boolean undo() {
-    return edits.offer(HistoryEdit.undo());
+    return offer(HistoryEdit.undo());
   }
 
   /**
@@ -266,7 +267,16 @@ public final class TouchSession implements AutoCloseable {
    * thread.
    */
   public boolean redo() {
-    return edits.offer(HistoryEdit.redo());
+    return offer(HistoryEdit.redo());
+  }
+
+  /**
+   * Queues an edit of the segments. Any thread.
+   *
+   * @return false if the queue of edits is full; then try again later
+   */
+  public boolean offer(Edit edit) {
+    return edits.offer(edit);
   }
 
   /** Starts the haptic thread. It warms up and then switches the force on. */

@@ -210,7 +210,6 @@ class ArchitectureTest {
       new TreeSet<>(
           List.of(
               BASE + "device.jni.FrameLayout",
-              BASE + "edit.BrushEdit",
               BASE + "scene.Palette",
               BASE + "scene.gl.SceneRendererVariants",
               BASE + "scene.gl.Shaders",

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import org.palpate.display.DisplayLoss;
 import org.palpate.geometry.Vec3;
@@ -13,6 +14,7 @@ import org.palpate.io.file.AtomicFile;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.Picture;
 import org.palpate.scene.window.SceneWindow;
+import org.palpate.scene.window.WindowInput;
 import org.palpate.volume.VoxelGrid;
 
 /** Prints the reports of a session's view and saves snapshots of its window. Any thread. */
@@ -20,6 +22,7 @@ final class ConsoleViewListener implements SessionView.Listener {
   private final PrintWriter out;
   private final Runnable stop;
   private volatile Optional<SessionLandmarks> landmarks = Optional.empty();
+  private volatile Consumer<WindowInput> keys = input -> {};
 
   /**
    * Creates a listener.
@@ -43,10 +46,16 @@ final class ConsoleViewListener implements SessionView.Listener {
                 this::print));
   }
 
+  /** Adds further keys when the window opens. Before the view is started. */
+  void addKeys(Consumer<WindowInput> further) {
+    keys = further;
+  }
+
   @Override
   public void opening(SceneWindow window) {
     DisplayLoss.install(window::displayLost);
     landmarks.ifPresent(marks -> marks.addKeys(window.input()));
+    keys.accept(window.input());
     window.input().onKey('s', "save a snapshot", () -> window.takeSnapshot(this::save));
   }
 

@@ -221,7 +221,8 @@ public final class ReplayCommand implements Callable<Integer> {
     SegmentedVolume segments =
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     EditSchedule edits = edits(segments);
-    EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
+    EditedVolume edited =
+        new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
     ContactScene scene = contact.scene(source, segments, feel.effects(segments));
     ReplayRun plain =
         world ? ReplayRun.inWorld(scene, trajectory) : ReplayRun.inGrid(scene, trajectory);
@@ -267,7 +268,8 @@ public final class ReplayCommand implements Callable<Integer> {
     SegmentedVolume segments =
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     EditSchedule edits = edits(segments);
-    EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
+    EditedVolume edited =
+        new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
     List<BodyPose> poses = readPoses(segments);
     ContactScene fixed = contact.scene(source, segments, feel.effects(segments));
     ToolScene scene = tool.scene(fixed, made, ToolReplay.movable(poses));
@@ -328,9 +330,13 @@ public final class ReplayCommand implements Callable<Integer> {
     }
   }
 
+  private boolean changesVoxels() {
+    return contact.cuts() || editsFile != null;
+  }
+
   private void finish(Report report, EditedVolume edited) {
-    if (contact.cuts() || editsFile != null) {
-      report.put("carved", edited.carvedMm3());
+    if (changesVoxels()) {
+      report.put("carved", edited.carvedMm3()).put("added", edited.addedMm3());
     }
     edited.write(failures);
     report.write();

@@ -21,6 +21,7 @@ import org.palpate.host.TouchSession;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.reduction.ReductionPlan;
+import org.palpate.rigid.tool.RigidTool;
 import org.palpate.tool.MadeTool;
 import org.palpate.volume.SegmentedVolume;
 
@@ -68,6 +69,11 @@ final class SessionScene {
   /** Returns the volume that is touched. */
   SegmentedVolume volume() {
     return scene.volume();
+  }
+
+  /** Returns the rigid tool; empty for a point. */
+  Optional<RigidTool> tool() {
+    return rigid.map(ToolScene::tool);
   }
 
   /** Returns the region that a simulated hand touches, world mm. */

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.palpate.app.options.BrushOptions;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.DeviceChoice;
 import org.palpate.app.options.FeelOptions;
@@ -71,6 +72,7 @@ import picocli.CommandLine.Spec;
       "  palpate touch --volume labels.nrrd --device hid",
       "  palpate touch --tool sphere:4 --seconds 10 --headless --report r.json",
       "  palpate touch --tool sphere:3 --carve 40 --seconds 10 --headless --export drilled.nrrd",
+      "  palpate touch --brush 3,range:300..900 --volume scan.nrrd --segment soft=300..900",
       "  palpate touch --device mouse",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --slices point",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --igtl 18944",
@@ -90,6 +92,7 @@ public final class TouchCommand implements Callable<Integer> {
   @Mixin private ContactOptions contact;
   @Mixin private ToolOptions tool;
   @Mixin private FeelOptions feel;
+  @Mixin private BrushOptions brushOptions;
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
@@ -200,6 +203,7 @@ public final class TouchCommand implements Callable<Integer> {
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     tool.checkOthers(spec.commandLine().getParseResult());
     feel.check(tool.isRigid());
+    brushOptions.check(tool.isRigid(), volume.isPlaced());
     ShutdownHook.endQuietly();
     try {
       return touch();
@@ -268,21 +272,24 @@ public final class TouchCommand implements Callable<Integer> {
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     ContactScene contactScene = contact.scene(source, segments, feel.effects(segments));
     SessionScene scene = SessionScene.of(contactScene, tool, made);
-    EditedVolume edited = new EditedVolume(segments, source.header().coordinateSystem(), export);
+    EditedVolume edited =
+        new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
     try (HapticDevice opened = open(choice, source, scene, target, loop.periodNanos())) {
       scene.notes(opened.specification(), record.isPresent()).forEach(out::println);
       Optional<ViewOptions> view = view(source, scene.contactScene());
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
-      TouchReport measured = run(scene, opened, choice, loop, record, view, axes);
+      Optional<BrushOptions.Brush> brush =
+          brushOptions.brush(source, scene.contactScene(), made.map(MadeTool::tool));
+      TouchReport measured = run(scene, opened, choice, loop, record, view, axes, brush);
       measured.print(out);
       if (report.isWanted()) {
         report.putVolume(source, segments.segments());
         measured.putInto(report);
         scene.putInto(report, measured);
-        if (contact.cuts()) {
-          report.put("carved", edited.carvedMm3());
+        if (changesVoxels()) {
+          report.put("carved", edited.carvedMm3()).put("added", edited.addedMm3());
         }
       }
       if (source.placed().isPresent()) {
@@ -402,7 +409,8 @@ public final class TouchCommand implements Callable<Integer> {
       LoopSettings loop,
       Optional<Path> record,
       Optional<ViewOptions> viewOptions,
-      WorldAxes axes)
+      WorldAxes axes,
+      Optional<BrushOptions.Brush> brush)
       throws IOException {
     try (SessionRecording recording =
             new SessionRecording(record, scene.volume().segments(), failures);
@@ -415,13 +423,26 @@ public final class TouchCommand implements Callable<Integer> {
                     .withLoop(loop.with(realtime, realtime))
                     .withRecorder(recording.recorder())
                     .withEditRecorder(recording.editRecorder()))) {
+      Optional<SessionBrush> painter =
+          brush.map(held -> new SessionBrush(held, session, scene.volume(), scene.tool()));
+      Runnable check =
+          () -> {
+            recording.check();
+            painter.ifPresent(SessionBrush::tick);
+          };
       SessionSupervisor supervisor =
-          new SessionSupervisor(session, Optional.ofNullable(seconds), recording::check, out);
+          new SessionSupervisor(session, Optional.ofNullable(seconds), check, out);
       ConsoleViewListener listener = new ConsoleViewListener(out, supervisor::stop);
       Optional<SessionView> view =
           viewOptions.map(
               options -> new SessionView(session, scene.volume(), axes, opened, listener, options));
       view.ifPresent(shown -> listener.keepLandmarks(shown, scene.volume().grid(), axes));
+      view.ifPresent(
+          shown ->
+              painter.ifPresent(
+                  held ->
+                      listener.addKeys(
+                          input -> held.addKeys(input, shown::proxyGrid, listener::print))));
       view.ifPresent(supervisor::show);
       link.ifPresent(
           server ->
@@ -443,10 +464,14 @@ public final class TouchCommand implements Callable<Integer> {
     if (recordFile != null) {
       return "the threshold stays while --record records: a replay has one threshold";
     }
-    return contact.cuts() || exportFile != null
-        ? "the threshold stays with --carve and --export: they are about the voxels of one"
+    return changesVoxels() || exportFile != null
+        ? "the threshold stays with --carve, --brush and --export: they are about the voxels of one"
             + " threshold"
         : "";
+  }
+
+  private boolean changesVoxels() {
+    return contact.cuts() || brushOptions.isGiven();
   }
 
   private boolean hasWindow() {

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.LongBinaryOperator;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.process.PalpateException;
 import org.palpate.geometry.Vec3;
@@ -12,6 +13,7 @@ import org.palpate.io.VolumeWriter;
 import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
@@ -20,20 +22,26 @@ public final class EditedVolume {
   private final SegmentedVolume volume;
   private final CoordinateSystem coordinateSystem;
   private final Optional<Path> export;
-  private final long[] voxelsBefore;
+  private final List<BitCube> before;
 
   /**
-   * Counts the voxels before any change.
+   * Copies the voxels before any change, if the changes are to be measured.
    *
    * @param export the target, as {@link #checkedExport} returned it
+   * @param isCompared whether the changes will be measured, which needs the copy
    */
   public EditedVolume(
-      SegmentedVolume volume, CoordinateSystem coordinateSystem, Optional<Path> export) {
+      SegmentedVolume volume,
+      CoordinateSystem coordinateSystem,
+      Optional<Path> export,
+      boolean isCompared) {
     this.volume = volume;
     this.coordinateSystem = coordinateSystem;
     this.export = export;
-    voxelsBefore =
-        volume.segments().stream().mapToLong(segment -> segment.bits().solidCount()).toArray();
+    before =
+        isCompared
+            ? volume.segments().stream().map(segment -> segment.bits().copy()).toList()
+            : List.of();
   }
 
   /**
@@ -53,16 +61,39 @@ public final class EditedVolume {
     return Optional.of(OutputPaths.checked("--export", file, inputs));
   }
 
-  /** Returns the removed volume by the name of the segment, mm^3; less than 0 if it has grown. */
+  /** Returns the volume that is missing now, by the name of the segment, mm^3. */
   public Map<String, Object> carvedMm3() {
+    return differenceMm3((was, is) -> was & ~is);
+  }
+
+  /** Returns the volume that was added, by the name of the segment, mm^3. */
+  public Map<String, Object> addedMm3() {
+    return differenceMm3((was, is) -> is & ~was);
+  }
+
+  /** Returns the volume of the voxels that a function of two bricks finds, mm^3. */
+  private Map<String, Object> differenceMm3(LongBinaryOperator found) {
     Vec3 spacing = volume.grid().spacingMm();
-    double voxelMm3 = spacing.x * spacing.y * spacing.z;
-    Map<String, Object> carved = new LinkedHashMap<>();
-    for (int n = 0; n < voxelsBefore.length; n++) {
+    Map<String, Object> differences = new LinkedHashMap<>();
+    for (int n = 0; n < before.size(); n++) {
       Segment segment = volume.segments().get(n);
-      carved.put(segment.name(), (voxelsBefore[n] - segment.bits().solidCount()) * voxelMm3);
+      long voxels = count(before.get(n), segment.bits(), found);
+      differences.put(segment.name(), voxels * (spacing.x * spacing.y * spacing.z));
     }
-    return carved;
+    return differences;
+  }
+
+  private static long count(BitCube was, BitCube is, LongBinaryOperator found) {
+    long voxels = 0;
+    for (int z = 0; z < was.bricksZ(); z++) {
+      for (int y = 0; y < was.bricksY(); y++) {
+        for (int x = 0; x < was.bricksX(); x++) {
+          long word = found.applyAsLong(was.brick(x, y, z), is.brick(x, y, z));
+          voxels += Long.bitCount(word);
+        }
+      }
+    }
+    return voxels;
   }
 
   /** Writes the segments as they are now if the user asked for it; a failure is reported. */

@@ -1,0 +1,62 @@
+package org.palpate.edit;
+
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.Vec3;
+
+/**
+ * The place of the tool of a session, for edits that act there. Haptic thread; no method allocates.
+ * Segments are the indices of those in the scene.
+ */
+public interface ToolPlace {
+  /** Holds no tool. */
+  ToolPlace NONE =
+      new ToolPlace() {
+        @Override
+        public boolean touchedPoint(int segment, Vec3 destGrid) {
+          return false;
+        }
+
+        @Override
+        public boolean devicePoint(int segment, Vec3 destGrid) {
+          return false;
+        }
+
+        @Override
+        public boolean gridToDevice(int segment, AffineMap dest) {
+          return false;
+        }
+
+        @Override
+        public boolean meets(int segment, int i, int j, int k) {
+          return false;
+        }
+      };
+
+  /**
+   * Writes where the tool acts on a segment, in its grid coordinates: the interaction point, or the
+   * first point of a rigid tool in contact, or else its reference point.
+   *
+   * @return false if the tool has no place yet
+   */
+  boolean touchedPoint(int segment, Vec3 destGrid);
+
+  /**
+   * Writes where the device is, in the grid coordinates of a segment.
+   *
+   * @return false if the tool has no place yet
+   */
+  boolean devicePoint(int segment, Vec3 destGrid);
+
+  /**
+   * Writes the map from the grid coordinates of a segment to the tool frame at the device pose, mm.
+   *
+   * @return false if the tool has no place yet, or is no rigid tool
+   */
+  boolean gridToDevice(int segment, AffineMap dest);
+
+  /**
+   * Whether the tool would touch voxel (i,j,k) of a segment, enclose it, or come nearer to it than
+   * its clearance, if the voxel were solid.
+   */
+  boolean meets(int segment, int i, int j, int k);
+}
