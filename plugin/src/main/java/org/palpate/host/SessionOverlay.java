@@ -5,8 +5,11 @@ import java.util.Locale;
 import java.util.Optional;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
+import org.palpate.geometry.Vec3;
 import org.palpate.loop.LoopStatus;
+import org.palpate.scene.ChangedVoxels;
 import org.palpate.scene.MovableSlices;
+import org.palpate.volume.SegmentedVolume;
 
 /**
  * The lines of text in the corner of a session's view. The synchronization thread updates them; any
@@ -27,6 +30,12 @@ final class SessionOverlay {
   private volatile String touched = "contact";
   private volatile String removedText = "";
   private List<String> lines = List.of();
+  private final Vec3 lastMm = new Vec3(Double.NaN, Double.NaN, Double.NaN);
+  private final Vec3 stepMm = new Vec3();
+
+  /** The path of the tool since the last update, mm. */
+  private double pathMm;
+
   private long updateNanos;
   private long lastFrames;
   private long lastApplications;
@@ -65,9 +74,25 @@ final class SessionOverlay {
     touched = segment.orElse("contact");
   }
 
-  /** Shows the volume that was removed, mm^3. */
-  void removed(double mm3) {
-    removedText = format("   removed %.1f mm³", mm3);
+  /** Shows the volume of each segment that was removed, or added. Synchronization thread. */
+  void removed(ChangedVoxels changed, SegmentedVolume volume) {
+    Vec3 spacing = volume.grid().spacingMm();
+    StringBuilder text = new StringBuilder();
+    for (int n = 0; n < volume.segments().size(); n++) {
+      double mm3 = changed.removed(n) * spacing.x * spacing.y * spacing.z;
+      if (mm3 != 0) {
+        text.append(mm3 > 0 ? "   removed " : "   added ").append(volume.segments().get(n).name());
+        text.append(format(" %.1f mm³", Math.abs(mm3)));
+      }
+    }
+    removedText = text.toString();
+  }
+
+  /** Notes where the tool is, world mm, to measure its speed. Synchronization thread. */
+  void follow(Vec3 toolMm) {
+    double mm = toolMm.sub(lastMm, stepMm).length();
+    pathMm += Double.isFinite(mm) ? mm : 0;
+    lastMm.set(toolMm);
   }
 
   private void dropOldHint(long now) {
@@ -109,7 +134,8 @@ final class SessionOverlay {
     if (invalid || (changed && now - updateNanos >= UPDATE_NANOS)) {
       invalid = false;
       LoopStatus status = session.status();
-      lines = lines(status, rateText(status, now), triangles + progressText(triangles, progress));
+      lines = lines(status, now, triangles + progressText(triangles, progress));
+      pathMm = 0;
       updateNanos = now;
       lastFrames = status.frames();
       lastApplications = applications;
@@ -125,17 +151,23 @@ final class SessionOverlay {
         : format("%.0f Hz   ", (status.frames() - lastFrames) * 1e9 / (now - updateNanos));
   }
 
+  /** Returns the mean speed of the tool since the last update, the feed of one that cuts. */
+  private String feedText(long now) {
+    return updateNanos == 0 ? "" : format("   feed %.0f mm/s", pathMm * 1e9 / (now - updateNanos));
+  }
+
   private static String progressText(String triangles, double progress) {
     return triangles.isEmpty() || progress == 1
         ? ""
         : format("   surfaces %.0f %%", Math.floor(100 * progress));
   }
 
-  private List<String> lines(LoopStatus status, String rate, String surfaces) {
+  private List<String> lines(LoopStatus status, long now, String surfaces) {
     return List.of(
-        format("%slate %.0f µs", rate, status.latestLatenessNanos() / 1e3),
+        format("%slate %.0f µs", rateText(status, now), status.latestLatenessNanos() / 1e3),
         format("%.2f N   %s", status.forceNewton(), status.contact() ? touched : "free")
-            + removedText,
+            + (session.cuts() ? feedText(now) : ""),
+        removedText.strip(),
         tuningLine(),
         threshold.map(LiveThreshold::line).orElse(""),
         slices.map(MovableSlices::line).orElse(""),

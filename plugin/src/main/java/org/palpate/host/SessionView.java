@@ -169,6 +169,7 @@ public final class SessionView implements AutoCloseable {
           .held()
           .ifPresent(held -> solids.follow(held.publisher(), Optional.ofNullable(loader)));
       proxyGrid = new Vec3().set(point);
+      overlay.follow(volume.grid().gridToWorld(point, new Vec3()));
       slices.ifPresent(planes -> planes.follow(point));
     }
   }
@@ -177,8 +178,7 @@ public final class SessionView implements AutoCloseable {
   private void remeshChanges() {
     changes.drainTo((sample, segment, i, j, k, solid) -> changed.note(segment, i, j, k, solid));
     if (changed.remesh(this::remesh)) {
-      Vec3 spacing = volume.grid().spacingMm();
-      overlay.removed(changed.removed() * spacing.x * spacing.y * spacing.z);
+      overlay.removed(changed, volume);
     }
   }
 

@@ -7,7 +7,7 @@ import org.palpate.geometry.IntBox;
 /** Collects the voxels that changed since their surfaces were built. One thread. */
 public final class ChangedVoxels {
   private final List<IntBox> boxes = new ArrayList<>();
-  private long removed;
+  private final long[] removed;
 
   /** Rebuilds surfaces. */
   @FunctionalInterface
@@ -26,12 +26,13 @@ public final class ChangedVoxels {
     for (int n = 0; n < segments; n++) {
       boxes.add(new IntBox());
     }
+    removed = new long[segments];
   }
 
   /** Notes that voxel (i,j,k) of a segment became solid or empty. */
   public void note(int segment, int i, int j, int k, boolean solid) {
     boxes.get(segment).include(i, j, k);
-    removed += solid ? -1 : 1;
+    removed[segment] += solid ? -1 : 1;
   }
 
   /**
@@ -52,8 +53,11 @@ public final class ChangedVoxels {
     return any;
   }
 
-  /** Returns the number of voxels removed minus the number added since this object was made. */
-  public long removed() {
-    return removed;
+  /**
+   * Returns the number of voxels of a segment that were removed, minus those that were added, since
+   * this object was made.
+   */
+  public long removed(int segment) {
+    return removed[segment];
   }
 }

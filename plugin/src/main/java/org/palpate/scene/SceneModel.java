@@ -20,6 +20,9 @@ import org.palpate.scene.SceneState.Look;
  * same value requests none.
  */
 public final class SceneModel {
+  /** A clipping plane follows the interaction point by steps of this fraction of the radius. */
+  private static final double CLIP_STEP = 0.005;
+
   /** One counter for all models, so that a renderer never confuses two models. */
   private static final AtomicLong REVISIONS = new AtomicLong();
 
@@ -33,6 +36,8 @@ public final class SceneModel {
   private List<NamedPoint> landmarks = List.of();
   private Optional<Integer> legendSelection = Optional.empty();
   private boolean upsideDown;
+  private ClipPlane.Direction clip = ClipPlane.Direction.OFF;
+  private Optional<Vec3> clipPoint = Optional.empty();
   private Look look;
   private long staticRevision;
   private boolean moving;
@@ -224,12 +229,45 @@ public final class SceneModel {
 
   /** Shows the device, interaction point and force, or hides them. */
   public void setMarks(Optional<TouchMarks> shown) {
+    boolean clips;
+    synchronized (this) {
+      clips = clip != ClipPlane.Direction.OFF && shown.isPresent() && isFarFromClip(shown.get());
+    }
     change(
         () -> {
           marks = shown;
+          clipPoint = clips ? Optional.of(shown.get().point()) : clipPoint;
           return true;
         },
-        false);
+        clips);
+  }
+
+  private boolean isFarFromClip(TouchMarks shown) {
+    return clipPoint.isEmpty()
+        || clipPoint.get().sub(shown.point(), new Vec3()).length() > CLIP_STEP * radiusMm;
+  }
+
+  /**
+   * Hides the surfaces in front of a plane through the interaction point, or through the middle of
+   * all objects before there is one.
+   */
+  public void clip(ClipPlane.Direction direction) {
+    change(
+        () -> {
+          boolean differs = clip != direction;
+          clip = direction;
+          return differs;
+        },
+        true);
+  }
+
+  /** Clips in the next direction, or no more. */
+  public void clipNext() {
+    ClipPlane.Direction present;
+    synchronized (this) {
+      present = clip;
+    }
+    clip(present.next());
   }
 
   /** Shows these landmarks and no others; positions in world mm. */
@@ -291,7 +329,8 @@ public final class SceneModel {
         staticRevision,
         moving,
         landmarks,
-        legend());
+        legend(),
+        clip.through(clipPoint.orElse(middle), camera));
   }
 
   private interface Change {

@@ -21,6 +21,7 @@ import org.palpate.geometry.Vec3;
  * @param moving whether the camera is moving, so that speed matters more than detail
  * @param landmarks landmarks in the scene frame
  * @param legend the segments with their colours; empty if no legend is shown
+ * @param clip hides the surfaces in front of it; empty if all are shown
  */
 public record SceneState(
     List<DrawnObject> objects,
@@ -35,7 +36,8 @@ public record SceneState(
     long staticRevision,
     boolean moving,
     List<NamedPoint> landmarks,
-    List<LegendEntry> legend) {
+    List<LegendEntry> legend,
+    Optional<ClipPlane> clip) {
 
   /** Copies the lists. */
   public SceneState {

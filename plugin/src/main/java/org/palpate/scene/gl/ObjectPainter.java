@@ -64,6 +64,7 @@ final class ObjectPainter {
     allTriangles = state.objects().stream().mapToLong(o -> finestTriangles(o.object())).sum();
     program.use(gl);
     program.set(gl, "projection", projection);
+    setClip(gl, state, toEye);
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glDepthFunc(GL.GL_LESS);
     gl.glDepthMask(true);
@@ -77,6 +78,22 @@ final class ObjectPainter {
     }
     transparent.sort(Comparator.comparingDouble(o -> depth(o, toEye)));
     transparent.forEach(object -> drawTransparent(gl, state, object, toEye, projection));
+  }
+
+  /** Sets the clipping plane; without one, no distance is too far. */
+  private void setClip(GL3 gl, SceneState state, Matrix4 toEye) {
+    Vec3 normal = new Vec3();
+    double distance = 1;
+    if (state.clip().isPresent()) {
+      Vec3 from = new Vec3();
+      toEye.project(state.clip().get().point(), from);
+      Vec3 ahead = state.clip().get().point().add(state.clip().get().normal(), new Vec3());
+      toEye.project(ahead, normal);
+      normal.sub(from, normal);
+      distance = normal.dot(from);
+    }
+    program.set(gl, "clipNormal", normal.x, normal.y, normal.z);
+    program.set(gl, "clipDistance", distance);
   }
 
   private static long finestTriangles(SceneObject object) {

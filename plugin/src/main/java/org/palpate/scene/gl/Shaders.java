@@ -56,8 +56,12 @@ final class Shaders {
           in float visibility;
           uniform vec3 colour;
           uniform float opacity;
+          // What lies farther along the normal, both in the camera's frame, is hidden.
+          uniform vec3 clipNormal;
+          uniform float clipDistance;
           out vec4 result;
           void main() {
+            if (dot(clipNormal, eyePosition) > clipDistance) discard;
             vec3 toEye = normalize(-eyePosition);
             vec3 n = normalize(eyeNormal);
             bool inside = !gl_FrontFacing;

@@ -118,6 +118,7 @@ public final class WindowInput extends MouseAdapter {
         '3',
         "stereo: off, anaglyph, side by side",
         () -> model.changeLook(WindowInput::nextStereo));
+    onKey('8', "cut open at the point: across x, y, z, facing you, off", model::clipNext);
     onKey('h', "this help", this::toggleHelp);
   }
 
