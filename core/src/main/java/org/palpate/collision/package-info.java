@@ -1,6 +1,6 @@
 /**
  * The collision scene: the union of bit cubes that tools collide with, its broad phase, and the
- * search for the nearest free voxel.
+ * search for the nearest free voxel. Also the port to devices that judge many legs at once.
  *
  * <p>Uses {@code raycast}, {@code volume}, {@code geometry} and {@code statistics}. Belongs to the
  * haptic thread and allocates nothing in a query. Positions are grid coordinates; distances are

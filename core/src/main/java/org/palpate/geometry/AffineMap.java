@@ -156,4 +156,33 @@ public final class AffineMap {
         y(first.offsetX, first.offsetY, first.offsetZ),
         z(first.offsetX, first.offsetY, first.offsetZ));
   }
+
+  /**
+   * Returns the longest way along an axis between the images of a point under this map and another.
+   * It is rounded up, apart from the rounding of the maps themselves.
+   *
+   * @param radius the largest distance of a point from the origin
+   */
+  public double longestMotionTo(AffineMap b, double radius) {
+    double alongX = motion(b.mXX - mXX, b.mXY - mXY, b.mXZ - mXZ, b.offsetX - offsetX, radius);
+    double alongY = motion(b.mYX - mYX, b.mYY - mYY, b.mYZ - mYZ, b.offsetY - offsetY, radius);
+    double alongZ = motion(b.mZX - mZX, b.mZY - mZY, b.mZZ - mZZ, b.offsetZ - offsetZ, radius);
+    return Math.max(alongX, Math.max(alongY, alongZ));
+  }
+
+  private static double motion(
+      double rowX, double rowY, double rowZ, double offset, double radius) {
+    double turned = Math.sqrt(rowX * rowX + rowY * rowY + rowZ * rowZ) * radius;
+    return (Math.abs(offset) + turned) * (1 + 1e-12);
+  }
+
+  /** Returns the sum of the absolute components of the offsets of this map and another. */
+  public double sumOfOffsets(AffineMap o) {
+    return Math.abs(offsetX)
+        + Math.abs(offsetY)
+        + Math.abs(offsetZ)
+        + Math.abs(o.offsetX)
+        + Math.abs(o.offsetY)
+        + Math.abs(o.offsetZ);
+  }
 }

@@ -1,6 +1,7 @@
 package org.palpate.rigid;
 
 import java.util.Arrays;
+import org.palpate.collision.LegScreen;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
@@ -30,6 +31,7 @@ import org.palpate.volume.BitCube;
  *   <li>A point or a leaf, until its odometer has used up the empty cube that was found around it.
  *       Each committed motion adds the longest motion of any point along an axis.
  *   <li>A leg whose bounding box is empty.
+ *   <li>A leg that {@link LegScreen} finds to be free.
  * </ul>
  *
  * <p>Work is counted in tested points. Points that odometers and boxes skip count too. Belongs to
@@ -97,6 +99,7 @@ final class BodyVerifier {
   private final IntBox edited = new IntBox();
   private final IntBox changed = new IntBox();
   private final Vec3 position = new Vec3();
+  private final LegScreen screen;
   private final EnclosureCheck enclosure;
   private long editsSeen;
   private long tested;
@@ -121,6 +124,7 @@ final class BodyVerifier {
     level = new byte[tool.count()];
     freeUntil = new double[tool.count()];
     leafFreeUntil = new double[tree.leaves()];
+    screen = new LegScreen(levels.onDevice.newBatch(tool));
     enclosure = new EnclosureCheck(this);
     editsSeen = levels.body.edits();
   }
@@ -273,34 +277,12 @@ final class BodyVerifier {
     levels.body.toolToGrid(ofBody, ofPoints, to);
     levels.toCells(to, highest, cellsTo);
     roundingCells = LEAST_ROUNDING_CELLS + rounding();
-    travel = longestMotion();
-  }
-
-  /** Returns the longest motion of any point along an axis, cells, rounded up. */
-  private double longestMotion() {
-    AffineMap a = cellsFrom;
-    AffineMap b = cellsTo;
-    double alongX = motion(b.mXX - a.mXX, b.mXY - a.mXY, b.mXZ - a.mXZ, b.offsetX - a.offsetX);
-    double alongY = motion(b.mYX - a.mYX, b.mYY - a.mYY, b.mYZ - a.mYZ, b.offsetY - a.offsetY);
-    double alongZ = motion(b.mZX - a.mZX, b.mZY - a.mZY, b.mZZ - a.mZZ, b.offsetZ - a.offsetZ);
-    return Math.max(alongX, Math.max(alongY, alongZ)) + rounding();
-  }
-
-  private double motion(double rowX, double rowY, double rowZ, double offset) {
-    double turned = Math.sqrt(rowX * rowX + rowY * rowY + rowZ * rowZ) * tool.radiusMm();
-    return (Math.abs(offset) + turned) * (1 + 1e-12);
+    travel = cellsFrom.longestMotionTo(cellsTo, tool.radiusMm()) + rounding();
   }
 
   /** Returns a bound of the rounding of a coordinate and of a motion, cells. */
   private double rounding() {
-    double far =
-        Math.abs(cellsFrom.offsetX)
-            + Math.abs(cellsFrom.offsetY)
-            + Math.abs(cellsFrom.offsetZ)
-            + Math.abs(cellsTo.offsetX)
-            + Math.abs(cellsTo.offsetY)
-            + Math.abs(cellsTo.offsetZ)
-            + 6 * tool.radiusMm() * inverseCellMm;
+    double far = cellsFrom.sumOfOffsets(cellsTo) + 6 * tool.radiusMm() * inverseCellMm;
     return RELATIVE_ROUNDING * far;
   }
 
@@ -328,8 +310,19 @@ final class BodyVerifier {
    * @return whether no leg touches a solid
    */
   boolean isFree(ArcBound arcBound, boolean firstOnly, LegHits hits) {
-    int before = hits.count();
     arcs = arcBound;
+    if (arcs != null || !levels.areCurrent()) {
+      return isTreeFree(firstOnly, hits);
+    }
+    long before = looked;
+    screen.begin(cellsFrom, cellsTo);
+    boolean free = isTreeFree(firstOnly, hits);
+    screen.end(looked - before, free || !(firstOnly || hits.isFull()));
+    return free;
+  }
+
+  private boolean isTreeFree(boolean firstOnly, LegHits hits) {
+    int before = hits.count();
     int node = 0;
     while (node < tree.nodes()) {
       boolean isLeaf = tree.isLeaf(node);
@@ -426,6 +419,9 @@ final class BodyVerifier {
     double c = tool.z(n);
     if (level[n] != highest) {
       testReduced(n, hits);
+      return;
+    }
+    if (screen.isFree(n)) {
       return;
     }
     double x = cellsFrom.x(a, b, c);

@@ -3,6 +3,8 @@ package org.palpate.rigid;
 import org.palpate.body.Body;
 import org.palpate.body.BrickClearance;
 import org.palpate.body.GrownSolids;
+import org.palpate.collision.CollisionDevice;
+import org.palpate.collision.DeviceVoxels;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
@@ -29,6 +31,9 @@ final class ClearanceLevels {
   /** Lower bounds of the distance to the cube of the highest level, in its cells. */
   final BrickClearance clearance;
 
+  /** The cube of the highest level on the device that judges legs. */
+  final DeviceVoxels onDevice;
+
   /** The shortest edge of a cell of the highest level, mm. */
   final double cellMm;
 
@@ -37,7 +42,7 @@ final class ClearanceLevels {
   private long editsSeen;
 
   /** Grows the solids of a body by the clearance of a tool, and by parts of it. */
-  ClearanceLevels(Body body, Clearance clearanceOfTool) {
+  ClearanceLevels(Body body, Clearance clearanceOfTool, CollisionDevice device) {
     this.body = body;
     growthMm = clearanceOfTool.growthMm();
     GrownSolids whole = growthMm > 0 ? grown(body, clearanceOfTool, growthMm) : null;
@@ -51,6 +56,7 @@ final class ClearanceLevels {
       cubes[level] = grown[level].cells();
     }
     clearance = highest == 0 ? body.clearance() : new BrickClearance(cubes[highest]);
+    onDevice = device.keep(cubes[highest]);
     cellMm = Math.min(cellMm(highest, 0), Math.min(cellMm(highest, 1), cellMm(highest, 2)));
     editsSeen = body.edits();
   }
@@ -127,11 +133,20 @@ final class ClearanceLevels {
     editsSeen = edits;
   }
 
+  /** Whether {@link #takeEdits} has seen all edits of the body. */
+  boolean areCurrent() {
+    return body.edits() == editsSeen;
+  }
+
   private void updateGrown(IntBox box) {
+    if (highest == 0) {
+      onDevice.voxelsChanged(box);
+    }
     for (int level = 1; level <= highest; level++) {
       IntBox cells = grown[level].update(box);
       if (level == highest) {
         clearance.solidsAdded(cells);
+        onDevice.voxelsChanged(cells);
       }
     }
   }

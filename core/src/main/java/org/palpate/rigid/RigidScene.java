@@ -105,7 +105,7 @@ public final class RigidScene {
     ClearanceLevels grown =
         levels.computeIfAbsent(
             new LevelsKey(solid, clearance),
-            key -> new ClearanceLevels(bodies.body(solid), clearance));
+            key -> new ClearanceLevels(bodies.body(solid), clearance, settings.device()));
     fields.computeIfAbsent(grown, key -> new ContactField(grown, settings.grey(solid)));
     BodyVerifier pair = new BodyVerifier(movers[points], movers[solid], grown, settings.skips());
     pairs[points][solid] = pair;

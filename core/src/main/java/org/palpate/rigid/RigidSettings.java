@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.palpate.body.BodyScene;
+import org.palpate.collision.CollisionDevice;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
 import org.palpate.rigid.tool.RigidTool;
 
@@ -15,9 +16,14 @@ import org.palpate.rigid.tool.RigidTool;
  * @param greys the grey values of each body's voxels, or none at all; entries may be null
  * @param skips whether verification skips space that is proved to be empty; the answers are the
  *     same
+ * @param device judges legs; the answers are the same on every device
  */
 public record RigidSettings(
-    double maxStepMm, List<Clearance> clearances, List<GreyIsosurfaceSource> greys, boolean skips) {
+    double maxStepMm,
+    List<Clearance> clearances,
+    List<GreyIsosurfaceSource> greys,
+    boolean skips,
+    CollisionDevice device) {
 
   /** Checks the step. */
   public RigidSettings {
@@ -26,6 +32,15 @@ public record RigidSettings(
     }
     clearances = List.copyOf(clearances);
     greys = Collections.unmodifiableList(new ArrayList<>(greys));
+  }
+
+  /** Creates settings of which the CPU judges legs. */
+  public RigidSettings(
+      double maxStepMm,
+      List<Clearance> clearances,
+      List<GreyIsosurfaceSource> greys,
+      boolean skips) {
+    this(maxStepMm, clearances, greys, skips, CollisionDevice.CPU);
   }
 
   /** Returns settings with one clearance for all bodies, whose surfaces come from their bits. */

@@ -1,5 +1,6 @@
 package org.palpate.rigid.tool;
 
+import org.palpate.geometry.PointSet;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -9,7 +10,7 @@ import org.palpate.geometry.Vec3;
  * <p>Frame: the tool frame, mm, with the reference point at the origin. The reference point is the
  * centroid of the matter. Immutable; any thread.
  */
-public final class RigidTool {
+public final class RigidTool implements PointSet {
   /** The cover radius of points that do not cover the surface of their tool. */
   public static final double NOT_COVERED = Double.POSITIVE_INFINITY;
 
@@ -61,21 +62,25 @@ public final class RigidTool {
   }
 
   /** Returns the number of sample points. */
+  @Override
   public int count() {
     return x.length;
   }
 
   /** Returns the x coordinate of a sample point, mm. */
+  @Override
   public double x(int point) {
     return x[point];
   }
 
   /** Returns the y coordinate of a sample point, mm. */
+  @Override
   public double y(int point) {
     return y[point];
   }
 
   /** Returns the z coordinate of a sample point, mm. */
+  @Override
   public double z(int point) {
     return z[point];
   }

@@ -1,0 +1,40 @@
+package org.palpate.collision;
+
+import java.util.Optional;
+import org.palpate.volume.BitCube;
+
+/**
+ * Judges whether legs touch solid voxels: the CPU, or a device that judges many legs at once.
+ *
+ * <p>Invariant: {@link LegVerdict#FREE} and {@link LegVerdict#HIT} are exact on every device.
+ * Callers decide a {@link LegVerdict#DOUBT} themselves, so the device changes no bit of an answer.
+ *
+ * <p>One thread at a time uses a device; {@link #failure} and {@link #close} are for any thread.
+ */
+public interface CollisionDevice extends AutoCloseable {
+  /** The CPU. */
+  CollisionDevice CPU = new CpuCollisionDevice();
+
+  /**
+   * Hands voxels to the device. Allocates.
+   *
+   * @param voxels the caller reports changes by {@link DeviceVoxels#voxelsChanged}
+   */
+  DeviceVoxels keep(BitCube voxels);
+
+  /** Returns the name for people. */
+  String name();
+
+  /**
+   * Returns why the device judges nothing any more; empty while it works. The CPU then does its
+   * work.
+   */
+  Optional<String> failure();
+
+  /** Returns the number of batches that the device has judged. */
+  long batches();
+
+  /** Frees the device's memory unless a call hangs in it. It judges nothing afterwards. */
+  @Override
+  void close();
+}
