@@ -6,6 +6,7 @@ import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
+import org.palpate.collision.CollisionDevice;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
@@ -54,7 +55,14 @@ public final class ToolScene {
       RigidTool tool,
       List<Clearance> clearances,
       OptionalDouble rotationalStiffness) {
-    this(scene, bodies, tool, MovableShapes.none(bodies), clearances, rotationalStiffness);
+    this(
+        scene,
+        bodies,
+        tool,
+        MovableShapes.none(bodies),
+        clearances,
+        rotationalStiffness,
+        CollisionDevice.CPU);
   }
 
   /**
@@ -66,6 +74,8 @@ public final class ToolScene {
    * @param clearances the clearance from each body
    * @param rotationalStiffness torque per angle, N mm/rad; if empty, the stiffness times the
    *     squared rms radius of the tool
+   * @param device judges the legs of the tool and of bodies; the caller closes it after the last
+   *     frame
    * @throws RigidScene.BodiesOverlapException if two bodies of which one can move overlap
    */
   public ToolScene(
@@ -74,7 +84,8 @@ public final class ToolScene {
       RigidTool tool,
       MovableShapes shapes,
       List<Clearance> clearances,
-      OptionalDouble rotationalStiffness) {
+      OptionalDouble rotationalStiffness,
+      CollisionDevice device) {
     this.scene = scene;
     this.bodies = bodies;
     this.tool = tool;
@@ -86,7 +97,7 @@ public final class ToolScene {
                 bodies,
                 tool,
                 shapes,
-                new RigidSettings(scene.maxStepMm(), clearances, greys, true)));
+                new RigidSettings(scene.maxStepMm(), clearances, greys, true, device)));
     edits = EditQueue.ofBodies(bodies.grids());
   }
 

@@ -43,7 +43,14 @@ class ArchitectureTest {
               List.of("app.output", "device.protocol", "igtl", "realtime", "reduction")),
           Map.entry(
               "app.options",
-              List.of("app.process", "force.guide", "host", "io.resample", "io.scene", "tool")),
+              List.of(
+                  "app.process",
+                  "force.guide",
+                  "host",
+                  "io.resample",
+                  "io.scene",
+                  "opencl",
+                  "tool")),
           Map.entry("app.output", List.of("app.options", "fracture")),
           Map.entry("app.process", List.of("display", "io.file", "io.volume")),
           Map.entry(
@@ -75,12 +82,14 @@ class ArchitectureTest {
                   "app",
                   "benchmarks.accuracy",
                   "benchmarks.carve",
+                  "benchmarks.gpu",
                   "benchmarks.nearest",
                   "benchmarks.rigid",
                   "benchmarks.speed",
                   "benchmarks.stability",
                   "benchmarks.surface",
                   "benchmarks.sync")),
+          Map.entry("benchmarks.gpu", List.of("benchmarks.report", "opencl")),
           Map.entry("benchmarks.input", List.of("device", "io", "raycast")),
           Map.entry(
               "benchmarks.jitter",
@@ -176,6 +185,7 @@ class ArchitectureTest {
           Map.entry("io.tiff", List.of("io.codec", "io.format")),
           Map.entry("io.volume", List.of("io.file", "volume")),
           Map.entry("loop", List.of("frame")),
+          Map.entry("opencl", List.of("collision")),
           Map.entry("proxy", List.of("collision")),
           Map.entry("proxy.exact", List.of("proxy")),
           Map.entry("proxy.reference", List.of("proxy")),
@@ -223,6 +233,7 @@ class ArchitectureTest {
   private static final Set<String> OPENERS_FOR_BENCHMARKS =
       Set.of(
           BASE + "collision.CollisionSceneVariants",
+          BASE + "opencl.OpenClLegsVariants",
           BASE + "proxy.exact.GuardedSolverVariants",
           BASE + "raycast.ExactRayCasterVariants");
 
@@ -359,7 +370,14 @@ class ArchitectureTest {
 
   @Test
   void joglStandsOnlyInScene() {
-    onlyIn("..scene..").accept("com.jogamp..", "jogamp..");
+    onlyIn("..scene..", "org.palpate.opencl..").accept("com.jogamp..", "jogamp..");
+    onlyIn("..scene..")
+        .accept("com.jogamp.opengl..", "com.jogamp.newt..", "com.jogamp.nativewindow..");
+  }
+
+  @Test
+  void openClStandsOnlyInItsBackend() {
+    onlyIn("org.palpate.opencl..").accept("com.jogamp.opencl..");
   }
 
   @Test

@@ -15,6 +15,7 @@ import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VirtualDisplay;
 import org.palpate.benchmarks.accuracy.AccuracyRun;
 import org.palpate.benchmarks.carve.CarveRun;
+import org.palpate.benchmarks.gpu.GpuRun;
 import org.palpate.benchmarks.nearest.NearestRun;
 import org.palpate.benchmarks.rigid.RigidRun;
 import org.palpate.benchmarks.speed.CppComparison;
@@ -52,6 +53,7 @@ import picocli.CommandLine.Spec;
       "  palpate bench --surfaces --out figures",
       "  palpate bench --rigid --quick --out figures",
       "  palpate bench --carve --quick --out figures",
+      "  palpate bench --gpu --quick --out figures",
       "  palpate bench --stress --frames 20000000 --seed 7",
       "  palpate bench --skips --scale --stability --quick"
     })
@@ -101,6 +103,14 @@ public final class BenchCommand implements Callable<Integer> {
         "undo, and voxels compared with a plain copy."
       })
   private boolean carve;
+
+  @Option(
+      names = "--gpu",
+      description = {
+        "Legs of a tool's points judged by the CPU on one and two threads and by every OpenCL",
+        "device, against their number: round trip, launch and transfer."
+      })
+  private boolean gpu;
 
   @Option(
       names = "--stress",
@@ -233,6 +243,7 @@ public final class BenchCommand implements Callable<Integer> {
     addIf(accuracy, StudyDuration.ACCURACY, others);
     addIf(rigid, StudyDuration.RIGID, others);
     addIf(carve, StudyDuration.CARVE, others);
+    addIf(gpu, StudyDuration.GPU, others);
     addIf(sync, StudyDuration.SYNC, others);
     addIf(surfaces, StudyDuration.SURFACES, others);
     double seconds = stress ? StudyDuration.stressSeconds(attackedFrames()) : 0;
@@ -277,7 +288,7 @@ public final class BenchCommand implements Callable<Integer> {
   }
 
   private boolean hasOtherStudy() {
-    return stability || accuracy || rigid || carve || sync || stress || cpp || surfaces;
+    return stability || accuracy || rigid || carve || gpu || sync || stress || cpp || surfaces;
   }
 
   private Path table1Data() {
@@ -312,6 +323,9 @@ public final class BenchCommand implements Callable<Integer> {
     }
     if (carve) {
       report.put("carve_targets_missed", CarveRun.run(folder, quick, seed(), out(), progress()));
+    }
+    if (gpu) {
+      report.put("gpus_measured", GpuRun.run(folder, quick, out(), progress()));
     }
     if (sync) {
       report.put("sync_work_p99_us", SyncRun.run(folder, quick, out(), progress()));

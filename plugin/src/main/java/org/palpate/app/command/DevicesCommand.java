@@ -22,6 +22,7 @@ import org.palpate.device.jni.DeviceCatalog;
 import org.palpate.device.jni.DeviceException;
 import org.palpate.device.jni.NativeDevice;
 import org.palpate.io.table.ReportJson;
+import org.palpate.opencl.OpenClCatalog;
 import org.palpate.scene.window.GraphicsDriver;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -45,6 +46,7 @@ import picocli.CommandLine.Spec;
     })
 public final class DevicesCommand implements Callable<Integer> {
   private static final String MOUSE = "mouse";
+  private static final String OPENCL = "opencl";
 
   @Spec private CommandSpec spec;
   @Mixin private OutputOptions output;
@@ -155,6 +157,7 @@ public final class DevicesCommand implements Callable<Integer> {
       firstNative++;
     }
     probes.add(firstNative, mouse());
+    probes.add(openCl());
     return probes;
   }
 
@@ -164,6 +167,17 @@ public final class DevicesCommand implements Callable<Integer> {
     BackendProbe.Found found =
         new BackendProbe.Found("", "the mouse in the window: --device mouse", true, "");
     return new BackendProbe(MOUSE, usable, "", "", why, usable ? List.of(found) : List.of());
+  }
+
+  /** Returns the devices that can judge the legs of a tool. */
+  private static BackendProbe openCl() {
+    OpenClCatalog.Listing listing = OpenClCatalog.list();
+    List<BackendProbe.Found> found =
+        listing.devices().stream()
+            .map(each -> new BackendProbe.Found("", each.name(), each.usable(), each.why()))
+            .toList();
+    String library = listing.devices().stream().findFirst().map(each -> each.platform()).orElse("");
+    return new BackendProbe(OPENCL, listing.why().isEmpty(), library, "", listing.why(), found);
   }
 
   private int list() throws IOException {

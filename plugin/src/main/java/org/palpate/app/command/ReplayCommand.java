@@ -12,6 +12,8 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
+import org.palpate.app.options.ChosenCollisionDevice;
+import org.palpate.app.options.CollisionDeviceOptions;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.NumberRange;
@@ -68,6 +70,7 @@ import picocli.CommandLine.Spec;
       "  palpate replay --tool sphere:4 --trajectory t.csv --out frames.csv --legs legs.csv",
       "  palpate replay --tool sphere:3 --trajectory t.csv --edits t.edits.csv --export cut.nrrd",
       "  palpate replay --tool sphere:4 --trajectory t.csv --poses poses.csv --legs legs.csv",
+      "  palpate replay --tool sphere:4 --trajectory t.csv --collision-device opencl",
       "  palpate replay --phantom sphere:192 --coordinates grid --trajectory t.csv --repeat 12 \\",
       "    --report time.json"
     })
@@ -93,6 +96,7 @@ public final class ReplayCommand implements Callable<Integer> {
   @Mixin private ContactOptions contact;
   @Mixin private ToolOptions tool;
   @Mixin private FeelOptions feel;
+  @Mixin private CollisionDeviceOptions collisionDevice;
   @Mixin private OutputOptions output;
 
   @Option(
@@ -191,6 +195,7 @@ public final class ReplayCommand implements Callable<Integer> {
     boolean rigid = tool.isRigid() || posesFile != null;
     tool.checkOthers(spec.commandLine().getParseResult(), rigid);
     feel.check(rigid);
+    collisionDevice.check(rigid);
     return rigid ? replayTool() : replayPoint();
   }
 
@@ -271,19 +276,26 @@ public final class ReplayCommand implements Callable<Integer> {
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
     List<BodyPose> poses = readPoses(segments);
-    ContactScene fixed = contact.scene(source, segments, feel.effects(segments));
-    ToolScene scene = tool.scene(fixed, made, ToolReplay.movable(poses));
-    requireNothingAddedToMovable(scene.bodies(), edits);
-    ToolReplay replay = new ToolReplay(scene, trajectory, rawDevice, edits, poses);
-    ToolReplay.Result result = run(replay, scene, trajectory, tables, selection);
-    ToolReport measured = new ToolReport(made, tool.massKg());
-    measured.print(result, spec.commandLine().getOut());
-    if (report.isWanted()) {
-      report.putVolume(source, segments.segments());
-    }
-    measured.putInto(report, result);
-    if (repeat != null) {
-      putTime(new ToolReplay(scene, trajectory, rawDevice).time(repeat), report);
+    try (ChosenCollisionDevice device = collisionDevice.open(spec.commandLine().getErr())) {
+      ToolScene scene =
+          tool.scene(
+              contact.scene(source, segments, feel.effects(segments)),
+              made,
+              ToolReplay.movable(poses),
+              device.device());
+      requireNothingAddedToMovable(scene.bodies(), edits);
+      ToolReplay replay = new ToolReplay(scene, trajectory, rawDevice, edits, poses);
+      ToolReplay.Result result = run(replay, scene, trajectory, tables, selection);
+      ToolReport measured = new ToolReport(made, tool.massKg());
+      measured.print(result, spec.commandLine().getOut());
+      if (report.isWanted()) {
+        report.putVolume(source, segments.segments());
+      }
+      measured.putInto(report, result);
+      if (repeat != null) {
+        putTime(new ToolReplay(scene, trajectory, rawDevice).time(repeat), report);
+      }
+      report.put("collision_device", device.fields());
     }
     finish(report, edited);
     return failures.exitCode();

@@ -4,10 +4,13 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import org.palpate.app.options.ChosenCollisionDevice;
 import org.palpate.app.options.ToolOptions;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
 import org.palpate.body.BodyScene;
+import org.palpate.collision.CollisionDevice;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.GuidedHand;
 import org.palpate.device.HandTarget;
@@ -48,16 +51,18 @@ final class SessionScene {
    * Returns the scene of a session.
    *
    * @param made the rigid tool; empty for a point
+   * @param device judges the legs of a rigid tool
    * @throws VolumeFormatException if the clearance of the tool is too large for the volume
    */
-  static SessionScene of(ContactScene scene, ToolOptions options, Optional<MadeTool> made)
+  static SessionScene of(
+      ContactScene scene, ToolOptions options, Optional<MadeTool> made, CollisionDevice device)
       throws VolumeFormatException {
     if (made.isEmpty()) {
       return new SessionScene(scene, Optional.empty(), Optional.empty());
     }
     return new SessionScene(
         scene,
-        Optional.of(options.scene(scene, made.get())),
+        Optional.of(options.scene(scene, made.get(), Set.of(), device)),
         Optional.of(new ToolReport(made.get(), options.massKg())));
   }
 
@@ -137,13 +142,14 @@ final class SessionScene {
   }
 
   /** Adds the fields that depend on the tool to a report. */
-  void putInto(Report report, TouchReport measured) {
+  void putInto(Report report, TouchReport measured, ChosenCollisionDevice judge) {
     if (toolReport.isPresent()) {
       report
           .put("max_torque_nmm", measured.maxTorqueNewtonMm())
           .put("solver", ToolReport.SOLVER)
           .put("collision", ToolReport.COLLISION)
           .put("tool", toolReport.get().tool(measured.mostReducedPoints()))
+          .put("collision_device", judge.fields())
           .put("faults", measured.toolFaults());
     } else {
       report

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.palpate.app.options.BrushOptions;
+import org.palpate.app.options.ChosenCollisionDevice;
+import org.palpate.app.options.CollisionDeviceOptions;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.DeviceChoice;
 import org.palpate.app.options.FeelOptions;
@@ -76,16 +78,13 @@ import picocli.CommandLine.Spec;
       "  palpate touch --device mouse",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --slices point",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --igtl 18944",
-      "  palpate touch --explain"
+      "  palpate touch --explain",
+      "  palpate touch --explain --collision-device opencl"
     })
 public final class TouchCommand implements Callable<Integer> {
   /** Below the smallest rate a frame would count as one that does not return. */
   private static final NumberRange RATE =
       new NumberRange("--rate", "the rate", 10, 100_000, "Hz", "1000");
-
-  /** Options that have no effect without a window. */
-  private static final List<String> WINDOW_OPTIONS =
-      List.of("--slices", "--surface", "--upside-down");
 
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
@@ -93,6 +92,7 @@ public final class TouchCommand implements Callable<Integer> {
   @Mixin private ToolOptions tool;
   @Mixin private FeelOptions feel;
   @Mixin private BrushOptions brushOptions;
+  @Mixin private CollisionDeviceOptions collisionDevice;
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
@@ -176,7 +176,8 @@ public final class TouchCommand implements Callable<Integer> {
   @Option(
       names = "--explain",
       description =
-          "Explains what real time needs and what this JVM and this system grant, then ends.")
+          "Explains what real time needs and what this JVM and this system grant, then ends. With"
+              + " --collision-device opencl it also measures when that device pays.")
   private boolean explain;
 
   /** The axes of a real device. */
@@ -188,12 +189,14 @@ public final class TouchCommand implements Callable<Integer> {
   private PrintWriter out;
   private Optional<SessionLink> link = Optional.empty();
   private WriteFailures failures;
+  private ChosenCollisionDevice judge;
 
   @Override
   public Integer call() throws IOException {
     out = spec.commandLine().getOut();
     if (explain) {
       new RealtimeExplanation(out).print();
+      collisionDevice.explain(out, spec.commandLine().getErr());
       return 0;
     }
     failures = new WriteFailures(spec.commandLine().getErr());
@@ -204,6 +207,7 @@ public final class TouchCommand implements Callable<Integer> {
     tool.checkOthers(spec.commandLine().getParseResult());
     feel.check(tool.isRigid());
     brushOptions.check(tool.isRigid(), volume.isPlaced());
+    collisionDevice.check(tool.isRigid());
     ShutdownHook.endQuietly();
     try {
       return touch();
@@ -248,6 +252,13 @@ public final class TouchCommand implements Callable<Integer> {
   }
 
   private int touch(VolumeSource source) throws IOException {
+    try (ChosenCollisionDevice opened = collisionDevice.open(spec.commandLine().getErr())) {
+      judge = opened;
+      return touchOnce(source);
+    }
+  }
+
+  private int touchOnce(VolumeSource source) throws IOException {
     ContactSettings settings = contact.settings();
     DeviceChoice choice = choice(source);
     List<Path> inputs = new ArrayList<>(source.files());
@@ -271,7 +282,7 @@ public final class TouchCommand implements Callable<Integer> {
     SegmentedVolume segments =
         source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
     ContactScene contactScene = contact.scene(source, segments, feel.effects(segments));
-    SessionScene scene = SessionScene.of(contactScene, tool, made);
+    SessionScene scene = SessionScene.of(contactScene, tool, made, judge.device());
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
     HandTarget target = scene.handTarget();
@@ -287,7 +298,7 @@ public final class TouchCommand implements Callable<Integer> {
       if (report.isWanted()) {
         report.putVolume(source, segments.segments());
         measured.putInto(report);
-        scene.putInto(report, measured);
+        scene.putInto(report, measured, judge);
         if (changesVoxels()) {
           report.put("carved", edited.carvedMm3()).put("added", edited.addedMm3());
         }
@@ -341,30 +352,10 @@ public final class TouchCommand implements Callable<Integer> {
   /** Rejects options that would otherwise be ignored silently. */
   private void checkOptionCombination() {
     surface.check();
-    for (String option : WINDOW_OPTIONS) {
-      if (headless && spec.commandLine().getParseResult().hasMatchedOption(option)) {
-        throw needsWindow(option);
-      }
-    }
-    checkWindow("--axes view", axes == DeviceAxes.VIEW);
-    checkWindow("--device mouse", device.equals("mouse"));
-  }
-
-  private void checkWindow(String option, boolean needed) {
-    if (needed && headless) {
-      throw needsWindow(option);
-    }
-    if (needed && !GraphicsDriver.hasDisplay()) {
-      throw PalpateException.wrongUse(
-          option + " needs a window, but there is no display",
-          option,
-          "set DISPLAY, or leave it out");
-    }
-  }
-
-  private static PalpateException needsWindow(String option) {
-    return PalpateException.wrongUse(
-        option + " needs a window", "--headless", "leave one of them out");
+    WindowNeeds needs = new WindowNeeds(headless);
+    needs.check(spec.commandLine().getParseResult());
+    needs.check("--axes view", axes == DeviceAxes.VIEW);
+    needs.check("--device mouse", device.equals("mouse"));
   }
 
   private void checkNumbers() {
@@ -428,6 +419,7 @@ public final class TouchCommand implements Callable<Integer> {
       Runnable check =
           () -> {
             recording.check();
+            judge.reportFailure();
             painter.ifPresent(SessionBrush::tick);
           };
       SessionSupervisor supervisor =

@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.BodyScene;
+import org.palpate.collision.CollisionDevice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ToolScene;
 import org.palpate.io.scene.SceneReader;
@@ -187,17 +188,19 @@ public final class ToolOptions {
    *     segments of which one can move overlap
    */
   public ToolScene scene(ContactScene scene, MadeTool made) throws VolumeFormatException {
-    return scene(scene, made, Set.of());
+    return scene(scene, made, Set.of(), CollisionDevice.CPU);
   }
 
   /**
    * Returns the scene of a tool among the segments of a contact scene.
    *
    * @param movable the indices of the segments that can move besides those that are placed so
+   * @param device judges the legs of the tool and of bodies
    * @throws VolumeFormatException if the clearance is too large or does not fit in memory, or
    *     segments of which one can move overlap
    */
-  public ToolScene scene(ContactScene scene, MadeTool made, Set<Integer> movable)
+  public ToolScene scene(
+      ContactScene scene, MadeTool made, Set<Integer> movable, CollisionDevice device)
       throws VolumeFormatException {
     BodyScene bodies = scene.newBodies(movable);
     try {
@@ -207,7 +210,8 @@ public final class ToolOptions {
           made.tool(),
           made.movableShapes(bodies),
           made.clearances(bodies, scene.settings().protectedMm()),
-          rotationalStiffness());
+          rotationalStiffness(),
+          device);
     } catch (RigidScene.BodiesOverlapException e) {
       throw new VolumeFormatException(
           e.getMessage(),

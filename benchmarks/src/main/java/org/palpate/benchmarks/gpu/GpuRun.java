@@ -1,0 +1,137 @@
+package org.palpate.benchmarks.gpu;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.palpate.benchmarks.report.MachineSummary;
+import org.palpate.benchmarks.report.Progress;
+import org.palpate.benchmarks.report.StudyTable;
+import org.palpate.collision.LegBatch;
+import org.palpate.opencl.OpenClCatalog;
+import org.palpate.opencl.OpenClException;
+import org.palpate.opencl.OpenClLegsVariants;
+
+/**
+ * Times the judging of legs that nothing culls on one and two threads of the CPU and on every
+ * OpenCL device, against their number.
+ */
+public final class GpuRun {
+  private static final int[] POINTS = {100, 1_000, 10_000, 100_000, 1_000_000};
+
+  /** The number of legs that all frames of a row judge together, within the bounds below. */
+  private static final double LEGS = 1e8;
+
+  private static final double QUICK_LEGS = 5e6;
+  private static final int LEAST_FRAMES = 1_000;
+  private static final int QUICK_LEAST_FRAMES = 30;
+  private static final int MOST_FRAMES = 20_000;
+
+  private final boolean quick;
+  private final PrintWriter out;
+  private final Consumer<String> progress;
+  private final List<PartTime> times = new ArrayList<>();
+
+  /** Hits are summed so that no judging can be left out. */
+  private long hits;
+
+  private GpuRun(boolean quick, PrintWriter out, Consumer<String> progress) {
+    this.quick = quick;
+    this.out = out;
+    this.progress = progress;
+  }
+
+  /**
+   * Measures, prints, and writes a table.
+   *
+   * @param folder the output folder, created if missing
+   * @param quick whether to run fewer frames
+   * @param out receives the times
+   * @param progress receives progress lines
+   * @return the number of GPUs that were measured
+   */
+  public static long run(Path folder, boolean quick, PrintWriter out, PrintWriter progress)
+      throws IOException {
+    Files.createDirectories(folder);
+    out.println(MachineSummary.line(MachineSummary.facts()));
+    GpuRun run = new GpuRun(quick, out, Progress.to(progress));
+    run.measureCpu();
+    long gpus = run.measureDevices();
+    StudyTable.GPU.write(folder, run.times, PartTime::cells);
+    out.println(gpus == 0 ? "No GPU was measured." : gpus + " GPUs were measured.");
+    out.flush();
+    return gpus;
+  }
+
+  private int frames(int points) {
+    int least = quick ? QUICK_LEAST_FRAMES : LEAST_FRAMES;
+    return (int) Math.max(least, Math.min(MOST_FRAMES, (quick ? QUICK_LEGS : LEGS) / points));
+  }
+
+  private void measure(String device, int points, String part, Runnable run) {
+    PartTime time = PartTime.measure(device, points, part, frames(points), run);
+    times.add(time);
+    out.println(
+        String.format(
+            Locale.ROOT,
+            "%-24s %,9d points, %-10s p50 %,9.1f  p99 %,9.1f  p99.9 %,9.1f  max %,9.1f us",
+            device,
+            points,
+            part,
+            time.p50(),
+            time.p99(),
+            time.p999(),
+            time.max()));
+    out.flush();
+  }
+
+  private void measureCpu() {
+    for (int points : POINTS) {
+      progress.accept("CPU, " + points + " points");
+      LegBatch all = OpenClLegsVariants.onCpu(points);
+      measure("cpu, 1 thread", points, "whole", () -> hits += TwoThreads.hits(all, points));
+      int half = points / 2;
+      LegBatch first = OpenClLegsVariants.onCpu(half);
+      LegBatch second = OpenClLegsVariants.onCpu(half);
+      try (TwoThreads two = new TwoThreads(first, second, half)) {
+        measure("cpu, 2 threads", points, "whole", () -> hits += two.judge());
+      }
+    }
+    if (hits == 0) {
+      throw new IllegalStateException("no leg near the ball touches it");
+    }
+  }
+
+  private long measureDevices() {
+    OpenClCatalog.Listing listing = OpenClCatalog.list();
+    long gpus = 0;
+    for (OpenClCatalog.Entry device : listing.devices()) {
+      try {
+        measureDevice(device);
+        gpus += device.isGpu() ? 1 : 0;
+      } catch (OpenClException e) {
+        out.println(device.name() + " was not measured: " + e.getMessage());
+      }
+    }
+    if (!listing.why().isEmpty()) {
+      out.println("No OpenCL device was measured: " + listing.why());
+    }
+    return gpus;
+  }
+
+  private void measureDevice(OpenClCatalog.Entry device) throws OpenClException {
+    for (int points : POINTS) {
+      progress.accept(device.name() + ", " + points + " points");
+      try (OpenClLegsVariants legs = new OpenClLegsVariants(device.name(), points)) {
+        measure(device.name(), points, "round trip", legs::roundTrip);
+        measure(device.name(), points, "launch", legs::launch);
+        measure(device.name(), points, "transfer", legs::transfer);
+        measure(device.name(), points, "whole", legs::whole);
+      }
+    }
+  }
+}

@@ -1,0 +1,71 @@
+package org.palpate.benchmarks.gpu;
+
+import org.palpate.collision.LegBatch;
+import org.palpate.collision.LegVerdict;
+
+/**
+ * Judges legs on two threads, each a half: the caller's and one of its own, which waits without
+ * sleeping, as the quickest hand-over does.
+ */
+final class TwoThreads implements AutoCloseable {
+  private final LegBatch first;
+  private final LegBatch second;
+  private final int half;
+  private final Thread thread;
+  private volatile long wanted;
+  private volatile long done;
+  private volatile boolean isClosed;
+  private volatile long hitsOfSecond;
+
+  /**
+   * Starts the thread.
+   *
+   * @param first judges half as many points for the caller
+   * @param second judges as many for the other thread
+   */
+  TwoThreads(LegBatch first, LegBatch second, int half) {
+    this.first = first;
+    this.second = second;
+    this.half = half;
+    thread = new Thread(this::serve, "palpate-bench-legs");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  private void serve() {
+    while (!isClosed) {
+      long number = wanted;
+      if (number == done) {
+        Thread.onSpinWait();
+      } else {
+        hitsOfSecond = hits(second, half);
+        done = number;
+      }
+    }
+  }
+
+  /** Judges all legs and returns the number of hits. */
+  long judge() {
+    long number = wanted + 1;
+    wanted = number;
+    long hits = hits(first, half);
+    while (done != number) {
+      Thread.onSpinWait();
+    }
+    return hits + hitsOfSecond;
+  }
+
+  /** Judges legs on the calling thread and returns the number of hits. */
+  static long hits(LegBatch batch, int points) {
+    long hits = 0;
+    for (int n = 0; n < points; n++) {
+      hits += batch.verdict(n) == LegVerdict.HIT ? 1 : 0;
+    }
+    return hits;
+  }
+
+  @Override
+  public void close() {
+    isClosed = true;
+  }
+}

@@ -1,0 +1,7 @@
+/**
+ * Measures from how many points an OpenCL device judges legs faster than the CPU.
+ *
+ * <p>Uses {@code opencl} and {@code benchmarks.report}. Starts one thread of its own, to share work
+ * between two. Times are microseconds.
+ */
+package org.palpate.benchmarks.gpu;

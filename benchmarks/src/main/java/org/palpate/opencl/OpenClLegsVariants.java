@@ -1,0 +1,67 @@
+package org.palpate.opencl;
+
+import org.palpate.collision.CollisionDevice;
+import org.palpate.collision.LegBatch;
+
+/**
+ * Opens the parts of a batch to benchmarks: one device, voxels of a ball, and points near it. One
+ * thread.
+ */
+public final class OpenClLegsVariants implements AutoCloseable {
+  /** The time within which a call must end, ns. */
+  private static final long PATIENT_NANOS = 60_000_000_000L;
+
+  private final OpenClDevice device;
+  private final NearBall ball;
+  private final OpenClLegs batch;
+
+  /**
+   * Opens a device and makes points. Everything is compiled and sent afterwards.
+   *
+   * @param name a part of the device's name
+   */
+  public OpenClLegsVariants(String name, int points) throws OpenClException {
+    device = OpenClDevice.open(name);
+    ball = new NearBall(points);
+    batch = device.newBatch(ball.voxels(), ball);
+    batch.judge(ball.from(), ball.to(), PATIENT_NANOS);
+  }
+
+  /** Returns the CPU's batch of legs as a device of this kind gets them. */
+  public static LegBatch onCpu(int points) {
+    NearBall ball = new NearBall(points);
+    LegBatch batch = CollisionDevice.CPU.keep(ball.voxels()).newBatch(ball);
+    batch.judge(ball.from(), ball.to());
+    return batch;
+  }
+
+  private static long deadline() {
+    return System.nanoTime() + PATIENT_NANOS;
+  }
+
+  /** Fetches one byte: the least time of any answer. */
+  public void roundTrip() {
+    batch.fetch(1, deadline());
+  }
+
+  /** Sends the maps, judges, and fetches one byte. */
+  public void launch() {
+    batch.launch(ball.from(), ball.to());
+    batch.fetch(1, deadline());
+  }
+
+  /** Fetches all verdicts, without judging anew. */
+  public void transfer() {
+    batch.fetch(ball.count(), deadline());
+  }
+
+  /** Does all that a motion needs. */
+  public void whole() {
+    batch.judge(ball.from(), ball.to(), PATIENT_NANOS);
+  }
+
+  @Override
+  public void close() {
+    device.close();
+  }
+}

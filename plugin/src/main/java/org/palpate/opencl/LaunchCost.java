@@ -1,0 +1,88 @@
+package org.palpate.opencl;
+
+import java.util.Arrays;
+import org.palpate.collision.CollisionDevice;
+import org.palpate.collision.LegBatch;
+import org.palpate.collision.LegVerdict;
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.PointSet;
+
+/**
+ * Measures on the machine at hand from how many legs a batch is faster than the CPU: the median
+ * time of a batch, from sending the maps to the last verdict, over the CPU's time for a leg.
+ */
+final class LaunchCost implements OpenClDevice.Chooser {
+  /** The batches before the measured ones. Drivers compile kernels at the first of them. */
+  private static final int WARM_UP_BATCHES = 5;
+
+  private static final int MEASURED_BATCHES = 31;
+
+  private static final int LEGS = 2_000;
+  private static final int WARM_UP_ROUNDS = 30;
+  private static final int MEASURED_ROUNDS = 15;
+
+  private final double nanosPerLeg;
+
+  /** Measures the CPU. Takes some milliseconds. */
+  LaunchCost() {
+    nanosPerLeg = measureCpu();
+  }
+
+  /** Returns the time of the CPU for a leg near a surface, ns. */
+  double nanosPerLeg() {
+    return nanosPerLeg;
+  }
+
+  @Override
+  public long crossover(OpenClLegs batch, PointSet points, long firstNanos) {
+    return (long) Math.ceil(batchNanos(batch, firstNanos) / nanosPerLeg);
+  }
+
+  /** Returns the median time of a batch whose legs are short and lie amid the voxels, ns. */
+  static double batchNanos(OpenClLegs batch, long firstNanos) {
+    IntBox box = batch.voxels().bounds();
+    AffineMap from = new AffineMap();
+    AffineMap to = new AffineMap();
+    if (!box.isEmpty()) {
+      from.offsetX = (box.lowX + box.highX) / 2.0;
+      from.offsetY = (box.lowY + box.highY) / 2.0;
+      from.offsetZ = (box.lowZ + box.highZ) / 2.0;
+    }
+    double[] nanos = new double[MEASURED_BATCHES];
+    for (int n = -WARM_UP_BATCHES; n < MEASURED_BATCHES; n++) {
+      to.set(from);
+      to.offsetX += 0.3;
+      to.offsetY -= 0.2;
+      long start = System.nanoTime();
+      batch.judge(from, to, firstNanos);
+      if (n >= 0) {
+        nanos[n] = System.nanoTime() - start;
+      }
+    }
+    Arrays.sort(nanos);
+    return nanos[MEASURED_BATCHES / 2];
+  }
+
+  private static double measureCpu() {
+    NearBall ball = new NearBall(LEGS);
+    LegBatch batch = CollisionDevice.CPU.keep(ball.voxels()).newBatch(ball);
+    batch.judge(ball.from(), ball.to());
+    double[] nanos = new double[MEASURED_ROUNDS];
+    long hits = 0;
+    for (int round = -WARM_UP_ROUNDS; round < MEASURED_ROUNDS; round++) {
+      long start = System.nanoTime();
+      for (int n = 0; n < LEGS; n++) {
+        hits += batch.verdict(n) == LegVerdict.HIT ? 1 : 0;
+      }
+      if (round >= 0) {
+        nanos[round] = (double) (System.nanoTime() - start) / LEGS;
+      }
+    }
+    if (hits == 0) {
+      throw new IllegalStateException("no leg near a surface touches it");
+    }
+    Arrays.sort(nanos);
+    return Math.max(1, nanos[MEASURED_ROUNDS / 2]);
+  }
+}

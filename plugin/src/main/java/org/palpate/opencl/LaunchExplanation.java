@@ -1,0 +1,40 @@
+package org.palpate.opencl;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** Measures and describes from how many points a device is faster than the CPU. */
+public final class LaunchExplanation {
+  private static final int[] POINTS = {100, 1_000, 10_000, 100_000, 1_000_000};
+  private static final long FIRST_NANOS = 60_000_000_000L;
+
+  private LaunchExplanation() {}
+
+  /** Returns a line for each number of points. Takes some seconds. */
+  public static List<String> of(OpenClDevice device) {
+    List<String> lines = new ArrayList<>();
+    double nanosPerLeg = new LaunchCost().nanosPerLeg();
+    lines.add(
+        String.format(Locale.ROOT, "the CPU takes %.0f ns for a leg near a surface", nanosPerLeg));
+    for (int points : POINTS) {
+      NearBall ball = new NearBall(points);
+      Optional<Double> nanos =
+          device.attempt(
+              () -> LaunchCost.batchNanos(device.newBatch(ball.voxels(), ball), FIRST_NANOS));
+      lines.add(nanos.map(each -> line(points, each, nanosPerLeg)).orElse("the device has failed"));
+    }
+    return lines;
+  }
+
+  private static String line(int points, double batchNanos, double nanosPerLeg) {
+    double legs = Math.ceil(batchNanos / nanosPerLeg);
+    String from =
+        legs > points
+            ? "never used"
+            : String.format(Locale.ROOT, "used from %,.0f legs in a motion on", legs);
+    return String.format(
+        Locale.ROOT, "%,9d points: %,8.0f us for a batch: %s", points, batchNanos / 1e3, from);
+  }
+}

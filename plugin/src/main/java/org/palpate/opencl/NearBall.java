@@ -1,0 +1,97 @@
+package org.palpate.opencl;
+
+import java.util.SplittableRandom;
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.PointSet;
+import org.palpate.volume.BitCube;
+
+/**
+ * Points close above a ball of voxels, as those of a tool that nothing culls, and a short motion of
+ * them. To measure times by. Grid coordinates.
+ */
+final class NearBall implements PointSet {
+  private static final int SIZE = 128;
+  private static final double RADIUS = 50;
+  private static final double HIGHEST_VOXELS = 3;
+  private static final long SEED = 1;
+
+  private final BitCube voxels = new BitCube(SIZE, SIZE, SIZE);
+  private final double[] x;
+  private final double[] y;
+  private final double[] z;
+  private final AffineMap from = new AffineMap();
+  private final AffineMap to = new AffineMap();
+
+  /** Makes a number of points. */
+  NearBall(int count) {
+    x = new double[count];
+    y = new double[count];
+    z = new double[count];
+    fillBall();
+    SplittableRandom random = new SplittableRandom(SEED);
+    for (int n = 0; n < count; n++) {
+      double height = RADIUS + HIGHEST_VOXELS * random.nextDouble();
+      double up = random.nextDouble(-1, 1);
+      double angle = random.nextDouble(2 * Math.PI);
+      double around = Math.sqrt(1 - up * up);
+      x[n] = height * around * Math.cos(angle);
+      y[n] = height * around * Math.sin(angle);
+      z[n] = height * up;
+    }
+    from.offsetX = from.offsetY = from.offsetZ = SIZE / 2.0;
+    to.set(from);
+    to.offsetX += 0.31;
+    to.offsetY -= 0.23;
+    to.offsetZ += 0.17;
+  }
+
+  private void fillBall() {
+    for (int k = 0; k < SIZE; k++) {
+      for (int j = 0; j < SIZE; j++) {
+        for (int i = 0; i < SIZE; i++) {
+          double a = i + 0.5 - SIZE / 2.0;
+          double b = j + 0.5 - SIZE / 2.0;
+          double c = k + 0.5 - SIZE / 2.0;
+          if (a * a + b * b + c * c <= RADIUS * RADIUS) {
+            voxels.set(i, j, k);
+          }
+        }
+      }
+    }
+  }
+
+  /** Returns the ball. */
+  BitCube voxels() {
+    return voxels;
+  }
+
+  /** Returns the map at the start of the motion. */
+  AffineMap from() {
+    return from;
+  }
+
+  /** Returns the map at its end. */
+  AffineMap to() {
+    return to;
+  }
+
+  @Override
+  public int count() {
+    return x.length;
+  }
+
+  @Override
+  public double x(int point) {
+    return x[point];
+  }
+
+  @Override
+  public double y(int point) {
+    return y[point];
+  }
+
+  @Override
+  public double z(int point) {
+    return z[point];
+  }
+}

@@ -1,0 +1,18 @@
+package org.palpate.opencl;
+
+/** OpenCL, or the device that was asked for, cannot be used. The message says why. */
+public final class OpenClException extends Exception {
+  private static final long serialVersionUID = 1;
+
+  private final boolean isWrongChoice;
+
+  OpenClException(String message, boolean isWrongChoice, Throwable cause) {
+    super(message, cause);
+    this.isWrongChoice = isWrongChoice;
+  }
+
+  /** Whether OpenCL works, but no device has the name, or those that have it are not exact. */
+  public boolean isWrongChoice() {
+    return isWrongChoice;
+  }
+}
