@@ -120,6 +120,34 @@ class OpenClFailureTest {
   }
 
   @Test
+  void anOpenClDeviceMovesTheToolToTheBitsOfTheCpu() {
+    try (OpenClDevice device = OpenClOnCpu.open(JoclDriver.source())) {
+      assertSame(run(CollisionDevice.CPU), run(device), device.name());
+      assertTrue(device.batches() > FRAMES, "batches " + device.batches());
+    }
+  }
+
+  @Test
+  void aKernelThatTakesTooLongIsGivenUpAndTheCpuGoesOn() {
+    String slow =
+        OpenClOnCpu.sourceWith(
+            "  int point = get_global_id(0);",
+            """
+              int point = get_global_id(0);
+              volatile int work = 0;
+              while (point < 64 && work < 20000000) {
+                work++;
+              }
+            """);
+    Run expected = run(CollisionDevice.CPU);
+    OpenClDevice device =
+        OpenClOnCpu.device(new JoclDriver(OpenClOnCpu.device(), slow), DEADLINE_NANOS);
+    assertSame(expected, run(device), "slow kernel");
+    assertEquals("it did not answer in time", device.failure().orElseThrow());
+    assertEquals(0, device.batches());
+  }
+
+  @Test
   void aHangingDeviceCostsOneFrameItsDeadline() {
     run(CollisionDevice.CPU);
     long deadline = 5_000_000;
