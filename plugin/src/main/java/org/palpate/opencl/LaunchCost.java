@@ -10,7 +10,8 @@ import org.palpate.geometry.PointSet;
 
 /**
  * Measures on the machine at hand from how many legs a batch is faster than the CPU: the median
- * time of a batch, from sending the maps to the last verdict, over the CPU's time for a leg.
+ * time of a batch, from sending the maps to the last verdict, over the CPU's time for a leg. A
+ * device whose median comes near the deadline is not used.
  */
 final class LaunchCost implements OpenClDevice.Chooser {
   /** The batches before the measured ones. Drivers compile kernels at the first of them. */
@@ -22,10 +23,16 @@ final class LaunchCost implements OpenClDevice.Chooser {
   private static final int WARM_UP_ROUNDS = 30;
   private static final int MEASURED_ROUNDS = 15;
 
+  private final double mostNanos;
   private final double nanosPerLeg;
 
-  /** Measures the CPU. Takes some milliseconds. */
-  LaunchCost() {
+  /**
+   * Measures the CPU. Takes some milliseconds.
+   *
+   * @param deadlineNanos the time within which a batch must be judged
+   */
+  LaunchCost(long deadlineNanos) {
+    mostNanos = deadlineNanos / 2.0;
     nanosPerLeg = measureCpu();
   }
 
@@ -36,7 +43,18 @@ final class LaunchCost implements OpenClDevice.Chooser {
 
   @Override
   public long crossover(OpenClLegs batch, PointSet points, long firstNanos) {
-    return (long) Math.ceil(batchNanos(batch, firstNanos) / nanosPerLeg);
+    return crossover(batchNanos(batch, firstNanos), points.count());
+  }
+
+  /**
+   * Returns the number of legs from which a batch pays; {@link LegBatch#NEVER} if no motion of the
+   * points has so many, or the batch takes too long.
+   *
+   * @param batchNanos the median time of a batch
+   */
+  long crossover(double batchNanos, int points) {
+    double legs = Math.ceil(batchNanos / nanosPerLeg);
+    return legs <= points && batchNanos <= mostNanos ? (long) legs : LegBatch.NEVER;
   }
 
   /** Returns the median time of a batch whose legs are short and lie amid the voxels, ns. */

@@ -20,7 +20,7 @@ import org.palpate.volume.BitCube;
  */
 public final class OpenClDevice implements CollisionDevice {
   /** The time within which a batch must be judged, ns. With the CPU's work it leaves 10 ms. */
-  private static final long DEADLINE_NANOS = 5_000_000;
+  static final long DEADLINE_NANOS = 5_000_000;
 
   /** The time within which the first batches must be judged, ns: drivers compile then. */
   private static final long FIRST_DEADLINE_NANOS = 60_000_000_000L;
@@ -69,7 +69,7 @@ public final class OpenClDevice implements CollisionDevice {
    * @throws OpenClException if there is no such device, or it cannot be used
    */
   public static OpenClDevice open(String part) throws OpenClException {
-    return open(() -> OpenClCatalog.open(part), DEADLINE_NANOS, new LaunchCost());
+    return open(() -> OpenClCatalog.open(part), DEADLINE_NANOS, new LaunchCost(DEADLINE_NANOS));
   }
 
   static OpenClDevice open(Supplier<ClDriver> drivers, long deadlineNanos, Chooser chooser)

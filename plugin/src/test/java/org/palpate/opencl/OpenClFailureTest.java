@@ -15,6 +15,7 @@ import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.collision.CollisionDevice;
+import org.palpate.collision.LegBatch;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
@@ -179,15 +180,29 @@ class OpenClFailureTest {
                   OpenClDevice.open(
                       () -> new FailingDriver(new SimulatedDriver(), failure, 20),
                       DEADLINE_NANOS,
-                      new LaunchCost()));
+                      new LaunchCost(OpenClOnCpu.PATIENT_NANOS)));
       assertFalse(refusal.isWrongChoice());
     }
   }
 
   @Test
+  void aDeviceIsUsedFromTheMeasuredNumberOfLegsOn() {
+    LaunchCost cost = new LaunchCost(OpenClOnCpu.PATIENT_NANOS);
+    double batchNanos = 1_000 * cost.nanosPerLeg();
+    assertEquals(1_000, cost.crossover(batchNanos, 1_000));
+    assertEquals(LegBatch.NEVER, cost.crossover(batchNanos, 999));
+    LaunchCost hurried = new LaunchCost(1_000);
+    assertEquals(LegBatch.NEVER, hurried.crossover(501, 1_000_000));
+    assertTrue(hurried.crossover(499, 1_000_000) <= 499);
+  }
+
+  @Test
   void aSlowDeviceIsNotUsed() {
     OpenClDevice device =
-        new OpenClDevice(new SimulatedDriver(), OpenClOnCpu.PATIENT_NANOS, new LaunchCost());
+        new OpenClDevice(
+            new SimulatedDriver(),
+            OpenClOnCpu.PATIENT_NANOS,
+            new LaunchCost(OpenClOnCpu.PATIENT_NANOS));
     assertSame(run(CollisionDevice.CPU), run(device), "slow");
     assertEquals(0, device.batches());
   }

@@ -71,7 +71,7 @@ class OpenClVerdictTest {
                 OpenClDevice.open(
                     () -> new JoclDriver(found, bold),
                     OpenClOnCpu.PATIENT_NANOS,
-                    new LaunchCost()));
+                    new LaunchCost(OpenClOnCpu.PATIENT_NANOS)));
     assertTrue(refusal.getMessage().contains("not exact"), refusal.getMessage());
   }
 

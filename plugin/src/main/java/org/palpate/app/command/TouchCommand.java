@@ -195,6 +195,7 @@ public final class TouchCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     out = spec.commandLine().getOut();
     if (explain) {
+      collisionDevice.check(true);
       new RealtimeExplanation(out).print();
       collisionDevice.explain(out, spec.commandLine().getErr());
       return 0;

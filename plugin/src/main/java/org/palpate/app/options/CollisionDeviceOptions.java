@@ -88,7 +88,6 @@ public final class CollisionDeviceOptions {
 
   /** Prints from how many points the device would be used on this machine, if one was chosen. */
   public void explain(PrintWriter out, PrintWriter err) {
-    check(true);
     try (ChosenCollisionDevice chosen = open(err)) {
       if (chosen.device() instanceof OpenClDevice device) {
         out.println("The collision device " + device.name());
