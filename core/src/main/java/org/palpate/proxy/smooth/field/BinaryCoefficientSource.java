@@ -1,5 +1,6 @@
 package org.palpate.proxy.smooth.field;
 
+import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
 
 /**
@@ -19,8 +20,18 @@ final class BinaryCoefficientSource implements CoefficientSource {
 
   private static final int ROW_MASK = (1 << BinaryWindow.EDGE) - 1;
 
+  /** The term that is added to each sum, so that corrections leave none negative. */
+  private static final long SUM_BIAS = 1L << (SUM_BITS - 3);
+
+  private static final long BIASES = SUM_BIAS | SUM_BIAS << SUM_BITS | SUM_BIAS << (2 * SUM_BITS);
+
   private final SmoothingKernel kernel;
   private final BinaryWindow window;
+
+  /** The occupancies of cells between 0 and 1; null if cells are voxels. */
+  private final CellCorrections corrections;
+
+  private final double scale;
 
   /** The three packed sums along x of every row of 12 voxels. */
   private final long[] sumsOfRow = new long[1 << BinaryWindow.EDGE];
@@ -41,19 +52,31 @@ final class BinaryCoefficientSource implements CoefficientSource {
    * Creates a source over the cells of a window.
    *
    * @param kernel the smoothing of these cells
+   * @param thin the cells if they are thin slices, or null if they are voxels
    */
-  BinaryCoefficientSource(SmoothingKernel kernel, BinaryWindow window) {
+  BinaryCoefficientSource(SmoothingKernel kernel, BinaryWindow window, ThinSlices thin) {
     this.kernel = kernel;
     this.window = window;
+    corrections = thin == null ? null : new CellCorrections(thin, window, weights());
+    int unit = thin == null ? 1 : ThinSlices.FRACTIONS;
+    scale = kernel.scale() / unit;
     alongY = new AxisTaps(kernel, 1);
     alongZ = new AxisTaps(kernel, 2);
     for (int row = 0; row <= ROW_MASK; row++) {
-      sumsOfRow[row] = sumsOf(row);
+      sumsOfRow[row] = unit * sumsOf(row);
     }
     sumLayer(BinaryWindow.ROW_MASK, BinaryWindow.ROW_MASK, BinaryWindow.ROW_MASK);
     wholeLayer = alongY.weigh(rowsTwice, 0);
   }
 
+  /** Returns for each cell of a row its taps for the three sums along x, packed. */
+  private long[] weights() {
+    long[] weights = new long[BinaryWindow.EDGE];
+    Arrays.setAll(weights, x -> sumsOf(1 << x));
+    return weights;
+  }
+
+  /** Returns the three sums along x of a row of solid cells, packed. */
   private long sumsOf(int row) {
     long packed = 0;
     for (int n = 0; n < 3; n++) {
@@ -74,6 +97,9 @@ final class BinaryCoefficientSource implements CoefficientSource {
       return false;
     }
     window.floodFrom(seed);
+    if (corrections != null) {
+      corrections.read(scene);
+    }
     weigh(coefficients);
     return true;
   }
@@ -97,7 +123,12 @@ final class BinaryCoefficientSource implements CoefficientSource {
       long a = reached[BinaryWindow.WORDS * z];
       long b = reached[BinaryWindow.WORDS * z + 1];
       long c = reached[BinaryWindow.WORDS * z + 2];
-      if ((a | b | c) == 0) {
+      if (corrections != null && corrections.anyInLayer(z)) {
+        sumCorrectedLayer(z, ~a, ~b, ~c);
+        once0 += alongY.weigh(rowsTwice, 0);
+        once1 += alongY.weigh(rowsTwice, 1);
+        once2 += alongY.weigh(rowsTwice, 2);
+      } else if ((a | b | c) == 0) {
         once0 += wholeLayer;
         once1 += wholeLayer;
         once2 += wholeLayer;
@@ -137,11 +168,24 @@ final class BinaryCoefficientSource implements CoefficientSource {
     twice[13] = all + once + sumsOfRow[(int) (c >>> 48) & ROW_MASK];
   }
 
+  /** Sums up the rows of a layer of which some cells are corrected. */
+  private void sumCorrectedLayer(int z, long a, long b, long c) {
+    long once = 0;
+    long all = 0;
+    for (int y = 0; y < BinaryWindow.EDGE; y++) {
+      long rows = y < 4 ? a : y < 8 ? b : c;
+      int row = (int) (rows >>> ((y & 3) << 4)) & ROW_MASK;
+      once += sumsOfRow[row] + corrections.ofRow(y, z);
+      all += once;
+      rowsTwice[y + 2] = all;
+    }
+  }
+
   private void unpack(long sums, int at, double[] coefficients) {
-    double scale = kernel.scale();
-    coefficients[at] = (sums & SUM_MASK) * scale;
-    coefficients[at + 1] = (sums >>> SUM_BITS & SUM_MASK) * scale;
-    coefficients[at + 2] = (sums >>> (2 * SUM_BITS)) * scale;
+    long biased = sums + BIASES;
+    coefficients[at] = ((biased & SUM_MASK) - SUM_BIAS) * scale;
+    coefficients[at + 1] = ((biased >>> SUM_BITS & SUM_MASK) - SUM_BIAS) * scale;
+    coefficients[at + 2] = ((biased >>> (2 * SUM_BITS)) - SUM_BIAS) * scale;
   }
 
   /** Weighs twelve values by the taps of an axis, given their second sums. */

@@ -36,7 +36,7 @@ final class BinaryWindow {
   /** The layer behind the window's own: scratch for one of its faces. */
   private static final int FACE = EDGE * WORDS;
 
-  private final ThinGrid grid;
+  private final AxisCut[] cuts;
   private final BrickCopy copy;
 
   /** The empty voxels. */
@@ -56,6 +56,9 @@ final class BinaryWindow {
   private int lowZ;
   private boolean anySolid;
 
+  /** The cell that is looked at as a seed. */
+  private final int[] seedCell = new int[3];
+
   /** The cell from which a flood fill begins, counted within the window. */
   private int seedX;
 
@@ -71,7 +74,7 @@ final class BinaryWindow {
    * @param source gives their bits
    */
   BinaryWindow(ThinGrid grid, BrickSource source) {
-    this.grid = grid;
+    cuts = grid.cuts().toArray(new AxisCut[0]);
     copy = new BrickCopy(source);
   }
 
@@ -142,6 +145,38 @@ final class BinaryWindow {
     return (int) ((free[word] & ~reached[word]) >>> ((y & 3) << 4)) & ROW;
   }
 
+  /** Returns the lowest x of the window. */
+  int lowX() {
+    return lowX;
+  }
+
+  /** Returns the lowest y of the window. */
+  int lowY() {
+    return lowY;
+  }
+
+  /** Returns the lowest z of the window. */
+  int lowZ() {
+    return lowZ;
+  }
+
+  /**
+   * Whether a cell, or one of the two beside it along an axis, counts as reached. Cells are counted
+   * from the low end of the window; those outside do not count.
+   */
+  boolean isBesideReached(int x, int y, int z, int axis) {
+    int dx = axis == 0 ? 1 : 0;
+    int dy = axis == 1 ? 1 : 0;
+    int dz = axis == 2 ? 1 : 0;
+    return isReached(x, y, z)
+        || isReached(x - dx, y - dy, z - dz)
+        || isReached(x + dx, y + dy, z + dz);
+  }
+
+  private boolean isReached(int x, int y, int z) {
+    return isInside(x, y, z) && isSet(reached, x, y, z);
+  }
+
   /** Returns the voxels that count as reached, as words; valid until the next load. */
   long[] reachedWords() {
     return reached;
@@ -185,29 +220,37 @@ final class BinaryWindow {
 
   /**
    * Finds the cell from which a seed reaches empty space: of the cells of its voxel the empty one
-   * nearest to the middle. Returns false if there is none in the window.
+   * nearest to the middle along the first cut, of these that nearest along the second. Returns
+   * false if there is none in the window.
    */
   private boolean findSeed(SeedCell seed) {
-    if (grid.isWhole()) {
+    if (cuts.length == 0) {
       return setSeed(seed.x(), seed.y(), seed.z());
     }
-    int voxel = grid.axis() == 0 ? seed.x() : grid.axis() == 1 ? seed.y() : seed.z();
-    int middle = grid.middleOf(voxel);
-    for (int n = 0; n < grid.perVoxel() + 2; n++) {
-      int cell = (n & 1) == 0 ? middle - n / 2 : middle + (n + 1) / 2;
-      if (grid.voxelOf(cell) == voxel && setSeed(seed, cell)) {
-        return true;
-      }
-    }
-    return false;
+    seedCell[0] = seed.x();
+    seedCell[1] = seed.y();
+    seedCell[2] = seed.z();
+    return findSeedAlong(0);
   }
 
-  private boolean setSeed(SeedCell seed, int cell) {
-    return switch (grid.axis()) {
-      case 0 -> setSeed(cell, seed.y(), seed.z());
-      case 1 -> setSeed(seed.x(), cell, seed.z());
-      default -> setSeed(seed.x(), seed.y(), cell);
-    };
+  /** Tries the cells along a cut and those after it, given the voxel along these. */
+  private boolean findSeedAlong(int n) {
+    if (n == cuts.length) {
+      return setSeed(seedCell[0], seedCell[1], seedCell[2]);
+    }
+    AxisCut cut = cuts[n];
+    int voxel = seedCell[cut.axis()];
+    int middle = cut.middleOf(voxel);
+    boolean found = false;
+    for (int k = 0; !found && k < cut.perVoxel() + 2; k++) {
+      int cell = (k & 1) == 0 ? middle - k / 2 : middle + (k + 1) / 2;
+      if (cut.voxelOf(cell) == voxel) {
+        seedCell[cut.axis()] = cell;
+        found = findSeedAlong(n + 1);
+      }
+    }
+    seedCell[cut.axis()] = voxel;
+    return found;
   }
 
   /** Sets the seed to a cell; returns whether it is an empty one of the window. */

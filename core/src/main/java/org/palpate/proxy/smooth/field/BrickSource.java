@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 
 /** A source of the bits of a window, in bricks of 4x4x4 cells. */
 interface BrickSource {
@@ -33,4 +34,36 @@ interface BrickSource {
 
   /** Forgets all cached bits. */
   void forget();
+
+  /**
+   * The voxels of a scene. Bricks outside the scene's bounds are known to be empty without a look
+   * at its objects.
+   */
+  final class BoundedVoxels implements BrickSource {
+    private final IntBox bounds = new IntBox();
+
+    /** The scene whose bounds are known; null until a brick is read after {@link #forget}. */
+    private CollisionScene known;
+
+    @Override
+    public long brick(CollisionScene scene, int x, int y, int z) {
+      if (known == null) {
+        known = scene;
+        scene.bounds(bounds);
+      }
+      boolean inBounds =
+          x >= bounds.lowX >> 2
+              && x <= bounds.highX >> 2
+              && y >= bounds.lowY >> 2
+              && y <= bounds.highY >> 2
+              && z >= bounds.lowZ >> 2
+              && z <= bounds.highZ >> 2;
+      return inBounds ? scene.brick(x, y, z) : 0;
+    }
+
+    @Override
+    public void forget() {
+      known = null;
+    }
+  }
 }

@@ -3,15 +3,15 @@ package org.palpate.proxy.smooth.field;
 import java.util.Arrays;
 
 /**
- * The pairs of slices between which cells lie, see {@link ThinGrid}, for the four layers of cells
- * of a brick. Cached, because the divisions and roundings that find a pair would be a tenth of a
+ * The pairs of slices between which cells lie, see {@link AxisCut}, for the four layers of cells of
+ * a brick. Cached, because the divisions and roundings that find a pair would be a tenth of a
  * window's cost.
  */
 final class CellPairs {
   private static final int SLOTS = 32;
   private static final int NONE = Integer.MIN_VALUE;
 
-  private final ThinGrid grid;
+  private final AxisCut cut;
 
   /** The brick coordinate along the long axis that each slot holds. */
   private final int[] brick = new int[SLOTS];
@@ -22,8 +22,8 @@ final class CellPairs {
   /** For each slot and layer the number of the cell within its pair. */
   private final byte[] inPair = new byte[4 * SLOTS];
 
-  CellPairs(ThinGrid grid) {
-    this.grid = grid;
+  CellPairs(AxisCut cut) {
+    this.cut = cut;
     Arrays.fill(brick, NONE);
   }
 
@@ -33,9 +33,9 @@ final class CellPairs {
     if (brick[slot] != w) {
       brick[slot] = w;
       for (int n = 0; n < 4; n++) {
-        int of = grid.pairOf(4 * w + n);
+        int of = cut.pairOf(4 * w + n);
         pair[4 * slot + n] = of;
-        inPair[4 * slot + n] = (byte) (4 * w + n - grid.firstOfPair(of));
+        inPair[4 * slot + n] = (byte) (4 * w + n - cut.firstOfPair(of));
       }
     }
     return slot;

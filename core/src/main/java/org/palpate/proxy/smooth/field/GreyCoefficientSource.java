@@ -55,9 +55,16 @@ final class GreyCoefficientSource implements CoefficientSource {
       SmoothingKernel kernel, ThinGrid grid, BinaryWindow window, GreyIsosurfaceSource grey) {
     this.kernel = kernel;
     this.window = window;
-    GreyVoxels voxels = new GreyVoxels(grey);
-    cache = grid.isWhole() ? voxels : new ThinOccupancies(grid, voxels);
+    cache = cache(grid, grey);
     scale = kernel.scale() / GreyOccupancyCache.WHOLE;
+  }
+
+  private static GreyOccupancyCache cache(ThinGrid grid, GreyIsosurfaceSource grey) {
+    GreyOccupancyCache cache = new GreyVoxels(grey);
+    for (AxisCut cut : grid.cuts()) {
+      cache = new ThinOccupancies(cut, cache);
+    }
+    return cache;
   }
 
   @Override

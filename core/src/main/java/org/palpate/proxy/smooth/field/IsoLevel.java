@@ -14,7 +14,8 @@ import org.palpate.geometry.Vec3;
 public final class IsoLevel {
   /**
    * The offset as a fraction of half a voxel's diagonal. Voxels stand out of the surface that they
-   * sample by at most that half, and the isosurface runs just beyond.
+   * sample by at most that half, and the isosurface runs just beyond. Only those of very long
+   * voxels may stand out of it, because the smoothing does not reach that far.
    */
   private static final double OFFSET_FRACTION = 1.12;
 
@@ -48,15 +49,19 @@ public final class IsoLevel {
    * Creates the level for a field's smoothing.
    *
    * @param edges the edges of a voxel along x, y and z, in shortest edges
+   * @param maxDeviations the greatest offset, in standard deviations of the smoothing along the
+   *     axis where it is least; farther out the field would be nearly flat
    */
-  IsoLevel(CoefficientSource source, Vec3 edges) {
+  IsoLevel(CoefficientSource source, Vec3 edges, double maxDeviations) {
     varianceX = variance(source.sigmaEdges(0));
     varianceY = variance(source.sigmaEdges(1));
     varianceZ = variance(source.sigmaEdges(2));
     isotropic = varianceX == varianceY && varianceX == varianceZ;
     sigma = Math.sqrt(varianceX);
     meanVariance = (varianceX + varianceY + varianceZ) / (3 * MIDDLE_WIDENING * MIDDLE_WIDENING);
-    offsetEdges = OFFSET_FRACTION * edges.length() / 2;
+    double leastVariance = Math.min(varianceX, Math.min(varianceY, varianceZ));
+    offsetEdges =
+        Math.min(OFFSET_FRACTION * edges.length() / 2, maxDeviations * Math.sqrt(leastVariance));
     occupancy = tail(offsetEdges / sigma);
   }
 

@@ -1,6 +1,8 @@
 package org.palpate.proxy.smooth.field;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
 
 /**
  * Finds the nearest solid or empty pixel for all columns of a tile at once.
@@ -22,18 +24,19 @@ final class NearestPixels {
    */
   static final int REACH = 6;
 
-  /** Squared distances from this on are not found, because some such pixels are out of reach. */
-  private static final int END_SQUARE = (REACH + 1) * (REACH + 1);
-
   private static final int ROW_BITS = 16;
   private static final long ROW = 0xFFFF;
   private static final int OFF = 0xF;
   private static final int ALONG = 4;
 
-  /** The steps in the order of distance: rows away in the low four bits, then pixels along. */
-  private static final byte[] STEPS = steps();
-
   private final SliceBits bits;
+  private final PixelEdges edges;
+
+  /** The steps in the order of distance: rows away in the low four bits, then pixels along. */
+  private final byte[] steps;
+
+  /** The distance to the outline before the pixels that each step reaches. */
+  private final double[] distances;
 
   /**
    * For each distance in rows, the set bits of the two rows that lie so far above and below. The
@@ -41,23 +44,35 @@ final class NearestPixels {
    */
   private final long[] spread = new long[REACH + 1];
 
-  NearestPixels(SliceBits bits) {
+  NearestPixels(SliceBits bits, PixelEdges edges) {
     this.bits = bits;
+    this.edges = edges;
+    List<Integer> inOrder = stepsInOrder();
+    steps = new byte[inOrder.size()];
+    distances = new double[inOrder.size()];
+    for (int n = 0; n < steps.length; n++) {
+      int step = inOrder.get(n);
+      steps[n] = (byte) step;
+      distances[n] = edges.toOutline(step >> ALONG, step & OFF);
+    }
   }
 
-  private static byte[] steps() {
-    byte[] steps = new byte[END_SQUARE];
-    int count = 0;
-    for (int square = 1; square < END_SQUARE; square++) {
-      for (int off = 0; off <= REACH; off++) {
-        for (int along = 0; along <= REACH; along++) {
-          if (off * off + along * along == square) {
-            steps[count++] = (byte) (along << ALONG | off);
-          }
+  /**
+   * Returns the steps up to the distance from which on some pixels are out of reach. Of steps of
+   * equal distance that of fewer rows comes first.
+   */
+  private List<Integer> stepsInOrder() {
+    double endSquare = Math.min(edges.square(REACH + 1, 0), edges.square(0, REACH + 1));
+    List<Integer> inOrder = new ArrayList<>();
+    for (int off = 0; off <= REACH; off++) {
+      for (int along = 0; along <= REACH; along++) {
+        if (off + along > 0 && edges.square(along, off) < endSquare) {
+          inOrder.add(along << ALONG | off);
         }
       }
     }
-    return Arrays.copyOf(steps, count);
+    inOrder.sort(Comparator.comparingDouble(step -> edges.square(step >> ALONG, step & OFF)));
+    return inOrder;
   }
 
   /**
@@ -67,10 +82,10 @@ final class NearestPixels {
    * @param solid whether the nearest solid or the nearest empty pixel is sought
    * @param columns the pixels of the tile for which a nearest pixel is sought, a bit each; they are
    *     of the other kind
-   * @param squares receives the squared distance for each pixel that is returned
+   * @param dest receives the distance to the outline for each pixel that is returned
    * @return the pixels of {@code columns} for which one was found within reach
    */
-  int find(int brickU, int brickV, int slice, boolean solid, int columns, int[] squares) {
+  int find(int brickU, int brickV, int slice, boolean solid, int columns, double[] dest) {
     long flip = solid ? 0 : -1;
     int turn = 4 * brickU - REACH;
     int v = 4 * brickV;
@@ -81,9 +96,9 @@ final class NearestPixels {
     long down = up;
     spread[0] = up;
     long left = spaced(columns);
-    for (int n = 0; n < STEPS.length && left != 0; n++) {
-      int off = STEPS[n] & OFF;
-      int along = STEPS[n] >> ALONG;
+    for (int n = 0; n < steps.length && left != 0; n++) {
+      int off = steps[n] & OFF;
+      int along = steps[n] >> ALONG;
       if (along == 0) {
         up = up >>> ROW_BITS | row(v + 3 + off, slice, turn, flip) << (3 * ROW_BITS);
         down = down << ROW_BITS | row(v - off, slice, turn, flip);
@@ -94,7 +109,7 @@ final class NearestPixels {
       long reached = left & spread[off];
       if (reached != 0) {
         left ^= reached;
-        write(off * off + along * along, reached, squares);
+        write(distances[n], reached, dest);
       }
     }
     return columns & ~gathered(left);
@@ -118,10 +133,10 @@ final class NearestPixels {
     return (int) (rows | rows >>> 24) & 0xFFFF;
   }
 
-  private static void write(int square, long reached, int[] squares) {
+  private static void write(double distance, long reached, double[] dest) {
     for (long left = reached; left != 0; left &= left - 1) {
       int bit = Long.numberOfTrailingZeros(left) - REACH;
-      squares[((bit >> 2) & ~3) | (bit & 3)] = square;
+      dest[((bit >> 2) & ~3) | (bit & 3)] = distance;
     }
   }
 }

@@ -24,6 +24,14 @@ import org.palpate.geometry.Vec3;
 public final class OccupancyField {
   private static final int COEFFICIENTS = 27;
 
+  /**
+   * The isosurface's greatest offset where it still tells more than voxels that stand out of it.
+   */
+  private static final double MAX_DEVIATIONS_OF_BITS = 1.93;
+
+  /** The same with grey values, from which the surface is known better. */
+  private static final double MAX_DEVIATIONS_OF_GREY = 1.7;
+
   private final BrickSource cells;
   private final CoefficientSource source;
   private final IsoLevel level;
@@ -57,8 +65,14 @@ public final class OccupancyField {
    * @param grid the cells to whose corners the coefficients belong
    * @param cells gives their bits
    * @param edges the edges of a voxel along x, y and z, in shortest edges: at least 1
+   * @param maxDeviations the greatest offset of the isosurface, see {@link IsoLevel}
    */
-  private OccupancyField(ThinGrid grid, BrickSource cells, CoefficientSource source, Vec3 edges) {
+  private OccupancyField(
+      ThinGrid grid,
+      BrickSource cells,
+      CoefficientSource source,
+      Vec3 edges,
+      double maxDeviations) {
     this.cells = cells;
     this.source = source;
     cellsX = grid.perVoxel(0);
@@ -67,7 +81,7 @@ public final class OccupancyField {
     inverseX = cellsX / edges.x;
     inverseY = cellsY / edges.y;
     inverseZ = cellsZ / edges.z;
-    level = new IsoLevel(source, edges);
+    level = new IsoLevel(source, edges, maxDeviations);
     sample = new FieldSample(level);
   }
 
@@ -76,9 +90,15 @@ public final class OccupancyField {
     Vec3 edges = edges(metric);
     ThinGrid grid = ThinGrid.ofBits(edges);
     SmoothingKernel kernel = SmoothingKernel.forBits(grid.cellEdges(edges));
-    BrickSource cells = cells(grid);
+    ThinSlices thin = thin(grid, edges);
+    BrickSource cells = cells(thin);
     BinaryWindow window = new BinaryWindow(grid, cells);
-    return new OccupancyField(grid, cells, new BinaryCoefficientSource(kernel, window), edges);
+    return new OccupancyField(
+        grid,
+        cells,
+        new BinaryCoefficientSource(kernel, window, thin),
+        edges,
+        MAX_DEVIATIONS_OF_BITS);
   }
 
   /**
@@ -90,14 +110,23 @@ public final class OccupancyField {
     Vec3 edges = edges(metric);
     ThinGrid grid = ThinGrid.ofGrey(edges);
     SmoothingKernel kernel = SmoothingKernel.forGrey(grid.cellEdges(edges));
-    BrickSource cells = cells(grid);
+    BrickSource cells = cells(thin(grid, edges));
     BinaryWindow window = new BinaryWindow(grid, cells);
     return new OccupancyField(
-        grid, cells, new GreyCoefficientSource(kernel, grid, window, grey), edges);
+        grid,
+        cells,
+        new GreyCoefficientSource(kernel, grid, window, grey),
+        edges,
+        MAX_DEVIATIONS_OF_GREY);
   }
 
-  private static BrickSource cells(ThinGrid grid) {
-    return grid.isWhole() ? BrickSource.VOXELS : new ThinSlices(grid);
+  /** Returns the thin slices of a grid, or null if its cells are voxels. */
+  private static ThinSlices thin(ThinGrid grid, Vec3 edges) {
+    return grid.isWhole() ? null : ThinSlices.of(grid, edges);
+  }
+
+  private static BrickSource cells(ThinSlices thin) {
+    return thin == null ? BrickSource.VOXELS : thin;
   }
 
   /** Returns the edges of a voxel, in shortest edges. */

@@ -7,7 +7,7 @@ package org.palpate.proxy.smooth.field;
  * <p>Let a be the distance of a column to the outline of the solid slice, and b that to the outline
  * of the next. The column crosses the surface at the fraction a / (a + b) of the way. The terraces
  * of an inclined plane thus become the plane, however long they are, if their ends are within
- * reach.
+ * reach. On long terraces the outlines of the slices before and behind bend the surface.
  *
  * <p>If the next slice has no outline within reach, the shape ends between the two. The end is
  * modelled as a parabola. It passes through both edges of a chord in this slice and both edges in
@@ -16,16 +16,17 @@ package org.palpate.proxy.smooth.field;
  * <p>References: Raya and Udupa 1990; Herman, Zheng and Bucholtz 1992.
  */
 final class ShapeInterpolation {
-  /** A terrace up to this length of cells is shorter than the smoothing and needs no scatter. */
-  private static final double SCATTER_FROM_CELLS = 4;
+  /**
+   * The least length of a terrace whose bend counts, in pixels. On shorter ones outlines are too
+   * rough to show a bend, and a search for two more of them is not worth its time.
+   */
+  private static final double MIN_BENT_PIXELS = 4;
 
-  /** The further length over which the scatter grows to a whole cell. */
-  private static final double SCATTER_RAMP_CELLS = 3;
+  /** The greatest bend, which moves the middle of a terrace by an eighth of the way. */
+  private static final double MAX_BEND = 0.5;
 
-  /** The two irrational steps of the lattice R2, times 2^32; Roberts 2018. */
-  private static final int SCATTER_U = 0xC13F_A9A9;
-
-  private static final int SCATTER_V = 0x91E1_0DA5;
+  /** A distance that does not bend a surface. */
+  static final double UNKNOWN = 0;
 
   /** An outline that moves by less than this from slice to slice stands upright, pixels. */
   private static final double MIN_SHIFT = 0.25;
@@ -43,8 +44,8 @@ final class ShapeInterpolation {
   private final double perVoxel;
   private final double reach;
 
-  /** A terrace shorter than this needs no scatter, whatever rounding does; pixels. */
-  private final double noScatterBelow;
+  /** The least length of a terrace whose bend counts, in shortest voxel edges. */
+  private final double minBent;
 
   /**
    * Creates the interpolation.
@@ -55,36 +56,85 @@ final class ShapeInterpolation {
     this.outline = outline;
     this.perVoxel = perVoxel;
     reach = outline.reach();
-    noScatterBelow = 0.99 * SCATTER_FROM_CELLS * perVoxel;
+    minBent = MIN_BENT_PIXELS * outline.longestPixelEdge();
+  }
+
+  /**
+   * Returns those of some columns on whose height the outlines before and behind have a say.
+   *
+   * @param inside the distances to the outline of the solid slice, shortest voxel edges
+   * @param outside the distances to that of the next one
+   */
+  int bentColumns(int columns, double[] inside, double[] outside) {
+    int bent = 0;
+    for (int left = columns; left != 0; left &= left - 1) {
+      int column = Integer.numberOfTrailingZeros(left);
+      double a = inside[column];
+      double b = outside[column];
+      bent |= a < reach && b < reach && a + b >= minBent ? 1 << column : 0;
+    }
+    return bent;
   }
 
   /**
    * Returns how far column (u,v) is solid beyond the middle of a slice where it is solid, in cells:
-   * more than 0, and no more than to the middle of the next slice, where it is empty.
+   * more than 0, and no more than to the middle of the next slice, where it is empty. Distances are
+   * in shortest voxel edges.
    *
    * @param step to the next slice: 1 or -1
-   * @param inside the distance to the outline of the solid slice, pixels
+   * @param inside the distance to the outline of the solid slice
    * @param outside the distance to that of the next one
+   * @param before the distance to that of the slice before the solid one, or {@link #UNKNOWN}
+   * @param behind the distance to that of the slice behind the next one, or {@link #UNKNOWN}
    */
-  double heightCells(int u, int v, int slice, int step, double inside, double outside) {
-    double cells = crossing(u, v, slice, step, inside, outside) * perVoxel;
-    double scattered = cells + scatter(inside + outside, u, v);
-    return Math.max(MIN_HEIGHT_CELLS, Math.min(perVoxel, scattered));
+  double heightCells(
+      int u,
+      int v,
+      int slice,
+      int step,
+      double inside,
+      double outside,
+      double before,
+      double behind) {
+    double fraction;
+    if (inside < reach && outside < reach) {
+      fraction = bent(inside, outside, before, behind);
+    } else if (inside < reach) {
+      fraction = endBeyond(u, v, slice, slice - step, false, inside);
+    } else if (outside < reach) {
+      fraction = 1 - endBeyond(u, v, slice + step, slice + 2 * step, true, outside);
+    } else {
+      fraction = FLAT_END;
+    }
+    return Math.max(MIN_HEIGHT_CELLS, Math.min(perVoxel, fraction * perVoxel));
   }
 
-  /** Returns the crossing as a fraction of the way from the solid slice to the next. */
-  private double crossing(int u, int v, int slice, int step, double inside, double outside) {
-    boolean known = inside < reach && outside < reach;
-    if (known) {
-      return inside / (inside + outside);
+  /**
+   * Returns the crossing as a fraction of the way from the solid slice to the next. A surface that
+   * bends along the long axis is a parabola through the outlines of both slices and that of the
+   * slice on either side, or the mean of two such parabolas.
+   */
+  private double bent(double inside, double outside, double before, double behind) {
+    double terrace = inside + outside;
+    double straight = inside / terrace;
+    double most = MAX_BEND / (terrace * terrace);
+    double bend = 0;
+    int known = 0;
+    if (before > inside && before < reach) {
+      double excess = (before - inside) / terrace - 1;
+      bend += clamp(excess / ((before - inside) * (before + outside)), most);
+      known++;
     }
-    if (inside < reach) {
-      return endBeyond(u, v, slice, slice - step, false, inside);
+    if (behind > outside && behind < reach) {
+      double excess = 1 - (behind - outside) / terrace;
+      bend += clamp(excess / ((behind + inside) * (behind - outside)), most);
+      known++;
     }
-    if (outside < reach) {
-      return 1 - endBeyond(u, v, slice + step, slice + 2 * step, true, outside);
-    }
-    return FLAT_END;
+    return known == 0 ? straight : straight - bend / known * inside * outside;
+  }
+
+  private static double clamp(double value, double limit) {
+    return Math.max(-limit, Math.min(limit, value));
   }
 
   /**
@@ -98,7 +148,7 @@ final class ShapeInterpolation {
   private double endBeyond(int u, int v, int last, int before, boolean solid, double near) {
     outline.coverAll(u >> 2, v >> 2, last);
     outline.coverAll(u >> 2, v >> 2, before);
-    double far = outline.distanceOpposite(u, v, last, solid, near);
+    double far = outline.distanceOpposite(u, v, last, solid);
     double whole = outline.distance(u, v, before, solid);
     if (whole >= reach && far > reach - 1) {
       return near / (near + reach);
@@ -110,24 +160,5 @@ final class ShapeInterpolation {
     double top = half * half / sag;
     double height = Math.min(1, near * far / sag);
     return top <= 1 ? height : height * Math.max(FLAT_END, 1 / top);
-  }
-
-  /**
-   * Returns what is added to the height of a column before it is rounded to cells. On terraces that
-   * are longer than the smoothing is wide, heights are scattered evenly over a cell, so that
-   * columns round to the right height on average.
-   *
-   * @param terrace the length of the terrace, pixels
-   */
-  private double scatter(double terrace, int u, int v) {
-    if (terrace < noScatterBelow) {
-      return 0;
-    }
-    double weight = (terrace / perVoxel - SCATTER_FROM_CELLS) / SCATTER_RAMP_CELLS;
-    if (weight <= 0) {
-      return 0;
-    }
-    int fraction = u * SCATTER_U + v * SCATTER_V; // of 2^32; overflow is meant
-    return Math.min(1, weight) * fraction * 0x1p-32;
   }
 }

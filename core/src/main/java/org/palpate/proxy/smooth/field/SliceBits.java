@@ -1,7 +1,6 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
-import org.palpate.geometry.IntBox;
 
 /**
  * A cache of the solid voxels of slices as rows of bits, in coordinates (u,v,w) whose w is the long
@@ -26,6 +25,7 @@ final class SliceBits {
   /** The most bricks of a rectangle along an axis. */
   private static final int MAX_BRICKS = EDGE / 4;
 
+  private final BrickSource source;
   private final int axis;
   private final long[] rows = new long[4 * LAYERS * EDGE];
 
@@ -39,50 +39,32 @@ final class SliceBits {
   private final int[] endV = new int[LAYERS];
   private int generation = 1;
 
-  /** The scene; null until it is set again after {@link #forget}. */
   private CollisionScene scene;
 
-  /** The voxels outside of which the scene is empty. */
-  private final IntBox bounds = new IntBox();
-
-  /** Creates a cache of slices across an axis. */
-  SliceBits(int axis) {
+  /** Creates a cache of the slices of a source across an axis. */
+  SliceBits(BrickSource source, int axis) {
+    this.source = source;
     this.axis = axis;
   }
 
   /** Forgets all bits. */
   void forget() {
     generation++;
-    scene = null;
+    source.forget();
   }
 
   /** Sets the scene, the same one since {@link #forget}. */
   void use(CollisionScene newScene) {
-    if (scene == null) {
-      scene = newScene;
-      scene.bounds(bounds);
-    }
+    scene = newScene;
   }
 
-  /** Returns a brick of the scene, turned so that its w is the long axis. */
+  /** Returns a brick of the source, turned so that its w is the long axis. */
   long brick(int u, int v, int w) {
     return switch (axis) {
-      case 0 -> turned(read(w, v, u));
-      case 1 -> turned(read(u, w, v));
-      default -> read(u, v, w);
+      case 0 -> turned(source.brick(scene, w, v, u));
+      case 1 -> turned(source.brick(scene, u, w, v));
+      default -> source.brick(scene, u, v, w);
     };
-  }
-
-  /** Reads a brick of the scene, or nothing where the scene is empty. */
-  private long read(int x, int y, int z) {
-    boolean inBounds =
-        x >= bounds.lowX >> 2
-            && x <= bounds.highX >> 2
-            && y >= bounds.lowY >> 2
-            && y <= bounds.highY >> 2
-            && z >= bounds.lowZ >> 2
-            && z <= bounds.highZ >> 2;
-    return inBounds ? scene.brick(x, y, z) : 0;
   }
 
   /** Swaps the long axis of a brick with z; doing it twice gives the brick back. */

@@ -2,14 +2,14 @@ package org.palpate.proxy.smooth.field;
 
 /**
  * Measures distances within a slice from the middle of a pixel to the outline between solid and
- * empty pixels, in pixels. The outline lies half a pixel before the nearest pixel of the other
- * kind.
+ * empty pixels, in shortest voxel edges. The outline lies half a pixel before the nearest pixel of
+ * the other kind.
  *
  * <p>Most outlines are near. All columns of a tile look for them at once, see {@link
  * NearestPixels}. Only columns without one search the whole reach, one by one.
  *
- * <p>Pixels farther than {@code reach} along u or v are not searched. References: shape-based
- * interpolation by distances to the outline, Raya and Udupa 1990; Herman, Zheng and Bucholtz 1992.
+ * <p>Pixels farther than the reach are not searched. References: shape-based interpolation by
+ * distances to the outline, Raya and Udupa 1990; Herman, Zheng and Bucholtz 1992.
  */
 final class SliceOutline {
   private static final int NEAR_BRICKS = (NearestPixels.REACH + 3) / 4;
@@ -17,40 +17,56 @@ final class SliceOutline {
   /** The bit of the pixel from which is searched in a row that was turned. */
   private static final int MIDDLE = SliceBits.EDGE / 2;
 
-  /**
-   * The farthest that rounding moves a pixel on a straight line, half its diagonal, and a little
-   * more.
-   */
-  private static final double MOST_ROUNDED = 0.7072;
+  /** The margin of a bound against rounding. */
+  private static final double ROUNDING = 1e-4;
 
   private final SliceBits bits;
   private final NearestPixels nearest;
+  private final PixelEdges edges;
   private final int reach;
 
-  /** The squared distances of a tile's columns. */
-  private final int[] squares = new int[ThinSlices.COLUMNS];
+  /** The pixels within reach along u. */
+  private final int reachU;
 
-  /** The distance to the outline if the nearest pixel of the other kind is this far, squared. */
-  private final double[] distances;
+  /** The pixels within reach along v. */
+  private final int reachV;
 
-  /** The nearest pixel less the one from which {@link #distanceOpposite} searched. */
-  private int nearestU;
+  private final int reachBricks;
 
-  private int nearestV;
+  /** From this on squared distances count as out of reach. */
+  private final double endSquare;
+
+  /** The farthest that rounding moves a pixel on a straight line. */
+  private final double mostRounded;
+
+  /** The pixels along u to the nearest pixel that was found last. */
+  private int nearestAlong;
+
+  /** The rows to it. */
+  private int nearestOff;
 
   /**
    * Creates distances over the bits of slices.
    *
-   * @param reach a multiple of 4, at most 24
+   * @param reach in shortest voxel edges, a multiple of 4, at most 24
    */
-  SliceOutline(SliceBits bits, int reach) {
+  SliceOutline(SliceBits bits, PixelEdges edges, int reach) {
     this.bits = bits;
+    this.edges = edges;
     this.reach = reach;
-    nearest = new NearestPixels(bits);
-    distances = new double[(reach + 1) * (reach + 1) + 1];
-    for (int square = 0; square < distances.length; square++) {
-      distances[square] = Math.min(reach, Math.sqrt(square) - 0.5);
-    }
+    nearest = new NearestPixels(bits, edges);
+    endSquare = (reach + 1) * (reach + 1);
+    reachU = pixels(edges.u());
+    reachV = pixels(edges.v());
+    reachBricks = (Math.max(reachU, reachV) + 3) / 4;
+    mostRounded = edges.halfDiagonal() + ROUNDING;
+  }
+
+  /** Returns how many pixels of an edge are searched, or looked at on a straight line. */
+  private int pixels(double edge) {
+    int searched = (int) Math.ceil((reach + 1) / edge) - 1;
+    int lookedAt = (int) ((reach - 1) / edge + 0.5);
+    return Math.max(searched, lookedAt);
   }
 
   /** Returns the greatest distance that is measured; greater ones count as this. */
@@ -58,9 +74,14 @@ final class SliceOutline {
     return reach;
   }
 
+  /** Returns the longer edge of a pixel. */
+  double longestPixelEdge() {
+    return Math.max(edges.u(), edges.v());
+  }
+
   /** Reads all pixels of a slice within reach of the tile of brick (u,v). */
   void coverAll(int brickU, int brickV, int slice) {
-    bits.cover(brickU, brickV, slice, reach / 4);
+    bits.cover(brickU, brickV, slice, reachBricks);
   }
 
   /**
@@ -74,13 +95,9 @@ final class SliceOutline {
   void measure(int brickU, int brickV, int slice, boolean solid, int columns, double[] dest) {
     bits.cover(brickU, brickV, slice, NEAR_BRICKS);
     int found = 0;
-    if (isAnyWithin(0, brickU, brickV, slice, solid)
-        || isAnyWithin(NearestPixels.REACH, brickU, brickV, slice, solid)) {
-      found = nearest.find(brickU, brickV, slice, solid, columns, squares);
-      for (int left = found; left != 0; left &= left - 1) {
-        int column = Integer.numberOfTrailingZeros(left);
-        dest[column] = distances[squares[column]];
-      }
+    if (isAnyWithin(0, 0, brickU, brickV, slice, solid)
+        || isAnyWithin(NearestPixels.REACH, NearestPixels.REACH, brickU, brickV, slice, solid)) {
+      found = nearest.find(brickU, brickV, slice, solid, columns, dest);
     }
     if (found != columns) {
       measureFar(brickU, brickV, slice, solid, columns & ~found, dest);
@@ -90,7 +107,7 @@ final class SliceOutline {
   private void measureFar(
       int brickU, int brickV, int slice, boolean solid, int columns, double[] dest) {
     coverAll(brickU, brickV, slice);
-    boolean any = isAnyWithin(reach, brickU, brickV, slice, solid);
+    boolean any = isAnyWithin(reachU, reachV, brickU, brickV, slice, solid);
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
       dest[column] =
@@ -100,12 +117,13 @@ final class SliceOutline {
     }
   }
 
-  /** Whether the searched squares around the pixels of a tile hold any pixel of a kind. */
-  private boolean isAnyWithin(int pixels, int brickU, int brickV, int slice, boolean solid) {
-    long columns = Long.rotateLeft(-1L >>> (SliceBits.EDGE - 4 - 2 * pixels), 4 * brickU - pixels);
+  /** Whether a rectangle around the pixels of a tile holds any pixel of a kind. */
+  private boolean isAnyWithin(
+      int alongU, int alongV, int brickU, int brickV, int slice, boolean solid) {
+    long columns = Long.rotateLeft(-1L >>> (SliceBits.EDGE - 4 - 2 * alongU), 4 * brickU - alongU);
     long flip = solid ? 0 : -1;
     long any = 0;
-    for (int v = 4 * brickV - pixels; v < 4 * brickV + 4 + pixels; v++) {
+    for (int v = 4 * brickV - alongV; v < 4 * brickV + 4 + alongV; v++) {
       any |= bits.row(v, slice) ^ flip;
     }
     return (any & columns) != 0;
@@ -118,21 +136,29 @@ final class SliceOutline {
    * @param solid whether the nearest solid or the nearest empty pixel is sought
    */
   double distance(int u, int v, int slice, boolean solid) {
-    return distances[square(u, v, slice, solid)];
+    boolean found = findNearest(u, v, slice, solid);
+    return found ? Math.min(reach, edges.toOutline(nearestAlong, nearestOff)) : reach;
   }
 
-  /** Returns the squared distance to the nearest pixel of a kind; more than the reach's if none. */
-  private int square(int u, int v, int slice, boolean solid) {
+  /**
+   * Finds the nearest pixel of a kind, of equals that of the fewest rows away.
+   *
+   * @return false if there is none within reach
+   */
+  private boolean findNearest(int u, int v, int slice, boolean solid) {
     long flip = solid ? 0 : -1;
-    int best = (reach + 1) * (reach + 1);
-    for (int off = 0; off <= reach && off * off < best; off++) {
+    double best = endSquare;
+    for (int off = 0; off <= reachV && edges.square(0, off) < best; off++) {
       long both = (bits.row(v + off, slice) ^ flip) | (bits.row(v - off, slice) ^ flip);
       int along = pixelsAlong(Long.rotateRight(both, u - MIDDLE));
-      if (along * along + off * off < best) {
-        best = along * along + off * off;
+      double square = edges.square(along, off);
+      if (square < best) {
+        best = square;
+        nearestAlong = along;
+        nearestOff = off;
       }
     }
-    return best;
+    return best < endSquare;
   }
 
   /** Returns how far from the middle of a row the nearest set bit is; over the reach if none. */
@@ -150,20 +176,29 @@ final class SliceOutline {
 
   /**
    * Returns the distance from pixel (u,v) to the outline on the far side: along the straight line
-   * that leads away from the nearest pixel of a kind. Call {@link #coverAll} before.
+   * that leads away from the nearest pixel of a kind. Of pixels that are equally near, that of the
+   * fewest rows away counts, then that of low v, then that of high u. Call {@link #coverAll}
+   * before.
    *
    * @param solid the kind of pixels outside; one of them is within reach
-   * @param near the distance to the outline
    */
-  double distanceOpposite(int u, int v, int slice, boolean solid, double near) {
-    double length = near + 0.5;
-    findNearest(u, v, slice, solid, (int) (length * length + 0.5));
-    double scale = 1 / Math.sqrt(nearestU * nearestU + nearestV * nearestV);
-    int steps = Math.max(1, (int) (length - MOST_ROUNDED)); // no pixel of the kind is nearer
+  double distanceOpposite(int u, int v, int slice, boolean solid) {
+    boolean found = findNearest(u, v, slice, solid);
+    assert found : "no pixel within reach of u=" + u + " v=" + v;
+    long flip = solid ? 0 : -1;
+    long rowBelow = Long.rotateRight(bits.row(v - nearestOff, slice) ^ flip, u - MIDDLE);
+    boolean isBelow = pixelsAlong(rowBelow) == nearestAlong;
+    long row =
+        isBelow ? rowBelow : Long.rotateRight(bits.row(v + nearestOff, slice) ^ flip, u - MIDDLE);
+    int towardsU = pixelsUp(row) == nearestAlong ? nearestAlong : -nearestAlong;
+    int towardsV = isBelow ? -nearestOff : nearestOff;
+    double length = Math.sqrt(edges.square(nearestAlong, nearestOff));
+    double scale = 1 / length;
+    int steps = Math.max(1, (int) (length - mostRounded)); // no pixel of the kind is nearer
     while (steps < reach
         && !isKind(
-            u - rounded(steps * scale * nearestU),
-            v - rounded(steps * scale * nearestV),
+            u - rounded(steps * scale * towardsU),
+            v - rounded(steps * scale * towardsV),
             slice,
             solid)) {
       steps++;
@@ -177,27 +212,5 @@ final class SliceOutline {
 
   private static int rounded(double value) {
     return (int) Math.floor(value + 0.5);
-  }
-
-  /**
-   * Finds the nearest pixel of a kind, given its squared distance. Of equals that of the fewest
-   * rows away counts, then that of low v, then that of high u.
-   */
-  private void findNearest(int u, int v, int slice, boolean solid, int square) {
-    int off = 0;
-    while (!isNearest(u, v, -off, slice, solid, square)
-        && !isNearest(u, v, off, slice, solid, square)) {
-      off++;
-    }
-  }
-
-  /** Whether a row holds the nearest pixel; sets it if so. */
-  private boolean isNearest(int u, int v, int rows, int slice, boolean solid, int square) {
-    long flip = solid ? 0 : -1;
-    long row = Long.rotateRight(bits.row(v + rows, slice) ^ flip, u - MIDDLE);
-    int along = pixelsAlong(row);
-    nearestU = pixelsUp(row) == along ? along : -along;
-    nearestV = rows;
-    return along * along + rows * rows == square;
   }
 }

@@ -1,103 +1,84 @@
 package org.palpate.proxy.smooth.field;
 
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
 import org.palpate.geometry.Vec3;
 
 /**
- * The grid of cells on which a field is built. If voxels are much longer along one axis than along
- * the two others, cells are thin slices of voxels, about as thick as they are wide. Otherwise cells
- * are voxels.
+ * The grid of cells on which a field is built. Voxels that are long along one or two axes are cut
+ * along these, so that cells are about cubes. Otherwise cells are voxels.
  *
- * <p>The middle of slice k of voxels lies at (k + 0.5) * {@code perVoxel} in cells. A pair k is the
- * space between the middles of slices k and k + 1; a cell belongs to the pair that holds its
- * centre.
- *
- * @param axis the long axis: 0, 1 or 2
- * @param perVoxel the cells for each voxel along it; need not be a whole number; 1 if cells are
- *     voxels
+ * @param cuts the cuts in the order in which they are made, that of the longest edges first; empty
+ *     if cells are voxels
  */
-record ThinGrid(int axis, double perVoxel) {
-  /** The most cells for each voxel; slices farther apart than this get thicker cells. */
+record ThinGrid(List<AxisCut> cuts) {
+  /** The most cells for each voxel along an axis; longer voxels get longer cells. */
   static final int MAX_PER_VOXEL = 10;
 
   /** Cells that are voxels. */
-  static final ThinGrid WHOLE = new ThinGrid(2, 1);
+  static final ThinGrid WHOLE = new ThinGrid(List.of());
 
   /**
-   * Edges up to this length, in shortest edges, count as equal if the field is made from bits. To
-   * cut shorter ones helps where a surface is strongly curved, and harms where it is flat, because
-   * bits are rounded to cells.
+   * Edges up to this length, in shortest edges, count as equal if the field is made from bits, and
+   * no voxel is cut that has no longer one.
    */
-  private static final double MAX_EQUAL_OF_BITS = 1.45;
+  private static final double MAX_EQUAL_OF_BITS = 1.05;
 
-  /** The same for a field that is made from grey values, which need no rounding. */
+  /**
+   * Edges up to this length are not cut beside a longer one if the field is made from bits. Cells
+   * between the cuts are rounded to bits, which costs more than it gains.
+   */
+  private static final double MAX_SECOND_OF_BITS = 1.45;
+
+  /** Edges up to this length count as equal if the field is made from grey values. */
   private static final double MAX_EQUAL_OF_GREY = 1.15;
 
   /** Returns the grid for the bits of voxels with these edges, in shortest edges. */
   static ThinGrid ofBits(Vec3 edges) {
-    return of(edges, MAX_EQUAL_OF_BITS);
+    return of(edges, MAX_EQUAL_OF_BITS, MAX_SECOND_OF_BITS);
   }
 
   /** Returns the grid for the grey values of voxels with these edges, in shortest edges. */
   static ThinGrid ofGrey(Vec3 edges) {
-    return of(edges, MAX_EQUAL_OF_GREY);
+    return of(edges, MAX_EQUAL_OF_GREY, MAX_EQUAL_OF_GREY);
   }
 
-  private static ThinGrid of(Vec3 edges, double maxEqual) {
-    ThinGrid grid = WHOLE;
-    for (int axis = 0; axis < 3; axis++) {
-      if (edges.get(axis) > maxEqual) {
-        if (!grid.isWhole()) {
-          return WHOLE;
-        }
-        grid = new ThinGrid(axis, Math.min(MAX_PER_VOXEL, edges.get(axis)));
+  private static ThinGrid of(Vec3 edges, double maxEqual, double maxSecond) {
+    List<AxisCut> axes = new ArrayList<>();
+    for (int axis = 2; axis >= 0; axis--) {
+      axes.add(new AxisCut(axis, Math.min(MAX_PER_VOXEL, edges.get(axis))));
+    }
+    axes.sort(Comparator.comparingDouble(AxisCut::perVoxel).reversed());
+    List<AxisCut> cuts = new ArrayList<>();
+    for (AxisCut cut : axes) {
+      if (cut.perVoxel() > (cuts.isEmpty() ? maxEqual : maxSecond)) {
+        cuts.add(cut);
       }
     }
-    return grid;
+    return new ThinGrid(List.copyOf(cuts));
   }
 
   /** Whether cells are voxels. */
   boolean isWhole() {
-    return perVoxel == 1;
+    return cuts.isEmpty();
   }
 
-  /** Returns the cells for each voxel along any axis. */
-  double perVoxel(int along) {
-    return along == axis ? perVoxel : 1;
+  /** Returns the cells for each voxel along an axis. */
+  double perVoxel(int axis) {
+    double perVoxel = 1;
+    for (AxisCut cut : cuts) {
+      perVoxel = cut.axis() == axis ? cut.perVoxel() : perVoxel;
+    }
+    return perVoxel;
   }
 
   /** Returns the edges of a cell, given those of a voxel. */
   Vec3 cellEdges(Vec3 voxelEdges) {
     Vec3 cell = new Vec3().set(voxelEdges);
-    cell.set(axis, cell.get(axis) / perVoxel);
-    return cell;
-  }
-
-  /** Returns the cell that holds the middle of a slice of voxels. */
-  int middleOf(int slice) {
-    return SeedCell.floor((slice + 0.5) * perVoxel);
-  }
-
-  /** Returns the slice of voxels that holds the centre of a cell. */
-  int voxelOf(int cell) {
-    return SeedCell.floor((cell + 0.5) / perVoxel);
-  }
-
-  /** Returns how far the centre of a cell lies beyond the middle of a slice of voxels, in cells. */
-  double beyondMiddle(int cell, int slice) {
-    return cell + 0.5 - (slice + 0.5) * perVoxel;
-  }
-
-  /** Returns the first cell of a pair. */
-  int firstOfPair(int pair) {
-    return (int) Math.ceil((pair + 0.5) * perVoxel - 0.5);
-  }
-
-  /** Returns the pair that holds the centre of a cell. */
-  int pairOf(int cell) {
-    int pair = (int) Math.floor((cell + 0.5) / perVoxel - 0.5);
-    if (cell < firstOfPair(pair)) {
-      return pair - 1;
+    for (AxisCut cut : cuts) {
+      cell.set(cut.axis(), cell.get(cut.axis()) / cut.perVoxel());
     }
-    return cell < firstOfPair(pair + 1) ? pair : pair + 1;
+    return cell;
   }
 }

@@ -20,8 +20,8 @@ final class ThinOccupancies extends GreyOccupancyCache {
   private static final int SLOTS = 64;
   private static final int NONE = Integer.MIN_VALUE;
 
-  private final ThinGrid grid;
-  private final GreyVoxels voxels;
+  private final AxisCut cut;
+  private final GreyOccupancyCache voxels;
   private final CacheKeys voxelKeys = new CacheKeys();
   private final long[] voxelWords = new long[CacheKeys.SLOTS];
 
@@ -34,9 +34,13 @@ final class ThinOccupancies extends GreyOccupancyCache {
   /** The fraction of that voxel below the cell. */
   private final double[] below = new double[SLOTS];
 
-  /** Creates the cells of a grid whose cells are not voxels. */
-  ThinOccupancies(ThinGrid grid, GreyVoxels voxels) {
-    this.grid = grid;
+  /**
+   * Creates the thin slices of one cut.
+   *
+   * @param voxels the voxels, or what an earlier cut along another axis made of them
+   */
+  ThinOccupancies(AxisCut cut, GreyOccupancyCache voxels) {
+    this.cut = cut;
     this.voxels = voxels;
     Arrays.fill(cells, NONE);
   }
@@ -50,7 +54,7 @@ final class ThinOccupancies extends GreyOccupancyCache {
 
   @Override
   long occupancies(CollisionScene scene, int word, int j, int k) {
-    return grid.axis() == 0 ? alongX(scene, word, j, k) : acrossX(scene, word, j, k);
+    return cut.axis() == 0 ? alongX(scene, word, j, k) : acrossX(scene, word, j, k);
   }
 
   /** Returns cells that lie side by side along the long axis. */
@@ -77,7 +81,7 @@ final class ThinOccupancies extends GreyOccupancyCache {
 
   /** Returns cells that lie side by side across the long axis. */
   private long acrossX(CollisionScene scene, int word, int j, int k) {
-    int slot = slotOf(grid.axis() == 1 ? j : k);
+    int slot = slotOf(cut.axis() == 1 ? j : k);
     int voxel = lowVoxel[slot];
     long lower = voxelsAt(scene, word, j, k, voxel);
     long upper = voxelsAt(scene, word, j, k, voxel + 1);
@@ -97,7 +101,7 @@ final class ThinOccupancies extends GreyOccupancyCache {
 
   /** Returns a word of voxels, given its coordinate along the long axis. */
   private long voxelsAt(CollisionScene scene, int word, int j, int k, int voxel) {
-    return grid.axis() == 1 ? voxels(scene, word, voxel, k) : voxels(scene, word, j, voxel);
+    return cut.axis() == 1 ? voxels(scene, word, voxel, k) : voxels(scene, word, j, voxel);
   }
 
   private long voxels(CollisionScene scene, int word, int j, int k) {
@@ -116,7 +120,7 @@ final class ThinOccupancies extends GreyOccupancyCache {
   private int slotOf(int cell) {
     int slot = cell & (SLOTS - 1);
     if (cells[slot] != cell) {
-      double at = cell / grid.perVoxel();
+      double at = cell / cut.perVoxel();
       cells[slot] = cell;
       lowVoxel[slot] = SeedCell.floor(at);
       below[slot] = at - lowVoxel[slot];
@@ -135,13 +139,13 @@ final class ThinOccupancies extends GreyOccupancyCache {
    */
   private int cell(int slot, int before, int lower, int upper, int behind) {
     double from = below[slot];
-    double height = 1 / grid.perVoxel();
+    double height = 1 / cut.perVoxel();
     double inLower = Math.min(height, 1 - from);
     double solid = inLower * part(before, lower, upper, from, inLower);
     if (inLower < height) {
       solid += (height - inLower) * part(lower, upper, behind, 0, height - inLower);
     }
-    return (int) (solid * grid.perVoxel() + 0.5);
+    return (int) (solid * cut.perVoxel() + 0.5);
   }
 
   /**

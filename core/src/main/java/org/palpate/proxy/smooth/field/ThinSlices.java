@@ -1,13 +1,15 @@
 package org.palpate.proxy.smooth.field;
 
+import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.Vec3;
 
 /**
  * The bits of thin slices, which {@link ShapeInterpolation} interpolates between the slices of
  * voxels. They are computed when the field reads a window of them, and not in advance.
  *
  * <p>The interpolation works on tiles of 4x4 columns between the middles of two slices, see {@link
- * ThinGrid}. Tiles and bricks are cached only to save time. Coordinates (u,v,w) have the long axis
+ * AxisCut}. Tiles and bricks are cached only to save time. Coordinates (u,v,w) have the long axis
  * last. Cost: a search for the outline in two slices for each column that changes between them.
  */
 final class ThinSlices implements BrickSource {
@@ -16,6 +18,12 @@ final class ThinSlices implements BrickSource {
 
   /** The columns of a tile. */
   static final int COLUMNS = 16;
+
+  /** The unit of corrections, as a fraction of a cell: 1 / 32. */
+  static final int FRACTIONS = 32;
+
+  /** The cells of a brick. */
+  private static final int CELLS = 64;
 
   /** The most cells of a pair. */
   private static final int MAX_CELLS = ThinGrid.MAX_PER_VOXEL + 1;
@@ -29,7 +37,7 @@ final class ThinSlices implements BrickSource {
    */
   private static final int MAX_REACH_BRICKS = 6;
 
-  private final ThinGrid grid;
+  private final AxisCut cut;
   private final CellPairs pairs;
   private final SliceBits slices;
   private final SliceOutline outline;
@@ -47,18 +55,69 @@ final class ThinSlices implements BrickSource {
   /** The same for the slice where the column is empty. */
   private final double[] outside = new double[COLUMNS];
 
+  /** The same for the slice before the solid one, where the column is solid there too. */
+  private final double[] before = new double[COLUMNS];
+
+  /** The same for the slice behind the empty one, where the column is empty there too. */
+  private final double[] behind = new double[COLUMNS];
+
   /** The heights of the columns beyond the middle of the solid slice, in cells. */
   private final double[] heights = new double[COLUMNS];
 
-  /** Creates the thin slices of a grid whose cells are not voxels. */
-  ThinSlices(ThinGrid grid) {
-    this.grid = grid;
-    int reachBricks =
-        Math.min(MAX_REACH_BRICKS, (int) Math.ceil(REACH_BRICKS_PER_CELL * grid.perVoxel()));
-    pairs = new CellPairs(grid);
-    slices = new SliceBits(grid.axis());
-    outline = new SliceOutline(slices, 4 * reachBricks);
-    interpolation = new ShapeInterpolation(outline, grid.perVoxel());
+  /** For each tile and column, the number of the cell between the slices that is corrected. */
+  private final byte[] correctedCells = new byte[CacheKeys.SLOTS * COLUMNS];
+
+  /** The occupancy of that cell less its bit, in {@link #FRACTIONS}. */
+  private final byte[] columnCorrections = new byte[CacheKeys.SLOTS * COLUMNS];
+
+  /** For each brick the cells with a correction, a bit each. */
+  private final long[] corrected = new long[CacheKeys.SLOTS];
+
+  /** For each brick and cell the correction, valid where {@link #corrected}. */
+  private final byte[] corrections = new byte[CacheKeys.SLOTS * CELLS];
+
+  /**
+   * Creates the thin slices of one cut.
+   *
+   * @param source the voxels, or what an earlier cut along another axis made of them
+   * @param edges the edges of what is cut, in shortest voxel edges
+   */
+  ThinSlices(AxisCut cut, BrickSource source, Vec3 edges) {
+    this.cut = cut;
+    pairs = new CellPairs(cut);
+    slices = new SliceBits(source, cut.axis());
+    outline = new SliceOutline(slices, pixelEdges(cut.axis(), edges), reach(cut));
+    interpolation = new ShapeInterpolation(outline, cut.perVoxel());
+  }
+
+  /**
+   * Returns the cells of a grid that are no voxels: one cut after the other, each of what the last
+   * one made.
+   */
+  static ThinSlices of(ThinGrid grid, Vec3 edges) {
+    BrickSource source = new BrickSource.BoundedVoxels();
+    ThinSlices slices = null;
+    Vec3 left = new Vec3().set(edges);
+    for (AxisCut cut : grid.cuts()) {
+      slices = new ThinSlices(cut, source, left);
+      source = slices;
+      left.set(cut.axis(), left.get(cut.axis()) / cut.perVoxel());
+    }
+    return slices;
+  }
+
+  /** Returns the axis along which the cells were cut last. */
+  int axis() {
+    return cut.axis();
+  }
+
+  private static PixelEdges pixelEdges(int axis, Vec3 edges) {
+    return new PixelEdges(axis == 0 ? edges.z : edges.x, axis == 1 ? edges.z : edges.y);
+  }
+
+  /** Returns the reach of searches for the outline of a cut's slices, in shortest voxel edges. */
+  static int reach(AxisCut cut) {
+    return 4 * Math.min(MAX_REACH_BRICKS, (int) Math.ceil(REACH_BRICKS_PER_CELL * cut.perVoxel()));
   }
 
   @Override
@@ -70,23 +129,43 @@ final class ThinSlices implements BrickSource {
 
   @Override
   public long brick(CollisionScene scene, int x, int y, int z) {
+    return bricks[slotOf(scene, x, y, z)];
+  }
+
+  /** Returns the slot that holds a brick and its corrections until another one is asked for. */
+  int slotOf(CollisionScene scene, int x, int y, int z) {
     int slot = CacheKeys.slot(x, y, z);
     if (!brickKeys.holdsElseSet(slot, x, y, z)) {
       slices.use(scene);
-      bricks[slot] = make(x, y, z);
+      corrected[slot] = 0;
+      bricks[slot] = make(x, y, z, slot);
     }
-    return bricks[slot];
+    return slot;
   }
 
-  private long make(int x, int y, int z) {
-    return switch (grid.axis()) {
-      case 0 -> slices.turned(thinBrick(z, y, x));
-      case 1 -> slices.turned(thinBrick(x, z, y));
-      default -> thinBrick(x, y, z);
+  /** Returns the cells of a brick whose occupancy differs from their bit, in a brick's order. */
+  long corrected(int slot) {
+    return corrected[slot];
+  }
+
+  /**
+   * Returns by how much the occupancy of a cell differs from its bit, in {@link #FRACTIONS}.
+   *
+   * @param bit the cell's place in the brick's word; a corrected one
+   */
+  int correction(int slot, int bit) {
+    return corrections[CELLS * slot + bit];
+  }
+
+  private long make(int x, int y, int z, int slot) {
+    return switch (cut.axis()) {
+      case 0 -> slices.turned(thinBrick(z, y, x, slot));
+      case 1 -> slices.turned(thinBrick(x, z, y, slot));
+      default -> thinBrick(x, y, z, slot);
     };
   }
 
-  private long thinBrick(int u, int v, int w) {
+  private long thinBrick(int u, int v, int w, int to) {
     int slot = pairs.slotOf(w);
     int lowW = pairs.pair(slot, 0) >> 2;
     int highW = (pairs.pair(slot, 3) + 1) >> 2;
@@ -100,11 +179,37 @@ final class ThinSlices implements BrickSource {
       int pair = pairs.pair(slot, n);
       int lower = pixels(pair >> 2 == lowW ? low : high, pair);
       int upper = pixels((pair + 1) >> 2 == lowW ? low : high, pair + 1);
-      long columns =
-          lower == upper ? lower : between(u, v, pair, pairs.inPair(slot, n), lower, upper);
-      brick |= columns << (COLUMNS * n);
+      int columns = lower;
+      if (lower != upper) {
+        int tile = tileOf(u, v, pair, lower, upper);
+        columns = tiles[MAX_CELLS * tile + pairs.inPair(slot, n)];
+        correct(tile, pairs.inPair(slot, n), lower ^ upper, n, to);
+      }
+      brick |= (long) columns << (COLUMNS * n);
     }
     return brick;
+  }
+
+  /** Writes the corrections of a brick's layer, those of one cell of a tile. */
+  private void correct(int tile, int inPair, int columns, int layer, int to) {
+    for (int left = columns; left != 0; left &= left - 1) {
+      int column = Integer.numberOfTrailingZeros(left);
+      int correction = columnCorrections[COLUMNS * tile + column];
+      if (correctedCells[COLUMNS * tile + column] == inPair && correction != 0) {
+        int bit = bitOf(column & 3, column >> 2, layer);
+        corrected[to] |= 1L << bit;
+        corrections[CELLS * to + bit] = (byte) correction;
+      }
+    }
+  }
+
+  /** Returns the place in the word of a brick of a cell, given by its coordinates (u,v,w). */
+  private int bitOf(int u, int v, int w) {
+    return switch (cut.axis()) {
+      case 0 -> u << 4 | v << 2 | w;
+      case 1 -> v << 4 | w << 2 | u;
+      default -> w << 4 | v << 2 | u;
+    };
   }
 
   /** Returns the pixels of a slice, given the brick that holds it. */
@@ -112,27 +217,23 @@ final class ThinSlices implements BrickSource {
     return (int) (brick >>> (COLUMNS * (slice & 3))) & ALL;
   }
 
-  /**
-   * Returns the solid columns of a tile in one cell between two slices that differ there.
-   *
-   * @param inPair the number of the cell between the slices
-   */
-  private int between(int u, int v, int pair, int inPair, int lower, int upper) {
+  /** Returns the slot that holds a tile between two slices that differ there. */
+  private int tileOf(int u, int v, int pair, int lower, int upper) {
     int slot = CacheKeys.slot(u, v, pair);
     if (!tileKeys.holdsElseSet(slot, u, v, pair)) {
-      fillTile(u, v, pair, lower, upper, MAX_CELLS * slot);
+      fillTile(u, v, pair, lower, upper, slot);
     }
-    return tiles[MAX_CELLS * slot + inPair];
+    return slot;
   }
 
-  private void fillTile(int u, int v, int pair, int lower, int upper, int at) {
-    int first = grid.firstOfPair(pair);
-    int cells = grid.firstOfPair(pair + 1) - first;
+  private void fillTile(int u, int v, int pair, int lower, int upper, int slot) {
+    int first = cut.firstOfPair(pair);
+    int cells = cut.firstOfPair(pair + 1) - first;
     for (int n = 0; n < cells; n++) {
-      tiles[at + n] = (char) (lower & upper);
+      tiles[MAX_CELLS * slot + n] = (char) (lower & upper);
     }
-    fillColumns(u, v, pair, 1, lower & ~upper, at);
-    fillColumns(u, v, pair, -1, upper & ~lower, at);
+    fillColumns(u, v, pair, 1, lower & ~upper, slot);
+    fillColumns(u, v, pair, -1, upper & ~lower, slot);
   }
 
   /**
@@ -141,13 +242,14 @@ final class ThinSlices implements BrickSource {
    *
    * @param step 1 if the lower slice is the solid one, else -1
    */
-  private void fillColumns(int u, int v, int pair, int step, int columns, int at) {
+  private void fillColumns(int u, int v, int pair, int step, int columns, int slot) {
     if (columns == 0) {
       return;
     }
     int solidSlice = step > 0 ? pair : pair + 1;
     outline.measure(u, v, solidSlice, false, columns, inside);
     outline.measure(u, v, solidSlice + step, true, columns, outside);
+    measureBeyond(u, v, solidSlice, step, interpolation.bentColumns(columns, inside, outside));
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
       heights[column] =
@@ -157,13 +259,58 @@ final class ThinSlices implements BrickSource {
               solidSlice,
               step,
               inside[column],
-              outside[column]);
+              outside[column],
+              before[column],
+              behind[column]);
     }
-    int first = grid.firstOfPair(pair);
-    int cells = grid.firstOfPair(pair + 1) - first;
+    int first = cut.firstOfPair(pair);
+    int cells = cut.firstOfPair(pair + 1) - first;
     for (int n = 0; n < cells; n++) {
-      tiles[at + n] |= (char) higher(Math.abs(grid.beyondMiddle(first + n, solidSlice)), columns);
+      tiles[MAX_CELLS * slot + n] |=
+          (char) higher(Math.abs(cut.beyondMiddle(first + n, solidSlice)), columns);
     }
+    for (int left = columns; left != 0; left &= left - 1) {
+      int column = Integer.numberOfTrailingZeros(left);
+      noteCorrection(column, first, cells, solidSlice, step, slot);
+    }
+  }
+
+  /** Measures the outlines of the slices on either side of two, for the columns that they bend. */
+  private void measureBeyond(int u, int v, int solidSlice, int step, int columns) {
+    Arrays.fill(before, ShapeInterpolation.UNKNOWN);
+    Arrays.fill(behind, ShapeInterpolation.UNKNOWN);
+    int slice = solidSlice - step;
+    int solidBefore = columns == 0 ? 0 : columns & pixels(slices.brick(u, v, slice >> 2), slice);
+    if (solidBefore != 0) {
+      outline.measure(u, v, slice, false, solidBefore, before);
+    }
+    slice = solidSlice + 2 * step;
+    int emptyBehind = columns == 0 ? 0 : columns & ~pixels(slices.brick(u, v, slice >> 2), slice);
+    if (emptyBehind != 0) {
+      outline.measure(u, v, slice, true, emptyBehind, behind);
+    }
+  }
+
+  /**
+   * Notes by how much the solid part of a column is longer than its solid cells, and the cell at
+   * their end that makes up for it: of the cells between the two slices the first empty one or the
+   * last solid one.
+   */
+  private void noteCorrection(
+      int column, int first, int cells, int solidSlice, int step, int slot) {
+    double height = heights[column];
+    int nearest = step > 0 ? first : first + cells - 1;
+    int solid = 0;
+    while (solid < cells
+        && Math.abs(cut.beyondMiddle(nearest + step * solid, solidSlice)) < height) {
+      solid++;
+    }
+    double beyond = step * cut.beyondMiddle(nearest, solidSlice) - 0.5;
+    int correction = (int) Math.floor(FRACTIONS * (height - beyond - solid) + 0.5);
+    int corrected = correction > 0 ? Math.min(solid, cells - 1) : Math.max(solid - 1, 0);
+    int at = COLUMNS * slot + column;
+    columnCorrections[at] = (byte) correction;
+    correctedCells[at] = (byte) (step > 0 ? corrected : cells - 1 - corrected);
   }
 
   /** Returns those of some columns that are higher than a number of cells. */

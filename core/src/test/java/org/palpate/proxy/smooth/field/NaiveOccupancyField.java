@@ -24,6 +24,9 @@ final class NaiveOccupancyField {
   private final int[][] boxes;
   private final VoxelOccupancy voxels;
 
+  /** The axis along which cells were cut last; -1 if occupancies do not depend on a cut. */
+  private final int cutAxis;
+
   /** The cells of the field: voxels or thin slices of them. */
   interface Cells {
     boolean isSolid(int x, int y, int z);
@@ -39,11 +42,24 @@ final class NaiveOccupancyField {
     this(cells, boxes, (i, j, k, isSolid) -> isSolid ? 1 : 0);
   }
 
+  /**
+   * Creates the field of thin slices. A cell that is solid in part counts as such if the seed
+   * reaches it or a cell beside it along the axis of the last cut.
+   */
+  NaiveOccupancyField(NaiveThinSlices slices, int[][] boxes) {
+    this(slices, boxes, (i, j, k, isSolid) -> slices.occupancy(i, j, k), slices.axis());
+  }
+
   /** Creates the field of voxels with any occupancy. */
   NaiveOccupancyField(Cells cells, int[][] boxes, VoxelOccupancy voxels) {
+    this(cells, boxes, voxels, -1);
+  }
+
+  private NaiveOccupancyField(Cells cells, int[][] boxes, VoxelOccupancy voxels, int cutAxis) {
     this.cells = cells;
     this.boxes = boxes;
     this.voxels = voxels;
+    this.cutAxis = cutAxis;
   }
 
   /**
@@ -52,13 +68,19 @@ final class NaiveOccupancyField {
    */
   double occupancy(Vec3 point, int[]... seeds) {
     int[] low = {low(point.x), low(point.y), low(point.z)};
+    Set<List<Integer>> free = new HashSet<>();
+    addAllFree(low, free);
+    if (cutAxis >= 0 && free.size() == EDGE * EDGE * EDGE) {
+      return 0; // without a solid cell nothing is read that counts in part
+    }
     Set<List<Integer>> reached = flood(low, seeds);
+    boolean allReached = reached.size() == free.size();
     double sum = 0;
     for (int k = low[2]; k < low[2] + EDGE; k++) {
       for (int j = low[1]; j < low[1] + EDGE; j++) {
         for (int i = low[0]; i < low[0] + EDGE; i++) {
           sum +=
-              voxelOccupancy(i, j, k, reached)
+              voxelOccupancy(i, j, k, reached, allReached)
                   * weight(0, point.x - i - 0.5)
                   * weight(1, point.y - j - 0.5)
                   * weight(2, point.z - k - 0.5);
@@ -73,10 +95,18 @@ final class NaiveOccupancyField {
     return (int) Math.floor(coordinate + 0.5) - EDGE / 2;
   }
 
-  private double voxelOccupancy(int i, int j, int k, Set<List<Integer>> reached) {
+  private double voxelOccupancy(
+      int i, int j, int k, Set<List<Integer>> reached, boolean allReached) {
     boolean isSolid = cells.isSolid(i, j, k);
     boolean isCutOff = !isSolid && !reached.contains(List.of(i, j, k));
-    return isCutOff ? 1 : voxels.of(i, j, k, isSolid);
+    boolean isWhole = isSolid && cutAxis >= 0 && !allReached && !isBeside(i, j, k, reached);
+    return isCutOff || isWhole ? 1 : voxels.of(i, j, k, isSolid);
+  }
+
+  private boolean isBeside(int i, int j, int k, Set<List<Integer>> reached) {
+    int[] face = FACES[2 * cutAxis];
+    return reached.contains(List.of(i + face[0], j + face[1], k + face[2]))
+        || reached.contains(List.of(i - face[0], j - face[1], k - face[2]));
   }
 
   private double weight(int axis, double offset) {

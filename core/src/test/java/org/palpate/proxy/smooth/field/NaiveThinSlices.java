@@ -1,34 +1,73 @@
 package org.palpate.proxy.smooth.field;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
-import org.palpate.collision.CollisionScene;
+import java.util.Map;
 import org.palpate.geometry.Vec3;
+import org.palpate.proxy.smooth.field.NaiveOccupancyField.Cells;
 
 /**
- * Shape-based interpolation between slices written down as its definition says: a test oracle.
+ * Shape-based interpolation between two slices written down as its definition says: a test oracle.
  * Every cell is computed for itself, and every pixel within reach is looked at.
  */
-final class NaiveThinSlices {
-  private final CollisionScene scene;
+final class NaiveThinSlices implements Cells {
+  private final Cells cells;
   private final int axis;
   private final double perVoxel;
   private final int reach;
+
+  /** The edges of a pixel along u and v, in shortest voxel edges. */
+  private final double edgeU;
+
+  private final double edgeV;
+
+  /** The cells that were computed already. */
+  private final Map<List<Integer>, Boolean> known = new HashMap<>();
 
   /** The pixel that {@link #findNearest} found, less the one from which it searched. */
   private int nearestU;
 
   private int nearestV;
 
-  NaiveThinSlices(CollisionScene scene, int axis, double perVoxel, int reach) {
-    this.scene = scene;
-    this.axis = axis;
-    this.perVoxel = perVoxel;
-    this.reach = reach;
+  /** Creates the thin slices of one cut through cells of some edges. */
+  private NaiveThinSlices(Cells cells, AxisCut cut, Vec3 edges) {
+    this.cells = cells;
+    axis = cut.axis();
+    perVoxel = cut.perVoxel();
+    reach = 4 * Math.min(6, (int) Math.ceil(2 * perVoxel));
+    edgeU = edges.get(axis == 0 ? 2 : 0);
+    edgeV = edges.get(axis == 1 ? 2 : 1);
   }
 
-  /** Whether a cell is solid. */
-  boolean isSolid(int x, int y, int z) {
+  /** Returns the cells of a grid that are no voxels; the edges are in shortest edges. */
+  static NaiveThinSlices of(Cells voxels, ThinGrid grid, Vec3 edges) {
+    Cells cells = voxels;
+    NaiveThinSlices slices = null;
+    double[] left = {edges.x, edges.y, edges.z};
+    for (AxisCut cut : grid.cuts()) {
+      slices = new NaiveThinSlices(cells, cut, new Vec3(left[0], left[1], left[2]));
+      cells = slices;
+      left[cut.axis()] /= cut.perVoxel();
+    }
+    return slices;
+  }
+
+  /** Returns the axis along which the cells were cut last. */
+  int axis() {
+    return axis;
+  }
+
+  @Override
+  public boolean isSolid(int x, int y, int z) {
+    List<Integer> cell = List.of(x, y, z);
+    Boolean before = known.get(cell);
+    boolean solid = before != null ? before : compute(x, y, z);
+    known.put(cell, solid);
+    return solid;
+  }
+
+  private boolean compute(int x, int y, int z) {
     return switch (axis) {
       case 0 -> isSolidCell(z, y, x);
       case 1 -> isSolidCell(x, z, y);
@@ -37,38 +76,45 @@ final class NaiveThinSlices {
   }
 
   /**
-   * Returns the cells that may be seeds for a voxel, given its middle: the one that holds the
-   * middle, the next, the one before, and so on.
+   * Returns the cells that may be seeds for a voxel, given its middle. Along each cut they are the
+   * one that holds the middle, the next, the one before, and so on; those along the last cut follow
+   * one another.
    */
   static int[][] seeds(Vec3 middle, ThinGrid grid) {
     List<int[]> seeds = new ArrayList<>();
-    double voxel = Math.floor(middle.get(grid.axis()));
-    int first = (int) Math.floor((voxel + 0.5) * grid.perVoxel());
-    for (int step : new int[] {0, 1, -1, 2, -2, 3, -3}) {
-      int[] cell = {
-        (int) Math.floor(middle.x), (int) Math.floor(middle.y), (int) Math.floor(middle.z)
-      };
-      cell[grid.axis()] = first + step;
-      if (Math.floor((first + step + 0.5) / grid.perVoxel()) == voxel) {
-        seeds.add(cell);
+    seeds.add(new int[] {floor(middle.x), floor(middle.y), floor(middle.z)});
+    for (AxisCut cut : grid.cuts()) {
+      List<int[]> cutSeeds = new ArrayList<>();
+      double voxel = Math.floor(middle.get(cut.axis()));
+      int first = floor((voxel + 0.5) * cut.perVoxel());
+      for (int[] seed : seeds) {
+        for (int step : new int[] {0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6}) {
+          int[] cell = seed.clone();
+          cell[cut.axis()] = first + step;
+          if (Math.floor((first + step + 0.5) / cut.perVoxel()) == voxel) {
+            cutSeeds.add(cell);
+          }
+        }
       }
+      seeds = cutSeeds;
     }
     return seeds.toArray(new int[0][]);
   }
 
+  private static int floor(double value) {
+    return (int) Math.floor(value);
+  }
+
   private boolean isSolidVoxel(int u, int v, int slice) {
     return switch (axis) {
-      case 0 -> scene.isSolid(slice, v, u);
-      case 1 -> scene.isSolid(u, slice, v);
-      default -> scene.isSolid(u, v, slice);
+      case 0 -> cells.isSolid(slice, v, u);
+      case 1 -> cells.isSolid(u, slice, v);
+      default -> cells.isSolid(u, v, slice);
     };
   }
 
   private boolean isSolidCell(int u, int v, int cell) {
-    int lower = (int) Math.floor(cell / perVoxel) - 3;
-    while (fromMiddle(cell, lower + 1) >= 0) {
-      lower++;
-    }
+    int lower = pairOf(cell);
     boolean solidBelow = isSolidVoxel(u, v, lower);
     boolean solidAbove = isSolidVoxel(u, v, lower + 1);
     if (solidBelow == solidAbove) {
@@ -77,6 +123,57 @@ final class NaiveThinSlices {
     int solidSlice = solidBelow ? lower : lower + 1;
     double height = height(u, v, solidSlice, solidBelow ? 1 : -1);
     return Math.abs(fromMiddle(cell, solidSlice)) < height;
+  }
+
+  /** Returns the lower of the two slices between whose middles the centre of a cell lies. */
+  private int pairOf(int cell) {
+    int lower = (int) Math.floor(cell / perVoxel) - 3;
+    while (fromMiddle(cell, lower + 1) >= 0) {
+      lower++;
+    }
+    return lower;
+  }
+
+  /**
+   * Returns the solid fraction of a cell, in steps of 1/32. Of a column that ends between two
+   * slices, one cell makes up for the rounding: the first empty one if the cells are too short in
+   * all, and else the last solid one.
+   */
+  double occupancy(int x, int y, int z) {
+    return switch (axis) {
+      case 0 -> occupancyOfCell(z, y, x);
+      case 1 -> occupancyOfCell(x, z, y);
+      default -> occupancyOfCell(x, y, z);
+    };
+  }
+
+  private double occupancyOfCell(int u, int v, int cell) {
+    int lower = pairOf(cell);
+    boolean solidBelow = isSolidVoxel(u, v, lower);
+    int whole = isSolidCell(u, v, cell) ? 1 : 0;
+    if (solidBelow == isSolidVoxel(u, v, lower + 1)) {
+      return whole;
+    }
+    int first = cell;
+    while (pairOf(first - 1) == lower) {
+      first--;
+    }
+    int end = cell + 1;
+    while (pairOf(end) == lower) {
+      end++;
+    }
+    int step = solidBelow ? 1 : -1;
+    int near = solidBelow ? first : end - 1;
+    int solid = 0;
+    while (solid < end - first && isSolidCell(u, v, near + step * solid)) {
+      solid++;
+    }
+    int solidSlice = solidBelow ? lower : lower + 1;
+    double length =
+        height(u, v, solidSlice, step) - (step * fromMiddle(near, solidSlice) - 0.5) - solid;
+    double correction = Math.floor(32 * length + 0.5) / 32;
+    int corrected = correction > 0 ? Math.min(solid, end - first - 1) : Math.max(solid - 1, 0);
+    return whole + (cell == near + step * corrected ? correction : 0);
   }
 
   /** Returns how far a cell's centre lies beyond the middle of a slice, in cells. */
@@ -89,7 +186,10 @@ final class NaiveThinSlices {
     double outside = distance(u, v, slice + step, true);
     double fraction;
     if (inside < reach && outside < reach) {
-      fraction = inside / (inside + outside);
+      fraction =
+          inside + outside < 4 * Math.max(edgeU, edgeV)
+              ? inside / (inside + outside)
+              : bent(u, v, slice, step, inside, outside);
     } else if (inside < reach) {
       fraction = end(u, v, slice, slice - step, false);
     } else if (outside < reach) {
@@ -97,15 +197,30 @@ final class NaiveThinSlices {
     } else {
       fraction = 0.5;
     }
-    double longTerrace = ((inside + outside) / perVoxel - 4) / 3;
-    double scatter = Math.max(0, Math.min(1, longTerrace)) * lattice(u, v);
-    return Math.max(1e-6, Math.min(perVoxel, fraction * perVoxel + scatter));
+    return Math.max(1e-6, Math.min(perVoxel, fraction * perVoxel));
   }
 
-  /** Returns a number from -0.5 to 0.5: both coordinates times irrational numbers, modulo 1. */
-  private static double lattice(int u, int v) {
-    long sum = (long) u * 0xC13FA9A9L + (long) v * 0x91E10DA5L;
-    return (int) sum / 4294967296.0;
+  /** The parabola through two outlines and a third one, as far as those are known. */
+  private double bent(int u, int v, int slice, int step, double inside, double outside) {
+    double straight = inside / (inside + outside);
+    double before = distance(u, v, slice - step, false);
+    double behind = distance(u, v, slice + 2 * step, true);
+    double terrace = inside + outside;
+    double most = 0.5 / (terrace * terrace);
+    List<Double> bends = new ArrayList<>();
+    if (before > inside && before < reach) {
+      double excess = (before - inside) / terrace - 1;
+      bends.add(excess / ((before - inside) * (before + outside)));
+    }
+    if (behind > outside && behind < reach) {
+      double excess = 1 - (behind - outside) / terrace;
+      bends.add(excess / ((behind + inside) * (behind - outside)));
+    }
+    double sum = 0;
+    for (double bend : bends) {
+      sum += Math.max(-most, Math.min(most, bend));
+    }
+    return bends.isEmpty() ? straight : straight - sum / bends.size() * inside * outside;
   }
 
   /** The parabola through the edges of a chord in the last slice and in the one before. */
@@ -125,19 +240,33 @@ final class NaiveThinSlices {
     return top <= 1 ? height : height * Math.max(0.5, 1 / top);
   }
 
-  /** Returns the distance to the nearest pixel of a kind, less half a pixel, at most the reach. */
+  /**
+   * Returns the distance to the nearest pixel of a kind, less half a pixel on the way there, at
+   * most the reach; -0.5 if the pixel is of that kind itself.
+   */
   private double distance(int u, int v, int slice, boolean solid) {
-    return Math.min(reach, Math.sqrt(findNearest(u, v, slice, solid)) - 0.5);
+    double length = Math.sqrt(findNearest(u, v, slice, solid));
+    if (length >= reach + 1) {
+      return reach;
+    }
+    if (length == 0) {
+      return -0.5;
+    }
+    double pixel = length / Math.sqrt(nearestU * nearestU + nearestV * nearestV);
+    return Math.min(reach, length - 0.5 * pixel);
   }
 
-  /** Finds the nearest pixel: of equals the one of least |dv|, then low v, then high u. */
-  private int findNearest(int u, int v, int slice, boolean solid) {
-    int best = (reach + 1) * (reach + 1);
+  /**
+   * Finds the nearest pixel: of equals the one of least |dv|, then low v, then high u. Returns the
+   * square of its distance, in shortest edges; that of a pixel beyond the reach if there is none.
+   */
+  private double findNearest(int u, int v, int slice, boolean solid) {
+    double best = (reach + 1) * (reach + 1);
     for (int off = 0; off <= reach; off++) {
       for (int dv : new int[] {-off, off}) {
         for (int along = 0; along <= reach; along++) {
           for (int du : new int[] {along, -along}) {
-            int square = du * du + dv * dv;
+            double square = du * du * (edgeU * edgeU) + dv * dv * (edgeV * edgeV);
             if (square < best && isSolidVoxel(u + du, v + dv, slice) == solid) {
               best = square;
               nearestU = du;
@@ -151,8 +280,7 @@ final class NaiveThinSlices {
   }
 
   private double distanceOpposite(int u, int v, int slice, boolean solid) {
-    findNearest(u, v, slice, solid);
-    double scale = 1 / Math.sqrt(nearestU * nearestU + nearestV * nearestV);
+    double scale = 1 / Math.sqrt(findNearest(u, v, slice, solid));
     for (int steps = 1; steps < reach; steps++) {
       int du = (int) Math.floor(steps * scale * nearestU + 0.5);
       int dv = (int) Math.floor(steps * scale * nearestV + 0.5);

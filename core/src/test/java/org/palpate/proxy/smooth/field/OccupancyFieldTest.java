@@ -43,8 +43,8 @@ class OccupancyFieldTest {
 
   @Test
   void longerVoxelsGetNarrowerBoxes() {
-    GridMetric flat = new GridMetric(0.5, 1, 1);
-    compare(randomBits(0.4), flat, new int[][] {ISOTROPIC, {3, 2}, {3, 2}});
+    GridMetric flat = new GridMetric(0.7, 0.98, 1.4);
+    compareThin(randomBits(0.4), flat, new int[][] {ISOTROPIC, {4, 3}, ISOTROPIC});
   }
 
   @Test
@@ -55,6 +55,16 @@ class OccupancyFieldTest {
         spacing.set(axis, 0.7 * ratio);
         compareThin(randomBits(0.5), GridMetric.of(spacing));
       }
+    }
+  }
+
+  @Test
+  void voxelsThatAreLongAlongTwoAxesAreCutAlongBoth() {
+    for (int axis = 0; axis < 3; axis++) {
+      Vec3 spacing = new Vec3(1.6, 1.6, 1.6);
+      spacing.set(axis, 0.7);
+      spacing.set((axis + 1) % 3, 1.3);
+      compareThin(randomBits(0.5), GridMetric.of(spacing));
     }
   }
 
@@ -186,24 +196,30 @@ class OccupancyFieldTest {
   }
 
   private void compareThin(BitCube bits, GridMetric metric) {
+    compareThin(bits, metric, new int[][] {ISOTROPIC, ISOTROPIC, ISOTROPIC});
+  }
+
+  private void compareThin(BitCube bits, GridMetric metric, int[][] boxes) {
     CollisionScene scene = new CollisionScene(List.of(bits));
     OccupancyField field = field(scene, metric);
-    ThinGrid grid = ThinGrid.ofBits(OccupancyField.edges(metric));
-    int reach = 4 * (int) Math.ceil(2 * grid.perVoxel());
-    NaiveThinSlices slices = new NaiveThinSlices(scene, grid.axis(), grid.perVoxel(), reach);
+    Vec3 edges = OccupancyField.edges(metric);
+    ThinGrid grid = ThinGrid.ofBits(edges);
     NaiveOccupancyField naive =
-        new NaiveOccupancyField(slices::isSolid, new int[][] {ISOTROPIC, ISOTROPIC, ISOTROPIC});
+        new NaiveOccupancyField(NaiveThinSlices.of(scene::isSolid, grid, edges), boxes);
     for (int n = 0; n < 15; n++) {
       Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
       Vec3 inSeed = new Vec3(near(point.x) + 0.5, near(point.y) + 0.5, near(point.z) + 0.5);
-      Vec3 inCells = new Vec3().set(point);
-      inCells.set(grid.axis(), grid.perVoxel() * point.get(grid.axis()));
       assertEquals(
-          naive.occupancy(inCells, NaiveThinSlices.seeds(inSeed, grid)),
+          naive.occupancy(inCells(point, grid), NaiveThinSlices.seeds(inSeed, grid)),
           field.evaluate(cell(inSeed), point).occupancy(),
           1e-12,
           "seed=" + SEED + " " + grid + " at " + point);
     }
+  }
+
+  private static Vec3 inCells(Vec3 point, ThinGrid grid) {
+    return new Vec3(
+        grid.perVoxel(0) * point.x, grid.perVoxel(1) * point.y, grid.perVoxel(2) * point.z);
   }
 
   /** Returns a cell at most three voxels away. */

@@ -1,0 +1,34 @@
+package org.palpate.proxy.smooth.field;
+
+/**
+ * The edges of the pixels of a slice, and the distances that they give, in shortest voxel edges.
+ *
+ * @param u the edge along u, at least 1
+ * @param v the edge along v, at least 1
+ */
+record PixelEdges(double u, double v) {
+  /** Returns the squared distance between pixels that lie so many pixels apart along u and v. */
+  double square(int alongU, int alongV) {
+    return alongU * alongU * (u * u) + alongV * alongV * (v * v);
+  }
+
+  /**
+   * Returns the distance from the middle of a pixel to the outline before another: half a pixel
+   * less than to the middle of that one. For the pixel itself it is -0.5.
+   *
+   * @param alongU how many pixels the other one lies away along u
+   */
+  double toOutline(int alongU, int alongV) {
+    if (alongU == 0 && alongV == 0) {
+      return -0.5;
+    }
+    double length = Math.sqrt(square(alongU, alongV));
+    double pixels = Math.sqrt(alongU * alongU + alongV * alongV);
+    return length - 0.5 * (length / pixels);
+  }
+
+  /** Returns half the diagonal of a pixel. */
+  double halfDiagonal() {
+    return 0.5 * Math.sqrt(square(1, 1));
+  }
+}
