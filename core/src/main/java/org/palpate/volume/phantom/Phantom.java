@@ -56,7 +56,9 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     /** A solid torus. */
     TORUS,
     /** Diagonal walls whose voxels share edges and corners but no face. */
-    MAZE
+    MAZE,
+    /** A cuboid on a slab, two segments. */
+    BLOCK
   }
 
   /**
@@ -114,7 +116,7 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     throw new IllegalArgumentException(
         "no such phantom: "
             + spec
-            + ": choose head, sphere, shell, plane, torus, maze or fracture");
+            + ": choose head, sphere, shell, plane, torus, maze, block or fracture");
   }
 
   private static int parseEdge(String edge, String spec) {
@@ -142,6 +144,11 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
           new Label(HeadAnatomy.SKULL, "skull", 0xE8DCC0),
           new Label(HeadAnatomy.JAW, "jaw", 0xC9A97A),
           new Label(HeadAnatomy.SKIN, "skin", 0xE0A890));
+    }
+    if (kind == Kind.BLOCK) {
+      return List.of(
+          new Label(BlockAnatomy.BLOCK, "block", 0xE0A890),
+          new Label(BlockAnatomy.BASE, "base", 0xE8DCC0));
     }
     return List.of(new Label(1, kind.name().toLowerCase(Locale.ROOT), 0xD8D0C0));
   }
@@ -180,7 +187,7 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     return new PhantomSlices(new PhantomBrickWriter(bricks(grey), edge), edge, grey);
   }
 
-  /** Returns the analytic surface; empty for a head or a maze. */
+  /** Returns the analytic surface; empty for a head, a maze or a block. */
   public Optional<AnalyticSurface> analyticSurface() {
     return PhantomShapes.analyticSurface(kind, edge);
   }

@@ -31,11 +31,12 @@ final class PhantomShapes {
               Shape.torus(centre, RING_RADIUS_FRACTION * edge, TUBE_RADIUS_FRACTION * edge),
               SimpleAnatomy.Filling.SOLID);
       case HEAD -> new HeadAnatomy(edge);
+      case BLOCK -> new BlockAnatomy(edge);
       case MAZE -> throw new IllegalArgumentException("a maze has no shapes: kind=MAZE");
     };
   }
 
-  /** Returns the analytic surface of a phantom; empty for a head or a maze. */
+  /** Returns the analytic surface of a phantom; empty for a head, a maze or a block. */
   static Optional<AnalyticSurface> analyticSurface(Phantom.Kind kind, int edge) {
     Vec3 centre = centre(edge);
     double radius = BALL_RADIUS_FRACTION * edge;
@@ -47,7 +48,7 @@ final class PhantomShapes {
           Optional.of(
               new AnalyticSurfaces.Ring(
                   centre, RING_RADIUS_FRACTION * edge, TUBE_RADIUS_FRACTION * edge));
-      case HEAD, MAZE -> Optional.empty();
+      case HEAD, MAZE, BLOCK -> Optional.empty();
     };
   }
 

@@ -76,6 +76,18 @@ interface Shape {
     };
   }
 
+  /** Returns a box between two corners; its value is at most the distance. */
+  static Shape box(Vec3 low, Vec3 high) {
+    Vec3 centre = low.add(high, new Vec3());
+    centre.mul(0.5, centre);
+    return (x, y, z) ->
+        Math.max(
+            Math.abs(x - centre.x) - (high.x - centre.x),
+            Math.max(
+                Math.abs(y - centre.y) - (high.y - centre.y),
+                Math.abs(z - centre.z) - (high.z - centre.z)));
+  }
+
   private static double norm(double x, double y, double z) {
     return Math.sqrt(x * x + y * y + z * z);
   }
