@@ -5,15 +5,16 @@ import org.palpate.carve.CarveSettings;
 import org.palpate.carve.PointCarver;
 import org.palpate.collision.CollisionScene;
 import org.palpate.collision.NearestFreeVoxel;
-import org.palpate.edit.EditListener;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.ToolPlace;
 import org.palpate.edit.VoxelWriter;
+import org.palpate.elastic.ElasticContact;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.HandState;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
@@ -51,6 +52,9 @@ public final class PointFrame extends HapticFrame {
   /** Null if the point does not cut. */
   private PointCarver carver;
 
+  /** Null if no segment is elastic. */
+  private ElasticContact elastic;
+
   private volatile ForceSettings requestedForce;
   private volatile ProxySolver requestedSolver;
 
@@ -77,7 +81,7 @@ public final class PointFrame extends HapticFrame {
     this.scene = scene;
     this.metric = metric;
     this.edits = edits;
-    writer = new VoxelWriter(scene, EditListener.NONE);
+    writer = new VoxelWriter(scene, (segment, voxels) -> noteEdit(voxels));
     writer.follow(new Place());
     this.publisher = publisher;
     nearestFreeVoxel = new NearestFreeVoxel(metric);
@@ -96,7 +100,7 @@ public final class PointFrame extends HapticFrame {
 
     @Override
     public boolean devicePoint(int segment, Vec3 destGrid) {
-      destGrid.set(deviceGrid);
+      destGrid.set(elastic == null ? deviceGrid : elastic.deviceAtRest());
       return placed;
     }
 
@@ -160,21 +164,49 @@ public final class PointFrame extends HapticFrame {
   @Override
   void follow() {
     deviceGrid.set(sample.positionMm);
+    Vec3 device = deviceAtRest();
     if (!placed || sample.relocated) {
-      placePoint();
+      placePoint(device);
     } else if (carver != null) {
-      carve();
+      carve(device);
     }
-    solver.follow(scene, deviceGrid, point);
+    if (elastic == null) {
+      solver.follow(scene, device, point);
+    } else {
+      elastic.follow(solver, scene, point, stiffnessNewtonPerMm());
+    }
     if (contactForce.settings().distinguishesObjects()) {
-      touchedObject.find(scene, deviceGrid, point);
+      touchedObject.find(scene, device, point);
     }
   }
 
-  private void carve() {
-    if (carver.carve(point.position, deviceGrid, pressingNewton(), sinceForceNanos())) {
+  /** Returns the device position, in material coordinates if segments are elastic. */
+  private Vec3 deviceAtRest() {
+    return elastic == null ? deviceGrid : elastic.begin(deviceGrid, point, stiffnessNewtonPerMm());
+  }
+
+  private double stiffnessNewtonPerMm() {
+    return contactForce.settings().material(point.touchedObject).stiffnessNewtonPerMm();
+  }
+
+  private void carve(Vec3 device) {
+    if (carver.carve(point.position, device, pressingNewton(), sinceForceNanos())) {
       solver.reset();
     }
+  }
+
+  private void noteEdit(IntBox voxels) {
+    if (elastic != null) {
+      elastic.edited(voxels);
+    }
+  }
+
+  /**
+   * Makes segments elastic. The point and its legs are then in material coordinates. Call it before
+   * the first frame.
+   */
+  public void deform(ElasticContact contact) {
+    elastic = contact;
   }
 
   @Override
@@ -191,13 +223,13 @@ public final class PointFrame extends HapticFrame {
    * Places the point at the device, or as near to it as the solids permit. A device that jumped
    * begins a new chain of legs, as a point does that was set free.
    */
-  private void placePoint() {
+  private void placePoint(Vec3 device) {
     boolean jumped = placed;
     placed = true;
-    point.position.set(deviceGrid);
+    point.position.set(device);
     solver.reset();
     if (touchesSolid()) {
-      setFree(deviceGrid);
+      setFree(device);
     } else if (jumped) {
       beginAnew();
     }
@@ -215,19 +247,23 @@ public final class PointFrame extends HapticFrame {
   /** Begins a new chain of legs at the present position, with a force that rises from zero. */
   private void beginAnew() {
     solver.reset();
+    if (elastic != null) {
+      elastic.restart();
+    }
     setFree();
   }
 
   @Override
   void computeForce(long sinceLastNanos) {
-    contactForce.compute(point, deviceGrid, sinceLastNanos, forceNewton);
+    Vec3 device = elastic == null ? deviceGrid : elastic.coupledDevice();
+    contactForce.compute(point, device, sinceLastNanos, forceNewton);
     addEffects(sinceLastNanos);
   }
 
   @Override
   void describe(HandState dest) {
     toMillimetres(deviceGrid, dest.device.translation);
-    toMillimetres(point.position, dest.tool.translation);
+    toMillimetres(presentPosition(), dest.tool.translation);
     dest.contact = point.contact;
   }
 
@@ -242,7 +278,7 @@ public final class PointFrame extends HapticFrame {
 
   @Override
   void publish(long frame) {
-    publisher.publish(deviceGrid, point.position, forceNewton, point.contact, frame);
+    publisher.publish(deviceGrid, presentPosition(), forceNewton, point.contact, frame);
   }
 
   /** Changes materials and friction from the next frame on. Any thread. */
@@ -255,6 +291,14 @@ public final class PointFrame extends HapticFrame {
    */
   public void requestSolver(ProxySolver requested) {
     requestedSolver = requested;
+  }
+
+  /**
+   * Returns where the interaction point is now, grid coordinates: its position, or, if segments are
+   * elastic, where the deformation carries it. It belongs to the frame.
+   */
+  public Vec3 presentPosition() {
+    return elastic == null ? point.position : elastic.presentPosition();
   }
 
   /** Returns the interaction point with the legs of the last frame. It belongs to the frame. */

@@ -12,6 +12,7 @@ import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.carve.CarveSettings;
+import org.palpate.device.DeviceDecorator;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
@@ -20,6 +21,11 @@ import org.palpate.device.SimulatedDevice;
 import org.palpate.edit.BrushEdit;
 import org.palpate.edit.Edit;
 import org.palpate.edit.HistoryEdit;
+import org.palpate.elastic.ElasticBody;
+import org.palpate.elastic.SynchronousUpdates;
+import org.palpate.elastic.lattice.ControlLattice;
+import org.palpate.elastic.lattice.ElasticMaterial;
+import org.palpate.elastic.lattice.ElasticSegment;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.force.Material;
@@ -30,6 +36,7 @@ import org.palpate.loop.LoopSettings;
 import org.palpate.loop.ManualClock;
 import org.palpate.loop.ThreadSetup;
 import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.recording.RecordingDevice;
 import org.palpate.recording.SampleRecorder;
 import org.palpate.rigid.RigidCoupling;
@@ -98,6 +105,44 @@ class FrameAllocationTest {
     frame.carve(CarveSettings.ofRate(5));
     assertARoundAllocatesNothing(frame);
     assertTrue(frame.statistics().maxTorqueNewtonMm() > 0);
+  }
+
+  /** Also measures some updates of elastic segments, which come between two frames. */
+  @Test
+  void aHundredThousandWarmFramesOfAnElasticFloorAllocateNothing() {
+    prepareEdits(1.5);
+    HandTarget target = HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1);
+    SimulatedDevice hand = new SimulatedDevice(7, target, ManualClock.MS);
+    ElasticMaterial soft = new ElasticMaterial(20e3, 0.4);
+    ControlLattice lattice =
+        new ControlLattice(
+            Floor.METRIC, List.of(new ElasticSegment(floor.bits, soft)), List.of(), 16);
+    ElasticBody body = new ElasticBody(lattice, Floor.METRIC);
+    SynchronousUpdates updates = new SynchronousUpdates(body);
+    HapticDevice updating =
+        new DeviceDecorator(hand) {
+          private int reads;
+
+          @Override
+          public ReadStatus read(DeviceState state) {
+            if (reads++ % 20 == 0) {
+              updates.beforeFrame();
+            }
+            return device.read(state);
+          }
+        };
+    PointFrame frame =
+        new PointFrame(
+            GridDevice.inGridCoordinates(new MeasuringDevice(updating)),
+            new SmoothSolver(Floor.METRIC, 8),
+            floor.scene,
+            Floor.METRIC,
+            FrameSettings.live(hand.specification(), Floor.settings().force()),
+            floor.edits,
+            FramePublisher.NONE);
+    frame.deform(body.contact());
+    assertARoundAllocatesNothing(frame);
+    assertTrue(body.counters().updates() > 100);
   }
 
   /** Returns settings with materials, friction and damping, so that a frame computes them all. */

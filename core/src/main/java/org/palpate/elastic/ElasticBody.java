@@ -1,0 +1,58 @@
+package org.palpate.elastic;
+
+import org.palpate.elastic.lattice.ControlLattice;
+import org.palpate.geometry.GridMetric;
+
+/**
+ * The elastic segments of a scene: their lattice, the contact for the haptic thread, and what
+ * computes updates.
+ *
+ * <p>One body serves one session or one replay, because it keeps its present shape.
+ */
+public final class ElasticBody {
+  private final ControlLattice lattice;
+  private final ElasticContact contact;
+  private final FieldUpdater updater;
+  private final LoadExchange loads = new LoadExchange();
+
+  /**
+   * Creates a body at rest.
+   *
+   * @param lattice belongs to the body from now on
+   * @param metric the spacing of the grid
+   */
+  public ElasticBody(ControlLattice lattice, GridMetric metric) {
+    this.lattice = lattice;
+    FieldExchange fields = new FieldExchange(lattice.layout());
+    ChangedCells changed = new ChangedCells(lattice);
+    contact = new ElasticContact(lattice, metric, fields, loads, changed);
+    updater = new FieldUpdater(lattice, fields, changed);
+  }
+
+  /** Returns the contact, which belongs to the haptic thread. */
+  public ElasticContact contact() {
+    return contact;
+  }
+
+  /** Returns the number of finite elements. */
+  public int hexahedra() {
+    return lattice.cells().count();
+  }
+
+  /** Returns the counters of the updates; read them after the last one. */
+  public UpdateCounters counters() {
+    return updater.counters();
+  }
+
+  FieldUpdater updater() {
+    return updater;
+  }
+
+  LoadExchange loads() {
+    return loads;
+  }
+
+  ControlLattice lattice() {
+    return lattice;
+  }
+}

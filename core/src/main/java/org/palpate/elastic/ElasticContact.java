@@ -1,0 +1,249 @@
+package org.palpate.elastic;
+
+import org.palpate.collision.CollisionScene;
+import org.palpate.elastic.lattice.ControlLattice;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.ProxySolver;
+
+/**
+ * The contact of an interaction point with elastic segments. The point stands in material
+ * coordinates, where voxels never move. So an update carries it along, and every solver verifies
+ * its legs as it does in a rigid scene.
+ *
+ * <p>In each frame the material gives way to the force by the answers of the newest field. The
+ * solver then follows a device position in material coordinates. When a new field comes, the device
+ * is shifted by as much as the field carries the point, so that the force makes no step; the shift
+ * decays over some {@link #DECAY_FRAMES} frames.
+ *
+ * <p>Haptic thread; allocates nothing after construction.
+ */
+public final class ElasticContact {
+  /** The frames after which a shift has lost two thirds. */
+  static final int DECAY_FRAMES = 20;
+
+  private static final int BALANCE_STEPS = 2;
+
+  private static final double KEPT_SHIFT = 1 - 1.0 / DECAY_FRAMES;
+
+  private final GridMetric metric;
+  private final FieldExchange fields;
+  private final LoadExchange loads;
+  private final ChangedCells changed;
+  private final DeformationMap map;
+  private final LocalAnswer answer = new LocalAnswer();
+  private final ElasticLoad load = new ElasticLoad();
+
+  /** The shift of the device, grid coordinates. */
+  private final Vec3 shift = new Vec3();
+
+  private final Vec3 device = new Vec3();
+  private final Vec3 target = new Vec3();
+
+  /** The position that the solver followed in the last frame, material coordinates. */
+  private final Vec3 aim = new Vec3();
+
+  private final Vec3 normal = new Vec3();
+  private final Vec3 present = new Vec3();
+  private final Vec3 coupled = new Vec3();
+  private final Vec3 stretchMm = new Vec3();
+  private final Vec3 reachMm = new Vec3();
+  private final Vec3 forceNewton = new Vec3();
+
+  /** Whether the point was kept from its device in the last frame. */
+  private boolean pressed;
+
+  /** Whether the last force on the material was clipped to the proof. */
+  private boolean clipped;
+
+  private long clippedFrames;
+
+  /** Creates a contact without a load. */
+  ElasticContact(
+      ControlLattice lattice,
+      GridMetric metric,
+      FieldExchange fields,
+      LoadExchange loads,
+      ChangedCells changed) {
+    this.metric = metric;
+    this.fields = fields;
+    this.loads = loads;
+    this.changed = changed;
+    map = new DeformationMap(lattice.layout(), fields.front());
+  }
+
+  /** Returns the map in use; for checks of the field after a frame. */
+  DeformationMap map() {
+    return map;
+  }
+
+  /** Returns the device position of the last frame in material coordinates. */
+  public Vec3 deviceAtRest() {
+    return target;
+  }
+
+  /** Notes an edit, after its writes. */
+  public void edited(IntBox voxels) {
+    changed.mark(voxels);
+  }
+
+  /**
+   * Begins a frame: takes a new field and gives way to the force that will balance.
+   *
+   * @param deviceGrid where the device is, grid coordinates
+   * @param point where the last frame left it, material coordinates
+   * @param newtonPerMm the stiffness of the coupling
+   * @return the device position in material coordinates, to read until the next frame
+   */
+  public Vec3 begin(Vec3 deviceGrid, InteractionPoint point, double newtonPerMm) {
+    if (fields.take()) {
+      useNewField(point);
+    }
+    shift.mul(KEPT_SHIFT, shift);
+    deviceGrid.add(shift, device);
+    if (pressed) {
+      balance(point, newtonPerMm);
+    }
+    return map.inverse(device, target, target);
+  }
+
+  private void useNewField(InteractionPoint point) {
+    map.forward(point.position, present);
+    map.force(forceNewton);
+    map.use(fields.front());
+    setForce(forceNewton.x, forceNewton.y, forceNewton.z);
+    if (pressed) {
+      map.forward(point.position, coupled);
+      coupled.sub(present, coupled);
+      shift.add(coupled, shift);
+    }
+  }
+
+  private void setForce(double x, double y, double z) {
+    clipped = map.setForce(x, y, z);
+  }
+
+  private void toMm(Vec3 from, Vec3 to, Vec3 dest) {
+    dest.set(
+        (to.x - from.x) * metric.spacingX(),
+        (to.y - from.y) * metric.spacingY(),
+        (to.z - from.z) * metric.spacingZ());
+  }
+
+  private void fromMm(Vec3 mm, Vec3 dest) {
+    dest.set(mm.x / metric.spacingX(), mm.y / metric.spacingY(), mm.z / metric.spacingZ());
+  }
+
+  /** Forgets force and shift, because the point was placed anew; call it before {@link #follow}. */
+  public void restart() {
+    shift.set(0, 0, 0);
+    pressed = false;
+  }
+
+  /**
+   * Moves the point after the device, and finds the force on the material.
+   *
+   * @param solver moves the point in material coordinates by verified legs
+   */
+  public void follow(
+      ProxySolver solver, CollisionScene scene, InteractionPoint point, double newtonPerMm) {
+    if (pressed) {
+      aimAtSurface(point);
+    } else {
+      aim.set(target);
+    }
+    solver.follow(scene, aim, point);
+    pressed = point.contact || !point.position.sameBits(aim);
+    if (pressed) {
+      balance(point, newtonPerMm);
+    } else {
+      setForce(0, 0, 0);
+    }
+    map.forward(point.position, present);
+    couple(point);
+    clippedFrames += clipped ? 1 : 0;
+    load.point.set(point.position);
+    map.force(load.forceNewton);
+    loads.write(load);
+  }
+
+  /**
+   * Chooses a position in material coordinates for the solver to follow. It lies as far below the
+   * surface as the device is from the present position, and aside by the pull along the surface. So
+   * the point rests where the force is normal to the deformed surface.
+   */
+  private void aimAtSurface(InteractionPoint point) {
+    Vec3 p = point.position;
+    toMm(p, aim, normal); // The solver went to the point of the surface that is nearest to it.
+    double length = normal.length();
+    toMm(p, target, reachMm);
+    if (length > 0) {
+      normal.mul(1 / length, normal);
+    }
+    double depthMm = reachMm.dot(normal);
+    map.forward(p, present);
+    toMm(present, device, stretchMm);
+    double lengthMm = stretchMm.length();
+    if (!(depthMm > 0 && lengthMm > point.surfaceHeightMm)) {
+      aim.set(target);
+      return;
+    }
+    map.pullBack(p, stretchMm, stretchMm);
+    normal.mul(lengthMm - stretchMm.dot(normal), normal);
+    stretchMm.add(normal, stretchMm);
+    fromMm(stretchMm, aim);
+    aim.add(p, aim);
+  }
+
+  /**
+   * Finds the force at which the spring from the present position and the material balance. The
+   * spring is shorter than the way to the device by the height of the surface, in a direction that
+   * the force turns; so each step uses the direction of the one before.
+   */
+  private void balance(InteractionPoint point, double newtonPerMm) {
+    map.answer(point.position, answer);
+    for (int step = 0; step < BALANCE_STEPS; step++) {
+      map.forward(point.position, present);
+      toMm(present, device, stretchMm);
+      double length = stretchMm.length();
+      if (!(length > point.surfaceHeightMm)) {
+        setForce(0, 0, 0);
+        return;
+      }
+      toMm(point.position, device, reachMm);
+      stretchMm.mul(point.surfaceHeightMm / length, stretchMm);
+      reachMm.sub(stretchMm, reachMm);
+      answer.balance(reachMm, newtonPerMm, forceNewton);
+      setForce(forceNewton.x, forceNewton.y, forceNewton.z);
+    }
+  }
+
+  private void couple(InteractionPoint point) {
+    if (!pressed && point.position.sameBits(target)) {
+      coupled.set(point.position); // Without the rounding of there and back.
+    } else {
+      device.sub(present, coupled);
+      coupled.add(point.position, coupled);
+    }
+  }
+
+  /**
+   * Returns the device position as the coupling takes it, from the point in material coordinates:
+   * as far from it, and in the same direction, as the device is from the present position.
+   */
+  public Vec3 coupledDevice() {
+    return coupled;
+  }
+
+  /** Returns the present position of the point, grid coordinates. */
+  public Vec3 presentPosition() {
+    return present;
+  }
+
+  /** Returns the number of frames whose force on the material was clipped to the proof. */
+  public long clippedFrames() {
+    return clippedFrames;
+  }
+}

@@ -1,0 +1,182 @@
+package org.palpate.elastic;
+
+import java.util.Arrays;
+import org.palpate.elastic.lattice.ConjugateGradients;
+import org.palpate.elastic.lattice.ControlLattice;
+import org.palpate.elastic.lattice.StiffnessOperator;
+import org.palpate.elastic.lattice.Vectors;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Computes a new field for a load: the displacement, the answers to a unit force along each axis at
+ * the same place, and the proof. It starts from the last displacement and the last answers.
+ *
+ * <p>A field is handed over only if {@link RoomProof} proves it. One thread, not the haptic one;
+ * allocates nothing after construction.
+ */
+final class FieldUpdater {
+  /** The residual at which the displacement is good enough, over the load. */
+  private static final double DISPLACEMENT_RESIDUAL = 1e-3;
+
+  /** The residual at which an answer is good enough, over its unit load. */
+  private static final double ANSWER_RESIDUAL = 2e-2;
+
+  /** A smaller load counts as this large, N. */
+  private static final double LEAST_LOAD_NEWTON = 1e-4;
+
+  private static final int DISPLACEMENT_STEPS = 60;
+  private static final int ANSWER_STEPS = 20;
+
+  /** A smaller force has no direction of its own, N. */
+  private static final double LEAST_DIRECTED_NEWTON = 0.02;
+
+  /** The longest change of the force to prove: this, N, plus so many times the load. */
+  private static final double REACH_NEWTON = 1;
+
+  private static final double REACH_PER_LOAD = 2.5;
+
+  private final ControlLattice lattice;
+  private final FieldExchange exchange;
+  private final ChangedCells changed;
+  private final StiffnessOperator stiffness;
+  private final ConjugateGradients solver;
+  private final ContactPatch patch;
+  private final FoldGuard guard;
+  private final CrushStiffening stiffening;
+  private final RoomProof proof;
+  private final float[] displacement;
+  private final float[] proved;
+  private final float[][] answers = new float[3][];
+  private final float[] load;
+  private final float[] residual;
+  private final double[] force = new double[3];
+  private final double[] lastForce = new double[3];
+  private final UpdateCounters counters = new UpdateCounters();
+
+  FieldUpdater(ControlLattice lattice, FieldExchange exchange, ChangedCells changed) {
+    this.lattice = lattice;
+    this.exchange = exchange;
+    this.changed = changed;
+    stiffness = lattice.stiffness();
+    solver = lattice.newSolver();
+    patch = new ContactPatch(lattice);
+    guard = new FoldGuard(lattice.cells());
+    stiffening = new CrushStiffening(lattice);
+    proof = new RoomProof(lattice.cells());
+    int size = 3 * lattice.layout().nodeCount();
+    displacement = new float[size];
+    proved = new float[size];
+    load = new float[size];
+    residual = new float[size];
+    for (int axis = 0; axis < 3; axis++) {
+      answers[axis] = new float[size];
+    }
+  }
+
+  /** Returns what the updates counted. */
+  UpdateCounters counters() {
+    return counters;
+  }
+
+  /** Computes the field for a load and hands it over. */
+  void update(ElasticLoad next) {
+    changed.refill();
+    predict(next.forceNewton);
+    boolean scaledBack =
+        guard.unfold(displacement, proved); // So that rotations are those of a shape.
+    patch.place(next.point);
+    stiffening.update(guard.determinants());
+    lattice.rotate(displacement);
+    solveDisplacement();
+    for (int axis = 0; axis < 3; axis++) {
+      solveAnswer(axis);
+    }
+    scaledBack |= guard.unfold(displacement, proved);
+    counters.count(scaledBack);
+    publish();
+  }
+
+  /** Moves the displacement along the answers by the change of the force. */
+  private void predict(Vec3 next) {
+    for (int axis = 0; axis < 3; axis++) {
+      force[axis] = next.get(axis);
+      float change = (float) (force[axis] - lastForce[axis]);
+      if (change != 0) {
+        Vectors.add(change, answers[axis], displacement);
+      }
+      lastForce[axis] = force[axis];
+    }
+  }
+
+  private void solveDisplacement() {
+    Arrays.fill(load, 0);
+    for (int axis = 0; axis < 3; axis++) {
+      patch.addForce(axis, force[axis], load);
+    }
+    double size = Math.max(LEAST_LOAD_NEWTON, Vectors.norm(load));
+    stiffness.force(displacement, residual);
+    subtractFromLoad();
+    solver.solve(residual, displacement, DISPLACEMENT_RESIDUAL * size, DISPLACEMENT_STEPS);
+    counters.noteResidual(solver.residualNewton() / size);
+  }
+
+  private void solveAnswer(int axis) {
+    Arrays.fill(load, 0);
+    patch.addForce(axis, 1, load);
+    lattice.stiffness().multiply(answers[axis], residual);
+    subtractFromLoad();
+    double goal = ANSWER_RESIDUAL * Math.max(LEAST_LOAD_NEWTON, Vectors.norm(load));
+    solver.solve(residual, answers[axis], goal, ANSWER_STEPS);
+  }
+
+  private void subtractFromLoad() {
+    for (int n = 0; n < residual.length; n++) {
+      residual[n] = load[n] - residual[n];
+    }
+  }
+
+  /** Proves the field and hands it over, or goes back to the last one. */
+  private void publish() {
+    DeformationField field = exchange.back();
+    write(field);
+    double size = Math.sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
+    beginRoom(field.room, size);
+    if (proof.prove(field, REACH_NEWTON + REACH_PER_LOAD * size, -size)) {
+      System.arraycopy(displacement, 0, proved, 0, proved.length);
+      exchange.publish();
+    } else {
+      System.arraycopy(proved, 0, displacement, 0, proved.length);
+      for (float[] answer : answers) {
+        Arrays.fill(answer, 0);
+      }
+      counters.countRefused();
+    }
+  }
+
+  private void write(DeformationField field) {
+    int nodes = lattice.layout().nodeCount();
+    for (int axis = 0; axis < 3; axis++) {
+      float cellsPerMm = (float) (1 / lattice.layout().edgeMm(axis));
+      for (int node = 0; node < nodes; node++) {
+        int from = axis * nodes + node;
+        int to = DeformationField.STRIDE * node + axis;
+        field.values[to] = displacement[from] * cellsPerMm;
+        field.values[to + 3] = answers[0][from] * cellsPerMm;
+        field.values[to + 6] = answers[1][from] * cellsPerMm;
+        field.values[to + 9] = answers[2][from] * cellsPerMm;
+      }
+      field.baseNewton[axis] = force[axis];
+    }
+  }
+
+  /** Sets the axis of the room: along the force, or into the solid if there is none. */
+  private void beginRoom(ForceRoom room, double sizeNewton) {
+    double[] along = sizeNewton > LEAST_DIRECTED_NEWTON ? force : patch.inward();
+    double length = Math.sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
+    if (length > 0) {
+      room.begin(along[0] / length, along[1] / length, along[2] / length);
+    } else {
+      room.begin(0, 0, -1);
+    }
+  }
+}

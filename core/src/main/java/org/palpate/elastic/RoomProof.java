@@ -1,0 +1,255 @@
+package org.palpate.elastic;
+
+import org.palpate.elastic.lattice.ActiveCells;
+import org.palpate.elastic.lattice.LatticeLayout;
+
+/**
+ * Proves that a field folds no tetrahedron, and how far its force may change before one could.
+ *
+ * <p>A tetrahedron with gradient F stays positive while the change of F is shorter than the least
+ * singular value of F, which is at least 2 det F / |F|^2. Lengths are Frobenius norms. {@code
+ * docs/guarantee.md} has the proof.
+ *
+ * <p>One thread; allocates nothing after construction.
+ */
+final class RoomProof {
+  /** The least determinant of a field that counts as proved; far above any rounding. */
+  static final double LEAST_DETERMINANT = 0.01;
+
+  /** The longest sum of the squared edges of a cell for which rounding is far below the slack. */
+  static final double MOST_SQUARED_LENGTH = 1e4;
+
+  /** The part of the least singular value that a change may take. */
+  private static final double USED_PART = 0.9;
+
+  /** The part of a cone after which the next one begins. */
+  private static final double NEXT_CONE = 0.9;
+
+  /** A shorter step along the axis is not worth a cone, N. */
+  private static final double LEAST_STEP_NEWTON = 1e-3;
+
+  /** The cones that may lie towards larger forces; the others lie towards smaller ones. */
+  private static final int MOST_UPWARD = 8;
+
+  /** The twelve edges of a cell, as pairs of corners. */
+  private static final int[] EDGES = {
+    0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7
+  };
+
+  private final ActiveCells cells;
+  private final int[] near;
+  private int nearCount;
+  private final double[] corners = new double[KuhnTetrahedra.ENTRIES];
+  private final double[] slopes = new double[KuhnTetrahedra.ENTRIES];
+  private final double[] none = new double[3];
+  private final double[] change = new double[3];
+
+  /** Squares by 8 times the first corner of an edge plus the second. */
+  private final double[] length2 = new double[64];
+
+  private final double[] along2 = new double[64];
+  private final double[] across2 = new double[64];
+
+  private double along;
+  private double across;
+
+  RoomProof(ActiveCells cells) {
+    this.cells = cells;
+    near = new int[cells.count()];
+  }
+
+  /**
+   * Proves a field and writes its {@link DeformationField#room} along the axis that the room has.
+   *
+   * @param reachNewton the longest change of the force to prove
+   * @param lowestNewton the lowest place of a cone along the axis, not positive
+   * @return whether the field without a change is proved; if not, it must not be used
+   */
+  boolean prove(DeformationField field, double reachNewton, double lowestNewton) {
+    if (!findNear(field, reachNewton)) {
+      return false;
+    }
+    ForceRoom room = field.room;
+    addCone(field, 0, reachNewton);
+    double first = along;
+    double place = NEXT_CONE * first;
+    for (int n = 0; n < MOST_UPWARD && place < reachNewton; n++) {
+      double size = addCone(field, place, reachNewton);
+      if (size < LEAST_STEP_NEWTON) {
+        break;
+      }
+      place += NEXT_CONE * size;
+    }
+    place = Math.max(lowestNewton, -NEXT_CONE * first);
+    while (!room.isFull() && place < 0) {
+      double size = addCone(field, place, reachNewton);
+      if (size < LEAST_STEP_NEWTON || place == lowestNewton) {
+        break;
+      }
+      place = Math.max(lowestNewton, place - NEXT_CONE * size);
+    }
+    return true;
+  }
+
+  /** Adds the cone around a place of the axis, if it is proved, and returns its size along it. */
+  private double addCone(DeformationField field, double place, double reachNewton) {
+    boolean proved = measure(field, place);
+    along = proved ? Math.min(along, reachNewton - Math.abs(place)) : 0;
+    across = proved ? Math.min(across, reachNewton - Math.abs(place)) : 0;
+    if (along > 0 && across > 0) {
+      field.room.add(place, along, across);
+    }
+    return along;
+  }
+
+  /**
+   * Checks every cell without a change of the force, and lists those that could fold within reach.
+   *
+   * @return whether every cell is proved
+   */
+  private boolean findNear(DeformationField field, double reachNewton) {
+    nearCount = 0;
+    for (int cell = 0; cell < cells.count(); cell++) {
+      int first = cells.firstNode(cell);
+      readCorners(field, first, none);
+      double determinant = KuhnTetrahedra.leastDeterminant(corners);
+      double stretch = squaredFromFirst(corners, true);
+      double answers = squaredAnswers(field, first);
+      if (!(determinant >= LEAST_DETERMINANT && stretch <= MOST_SQUARED_LENGTH / 16)
+          || !Double.isFinite(answers)) {
+        return false;
+      }
+      // Three edges of a tetrahedron are at most twice as long as all ways from corner 0 together.
+      double largest = 1 + 2 * Math.sqrt(stretch);
+      double room = USED_PART * determinant / (largest * largest);
+      if (!(2 * Math.sqrt(answers) * reachNewton <= room)) {
+        near[nearCount++] = cell;
+      }
+    }
+    return true;
+  }
+
+  private double squaredAnswers(DeformationField field, int firstNode) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      readSlopes(field, firstNode, axis);
+      sum += squaredFromFirst(slopes, false);
+    }
+    return sum;
+  }
+
+  /** Returns the sum of squared differences from corner 0; of positions, beyond those at rest. */
+  private static double squaredFromFirst(double[] at, boolean beyondRest) {
+    double sum = 0;
+    for (int corner = 1; corner < LatticeLayout.CORNERS; corner++) {
+      for (int axis = 0; axis < 3; axis++) {
+        double rest = beyondRest ? corner >> axis & 1 : 0;
+        double difference = at[3 * corner + axis] - at[axis] - rest;
+        sum += difference * difference;
+      }
+    }
+    return sum;
+  }
+
+  private void readCorners(DeformationField field, int firstNode, double[] changeNewton) {
+    for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
+      int node = firstNode + cells.layout().cornerOffset(corner);
+      for (int axis = 0; axis < 3; axis++) {
+        corners[3 * corner + axis] =
+            (corner >> axis & 1) + field.displacement(node, axis, changeNewton);
+      }
+    }
+  }
+
+  /** Reads the answers of the corners to a force along a unit axis. */
+  private void readSlopes(DeformationField field, int firstNode, int forceAxis) {
+    for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
+      int node = firstNode + cells.layout().cornerOffset(corner);
+      int at = DeformationField.STRIDE * node + 3 + 3 * forceAxis;
+      for (int axis = 0; axis < 3; axis++) {
+        slopes[3 * corner + axis] = field.values[at + axis];
+      }
+    }
+  }
+
+  private void readSlopes(DeformationField field, int firstNode, double[] direction) {
+    for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
+      int node = firstNode + cells.layout().cornerOffset(corner);
+      for (int axis = 0; axis < 3; axis++) {
+        slopes[3 * corner + axis] = field.slope(node, axis, direction);
+      }
+    }
+  }
+
+  /** Measures the cone around a place of the axis. Returns false if a cell is not proved there. */
+  private boolean measure(DeformationField field, double place) {
+    double[] axis = field.room.axis();
+    for (int n = 0; n < 3; n++) {
+      change[n] = place * axis[n];
+    }
+    along = Double.POSITIVE_INFINITY;
+    across = Double.POSITIVE_INFINITY;
+    for (int n = 0; n < nearCount; n++) {
+      int first = cells.firstNode(near[n]);
+      readCorners(field, first, change);
+      readSlopes(field, first, axis);
+      measureEdges(field, first);
+      if (!measureTetrahedra()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void measureEdges(DeformationField field, int firstNode) {
+    for (int n = 0; n < EDGES.length; n += 2) {
+      int a = EDGES[n];
+      int b = EDGES[n + 1];
+      double length = 0;
+      double slope = 0;
+      for (int axis = 0; axis < 3; axis++) {
+        double x = corners[3 * b + axis] - corners[3 * a + axis];
+        double y = slopes[3 * b + axis] - slopes[3 * a + axis];
+        length += x * x;
+        slope += y * y;
+      }
+      int edge = 8 * a + b;
+      length2[edge] = length;
+      along2[edge] = slope;
+      across2[edge] = Math.max(0, squaredAnswers(field, firstNode, a, b) - slope);
+    }
+  }
+
+  /** Returns the squared differences of all answers along an edge. */
+  private double squaredAnswers(DeformationField field, int firstNode, int a, int b) {
+    int from = DeformationField.STRIDE * (firstNode + cells.layout().cornerOffset(a));
+    int to = DeformationField.STRIDE * (firstNode + cells.layout().cornerOffset(b));
+    double sum = 0;
+    for (int n = 3; n < DeformationField.STRIDE; n++) {
+      double difference = (double) field.values[to + n] - field.values[from + n];
+      sum += difference * difference;
+    }
+    return sum;
+  }
+
+  private boolean measureTetrahedra() {
+    for (int[] order : KuhnTetrahedra.ORDERS) {
+      double determinant = KuhnTetrahedra.determinant(corners, order);
+      int b = 1 << order[0];
+      int c = b | 1 << order[1];
+      double squared = sum(length2, b, c);
+      if (!(determinant >= LEAST_DETERMINANT && squared <= MOST_SQUARED_LENGTH)) {
+        return false;
+      }
+      double room = USED_PART * 2 * determinant / squared;
+      along = Math.min(along, room / Math.sqrt(sum(along2, b, c)));
+      across = Math.min(across, room / Math.sqrt(sum(across2, b, c)));
+    }
+    return true;
+  }
+
+  /** Returns the sum over the edges 0 to b, b to c and c to 7. */
+  private static double sum(double[] squares, int b, int c) {
+    return squares[b] + squares[8 * b + c] + squares[8 * c + 7];
+  }
+}

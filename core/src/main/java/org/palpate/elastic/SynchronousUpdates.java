@@ -1,0 +1,31 @@
+package org.palpate.elastic;
+
+/**
+ * Updates an elastic body every so many frames, between two frames of the same thread. An update
+ * uses the load of the one before it, as a thread that needs the whole period would. So a replay
+ * gives the same bits on every machine.
+ */
+public final class SynchronousUpdates {
+  /** The frames of a period, 30 a second at 1 kHz. */
+  public static final int FRAMES = 33;
+
+  private final ElasticBody body;
+  private final ElasticLoad seen = new ElasticLoad();
+  private int frame;
+
+  /** Creates the updates of a body that no other thread updates. */
+  public SynchronousUpdates(ElasticBody body) {
+    this.body = body;
+  }
+
+  /** Updates the body if a period is over. Call it before each frame. */
+  public void beforeFrame() {
+    if (frame % FRAMES == 0) {
+      if (frame > 0) {
+        body.updater().update(seen);
+      }
+      body.loads().read(seen);
+    }
+    frame++;
+  }
+}

@@ -1,0 +1,100 @@
+package org.palpate.elastic.lattice;
+
+import java.util.Arrays;
+
+/**
+ * The cells that can deform, those with a node that is not fixed, in a list. All other nodes and
+ * cells stand still. Immutable; any thread.
+ */
+public final class ActiveCells {
+  private static final int NOT_LISTED = -1;
+
+  private final LatticeLayout layout;
+  private final boolean[] fixed;
+  private final int[] cells;
+  private final int[] firstNodes;
+  private final int[] indexOfCell;
+
+  /**
+   * Lists the cells.
+   *
+   * @param fixed for each node whether it is fixed; must hold for every node on the rim
+   */
+  ActiveCells(LatticeLayout layout, boolean[] fixed) {
+    this.layout = layout;
+    this.fixed = fixed;
+    indexOfCell = new int[layout.cellCount()];
+    Arrays.fill(indexOfCell, NOT_LISTED);
+    int[] list = new int[indexOfCell.length];
+    int count = 0;
+    for (int cell = 0; cell < list.length; cell++) {
+      if (hasFreeNode(cell)) {
+        indexOfCell[cell] = count;
+        list[count++] = cell;
+      }
+    }
+    cells = Arrays.copyOf(list, count);
+    firstNodes = new int[count];
+    for (int index = 0; index < count; index++) {
+      firstNodes[index] = layout.firstNode(cells[index]);
+    }
+  }
+
+  private boolean hasFreeNode(int cell) {
+    int first = layout.firstNode(cell);
+    for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
+      if (!fixed[first + layout.cornerOffset(corner)]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Returns the list on cells of twice the edge; a node is fixed if the same fine node is. */
+  ActiveCells coarser() {
+    LatticeLayout coarse = layout.coarser();
+    boolean[] coarseFixed = new boolean[coarse.nodeCount()];
+    for (int node = 0; node < coarseFixed.length; node++) {
+      coarseFixed[node] = fixed[fineNode(coarse, node)];
+    }
+    return new ActiveCells(coarse, coarseFixed);
+  }
+
+  /** Returns the node of this lattice at the place of a node of the coarser one. */
+  int fineNode(LatticeLayout coarse, int node) {
+    return layout.node(
+        2 * coarse.nodeIndex(0, node),
+        2 * coarse.nodeIndex(1, node),
+        2 * coarse.nodeIndex(2, node));
+  }
+
+  /** Returns the layout. */
+  public LatticeLayout layout() {
+    return layout;
+  }
+
+  /** Returns the number of listed cells. */
+  public int count() {
+    return cells.length;
+  }
+
+  /** Returns the cell at a place of the list. */
+  int cell(int index) {
+    return cells[index];
+  }
+
+  /** Returns the place of a cell in the list, or a negative number if it is not listed. */
+  int indexOf(int cell) {
+    return indexOfCell[cell];
+  }
+
+  /** Returns the node at corner 0 of a listed cell. */
+  public int firstNode(int index) {
+    return firstNodes[index];
+  }
+
+  /** Whether a node is fixed. */
+  public boolean isFixed(int node) {
+    return fixed[node];
+  }
+}

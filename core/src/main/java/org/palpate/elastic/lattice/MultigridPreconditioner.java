@@ -1,0 +1,152 @@
+package org.palpate.elastic.lattice;
+
+import java.util.Arrays;
+
+/**
+ * One symmetric V-cycle over lattices with cells of doubled edges. Chebyshev polynomials of the
+ * inverse diagonal smooth each level, and solve the coarsest one roughly.
+ *
+ * <p>Reference: Briggs, Henson, McCormick 2000, "A Multigrid Tutorial". One thread; allocates
+ * nothing after construction.
+ */
+final class MultigridPreconditioner implements Preconditioner {
+  private static final int MOST_LEVELS = 4;
+  private static final int SMOOTHING_DEGREE = 1;
+  private static final int COARSEST_DEGREE = 8;
+
+  /** The part of the spectrum that smoothing leaves to the coarser levels. */
+  private static final float SMOOTHED_RANGE = 4;
+
+  /** The range of eigenvalues that the coarsest level treats. */
+  private static final float COARSEST_RANGE = 30;
+
+  private final Level[] levels;
+
+  /** Between each level and the next. */
+  private final NodeTransfer[] transfers;
+
+  /** A lattice with its vectors. */
+  private static final class Level {
+    final StiffnessOperator stiffness;
+    final float[] residual;
+    final float[] solution;
+    final float[] product;
+    final float[] direction;
+    final float[] displacement;
+
+    Level(StiffnessOperator stiffness) {
+      this.stiffness = stiffness;
+      int size = 3 * stiffness.cells().layout().nodeCount();
+      residual = new float[size];
+      solution = new float[size];
+      product = new float[size];
+      direction = new float[size];
+      displacement = new float[size];
+    }
+  }
+
+  /** Creates the levels; {@link #refresh} must come before the first solution. */
+  MultigridPreconditioner(StiffnessOperator fine, double poisson) {
+    Level[] all = new Level[MOST_LEVELS];
+    all[0] = new Level(fine);
+    int count = 1;
+    ActiveCells cells = fine.cells();
+    while (count < MOST_LEVELS && cells.layout().isEven()) {
+      cells = cells.coarser();
+      if (cells.count() == 0) {
+        break;
+      }
+      all[count++] = new Level(new StiffnessOperator(cells, poisson));
+    }
+    levels = Arrays.copyOf(all, count);
+    transfers = new NodeTransfer[count - 1];
+    for (int n = 0; n < transfers.length; n++) {
+      transfers[n] = new NodeTransfer(levels[n].stiffness.cells(), levels[n + 1].stiffness.cells());
+    }
+  }
+
+  /** Takes moduli and rotations over from the fine lattice, whose displacement this is, mm. */
+  void refresh(float[] displacement) {
+    float[] from = displacement;
+    for (int n = 1; n < levels.length; n++) {
+      Level coarse = levels[n];
+      transfers[n - 1].inject(from, coarse.displacement);
+      coarse.stiffness.rotate(coarse.displacement);
+      averageModuli(levels[n - 1].stiffness, coarse.stiffness);
+      from = coarse.displacement;
+    }
+  }
+
+  /** Gives each coarse cell the mean modulus of the eight fine cells in it. */
+  private static void averageModuli(StiffnessOperator fine, StiffnessOperator coarse) {
+    float[] dest = coarse.modulus();
+    Arrays.fill(dest, 0);
+    LatticeLayout small = fine.cells().layout();
+    LatticeLayout large = coarse.cells().layout();
+    for (int n = 0; n < fine.cells().count(); n++) {
+      int cell = fine.cells().cell(n);
+      int x = small.cellIndex(0, cell) / 2;
+      int y = small.cellIndex(1, cell) / 2;
+      int z = small.cellIndex(2, cell) / 2;
+      int listed = coarse.cells().indexOf(large.cell(x, y, z));
+      if (listed >= 0) {
+        dest[listed] += fine.modulus()[n] / LatticeLayout.CORNERS;
+      }
+    }
+    coarse.changed();
+  }
+
+  @Override
+  public void solve(float[] residual, float[] dest) {
+    System.arraycopy(residual, 0, levels[0].residual, 0, residual.length);
+    cycle(0);
+    System.arraycopy(levels[0].solution, 0, dest, 0, dest.length);
+  }
+
+  private void cycle(int n) {
+    Level level = levels[n];
+    Arrays.fill(level.solution, 0);
+    if (n == levels.length - 1) {
+      smooth(level, COARSEST_DEGREE, COARSEST_RANGE, true);
+      return;
+    }
+    smooth(level, SMOOTHING_DEGREE, SMOOTHED_RANGE, true);
+    level.stiffness.multiply(level.solution, level.product);
+    for (int i = 0; i < level.product.length; i++) {
+      level.product[i] = level.residual[i] - level.product[i];
+    }
+    Level coarse = levels[n + 1];
+    transfers[n].restrict(level.product, coarse.residual);
+    cycle(n + 1);
+    transfers[n].prolong(coarse.solution, level.solution);
+    smooth(level, SMOOTHING_DEGREE, SMOOTHED_RANGE, false);
+  }
+
+  /**
+   * Improves the solution by Chebyshev's iteration over the upper part of the spectrum.
+   *
+   * @param fromZero whether the solution is zero, which saves one product
+   */
+  private static void smooth(Level level, int degree, float range, boolean fromZero) {
+    InverseDiagonal diagonal = level.stiffness.diagonal();
+    float top = diagonal.largestEigenvalue();
+    float low = top / range;
+    float middle = (top + low) / 2;
+    float half = (top - low) / 2;
+    float sigma = middle / half;
+    float rho = 1 / sigma;
+    for (int k = 0; k < degree; k++) {
+      float next = 1 / (2 * sigma - rho);
+      float keep = k == 0 ? 0 : next * rho;
+      float factor = k == 0 ? 1 / middle : 2 * next / half;
+      if (k == 0 && fromZero) {
+        Arrays.fill(level.product, 0);
+      } else {
+        level.stiffness.multiply(level.solution, level.product);
+      }
+      diagonal.relax(keep, factor, level.residual, level.product, level.direction);
+      Vectors.add(1, level.direction, level.solution);
+      rho = k == 0 ? rho : next;
+    }
+  }
+}

@@ -1,0 +1,37 @@
+package org.palpate.elastic.lattice;
+
+/** Sums over long vectors of floats. */
+public final class Vectors {
+  private Vectors() {}
+
+  /** Returns the dot product, summed in doubles. */
+  public static double dot(float[] a, float[] b) {
+    double s = 0;
+    double t = 0;
+    double u = 0;
+    double v = 0;
+    int n = 0;
+    for (; n + 3 < a.length; n += 4) {
+      s += (double) a[n] * b[n];
+      t += (double) a[n + 1] * b[n + 1];
+      u += (double) a[n + 2] * b[n + 2];
+      v += (double) a[n + 3] * b[n + 3];
+    }
+    for (; n < a.length; n++) {
+      s += (double) a[n] * b[n];
+    }
+    return s + t + u + v;
+  }
+
+  /** Returns the Euclidean length. */
+  public static double norm(float[] a) {
+    return Math.sqrt(dot(a, a));
+  }
+
+  /** Adds a factor times {@code a} to {@code dest}. */
+  public static void add(float factor, float[] a, float[] dest) {
+    for (int n = 0; n < dest.length; n++) {
+      dest[n] += factor * a[n];
+    }
+  }
+}

@@ -1,0 +1,110 @@
+package org.palpate.elastic;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.palpate.elastic.lattice.ControlLattice;
+import org.palpate.elastic.lattice.ElasticMaterial;
+import org.palpate.elastic.lattice.ElasticSegment;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+
+class DeformationMapTest {
+  private static final double EDGE = 4;
+  private final Random random = new Random(Seeds.seed());
+  private final ControlLattice lattice = lattice();
+  private final RoomProof proof = new RoomProof(lattice.cells());
+  private final DeformationField field = new DeformationField(lattice.layout());
+  private final DeformationMap map = new DeformationMap(lattice.layout(), field);
+
+  private static ControlLattice lattice() {
+    BitCube bits = new BitCube(20, 20, 20);
+    ElasticTouch.fill(bits, 2, 18, 2, 18, 2, 18);
+    ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
+    return new ControlLattice(new GridMetric(1, 1.5, 2), List.of(soft), List.of(), EDGE);
+  }
+
+  private void newField(double displaced) {
+    do {
+      for (int node = 0; node < lattice.layout().nodeCount(); node++) {
+        for (int n = 0; n < DeformationField.STRIDE; n++) {
+          double size = lattice.cells().isFixed(node) ? 0 : n < 3 ? displaced : 0.01;
+          field.values[DeformationField.STRIDE * node + n] =
+              (float) (size * (2 * random.nextDouble() - 1));
+        }
+      }
+      field.room.begin(1, 0, 0);
+    } while (!proof.prove(field, 2, -1));
+    map.use(field);
+  }
+
+  private Vec3 randomPoint() {
+    return new Vec3(
+        -14 + 48 * random.nextDouble(),
+        -14 + 48 * random.nextDouble(),
+        -14 + 48 * random.nextDouble());
+  }
+
+  @Test
+  void theInverseUndoesTheMapFromAnyStart() {
+    for (int n = 0; n < 20; n++) {
+      newField(0.12);
+      map.setForce(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+      for (int i = 0; i < 200; i++) {
+        Vec3 material = randomPoint();
+        Vec3 present = map.forward(material, new Vec3());
+        Vec3 near = i % 3 == 0 ? randomPoint() : new Vec3().set(material);
+        Vec3 back = map.inverse(present, near, near);
+        Vec3 again = map.forward(back, new Vec3());
+        assertEquals(0, again.sub(present, new Vec3()).length(), 1e-9, "present");
+        assertEquals(0, back.sub(material, new Vec3()).length(), 1e-8, "material");
+      }
+    }
+  }
+
+  /** The plain reference looks at every tetrahedron for the one that holds the position. */
+  @Test
+  void theWalkFindsTheTetrahedronThatAFullSearchFinds() {
+    newField(0.12);
+    for (int i = 0; i < 40; i++) {
+      Vec3 present = new Vec3(2 + 14 * random.nextDouble(), 3 + 14 * random.nextDouble(), 5);
+      Vec3 found = map.inverse(present, randomPoint(), new Vec3());
+      Vec3 expected = new NaiveInverse(lattice.layout(), map).find(present);
+      assertEquals(0, found.sub(expected, new Vec3()).length(), 1e-8);
+    }
+  }
+
+  @Test
+  void isTheIdentityOutsideTheLatticeAndAtItsRim() {
+    newField(0.12);
+    for (int axis = 0; axis < 3; axis++) {
+      for (int side = 0; side < 2; side++) {
+        Vec3 point = randomPoint();
+        int origin = lattice.layout().originVoxel(axis);
+        int size = lattice.layout().cells(axis) * lattice.layout().voxelsPerCell(axis);
+        point.set(axis, side == 0 ? origin : origin + size);
+        assertTrue(map.forward(point, new Vec3()).sameBits(point), "rim");
+        point.set(axis, side == 0 ? origin - 0.5 : origin + size + 0.5);
+        assertTrue(map.forward(point, new Vec3()).sameBits(point), "outside");
+        assertTrue(map.inverse(point, randomPoint(), new Vec3()).sameBits(point), "back");
+      }
+    }
+  }
+
+  @Test
+  void isContinuousAcrossFaces() {
+    newField(0.12);
+    for (int i = 0; i < 2000; i++) {
+      Vec3 a = randomPoint();
+      Vec3 b =
+          new Vec3(a.x + 1e-7 * random.nextGaussian(), a.y + 1e-7 * random.nextGaussian(), a.z);
+      Vec3 difference = map.forward(a, new Vec3()).sub(map.forward(b, new Vec3()), new Vec3());
+      assertTrue(difference.length() < 1e-5, "a jump of " + difference.length());
+    }
+  }
+}

@@ -1,0 +1,118 @@
+package org.palpate.elastic;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+
+class ElasticContactTest {
+  private static final GridMetric UNIT = new GridMetric(1, 1, 1);
+
+  private static ElasticTouch above(double young, double k, double edge, boolean smooth) {
+    ElasticTouch touch = new ElasticTouch(ElasticTouch.Scene.block(UNIT), young, k, edge, smooth);
+    touch.hand.set(48.3, 48.4, 52);
+    for (int n = 0; n < 80; n++) {
+      touch.run();
+    }
+    return touch;
+  }
+
+  @ParameterizedTest
+  @CsvSource({"false", "true"})
+  void giveWayUnderTheHandAndComeBack(boolean smooth) {
+    ElasticTouch touch = above(20e3, 0.5, 8, smooth);
+    touch.moveTo(48.3, 48.4, 44, 400);
+    touch.moveTo(48.3, 48.4, 44, 400);
+    double pressed = touch.frame.presentPosition().z;
+    double newton = touch.frame.forceNewton().z;
+    // The spring alone would give k times 4 mm; the material takes a part of the way.
+    assertTrue(newton > 0.3 && newton < 1.8, "force " + newton);
+    assertTrue(pressed > 44.2 && pressed < 47.7, "surface at " + pressed);
+    double height = touch.frame.point().surfaceHeightMm;
+    assertEquals(newton, 0.5 * (pressed - 44 - height), 1e-3);
+    touch.moveTo(48.3, 48.4, 52, 400);
+    touch.moveTo(48.3, 48.4, 52, 400);
+    assertEquals(0, touch.frame.forceNewton().length(), 1e-9);
+    Vec3 hand = touch.frame.presentPosition().sub(touch.hand, new Vec3());
+    assertEquals(0, hand.length(), 1e-6, "off the hand");
+  }
+
+  @Test
+  void aStiffSegmentFeelsLikeARigidOne() {
+    ElasticTouch touch = above(1e9, 0.5, 8, false);
+    touch.moveTo(48.3, 48.4, 44, 400);
+    touch.moveTo(48.3, 48.4, 44, 200);
+    assertEquals(0.5 * 4, touch.frame.forceNewton().z, 0.01);
+  }
+
+  /** The largest change of the force at an update beyond stiffness times motion, N. */
+  private static double largestStep(ElasticTouch touch, int frames, double dx, double dz) {
+    double largest = 0;
+    Vec3 last = new Vec3();
+    Vec3 difference = new Vec3();
+    for (int n = 0; n < frames; n++) {
+      last.set(touch.frame.forceNewton());
+      touch.hand.set(touch.hand.x + dx, touch.hand.y, touch.hand.z + dz);
+      touch.run();
+      touch.frame.forceNewton().sub(last, difference);
+      double motion = touch.newtonPerMm * Math.hypot(dx, dz);
+      largest = Math.max(largest, difference.length() - motion);
+    }
+    return largest;
+  }
+
+  @Test
+  void updatesMakeNoStepOfTheForceWhilePressing() {
+    ElasticTouch touch = above(20e3, 0.5, 8, false);
+    touch.moveTo(48.3, 48.4, 48.2, 60);
+    double step = largestStep(touch, 700, 0, -0.01);
+    step = Math.max(step, largestStep(touch, 300, 0, 0));
+    System.out.printf("step while pressing: %.5f N%n", step);
+    assertTrue(step < 0.02, "step " + step);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"20e3, 0.5", "5e3, 2", "5e3, 4", "20e3, 4", "100e3, 4", "5e3, 0.25"})
+  void comesToRestWithTheHand(double young, double k) {
+    ElasticTouch touch = above(young, k, 8, true);
+    touch.moveTo(48.3, 48.4, 45, 300);
+    touch.moveTo(48.3, 48.4, 45, 1500);
+    Vec3 before = new Vec3().set(touch.frame.forceNewton());
+    double most = 0;
+    for (int n = 0; n < 500; n++) {
+      touch.run();
+      most = Math.max(most, touch.frame.forceNewton().sub(before, new Vec3()).length());
+    }
+    System.out.printf("at rest, E %.0f k %.1f: %.5f of %.3f N%n", young, k, most, before.length());
+    assertTrue(most < 0.02 * before.length(), "swings by " + most + " N of " + before.length());
+  }
+
+  @Test
+  void framesAndUpdatesAllocateNothing() {
+    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    ElasticTouch touch = above(20e3, 0.5, 8, true);
+    touch.moveTo(48.3, 48.4, 44, 400);
+    long least = Long.MAX_VALUE;
+    ElasticLoad load = new ElasticLoad();
+    for (int round = 0; round < 6; round++) {
+      long before = threads.getCurrentThreadAllocatedBytes();
+      for (int n = 0; n < 2000; n++) {
+        touch.hand.z = 44 + Math.sin(n * 0.01);
+        touch.body.contact().begin(touch.hand, touch.frame.point(), 0.5);
+        touch.body.contact().follow(touch.solver, touch.scene, touch.frame.point(), 0.5);
+        if (n % 100 == 0) {
+          touch.body.loads().read(load);
+          touch.body.updater().update(load);
+        }
+      }
+      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
+    }
+    assertEquals(0, least);
+  }
+}

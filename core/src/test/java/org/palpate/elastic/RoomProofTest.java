@@ -1,0 +1,100 @@
+package org.palpate.elastic;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.palpate.elastic.lattice.ControlLattice;
+import org.palpate.elastic.lattice.ElasticMaterial;
+import org.palpate.elastic.lattice.ElasticSegment;
+import org.palpate.geometry.GridMetric;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+
+class RoomProofTest {
+  private final Random random = new Random(Seeds.seed());
+  private final ControlLattice lattice = lattice();
+  private final RoomProof proof = new RoomProof(lattice.cells());
+  private final DeformationField field = new DeformationField(lattice.layout());
+
+  private static ControlLattice lattice() {
+    BitCube bits = new BitCube(16, 16, 16);
+    ElasticTouch.fill(bits, 2, 14, 2, 14, 2, 14);
+    ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
+    return new ControlLattice(new GridMetric(1, 1, 1), List.of(soft), List.of(), 4);
+  }
+
+  private void randomField(double displaced, double answers) {
+    for (int node = 0; node < lattice.layout().nodeCount(); node++) {
+      for (int n = 0; n < DeformationField.STRIDE; n++) {
+        double size = lattice.cells().isFixed(node) ? 0 : n < 3 ? displaced : answers;
+        field.values[DeformationField.STRIDE * node + n] =
+            (float) (size * (2 * random.nextDouble() - 1));
+      }
+    }
+    double x = random.nextGaussian();
+    double y = random.nextGaussian();
+    double z = random.nextGaussian();
+    double length = Math.sqrt(x * x + y * y + z * z);
+    field.room.begin(x / length, y / length, z / length);
+  }
+
+  @Test
+  void noForceInTheRoomFoldsATetrahedron() {
+    int proved = 0;
+    int moved = 0;
+    DeformationMap map = new DeformationMap(lattice.layout(), field);
+    while (proved < 30) {
+      randomField(0.02 + 0.1 * random.nextDouble(), Math.pow(10, -2 + 2 * random.nextDouble()));
+      if (!proof.prove(field, 1 + 3 * random.nextDouble(), -2 * random.nextDouble())) {
+        continue;
+      }
+      proved++;
+      map.use(field);
+      for (int n = 0; n < 3; n++) {
+        double size = Math.pow(10, -2 + 3 * random.nextDouble());
+        boolean clipped =
+            map.setForce(
+                size * random.nextGaussian(),
+                size * random.nextGaussian(),
+                size * random.nextGaussian());
+        moved += clipped ? 1 : 0;
+        assertEquals(0, TetrahedraJudge.folded(lattice, map), "field " + proved);
+      }
+    }
+    assertTrue(moved > 15 && moved < 88, "clipped " + moved);
+  }
+
+  @Test
+  void aFieldThatFoldsIsNotProved() {
+    DeformationMap map = new DeformationMap(lattice.layout(), field);
+    int folded = 0;
+    int proved = 0;
+    for (int n = 0; n < 120; n++) {
+      randomField(0.6 * random.nextDouble(), 0.1);
+      map.use(field);
+      boolean isProved = proof.prove(field, 2, 0);
+      proved += isProved ? 1 : 0;
+      if (TetrahedraJudge.folded(lattice, map) > 0) {
+        folded++;
+        assertFalse(isProved);
+      }
+    }
+    assertTrue(folded > 10 && proved > 10, folded + " folded, " + proved + " proved");
+  }
+
+  @Test
+  void aFieldThatIsNotFiniteIsNotProved() {
+    for (float bad : new float[] {Float.NaN, Float.POSITIVE_INFINITY}) {
+      int free = lattice.cells().firstNode(lattice.cells().count() / 2);
+      for (int n = 0; n < DeformationField.STRIDE; n++) {
+        randomField(0.01, 0.01);
+        field.values[DeformationField.STRIDE * free + n] = bad;
+        assertFalse(proof.prove(field, 1, 0), "entry " + n);
+      }
+    }
+  }
+}
