@@ -1,9 +1,13 @@
 package org.palpate.host;
 
 import java.io.IOException;
+import java.util.Optional;
+import java.util.function.Supplier;
 import org.palpate.device.Trajectory;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.EditSchedule;
+import org.palpate.elastic.ElasticBody;
+import org.palpate.elastic.SynchronousUpdates;
 import org.palpate.force.ForceRamp;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
@@ -34,6 +38,7 @@ public final class ReplayRun {
   private final boolean world;
   private final boolean raw;
   private final EditSchedule edits;
+  private final Optional<Supplier<ElasticBody>> elastic;
 
   /** Receives the result of each frame. */
   @FunctionalInterface
@@ -43,9 +48,10 @@ public final class ReplayRun {
      *
      * @param frame its number, from 0
      * @param device the device position as the trajectory gives it
-     * @param point the interaction point in the trajectory's coordinates
+     * @param point the present position of the interaction point in the trajectory's coordinates
      * @param forceNewton force on the hand along the axes of the trajectory's coordinates, N
-     * @param state the interaction point with the legs of the frame, grid coordinates
+     * @param state the interaction point with the legs of the frame, grid coordinates; material
+     *     coordinates if segments are elastic
      * @param freed whether the frame set the interaction point free before its legs
      */
     void accept(
@@ -54,8 +60,14 @@ public final class ReplayRun {
   }
 
   private ReplayRun(
-      ContactScene scene, Trajectory trajectory, boolean world, boolean raw, EditSchedule edits) {
+      ContactScene scene,
+      Trajectory trajectory,
+      boolean world,
+      boolean raw,
+      EditSchedule edits,
+      Optional<Supplier<ElasticBody>> elastic) {
     this.edits = edits;
+    this.elastic = elastic;
     this.scene = scene;
     this.trajectory = trajectory;
     this.world = world;
@@ -64,30 +76,42 @@ public final class ReplayRun {
 
   /** Returns a replay of a trajectory in world mm. */
   public static ReplayRun inWorld(ContactScene scene, Trajectory trajectory) {
-    return new ReplayRun(scene, trajectory, true, false, EditSchedule.NONE);
+    return new ReplayRun(scene, trajectory, true, false, EditSchedule.NONE, Optional.empty());
   }
 
   /** Returns a replay of a trajectory in grid coordinates. */
   public static ReplayRun inGrid(ContactScene scene, Trajectory trajectory) {
-    return new ReplayRun(scene, trajectory, false, false, EditSchedule.NONE);
+    return new ReplayRun(scene, trajectory, false, false, EditSchedule.NONE, Optional.empty());
   }
 
   /** Returns this replay in raw mode, which treats samples as a live session does. */
   public ReplayRun inRawMode() {
-    return new ReplayRun(scene, trajectory, world, true, edits);
+    return new ReplayRun(scene, trajectory, world, true, edits, elastic);
   }
 
   /** Returns this replay with recorded changes of voxels; it uses up the schedule. */
   public ReplayRun withEdits(EditSchedule recorded) {
-    return new ReplayRun(scene, trajectory, world, raw, recorded);
+    return new ReplayRun(scene, trajectory, world, raw, recorded, elastic);
+  }
+
+  /**
+   * Returns this replay with elastic segments, which are updated every {@link
+   * SynchronousUpdates#FRAMES} frames.
+   *
+   * @param bodies makes a body at rest for each run
+   */
+  public ReplayRun withElastic(Supplier<ElasticBody> bodies) {
+    return new ReplayRun(scene, trajectory, world, raw, edits, Optional.of(bodies));
   }
 
   /**
    * The result of a replay.
    *
    * @param work in the units of {@link ProxySolver#steps}
+   * @param elastic the elastic segments as the run left them, if there are any
    */
-  public record Result(FrameStatistics statistics, WorkPercentiles work) {}
+  public record Result(
+      FrameStatistics statistics, WorkPercentiles work, Optional<ElasticBody> elastic) {}
 
   /** Runs every frame once from a fresh start. */
   public Result run(FrameSink sink) throws IOException {
@@ -97,18 +121,22 @@ public final class ReplayRun {
     ForceSettings contact = scene.force(scene.defaultStiffnessNewtonPerMm());
     PointFrame frame =
         scene.newFrame(gridDevice, frameSettings(scene, contact, raw), FramePublisher.NONE);
+    Optional<ElasticBody> body = elastic.map(Supplier::get);
+    body.ifPresent(made -> frame.deform(made.contact()));
+    Optional<SynchronousUpdates> updates = body.map(SynchronousUpdates::new);
     Vec3 point = new Vec3();
     Vec3 force = new Vec3();
     long[] work = new long[trajectory.size()];
     for (int n = 0; n < work.length; n++) {
       edits.offerUpTo(n, scene.edits());
+      updates.ifPresent(SynchronousUpdates::beforeFrame);
       frame.run(frameNanos(trajectory, n, raw));
       work[n] = frame.followed() ? frame.work() : 0;
       toTrajectory(frame, point, force);
       sink.accept(n, device.lastPosition(), point, force, frame.point(), frame.wasFreed());
     }
     applyRest(edits, scene.edits(), frame);
-    return new Result(frame.statistics(), WorkPercentiles.of(work));
+    return new Result(frame.statistics(), WorkPercentiles.of(work), body);
   }
 
   /** Applies the changes that a session made after its last sample. */
@@ -136,7 +164,7 @@ public final class ReplayRun {
   }
 
   private void toTrajectory(PointFrame frame, Vec3 point, Vec3 force) {
-    point.set(frame.point().position);
+    point.set(frame.presentPosition());
     force.set(frame.forceNewton());
     if (world) {
       scene.grid().gridToWorld(point, point);

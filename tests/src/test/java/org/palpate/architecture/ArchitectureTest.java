@@ -136,9 +136,11 @@ class ArchitectureTest {
           Map.entry("device.protocol", List.of()),
           Map.entry("display", List.of()),
           Map.entry("edit", List.of("proxy.smooth.field")),
+          Map.entry("elastic", List.of("elastic.lattice", "proxy")),
+          Map.entry("elastic.lattice", List.of("volume")),
           Map.entry("force", List.of("proxy", "rigid")),
           Map.entry("force.guide", List.of("force")),
-          Map.entry("frame", List.of("carve", "device", "force")),
+          Map.entry("frame", List.of("carve", "device", "elastic", "force")),
           Map.entry("fracture", List.of("volume.fracture")),
           Map.entry("geometry", List.of()),
           Map.entry(
@@ -356,6 +358,7 @@ class ArchitectureTest {
             BASE + "force..",
             BASE + "device",
             BASE + "edit..",
+            BASE + "elastic..",
             BASE + "carve..",
             BASE + "frame..",
             BASE + "loop..",
@@ -466,6 +469,7 @@ class ArchitectureTest {
             BASE + "proxy..",
             BASE + "force..",
             BASE + "edit..",
+            BASE + "elastic..",
             BASE + "carve..",
             BASE + "frame..",
             BASE + "sync..")

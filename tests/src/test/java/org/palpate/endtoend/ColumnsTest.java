@@ -87,6 +87,12 @@ class ColumnsTest {
             replay(trajectory, "--tool", "sphere:2", "--mass", 0.1),
             common,
             "Reports of a tool"));
+    seen.addAll(
+        keys(
+            report,
+            replay(trajectory, "--elastic", "sphere=young:1e4"),
+            common,
+            "Reports with elastic segments"));
     seen.addAll(keys(report, touch(), common, "Reports of `touch`"));
     Object[] info = {"info", "--phantom", "sphere:16"};
     seen.addAll(keys(report, info, common, "Reports of `info`"));

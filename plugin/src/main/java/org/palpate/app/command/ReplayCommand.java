@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import org.palpate.app.options.ChosenCollisionDevice;
 import org.palpate.app.options.CollisionDeviceOptions;
 import org.palpate.app.options.ContactOptions;
+import org.palpate.app.options.ElasticOptions;
 import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
@@ -23,6 +24,7 @@ import org.palpate.app.options.ToolOptions;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.EditedVolume;
+import org.palpate.app.output.ElasticFields;
 import org.palpate.app.output.FaultFields;
 import org.palpate.app.output.ReplayTables;
 import org.palpate.app.output.Report;
@@ -71,6 +73,8 @@ import picocli.CommandLine.Spec;
       "  palpate replay --tool sphere:3 --trajectory t.csv --edits t.edits.csv --export cut.nrrd",
       "  palpate replay --tool sphere:4 --trajectory t.csv --poses poses.csv --legs legs.csv",
       "  palpate replay --tool sphere:4 --trajectory t.csv --collision-device opencl",
+      "  palpate replay --phantom block:64 --elastic block=young:20e3 --fixed base \\",
+      "    --trajectory t.csv --out frames.csv --legs legs.csv",
       "  palpate replay --phantom sphere:192 --coordinates grid --trajectory t.csv --repeat 12 \\",
       "    --report time.json"
     })
@@ -95,6 +99,7 @@ public final class ReplayCommand implements Callable<Integer> {
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
   @Mixin private ToolOptions tool;
+  @Mixin private ElasticOptions elastic;
   @Mixin private FeelOptions feel;
   @Mixin private CollisionDeviceOptions collisionDevice;
   @Mixin private OutputOptions output;
@@ -202,7 +207,7 @@ public final class ReplayCommand implements Callable<Integer> {
   /** Refuses to time passes if the first one moves bodies or changes voxels. */
   private void requireRepeatable() {
     Optional<String> changing =
-        Stream.of("--poses", "--edits", "--carve")
+        Stream.of("--poses", "--edits", "--carve", "--elastic")
             .filter(spec.commandLine().getParseResult()::hasMatchedOption)
             .findFirst();
     if (repeat != null && changing.isPresent()) {
@@ -231,13 +236,14 @@ public final class ReplayCommand implements Callable<Integer> {
     ContactScene scene = contact.scene(source, segments, feel.effects(segments));
     ReplayRun plain =
         world ? ReplayRun.inWorld(scene, trajectory) : ReplayRun.inGrid(scene, trajectory);
-    ReplayRun replay = plain.withEdits(edits);
+    ReplayRun replay = elastic.deform(plain.withEdits(edits), segments, contact.solver());
     ReplayRun.Result result = run(rawDevice ? replay.inRawMode() : replay, trajectory, tables);
     print(result.statistics());
     if (report.isWanted()) {
       report.putVolume(source, segments.segments());
     }
     putResult(report, result);
+    result.elastic().ifPresent(body -> report.put("elastic", ElasticFields.of(body)));
     if (repeat != null) {
       putTime(new ReplayTiming(scene, trajectory, world).run(repeat), report);
     }

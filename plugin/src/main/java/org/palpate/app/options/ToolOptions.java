@@ -24,7 +24,14 @@ import picocli.CommandLine.ParseResult;
 /** The options that choose the tool and its clearance. */
 public final class ToolOptions {
   private static final List<String> OF_POINTS =
-      List.of("--solver", "--collision", "--border", "--friction-form");
+      List.of(
+          "--solver",
+          "--collision",
+          "--border",
+          "--friction-form",
+          "--elastic",
+          "--fixed",
+          "--lattice");
 
   private static final List<String> OF_RIGID_TOOLS =
       List.of("--rotational-stiffness", "--mass", "--legs-every", "--legs-frames");

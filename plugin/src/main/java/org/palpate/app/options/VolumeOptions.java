@@ -57,7 +57,7 @@ public final class VolumeOptions {
       names = "--phantom",
       paramLabel = "NAME[:EDGE][:grey]",
       description = {
-        "A synthetic volume: head, sphere, shell, plane, torus or maze; or a broken bone,"
+        "A synthetic volume: head, sphere, shell, plane, torus, maze or block; or a broken bone,"
             + " fracture[:EDGE[:PARTS[:SEED[:KERF]]]], default fracture:160:4:1:1.",
         "Default without --volume: " + DEFAULT_PHANTOM + "."
       })

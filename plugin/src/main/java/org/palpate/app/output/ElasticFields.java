@@ -1,0 +1,24 @@
+package org.palpate.app.output;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.palpate.elastic.ElasticBody;
+import org.palpate.elastic.UpdateCounters;
+
+/** The fields of a report that state elastic segments. */
+public final class ElasticFields {
+  private ElasticFields() {}
+
+  /** Returns the fields in the order of the report, after the last frame. */
+  public static Map<String, Object> of(ElasticBody body) {
+    UpdateCounters counts = body.counters();
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("hexes", body.hexahedra());
+    fields.put("updates", counts.updates());
+    fields.put("scaled_back", counts.scaledBack());
+    fields.put("refused", counts.refused());
+    fields.put("worst_residual", counts.worstResidual());
+    fields.put("clipped_frames", body.contact().clippedFrames());
+    return fields;
+  }
+}
