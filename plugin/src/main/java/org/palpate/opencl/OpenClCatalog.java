@@ -67,8 +67,12 @@ public final class OpenClCatalog {
    * @throws WrongChoiceException if there are others, but none of these can be used
    */
   static ClDriver open(String part) {
+    return new JoclDriver(choose(JoclDevices.all(), part));
+  }
+
+  /** Returns the first device that has the name and can be used. */
+  static JoclDevices.Found choose(List<JoclDevices.Found> all, String part) {
     String wanted = part.toLowerCase(Locale.ROOT);
-    List<JoclDevices.Found> all = JoclDevices.all();
     List<JoclDevices.Found> fitting =
         all.stream()
             .filter(found -> found.entry().name().toLowerCase(Locale.ROOT).contains(wanted))
@@ -82,7 +86,6 @@ public final class OpenClCatalog {
     return fitting.stream()
         .filter(found -> found.entry().usable())
         .findFirst()
-        .map(JoclDriver::new)
         .orElseThrow(() -> new WrongChoiceException(fitting.get(0).entry().why()));
   }
 }

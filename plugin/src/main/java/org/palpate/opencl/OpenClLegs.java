@@ -2,6 +2,7 @@ package org.palpate.opencl;
 
 import java.nio.ByteBuffer;
 import java.util.concurrent.locks.LockSupport;
+import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.LegBatch;
 import org.palpate.collision.LegVerdict;
 import org.palpate.geometry.AffineMap;
@@ -10,7 +11,8 @@ import org.palpate.volume.BitCube;
 
 /**
  * Judges the legs of points on an OpenCL device. Points and voxels stay there; a motion sends two
- * maps and fetches a byte for each point.
+ * maps and fetches a byte for each point. In each motion the CPU casts some of the legs again, in
+ * turn, and gives up a device whose verdict is wrong.
  */
 final class OpenClLegs implements LegBatch {
   /** The size of a map: three rows of a matrix, each with its component of the offset. */
@@ -22,19 +24,25 @@ final class OpenClLegs implements LegBatch {
   /** The pause between two polls afterwards, ns. A device that is the CPU needs the core. */
   private static final long PAUSE_NANOS = 10_000;
 
+  /** The number of legs of a motion that the CPU casts again. */
+  private static final int AUDITED_LEGS = 16;
+
   private final OpenClDevice device;
   private final ClDriver driver;
   private final OpenClVoxels voxels;
+  private final LegBatch exact;
   private final int count;
   private final ClMemory maps;
   private final ClMemory verdicts;
   private final long kernel;
   private long crossover;
+  private int nextAudited;
 
   OpenClLegs(OpenClDevice device, ClDriver driver, OpenClVoxels voxels, PointSet points) {
     this.device = device;
     this.driver = driver;
     this.voxels = voxels;
+    exact = CollisionDevice.CPU.keep(voxels.bits()).newBatch(points);
     count = points.count();
     ClMemory coordinates = driver.allocate(24L * count);
     maps = driver.allocate(2 * MAP_BYTES);
@@ -78,6 +86,7 @@ final class OpenClLegs implements LegBatch {
     }
     try {
       judge(from, to, device.deadlineNanos());
+      audit(from, to);
       device.countBatch();
       return true;
     } catch (RuntimeException | LinkageError | OutOfMemoryError e) {
@@ -85,6 +94,17 @@ final class OpenClLegs implements LegBatch {
       return false;
     } finally {
       device.end();
+    }
+  }
+
+  private void audit(AffineMap from, AffineMap to) {
+    exact.judge(from, to);
+    for (int n = 0; n < AUDITED_LEGS; n++) {
+      nextAudited = nextAudited + 1 < count ? nextAudited + 1 : 0;
+      LegVerdict verdict = verdict(nextAudited);
+      if (verdict != LegVerdict.DOUBT && verdict != exact.verdict(nextAudited)) {
+        throw new IllegalStateException("its verdict on a leg is wrong");
+      }
     }
   }
 

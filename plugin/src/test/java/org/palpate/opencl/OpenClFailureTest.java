@@ -149,6 +149,22 @@ class OpenClFailureTest {
   }
 
   @Test
+  void aDeviceWhoseVerdictsTurnWrongIsGivenUp() {
+    SimulatedDriver simulated = new SimulatedDriver();
+    OpenClDevice device = OpenClOnCpu.device(simulated, OpenClOnCpu.PATIENT_NANOS);
+    NearBall ball = new NearBall(400);
+    LegBatch batch = device.keep(ball.voxels()).newBatch(ball);
+    assertTrue(batch.judge(ball.from(), ball.to()));
+    simulated.lies = true;
+    int motions = 0;
+    while (batch.judge(ball.from(), ball.to())) {
+      motions++;
+    }
+    assertEquals("its verdict on a leg is wrong", device.failure().orElseThrow());
+    assertTrue(motions < 400 / 16, "motions " + motions);
+  }
+
+  @Test
   void aHangingDeviceCostsOneFrameItsDeadline() {
     run(CollisionDevice.CPU);
     long deadline = 5_000_000;

@@ -24,6 +24,9 @@ final class SimulatedDriver implements ClDriver {
   private int polls;
   boolean isReleased;
 
+  /** Whether every leg is called free from now on. */
+  boolean lies;
+
   @Override
   public String name() {
     return "simulated";
@@ -83,7 +86,7 @@ final class SimulatedDriver implements ClDriver {
     LegBatch exact = CollisionDevice.CPU.keep(bits).newBatch(points);
     exact.judge(map(memory(bound.get(7)), 0), map(memory(bound.get(7)), 96));
     for (int n = 0; n < points.count(); n++) {
-      memory(bound.get(8)).put(n, (byte) (exact.verdict(n) == LegVerdict.FREE ? 0 : 1));
+      memory(bound.get(8)).put(n, (byte) (lies || exact.verdict(n) == LegVerdict.FREE ? 0 : 1));
     }
   }
 
