@@ -15,7 +15,7 @@ enum StudyDuration {
   ACCURACY(Double.NaN, 61),
   RIGID(Double.NaN, 140),
   CARVE(Double.NaN, 60),
-  GPU(Double.NaN, Double.NaN),
+  GPU(Double.NaN, 90),
   SYNC(83, 22),
   SURFACES(38, 38);
 

@@ -78,10 +78,12 @@ public final class GpuRun {
     out.println(
         String.format(
             Locale.ROOT,
-            "%-24s %,9d points, %-10s p50 %,9.1f  p99 %,9.1f  p99.9 %,9.1f  max %,9.1f us",
+            "%-24s %,9d points, %-10s least %,9.1f  p50 %,9.1f  p99 %,9.1f  p99.9 %,9.1f  max"
+                + " %,9.1f us",
             device,
             points,
             part,
+            time.least(),
             time.p50(),
             time.p99(),
             time.p999(),
@@ -93,12 +95,12 @@ public final class GpuRun {
     for (int points : POINTS) {
       progress.accept("CPU, " + points + " points");
       LegBatch all = OpenClLegsVariants.onCpu(points);
-      measure("cpu, 1 thread", points, "whole", () -> hits += TwoThreads.hits(all, points));
+      measure("cpu 1 thread", points, "whole", () -> hits += TwoThreads.hits(all, points));
       int half = points / 2;
       LegBatch first = OpenClLegsVariants.onCpu(half);
       LegBatch second = OpenClLegsVariants.onCpu(half);
       try (TwoThreads two = new TwoThreads(first, second, half)) {
-        measure("cpu, 2 threads", points, "whole", () -> hits += two.judge());
+        measure("cpu 2 threads", points, "whole", () -> hits += two.judge());
       }
     }
     if (hits == 0) {

@@ -10,6 +10,7 @@ import java.util.List;
  * @param points the number of legs
  * @param part what was timed
  * @param frames how often
+ * @param least the shortest, us
  * @param p50 the median, us
  * @param p99 the 99th percentile, us
  * @param p999 the 99.9th percentile, us
@@ -20,6 +21,7 @@ record PartTime(
     int points,
     String part,
     int frames,
+    double least,
     double p50,
     double p99,
     double p999,
@@ -43,6 +45,7 @@ record PartTime(
         points,
         part,
         frames,
+        micros(nanos, 0),
         micros(nanos, 0.5),
         micros(nanos, 0.99),
         micros(nanos, 0.999),
@@ -55,6 +58,6 @@ record PartTime(
   }
 
   List<Object> cells() {
-    return List.of(device, (long) points, part, (long) frames, p50, p99, p999, max);
+    return List.of(device, (long) points, part, (long) frames, least, p50, p99, p999, max);
   }
 }

@@ -28,7 +28,7 @@ public enum StudyTable {
   /** Figures of tools that cut. */
   CARVE("carve.csv", Columns.FIGURES),
   /** Times of judging legs by device and number. */
-  GPU("gpu.csv", "device,points,part,frames,p50_us,p99_us,p99_9_us,max_us"),
+  GPU("gpu.csv", "device,points,part,frames,least_us,p50_us,p99_us,p99_9_us,max_us"),
   /** Largest stable stiffness of the model and of the theory. */
   STABILITY_THEORY(
       "stability-theory.csv",
