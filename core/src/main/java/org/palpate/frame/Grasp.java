@@ -89,6 +89,11 @@ final class Grasp {
     return held;
   }
 
+  /** Returns the pose of the held body's reference point relative to the device. */
+  Pose inHand() {
+    return attachment;
+  }
+
   /** Returns the pose that what is held is to reach for a device pose. */
   Pose target(Pose device) {
     if (held == NO_BODY) {
@@ -129,6 +134,21 @@ final class Grasp {
    * @param torqueNewtonMm the last torque on the hand
    */
   void take(int body, Pose device, Vec3 forceNewton, Vec3 torqueNewtonMm, ToolMotion motion) {
+    take(body, motion);
+    attach(motion.pose(), device, forceNewton, torqueNewtonMm);
+  }
+
+  /**
+   * Takes hold of a movable body as a recorded session did.
+   *
+   * @param bodyInHand what {@link #inHand} was then
+   */
+  void takeAgain(int body, Pose bodyInHand, ToolMotion motion) {
+    take(body, motion);
+    attachment.set(bodyInHand);
+  }
+
+  private void take(int body, ToolMotion motion) {
     toolInBody.set(motion.pose());
     start.set(bodies.body(body).pose());
     held = body;
@@ -137,7 +157,6 @@ final class Grasp {
     grip.force.takeOver();
     motion.pose().inverseTransform(toolInBody.translation, toolInBody.translation);
     motion.pose().rotation.conjugate(turn).multiply(toolInBody.rotation, toolInBody.rotation);
-    attach(motion.pose(), device, forceNewton, torqueNewtonMm);
   }
 
   /**

@@ -1,10 +1,14 @@
 package org.palpate.frame;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.AtomicReferenceArray;
+import org.palpate.body.BodyEvent;
+import org.palpate.body.BodyListener;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.carve.CarveSettings;
@@ -25,6 +29,7 @@ import org.palpate.rigid.BlockingVoxels;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
+import org.palpate.rigid.tool.RigidTool;
 import org.palpate.statistics.SkipCounters;
 import org.palpate.statistics.SkipKind;
 import org.palpate.volume.BitCube;
@@ -72,6 +77,14 @@ public final class ToolFrame extends HapticFrame {
   /** For each body the pose that was requested last, until a frame takes it; else null. */
   private final AtomicReferenceArray<Pose> requestedPoses;
 
+  /** The poses that the listener knows. */
+  private final List<Pose> heardPoses = new ArrayList<>();
+
+  private BodyListener listener = BodyListener.NONE;
+
+  /** What is to be repeated in the next frame. */
+  private final Queue<Runnable> repetitions = new ArrayDeque<>();
+
   /** A change of what the hand holds. */
   private enum HoldRequest {
     NONE,
@@ -113,6 +126,9 @@ public final class ToolFrame extends HapticFrame {
     grasp = new Grasp(bodies, solver, coupling, settings.force(), placements);
     requestedForce = settings.force();
     requestedPoses = new AtomicReferenceArray<>(bodies.count());
+    for (int n = 0; n < bodies.count(); n++) {
+      heardPoses.add(new Pose().set(bodies.body(n).pose()));
+    }
     solver.addSkips(skippedBeforeUse);
   }
 
@@ -143,6 +159,9 @@ public final class ToolFrame extends HapticFrame {
     takeButton();
     if (!voxels.history().isMoving()) {
       applyHold(holdRequest.getAndSet(HoldRequest.NONE));
+    }
+    while (!repetitions.isEmpty()) {
+      repetitions.remove().run();
     }
     applyPoses();
   }
@@ -175,14 +194,25 @@ public final class ToolFrame extends HapticFrame {
     if (request == HoldRequest.TAKE && touched != Grasp.NO_BODY) {
       withoutEffects(pressingForce, pressingTorque);
       grasp.take(touched, devicePose, pressingForce, pressingTorque, motion);
-    } else if (request == HoldRequest.LET_GO && holds && !grasp.letGo(motion)) {
+      holdChanged(touched, BodyEvent.TAKEN);
+    } else if (request == HoldRequest.LET_GO && holds) {
+      letGo();
+    }
+  }
+
+  private void letGo() {
+    int body = grasp.held();
+    if (!grasp.letGo(motion)) {
       setFree();
     }
+    holdChanged(body, BodyEvent.RELEASED);
+  }
+
+  private void holdChanged(int body, BodyEvent event) {
     grasp.force().change(requestedForce);
-    if (heldBody != grasp.held()) {
-      heldBody = grasp.held();
-      beginEffectsAnew();
-    }
+    heldBody = grasp.held();
+    beginEffectsAnew();
+    listener.accept(body, event, bodies.body(body).pose(), grasp.inHand());
   }
 
   /**
@@ -195,11 +225,27 @@ public final class ToolFrame extends HapticFrame {
       return;
     }
     edits.applyTo(voxels, maxVoxels);
+    takePlacedBodies();
+  }
+
+  private void takePlacedBodies() {
     if (placed && solver.wasBodyMoved()) {
       solver.bodies().clearGoals();
       solver.place(motion.pose(), motion);
       grasp.force().reset();
       setFree();
+      hear(BodyEvent.PLACED);
+    }
+  }
+
+  /** Passes on the poses that changed. */
+  private void hear(BodyEvent event) {
+    for (int n = 0; n < heardPoses.size(); n++) {
+      Pose pose = bodies.body(n).pose();
+      if (!pose.sameBits(heardPoses.get(n))) {
+        heardPoses.get(n).set(pose);
+        listener.accept(n, event, pose, grasp.inHand());
+      }
     }
   }
 
@@ -234,8 +280,7 @@ public final class ToolFrame extends HapticFrame {
     boolean startsAtDevice = true;
     if (!placed || jumped) {
       if (grasp.held() != Grasp.NO_BODY) {
-        grasp.letGo(motion);
-        heldBody = Grasp.NO_BODY;
+        letGo();
       }
       startsAtDevice = solver.place(devicePose, motion);
       placed = true;
@@ -285,6 +330,7 @@ public final class ToolFrame extends HapticFrame {
   @Override
   void publish(long frame) {
     mostReduced = Math.max(mostReduced, motion.reducedPoints());
+    hear(grasp.held() == Grasp.NO_BODY ? BodyEvent.MOVED : BodyEvent.HELD);
     publisher.publish(devicePose, motion, forceNewton, torqueNewtonMm, frame);
   }
 
@@ -325,6 +371,52 @@ public final class ToolFrame extends HapticFrame {
     requestedPoses.set(body, new Pose().set(restToPresent));
   }
 
+  /** Sets who receives where bodies are put. Call it before the first frame. */
+  public void listen(BodyListener newListener) {
+    listener = newListener;
+  }
+
+  /**
+   * Repeats in the next frame what happened to a body in a recorded session; see {@link
+   * BodyListener#accept}. A body approaches a pose, unless the hand holds it. Allocates. Haptic
+   * thread, between two frames.
+   *
+   * @param pose finite, with a unit quaternion
+   * @throws IllegalArgumentException if the body cannot move
+   */
+  public void repeat(int body, BodyEvent event, Pose pose, Pose inHand) {
+    if (!solver.canMove(body)) {
+      throw new IllegalArgumentException("the body stands still: " + bodies.body(body).name());
+    }
+    repetitions.add(() -> repeatNow(body, event, pose, inHand));
+  }
+
+  private void repeatNow(int body, BodyEvent event, Pose pose, Pose inHand) {
+    boolean holds = grasp.held() != Grasp.NO_BODY;
+    switch (event) {
+      case TAKEN -> {
+        if (!holds) {
+          takePlacedBodies();
+          grasp.takeAgain(body, inHand, motion);
+          holdChanged(body, BodyEvent.TAKEN);
+        }
+      }
+      case RELEASED -> {
+        if (holds) {
+          letGo();
+        }
+      }
+      case PLACED -> {
+        bodies.body(body).setPose(pose);
+      }
+      case MOVED, HELD -> {
+        if (!(holds && event == BodyEvent.HELD)) {
+          solver.bodies().setGoal(body, pose);
+        }
+      }
+    }
+  }
+
   /** Returns the index of the body that is held; -1 if the hand holds the tool. Any thread. */
   public int heldBody() {
     return heldBody;
@@ -336,6 +428,11 @@ public final class ToolFrame extends HapticFrame {
    */
   public ToolMotion motion() {
     return motion;
+  }
+
+  /** Returns the tool, or the sample points of the body that is held. */
+  public RigidTool shape() {
+    return grasp.solver().shape();
   }
 
   /** Returns the device pose that the last frame followed, world mm. It belongs to the frame. */

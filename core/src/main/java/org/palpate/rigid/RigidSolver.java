@@ -195,6 +195,8 @@ public final class RigidSolver {
     motion.reducedPoints = verifier.reducedCount();
     stepper.reset();
     hasTarget = false;
+    liftBackoff = 1;
+    liftWait = 0;
     beginApproach();
   }
 

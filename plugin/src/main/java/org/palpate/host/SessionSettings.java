@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopSettings;
+import org.palpate.recording.BodyRecorder;
 import org.palpate.recording.EditRecorder;
 import org.palpate.recording.SampleRecorder;
 
@@ -20,6 +21,7 @@ import org.palpate.recording.SampleRecorder;
  * @param loop pace and thread setup; the session adds the warm-up
  * @param recorder records what the device sends, if given
  * @param editRecorder records changes of voxels, if given
+ * @param bodyRecorder records poses of bodies, if given
  * @param listener receives the end of the loop, once, on the thread that ends it
  */
 public record SessionSettings(
@@ -27,6 +29,7 @@ public record SessionSettings(
     LoopSettings loop,
     Optional<SampleRecorder> recorder,
     Optional<EditRecorder> editRecorder,
+    Optional<BodyRecorder> bodyRecorder,
     Consumer<LoopEnd> listener) {
   private static final double USUAL_HERTZ = 1000;
 
@@ -37,33 +40,40 @@ public record SessionSettings(
         LoopSettings.ofRate(USUAL_HERTZ),
         Optional.empty(),
         Optional.empty(),
+        Optional.empty(),
         end -> {});
   }
 
   /** Returns a copy with the stiffness that is used if the scene's settings give none, N/mm. */
   public SessionSettings withDefaultStiffness(double newtonPerMm) {
     return new SessionSettings(
-        OptionalDouble.of(newtonPerMm), loop, recorder, editRecorder, listener);
+        OptionalDouble.of(newtonPerMm), loop, recorder, editRecorder, bodyRecorder, listener);
   }
 
   /** Returns a copy with another pace and thread setup. */
   public SessionSettings withLoop(LoopSettings newLoop) {
-    return new SessionSettings(defaultNewtonPerMm, newLoop, recorder, editRecorder, listener);
+    return new SessionSettings(defaultNewtonPerMm, newLoop, recorder, editRecorder, bodyRecorder, listener);
   }
 
   /** Returns a copy that records what the device sends, if a recorder is given. */
   public SessionSettings withRecorder(Optional<SampleRecorder> newRecorder) {
-    return new SessionSettings(defaultNewtonPerMm, loop, newRecorder, editRecorder, listener);
+    return new SessionSettings(defaultNewtonPerMm, loop, newRecorder, editRecorder, bodyRecorder, listener);
   }
 
   /** Returns a copy that records changes of voxels, if a recorder is given. */
   public SessionSettings withEditRecorder(Optional<EditRecorder> newRecorder) {
-    return new SessionSettings(defaultNewtonPerMm, loop, recorder, newRecorder, listener);
+    return new SessionSettings(defaultNewtonPerMm, loop, recorder, newRecorder, bodyRecorder, listener);
+  }
+
+  /** Returns a copy that records poses of bodies, if a recorder is given. */
+  public SessionSettings withBodyRecorder(Optional<BodyRecorder> newRecorder) {
+    return new SessionSettings(
+        defaultNewtonPerMm, loop, recorder, editRecorder, newRecorder, listener);
   }
 
   /** Returns a copy that reports the end of the loop, once, on the thread that ends it. */
   public SessionSettings withListener(Consumer<LoopEnd> newListener) {
-    return new SessionSettings(defaultNewtonPerMm, loop, recorder, editRecorder, newListener);
+    return new SessionSettings(defaultNewtonPerMm, loop, recorder, editRecorder, bodyRecorder, newListener);
   }
 
   /** Returns the stiffness if the scene's settings give none, N per mm of scan. */

@@ -120,22 +120,22 @@ public final class ToolLegs {
     }
   }
 
-  /** Returns the longest path of a point in the last frame, world mm. */
-  public double longestPathMm(ToolMotion motion) {
+  /**
+   * Returns the longest path of a point in the last frame, world mm.
+   *
+   * @param held the points of the tool, or of the body that is held
+   */
+  public double longestPathMm(ToolMotion motion, RigidTool held) {
     double longest = 0;
-    for (int point = 0; motion.steps() > 0 && point < tool.count(); point++) {
+    for (int point = 0; motion.steps() > 0 && point < held.count(); point++) {
       double length = 0;
       for (int step = 0; step < motion.steps(); step++) {
-        worldPosition(motion.pathPose(step), point, start);
-        worldPosition(motion.pathPose(step + 1), point, end);
+        motion.pathPose(step).transform(held.point(point, start), start);
+        motion.pathPose(step + 1).transform(held.point(point, end), end);
         length += end.sub(start, end).length();
       }
       longest = Math.max(longest, length);
     }
     return longest;
-  }
-
-  private void worldPosition(Pose pose, int point, Vec3 dest) {
-    pose.transform(tool.point(point, dest), dest);
   }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.palpate.body.BodyEvent;
 import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
 import org.palpate.edit.EditSchedule;
@@ -64,8 +65,11 @@ public final class ToolReplay {
    * @param motions the number of steps that bodies moved
    * @param pushes the number of those that pushed the tool
    * @param heldBack the number of frames in which a body was held back, counted for each body
+   * @param elsewhere the number of recorded poses of a held body that the replay did not reach to
+   *     the bit; 0 if it repeats the session
    */
-  public record MovedBodies(int movable, long motions, long pushes, long heldBack) {}
+  public record MovedBodies(
+      int movable, long motions, long pushes, long heldBack, long elsewhere) {}
 
   /**
    * Creates a replay in which no body moves.
@@ -81,7 +85,8 @@ public final class ToolReplay {
    *
    * @param raw whether samples are treated as in a live session
    * @param edits recorded changes of voxels; the replay uses up the schedule
-   * @param poses the poses that bodies approach, in the order of their frames
+   * @param poses the poses that bodies approach, or what a recorded session did to them, in the
+   *     order of their frames
    */
   public ToolReplay(
       ToolScene scene,
@@ -148,15 +153,16 @@ public final class ToolReplay {
     ToolFrame frame =
         scene.newFrame(device, settings, scene.coupling(newtonPerMm), ToolFramePublisher.NONE);
     long[] work = new long[trajectory.size()];
-    int goal = 0;
+    int first = 0;
     long motions = 0;
+    long elsewhere = 0;
     BodyMover bodies = scene.solver().bodies();
     for (int n = 0; n < work.length; n++) {
       edits.offerUpTo(n, scene.edits());
-      for (; goal < poses.size() && poses.get(goal).frame() <= n; goal++) {
-        bodies.setGoal(poses.get(goal).body(), poses.get(goal).restToPresent());
-      }
+      int end = repeatUpTo(n, first, frame);
       frame.run(ReplayRun.frameNanos(trajectory, n, raw));
+      elsewhere += countElsewhere(poses.subList(first, end));
+      first = end;
       work[n] = frame.followed() ? frame.work() : 0;
       motions += frame.motion().bodies().count();
       sink.accept(n, frame);
@@ -166,7 +172,24 @@ public final class ToolReplay {
         frame.statistics(),
         WorkPercentiles.of(work),
         frame.mostReducedPoints(),
-        new MovedBodies(movable(poses).size(), motions, bodies.pushes(), bodies.heldBack()));
+        new MovedBodies(movable(poses).size(), motions, bodies.pushes(), bodies.heldBack(), elsewhere));
+  }
+
+  /** Repeats the poses of a frame from an index on, and returns the index after the last. */
+  private int repeatUpTo(int number, int first, ToolFrame frame) {
+    int n = first;
+    for (; n < poses.size() && poses.get(n).frame() <= number; n++) {
+      BodyPose next = poses.get(n);
+      frame.repeat(next.body(), next.event(), next.restToPresent(), next.inHand());
+    }
+    return n;
+  }
+
+  private long countElsewhere(List<BodyPose> recorded) {
+    return recorded.stream()
+        .filter(pose -> pose.event() == BodyEvent.HELD)
+        .filter(pose -> !scene.bodies().body(pose.body()).pose().sameBits(pose.restToPresent()))
+        .count();
   }
 
   /** Returns the indices of the bodies that move. */

@@ -121,6 +121,13 @@ public final class TouchSession implements AutoCloseable {
     cuts = scene.contactScene().carve().isPresent();
     ToolPublisher publisher = new ToolPublisher(properties, grid, scene.bodies());
     ToolFrame frame = scene.newFrame(device, frameSettings, coupling, published(publisher));
+    settings
+        .bodyRecorder()
+        .ifPresent(
+            recorder ->
+                frame.listen(
+                    (body, event, pose, inHand) ->
+                        recorder.offer(frame.sampleOfChanges(), body, event, pose, inHand)));
     tuning = ContactTuning.ofTool(frame, frameSettings.force(), specification);
     HapticDevice hand =
         SimulatedDevice.withOrientation(

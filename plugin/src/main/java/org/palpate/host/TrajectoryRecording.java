@@ -1,6 +1,7 @@
 package org.palpate.host;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.io.Writer;
@@ -9,10 +10,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.palpate.body.BodyEvent;
+import org.palpate.geometry.Pose;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.table.CsvWriter;
 import org.palpate.io.table.EditsCsv;
+import org.palpate.io.table.PosesCsv;
+import org.palpate.recording.BodyRecorder;
 import org.palpate.recording.EditRecorder;
 import org.palpate.recording.RecordingThread;
 import org.palpate.recording.SampleRecorder;
@@ -30,16 +35,66 @@ public final class TrajectoryRecording implements AutoCloseable {
   private final Writer writer;
   private final SampleRecorder recorder = new SampleRecorder();
   private final EditRecorder editRecorder = new EditRecorder();
+  private final BodyRecorder bodyRecorder = new BodyRecorder();
   private final List<String> segments;
-
-  /** The file of edits, from the first edit on; belongs to the recording thread until it ends. */
-  private AtomicFile editsFile;
-
-  private CsvWriter editRows;
+  private final SecondTable edits;
+  private final SecondTable poses;
   private final RecordingThread thread;
 
   /** Written by the recording thread alone. */
   private volatile boolean holdsSamples;
+
+  /**
+   * A table beside the samples, made for its first row. Belongs to the recording thread until that
+   * ends.
+   */
+  private static final class SecondTable {
+    private final Path target;
+    private AtomicFile file;
+    private CsvWriter rows;
+
+    private SecondTable(Path target) {
+      this.target = target;
+    }
+
+    /** Begins the table. */
+    private interface Begin {
+      CsvWriter begin(OutputStream stream) throws IOException;
+    }
+
+    /** Adds a row. */
+    private interface Row {
+      void add(CsvWriter rows) throws IOException;
+    }
+
+    private void add(Begin begin, Row row) {
+      try {
+        if (file == null) {
+          file = new AtomicFile(target);
+          rows = begin.begin(file.stream());
+        }
+        row.add(rows);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+
+    /** Moves the table over its target; an older one does not fit the new samples. */
+    private void finish(boolean holdsSamples) throws IOException {
+      if (file != null) {
+        file.stream().flush();
+        file.commit();
+      } else if (holdsSamples) {
+        Files.deleteIfExists(target);
+      }
+    }
+
+    private void close() throws IOException {
+      if (file != null) {
+        file.close();
+      }
+    }
+  }
 
   /**
    * Starts a recording of samples alone.
@@ -51,15 +106,17 @@ public final class TrajectoryRecording implements AutoCloseable {
   }
 
   /**
-   * Starts a recording. Changes of voxels go into a second file, {@code T.edits.csv} beside {@code
-   * T.csv}, if there are any.
+   * Starts a recording. Changes of voxels go into {@code T.edits.csv} beside {@code T.csv}, and
+   * poses of bodies into {@code T.poses.csv}, if there are any.
    *
-   * @param segments names of the segments, in the order of their indices
+   * @param segments names of the segments and bodies, in the order of their indices
    * @throws IOException if the file cannot be created
    */
   public TrajectoryRecording(Path target, List<String> segments) throws IOException {
     this.target = target;
     this.segments = List.copyOf(segments);
+    edits = new SecondTable(editsFile(target));
+    poses = new SecondTable(posesFile(target));
     file = new AtomicFile(target);
     writer = new OutputStreamWriter(file.stream(), StandardCharsets.UTF_8);
     TrajectoryWriter rows = new TrajectoryWriter(writer, NumberText::text);
@@ -70,19 +127,20 @@ public final class TrajectoryRecording implements AutoCloseable {
               holdsSamples = true;
               rows.accept(sample, flags);
             },
-            () -> editRecorder.drainTo(this::writeEdit));
+            () -> {
+              editRecorder.drainTo(this::writeEdit);
+              bodyRecorder.drainTo(this::writePose);
+            });
   }
 
   private void writeEdit(long sample, int segment, int i, int j, int k, boolean solid) {
-    try {
-      if (editsFile == null) {
-        editsFile = new AtomicFile(editsFile(target));
-        editRows = EditsCsv.writer(editsFile.stream());
-      }
-      EditsCsv.add(editRows, sample, segments.get(segment), i, j, k, solid);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    String name = segments.get(segment);
+    edits.add(EditsCsv::writer, rows -> EditsCsv.add(rows, sample, name, i, j, k, solid));
+  }
+
+  private void writePose(long sample, int body, BodyEvent event, Pose pose, Pose inHand) {
+    String name = segments.get(body);
+    poses.add(PosesCsv::writer, rows -> PosesCsv.add(rows, sample, name, event, pose, inHand));
   }
 
   /** Returns the table of edits that belongs to a recording: {@code T.edits.csv}. */
@@ -123,10 +181,15 @@ public final class TrajectoryRecording implements AutoCloseable {
     return editRecorder;
   }
 
+  /** Returns the recorder of the poses of bodies, to give to a {@link TouchSession}. */
+  public BodyRecorder bodyRecorder() {
+    return bodyRecorder;
+  }
+
   /**
    * Writes the remaining samples and moves the file over its target, unless there is no sample at
-   * all. Call it after the session's last frame. If nothing was edited, an older table of edits is
-   * deleted, because it would not fit the new samples.
+   * all. Call it after the session's last frame. If nothing was edited or no body moved, an older
+   * table of edits or poses is deleted, because it would not fit the new samples.
    *
    * @throws IOException if the file cannot be written
    */
@@ -140,15 +203,15 @@ public final class TrajectoryRecording implements AutoCloseable {
     if (holdsSamples) {
       file.commit();
     }
-    if (editsFile != null) {
-      editsFile.stream().flush();
-      editsFile.commit();
-    } else if (holdsSamples) {
-      Files.deleteIfExists(editsFile(target));
-    }
-    if (editRecorder.overflows() > 0) {
-      throw new IOException(
-          editRecorder.overflows() + " changes of voxels were lost; a replay would differ");
+    edits.finish(holdsSamples);
+    poses.finish(holdsSamples);
+    requireWhole("changes of voxels", editRecorder.overflows());
+    requireWhole("poses of bodies", bodyRecorder.overflows());
+  }
+
+  private static void requireWhole(String what, long lost) throws IOException {
+    if (lost > 0) {
+      throw new IOException(lost + " " + what + " were lost; a replay would differ");
     }
   }
 
@@ -167,9 +230,8 @@ public final class TrajectoryRecording implements AutoCloseable {
       thread.close();
     } finally {
       file.close();
-      if (editsFile != null) {
-        editsFile.close();
-      }
+      edits.close();
+      poses.close();
     }
   }
 }

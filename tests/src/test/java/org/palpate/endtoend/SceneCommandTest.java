@@ -26,6 +26,8 @@ import org.palpate.io.mesh.MeshFiles;
 import org.palpate.io.scene.BodyReader;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.scene.SceneReader;
+import org.palpate.io.table.BodyPose;
+import org.palpate.io.table.PosesCsv;
 import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.rigid.tool.TriangleMesh;
 import org.palpate.volume.Segment;
@@ -95,14 +97,36 @@ class SceneCommandTest {
   }
 
   @Test
-  void aRecordingOfBodiesThatCanMoveSaysThatItHasNoPoses() {
-    Object[] touch = {"touch", "--scene", scene, "--headless", "--seconds", 0.3};
-    String note = "The recording has no poses of bodies yet";
-    assertFalse(CommandRun.of(touch).mustSucceed().out().contains(note));
-    List<Object> recorded = new ArrayList<>(List.of(touch));
-    recorded.addAll(List.of("--record", folder.resolve("t.csv")));
-    assertTrue(CommandRun.of(recorded.toArray()).mustSucceed().out().contains(note));
-    assertFalse(Files.exists(folder.resolve("t.poses.csv")));
+  void aRecordingInWhichNoBodyMovedHasNoPosesAndLeavesNoOlderOnes() throws IOException {
+    Path poses = Files.writeString(folder.resolve("t.poses.csv"), "older");
+    List<Object> touch = new ArrayList<>(List.of("touch", "--scene", scene, "--headless"));
+    touch.addAll(List.of("--seconds", 0.3, "--record", folder.resolve("t.csv")));
+    CommandRun.of(touch.toArray()).mustSucceed();
+    assertFalse(Files.exists(poses));
+  }
+
+  @Test
+  void aLiveReductionIsReplayedToTheBit() throws IOException {
+    List<Object> phantom = List.of("--phantom", "fracture:64:2:5");
+    Path samples = folder.resolve("t.csv");
+    Path poses = folder.resolve("t.poses.csv");
+    Path left = folder.resolve("left.json");
+    List<Object> touch = new ArrayList<>(List.of("touch", "--headless", "--seconds", 7));
+    touch.addAll(phantom);
+    touch.addAll(List.of("--record", samples, "--save-scene", left));
+    touch.addAll(List.of("--export", folder.resolve("left.nrrd")));
+    CommandRun.of(touch.toArray()).mustSucceed();
+    Path report = folder.resolve("r.json");
+    List<Object> replay = new ArrayList<>(List.of("replay", "--trajectory", samples));
+    replay.addAll(phantom);
+    replay.addAll(List.of("--poses", poses, "--report", report, "--legs", folder.resolve("l.csv")));
+    CommandRun.of(replay.toArray()).mustSucceed();
+    Map<String, String> json = FlatJson.read(report);
+    assertEquals("0", json.get("/moving/elsewhere"), json.toString());
+    List<BodyPose> rows = PosesCsv.read(poses, List.of("fragment1", "fragment2"));
+    assertTrue(rows.size() > 500, rows.size() + " rows");
+    Pose last = BodyReader.read(SceneReader.read(left), left).poses().get(1);
+    assertTrue(last.sameBits(rows.get(rows.size() - 1).restToPresent()), last.toString());
   }
 
   @Test

@@ -48,7 +48,7 @@ import org.palpate.host.ToolScene;
 import org.palpate.host.TrajectoryFile;
 import org.palpate.io.table.BodyPose;
 import org.palpate.io.table.EditsCsv;
-import org.palpate.io.table.PosesCsvReader;
+import org.palpate.io.table.PosesCsv;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.tool.MadeTool;
 import org.palpate.volume.Segment;
@@ -363,7 +363,7 @@ public final class ReplayCommand implements Callable<Integer> {
   private List<BodyPose> readPoses(SegmentedVolume segments) throws IOException {
     return posesFile == null
         ? List.of()
-        : PosesCsvReader.read(posesFile, segments.segments().stream().map(Segment::name).toList());
+        : PosesCsv.read(posesFile, segments.segments().stream().map(Segment::name).toList());
   }
 
   private static ToolReplay.Result run(

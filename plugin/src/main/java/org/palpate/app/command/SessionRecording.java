@@ -1,14 +1,13 @@
 package org.palpate.app.command;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.output.WriteFailures;
-import org.palpate.app.process.PalpateException;
 import org.palpate.host.TrajectoryRecording;
+import org.palpate.recording.BodyRecorder;
 import org.palpate.recording.EditRecorder;
 import org.palpate.recording.SampleRecorder;
 import org.palpate.volume.Segment;
@@ -44,23 +43,17 @@ final class SessionRecording implements AutoCloseable {
    *
    * @param target the file; if empty, nothing is recorded
    * @param inputs files that must not be replaced
-   * @throws PalpateException exit code 2, if one cannot be written, or a table of poses would lie
-   *     beside samples that it does not fit
+   * @throws org.palpate.app.process.PalpateException exit code 2, if one cannot be written
    */
   static List<Path> checked(Optional<Path> target, List<Path> inputs) {
     if (target.isEmpty()) {
       return List.of();
     }
     Path samples = OutputPaths.checked("--record", target.get(), inputs);
-    Path poses = TrajectoryRecording.posesFile(samples);
-    if (Files.exists(poses)) {
-      throw PalpateException.wrongUse(
-          "a table of poses has the name of this recording, which would not fit it",
-          poses.toString(),
-          "move it away, or record to another file");
-    }
     return List.of(
-        samples, OutputPaths.checked("--record", TrajectoryRecording.editsFile(samples), inputs));
+        samples,
+        OutputPaths.checked("--record", TrajectoryRecording.editsFile(samples), inputs),
+        OutputPaths.checked("--record", TrajectoryRecording.posesFile(samples), inputs));
   }
 
   /** Returns the recorder of the session. */
@@ -71,6 +64,11 @@ final class SessionRecording implements AutoCloseable {
   /** Returns the recorder of the changes of voxels. */
   Optional<EditRecorder> editRecorder() {
     return recording.map(TrajectoryRecording::editRecorder);
+  }
+
+  /** Returns the recorder of the poses of bodies. */
+  Optional<BodyRecorder> bodyRecorder() {
+    return recording.map(TrajectoryRecording::bodyRecorder);
   }
 
   /** Reports a failure so far. Called regularly while the session runs. */

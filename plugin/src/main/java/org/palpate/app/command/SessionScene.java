@@ -117,21 +117,11 @@ final class SessionScene {
     return start.at(poses);
   }
 
-  /**
-   * Returns notes for the user, a sentence each.
-   *
-   * @param isRecorded whether the session is recorded
-   */
-  List<String> notes(DeviceSpecification device, boolean isRecorded) {
-    List<String> notes = new ArrayList<>();
-    if (rigid.isPresent() && !device.hasOrientation()) {
-      notes.add("The device has no orientation, so the tool is held upright.");
-    }
-    if (isRecorded && rigid.map(ToolScene::hasMovableBodies).orElse(false)) {
-      notes.add(
-          "The recording has no poses of bodies yet: a replay sees them where they stand now.");
-    }
-    return notes;
+  /** Returns notes for the user, a sentence each. */
+  List<String> notes(DeviceSpecification device) {
+    return rigid.isPresent() && !device.hasOrientation()
+        ? List.of("The device has no orientation, so the tool is held upright.")
+        : List.of();
   }
 
   /** Returns a new session; see {@link TouchSession}. */

@@ -149,7 +149,10 @@ public final class TouchCommand implements Callable<Integer> {
   @Option(
       names = "--record",
       paramLabel = "T.csv",
-      description = "Records what the device sends, for palpate replay.")
+      description = {
+        "Records what the device sends, for palpate replay; changes of voxels into T.edits.csv, and"
+            + " poses of bodies into T.poses.csv."
+      })
   private Path recordFile;
 
   @Option(
@@ -289,7 +292,7 @@ public final class TouchCommand implements Callable<Integer> {
     HandTarget target = scene.handTarget();
     LoopSettings loop = LoopSettings.ofRate(rateHz);
     try (HapticDevice opened = open(choice, source, scene, target, loop.periodNanos())) {
-      scene.notes(opened.specification(), record.isPresent()).forEach(out::println);
+      scene.notes(opened.specification()).forEach(out::println);
       Optional<ViewOptions> view = view(source, scene.contactScene());
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
       Optional<BrushOptions.Brush> brush =
@@ -414,7 +417,8 @@ public final class TouchCommand implements Callable<Integer> {
                     .withDefaultStiffness(choice.defaultStiffness(opened, scene.contactScene()))
                     .withLoop(loop.with(realtime, realtime))
                     .withRecorder(recording.recorder())
-                    .withEditRecorder(recording.editRecorder()))) {
+                    .withEditRecorder(recording.editRecorder())
+                    .withBodyRecorder(recording.bodyRecorder()))) {
       Optional<SessionBrush> painter =
           brush.map(held -> new SessionBrush(held, session, scene.volume(), scene.tool()));
       Runnable check =

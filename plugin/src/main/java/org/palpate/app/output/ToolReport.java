@@ -89,6 +89,7 @@ public final class ToolReport {
     fields.put("motions", bodies.motions());
     fields.put("pushes", bodies.pushes());
     fields.put("held_back", bodies.heldBack());
+    fields.put("elsewhere", bodies.elsewhere());
     return fields;
   }
 

@@ -26,6 +26,9 @@ public final class ToolTables implements ToolReplay.FrameSink {
   private final ToolLegs list;
   private final Pose device = new Pose();
 
+  /** Whether a body was held, so that the tool begins new chains of legs when it returns. */
+  private boolean wasHolding;
+
   /**
    * The legs to write.
    *
@@ -96,15 +99,19 @@ public final class ToolTables implements ToolReplay.FrameSink {
   @Override
   public void accept(int number, ToolFrame frame) {
     frames.ifPresent(rows -> tables.toFrames(() -> addFrame(rows, number, frame)));
-    if (selection.contains(number)) {
-      legs.ifPresent(rows -> tables.toLegs(() -> addLegs(rows, number, frame)));
+    boolean holds = frame.heldBody() >= 0;
+    boolean beginsAnew = frame.wasFreed() || wasHolding;
+    if (selection.contains(number) && !holds) {
+      legs.ifPresent(rows -> tables.toLegs(() -> addLegs(rows, number, frame, beginsAnew)));
     }
+    wasHolding = holds;
   }
 
-  private void addLegs(ToolLegsCsvWriter rows, int number, ToolFrame frame) throws IOException {
+  private void addLegs(ToolLegsCsvWriter rows, int number, ToolFrame frame, boolean beginsAnew)
+      throws IOException {
     list.list(
         frame.motion(),
-        frame.wasFreed(),
+        beginsAnew,
         selection.every(),
         (leg, body, point, start, end) -> rows.add(number, leg, body, point, start, end));
   }
@@ -119,6 +126,6 @@ public final class ToolTables implements ToolReplay.FrameSink {
         frame.forceNewton(),
         frame.torqueNewtonMm(),
         frame.motion().contact(),
-        list.longestPathMm(frame.motion()));
+        list.longestPathMm(frame.motion(), frame.shape()));
   }
 }

@@ -47,7 +47,7 @@ class NamesInTablesTest {
     Path file = folder.resolve("poses.csv");
     String row = "7," + CsvWriter.quoted(NAME) + ",1,2,3,1,0,0,0\n";
     Files.writeString(file, "frame,body,x,y,z,qw,qx,qy,qz\n" + row);
-    List<BodyPose> poses = PosesCsvReader.read(file, List.of("jaw", NAME));
+    List<BodyPose> poses = PosesCsv.read(file, List.of("jaw", NAME));
     assertEquals(1, poses.size());
     assertEquals(1, poses.get(0).body());
     assertEquals(3, poses.get(0).restToPresent().translation.z);
