@@ -3,8 +3,8 @@ package org.palpate.edit;
 import org.palpate.geometry.Pose;
 
 /**
- * Keeps placements of bodies, so that they can be undone and redone to the bit. Each placement is a
- * stroke of its own. Haptic thread only; allocates nothing after it was made.
+ * Keeps placements of bodies, so that they can be undone and redone to the bit. Those of bodies
+ * that moved together are one stroke. Haptic thread only; allocates nothing after it was made.
  */
 public final class PlacementLog implements ChangeLog {
   /** The most placements that are kept. */
@@ -39,16 +39,19 @@ public final class PlacementLog implements ChangeLog {
     history = newHistory;
   }
 
+  /** Separates placements: those that are noted before and after are undone one by one. */
+  public void separate() {
+    history.endStroke();
+  }
+
   /** Notes that a body was moved from one pose to another. */
   public void note(int index, Pose before, Pose after) {
-    history.endStroke();
     history.beforeChange();
     int at = (int) (end++ % CAPACITY);
     body[at] = index;
     from[at].set(before);
     to[at].set(after);
     oldest = Math.max(oldest, end - CAPACITY);
-    history.endStroke();
   }
 
   @Override
@@ -78,6 +81,6 @@ public final class PlacementLog implements ChangeLog {
 
   @Override
   public void beginStroke() {
-    // Each placement is a stroke of its own.
+    // Nothing is kept for a stroke.
   }
 }

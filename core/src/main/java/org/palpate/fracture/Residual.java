@@ -2,6 +2,7 @@ package org.palpate.fracture;
 
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.fracture.PosedBits;
@@ -28,6 +29,16 @@ public record Residual(double distanceMm, double angleDegrees) {
     relative.rotation.multiply(fragment.pose().rotation, relative.rotation);
     return new Residual(
         present.sub(centroid, present).length(), Math.toDegrees(relative.rotation.angle()));
+  }
+
+  /** Returns the motion that led from an earlier pose of a fragment to its present one. */
+  public static Residual since(Pose earlier, PosedBits fragment) {
+    Vec3 centroid = centroid(fragment);
+    Vec3 before = earlier.transform(centroid, new Vec3());
+    Vec3 now = fragment.pose().transform(centroid, centroid);
+    Quaternion turn = earlier.rotation.conjugate(new Quaternion());
+    fragment.pose().rotation.multiply(turn, turn);
+    return new Residual(now.sub(before, now).length(), Math.toDegrees(turn.angle()));
   }
 
   /** Returns the mean of the voxel centres at rest, world mm. */

@@ -13,8 +13,9 @@ import org.palpate.rigid.ToolContacts;
 import org.palpate.rigid.ToolMotion;
 
 /**
- * Holds either the tool or a movable body that the tool touched. A body that is taken stays where
- * it is, bit for bit, and so does one that is let go.
+ * Holds either the tool or a movable body that the tool touched. Bodies may move along with it as
+ * if glued to it. A body that is taken stays where it is, bit for bit, and so does one that is let
+ * go.
  *
  * <p>A body is attached to the device by a fixed pose. It is chosen such that the coupling gives
  * the force and torque that the hand felt when it took the body. The tool returns where the body
@@ -35,13 +36,17 @@ final class Grasp {
   private final PlacementLog placements;
   private final Pose attachment = new Pose();
   private final Pose toolInBody = new Pose();
-  private final Pose start = new Pose();
+
+  /** The pose of each body when the hand took hold. */
+  private final Pose[] starts;
+
   private final Pose target = new Pose();
   private final Vec3 lever = new Vec3();
   private final Vec3 moment = new Vec3();
   private final Quaternion turn = new Quaternion();
   private Grip grip;
   private int held = NO_BODY;
+  private final boolean[] moves;
 
   /** The solver, the coupling and the force of something that the hand can hold. */
   private record Grip(RigidSolver solver, RigidCoupling coupling, ToolForce force) {}
@@ -62,7 +67,10 @@ final class Grasp {
     tool = newGrip(solver, coupling, settings);
     grip = tool;
     ofBody = new Grip[bodies.count()];
+    starts = new Pose[ofBody.length];
+    moves = new boolean[ofBody.length];
     for (int n = 0; n < ofBody.length; n++) {
+      starts[n] = new Pose();
       if (solver.canMove(n)) {
         RigidSolver holding = solver.ofBody(n);
         RigidCoupling spring = RigidCoupling.of(holding.shape(), coupling.stiffnessNewtonPerMm());
@@ -150,13 +158,29 @@ final class Grasp {
 
   private void take(int body, ToolMotion motion) {
     toolInBody.set(motion.pose());
-    start.set(bodies.body(body).pose());
     held = body;
     grip = ofBody[body];
+    begin(body);
     grip.solver.takeOver(motion);
     grip.force.takeOver();
     motion.pose().inverseTransform(toolInBody.translation, toolInBody.translation);
     motion.pose().rotation.conjugate(turn).multiply(toolInBody.rotation, toolInBody.rotation);
+  }
+
+  /** Lets a movable body move along with the one that is held; before the next frame follows. */
+  void join(int body) {
+    begin(body);
+    grip.solver.carry(body);
+  }
+
+  private void begin(int body) {
+    starts[body].set(bodies.body(body).pose());
+    moves[body] = true;
+  }
+
+  /** Whether a body is held or moves along with the one that is. */
+  boolean moves(int body) {
+    return moves[body];
   }
 
   /**
@@ -167,13 +191,24 @@ final class Grasp {
   boolean letGo(ToolMotion motion) {
     motion.pose().multiply(toolInBody, target);
     target.rotation.normalize();
-    if (!bodies.body(held).pose().sameBits(start)) {
-      placements.note(held, start, bodies.body(held).pose());
-    }
+    notePlacements();
+    grip.solver.carryNone();
     held = NO_BODY;
     grip = tool;
     tool.force.takeOver();
     return tool.solver.place(target, motion);
+  }
+
+  private void notePlacements() {
+    placements.separate();
+    for (int n = 0; n < moves.length; n++) {
+      Pose now = bodies.body(n).pose();
+      if (moves[n] && !now.sameBits(starts[n])) {
+        placements.note(n, starts[n], now);
+      }
+      moves[n] = false;
+    }
+    placements.separate();
   }
 
   /** Attaches a body to the device such that the coupling gives this force and torque. */

@@ -8,6 +8,7 @@ import java.util.Queue;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.palpate.body.BodyEvent;
+import org.palpate.body.BodyGroups;
 import org.palpate.body.BodyListener;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
@@ -77,12 +78,12 @@ public final class ToolFrame extends HapticFrame {
   /** For each body the pose that was requested last, until a frame takes it; else null. */
   private final AtomicReferenceArray<Pose> requestedPoses;
 
-  /** The poses that the listener knows. */
-  private final List<Pose> heardPoses = new ArrayList<>();
+  private volatile int pressedBody = Grasp.NO_BODY;
+  private volatile BodyGroups groups;
 
-  private BodyListener listener = BodyListener.NONE;
+  private final BodyReport report;
 
-  /** What is to be repeated in the next frame. */
+  /** Recorded events for the next frame. */
   private final Queue<Runnable> repetitions = new ArrayDeque<>();
 
   /** A change of what the hand holds. */
@@ -126,9 +127,8 @@ public final class ToolFrame extends HapticFrame {
     grasp = new Grasp(bodies, solver, coupling, settings.force(), placements);
     requestedForce = settings.force();
     requestedPoses = new AtomicReferenceArray<>(bodies.count());
-    for (int n = 0; n < bodies.count(); n++) {
-      heardPoses.add(new Pose().set(bodies.body(n).pose()));
-    }
+    groups = BodyGroups.none(bodies.count());
+    report = new BodyReport(bodies, grasp);
     solver.addSkips(skippedBeforeUse);
   }
 
@@ -170,7 +170,7 @@ public final class ToolFrame extends HapticFrame {
     for (int n = 0; n < requestedPoses.length(); n++) {
       if (requestedPoses.get(n) != null) {
         Pose goal = requestedPoses.getAndSet(n, null);
-        if (n != grasp.held()) {
+        if (!grasp.moves(n)) {
           solver.bodies().setGoal(n, goal);
         }
       }
@@ -191,13 +191,28 @@ public final class ToolFrame extends HapticFrame {
     }
     boolean holds = grasp.held() != Grasp.NO_BODY;
     int touched = holds ? Grasp.NO_BODY : grasp.touched(motion);
-    if (request == HoldRequest.TAKE && touched != Grasp.NO_BODY) {
+    BodyGroups bound = groups;
+    if (request == HoldRequest.TAKE && touched != Grasp.NO_BODY && !bound.isLocked(touched)) {
       withoutEffects(pressingForce, pressingTorque);
       grasp.take(touched, devicePose, pressingForce, pressingTorque, motion);
       holdChanged(touched, BodyEvent.TAKEN);
+      joinAll(touched, bound);
     } else if (request == HoldRequest.LET_GO && holds) {
       letGo();
     }
+  }
+
+  private void joinAll(int taken, BodyGroups bound) {
+    for (int n = 0; n < bodies.count(); n++) {
+      if (n != taken && bound.moveTogether(n, taken)) {
+        join(n);
+      }
+    }
+  }
+
+  private void join(int body) {
+    grasp.join(body);
+    report.tell(body, BodyEvent.JOINED);
   }
 
   private void letGo() {
@@ -212,7 +227,7 @@ public final class ToolFrame extends HapticFrame {
     grasp.force().change(requestedForce);
     heldBody = grasp.held();
     beginEffectsAnew();
-    listener.accept(body, event, bodies.body(body).pose(), grasp.inHand());
+    report.tell(body, event);
   }
 
   /**
@@ -234,18 +249,7 @@ public final class ToolFrame extends HapticFrame {
       solver.place(motion.pose(), motion);
       grasp.force().reset();
       setFree();
-      hear(BodyEvent.PLACED);
-    }
-  }
-
-  /** Passes on the poses that changed. */
-  private void hear(BodyEvent event) {
-    for (int n = 0; n < heardPoses.size(); n++) {
-      Pose pose = bodies.body(n).pose();
-      if (!pose.sameBits(heardPoses.get(n))) {
-        heardPoses.get(n).set(pose);
-        listener.accept(n, event, pose, grasp.inHand());
-      }
+      report.tellMotions(BodyEvent.PLACED);
     }
   }
 
@@ -330,7 +334,8 @@ public final class ToolFrame extends HapticFrame {
   @Override
   void publish(long frame) {
     mostReduced = Math.max(mostReduced, motion.reducedPoints());
-    hear(grasp.held() == Grasp.NO_BODY ? BodyEvent.MOVED : BodyEvent.HELD);
+    report.tellMotions(BodyEvent.MOVED);
+    pressedBody = grasp.held() == Grasp.NO_BODY ? grasp.touched(motion) : Grasp.NO_BODY;
     publisher.publish(devicePose, motion, forceNewton, torqueNewtonMm, frame);
   }
 
@@ -373,7 +378,7 @@ public final class ToolFrame extends HapticFrame {
 
   /** Sets who receives where bodies are put. Call it before the first frame. */
   public void listen(BodyListener newListener) {
-    listener = newListener;
+    report.listen(newListener);
   }
 
   /**
@@ -401,6 +406,11 @@ public final class ToolFrame extends HapticFrame {
           holdChanged(body, BodyEvent.TAKEN);
         }
       }
+      case JOINED -> {
+        if (holds && !grasp.moves(body)) {
+          join(body);
+        }
+      }
       case RELEASED -> {
         if (holds) {
           letGo();
@@ -410,7 +420,7 @@ public final class ToolFrame extends HapticFrame {
         bodies.body(body).setPose(pose);
       }
       case MOVED, HELD -> {
-        if (!(holds && event == BodyEvent.HELD)) {
+        if (!grasp.moves(body)) {
           solver.bodies().setGoal(body, pose);
         }
       }
@@ -420,6 +430,32 @@ public final class ToolFrame extends HapticFrame {
   /** Returns the index of the body that is held; -1 if the hand holds the tool. Any thread. */
   public int heldBody() {
     return heldBody;
+  }
+
+  /** Returns the body that is held, or else the one that is pressed; -1 if none. Any thread. */
+  public int chosenBody() {
+    int held = heldBody;
+    return held == Grasp.NO_BODY ? pressedBody : held;
+  }
+
+  /** Returns which bodies are locked and which move together. Any thread. */
+  public BodyGroups groups() {
+    return groups;
+  }
+
+  /**
+   * Changes which bodies are locked and which move together, from the next time on that the hand
+   * takes hold. One thread at a time.
+   *
+   * @throws IllegalArgumentException if a body that stands still is to move together with others
+   */
+  public void requestGroups(BodyGroups requested) {
+    for (int n = 0; n < bodies.count(); n++) {
+      if (requested.size(n) > 1 && !solver.canMove(n)) {
+        throw new IllegalArgumentException("the body stands still: " + bodies.body(n).name());
+      }
+    }
+    groups = requested;
   }
 
   /**

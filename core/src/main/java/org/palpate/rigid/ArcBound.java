@@ -1,5 +1,7 @@
 package org.palpate.rigid;
 
+import org.palpate.geometry.Vec3;
+
 /**
  * Bounds how far a point leaves the chord of its motion, as a body sees it. If a step is so large
  * that chords cannot stand for arcs, verification adds this to the spheres that must be empty.
@@ -15,26 +17,32 @@ final class ArcBound {
   private double centreY;
   private double centreZ;
 
-  /** Sets the bound for points that turn about the origin of their frame. */
-  void setPointsTurn(double turnRad) {
+  /**
+   * Sets the bound for points that turn.
+   *
+   * @param centre the point about which they turn, in their frame, mm
+   */
+  void setPointsTurn(double turnRad, Vec3 centre) {
     perMm = 1 - Math.cos(Math.min(Math.PI, turnRad) / 2);
     constantMm = 0;
-    centreX = 0;
-    centreY = 0;
-    centreZ = 0;
+    setCentre(centre);
   }
 
   /**
    * Sets the bound for a body that turns about its reference point.
    *
-   * @param x the reference point before the motion in the frame of the points, mm, as are y and z
+   * @param centre the reference point before the motion, in the frame of the points, mm
    */
-  void setBodyTurns(double shiftMm, double turnRad, double x, double y, double z) {
+  void setBodyTurns(double shiftMm, double turnRad, Vec3 centre) {
     perMm = turnRad * turnRad / 8;
     constantMm = ofTurningBody(shiftMm, turnRad, shiftMm);
-    centreX = x;
-    centreY = y;
-    centreZ = z;
+    setCentre(centre);
+  }
+
+  private void setCentre(Vec3 centre) {
+    centreX = centre.x;
+    centreY = centre.y;
+    centreZ = centre.z;
   }
 
   /**

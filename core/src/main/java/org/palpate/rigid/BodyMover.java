@@ -173,7 +173,8 @@ public final class BodyMover {
   }
 
   private boolean isOnItsWay(int n) {
-    return hasGoal[n] && !scene.verifier(n).pose().sameBits(goals[n]);
+    MoverVerifier body = scene.verifier(n);
+    return hasGoal[n] && !body.isCarried() && !body.pose().sameBits(goals[n]);
   }
 
   private void moveBody(int index, int hand, Pose device, ToolMotion motion) {
@@ -254,7 +255,7 @@ public final class BodyMover {
     MoverVerifier tool = scene.verifier(hand);
     setCarried(body, tool);
     tool.pose().differenceTo(carried, handShift, handTurn, scratch);
-    double pathMm = handShift.length() + handTurn.length() * tool.mover.shape.radiusMm();
+    double pathMm = handShift.length() + handTurn.length() * tool.radiusMm();
     double turnRad = Math.max(part * turn.length(), handTurn.length());
     if (!motion.canBePushed()
         || motion.pathMm + pathMm > PUSHED_PART * maxStepMm

@@ -74,7 +74,7 @@ final class ContactConstraints {
   /** A contact is near if its point is lower than this over the surface, edges. */
   private static final double NEAR_EDGES = 0.3;
 
-  /** The index of the other mover; the point belongs to whichever of the two carries points. */
+  /** The number of the pair; the point belongs to whichever of the two carries points. */
   final int[] body = new int[CAPACITY];
 
   final int[] point = new int[CAPACITY];

@@ -15,7 +15,9 @@ final class LegHits {
   /** The value of {@link #axis} for a leg that starts at the voxel. */
   static final int NO_AXIS = -1;
 
-  /** The index of the other mover: which of the two carries the point makes no difference. */
+  /**
+   * The number of the pair; see {@link MoverVerifier}. Who carries the point makes no difference.
+   */
   final int[] body = new int[CAPACITY + 1];
 
   final int[] point = new int[CAPACITY + 1];
@@ -39,9 +41,9 @@ final class LegHits {
     count = 0;
   }
 
-  /** Sets the index of the other mover, to which the next hits belong. */
-  void setBody(int other) {
-    present = other;
+  /** Sets the number of the pair to which the next hits belong. */
+  void setBody(int pair) {
+    present = pair;
   }
 
   int count() {

@@ -30,6 +30,9 @@ final class Mover {
   /** The largest distance of a voxel from the reference point, mm; 0 for the tool. */
   final double reachMm;
 
+  /** The mover along with which this one moves as if glued to it; itself if it moves alone. */
+  Mover carrier = this;
+
   private final ReferencePose reference;
   private final Pose bodyCandidate = new Pose();
   private long motionsSeen;

@@ -12,6 +12,11 @@ import org.palpate.statistics.SkipCounters;
  * and the other carries the points. The role belongs to the pair and does not depend on who moves.
  * Others are numbered as the bodies of the scene; the tool comes last.
  *
+ * <p>A mover may carry others along as if they were glued to it. Each of them is verified against
+ * all others in the same way, and those that move together against each other, because poses are
+ * rounded. A pair is then named by a number that holds both: which of the group it is, and the
+ * other mover. Without a group that number is the other's.
+ *
  * <p>Haptic thread only; allocates nothing.
  */
 final class MoverVerifier {
@@ -21,13 +26,37 @@ final class MoverVerifier {
   final Mover mover;
 
   private final BodyVerifier[] pairs;
-  private final double largestTurn;
+  private final ContactField[] fields;
+  private final double edgeMm;
   private final double sagittaMm;
 
-  /** The distance from the reference point within which other points can touch the mover, mm. */
-  private final double reachMm;
+  /** The distance from the reference point within which points of pairs can touch the mover, mm. */
+  private final double soleReachMm;
 
-  private final boolean hasOwnVoxels;
+  private final boolean hasSoleVoxels;
+
+  /** This, and those that it carries along. */
+  private final MoverVerifier[] group;
+
+  /** The pose of each of the group in the frame of this one's sample points. */
+  private final Pose[] inFrame;
+
+  /** The pose that each of the group had when this one stood at {@link #joinedAt}. */
+  private final Pose[] joined;
+
+  private final Pose joinedAt = new Pose();
+  private int groupSize = 1;
+  private double largestTurn;
+  private double radiusMm;
+  private double reachMm;
+  private boolean hasOwnVoxels;
+
+  /** The numbers of the pairs; one that the group has twice stands here once. */
+  private final int[] numbers;
+
+  private int count;
+  private final LegHits within = new LegHits();
+  private final Pose carried = new Pose();
   private final ArcBound pointsTurn = new ArcBound();
   private final ArcBound bodyTurns = new ArcBound();
   private final Vec3 centre = new Vec3();
@@ -36,12 +65,23 @@ final class MoverVerifier {
    * Creates a verifier.
    *
    * @param pairs by the index of the other mover; null where the two never move against each other
+   * @param fields the surface of each pair
    * @param edgeMm the shortest voxel edge of the scene
    */
-  MoverVerifier(Mover mover, BodyVerifier[] pairs, double edgeMm) {
+  MoverVerifier(Mover mover, BodyVerifier[] pairs, ContactField[] fields, double edgeMm) {
     this.mover = mover;
     this.pairs = pairs;
-    largestTurn = StepLimits.largestTurn(mover.shape.radiusMm(), edgeMm);
+    this.fields = fields;
+    this.edgeMm = edgeMm;
+    group = new MoverVerifier[pairs.length];
+    numbers = new int[pairs.length * pairs.length];
+    inFrame = new Pose[pairs.length];
+    joined = new Pose[pairs.length];
+    for (int m = 0; m < pairs.length; m++) {
+      inFrame[m] = new Pose();
+      joined[m] = new Pose();
+    }
+    group[0] = this;
     sagittaMm = StepLimits.SAGITTA_EDGES * edgeMm;
     double growthMm = 0;
     boolean voxels = false;
@@ -51,8 +91,62 @@ final class MoverVerifier {
         growthMm = Math.max(growthMm, pair.levels.growthMm());
       }
     }
-    hasOwnVoxels = voxels;
-    reachMm = mover.reachMm + growthMm;
+    hasSoleVoxels = voxels;
+    soleReachMm = mover.reachMm + growthMm;
+    updateGroup();
+  }
+
+  /** Carries another mover along from now on, where it is. It must move alone so far. */
+  void carry(MoverVerifier other) {
+    assert other.mover.carrier == other.mover && other.groupSize == 1 : "moves with others already";
+    joinedAt.set(pose());
+    group[groupSize] = other;
+    other.mover.carrier = mover;
+    joined[groupSize].set(other.pose());
+    ReferencePose.relative(pose(), other.pose(), inFrame[groupSize++]);
+    updateGroup();
+  }
+
+  /** Carries no other along from now on; all stay where they are. */
+  void carryNone() {
+    while (groupSize > 1) {
+      Mover other = group[--groupSize].mover;
+      other.carrier = other;
+    }
+    updateGroup();
+  }
+
+  /** Finds how far the group reaches from the reference point, and its pairs. */
+  private void updateGroup() {
+    count = 0;
+    radiusMm = 0;
+    reachMm = 0;
+    hasOwnVoxels = false;
+    for (int m = 0; m < groupSize; m++) {
+      MoverVerifier each = group[m];
+      pose().inverseTransform(each.pose().translation, centre);
+      double awayMm = m == 0 ? 0 : centre.length() * (1 + 1e-9);
+      radiusMm = Math.max(radiusMm, awayMm + each.mover.shape.radiusMm());
+      reachMm = Math.max(reachMm, awayMm + each.soleReachMm);
+      hasOwnVoxels |= each.hasSoleVoxels;
+      for (int n = 0; n < pairs.length; n++) {
+        BodyVerifier pair = each.pairs[n];
+        if (pair != null && (pair.points == each.mover || !isWithin(pair))) {
+          numbers[count++] = m * pairs.length + n;
+        }
+      }
+    }
+    largestTurn = StepLimits.largestTurn(radiusMm, edgeMm);
+  }
+
+  /** Whether this moves along with another. */
+  boolean isCarried() {
+    return mover.carrier != mover;
+  }
+
+  /** Returns the largest distance of a sample point of the group from the reference point, mm. */
+  double radiusMm() {
+    return radiusMm;
   }
 
   /** Returns the committed pose of the reference point; not to be written. */
@@ -60,24 +154,39 @@ final class MoverVerifier {
     return mover.pose;
   }
 
-  /** Returns the pair with another mover by the other's index; null if the two never meet. */
-  BodyVerifier pair(int other) {
-    return pairs[other];
+  /** Returns a pair by its number; null if the two never meet. */
+  BodyVerifier pair(int number) {
+    return group[number / pairs.length].pairs[number % pairs.length];
   }
 
-  private boolean isPresent(int other) {
-    return pairs[other] != null && pairs[other].isPresent();
+  /** Returns the surface of a pair by its number. */
+  ContactField field(int number) {
+    return group[number / pairs.length].fields[number % pairs.length];
   }
 
-  private boolean carriesPoints(int other) {
-    return pairs[other].points == mover;
+  /** Returns the index of the mover that a pair has outside the group. */
+  int other(int number) {
+    return number % pairs.length;
+  }
+
+  private boolean carriesPoints(int number) {
+    return moves(pair(number).points);
+  }
+
+  /** Whether a mover belongs to the group. */
+  private boolean moves(Mover one) {
+    return one.carrier == mover;
+  }
+
+  private boolean isWithin(BodyVerifier pair) {
+    return moves(pair.points) && moves(pair.solid);
   }
 
   /** Returns the number of points tested so far; see {@link BodyVerifier#tested}. */
   long tested() {
     long sum = 0;
-    for (BodyVerifier pair : pairs) {
-      sum += pair == null ? 0 : pair.tested();
+    for (int n = 0; n < count; n++) {
+      sum += pair(numbers[n]).tested();
     }
     return sum;
   }
@@ -98,18 +207,19 @@ final class MoverVerifier {
   int reducedCount() {
     int sum = 0;
     boolean pending = false;
-    for (int n = 0; n < pairs.length; n++) {
-      if (isPresent(n)) {
-        sum += pairs[n].reducedCount();
-        pending |= pairs[n].enclosure().isPending();
+    for (int n = 0; n < count; n++) {
+      BodyVerifier pair = pair(numbers[n]);
+      if (pair.isPresent()) {
+        sum += pair.reducedCount();
+        pending |= pair.enclosure().isPending();
       }
     }
     return sum == 0 && pending ? 1 : sum;
   }
 
   /**
-   * Places the mover at a pose without a motion. If it returns false, it must be placed elsewhere
-   * before any motion.
+   * Places the mover, which carries no other, at a pose without a motion. If it returns false, it
+   * must be placed elsewhere before any motion.
    *
    * @param newPose finite, with a unit quaternion
    * @param fullClearance whether all points must keep the full clearance
@@ -118,40 +228,38 @@ final class MoverVerifier {
   boolean place(Pose newPose, boolean fullClearance) {
     mover.setPresent(true);
     mover.propose(newPose);
-    for (int n = 0; n < pairs.length; n++) {
-      if (isPresent(n) && !placePair(n, fullClearance)) {
-        return false;
+    for (BodyVerifier pair : pairs) {
+      if (isPresent(pair)) {
+        int least = fullClearance ? pair.levels.highest : 0;
+        if (!pair.place(poseOfPoints(pair), poseOfVoxels(pair), least)) {
+          return false;
+        }
       }
     }
-    for (int n = 0; n < pairs.length; n++) {
-      if (isPresent(n) && enclosesAny(n)) {
+    for (BodyVerifier pair : pairs) {
+      if (isPresent(pair) && pair.enclosure().enclosesAny(poseOfPoints(pair), poseOfVoxels(pair))) {
         return false;
       }
     }
     mover.commit();
-    for (int n = 0; n < pairs.length; n++) {
-      if (isPresent(n)) {
-        pairs[n].enclosure().beginOrEnd();
+    for (BodyVerifier pair : pairs) {
+      if (isPresent(pair)) {
+        pair.enclosure().beginOrEnd();
       }
     }
     return true;
   }
 
-  private boolean placePair(int n, boolean fullClearance) {
-    BodyVerifier pair = pairs[n];
-    return pair.place(poseOfPoints(n), poseOfVoxels(n), fullClearance ? pair.levels.highest : 0);
+  private static boolean isPresent(BodyVerifier pair) {
+    return pair != null && pair.isPresent();
   }
 
-  private boolean enclosesAny(int n) {
-    return pairs[n].enclosure().enclosesAny(poseOfPoints(n), poseOfVoxels(n));
+  private Pose poseOfPoints(BodyVerifier pair) {
+    return moves(pair.points) ? pair.points.candidate : pair.points.pose;
   }
 
-  private Pose poseOfPoints(int n) {
-    return carriesPoints(n) ? mover.candidate : pairs[n].points.pose;
-  }
-
-  private Pose poseOfVoxels(int n) {
-    return carriesPoints(n) ? pairs[n].solid.bodyPose() : mover.bodyCandidate();
+  private Pose poseOfVoxels(BodyVerifier pair) {
+    return moves(pair.solid) ? pair.solid.bodyCandidate() : pair.solid.bodyPose();
   }
 
   /** The effect of edits of the bodies on a mover, the mildest first. */
@@ -169,8 +277,8 @@ final class MoverVerifier {
   /** Applies the edits of all pairs since the last call, and returns the gravest outcome. */
   EditOutcome takeEdits() {
     EditOutcome outcome = EditOutcome.NONE;
-    for (int n = 0; n < pairs.length; n++) {
-      EditOutcome ofPair = isPresent(n) ? takeEdits(pairs[n]) : EditOutcome.NONE;
+    for (BodyVerifier pair : pairs) {
+      EditOutcome ofPair = isPresent(pair) ? takeEdits(pair) : EditOutcome.NONE;
       outcome = ofPair.compareTo(outcome) > 0 ? ofPair : outcome;
     }
     return outcome;
@@ -195,16 +303,27 @@ final class MoverVerifier {
   /** Proposes a motion from the committed pose to another, while the others stand still. */
   void propose(Pose proposal) {
     mover.propose(proposal);
-    for (int n = 0; n < pairs.length; n++) {
-      if (isPresent(n)) {
-        pairs[n].propose(poseOfPoints(n), poseOfVoxels(n));
+    for (int m = 1; m < groupSize; m++) {
+      group[m].mover.propose(carriedPose(m, proposal));
+    }
+    for (int n = 0; n < count; n++) {
+      BodyVerifier pair = pair(numbers[n]);
+      if (pair.isPresent()) {
+        pair.propose(poseOfPoints(pair), poseOfVoxels(pair));
       }
     }
   }
 
+  /** Returns the pose of one of the group if this one has a pose. */
+  private Pose carriedPose(int member, Pose own) {
+    return own.sameBits(joinedAt)
+        ? joined[member]
+        : ReferencePose.glued(own, inFrame[member], carried);
+  }
+
   /**
    * Proposes a motion together with that of another mover, which has proposed its own. Only the
-   * pair of the two sees both.
+   * pair of the two sees both. Neither carries others.
    */
   void proposeWith(int other, Pose proposal) {
     propose(proposal);
@@ -234,17 +353,21 @@ final class MoverVerifier {
 
   /**
    * Whether chords stand for the arcs in the pair with another mover, if both move in one step.
+   * They never do for a group.
    *
    * @param shiftMm the motion of this mover's reference point
    * @param otherShiftMm the motion of the other's
    * @param turnRad the larger of both rotations
    */
   boolean keepsChordsWith(int other, double shiftMm, double otherShiftMm, double turnRad) {
+    if (groupSize > 1) {
+      return false;
+    }
     BodyVerifier pair = pairs[other];
-    double radiusMm = pair.points.shape.radiusMm();
-    double shiftsMm = shiftMm + otherShiftMm + turnRad * radiusMm;
+    double pointsMm = pair.points.shape.radiusMm();
+    double shiftsMm = shiftMm + otherShiftMm + turnRad * pointsMm;
     double farMm = pair.solid.reachMm + pair.levels.growthMm() + shiftsMm;
-    double arcMm = ArcBound.ofTurningBody(shiftsMm, turnRad, farMm + radiusMm);
+    double arcMm = ArcBound.ofTurningBody(shiftsMm, turnRad, farMm + pointsMm);
     return arcMm <= sagittaMm;
   }
 
@@ -256,10 +379,19 @@ final class MoverVerifier {
    */
   boolean isFree(double shiftMm, double turnRad, boolean firstOnly, LegHits hits) {
     boolean free = true;
-    for (int n = 0; n < pairs.length; n++) {
-      if (isPresent(n)) {
-        hits.setBody(n);
-        free &= pairs[n].isFree(arcs(n, shiftMm, turnRad), firstOnly, hits);
+    for (int n = 0; n < count; n++) {
+      BodyVerifier pair = pair(numbers[n]);
+      if (!pair.isPresent()) {
+        continue;
+      }
+      if (isWithin(pair)) {
+        within.clear();
+        if (!pair.isFree(null, true, within)) {
+          return false; // Rounding alone moves the two against each other: no contact could help.
+        }
+      } else {
+        hits.setBody(numbers[n]);
+        free &= pair.isFree(arcs(pair, shiftMm, turnRad), firstOnly, hits);
         if (!free && (firstOnly || hits.isFull() || turnRad != 0)) {
           return false;
         }
@@ -268,10 +400,13 @@ final class MoverVerifier {
     return free;
   }
 
-  /** Whether no leg of the proposal touches a solid in any pair but the one with another mover. */
+  /**
+   * Whether no leg of the proposal touches a solid in any pair but the one with another mover. This
+   * one carries no others.
+   */
   boolean isFreeOfAllBut(int other, LegHits hits) {
     for (int n = 0; n < pairs.length; n++) {
-      if (n != other && isPresent(n)) {
+      if (n != other && isPresent(pairs[n])) {
         hits.setBody(n);
         if (!pairs[n].isFree(null, true, hits)) {
           return false;
@@ -281,31 +416,34 @@ final class MoverVerifier {
     return true;
   }
 
-  private ArcBound arcs(int n, double shiftMm, double turnRad) {
+  private ArcBound arcs(BodyVerifier pair, double shiftMm, double turnRad) {
     if (turnRad == 0) {
       return null;
     }
-    if (carriesPoints(n)) {
-      pointsTurn.setPointsTurn(turnRad);
+    pair.points.pose.inverseTransform(mover.pose.translation, centre);
+    if (moves(pair.points)) {
+      pointsTurn.setPointsTurn(turnRad, centre);
       return pointsTurn;
     }
-    pairs[n].points.pose.inverseTransform(mover.pose.translation, centre);
-    bodyTurns.setBodyTurns(shiftMm, turnRad, centre.x, centre.y, centre.z);
+    bodyTurns.setBodyTurns(shiftMm, turnRad, centre);
     return bodyTurns;
   }
 
-  /** Whether the leg of one point of the pair with another mover touches no solid. */
-  boolean isPointFree(int other, int point, LegHits hits) {
-    hits.setBody(other);
-    return pairs[other].isPointFree(point, hits);
+  /** Whether the leg of one point of a pair touches no solid. */
+  boolean isPointFree(int number, int point, LegHits hits) {
+    hits.setBody(number);
+    return pair(number).isPointFree(point, hits);
   }
 
   /** Commits the proposal. {@link #isFree} must have found it free. */
   void commit() {
-    mover.commit();
-    for (int n = 0; n < pairs.length; n++) {
-      if (isPresent(n)) {
-        pairs[n].commit();
+    for (int m = 0; m < groupSize; m++) {
+      group[m].mover.commit();
+    }
+    for (int n = 0; n < count; n++) {
+      BodyVerifier pair = pair(numbers[n]);
+      if (pair.isPresent()) {
+        pair.commit();
       }
     }
   }
@@ -322,23 +460,24 @@ final class MoverVerifier {
    */
   int raiseLevels(int most) {
     int sum = 0;
-    for (int n = 0; n < pairs.length; n++) {
-      if (isPresent(n)) {
-        sum += pairs[n].raiseLevels(most);
+    for (int n = 0; n < count; n++) {
+      BodyVerifier pair = pair(numbers[n]);
+      if (pair.isPresent()) {
+        sum += pair.raiseLevels(most);
       }
     }
     return sum;
   }
 
-  /** Writes the grid coordinates of a point of the pair with another mover, at present. */
-  Vec3 gridPosition(int other, int point, Vec3 dest) {
-    BodyVerifier pair = pairs[other];
+  /** Writes the grid coordinates of a point of a pair, at present. */
+  Vec3 gridPosition(int number, int point, Vec3 dest) {
+    BodyVerifier pair = pair(number);
     return pair.from.transform(pair.points.shape.point(point, dest), dest);
   }
 
-  /** Writes the position of a point of the pair with another mover in the frame of this one, mm. */
-  Vec3 ownPosition(int other, int point, Vec3 dest) {
-    Mover points = pairs[other].points;
+  /** Writes the position of a point of a pair in the frame of this one, mm. */
+  Vec3 ownPosition(int number, int point, Vec3 dest) {
+    Mover points = pair(number).points;
     points.shape.point(point, dest);
     return points == mover
         ? dest
@@ -347,9 +486,9 @@ final class MoverVerifier {
 
   /**
    * Returns the sign of the direction in which a contact pushes this mover: 1 along the normal of
-   * the surface if it carries the points, else -1.
+   * the surface if the group carries the points, else -1.
    */
-  int pushSign(int other) {
-    return carriesPoints(other) ? 1 : -1;
+  int pushSign(int number) {
+    return carriesPoints(number) ? 1 : -1;
   }
 }

@@ -66,6 +66,20 @@ public final class ReferencePose {
     return dest;
   }
 
+  /** Writes the pose of a second reference point in the frame of a first. */
+  public static Pose relative(Pose first, Pose second, Pose dest) {
+    first.inverseTransform(second.translation, dest.translation);
+    first.rotation.conjugate(dest.rotation).multiply(second.rotation, dest.rotation);
+    dest.rotation.normalize();
+    return dest;
+  }
+
+  /** Writes the snapped pose of a reference point that is glued to a first one. */
+  public static Pose glued(Pose first, Pose relative, Pose dest) {
+    first.multiply(relative, dest).rotation.normalize();
+    return snap(dest);
+  }
+
   private void rotateOffset(Pose pose) {
     pose.rotation.rotate(referenceMm, offset);
     snap(offset);

@@ -72,7 +72,7 @@ public final class RigidScene {
     verifiers = new MoverVerifier[count + 1];
     for (int n = 0; n <= count; n++) {
       if (movers[n].canMove()) {
-        verifiers[n] = new MoverVerifier(movers[n], pairs[n], bodies.shortestEdgeMm());
+        verifiers[n] = new MoverVerifier(movers[n], pairs[n], fields(n), bodies.shortestEdgeMm());
       }
     }
     bodyMover = new BodyMover(this);
@@ -146,7 +146,7 @@ public final class RigidScene {
   }
 
   /** Returns the surface of each pair of a mover, by the index of the other. */
-  ContactField[] fields(int mover) {
+  private ContactField[] fields(int mover) {
     ContactField[] ofMover = new ContactField[pairs.length];
     for (int n = 0; n < ofMover.length; n++) {
       BodyVerifier pair = pairs[mover][n];

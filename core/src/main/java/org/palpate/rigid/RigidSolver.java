@@ -109,7 +109,7 @@ public final class RigidSolver {
     maxStepMm = scene.settings().maxStepMm();
     edgeMm = scene.bodies().shortestEdgeMm();
     budget = new WorkBudget(verifier);
-    stepper = new RigidStepper(verifier, scene.fields(hand), budget, edgeMm);
+    stepper = new RigidStepper(verifier, budget, edgeMm);
     freeing = new FreePoseSearch(verifier, edgeMm);
     bodies = scene.bodyMover();
   }
@@ -121,11 +121,15 @@ public final class RigidSolver {
    * @throws IllegalArgumentException if the body stands still
    */
   public RigidSolver ofBody(int body) {
-    if (scene.verifier(body) == null) {
+    requireMovable(body);
+    return new RigidSolver(scene, body);
+  }
+
+  private void requireMovable(int body) {
+    if (!canMove(body)) {
       throw new IllegalArgumentException(
           "the body stands still: " + scene.bodies().body(body).name());
     }
-    return new RigidSolver(scene, body);
   }
 
   /** Whether a body of the scene can move. */
@@ -147,6 +151,23 @@ public final class RigidSolver {
     bodies.clearGoal(hand);
     motion.freed = false;
     reset(motion);
+  }
+
+  /**
+   * Lets a body move along with the one in hand as if glued to it, until {@link #carryNone}. Each
+   * of the two is verified against all others.
+   *
+   * @throws IllegalArgumentException if the body stands still
+   */
+  public void carry(int body) {
+    requireMovable(body);
+    bodies.clearGoal(body);
+    verifier.carry(scene.verifier(body));
+  }
+
+  /** Lets every body that moves along stay where it is. */
+  public void carryNone() {
+    verifier.carryNone();
   }
 
   /** Whether somebody set the pose of a body unverified, so that the tool must be placed again. */

@@ -46,7 +46,6 @@ final class RigidStepper {
   final ContactConstraints contacts;
 
   private final RigidTool tool;
-  private final ContactField[] fields;
   private final WorkBudget budget;
   private final double edgeMm;
   private final LegHits hits = new LegHits();
@@ -71,12 +70,10 @@ final class RigidStepper {
   /**
    * Creates a stepper.
    *
-   * @param fields the surface of each pair of the verifier
    * @param edgeMm the shortest voxel edge of the scene
    */
-  RigidStepper(MoverVerifier verifier, ContactField[] fields, WorkBudget budget, double edgeMm) {
+  RigidStepper(MoverVerifier verifier, WorkBudget budget, double edgeMm) {
     this.verifier = verifier;
-    this.fields = fields;
     this.budget = budget;
     this.edgeMm = edgeMm;
     tool = verifier.mover.shape;
@@ -158,7 +155,7 @@ final class RigidStepper {
 
   /** Returns a bound of the path of any point in the present twist, mm. */
   private double twistPathMm() {
-    return displacement.length() + turn.length() * tool.radiusMm();
+    return displacement.length() + turn.length() * verifier.radiusMm();
   }
 
   /**
@@ -341,7 +338,7 @@ final class RigidStepper {
   private int addSurface(int body, int point, double riseMm) {
     budget.countField();
     verifier.gridPosition(body, point, position);
-    ContactField field = fields[body];
+    ContactField field = verifier.field(body);
     if (!field.evaluate(position, verifier.pair(body).level(point))) {
       return -1;
     }
@@ -469,7 +466,7 @@ final class RigidStepper {
         keep(c);
         contacts.normal(c, position);
         verifier.ownPosition(contacts.body[c], contacts.point[c], own);
-        motion.contacts.add(contacts.body[c], own, position, multiplier);
+        motion.contacts.add(verifier.other(contacts.body[c]), own, position, multiplier);
       }
     }
     keptActive = kept;

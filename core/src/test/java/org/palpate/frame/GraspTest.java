@@ -22,6 +22,7 @@ import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.Clearance;
 import org.palpate.rigid.MovableShapes;
+import org.palpate.rigid.ReferencePose;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidScene;
 import org.palpate.rigid.RigidSettings;
@@ -264,6 +265,62 @@ class GraspTest {
   }
 
   @Test
+  void boundBodiesMoveAsOneStopTogetherAndAreUndoneAndRedoneTogether() {
+    frame.requestGroups(frame.groups().bound(1, 2));
+    Pose blockBefore = new Pose().set(block.pose());
+    Pose smallBefore = new Pose().set(small.pose());
+    Pose relative = ReferencePose.relative(block.pose(), small.pose(), new Pose());
+    takeBlock();
+    moveTo(20, 20, 22);
+    turn.setRotationVector(new Vec3(0, 0.4, 0));
+    run(200);
+    Pose now = ReferencePose.relative(block.pose(), small.pose(), new Pose());
+    assertEquals(0, now.translation.sub(relative.translation, new Vec3()).length(), 1e-8);
+    assertTrue(small.pose().translation.sub(smallBefore.translation, new Vec3()).length() > 4);
+    moveTo(20, 20, 2);
+    assertFalse(entersAnother(small, 4, floor), "the group stops where its lowest body stops");
+    assertTrue(block.pose().translation.z >= 5, "above the floor: " + block.pose());
+    Pose blockPut = new Pose().set(block.pose());
+    Pose smallPut = new Pose().set(small.pose());
+    frame.requestLetGo();
+    run(1);
+    undo();
+    run(1); // one body a frame
+    assertTrue(block.pose().sameBits(blockBefore) && small.pose().sameBits(smallBefore));
+    redo();
+    run(1);
+    assertTrue(block.pose().sameBits(blockPut) && small.pose().sameBits(smallPut));
+    undo();
+    run(1); // one body a frame
+    frame.requestGroups(frame.groups().alone(2));
+    moveTo(hand.x, hand.y, 30);
+    turn.setIdentity();
+    takeBlock();
+    moveTo(20, 20, 25);
+    assertTrue(small.pose().sameBits(smallBefore), "it moves alone again");
+  }
+
+  @Test
+  void aLockedBodyOrOneThatIsBoundToItIsNotTaken() {
+    frame.requestGroups(frame.groups().withLock(1, true));
+    moveTo(20, 20, 15);
+    assertEquals(1, frame.chosenBody());
+    frame.requestTake();
+    run(1);
+    assertEquals(-1, frame.heldBody());
+    frame.requestGroups(frame.groups().withLock(1, false).withLock(2, true).bound(1, 2));
+    frame.requestTake();
+    run(1);
+    assertEquals(-1, frame.heldBody());
+    frame.requestGroups(frame.groups().withLock(1, false));
+    frame.requestTake();
+    run(1);
+    assertEquals(1, frame.heldBody());
+    assertThrows(
+        IllegalArgumentException.class, () -> frame.requestGroups(frame.groups().bound(0, 1)));
+  }
+
+  @Test
   void aMovableBodyGainsNoVoxelButWhatWasErasedComesBack() {
     long solid = block.bits().solidCount();
     run(1);
@@ -307,6 +364,16 @@ class GraspTest {
 
   @Test
   void aHeldBodyNeverEntersAnotherWhateverEditsUndoAndJumpsMeet() {
+    attack();
+  }
+
+  @Test
+  void aGroupNeverEntersTheFloorWhateverEditsUndoAndJumpsMeet() {
+    frame.requestGroups(frame.groups().bound(1, 2));
+    attack();
+  }
+
+  private void attack() {
     SplittableRandom random = new SplittableRandom(Seeds.seed());
     device.script = (read, state) -> hostileSample(random, read, state);
     int moved = 0;
@@ -337,15 +404,21 @@ class GraspTest {
     return random.nextInt(20) == 0 ? ReadStatus.REPEATED : sample(read, state);
   }
 
-  /** Whether a corner of a voxel of the block lies in a voxel of another body. */
   private boolean entersAnother() {
+    return entersAnother(block, 8, floor)
+        || entersAnother(block, 8, small)
+        || (frame.groups().moveTogether(1, 2) && entersAnother(small, 4, floor));
+  }
+
+  /** Whether a corner of a voxel of a cube lies in a voxel of another body. */
+  private static boolean entersAnother(Body cube, int edge, Body other) {
     Vec3 world = new Vec3();
-    for (int n = 0; n < 9 * 9 * 9; n++) {
-      int i = n % 9;
-      int j = n / 9 % 9;
-      int k = n / 81;
-      block.pose().transform(world.set(i, j, k), world);
-      if (isInside(floor, world) || isInside(small, world)) {
+    int corners = edge + 1;
+    for (int n = 0; n < corners * corners * corners; n++) {
+      int j = n / corners % corners;
+      int k = n / (corners * corners);
+      world.set(n % corners, j, k);
+      if (isInside(other, cube.pose().transform(world, world))) {
         return true;
       }
     }

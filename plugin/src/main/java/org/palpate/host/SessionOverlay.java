@@ -1,5 +1,7 @@
 package org.palpate.host;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -29,6 +31,7 @@ final class SessionOverlay {
   private volatile Hint hint = new Hint("", 0);
   private volatile String touched = "contact";
   private volatile String removedText = "";
+  private volatile List<String> further = List.of();
   private List<String> lines = List.of();
   private final Vec3 lastMm = new Vec3(Double.NaN, Double.NaN, Double.NaN);
   private final Vec3 stepMm = new Vec3();
@@ -65,6 +68,14 @@ final class SessionOverlay {
   void hint(String text) {
     if (!text.isEmpty() || !hint.text.isEmpty()) {
       hint = new Hint(text, System.nanoTime());
+      invalid = true;
+    }
+  }
+
+  /** Shows further lines below the others. */
+  void show(List<String> shown) {
+    if (!shown.equals(further)) {
+      further = List.copyOf(shown);
       invalid = true;
     }
   }
@@ -163,7 +174,9 @@ final class SessionOverlay {
   }
 
   private List<String> lines(LoopStatus status, long now, String surfaces) {
-    return List.of(
+    List<String> all = new ArrayList<>();
+    Collections.addAll(
+        all,
         format("%slate %.0f µs", rateText(status, now), status.latestLatenessNanos() / 1e3),
         format("%.2f N   %s", status.forceNewton(), status.contact() ? touched : "free")
             + (session.cuts() ? feedText(now) : ""),
@@ -174,6 +187,8 @@ final class SessionOverlay {
         surfaces,
         "h: help",
         hintLine());
+    all.addAll(further);
+    return all;
   }
 
   private String tuningLine() {

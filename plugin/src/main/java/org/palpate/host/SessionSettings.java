@@ -52,17 +52,20 @@ public record SessionSettings(
 
   /** Returns a copy with another pace and thread setup. */
   public SessionSettings withLoop(LoopSettings newLoop) {
-    return new SessionSettings(defaultNewtonPerMm, newLoop, recorder, editRecorder, bodyRecorder, listener);
+    return new SessionSettings(
+        defaultNewtonPerMm, newLoop, recorder, editRecorder, bodyRecorder, listener);
   }
 
   /** Returns a copy that records what the device sends, if a recorder is given. */
   public SessionSettings withRecorder(Optional<SampleRecorder> newRecorder) {
-    return new SessionSettings(defaultNewtonPerMm, loop, newRecorder, editRecorder, bodyRecorder, listener);
+    return new SessionSettings(
+        defaultNewtonPerMm, loop, newRecorder, editRecorder, bodyRecorder, listener);
   }
 
   /** Returns a copy that records changes of voxels, if a recorder is given. */
   public SessionSettings withEditRecorder(Optional<EditRecorder> newRecorder) {
-    return new SessionSettings(defaultNewtonPerMm, loop, recorder, newRecorder, bodyRecorder, listener);
+    return new SessionSettings(
+        defaultNewtonPerMm, loop, recorder, newRecorder, bodyRecorder, listener);
   }
 
   /** Returns a copy that records poses of bodies, if a recorder is given. */
@@ -73,7 +76,8 @@ public record SessionSettings(
 
   /** Returns a copy that reports the end of the loop, once, on the thread that ends it. */
   public SessionSettings withListener(Consumer<LoopEnd> newListener) {
-    return new SessionSettings(defaultNewtonPerMm, loop, recorder, editRecorder, bodyRecorder, newListener);
+    return new SessionSettings(
+        defaultNewtonPerMm, loop, recorder, editRecorder, bodyRecorder, newListener);
   }
 
   /** Returns the stiffness if the scene's settings give none, N per mm of scan. */

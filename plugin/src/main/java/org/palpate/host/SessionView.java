@@ -274,19 +274,8 @@ public final class SessionView implements AutoCloseable {
       input.onDrag(
           WindowInput.DragKeys.CONTROL_AND_SHIFT,
           "turn the tool",
-          (right, up) -> mouse.turn(rotation(right, up)));
+          (right, up) -> mouse.turn(model.camera().dragRotation(right, up, model.axes())));
     }
-  }
-
-  /**
-   * Returns the rotation that moves the side of the tool that is seen, rad: half a turn for a drag
-   * over the height of the picture.
-   */
-  private Vec3 rotation(double right, double up) {
-    RigidTransform picture = model.camera().axes(model.axes());
-    Vec3 drag = picture.rotate(new Vec3(right, up, 0), new Vec3());
-    Vec3 towardsViewer = picture.rotate(new Vec3(0, 0, 1), new Vec3());
-    return towardsViewer.cross(drag, new Vec3()).mul(Math.PI, drag);
   }
 
   private void addThresholdKeys(WindowInput input, LiveThreshold live) {
@@ -374,6 +363,21 @@ public final class SessionView implements AutoCloseable {
     return landmarks;
   }
 
+  /** Shows a line for a few seconds. */
+  public void hint(String text) {
+    overlay.hint(text);
+  }
+
+  /** Shows further lines of text below the others. */
+  public void show(List<String> lines) {
+    overlay.show(lines);
+  }
+
+  /** Returns the pose of each body as it is drawn, from rest to present; none if all rest. */
+  public List<RigidTransform> bodyPoses() {
+    return solids.poses();
+  }
+
   /** Returns the interaction point of the last tick in grid coordinates; NaN before the first. */
   public Vec3 proxyGrid() {
     return new Vec3().set(proxyGrid);
@@ -390,10 +394,10 @@ public final class SessionView implements AutoCloseable {
   /** Ends a session with the mouse, which has no other input; any other session goes on. */
   private void windowLost(String what) {
     if (device instanceof MouseDevice mouse) {
-      print(what + "; the mouse is lost with it");
+      listener.print(what + "; the mouse is lost with it");
       mouse.close();
     } else {
-      print(what + "; the session goes on without it");
+      listener.print(what + "; the session goes on without it");
     }
   }
 
@@ -407,11 +411,8 @@ public final class SessionView implements AutoCloseable {
   }
 
   private void synchronizationFailed(RuntimeException failure) {
-    print("the scene is no longer updated (" + message(failure) + "); the session goes on");
-  }
-
-  private void print(String line) {
-    listener.print(line);
+    listener.print(
+        "the scene is no longer updated (" + message(failure) + "); the session goes on");
   }
 
   private List<String> overlayLines() {
@@ -462,10 +463,7 @@ public final class SessionView implements AutoCloseable {
     return shown == null ? 0 : shown.culledBricks();
   }
 
-  /**
-   * Ends the synchronization and closes the window, also one that is just opening. May be called
-   * repeatedly.
-   */
+  /** Ends the synchronization and closes the window, even one that is opening. Repeatable. */
   @Override
   public void close() {
     synchronization.close();

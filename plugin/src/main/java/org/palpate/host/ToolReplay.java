@@ -172,7 +172,8 @@ public final class ToolReplay {
         frame.statistics(),
         WorkPercentiles.of(work),
         frame.mostReducedPoints(),
-        new MovedBodies(movable(poses).size(), motions, bodies.pushes(), bodies.heldBack(), elsewhere));
+        new MovedBodies(
+            movable(poses).size(), motions, bodies.pushes(), bodies.heldBack(), elsewhere));
   }
 
   /** Repeats the poses of a frame from an index on, and returns the index after the last. */

@@ -225,7 +225,7 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /** Whether a body can be taken in hand. */
-  boolean canHold() {
+  public boolean canHold() {
     return held.isPresent() && held.get().scene().hasMovableBodies();
   }
 
@@ -243,6 +243,11 @@ public final class TouchSession implements AutoCloseable {
                 frame.requestLetGo();
               }
             });
+  }
+
+  /** Returns the frame of the rigid tool, for its methods that are for any thread. */
+  public Optional<ToolFrame> toolFrame() {
+    return held.map(HeldTool::frame);
   }
 
   /**

@@ -116,6 +116,17 @@ public final class Camera {
         new Vec3());
   }
 
+  /**
+   * Returns the rotation of the side that is seen along with a drag over the picture, world axes,
+   * rad: half a turn for a drag over its height.
+   */
+  public Vec3 dragRotation(double right, double up, WorldAxes world) {
+    RigidTransform picture = axes(world);
+    Vec3 drag = picture.rotate(new Vec3(right, up, 0), new Vec3());
+    Vec3 towardsViewer = picture.rotate(new Vec3(0, 0, 1), new Vec3());
+    return towardsViewer.cross(drag, new Vec3()).mul(Math.PI, drag);
+  }
+
   /** Returns the distance from the target. */
   public double distanceMm() {
     return distanceMm;

@@ -23,6 +23,7 @@ import org.palpate.body.BodyEvent;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
+import org.palpate.collision.CollisionDevice;
 import org.palpate.device.DeviceDecorator;
 import org.palpate.device.DeviceState;
 import org.palpate.device.GuidedHand;
@@ -66,7 +67,7 @@ class RecordedReductionTest {
   private final SplittableRandom random = new SplittableRandom(Seeds.seed());
   private final Map<BodyEvent, Integer> events = new EnumMap<>(BodyEvent.class);
 
-  /** What the hand moves, and all bodies, after each sample. */
+  /** The poses of what the hand moves and of all bodies, after each sample. */
   private final List<List<Pose>> live = new ArrayList<>();
 
   private ToolScene scene() {
@@ -85,7 +86,8 @@ class RecordedReductionTest {
         point,
         MovableShapes.ofPoints(bodies),
         Collections.nCopies(bodies.count(), Clearance.POINTS),
-        OptionalDouble.empty());
+        OptionalDouble.empty(),
+        CollisionDevice.CPU);
   }
 
   /** A device that has no new sample now and then. */

@@ -51,7 +51,7 @@ class ArchitectureTest {
                   "io.scene",
                   "opencl",
                   "tool")),
-          Map.entry("app.output", List.of("app.options", "fracture")),
+          Map.entry("app.output", List.of("app.options", "host.placing")),
           Map.entry("app.process", List.of("display", "io.file", "io.volume")),
           Map.entry(
               "benchmarks",
@@ -154,6 +154,7 @@ class ArchitectureTest {
                   "recording",
                   "scene.window",
                   "volume.fracture")),
+          Map.entry("host.placing", List.of("fracture", "host")),
           Map.entry("igtl", List.of("geometry")),
           Map.entry("imagej", List.of("imagej.session")),
           Map.entry("imagej.annotation", List.of("imagej.stack", "io.table")),

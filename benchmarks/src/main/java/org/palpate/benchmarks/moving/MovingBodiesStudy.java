@@ -29,8 +29,9 @@ import org.palpate.volume.fracture.PosedBits;
 
 /**
  * Attacks bodies that move: random goals drive them into each other and into a tool that moves too.
- * From time to time the hand holds a body instead of the tool. Every leg of every pair is judged
- * exactly. In mode {@code body}, all voxels of all bodies are compared at regular intervals.
+ * From time to time the hand holds a body instead of the tool, or several as one. Every leg of
+ * every pair is judged exactly. In mode {@code body}, all voxels of all bodies are compared at
+ * regular intervals.
  */
 public final class MovingBodiesStudy {
   private static final int FRAMES_PER_ROUND = 1_000;
@@ -185,6 +186,7 @@ public final class MovingBodiesStudy {
       SceneLegJudge judge) {
     int body = random.nextInt(bodies.count());
     if (hand != tool) {
+      hand.carryNone();
       tool.place(device, motion);
       judge.letGo(motion);
       return tool;
@@ -195,6 +197,12 @@ public final class MovingBodiesStudy {
     RigidSolver holding = tool.ofBody(body);
     holding.takeOver(motion);
     judge.take(body, motion);
+    for (int n = 0; n < bodies.count(); n++) {
+      if (n != body && tool.canMove(n) && random.nextInt(3) == 0) {
+        holding.carry(n);
+        judge.join(n);
+      }
+    }
     device.set(motion.pose());
     return holding;
   }

@@ -1,5 +1,6 @@
 package org.palpate.benchmarks.moving;
 
+import java.util.Arrays;
 import org.palpate.benchmarks.stress.ExactJudge;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
@@ -39,6 +40,12 @@ final class SceneLegJudge {
   private final Vec3 p = new Vec3();
   private final Ray ray = new Ray();
   private int hand;
+
+  /** The pose of each body that moves along in the frame of the one that is held; null else. */
+  private final Pose[] inHand;
+
+  private final Pose takenAt = new Pose();
+  private final Pose[] joined;
   private long legs;
   private long touching;
   private long broken;
@@ -49,6 +56,8 @@ final class SceneLegJudge {
     this.shapes = new RigidTool[this.tool + 1];
     poses = new Pose[this.tool + 1];
     next = new Pose[this.tool + 1];
+    inHand = new Pose[this.tool];
+    joined = new Pose[this.tool];
     references = new ReferencePose[this.tool + 1];
     for (int n = 0; n <= this.tool; n++) {
       poses[n] = new Pose();
@@ -91,12 +100,21 @@ final class SceneLegJudge {
   /** Takes note that the hand holds a body from now on, which has not moved. */
   void take(int body, ToolMotion motion) {
     hand = body;
+    takenAt.set(motion.pose());
     expect(handPose(motion.pose()), poses[body]);
+  }
+
+  /** Takes note that a body moves along with the one that was just taken. */
+  void join(int body) {
+    Pose own = references[body].toReference(poses[body], new Pose());
+    inHand[body] = ReferencePose.relative(takenAt, own, new Pose());
+    joined[body] = new Pose().set(poses[body]);
   }
 
   /** Takes note that the hand let go of a body, and that the tool was placed. */
   void letGo(ToolMotion motion) {
     hand = tool;
+    Arrays.fill(inHand, null);
     poses[tool].set(motion.pose());
     next[tool].set(motion.pose());
     judgeStep(tool, NOTHING);
@@ -121,6 +139,7 @@ final class SceneLegJudge {
     }
     for (int step = motion.pushes(); step < motion.steps(); step++) {
       next[hand].set(handPose(motion.pathPose(step + 1)));
+      setCarried(motion.pathPose(step + 1));
       judgeStep(hand, NOTHING);
     }
     expect(handPose(motion.pose()), poses[hand]);
@@ -134,15 +153,25 @@ final class SceneLegJudge {
     return hand == tool ? inMotion : references[hand].toRest(inMotion, rest);
   }
 
+  private void setCarried(Pose ofHand) {
+    for (int n = 0; n < tool; n++) {
+      if (inHand[n] != null) {
+        boolean isAtStart = ofHand.sameBits(takenAt);
+        ReferencePose.glued(ofHand, inHand[n], points);
+        next[n].set(isAtStart ? joined[n] : references[n].toRest(points, rest));
+      }
+    }
+  }
+
   private void expect(Pose actual, Pose expected) {
     broken += actual.sameBits(expected) ? 0 : 1;
   }
 
-  /** Judges a step of one mover, or of two at the same time, against all others. */
+  /** Judges a step of one mover, or of several at the same time, against all others. */
   private void judgeStep(int one, int other) {
     for (int a = 0; a <= tool; a++) {
       for (int b = 0; b < a; b++) {
-        boolean moves = a == one || b == one || a == other || b == other;
+        boolean moves = isMoved(a, one, other) || isMoved(b, one, other);
         boolean isPresent = a < tool || hand == tool;
         if (moves && isPresent && (shapes[a] != null || shapes[b] != null)) {
           judgePair(a, b);
@@ -152,6 +181,10 @@ final class SceneLegJudge {
     for (int n = 0; n <= tool; n++) {
       poses[n].set(next[n]);
     }
+  }
+
+  private boolean isMoved(int n, int one, int other) {
+    return n == one || n == other || !next[n].sameBits(poses[n]);
   }
 
   /**

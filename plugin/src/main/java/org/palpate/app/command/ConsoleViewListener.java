@@ -4,18 +4,23 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import org.palpate.display.DisplayLoss;
+import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.SessionView;
+import org.palpate.host.TouchSession;
+import org.palpate.host.placing.PlacingKeys;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.Picture;
 import org.palpate.scene.window.SceneWindow;
 import org.palpate.scene.window.WindowInput;
-import org.palpate.volume.VoxelGrid;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
 
 /** Prints the reports of a session's view and saves snapshots of its window. Any thread. */
 final class ConsoleViewListener implements SessionView.Listener {
@@ -23,6 +28,7 @@ final class ConsoleViewListener implements SessionView.Listener {
   private final Runnable stop;
   private volatile Optional<SessionLandmarks> landmarks = Optional.empty();
   private volatile Consumer<WindowInput> keys = input -> {};
+  private volatile Optional<PlacingKeys> placing = Optional.empty();
 
   /**
    * Creates a listener.
@@ -35,15 +41,28 @@ final class ConsoleViewListener implements SessionView.Listener {
     this.stop = stop;
   }
 
-  /** Adds keys for the landmarks of a view. Before it is started. */
-  void keepLandmarks(SessionView view, VoxelGrid grid, WorldAxes axes) {
+  /** Adds keys for the landmarks of a view and for its movable bodies. Before it is started. */
+  void serve(SessionView view, TouchSession session, SegmentedVolume volume, WorldAxes axes) {
     landmarks =
         Optional.of(
             new SessionLandmarks(
-                () -> grid.gridToWorld(view.proxyGrid(), new Vec3()),
+                () -> volume.grid().gridToWorld(view.proxyGrid(), new Vec3()),
+                () -> session.toolFrame().map(ToolFrame::chosenBody).orElse(-1),
+                view::bodyPoses,
                 axes,
                 view::showLandmarks,
                 this::print));
+    List<String> names = volume.segments().stream().map(Segment::name).toList();
+    placing =
+        session
+            .toolFrame()
+            .filter(frame -> session.canHold())
+            .map(frame -> new PlacingKeys(frame, names, view::hint));
+  }
+
+  /** Returns the lines about landmarks, after moving them with their bodies. */
+  List<String> landmarkLines() {
+    return landmarks.map(SessionLandmarks::follow).orElse(List.of());
   }
 
   /** Adds further keys when the window opens. Before the view is started. */
@@ -56,6 +75,7 @@ final class ConsoleViewListener implements SessionView.Listener {
     DisplayLoss.install(window::displayLost);
     landmarks.ifPresent(marks -> marks.addKeys(window.input()));
     keys.accept(window.input());
+    placing.ifPresent(keys -> keys.addTo(window.input()));
     window.input().onKey('s', "save a snapshot", () -> window.takeSnapshot(this::save));
   }
 

@@ -66,6 +66,7 @@ public final class InfoCommand implements Callable<Integer> {
   @Mixin private OutputOptions output;
   @Mixin private FragmentOptions fragments;
   @Mixin private ReshapeOptions reshape;
+  @Mixin private PoseOptions savedPoses;
 
   @Option(
       names = "--export",
@@ -76,24 +77,6 @@ public final class InfoCommand implements Callable<Integer> {
             + " segments."
       })
   private Path export;
-
-  @Option(
-      names = "--save-scene",
-      paramLabel = "FILE.json",
-      description = {
-        "Writes a scene file: the bodies of --scene, the fragments of --fracture or those of"
-            + " --phantom fracture, displaced. --export then writes their voxels at rest."
-      })
-  private Path savedScene;
-
-  @Option(
-      names = "--save-transforms",
-      paramLabel = "DIR",
-      description = {
-        "Writes the pose of each such body as an ITK transform, BODY.tfm: from rest to present,"
-            + " LPS."
-      })
-  private Path savedTransforms;
 
   private PrintWriter out;
 
@@ -179,8 +162,7 @@ public final class InfoCommand implements Callable<Integer> {
   }
 
   private FragmentExport fragmentExport() {
-    return new FragmentExport(
-        export, Optional.ofNullable(savedScene), Optional.ofNullable(savedTransforms));
+    return savedPoses.export(export);
   }
 
   private void exportPlaced(PlacedVolume bodies) throws IOException {

@@ -5,8 +5,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.IntSupplier;
 import java.util.function.Supplier;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.host.placing.BodyAnchor;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.table.Landmark;
 import org.palpate.io.table.LandmarkFiles;
 import org.palpate.scene.NamedPoint;
@@ -16,26 +20,38 @@ import org.palpate.scene.window.WindowInput;
 /** The landmarks that keys of the window set, name, undo and save. Any thread. */
 final class SessionLandmarks {
   private final Supplier<Vec3> pointWorldMm;
+  private final IntSupplier touchedBody;
+  private final Supplier<List<RigidTransform>> bodyPoses;
   private final WorldAxes axes;
   private final Consumer<List<NamedPoint>> view;
   private final Consumer<String> out;
-  private final List<Landmark> landmarks = new ArrayList<>();
+  private final List<Mark> landmarks = new ArrayList<>();
+  private List<RigidTransform> followed = List.of();
   private int set;
+
+  /** A landmark that moves with the body on which it was set. */
+  private record Mark(String name, BodyAnchor anchor) {}
 
   /**
    * Creates an empty list.
    *
    * @param pointWorldMm gives the interaction point; NaN before the first frame
+   * @param touchedBody gives the movable body at that point; negative if there is none
+   * @param bodyPoses gives the present poses of the bodies
    * @param axes orientation of the world's axes
    * @param view receives all landmarks after each change, world mm
    * @param out receives a line about each file
    */
   SessionLandmarks(
       Supplier<Vec3> pointWorldMm,
+      IntSupplier touchedBody,
+      Supplier<List<RigidTransform>> bodyPoses,
       WorldAxes axes,
       Consumer<List<NamedPoint>> view,
       Consumer<String> out) {
     this.pointWorldMm = pointWorldMm;
+    this.touchedBody = touchedBody;
+    this.bodyPoses = bodyPoses;
     this.axes = axes;
     this.view = view;
     this.out = out;
@@ -53,15 +69,39 @@ final class SessionLandmarks {
     if (at.isFinite()) {
       set++;
       String name = "L" + set;
-      landmarks.add(new Landmark(name, at));
+      BodyAnchor anchor = BodyAnchor.at(at, touchedBody.getAsInt(), bodyPoses.get());
+      landmarks.add(new Mark(name, anchor));
       show();
-      input.ask("Name of the landmark:", name, typed -> rename(at, typed));
+      input.ask("Name of the landmark:", name, typed -> rename(anchor, typed));
     }
   }
 
-  private synchronized void rename(Vec3 at, String name) {
-    landmarks.replaceAll(mark -> mark.worldMm() == at ? new Landmark(name, at) : mark);
+  private synchronized void rename(BodyAnchor anchor, String name) {
+    landmarks.replaceAll(mark -> mark.anchor.equals(anchor) ? new Mark(name, anchor) : mark);
     show();
+  }
+
+  /** Shows landmarks where their bodies are now, and returns the distance of the last two. */
+  synchronized List<String> follow() {
+    List<Landmark> now = present();
+    if (!bodyPoses.get().equals(followed)) {
+      followed = bodyPoses.get();
+      show();
+    }
+    if (now.size() < 2) {
+      return List.of();
+    }
+    Landmark one = now.get(now.size() - 2);
+    Landmark other = now.get(now.size() - 1);
+    double mm = one.worldMm().sub(other.worldMm(), new Vec3()).length();
+    return List.of(one.name() + " to " + other.name() + ": " + NumberText.thousandths(mm) + " mm");
+  }
+
+  private List<Landmark> present() {
+    List<RigidTransform> poses = bodyPoses.get();
+    return landmarks.stream()
+        .map(mark -> new Landmark(mark.name, mark.anchor.present(poses)))
+        .toList();
   }
 
   private synchronized void undo() {
@@ -73,19 +113,19 @@ final class SessionLandmarks {
 
   private void show() {
     view.accept(
-        landmarks.stream().map(mark -> new NamedPoint(mark.name(), mark.worldMm())).toList());
+        present().stream().map(mark -> new NamedPoint(mark.name(), mark.worldMm())).toList());
   }
 
   /** Writes a table in the world of the file, and a file for 3D Slicer if its axes are known. */
   private synchronized void save() {
     String stem = "palpate-landmarks-" + System.currentTimeMillis();
     try {
-      LandmarkFiles.writeCsv(Path.of(stem + ".csv"), landmarks);
+      List<Landmark> now = present();
+      LandmarkFiles.writeCsv(Path.of(stem + ".csv"), now);
       if (axes != WorldAxes.UNKNOWN) {
-        LandmarkFiles.writeFcsv(
-            Path.of(stem + ".fcsv"), landmarks.stream().map(this::inLps).toList());
+        LandmarkFiles.writeFcsv(Path.of(stem + ".fcsv"), now.stream().map(this::inLps).toList());
       }
-      out.accept("landmarks: " + stem + ".csv (" + landmarks.size() + ")");
+      out.accept("landmarks: " + stem + ".csv (" + now.size() + ")");
     } catch (IOException e) {
       out.accept("the landmarks could not be written: " + stem + ": " + e.getMessage());
     }

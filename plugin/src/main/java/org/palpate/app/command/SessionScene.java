@@ -10,6 +10,7 @@ import org.palpate.app.options.ToolOptions;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
 import org.palpate.body.BodyScene;
+import org.palpate.body.Placement;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.GuidedHand;
@@ -19,8 +20,11 @@ import org.palpate.device.Tremor;
 import org.palpate.geometry.Pose;
 import org.palpate.host.ContactScene;
 import org.palpate.host.SessionSettings;
+import org.palpate.host.SessionView;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TouchSession;
+import org.palpate.host.placing.HeldReadings;
+import org.palpate.host.placing.LiveReadings;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.reduction.ReductionPlan;
@@ -122,6 +126,22 @@ final class SessionScene {
     return rigid.isPresent() && !device.hasOrientation()
         ? List.of("The device has no orientation, so the tool is held upright.")
         : List.of();
+  }
+
+  /** Returns readings of the fragment in hand for a view; empty if no body can be taken. */
+  Optional<LiveReadings> readings(
+      TouchSession session, SessionView view, ConsoleViewListener listener) {
+    return session
+        .toolFrame()
+        .filter(frame -> session.canHold() && !scene.placements().isEmpty())
+        .map(
+            frame ->
+                new LiveReadings(
+                    frame,
+                    new HeldReadings(
+                        scene.volume(), scene.placements().stream().map(Placement::pose).toList()),
+                    view,
+                    listener::landmarkLines));
   }
 
   /** Returns a new session; see {@link TouchSession}. */

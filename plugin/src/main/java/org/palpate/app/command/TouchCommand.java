@@ -40,6 +40,7 @@ import org.palpate.host.SessionSettings;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.host.ViewOptions;
+import org.palpate.host.placing.LiveReadings;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
@@ -97,6 +98,7 @@ public final class TouchCommand implements Callable<Integer> {
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
   @Mixin private LinkOptions linkOptions;
+  @Mixin private PoseOptions savedPoses;
 
   @Option(
       names = "--device",
@@ -161,20 +163,6 @@ public final class TouchCommand implements Callable<Integer> {
       description =
           "Writes the segments as the session left them: .nrrd, .nii, .nii.gz, .tif or .dcm.")
   private Path exportFile;
-
-  @Option(
-      names = "--save-scene",
-      paramLabel = "FILE.json",
-      description =
-          "Writes the bodies of --scene or --phantom fracture where the session left them, as a"
-              + " scene file; --export then writes their voxels at rest.")
-  private Path savedScene;
-
-  @Option(
-      names = "--save-transforms",
-      paramLabel = "DIR",
-      description = "Writes the pose of each such body as an ITK transform, BODY.tfm.")
-  private Path savedTransforms;
 
   @Option(
       names = "--explain",
@@ -275,7 +263,7 @@ public final class TouchCommand implements Callable<Integer> {
     Optional<Path> record = Optional.ofNullable(recordFile);
     List<Path> recorded = SessionRecording.checked(record, inputs);
     Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
-    FragmentExport bodies = fragmentExport(source);
+    FragmentExport bodies = savedPoses.export(exportFile, source);
     List<Path> targets = new ArrayList<>(bodies.checked(inputs));
     export.ifPresent(targets::add);
     output.report().ifPresent(targets::add);
@@ -367,19 +355,6 @@ public final class TouchCommand implements Callable<Integer> {
     NumberRange.seconds().checkGiven(seconds);
   }
 
-  private FragmentExport fragmentExport(VolumeSource source) {
-    FragmentExport bodies =
-        new FragmentExport(
-            exportFile, Optional.ofNullable(savedScene), Optional.ofNullable(savedTransforms));
-    if (bodies.writesPoses() && source.placed().isEmpty()) {
-      throw PalpateException.wrongUse(
-          "the volume has no bodies with poses",
-          source.name(),
-          "choose --scene or --phantom fracture");
-    }
-    return bodies;
-  }
-
   private void printStart(VolumeSource source, DeviceChoice choice, String held) {
     out.println(
         "palpate "
@@ -433,7 +408,7 @@ public final class TouchCommand implements Callable<Integer> {
       Optional<SessionView> view =
           viewOptions.map(
               options -> new SessionView(session, scene.volume(), axes, opened, listener, options));
-      view.ifPresent(shown -> listener.keepLandmarks(shown, scene.volume().grid(), axes));
+      view.ifPresent(shown -> listener.serve(shown, session, scene.volume(), axes));
       view.ifPresent(
           shown ->
               painter.ifPresent(
@@ -448,11 +423,21 @@ public final class TouchCommand implements Callable<Integer> {
                   axes,
                   () -> view.map(SessionView::landmarks).orElse(List.of()),
                   supervisor::stop));
-      LoopEnd end = supervisor.run();
+      LoopEnd end =
+          run(supervisor, view.flatMap(shown -> scene.readings(session, shown, listener)));
       link.ifPresent(SessionLink::pause);
       recording.finish();
       return new TouchReport(
           session, end, choice, opened, supervisor.seconds(), view, realtime.throttled());
+    }
+  }
+
+  private static LoopEnd run(SessionSupervisor supervisor, Optional<LiveReadings> readings) {
+    readings.ifPresent(LiveReadings::start);
+    try {
+      return supervisor.run();
+    } finally {
+      readings.ifPresent(LiveReadings::close);
     }
   }
 

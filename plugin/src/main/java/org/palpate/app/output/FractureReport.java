@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.palpate.fracture.FractureReadings;
 import org.palpate.fracture.PairReadings;
+import org.palpate.host.placing.ReadingText;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.volume.Segment;
@@ -32,7 +33,12 @@ public final class FractureReport {
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     for (FractureReadings.Pair pair : readings.pairs()) {
-      lines.add(names.get(pair.one()) + " to " + names.get(pair.other()) + ": " + words(pair));
+      lines.add(
+          names.get(pair.one())
+              + " to "
+              + names.get(pair.other())
+              + ": "
+              + ReadingText.of(pair.readings()));
     }
     lines.add(
         "farthest from rest, relative to the largest: "
@@ -43,25 +49,6 @@ public final class FractureReport {
             + NumberText.count((double) readings.overlapVoxels())
             + " overlapping pairs of voxels");
     return lines;
-  }
-
-  private static String words(FractureReadings.Pair pair) {
-    PairReadings r = pair.readings();
-    String step =
-        Double.isNaN(r.stepOffMm())
-            ? "no step-off, for want of skin on both sides"
-            : "step-off " + NumberText.thousandths(r.stepOffMm()) + " mm";
-    return "gap "
-        + NumberText.thousandths(r.gapMeanMm())
-        + " mm, at most "
-        + NumberText.thousandths(r.gapLargestMm())
-        + "; "
-        + step
-        + "; contact on "
-        + NumberText.thousandths(r.contactMm2())
-        + " of "
-        + NumberText.thousandths(r.facingMm2())
-        + " mm^2";
   }
 
   /** Returns the field {@code fracture} of a report. */

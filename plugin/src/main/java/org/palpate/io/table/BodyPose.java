@@ -14,5 +14,4 @@ import org.palpate.geometry.Pose;
  * @param inHand the pose of the body's reference point relative to the device; of no meaning unless
  *     the event is {@link BodyEvent#TAKEN}
  */
-public record BodyPose(
-    long frame, int body, BodyEvent event, Pose restToPresent, Pose inHand) {}
+public record BodyPose(long frame, int body, BodyEvent event, Pose restToPresent, Pose inHand) {}

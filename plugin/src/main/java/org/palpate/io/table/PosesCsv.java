@@ -95,8 +95,7 @@ public final class PosesCsv implements CsvLines.Rows {
     int body = body(CsvLines.word(words, columns[1]));
     Pose pose = pose(words, columns, COLUMNS, 2);
     BodyEvent event = event(words);
-    Pose inHand =
-        event == BodyEvent.TAKEN ? pose(words, recordedColumns, RECORDED, 1) : new Pose();
+    Pose inHand = event == BodyEvent.TAKEN ? pose(words, recordedColumns, RECORDED, 1) : new Pose();
     poses.add(new BodyPose(frame, body, event, pose, inHand));
   }
 
@@ -142,7 +141,7 @@ public final class PosesCsv implements CsvLines.Rows {
       }
     }
     throw lines.fault(
-        "event is " + word, "write moved, taken, held, released or placed, or leave it out");
+        "event is " + word, "write moved, taken, joined, held, released or placed, or nothing");
   }
 
   private int body(String name) throws CsvFormatException {

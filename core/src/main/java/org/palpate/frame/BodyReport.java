@@ -1,0 +1,48 @@
+package org.palpate.frame;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.palpate.body.BodyEvent;
+import org.palpate.body.BodyListener;
+import org.palpate.body.BodyScene;
+import org.palpate.geometry.Pose;
+
+/** Reports where bodies are put to a listener. Haptic thread; a report allocates nothing. */
+final class BodyReport {
+  private final BodyScene bodies;
+  private final Grasp grasp;
+
+  /** The poses that the listener knows. */
+  private final List<Pose> known = new ArrayList<>();
+
+  private BodyListener listener = BodyListener.NONE;
+
+  BodyReport(BodyScene bodies, Grasp grasp) {
+    this.bodies = bodies;
+    this.grasp = grasp;
+    for (int n = 0; n < bodies.count(); n++) {
+      known.add(new Pose().set(bodies.body(n).pose()));
+    }
+  }
+
+  /** Sets who receives the reports. */
+  void listen(BodyListener newListener) {
+    listener = newListener;
+  }
+
+  /** Reports an event of a body. */
+  void tell(int body, BodyEvent event) {
+    listener.accept(body, event, bodies.body(body).pose(), grasp.inHand());
+  }
+
+  /** Reports the poses that changed: by the hand those that it moves, the others by an event. */
+  void tellMotions(BodyEvent event) {
+    for (int n = 0; n < known.size(); n++) {
+      Pose pose = bodies.body(n).pose();
+      if (!pose.sameBits(known.get(n))) {
+        known.get(n).set(pose);
+        tell(n, grasp.moves(n) ? BodyEvent.HELD : event);
+      }
+    }
+  }
+}

@@ -1,0 +1,56 @@
+package org.palpate.app.command;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.palpate.app.options.VolumeSource;
+import org.palpate.app.process.PalpateException;
+import picocli.CommandLine.Option;
+
+/** The options that write the poses of bodies. */
+final class PoseOptions {
+  @Option(
+      names = "--save-scene",
+      paramLabel = "FILE.json",
+      description = {
+        "Writes a scene file: the bodies of --scene or --phantom fracture where they stand at the"
+            + " end, or the fragments of --fracture, displaced. --export then writes their voxels"
+            + " at rest."
+      })
+  private Path savedScene;
+
+  @Option(
+      names = "--save-transforms",
+      paramLabel = "DIR",
+      description = {
+        "Writes the pose of each such body as an ITK transform, BODY.tfm: from rest to present,"
+            + " LPS."
+      })
+  private Path savedTransforms;
+
+  /**
+   * Returns what writes bodies and their poses.
+   *
+   * @param labels the label volume, or null if none is written
+   */
+  FragmentExport export(Path labels) {
+    return new FragmentExport(
+        labels, Optional.ofNullable(savedScene), Optional.ofNullable(savedTransforms));
+  }
+
+  /**
+   * Returns what writes the bodies of a volume and their poses.
+   *
+   * @param labels the label volume, or null if none is written
+   * @throws PalpateException exit code 2, if poses are to be written but the volume has none
+   */
+  FragmentExport export(Path labels, VolumeSource source) {
+    FragmentExport bodies = export(labels);
+    if (bodies.writesPoses() && source.placed().isEmpty()) {
+      throw PalpateException.wrongUse(
+          "the volume has no bodies with poses",
+          source.name(),
+          "choose --scene or --phantom fracture");
+    }
+    return bodies;
+  }
+}

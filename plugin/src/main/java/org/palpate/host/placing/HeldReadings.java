@@ -1,0 +1,89 @@
+package org.palpate.host.placing;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.palpate.body.BodyGroups;
+import org.palpate.fracture.PairReadings;
+import org.palpate.fracture.Residual;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.io.file.NumberText;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.fracture.PosedBits;
+
+/**
+ * Reads how the fragment in hand fits its neighbours, and how far it has moved. Voxels are read
+ * without a lock, so one that is cut meanwhile may count as it was. One thread.
+ */
+public final class HeldReadings {
+  private final SegmentedVolume rest;
+  private final List<Pose> starts;
+  private final int reference;
+
+  /**
+   * Creates readings.
+   *
+   * @param rest the fragments at rest
+   * @param starts the pose of each at the start
+   */
+  public HeldReadings(SegmentedVolume rest, List<Pose> starts) {
+    this.rest = rest;
+    this.starts = starts;
+    int largest = 0;
+    for (int n = 0; n < rest.segments().size(); n++) {
+      largest = voxels(n) > voxels(largest) ? n : largest;
+    }
+    reference = largest;
+  }
+
+  private long voxels(int n) {
+    return rest.segments().get(n).bits().solidCount();
+  }
+
+  /**
+   * Returns a line for each fragment that one faces, and a line about its motion since the start.
+   * If it did not start where it rests, there is a line about its distance from there, relative to
+   * the largest fragment. Some hundred milliseconds for fragments of 10,000 voxels.
+   *
+   * @param groups fragments that move together with it are left out
+   */
+  public List<String> lines(int fragment, List<RigidTransform> poses, BodyGroups groups) {
+    List<String> lines = new ArrayList<>();
+    PosedBits own = posed(fragment, poses);
+    for (int other = 0; other < poses.size(); other++) {
+      if (!groups.moveTogether(fragment, other)) {
+        PairReadings read = PairReadings.read(own, posed(other, poses));
+        if (read.isFacing()) {
+          String overlap = "; overlap " + NumberText.count((double) read.overlapVoxels());
+          lines.add(name(fragment) + " to " + name(other) + ": " + ReadingText.of(read) + overlap);
+        }
+      }
+    }
+    lines.add(name(fragment) + ": moved " + words(Residual.since(starts.get(fragment), own)));
+    if (fragment != reference && !starts.get(fragment).sameBits(new Pose())) {
+      Pose base = posed(reference, poses).pose();
+      lines.add(name(fragment) + ": from rest " + words(Residual.fromRest(own, base)));
+    }
+    return lines;
+  }
+
+  private PosedBits posed(int n, List<RigidTransform> poses) {
+    return new PosedBits(segment(n).bits(), rest.grid(), new Pose().set(poses.get(n)));
+  }
+
+  private Segment segment(int n) {
+    return rest.segments().get(n);
+  }
+
+  private String name(int n) {
+    return segment(n).name();
+  }
+
+  private static String words(Residual motion) {
+    return NumberText.thousandths(motion.distanceMm())
+        + " mm, "
+        + NumberText.thousandths(motion.angleDegrees())
+        + " degrees";
+  }
+}
