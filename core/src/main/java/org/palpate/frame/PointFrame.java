@@ -1,6 +1,7 @@
 package org.palpate.frame;
 
 import java.util.Map;
+import java.util.Optional;
 import org.palpate.carve.CarveSettings;
 import org.palpate.carve.PointCarver;
 import org.palpate.collision.CollisionScene;
@@ -12,6 +13,7 @@ import org.palpate.elastic.ElasticContact;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.HandState;
+import org.palpate.force.MassiveContact;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
@@ -48,6 +50,11 @@ public final class PointFrame extends HapticFrame {
   private final InteractionPoint point = new InteractionPoint();
   private ProxySolver solver;
   private boolean placed;
+
+  /** The body that the solver follows instead of the device; null if there is none. */
+  private MassiveContact massive;
+
+  private final Vec3 followedGrid = new Vec3();
 
   /** Null if the point does not cut. */
   private PointCarver carver;
@@ -125,6 +132,9 @@ public final class PointFrame extends HapticFrame {
   @Override
   void applyRequests() {
     contactForce.change(requestedForce);
+    if (massive != null) {
+      massive.change(requestedForce);
+    }
     ProxySolver requested = requestedSolver;
     if (requested != solver) {
       changeSolver(requested);
@@ -170,14 +180,21 @@ public final class PointFrame extends HapticFrame {
     } else if (carver != null) {
       carve(device);
     }
+    Vec3 followed = massive == null ? device : bodyFollowing(device);
     if (elastic == null) {
-      solver.follow(scene, device, point);
+      solver.follow(scene, followed, point);
     } else {
       elastic.follow(solver, scene, point, stiffnessNewtonPerMm());
     }
     if (contactForce.settings().distinguishesObjects()) {
-      touchedObject.find(scene, device, point);
+      touchedObject.find(scene, followed, point);
     }
+  }
+
+  /** Moves the body with mass after the device and returns its position. */
+  private Vec3 bodyFollowing(Vec3 device) {
+    massive.move(point, device, sinceForceNanos(), followedGrid);
+    return followedGrid;
   }
 
   /** Returns the device position, in material coordinates if segments are elastic. */
@@ -220,6 +237,21 @@ public final class PointFrame extends HapticFrame {
   }
 
   /**
+   * Gives what the hand holds a mass from now on. Call it before the first frame, and not among
+   * elastic segments.
+   *
+   * @param body belongs to the frame from now on
+   */
+  public void give(MassiveContact body) {
+    massive = body;
+  }
+
+  /** Returns what {@link #give} gave, if anything. */
+  public Optional<MassiveContact> mass() {
+    return Optional.ofNullable(massive);
+  }
+
+  /**
    * Places the point at the device, or as near to it as the solids permit. A device that jumped
    * begins a new chain of legs, as a point does that was set free.
    */
@@ -232,6 +264,14 @@ public final class PointFrame extends HapticFrame {
       setFree(device);
     } else if (jumped) {
       beginAnew();
+    } else {
+      placeMass();
+    }
+  }
+
+  private void placeMass() {
+    if (massive != null) {
+      massive.place(point.position);
     }
   }
 
@@ -250,13 +290,18 @@ public final class PointFrame extends HapticFrame {
     if (elastic != null) {
       elastic.restart();
     }
+    placeMass();
     setFree();
   }
 
   @Override
   void computeForce(long sinceLastNanos) {
-    Vec3 device = elastic == null ? deviceGrid : elastic.coupledDevice();
-    contactForce.compute(point, device, sinceLastNanos, forceNewton);
+    if (massive != null) {
+      massive.compute(point, forceNewton);
+    } else {
+      Vec3 device = elastic == null ? deviceGrid : elastic.coupledDevice();
+      contactForce.compute(point, device, sinceLastNanos, forceNewton);
+    }
     addEffects(sinceLastNanos);
   }
 

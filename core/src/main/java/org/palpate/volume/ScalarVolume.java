@@ -132,6 +132,34 @@ public abstract class ScalarVolume {
   public abstract double value(int i, int j, int k);
 
   /**
+   * Returns the value at a position in grid coordinates, interpolated linearly along each axis
+   * between the middles of voxels. Outside the grid the nearest position of it counts.
+   */
+  public final double interpolated(double x, double y, double z) {
+    double u = Math.max(0, Math.min(grid.sizeX() - 1, x - 0.5));
+    double v = Math.max(0, Math.min(grid.sizeY() - 1, y - 0.5));
+    double w = Math.max(0, Math.min(grid.sizeZ() - 1, z - 0.5));
+    int k = (int) w;
+    double low = interpolatedInSlice(u, v, k);
+    double fraction = w - k;
+    return fraction == 0 ? low : low + fraction * (interpolatedInSlice(u, v, k + 1) - low);
+  }
+
+  private double interpolatedInSlice(double u, double v, int k) {
+    int j = (int) v;
+    double low = interpolatedInRow(u, j, k);
+    double fraction = v - j;
+    return fraction == 0 ? low : low + fraction * (interpolatedInRow(u, j + 1, k) - low);
+  }
+
+  private double interpolatedInRow(double u, int j, int k) {
+    int i = (int) u;
+    double low = value(i, j, k);
+    double fraction = u - i;
+    return fraction == 0 ? low : low + fraction * (value(i + 1, j, k) - low);
+  }
+
+  /**
    * Returns the levels of {@link #LEVELS} voxels of a row, (i,j,k) and the next ones along x, one
    * byte each, the first in the lowest byte. All must lie in the grid. Several times as fast as
    * {@link #value}.

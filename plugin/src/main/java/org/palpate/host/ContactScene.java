@@ -21,6 +21,8 @@ import org.palpate.force.EffectSite;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.force.HapticEffect;
+import org.palpate.force.MassSettings;
+import org.palpate.force.MassiveContact;
 import org.palpate.force.Material;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
@@ -339,8 +341,22 @@ public final class ContactScene {
         new PointFrame(
             gridDevice, newSolver(), newCollisionScene(), metric, frame, edits, publisher);
     carve().ifPresent(made::carve);
-    made.requestEffects(newEffects(pointSite(frame)));
+    feel(made, frame);
     return made;
+  }
+
+  /** Gives a frame the effects and the mass of the settings. */
+  private void feel(PointFrame made, FrameSettings frame) {
+    made.requestEffects(newEffects(pointSite(frame)));
+    settings
+        .mass()
+        .map(held -> new MassiveContact(metric, frame.force(), alongGrid(held)))
+        .ifPresent(made::give);
+  }
+
+  private MassSettings alongGrid(MassSettings held) {
+    Vec3 gravity = held.gravityMmPerSecond2();
+    return new MassSettings(held.kg(), grid().gridMmToWorld().inverseRotate(gravity, new Vec3()));
   }
 
   private EffectSite pointSite(FrameSettings frame) {
@@ -379,7 +395,7 @@ public final class ContactScene {
     PointFrame made =
         new PointFrame(
             gridDevice, newSolver(), newCollisionScene(), metric, frame, none, FramePublisher.NONE);
-    made.requestEffects(newEffects(pointSite(frame)));
+    feel(made, frame);
     return made;
   }
 }

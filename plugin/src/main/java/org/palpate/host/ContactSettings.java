@@ -2,10 +2,12 @@ package org.palpate.host;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.force.EffectPlan;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
+import org.palpate.force.MassSettings;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.VoxelGrid;
 
@@ -32,6 +34,8 @@ import org.palpate.volume.VoxelGrid;
  *     does not cut
  * @param protectedMm for names of segments the margin around them that nothing cuts, mm
  * @param effects what the hand feels beside contact, in the order in which the forces add up
+ * @param mass the mass of an interaction point, with gravity along the world's axes; if empty, it
+ *     has none
  * @param border how {@link SolverKind#DOT} and {@link SolverKind#PAPER} find border voxels; frames
  *     do not depend on it
  */
@@ -47,6 +51,7 @@ public record ContactSettings(
     OptionalDouble carveMm3PerNewtonSecond,
     Map<String, Double> protectedMm,
     List<EffectPlan> effects,
+    Optional<MassSettings> mass,
     BorderChoice border) {
   private static final double SMALLEST_USUAL_MM = 32;
   private static final double LARGEST_USUAL_MM = 1000;
@@ -125,6 +130,7 @@ public record ContactSettings(
     private OptionalDouble carveMm3PerNewtonSecond = OptionalDouble.empty();
     private Map<String, Double> protectedMm = Map.of();
     private List<EffectPlan> effects = List.of();
+    private Optional<MassSettings> mass = Optional.empty();
     private BorderChoice border = BorderChoice.ON_THE_FLY;
 
     private Builder(SolverKind solver) {
@@ -197,6 +203,12 @@ public record ContactSettings(
       return this;
     }
 
+    /** Sets the mass of an interaction point, with gravity along the world's axes. */
+    public Builder mass(Optional<MassSettings> held) {
+      mass = held;
+      return this;
+    }
+
     /** Sets how the paper's solvers find border voxels. */
     public Builder border(BorderChoice choice) {
       border = choice;
@@ -217,6 +229,7 @@ public record ContactSettings(
           carveMm3PerNewtonSecond,
           protectedMm,
           effects,
+          mass,
           border);
     }
   }

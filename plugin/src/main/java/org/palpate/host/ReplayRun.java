@@ -10,6 +10,7 @@ import org.palpate.elastic.ElasticBody;
 import org.palpate.elastic.SynchronousUpdates;
 import org.palpate.force.ForceRamp;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.MassiveContact;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
@@ -109,9 +110,13 @@ public final class ReplayRun {
    *
    * @param work in the units of {@link ProxySolver#steps}
    * @param elastic the elastic segments as the run left them, if there are any
+   * @param mass the body that the point followed, if it had a mass
    */
   public record Result(
-      FrameStatistics statistics, WorkPercentiles work, Optional<ElasticBody> elastic) {}
+      FrameStatistics statistics,
+      WorkPercentiles work,
+      Optional<ElasticBody> elastic,
+      Optional<MassiveContact> mass) {}
 
   /** Runs every frame once from a fresh start. */
   public Result run(FrameSink sink) throws IOException {
@@ -136,7 +141,7 @@ public final class ReplayRun {
       sink.accept(n, device.lastPosition(), point, force, frame.point(), frame.wasFreed());
     }
     applyRest(edits, scene.edits(), frame);
-    return new Result(frame.statistics(), WorkPercentiles.of(work), body);
+    return new Result(frame.statistics(), WorkPercentiles.of(work), body, frame.mass());
   }
 
   /** Applies the changes that a session made after its last sample. */

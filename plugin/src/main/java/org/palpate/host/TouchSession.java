@@ -10,6 +10,7 @@ import org.palpate.device.SimulatedDevice;
 import org.palpate.edit.Edit;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.HistoryEdit;
+import org.palpate.force.MassiveContact;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.GridDevice;
 import org.palpate.frame.HapticFrame;
@@ -70,6 +71,7 @@ public final class TouchSession implements AutoCloseable {
   private final TouchProperties properties = new TouchProperties(new Accumulator());
   private final List<Property> published;
   private final Optional<HeldTool> held;
+  private final Optional<MassiveContact> mass;
   private final VoxelGrid grid;
 
   /** Set before the haptic thread starts, which reads it; null without a second reader. */
@@ -103,6 +105,7 @@ public final class TouchSession implements AutoCloseable {
     loop = newLoop(frame, settings, warmUp);
     published = properties.accumulator().properties();
     held = Optional.empty();
+    mass = frame.mass();
   }
 
   /**
@@ -136,6 +139,7 @@ public final class TouchSession implements AutoCloseable {
     loop = newLoop(frame, settings, warmUp);
     published = properties.accumulator().properties();
     held = Optional.of(new HeldTool(scene, frame, publisher));
+    mass = Optional.empty();
   }
 
   /** The rigid tool of a session. */
@@ -337,6 +341,11 @@ public final class TouchSession implements AutoCloseable {
    */
   public int mostReducedPoints() {
     return held.map(tool -> tool.frame().mostReducedPoints()).orElse(0);
+  }
+
+  /** Returns the body that an interaction point follows, if it has a mass; after {@link #stop}. */
+  public Optional<MassiveContact> mass() {
+    return mass;
   }
 
   /** Returns the present state of the loop. Any thread. */

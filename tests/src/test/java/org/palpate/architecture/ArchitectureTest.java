@@ -45,7 +45,7 @@ class ArchitectureTest {
               "app.options",
               List.of(
                   "app.process",
-                  "force.guide",
+                  "force.effect",
                   "host",
                   "io.resample",
                   "io.scene",
@@ -119,6 +119,7 @@ class ArchitectureTest {
               "benchmarks.stability",
               List.of(
                   "benchmarks.report",
+                  "force.effect",
                   "loop",
                   "proxy.reference",
                   "proxy.smooth",
@@ -139,6 +140,7 @@ class ArchitectureTest {
           Map.entry("elastic", List.of("elastic.lattice", "proxy")),
           Map.entry("elastic.lattice", List.of("volume")),
           Map.entry("force", List.of("proxy", "rigid")),
+          Map.entry("force.effect", List.of("force.guide")),
           Map.entry("force.guide", List.of("force")),
           Map.entry("frame", List.of("carve", "device", "elastic", "force")),
           Map.entry("fracture", List.of("volume.fracture")),

@@ -93,6 +93,8 @@ class ColumnsTest {
             replay(trajectory, "--elastic", "sphere=young:1e4"),
             common,
             "Reports with elastic segments"));
+    seen.addAll(
+        keys(report, replay(trajectory, "--mass", 0.1), common, "Reports of a point with mass"));
     seen.addAll(keys(report, touch(), common, "Reports of `touch`"));
     Object[] info = {"info", "--phantom", "sphere:16"};
     seen.addAll(keys(report, info, common, "Reports of `info`"));

@@ -1,6 +1,7 @@
 package org.palpate.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -8,10 +9,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Guides and effects in the commands. */
 class FeelCommandTest {
@@ -113,5 +116,73 @@ class FeelCommandTest {
     CommandRun.of(touch.toArray()).mustSucceed();
     String text = Files.readString(report);
     assertTrue(text.contains("\"max_force_n\" : 0.7"), text); // of contact there is next to none
+  }
+
+  /** Writes a hand that slides over the ball of {@code sphere:32} and returns its file. */
+  private Path sliding() throws IOException {
+    StringBuilder rows = new StringBuilder("t_ms,x,y,z\n");
+    for (int n = 0; n < 600; n++) {
+      rows.append(n).append(',').append(10 + 0.02 * n).append(",16,");
+      rows.append(n < 200 ? 35 - 0.05 * n : 25).append('\n');
+    }
+    return Files.writeString(folder.resolve("slide.csv"), rows.toString());
+  }
+
+  private List<String> slide(Object... options) throws IOException {
+    Path out = folder.resolve("f.csv");
+    List<Object> replay = new ArrayList<>(List.of("replay", "--trajectory", sliding()));
+    replay.addAll(List.of("--out", out));
+    replay.addAll(List.of(options));
+    CommandRun.of(replay.toArray()).mustSucceed();
+    return Files.readAllLines(out);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "viscosity:0.01",
+        "magnet:sphere,0.5,6",
+        "stickslip:0.3",
+        "vibration:100,0.2",
+        "texture:0.5"
+      })
+  void anEffectChangesTheForceAndNotThePoint(String effect) throws IOException {
+    Object[] ball = {"--phantom", "sphere:32:grey", "--segment", "sphere=>=500"};
+    List<String> plain = slide(ball);
+    Object[] with = Stream.concat(Stream.of(ball), Stream.of("--effect", effect)).toArray();
+    List<String> felt = slide(with);
+    assertEquals(plain.size(), felt.size());
+    int differing = 0;
+    for (int row = 1; row < plain.size(); row++) {
+      String[] before = plain.get(row).split(",", -1);
+      String[] now = felt.get(row).split(",", -1);
+      for (int column : new int[] {2, 3, 4, 5, 6, 7, 11, 12}) {
+        assertEquals(before[column], now[column], effect + " row " + row);
+      }
+      differing += before[9].equals(now[9]) && before[8].equals(now[8]) ? 0 : 1;
+    }
+    assertTrue(differing > 100, effect + " differs in " + differing + " frames");
+  }
+
+  @Test
+  void aPointWithMassSagsByItsWeightAndReportsItsEnergy() throws IOException {
+    Path report = folder.resolve("r.json");
+    double[] force =
+        lastForce("--mass", 0.02, "--gravity", "0,0,-9.81", "--max-force", 5, "--report", report);
+    assertEquals(-0.02 * 9.81, force[2], 1e-3);
+    assertEquals(0, force[0], 1e-9);
+    String text = Files.readString(report);
+    assertTrue(text.contains("\"kg\" : 0.02") && text.contains("\"debt_mj\" : "), text);
+  }
+
+  @Test
+  void aLiveSessionHasAMass() throws IOException {
+    Path report = folder.resolve("r.json");
+    List<Object> touch = new ArrayList<>(List.of("touch", "--phantom", "sphere:32", "--headless"));
+    touch.addAll(List.of("--seconds", 2, "--report", report, "--mass", 0.05));
+    CommandRun.of(touch.toArray()).mustSucceed();
+    String text = Files.readString(report);
+    assertTrue(text.contains("\"taken_mj\""), text);
+    assertFalse(text.contains("\"contact_frames\" : 0,"), text);
   }
 }

@@ -42,6 +42,12 @@ public enum StudyTable {
       "stability-tools.csv",
       "device,grip,rod_mm,rms_radius_mm,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
           + Columns.MARGIN),
+  /** Stability with guides, effects and mass. */
+  STABILITY_FEEL(
+      "stability-feel.csv",
+      "device,grip,feel,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
+          + Columns.MARGIN
+          + ",given_mj,verdict"),
   /** Cost of a frame by the method that changes the scene. */
   SYNC(
       "sync.csv",

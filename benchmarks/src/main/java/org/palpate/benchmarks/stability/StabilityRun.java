@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -26,6 +27,9 @@ import org.palpate.raycast.SampledRayCaster;
 public final class StabilityRun {
   private static final double WANTED_MARGIN = 2;
   private static final long SEED = 7;
+
+  /** An effect that gives less over a whole motion counts as passive. */
+  private static final double PASSIVE_MILLIJOULE = 0.01;
 
   /** 10^8 frames for each solver. */
   private static final int ROUNDS = 1000;
@@ -68,6 +72,7 @@ public final class StabilityRun {
     Map<String, Double> margins = reportDevices(folder, study.devices(), out);
     reportShapes(folder, study.shapes(), out);
     reportTools(folder, study.tools(), out);
+    reportFeel(folder, study.feel(), out);
     reportLongRuns(quick, out, progress);
     out.flush();
     return margins;
@@ -120,6 +125,38 @@ public final class StabilityRun {
                 own.stream().mapToDouble(MarginRow::margin).min().orElse(0),
                 own.stream().filter(row -> !row.atDefault().stable()).count(),
                 own.size()));
+  }
+
+  private static void reportFeel(Path folder, List<MarginRow<FeelTrial>> rows, PrintWriter out)
+      throws IOException {
+    Map<MarginRow<FeelTrial>, Double> given = new LinkedHashMap<>();
+    rows.forEach(row -> given.put(row, row.trial().givenMillijoule(row.defaultStiffness())));
+    StudyTable.STABILITY_FEEL.write(folder, rows, row -> feelCells(row, given.get(row)));
+    for (FeelTrial.Feel feel : FeelTrial.feels()) {
+      List<MarginRow<FeelTrial>> own =
+          rows.stream().filter(row -> row.trial().feel().name().equals(feel.name())).toList();
+      out.printf(
+          Locale.ROOT,
+          "feel %s: least margin of the default stiffness %.2f, unstable at the default in %d of"
+              + " %d, gives at most %.3f mJ: %s%n",
+          feel.name(),
+          own.stream().mapToDouble(MarginRow::margin).min().orElse(0),
+          own.stream().filter(row -> !row.atDefault().stable()).count(),
+          own.size(),
+          own.stream().mapToDouble(given::get).max().orElse(0),
+          own.stream().allMatch(row -> isPassive(row, given.get(row))) ? "passive" : "active");
+    }
+  }
+
+  private static List<Object> feelCells(MarginRow<FeelTrial> row, double givenMillijoule) {
+    List<Object> cells = new ArrayList<>(row.cells());
+    cells.add(givenMillijoule);
+    cells.add(isPassive(row, givenMillijoule) ? "passive" : "active");
+    return cells;
+  }
+
+  private static boolean isPassive(MarginRow<FeelTrial> row, double givenMillijoule) {
+    return !row.trial().feel().driven() && givenMillijoule <= PASSIVE_MILLIJOULE;
   }
 
   private static String condition(MarginRow<ToolTrial> row) {

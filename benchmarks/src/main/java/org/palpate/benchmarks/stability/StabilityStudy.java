@@ -120,6 +120,20 @@ public final class StabilityStudy {
     return rows;
   }
 
+  /** Sweeps guides, effects and masses, with devices by name and both grips. */
+  public List<MarginRow<FeelTrial>> feel() {
+    List<MarginRow<FeelTrial>> rows = new ArrayList<>();
+    for (DeviceModel device : quick ? DeviceModel.KNOWN.subList(0, 2) : DeviceModel.KNOWN) {
+      for (Grip grip : quick ? List.of(Grip.LIGHT) : List.of(Grip.LIGHT, Grip.FIRM)) {
+        progress.accept("feel: " + device.name() + " grip=" + grip.name());
+        for (FeelTrial.Feel feel : FeelTrial.feels()) {
+          rows.add(MarginRow.of(new FeelTrial(device, grip, DEFAULT_SAMPLING, feel)));
+        }
+      }
+    }
+    return rows;
+  }
+
   private static List<DeviceModel> varied(
       DeviceModel device, double[] massFactors, double[] dampingFactors) {
     List<DeviceModel> all = new ArrayList<>();

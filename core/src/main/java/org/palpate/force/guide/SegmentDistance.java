@@ -26,33 +26,34 @@ public final class SegmentDistance {
   private final int sizeY;
   private final int sizeZ;
 
-  /** Distances of the middles of voxels, mm, x first; at most the reach. */
+  /** Distances of the middles of voxels, mm, x first; at most {@link #reachMm}. */
   private final float[] distances;
 
   /**
    * Measures distances. Cost: the voxels of the box times the reach in voxels.
    *
    * @param solids the voxels of the segment
-   * @param reachMm the greatest distance that is measured; greater ones count as this
+   * @param reachMm the distance up to which is measured, mm; those beyond it by a longest voxel
+   *     edge or more count as that
    * @throws IllegalArgumentException if {@link #voxelsFor} exceeds {@link #MOST_VOXELS}
    */
   public SegmentDistance(BitCube solids, VoxelGrid grid, double reachMm) {
     double voxels = voxelsFor(solids, grid, reachMm);
+    this.reachMm = measuredMm(grid, reachMm);
     if (!(voxels <= MOST_VOXELS)) {
       throw new IllegalArgumentException(
           "distances of at most " + MOST_VOXELS + " voxels can be kept: voxels=" + voxels);
     }
     this.grid = grid;
-    this.reachMm = reachMm;
     IntBox box = solids.bounds();
     Vec3 spacing = grid.spacingMm();
     boolean isEmpty = box.isEmpty();
-    lowX = isEmpty ? 0 : box.lowX - pad(reachMm, spacing.x);
-    lowY = isEmpty ? 0 : box.lowY - pad(reachMm, spacing.y);
-    lowZ = isEmpty ? 0 : box.lowZ - pad(reachMm, spacing.z);
-    sizeX = isEmpty ? 0 : box.highX + pad(reachMm, spacing.x) - lowX + 1;
-    sizeY = isEmpty ? 0 : box.highY + pad(reachMm, spacing.y) - lowY + 1;
-    sizeZ = isEmpty ? 0 : box.highZ + pad(reachMm, spacing.z) - lowZ + 1;
+    lowX = isEmpty ? 0 : box.lowX - pad(measuredMm(grid, reachMm), spacing.x);
+    lowY = isEmpty ? 0 : box.lowY - pad(measuredMm(grid, reachMm), spacing.y);
+    lowZ = isEmpty ? 0 : box.lowZ - pad(measuredMm(grid, reachMm), spacing.z);
+    sizeX = isEmpty ? 0 : box.highX + pad(measuredMm(grid, reachMm), spacing.x) - lowX + 1;
+    sizeY = isEmpty ? 0 : box.highY + pad(measuredMm(grid, reachMm), spacing.y) - lowY + 1;
+    sizeZ = isEmpty ? 0 : box.highZ + pad(measuredMm(grid, reachMm), spacing.z) - lowZ + 1;
     distances = new float[sizeX * sizeY * sizeZ];
     measure(solids);
   }
@@ -63,9 +64,18 @@ public final class SegmentDistance {
     Vec3 spacing = grid.spacingMm();
     return box.isEmpty()
         ? 0
-        : (box.highX - box.lowX + 1 + 2.0 * pad(reachMm, spacing.x))
-            * (box.highY - box.lowY + 1 + 2.0 * pad(reachMm, spacing.y))
-            * (box.highZ - box.lowZ + 1 + 2.0 * pad(reachMm, spacing.z));
+        : (box.highX - box.lowX + 1 + 2.0 * pad(measuredMm(grid, reachMm), spacing.x))
+            * (box.highY - box.lowY + 1 + 2.0 * pad(measuredMm(grid, reachMm), spacing.y))
+            * (box.highZ - box.lowZ + 1 + 2.0 * pad(measuredMm(grid, reachMm), spacing.z));
+  }
+
+  /**
+   * Returns the greatest distance that is kept: between middles of voxels all up to the reach
+   * count.
+   */
+  private static double measuredMm(VoxelGrid grid, double reachMm) {
+    Vec3 spacing = grid.spacingMm();
+    return reachMm + Math.max(spacing.x, Math.max(spacing.y, spacing.z));
   }
 
   /** Returns the voxels by which the box reaches beyond the segment; the last one has the reach. */
@@ -123,7 +133,7 @@ public final class SegmentDistance {
     return least;
   }
 
-  /** Returns the distance at a position in grid coordinates, mm, at most the reach. */
+  /** Returns the distance at a position in grid coordinates, mm, at most the reach and an edge. */
   public double at(double x, double y, double z) {
     double u = x - 0.5 - lowX;
     double v = y - 0.5 - lowY;

@@ -26,6 +26,7 @@ import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.EditedVolume;
 import org.palpate.app.output.ElasticFields;
 import org.palpate.app.output.FaultFields;
+import org.palpate.app.output.MassFields;
 import org.palpate.app.output.ReplayTables;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
@@ -57,6 +58,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
 /** Runs the frames of a recorded trajectory without a device and without a clock. */
@@ -197,6 +199,7 @@ public final class ReplayCommand implements Callable<Integer> {
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     requireRepeatable();
+    refuseMassAmongElastic();
     boolean rigid = tool.isRigid() || posesFile != null;
     tool.checkOthers(spec.commandLine().getParseResult(), rigid);
     feel.check(rigid);
@@ -218,6 +221,17 @@ public final class ReplayCommand implements Callable<Integer> {
     }
   }
 
+  /** Refuses a mass among elastic segments, where the point stands in material coordinates. */
+  private void refuseMassAmongElastic() {
+    ParseResult given = spec.commandLine().getParseResult();
+    if (given.hasMatchedOption("--elastic") && given.hasMatchedOption("--mass")) {
+      throw PalpateException.wrongUse(
+          "a point with mass touches rigid segments alone",
+          "--elastic with --mass",
+          "leave one of them out");
+    }
+  }
+
   private int replayPoint() throws IOException {
     boolean world = coordinates == Coordinates.world;
     VolumeSource source = VolumeSource.open(volume);
@@ -229,11 +243,13 @@ public final class ReplayCommand implements Callable<Integer> {
         ReplayTables.checked(framesFile, legsFile, output.report(), inputs, failures);
     Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
     SegmentedVolume segments =
-        source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
+        source.segments(
+            spec.commandLine().getErr(), contact.followsGrey(source) || feel.needsGrey());
     EditSchedule edits = edits(segments);
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
-    ContactScene scene = contact.scene(source, segments, feel.effects(segments));
+    ContactScene scene =
+        contact.scene(source, segments, feel.effects(source, segments), tool.massOfPoint());
     ReplayRun plain =
         world ? ReplayRun.inWorld(scene, trajectory) : ReplayRun.inGrid(scene, trajectory);
     ReplayRun replay = elastic.deform(plain.withEdits(edits), segments, contact.solver());
@@ -277,7 +293,8 @@ public final class ReplayCommand implements Callable<Integer> {
     Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
     made.notes().forEach(spec.commandLine().getErr()::println);
     SegmentedVolume segments =
-        source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
+        source.segments(
+            spec.commandLine().getErr(), contact.followsGrey(source) || feel.needsGrey());
     EditSchedule edits = edits(segments);
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
@@ -285,7 +302,7 @@ public final class ReplayCommand implements Callable<Integer> {
     try (ChosenCollisionDevice device = collisionDevice.open(spec.commandLine().getErr())) {
       ToolScene scene =
           tool.scene(
-              contact.scene(source, segments, feel.effects(segments)),
+              contact.scene(source, segments, feel.effects(source, segments), Optional.empty()),
               made,
               ToolReplay.movable(poses),
               device.device());
@@ -417,6 +434,7 @@ public final class ReplayCommand implements Callable<Integer> {
         .put("work", WorkFields.of(result.work()))
         .put("skipped", statistics.skipped())
         .put("faults", FaultFields.of(statistics.faults()));
+    result.mass().ifPresent(body -> report.put("mass", MassFields.of(body)));
   }
 
   private void putTime(ReplayTiming.NanosPerFrame nanos, Report report) {

@@ -272,8 +272,10 @@ public final class TouchCommand implements Callable<Integer> {
     printStart(source, choice, made.map(ToolReport::line).orElse("solver " + settings.solver()));
     made.ifPresent(each -> each.notes().forEach(out::println));
     SegmentedVolume segments =
-        source.segments(spec.commandLine().getErr(), contact.followsGrey(source));
-    ContactScene contactScene = contact.scene(source, segments, feel.effects(segments));
+        source.segments(
+            spec.commandLine().getErr(), contact.followsGrey(source) || feel.needsGrey());
+    ContactScene contactScene =
+        contact.scene(source, segments, feel.effects(source, segments), tool.massOfPoint());
     SessionScene scene = SessionScene.of(contactScene, tool, made, judge.device());
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.palpate.app.options.DeviceChoice;
 import org.palpate.app.output.FaultFields;
+import org.palpate.app.output.MassFields;
 import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.HapticDevice;
@@ -160,6 +161,7 @@ final class TouchReport {
         .put("skipped", skipped(counts))
         .put("faults", FaultFields.of(counts.faults()))
         .put("end", end.cause().name().toLowerCase(Locale.ROOT));
+    session.mass().ifPresent(body -> report.put("mass", MassFields.of(body)));
   }
 
   private Map<String, Object> skipped(FrameStatistics counts) {

@@ -9,6 +9,7 @@ import org.palpate.app.process.PalpateException;
 import org.palpate.body.GrownSolids;
 import org.palpate.force.EffectPlan;
 import org.palpate.force.FrictionForm;
+import org.palpate.force.MassSettings;
 import org.palpate.host.BorderChoice;
 import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
@@ -179,12 +180,13 @@ public final class ContactOptions {
    * @throws PalpateException exit code 2, if an option is wrong
    */
   public ContactSettings settings() {
-    return settings(List.of());
+    return settings(List.of(), Optional.empty());
   }
 
-  private ContactSettings settings(List<EffectPlan> effects) {
+  private ContactSettings settings(List<EffectPlan> effects, Optional<MassSettings> mass) {
     return ContactSettings.builder(solver())
         .effects(effects)
+        .mass(mass)
         .collision(collision())
         .stiffness(stiffnessNewtonPerMm())
         .friction(friction())
@@ -233,26 +235,21 @@ public final class ContactOptions {
   }
 
   /**
-   * Returns the contact scene of a volume.
+   * Returns the contact scene of a volume with effects and mass.
    *
    * @param source the volume
    * @param segments its segments
-   * @throws VolumeFormatException if the grey values are needed and cannot be read
-   */
-  public ContactScene scene(VolumeSource source, SegmentedVolume segments)
-      throws VolumeFormatException {
-    return scene(source, segments, List.of());
-  }
-
-  /**
-   * Returns the contact scene of a volume with effects.
-   *
    * @param effects what the hand feels beside contact
+   * @param mass the mass of a point, if it has one
    * @throws VolumeFormatException if the grey values are needed and cannot be read
    */
-  public ContactScene scene(VolumeSource source, SegmentedVolume segments, List<EffectPlan> effects)
+  public ContactScene scene(
+      VolumeSource source,
+      SegmentedVolume segments,
+      List<EffectPlan> effects,
+      Optional<MassSettings> mass)
       throws VolumeFormatException {
-    ContactSettings settings = settings(effects);
+    ContactSettings settings = settings(effects, mass);
     for (String name : materials.keySet()) {
       named(segments, "--material ", name, name);
     }

@@ -17,11 +17,11 @@ import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.table.PositionsCsvReader;
-import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** The options of what the hand feels beside contact: guides. */
+/** The options of what the hand feels beside contact: guides and effects. */
 public final class FeelOptions {
   private static final NumberRange STRENGTH =
       new NumberRange(
@@ -63,6 +63,8 @@ public final class FeelOptions {
           "Distance beyond which guides do not pull; from half of it on they fade. Default: none.")
   private Double guideRange;
 
+  @Mixin private EffectOptions effects;
+
   /**
    * Checks the numbers and the forms, before a volume is read.
    *
@@ -70,6 +72,7 @@ public final class FeelOptions {
    * @throws PalpateException exit code 2, if an option is wrong
    */
   public void check(boolean isRigid) {
+    effects.check();
     GuideStrength strength = strength();
     for (String text : guides) {
       String kind = kind(text);
@@ -87,6 +90,11 @@ public final class FeelOptions {
     }
   }
 
+  /** Whether grey values are needed. */
+  public boolean needsGrey() {
+    return effects.needsGrey();
+  }
+
   /** Returns the files that the options name, which no output may replace. */
   public List<Path> files() {
     return guides.stream().filter(text -> kind(text).equals("path")).map(this::file).toList();
@@ -98,9 +106,10 @@ public final class FeelOptions {
    * @throws IOException if a file cannot be read
    * @throws PalpateException exit code 2, if an option is wrong
    */
-  public List<EffectPlan> effects(SegmentedVolume segments) throws IOException {
+  public List<EffectPlan> effects(VolumeSource source, SegmentedVolume segments)
+      throws IOException {
     GuideStrength strength = strength();
-    List<EffectPlan> plans = new ArrayList<>();
+    List<EffectPlan> plans = new ArrayList<>(effects.plans(source, segments));
     for (String text : guides) {
       String kind = kind(text);
       plans.add(
@@ -228,17 +237,7 @@ public final class FeelOptions {
   private static EffectPlan away(String text, SegmentedVolume segments, GuideStrength strength) {
     double mm = marginMm(text);
     String name = where(text).substring(0, where(text).lastIndexOf(','));
-    Segment segment = ContactOptions.named(segments, "--guide ", text, name);
-    double voxels = SegmentDistance.voxelsFor(segment.bits(), segments.grid(), mm);
-    if (voxels > SegmentDistance.MOST_VOXELS) {
-      throw PalpateException.wrongUse(
-          "the segment and its margin fill a box of "
-              + NumberText.count(voxels)
-              + " voxels, more than "
-              + NumberText.count(SegmentDistance.MOST_VOXELS),
-          "--guide " + text,
-          "choose a smaller margin or a smaller segment");
-    }
-    return Guides.away(new SegmentDistance(segment.bits(), segments.grid(), mm), mm, strength);
+    SegmentDistance distance = EffectOptions.distance(segments, "--guide ", text, name, mm);
+    return Guides.away(distance, mm, strength);
   }
 }

@@ -2,13 +2,17 @@ package org.palpate.app.options;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.BodyScene;
 import org.palpate.collision.CollisionDevice;
+import org.palpate.force.MassSettings;
+import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ToolScene;
+import org.palpate.io.file.NumberParser;
 import org.palpate.io.scene.SceneReader;
 import org.palpate.io.scene.SceneTool;
 import org.palpate.io.volume.VolumeFormatException;
@@ -29,12 +33,13 @@ public final class ToolOptions {
           "--collision",
           "--border",
           "--friction-form",
+          "--gravity",
           "--elastic",
           "--fixed",
           "--lattice");
 
   private static final List<String> OF_RIGID_TOOLS =
-      List.of("--rotational-stiffness", "--mass", "--legs-every", "--legs-frames");
+      List.of("--rotational-stiffness", "--legs-every", "--legs-frames");
 
   @Option(
       names = "--tool",
@@ -86,9 +91,20 @@ public final class ToolOptions {
       names = "--mass",
       paramLabel = "KG",
       description =
-          "Mass of the tool, of even density. The report states it; the motion of a tool among"
-              + " fixed bodies does not depend on it.")
+          "Mass of an interaction point, which the hand then feels, or of a rigid tool, of even"
+              + " density: the report states that one, and nothing depends on it yet.")
   private Double mass;
+
+  @Option(
+      names = "--gravity",
+      paramLabel = "X,Y,Z",
+      description =
+          "Gravity on the mass of an interaction point, m/s^2 along the world's axes, as in"
+              + " 0,0,-9.81. Default: none.")
+  private String gravity;
+
+  private static final double MOST_GRAVITY = 100;
+  private static final double MM_PER_M = 1e3;
 
   private boolean isAmongPlacedBodies;
 
@@ -148,6 +164,38 @@ public final class ToolOptions {
   }
 
   /**
+   * Returns the mass of an interaction point with gravity, if it has a mass.
+   *
+   * @throws PalpateException exit code 2, if a number is out of range or gravity has no mass
+   */
+  public Optional<MassSettings> massOfPoint() {
+    OptionalDouble kg = massKg();
+    Vec3 acceleration = gravityMmPerSecond2();
+    if (gravity != null && kg.isEmpty()) {
+      throw PalpateException.wrongUse(
+          "gravity needs a mass", "--gravity " + gravity, "add --mass 0.05");
+    }
+    return kg.isPresent()
+        ? Optional.of(new MassSettings(kg.getAsDouble(), acceleration))
+        : Optional.empty();
+  }
+
+  private Vec3 gravityMmPerSecond2() {
+    Vec3 found = new Vec3();
+    String[] words = gravity == null ? new String[] {"0", "0", "0"} : gravity.split(",", -1);
+    for (int axis = 0; axis < words.length && axis < 3; axis++) {
+      found.set(axis, NumberParser.number(words[axis]));
+    }
+    if (words.length != 3 || !(found.length() <= MOST_GRAVITY)) {
+      throw PalpateException.wrongUse(
+          "gravity must be three numbers, together at most 100 m/s^2",
+          "--gravity " + gravity,
+          "try --gravity 0,0,-9.81");
+    }
+    return found.mul(MM_PER_M, found);
+  }
+
+  /**
    * Checks the numbers, and refuses options that do not fit the tool.
    *
    * @throws PalpateException exit code 2, if a number is out of range or an option does not fit
@@ -164,7 +212,7 @@ public final class ToolOptions {
    */
   public void checkOthers(ParseResult given, boolean rigid) throws VolumeFormatException {
     rotationalStiffness();
-    massKg();
+    massOfPoint();
     List<String> unfit = rigid ? OF_POINTS : OF_RIGID_TOOLS;
     for (String option : unfit) {
       if (given.hasMatchedOption(option)) {

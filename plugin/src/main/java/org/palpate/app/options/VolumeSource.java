@@ -273,6 +273,15 @@ public final class VolumeSource {
         : OptionalDouble.empty();
   }
 
+  /** Returns the lower threshold of the first segment that was asked for by a range of values. */
+  OptionalDouble firstThreshold() {
+    return requested.stream()
+        .filter(spec -> spec.rule() instanceof SegmentSpec.Range)
+        .mapToDouble(spec -> ((SegmentSpec.Range) spec.rule()).low())
+        .filter(Double::isFinite)
+        .findFirst();
+  }
+
   /** Returns all grey values. Reads them once and keeps them. */
   ScalarVolume greyValues() throws VolumeFormatException {
     if (greyValues == null) {

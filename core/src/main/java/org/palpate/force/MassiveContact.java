@@ -1,0 +1,245 @@
+package org.palpate.force;
+
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.InteractionPoint;
+
+/**
+ * A body with mass between the device and the interaction point. A spring couples it to the device,
+ * and another one to the point; the solver follows the body instead of the device. So the dynamics
+ * only propose where the point goes.
+ *
+ * <p>Both springs in series are as stiff as the touched material. For the stiffest one, that to the
+ * point is {@link #CONTACT_STIFFNESS_FACTOR} times as stiff, so the body hardly enters the surface.
+ * The height of the solver's surface is subtracted from its length.
+ *
+ * <p>Each frame takes a step of the implicit Euler method while the point stays: the body goes to
+ * the least sum of kinetic, spring, drag and gravity terms. Such a step never raises the energy by
+ * more than the hand puts in. Then the solver moves the point, which only shortens the spring to
+ * it. Friction shortens the step along the surface, to zero at most, and damping the step into it.
+ * An {@link EnergyObserver} takes what surplus is left.
+ *
+ * <p>If device and point rest, and two steps in a row are shorter than {@link #REST_MM}, the body
+ * rests too, bit for bit.
+ *
+ * <p>References: Colgate, Stanley and Brown 1995 (virtual coupling); Brown and Colgate 1998 (mass).
+ * Device, point and target in grid coordinates; inside, grid millimetres, mm/s and N. Haptic
+ * thread; allocates nothing.
+ */
+public final class MassiveContact {
+  /** The stiffness of the spring to the point over that of the stiffest material. */
+  static final double CONTACT_STIFFNESS_FACTOR = 4;
+
+  /** A step shorter than this counts as rest, mm. */
+  static final double REST_MM = 1e-9;
+
+  /** The drag of the body, as a fraction of the critical damping of its spring to the device. */
+  static final double DAMPING_RATIO = 0.2;
+
+  private static final double MAX_STEP_SECONDS = 0.005;
+  private static final double NANOS_PER_SECOND = 1e9;
+
+  /** A mass in N s^2/mm for each kg. */
+  private static final double UNITS_PER_KG = 1e-3;
+
+  private final GridMetric metric;
+  private final double kg;
+  private final double mass;
+  private final Vec3 weightNewton;
+  private final MaterialTransition material;
+  private final EnergyObserver observer = new EnergyObserver();
+  private ForceSettings settings;
+  private double couplingStiffness;
+
+  private final Vec3 body = new Vec3();
+  private final Vec3 velocity = new Vec3();
+  private final Vec3 point = new Vec3();
+  private final Vec3 device = new Vec3();
+  private final Vec3 lastDevice = new Vec3();
+  private final Vec3 lastPoint = new Vec3();
+  private final Vec3 step = new Vec3();
+  private final Vec3 normal = new Vec3();
+  private final Vec3 scratch = new Vec3();
+  private double lastStepMm;
+  private boolean begun;
+
+  /**
+   * Makes the force of a session.
+   *
+   * @param metric measures all lengths
+   * @param held the mass, with gravity along the grid's axes
+   */
+  public MassiveContact(GridMetric metric, ForceSettings settings, MassSettings held) {
+    this.metric = metric;
+    this.settings = settings;
+    kg = held.kg();
+    mass = kg * UNITS_PER_KG;
+    weightNewton = held.gravityMmPerSecond2().mul(mass, new Vec3());
+    material = new MaterialTransition(metric.shortestEdgeMm(), settings.general());
+    couple();
+  }
+
+  /** Changes stiffness and materials from the next frame on. */
+  @SuppressWarnings("ReferenceEquality") // each frame asks, nearly always with the same object
+  public void change(ForceSettings newSettings) {
+    if (settings != newSettings) {
+      settings = newSettings;
+      material.reset();
+      couple();
+    }
+  }
+
+  private void couple() {
+    couplingStiffness =
+        settings.stiffestNewtonPerMm() * CONTACT_STIFFNESS_FACTOR / (CONTACT_STIFFNESS_FACTOR - 1);
+  }
+
+  /**
+   * Returns the stiffness of the spring to the point: both in series are as stiff as the material.
+   */
+  private double contactStiffness() {
+    double wanted = material.stiffnessNewtonPerMm();
+    double rest = couplingStiffness - wanted;
+    return rest > 0 ? wanted * couplingStiffness / rest : 0;
+  }
+
+  /** Puts the body at rest at a position, because the point was placed there. */
+  public void place(Vec3 pointGrid) {
+    toMillimetres(pointGrid, body);
+    velocity.set(0, 0, 0);
+    begun = false;
+  }
+
+  private void toMillimetres(Vec3 grid, Vec3 dest) {
+    dest.set(grid.x * metric.spacingX(), grid.y * metric.spacingY(), grid.z * metric.spacingZ());
+  }
+
+  /**
+   * Moves the body and writes where the solver is to bring the point.
+   *
+   * @param contact the point where the last frame left it
+   * @param elapsedNanos time since the last call; counts up to 5 ms
+   * @param targetGrid written, grid coordinates
+   */
+  public void move(InteractionPoint contact, Vec3 deviceGrid, long elapsedNanos, Vec3 targetGrid) {
+    toMillimetres(deviceGrid, device);
+    toMillimetres(contact.position, point);
+    double seconds = Math.min(MAX_STEP_SECONDS, Math.max(0, elapsedNanos) / NANOS_PER_SECOND);
+    if (seconds > 0) {
+      proposeStep(contact, seconds);
+      double stepMm = step.length();
+      if (stepMm < REST_MM && lastStepMm < REST_MM && areAtRest()) {
+        step.set(0, 0, 0);
+      }
+      lastStepMm = stepMm;
+      body.add(step, body);
+      step.mul(1 / seconds, velocity);
+      lastPoint.set(point);
+    }
+    writeTarget(deviceGrid, targetGrid);
+  }
+
+  /** Writes the body's position; if a huge number has made it not finite, that of the device. */
+  private void writeTarget(Vec3 deviceGrid, Vec3 targetGrid) {
+    targetGrid.set(
+        body.x / metric.spacingX(), body.y / metric.spacingY(), body.z / metric.spacingZ());
+    if (!targetGrid.isFinite() || !velocity.isFinite()) {
+      targetGrid.set(deviceGrid);
+      place(deviceGrid);
+    }
+  }
+
+  private boolean areAtRest() {
+    return begun && device.sameBits(lastDevice) && point.sameBits(lastPoint);
+  }
+
+  /** Writes the step of the body, mm. */
+  private void proposeStep(InteractionPoint contact, double seconds) {
+    double inertia = mass / (seconds * seconds);
+    double drag = 2 * DAMPING_RATIO * Math.sqrt(couplingStiffness * mass) / seconds;
+    double whole = inertia + drag + couplingStiffness;
+    // Without the spring to the point, this step leads to the least energy.
+    velocity.mul(inertia * seconds, step);
+    step.add(device.sub(body, scratch).mul(couplingStiffness, scratch), step);
+    step.add(weightNewton, step).mul(1 / whole, step);
+    double stiffness = contactStiffness();
+    double heightMm = Math.max(0, contact.surfaceHeightMm);
+    body.add(step, normal).sub(point, normal);
+    double lengthMm = normal.length();
+    if (!(lengthMm > heightMm)) {
+      return;
+    }
+    normal.mul(1 / lengthMm, normal);
+    double stretchMm = (lengthMm - heightMm) * whole / (whole + stiffness);
+    addAlong(normal, stretchMm + heightMm - lengthMm);
+    if (contact.contact) {
+      resist(stiffness * stretchMm, whole, stiffness, seconds);
+    }
+  }
+
+  private void addAlong(Vec3 direction, double mm) {
+    step.set(step.x + mm * direction.x, step.y + mm * direction.y, step.z + mm * direction.z);
+  }
+
+  /** Shortens the step: along the surface by friction, and across it by damping. */
+  private void resist(double pressing, double whole, double stiffness, double seconds) {
+    double across = step.dot(normal);
+    double damping = material.dampingNewtonSecondPerMm() / seconds;
+    double kept = (whole + stiffness) / (whole + stiffness + damping);
+    addAlong(normal, -across);
+    double alongMm = step.length();
+    double staticMm = material.staticFriction() * pressing / whole;
+    double slidingMm = material.slidingFriction() * pressing / whole;
+    step.mul(alongMm > staticMm ? (alongMm - slidingMm) / alongMm : 0, step);
+    addAlong(normal, kept * across);
+  }
+
+  /**
+   * Computes the force of a frame, without the limits of the device, after the solver has moved the
+   * point.
+   *
+   * @param contact where the solver left the point, with the touched object
+   * @param forceNewton the result, newtons along the grid's axes
+   */
+  public void compute(InteractionPoint contact, Vec3 forceNewton) {
+    toMillimetres(contact.position, point);
+    double motionMm = begun ? device.sub(lastDevice, scratch).length() : 0;
+    double stretchMm =
+        Math.max(0, body.sub(point, scratch).length() - Math.max(0, contact.surfaceHeightMm));
+    material.follow(settings, contact.touchedObject, contact.contact, stretchMm, motionMm);
+    body.sub(device, forceNewton).mul(couplingStiffness, forceNewton);
+    account(stretchMm, forceNewton);
+    lastDevice.set(device);
+    begun = true;
+  }
+
+  private void account(double stretchMm, Vec3 forceNewton) {
+    double kinetic = 0.5 * mass * velocity.dot(velocity);
+    double energy =
+        kinetic
+            + 0.5 * forceNewton.dot(forceNewton) / couplingStiffness
+            + 0.5 * contactStiffness() * stretchMm * stretchMm
+            - weightNewton.dot(body);
+    double work = -forceNewton.dot(device.sub(lastDevice, scratch));
+    if (begun && Double.isFinite(energy - work)) {
+      velocity.mul(observer.account(kinetic, energy, work), velocity);
+    } else {
+      observer.begin(energy);
+    }
+  }
+
+  /** Returns the mass, kg. */
+  public double kg() {
+    return kg;
+  }
+
+  /** Returns the surplus of energy that no motion has paid yet, mJ. */
+  public double debtMillijoule() {
+    return observer.debt();
+  }
+
+  /** Returns the surplus of energy that was taken from the motion of the body so far, mJ. */
+  public double takenMillijoule() {
+    return observer.taken();
+  }
+}

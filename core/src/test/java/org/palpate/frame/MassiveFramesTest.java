@@ -1,0 +1,156 @@
+package org.palpate.frame;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.palpate.testing.ScriptedDevice.fresh;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.palpate.collision.CollisionScene;
+import org.palpate.edit.EditQueue;
+import org.palpate.edit.VoxelEdit;
+import org.palpate.force.ForceSettings;
+import org.palpate.force.MassSettings;
+import org.palpate.force.MassiveContact;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+import org.palpate.loop.ManualClock;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.testing.Floor;
+import org.palpate.testing.HostileWorld;
+import org.palpate.testing.LegJudge;
+import org.palpate.testing.ScriptedDevice;
+import org.palpate.testing.Seeds;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
+
+/** A point with mass in whole frames. */
+class MassiveFramesTest {
+  private static final long MS = ManualClock.MS;
+
+  private final long seed = Seeds.seed();
+  private final SplittableRandom random = new SplittableRandom(seed);
+  private final Vec3 hand = new Vec3();
+  private final ScriptedDevice device =
+      new ScriptedDevice((read, state) -> fresh(state, read, hand.x, hand.y, hand.z));
+  private long nowNanos = 1;
+
+  private PointFrame frame(BitCube bits, ProxySolver solver, double kg, Vec3 gravity) {
+    PointFrame frame =
+        new PointFrame(
+            GridDevice.inGridCoordinates(device),
+            solver,
+            new CollisionScene(List.of(bits)),
+            Floor.METRIC,
+            Floor.settings(),
+            new EditQueue(VoxelGrid.ofUnitVoxels(bits.sizeX(), bits.sizeY(), bits.sizeZ()), 1),
+            FramePublisher.NONE);
+    ForceSettings force = Floor.settings().force();
+    frame.give(new MassiveContact(Floor.METRIC, force, new MassSettings(kg, gravity)));
+    return frame;
+  }
+
+  private void run(PointFrame frame, int frames) {
+    for (int n = 0; n < frames; n++) {
+      frame.run(nowNanos);
+      nowNanos += MS;
+    }
+  }
+
+  private static List<ProxySolver> solvers() {
+    GridMetric metric = Floor.METRIC;
+    return List.of(new GuardedSolver(metric, 8), new SmoothSolver(metric, 8));
+  }
+
+  @Test
+  void noLegOfAPointWithMassTouchesASolid() {
+    long legs = 0;
+    for (int scene = 0; scene < 40; scene++) {
+      for (ProxySolver solver : solvers()) {
+        legs += touch(HostileWorld.scene(random), solver, "seed " + seed + " scene " + scene);
+      }
+    }
+    assertTrue(legs > 20_000, "legs " + legs);
+  }
+
+  private long touch(BitCube bits, ProxySolver solver, String name) {
+    double kg = Math.exp(random.nextDouble() * 5 - 5);
+    Vec3 gravity = new Vec3(0, random.nextInt(2) * 9810, 0);
+    PointFrame frame = frame(bits, solver, kg, gravity);
+    LegJudge judge = null;
+    for (int n = 0; n < 400; n++) {
+      if (random.nextInt(8) == 0) {
+        hand.set(
+            (random.nextDouble() * 1.4 - 0.2) * bits.sizeX(),
+            (random.nextDouble() * 1.4 - 0.2) * bits.sizeY(),
+            (random.nextDouble() * 1.4 - 0.2) * bits.sizeZ());
+      }
+      frame.run(nowNanos);
+      nowNanos += random.nextInt(7) * MS;
+      if (judge != null && !frame.wasFreed()) {
+        assertNull(judge.faultOf(frame.point()), name + " frame " + n);
+      } else {
+        judge = new LegJudge(bits, frame.point().position);
+      }
+    }
+    return judge.legCount();
+  }
+
+  @Test
+  void restsBitForBitOnAFloorWithEverySolver() {
+    for (ProxySolver solver : solvers()) {
+      PointFrame frame = frame(Floor.bits(), solver, 0.05, new Vec3(0, 0, -9810));
+      hand.set(16.2, 15.7, 12);
+      run(frame, 5);
+      hand.set(15.3, 16.1, 5.5);
+      run(frame, 8000);
+      Vec3 rested = new Vec3().set(frame.point().position);
+      Vec3 felt = device.lastForce();
+      assertEquals(1.25, felt.z, 1.25, "pressed " + felt);
+      for (int n = 0; n < 500; n++) {
+        run(frame, 1);
+        assertTrue(frame.point().position.sameBits(rested), "frame " + n + " of " + solver);
+        assertTrue(device.lastForce().sameBits(felt));
+      }
+    }
+  }
+
+  @Test
+  void aHandThatStartsInASolidBeginsWithoutAForce() {
+    PointFrame frame = frame(Floor.bits(), new GuardedSolver(Floor.METRIC, 8), 0.05, new Vec3());
+    hand.set(16, 16, 4);
+    run(frame, 1);
+    assertTrue(frame.wasFreed());
+    assertEquals(0, device.lastForce().length());
+    run(frame, 3000);
+    assertEquals(0.5 * 4, device.lastForce().length(), 0.05);
+  }
+
+  @Test
+  void aFloorThatComesToThePointSetsItFreeWithItsMass() {
+    Floor floor = Floor.make();
+    PointFrame frame =
+        new PointFrame(
+            GridDevice.inGridCoordinates(device),
+            new GuardedSolver(Floor.METRIC, 8),
+            floor.scene,
+            Floor.METRIC,
+            Floor.settings(),
+            floor.edits,
+            FramePublisher.NONE);
+    MassSettings held = new MassSettings(0.05, new Vec3());
+    frame.give(new MassiveContact(Floor.METRIC, Floor.settings().force(), held));
+    hand.set(16.5, 16.5, 10.5);
+    run(frame, 50);
+    floor.edits.offer(new VoxelEdit(0, 16, 16, 10, true));
+    run(frame, 1);
+    assertTrue(frame.wasFreed());
+    assertEquals(0, device.lastForce().length());
+    run(frame, 2000);
+    assertEquals(1, frame.statistics().freed());
+  }
+}
