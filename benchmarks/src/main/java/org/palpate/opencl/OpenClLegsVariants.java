@@ -8,9 +8,6 @@ import org.palpate.collision.LegBatch;
  * thread.
  */
 public final class OpenClLegsVariants implements AutoCloseable {
-  /** The time within which a call must end, ns. */
-  private static final long PATIENT_NANOS = 60_000_000_000L;
-
   private final OpenClDevice device;
   private final NearBall ball;
   private final OpenClLegs batch;
@@ -24,7 +21,7 @@ public final class OpenClLegsVariants implements AutoCloseable {
     device = OpenClDevice.open(name);
     ball = new NearBall(points);
     batch = device.newBatch(ball.voxels(), ball);
-    batch.judge(ball.from(), ball.to(), PATIENT_NANOS);
+    batch.judge(ball.from(), ball.to(), OpenClDevice.FIRST_DEADLINE_NANOS);
   }
 
   /** Returns the CPU's batch of legs as a device of this kind gets them. */
@@ -36,7 +33,7 @@ public final class OpenClLegsVariants implements AutoCloseable {
   }
 
   private static long deadline() {
-    return System.nanoTime() + PATIENT_NANOS;
+    return System.nanoTime() + OpenClDevice.FIRST_DEADLINE_NANOS;
   }
 
   /** Fetches one byte: the least time of any answer. */
@@ -57,7 +54,7 @@ public final class OpenClLegsVariants implements AutoCloseable {
 
   /** Does all that a motion needs. */
   public void whole() {
-    batch.judge(ball.from(), ball.to(), PATIENT_NANOS);
+    batch.judge(ball.from(), ball.to(), OpenClDevice.FIRST_DEADLINE_NANOS);
   }
 
   @Override

@@ -9,7 +9,6 @@ import org.palpate.collision.LegBatch;
 /** Measures and describes from how many points a device is faster than the CPU. */
 public final class LaunchExplanation {
   private static final int[] POINTS = {100, 1_000, 10_000, 100_000, 1_000_000};
-  private static final long FIRST_NANOS = 60_000_000_000L;
 
   private LaunchExplanation() {}
 
@@ -24,7 +23,9 @@ public final class LaunchExplanation {
       NearBall ball = new NearBall(points);
       Optional<Double> nanos =
           device.attempt(
-              () -> LaunchCost.batchNanos(device.newBatch(ball.voxels(), ball), FIRST_NANOS));
+              () ->
+                  LaunchCost.batchNanos(
+                      device.newBatch(ball.voxels(), ball), OpenClDevice.FIRST_DEADLINE_NANOS));
       lines.add(nanos.map(each -> line(points, each, cost)).orElse("the device has failed"));
     }
     return lines;
