@@ -24,7 +24,7 @@ public final class OpenClLegsVariants implements AutoCloseable {
     batch.judge(ball.from(), ball.to(), OpenClDevice.FIRST_DEADLINE_NANOS);
   }
 
-  /** Returns the CPU's batch of legs as a device of this kind gets them. */
+  /** Returns a batch on the CPU with the same voxels, points and motion. */
   public static LegBatch onCpu(int points) {
     NearBall ball = new NearBall(points);
     LegBatch batch = CollisionDevice.CPU.keep(ball.voxels()).newBatch(ball);

@@ -53,7 +53,7 @@ final class VoxelCutter {
   }
 
   /**
-   * Begins a frame. Of what earlier frames left, at most the volume of the largest voxel counts.
+   * Begins a frame. From earlier frames, at most the volume of the largest voxel is carried over.
    *
    * @param forceNewton the force on the hand, N, at least 0
    * @param nanos the time since the last frame
@@ -73,9 +73,10 @@ final class VoxelCutter {
   }
 
   /**
-   * Removes a solid voxel if the force suffices, nothing keeps it and the budget pays for it.
+   * Removes a solid voxel if the force suffices, the voxel is not protected, and the budget covers
+   * its volume.
    *
-   * @param segment the segment; any number for a voxel that is kept
+   * @param segment the segment; any number for a voxel that is protected
    * @return whether the frame may remove more
    */
   boolean cut(int segment, int i, int j, int k) {

@@ -5,8 +5,9 @@ import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 
 /**
- * Keeps the few of many cubes whose solids may lie near the interaction point. A bounding-volume
- * tree finds these candidates with a margin; they stay valid until a query leaves the margin.
+ * Finds the candidates of a query: the few cubes, out of many, whose solids may lie near the
+ * interaction point. A bounding-volume tree finds them within a margin. They stay valid until a
+ * query leaves the margin.
  *
  * <p>A cube that was handed out for editing is always a candidate, because its bounds may grow.
  * Haptic thread only; a query allocates nothing.
@@ -42,7 +43,10 @@ final class BroadPhase {
     candidates = new BitCube[cubes.length];
   }
 
-  /** Returns a broad phase from the present bounds that keeps the counts and kept candidates. */
+  /**
+   * Returns a broad phase built from the present bounds. It takes over the counters and the cubes
+   * that {@link #keep} was called for.
+   */
   BroadPhase rebuilt() {
     BroadPhase fresh = new BroadPhase(cubes);
     System.arraycopy(alwaysCandidate, 0, fresh.alwaysCandidate, 0, alwaysCandidate.length);

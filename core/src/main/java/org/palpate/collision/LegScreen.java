@@ -4,8 +4,8 @@ import org.palpate.geometry.AffineMap;
 
 /**
  * Finds free legs of a motion by a {@link LegBatch} if that is faster than judging them one by one.
- * The choice depends on the number of legs that the last motions left to judge after culling, so it
- * follows the scene. It changes no answer, because the caller judges the other legs exactly.
+ * The choice depends on how many legs remained after culling in earlier motions, so it adapts to
+ * the scene. It changes no answer, because the caller judges the other legs exactly.
  *
  * <p>One thread; allocates nothing.
  */
@@ -19,7 +19,7 @@ public final class LegScreen {
     this.batch = batch;
   }
 
-  /** Judges the legs of a motion if that pays. */
+  /** Begins a motion, and judges its legs in a batch if that is expected to be faster. */
   public void begin(AffineMap from, AffineMap to) {
     judged = expected >= batch.crossover() && batch.judge(from, to);
   }
@@ -32,8 +32,8 @@ public final class LegScreen {
   /**
    * Ends a motion; no leg is known to be free any more.
    *
-   * @param legs the number of legs that were left to judge
-   * @param all whether these were all, because no leg ended the verification early
+   * @param legs the number of legs that remained after culling
+   * @param all whether all legs were counted; false if verification ended at an early hit
    */
   public void end(long legs, boolean all) {
     judged = false;

@@ -5,9 +5,10 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 
 /**
- * Finds the place where an interaction point is set free that starts in a solid or that an edit has
- * buried: the centre of the nearest empty voxel by metric distance. Of equally near voxels it takes
- * the one of lowest index (z first, then y, then x). Voxels outside the grid are empty.
+ * Finds the position at which an interaction point is set free, after a start in a solid or an edit
+ * that made its voxel solid. It is the centre of the nearest empty voxel by metric distance. Of
+ * equally near voxels it takes the one of lowest index (z first, then y, then x). Voxels outside
+ * the grid are empty.
  *
  * <p>Keeps scratch: haptic thread only; allocates nothing. Cost: it looks at bricks in growing
  * cubes around the point, and one comparison passes a full brick or one that is too far away. At a

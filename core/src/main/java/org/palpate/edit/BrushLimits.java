@@ -8,7 +8,7 @@ import org.palpate.volume.BitCube;
  * changes them.
  *
  * @param only the voxels that may change, a cube over the grid; if empty, all of them
- * @param kept voxels of those that must not change, a cube over the grid
+ * @param kept the voxels that must not change, a cube over the grid; if empty, none
  * @param sparesTool whether a voxel stays empty if the tool would meet it; otherwise the frame sets
  *     the tool free
  */

@@ -3,7 +3,7 @@ package org.palpate.edit;
 import org.palpate.geometry.IntBox;
 
 /**
- * Receives what an edit may have changed, for whatever keeps something of the voxels. Haptic
+ * Receives the box of voxels that an edit may have changed, for code that caches voxels. Haptic
  * thread: an implementation allocates nothing.
  */
 @FunctionalInterface

@@ -11,10 +11,10 @@ import org.palpate.volume.VoxelGrid;
  * does so between frames. No thread waits. The haptic thread allocates nothing here.
  */
 public final class EditQueue {
-  /** The usual number of edits that may wait. */
+  /** The default number of edits that may wait. */
   public static final int DEFAULT_CAPACITY = 1024;
 
-  /** The most edits of a frame: each costs the frame something, however few voxels it has. */
+  /** The largest number of edits that one frame applies, because even a small edit takes time. */
   static final int MOST_EDITS_A_FRAME = 32;
 
   private static final long NO_STROKE = -1;
@@ -49,7 +49,8 @@ public final class EditQueue {
   }
 
   /**
-   * Returns a queue that refuses a {@link SwapEdit}, for bodies, which keep their cubes for good.
+   * Returns a queue for bodies. It refuses a {@link SwapEdit}, because a body never changes its
+   * cube.
    *
    * @param grids the grid of each body, whose index is that of the segment
    */
@@ -103,8 +104,8 @@ public final class EditQueue {
   }
 
   /**
-   * Applies waiting edits, each as a stroke of its own unless it continues one, but at most 32.
-   * Haptic thread.
+   * Applies up to 32 waiting edits. Each is a stroke of its own in the history, unless it continues
+   * the last stroke. Haptic thread.
    *
    * @param maxVoxels number of voxels that the edits may visit
    * @return whether any voxel may have changed

@@ -2,7 +2,7 @@ package org.palpate.edit;
 
 /** Undoes the last stroke, or redoes the stroke that was undone last. */
 public final class HistoryEdit extends Edit {
-  /** The voxels for which a brick counts, however many of its bits change. */
+  /** The number of voxels as which a changed brick counts in the work of an edit. */
   static final int VOXELS_A_BRICK = 64;
 
   private final boolean isUndo;
@@ -17,7 +17,9 @@ public final class HistoryEdit extends Edit {
     return new HistoryEdit(true);
   }
 
-  /** Returns an edit that does a stroke again; it does nothing if none was undone. */
+  /**
+   * Returns an edit that redoes the stroke that was undone last; it does nothing if there is none.
+   */
   public static HistoryEdit redo() {
     return new HistoryEdit(false);
   }

@@ -4,8 +4,8 @@ import java.util.List;
 import org.palpate.geometry.IntBox;
 
 /**
- * Makes listed voxels of any segments solid or empty, in their order and in one frame. For replays,
- * because a long list takes long.
+ * Makes listed voxels of any segments solid or empty, in their order and in one frame. Only replays
+ * use it, because a long list may exceed the time of a live frame.
  */
 final class VoxelListEdit extends Edit {
   /** A box around several voxels is reported if it holds no more than this. */

@@ -4,7 +4,7 @@ import java.util.List;
 import org.palpate.geometry.Vec3;
 
 /**
- * The effects of a frame, which come and go without a step.
+ * The effects of a frame, which begin and end without a step in the force.
  *
  * <p>If other effects are wanted, or if the hand takes hold of something else, the force passes
  * from the last one to that of the present effects within {@link ForceRamp#DEFAULT_NANOS}. A force
@@ -23,7 +23,7 @@ public final class HapticEffects {
   private List<HapticEffect> effects = List.of();
 
   /**
-   * Passes to other effects, if they are other ones.
+   * Changes to other effects; does nothing if they are the present ones.
    *
    * @param wanted the effects from now on; not changed any more
    */

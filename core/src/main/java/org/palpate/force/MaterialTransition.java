@@ -5,10 +5,10 @@ import org.palpate.proxy.InteractionPoint;
 /**
  * The material that the hand feels, with a bounded transition from one object to the next.
  *
- * <p>If contact passes to another object, all four figures move to that object's in step. On their
- * account the force changes in one frame by at most k times the motion of the hand. Here k is the
- * larger stiffness of the two. A hand that moves less than {@link ChangeBound#MIN_MOTION_EDGES}
- * counts as moving by that.
+ * <p>If contact passes to another object, stiffness, both frictions and damping change together
+ * towards those of that object. The transition changes the force in one frame by at most k times
+ * the motion of the hand. Here k is the larger of the two stiffnesses. A motion shorter than {@link
+ * ChangeBound#MIN_MOTION_EDGES} counts as that long.
  *
  * <p>Haptic thread; allocates nothing.
  */

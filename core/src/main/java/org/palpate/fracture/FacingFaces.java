@@ -13,12 +13,12 @@ import org.palpate.volume.fracture.PosedBits;
  * The voxel faces of a fragment that face another fragment, and the gap at each. One thread an
  * instance.
  *
- * <p>A straight line along the normal of a face on the rim decides whether it is one of them. The
- * line must meet the other fragment within the reach, before it meets the own fragment again. The
- * sum of the area vectors of these faces gives the normal of the fracture. The gap at a face is the
- * distance along that normal from its centre to the other fragment, negative if the centre lies
- * inside it. So a fragment that moves along the normal by d widens the mean gap by d, however rough
- * the surface is.
+ * <p>A straight line along the normal decides whether a face of a rim voxel faces the other
+ * fragment. The line must meet that fragment within a reach, and no voxel of its own fragment
+ * before. The sum of the area vectors of these faces gives the normal of the fracture. The gap at a
+ * face is the distance along that normal from its centre to the other fragment, negative if the
+ * centre lies inside it. So a fragment that moves along the normal by d widens the mean gap by d,
+ * however rough the surface is.
  */
 final class FacingFaces {
   /** The longest gap between facing surfaces, mm. */

@@ -5,8 +5,8 @@ import java.util.List;
 import org.palpate.volume.fracture.PosedBits;
 
 /**
- * Readings of all fragments of a bone. The largest fragment is the reference; where all rest is the
- * truth of a synthetic fracture.
+ * Readings of all fragments of a bone. The largest fragment is the reference. The truth of a
+ * synthetic fracture is the rest position of each fragment.
  *
  * @param residualMm largest displacement of a fragment's centroid from the truth, relative to the
  *     reference

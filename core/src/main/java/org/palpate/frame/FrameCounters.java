@@ -41,7 +41,7 @@ final class FrameCounters {
     unreached++;
   }
 
-  /** Counts an orientation that was none. Haptic thread. */
+  /** Counts a sample without a valid orientation. Haptic thread. */
   void countBadOrientation() {
     badOrientations++;
   }

@@ -158,8 +158,8 @@ public final class AffineMap {
   }
 
   /**
-   * Returns the longest way along an axis between the images of a point under this map and another.
-   * It is rounded up, apart from the rounding of the maps themselves.
+   * Returns the largest distance along an axis between the images of any point under this map and
+   * another. It is rounded up, apart from the rounding of the maps themselves.
    *
    * @param radius the largest distance of a point from the origin
    */

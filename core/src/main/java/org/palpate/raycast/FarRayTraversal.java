@@ -61,8 +61,8 @@ final class FarRayTraversal {
   /**
    * Traverses the ray from the point where it enters the bounds of the cube.
    *
-   * @param ray a ray within reach whose components are ordinary, and that does not lie beside the
-   *     bounds
+   * @param ray a ray within reach that does not lie beside the bounds; each component of its
+   *     direction is 0 or has a reciprocal, see {@link ExactRayCaster}
    * @param hit receives the hit if the answer is {@link TraversalResult#HIT}
    */
   TraversalResult cast(BitCube bits, Ray ray, RayHit hit) {

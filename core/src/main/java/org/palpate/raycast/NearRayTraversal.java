@@ -27,7 +27,8 @@ final class NearRayTraversal {
   /**
    * Traverses the ray.
    *
-   * @param ray a short ray whose components are ordinary, see {@link ExactRayCaster}
+   * @param ray a short ray; each component of its direction is 0 or has a reciprocal, see {@link
+   *     ExactRayCaster}
    * @param empty whether a ray among the empty voxels of one brick ends at once
    * @param hit receives the hit if the answer is {@link TraversalResult#HIT}
    */

@@ -37,7 +37,7 @@ public final class RecordingThread implements AutoCloseable {
   /**
    * Starts a thread that also moves what other recorders hold.
    *
-   * @param others moves it, after the samples; runs in the thread
+   * @param others moves what the other recorders hold; runs in the thread, after the samples
    */
   public static RecordingThread start(
       SampleRecorder recorder, SampleRecorder.Sink sink, Runnable others) {

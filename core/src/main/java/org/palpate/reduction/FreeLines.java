@@ -55,9 +55,9 @@ final class FreeLines {
   }
 
   /**
-   * Returns the direction along which a fragment leaves a pose most freely. That is the one in
-   * which the fewest of its points meet another body. Of equals, it is the one with the fewest
-   * around it.
+   * Returns the direction along which a fragment leaves a pose most freely: the fewest of its
+   * points meet another body. Among equal directions, it takes the one whose neighbouring
+   * directions block the fewest points.
    *
    * @param fragment its index
    * @param points its sample points at that pose, world mm

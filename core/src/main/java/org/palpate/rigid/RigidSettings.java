@@ -34,7 +34,7 @@ public record RigidSettings(
     greys = Collections.unmodifiableList(new ArrayList<>(greys));
   }
 
-  /** Creates settings of which the CPU judges legs. */
+  /** Creates settings with which the CPU judges legs. */
   public RigidSettings(
       double maxStepMm,
       List<Clearance> clearances,

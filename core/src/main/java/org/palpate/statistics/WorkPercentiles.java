@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * Percentiles of the counted work of frames, which no machine changes. The unit is that of the
- * solver. A percentile is the work of a frame: the least that so many of all frames did not exceed.
+ * solver. A percentile is the smallest work that this part of all frames did not exceed, so it is
+ * the work of an actual frame.
  *
  * @param p50 median
  * @param p99 99th percentile

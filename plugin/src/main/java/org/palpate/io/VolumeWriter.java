@@ -23,9 +23,9 @@ import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
 
 /**
- * Writes a volume as NRRD, NIfTI or ImageJ's TIFF, or its labels as DICOM, chosen by the ending of
- * the target's name, slice by slice. The target is replaced only when the file is complete, and an
- * input is never overwritten.
+ * Writes a volume slice by slice as NRRD, NIfTI or ImageJ's TIFF, or its labels as DICOM. The
+ * ending of the target's name chooses the format. The target is replaced only when the file is
+ * complete, and an input is never overwritten.
  */
 public final class VolumeWriter {
   private static final String DICOM_ENDING = ".dcm";

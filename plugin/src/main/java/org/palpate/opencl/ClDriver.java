@@ -25,7 +25,7 @@ interface ClDriver {
   /** Begins to copy the first bytes of a memory from the host to the device. */
   void write(ClMemory memory, int bytes);
 
-  /** Launches at least so many work items. */
+  /** Launches at least this number of work items. */
   void launch(long kernel, int items);
 
   /** Begins to copy the first bytes of a memory from the device to the host. */

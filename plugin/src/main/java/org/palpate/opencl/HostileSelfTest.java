@@ -31,7 +31,7 @@ final class HostileSelfTest {
     }
   }
 
-  /** Returns voxels none of which share a corner, so that a verdict hangs on a single one. */
+  /** Returns voxels of which no two share a corner, so that a verdict depends on a single voxel. */
   static BitCube isolatedVoxels() {
     BitCube bits = new BitCube(SIZE, SIZE, SIZE);
     for (int k = 0; k < SIZE; k += 2) {

@@ -8,7 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import org.palpate.opencl.OpenClCatalog.Entry;
 
-/** Lists the devices of all OpenCL platforms by JOCL. */
+/** Lists the devices of all OpenCL platforms, through JOCL. */
 final class JoclDevices {
   private JoclDevices() {}
 

@@ -20,7 +20,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Calls OpenCL by JOCL. What is called in a frame uses the low-level binding, because the other one
+ * Calls OpenCL through JOCL. Calls in a frame use its low-level binding, because the high-level one
  * allocates.
  */
 final class JoclDriver implements ClDriver {

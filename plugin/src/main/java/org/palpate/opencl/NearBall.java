@@ -6,8 +6,8 @@ import org.palpate.geometry.PointSet;
 import org.palpate.volume.BitCube;
 
 /**
- * Points close above a ball of voxels, as those of a tool that nothing culls, and a short motion of
- * them. To measure times by. Grid coordinates.
+ * Points close above a ball of voxels, and a short motion of them, for measurements of time. No leg
+ * of these points would be culled. Grid coordinates.
  */
 final class NearBall implements PointSet {
   private static final int SIZE = 128;

@@ -28,7 +28,7 @@ public final class OpenClDevice implements CollisionDevice {
   /** Keeps the memory of devices that were given up, which the driver may still write to. */
   private static final List<ClDriver> GIVEN_UP = Collections.synchronizedList(new ArrayList<>());
 
-  /** Chooses from how many legs a batch pays. */
+  /** Finds the number of legs from which a batch is faster than the CPU. */
   @FunctionalInterface
   interface Chooser {
     /**
@@ -101,13 +101,13 @@ public final class OpenClDevice implements CollisionDevice {
     return new OpenClLegs(this, driver, new OpenClVoxels(this, driver, voxels), points);
   }
 
-  /** Sets from how many legs a batch is used. */
+  /** Sets the number of legs from which a batch is used, and returns the batch. */
   OpenClLegs chosen(OpenClLegs batch, PointSet points) {
     batch.setCrossover(chooser.crossover(batch, points, FIRST_DEADLINE_NANOS));
     return batch;
   }
 
-  /** Does something with the driver; gives the device up if that fails, and returns nothing. */
+  /** Runs an action that uses the driver. If it fails, gives the device up and returns empty. */
   <T> Optional<T> attempt(Supplier<T> action) {
     if (!begin()) {
       return Optional.empty();
@@ -126,12 +126,12 @@ public final class OpenClDevice implements CollisionDevice {
     return deadlineNanos;
   }
 
-  /** Takes the device for some calls; false if it was closed or given up. */
+  /** Reserves the device for some calls; false if it was closed or given up. */
   boolean begin() {
     return state.compareAndSet(State.IDLE, State.BUSY);
   }
 
-  /** Returns the device, unless it was given up. */
+  /** Releases the device after {@link #begin}, unless it was given up meanwhile. */
   void end() {
     state.compareAndSet(State.BUSY, State.IDLE);
   }
@@ -142,7 +142,7 @@ public final class OpenClDevice implements CollisionDevice {
     state.set(State.GIVEN_UP);
   }
 
-  /** Returns the first line of what a failure says. */
+  /** Returns the first line of the message of a failure. */
   static String reason(Throwable cause) {
     String text = cause.getMessage() == null ? cause.toString() : cause.getMessage();
     return text.strip().lines().findFirst().orElse("");

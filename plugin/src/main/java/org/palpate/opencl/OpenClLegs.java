@@ -124,7 +124,9 @@ final class OpenClLegs implements LegBatch {
     driver.launch(kernel, count);
   }
 
-  /** Fetches the first verdicts; throws if that takes longer than until a time. */
+  /**
+   * Fetches the first verdicts; throws if they have not arrived at a time of the system's clock.
+   */
   void fetch(int verdictCount, long untilNanos) {
     long start = System.nanoTime();
     driver.startRead(verdicts, verdictCount);

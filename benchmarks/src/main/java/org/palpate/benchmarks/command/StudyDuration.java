@@ -5,9 +5,10 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /**
- * The durations of studies of {@code bench} that are not run by JMH, for the line that it prints
- * first. Measured in November 2026 on two processors that other work had too; of {@link #RIGID} it
- * is the processor time. A full study that was never timed has no number.
+ * The expected durations of the studies that {@code bench} runs without JMH. The first line of
+ * {@code bench} prints them. They were measured in November 2026 on two processors that other
+ * processes used too. That of {@link #RIGID} is processor time. A study that was never timed has
+ * the duration NaN.
  */
 enum StudyDuration {
   CPP(56, 56),
@@ -41,7 +42,7 @@ enum StudyDuration {
   /**
    * Returns a duration as text.
    *
-   * @param otherSeconds what runs besides these studies, s
+   * @param otherSeconds the duration of everything that runs besides these studies, s
    */
   static String text(double otherSeconds, List<StudyDuration> studies, boolean quick) {
     double known =

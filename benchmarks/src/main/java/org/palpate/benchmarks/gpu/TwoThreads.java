@@ -4,8 +4,8 @@ import org.palpate.collision.LegBatch;
 import org.palpate.collision.LegVerdict;
 
 /**
- * Judges legs on two threads, each a half: the caller's and one of its own, which waits without
- * sleeping, as the quickest hand-over does.
+ * Judges half of the legs on the caller's thread and half on a thread of its own. That thread spins
+ * while it waits, because a spinning thread starts soonest.
  */
 final class TwoThreads implements AutoCloseable {
   private final LegBatch first;
@@ -20,8 +20,9 @@ final class TwoThreads implements AutoCloseable {
   /**
    * Starts the thread.
    *
-   * @param first judges half as many points for the caller
-   * @param second judges as many for the other thread
+   * @param first judges the caller's half of the points
+   * @param second judges the other half
+   * @param half the number of points in each half
    */
   TwoThreads(LegBatch first, LegBatch second, int half) {
     this.first = first;

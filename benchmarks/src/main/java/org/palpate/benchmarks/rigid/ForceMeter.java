@@ -9,8 +9,8 @@ import org.palpate.geometry.Vec3;
 
 /**
  * Measures direction and steadiness of the coupling force of a tool, as the solver gives it: before
- * the limit that spreads jumps over frames. A force counts as its displacement, which is the force
- * over its stiffness; a torque as its rotation. One thread.
+ * the limit that spreads jumps over frames. Forces are measured as displacements, which are forces
+ * divided by the stiffness. Torques are measured as rotations. One thread.
  */
 final class ForceMeter {
   private final double rmsRadiusMm;
@@ -58,7 +58,9 @@ final class ForceMeter {
     known = true;
   }
 
-  /** Takes note of the direction of a force. One without a length counts as 180 degrees off. */
+  /**
+   * Takes note of the direction of a force. A force of length 0 counts as an error of 180 degrees.
+   */
   void countDirection(Vec3 force, Vec3 normal) {
     degrees.add(AccuracyMeter.angleDegrees(force, normal));
   }
@@ -67,12 +69,18 @@ final class ForceMeter {
     return Math.sqrt(degrees.stream().mapToDouble(d -> d * d).average().orElseThrow());
   }
 
-  /** Returns p99 of the change of force over stiffness and the device's motion. */
+  /**
+   * Returns the 99th percentile of the change of force from frame to frame, divided by the
+   * stiffness and by the motion of the device.
+   */
   double forceChangeP99() {
     return p99(forceChanges);
   }
 
-  /** Returns the same of the torque. */
+  /**
+   * Returns the 99th percentile of the change of torque, likewise; a rotation counts as its path at
+   * the rms radius.
+   */
   double torqueChangeP99() {
     return p99(torqueChanges);
   }

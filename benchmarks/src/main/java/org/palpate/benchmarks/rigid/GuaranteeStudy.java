@@ -52,7 +52,7 @@ final class GuaranteeStudy {
    * Creates a study.
    *
    * @param legs the number of legs to judge at least
-   * @param compared the number of legs that decimal fractions decide as well
+   * @param compared the number of legs that are also decided in decimals of unlimited precision
    * @param overlapFrames the number of frames in which solids are compared at least
    */
   GuaranteeStudy(

@@ -7,7 +7,7 @@ import org.palpate.geometry.Vec3;
 
 /**
  * A device that jumps, turns by up to half a turn, pushes slowly, rests, flips the sign of its
- * quaternion, and reports what is no pose at all. One thread.
+ * quaternion, and sends reports that are not poses. One thread.
  */
 final class HostileDevice {
   private static final int FRAMES_PER_PHASE = 40;

@@ -5,9 +5,14 @@ import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
 
-/** Makes tools of about a number of sample points, with the cover radius that commands use. */
+/**
+ * Makes tools that have about a given number of sample points, with the cover radius that commands
+ * use.
+ */
 final class MeasuredTools {
-  /** The cover radius of tools of shapes at unit voxels, mm; see {@code --tool}. */
+  /**
+   * The cover radius of tools that are made from shapes, for voxels of 1 mm; see {@code --tool}.
+   */
   static final double COVER_MM = 0.498;
 
   /** The distance of neighbouring samples on the face of a box, mm. */

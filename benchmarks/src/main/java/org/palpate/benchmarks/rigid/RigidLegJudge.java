@@ -31,7 +31,7 @@ public final class RigidLegJudge {
   /**
    * Creates a judge.
    *
-   * @param mostCompared the number of legs that unlimited decimal fractions decide as well
+   * @param mostCompared the number of legs that are also decided in decimals of unlimited precision
    */
   public RigidLegJudge(long mostCompared) {
     this.mostCompared = mostCompared;

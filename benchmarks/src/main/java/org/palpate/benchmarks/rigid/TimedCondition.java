@@ -9,7 +9,7 @@ import org.palpate.rigid.tool.RigidTool;
  *
  * @param surface the phantom
  * @param kind the tool
- * @param points about how many samples the tool has, or its face if it lies flat
+ * @param points about how many sample points the tool has, or its lower face if that lies flat
  * @param clearance the clearance that the tool keeps
  * @param mostP50 the target for p50, us; NaN without one
  * @param mostP999 the target for p99.9, us; NaN without one

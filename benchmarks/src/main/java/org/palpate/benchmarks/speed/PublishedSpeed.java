@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
  * <p>Source: Vlasov, Friese, Wolter 2013, Table 1.
  */
 final class PublishedSpeed {
-  /** The name of the bars. */
+  /** The name of the published times in the legend of a plot. */
   static final String SERIES = "published (Xeon W5580, real device)";
 
   private static final double NANOS_AT_ONE_KHZ = 1e6;

@@ -59,7 +59,7 @@ final class SpeedRunner {
     return quick ? QUICK_ITERATION : ITERATION;
   }
 
-  /** Returns the time that the processes of these subjects take together, about, s. */
+  /** Returns about how long the processes of these subjects take together, s. */
   static double expectedSeconds(List<Subject> subjects, boolean quick) {
     int processes = forks(quick) * subjects.stream().mapToInt(Subject::conditions).sum();
     double iterations = warmUps(quick) + measurements(quick);

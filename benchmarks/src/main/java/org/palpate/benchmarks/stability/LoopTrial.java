@@ -14,7 +14,7 @@ public interface LoopTrial {
   /** Returns rate and delay. */
   Sampling sampling();
 
-  /** Returns the cells of a table that tell this kind of trial from others of its kind. */
+  /** Returns the cells of a table that distinguish this trial from others of its kind. */
   List<Object> conditionCells();
 
   /** Runs the trial with a stiffness, N/m. */

@@ -26,7 +26,7 @@ import org.palpate.volume.VoxelGrid;
  * One set-up of the closed loop with a rod in six degrees of freedom. The rod is held aslant, so
  * that one end meets a flat wall first and the contact turns the hand.
  *
- * @param device the device, as if it gave a torque of its force at the grip radius
+ * @param device the device; its largest torque is taken to be its force at the grip radius
  * @param grip the person
  * @param sampling rate and delay
  * @param lengthMm the distance between the centres of the rod's caps

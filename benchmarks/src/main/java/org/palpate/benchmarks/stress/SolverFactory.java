@@ -8,7 +8,7 @@ import org.palpate.proxy.smooth.SmoothSolver;
 /** Creates a solver for a scene, and knows its promises. */
 @FunctionalInterface
 public interface SolverFactory {
-  /** The number observed; proved is only that it is finite. */
+  /** The largest number that was observed. Only its finiteness is proved. */
   int SMOOTH_FRAMES_TO_SETTLE = 64;
 
   /** Creates the smooth solver, which lowers a function of its own instead of the distance. */
@@ -46,8 +46,8 @@ public interface SolverFactory {
   /**
    * Returns the number of frames that a point may take beyond its path until it rests. Two
    * successive frames move at least w_max together. The first leaves a part unused only if a step
-   * up needs more than that part, and then the second begins with that step. A frame that ends for
-   * its work budget may stand between two such frames and is counted apart.
+   * up needs more than that part, and then the second begins with that step. A frame that ends
+   * because its work budget is spent may come between two such frames, and is counted separately.
    */
   default int framesToSettle() {
     return 2;

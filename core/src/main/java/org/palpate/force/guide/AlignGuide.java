@@ -5,9 +5,9 @@ import org.palpate.force.HapticEffect;
 import org.palpate.geometry.Vec3;
 
 /**
- * Turns a rigid tool so that its axis z lies along a line, whichever of the two ways is nearer. The
- * pull grows with half the sine of twice the angle, so it is zero where both ways are as near. A
- * point feels nothing.
+ * Turns a rigid tool so that its axis z lies along a line, in the nearer of the two directions. The
+ * pull grows with half the sine of twice the angle, so it is zero if both directions are equally
+ * near. A point feels nothing.
  *
  * <p>Haptic thread; allocates nothing.
  */

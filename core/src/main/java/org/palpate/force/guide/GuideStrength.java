@@ -32,8 +32,8 @@ public record GuideStrength(
   }
 
   /**
-   * Returns the spring of rotations. It is to that of positions as the coupling's two stiffnesses
-   * are to each other, and lets go at half a turn.
+   * Returns the spring of rotations. Its stiffness and that of the spring of positions have the
+   * same ratio as the two stiffnesses of the coupling. It does not pull beyond half a turn.
    */
   GuideSpring turnSpring(EffectSite site) {
     double radiusMm = site.rotationRadiusMm();

@@ -23,7 +23,8 @@ public final class DotSolver implements ProxySolver {
   /**
    * The epsilon of step 2: the distance before the collision point at which p stops, voxels. It is
    * the largest number below 1, so that p comes to the last free sample of a step of 1. With a
-   * smaller one p stalls away from the surface, because its stop lies in the solid, or creeps.
+   * smaller one p stalls before it reaches the surface, because its stop lies in the solid, or it
+   * creeps.
    */
   public static final double EPSILON_VOXELS = 1 - 0x1p-53;
 

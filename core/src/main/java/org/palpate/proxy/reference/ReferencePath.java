@@ -11,7 +11,7 @@ import org.palpate.raycast.RayHit;
 
 /**
  * The path of the interaction point in one frame of a baseline: the position of p, the remaining
- * path, and the motions that both baselines fraction. Owned scratch; points are grid coordinates.
+ * path, and the motions that both baselines share. Owned scratch; points are grid coordinates.
  */
 final class ReferencePath {
   final RayHit collision = new RayHit();

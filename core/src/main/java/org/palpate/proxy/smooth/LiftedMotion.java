@@ -5,7 +5,7 @@ import org.palpate.raycast.RayHit;
 
 /**
  * Moves the point to a position on the isosurface. If voxels stand out of the isosurface there, the
- * point goes as low above it as they allow.
+ * point moves to the lowest free position above it that the search finds.
  */
 final class LiftedMotion {
   /** The heights above the isosurface that are tried, lowest first. */

@@ -5,8 +5,8 @@ import org.palpate.proxy.smooth.field.IsoLevel;
 import org.palpate.proxy.smooth.field.OccupancyField;
 
 /**
- * Estimates how far the point rests outside the solid, which is taken off |p-d| before it is felt.
- * Uses the field as it was evaluated last. All results are in mm.
+ * Estimates the height of the isosurface above the solids at the interaction point. The force
+ * subtracts this height from |p-d|. Uses the field as it was evaluated last. All results are in mm.
  */
 final class SurfaceHeight {
   /** The path over which curvature is smoothed. */
@@ -36,8 +36,8 @@ final class SurfaceHeight {
   }
 
   /**
-   * Updates the estimate for a point that voxels stop: as on the isosurface where the voxels crowd,
-   * and 0 where they stand alone.
+   * Updates the estimate for a point that single voxels stop. It lies between the height on the
+   * isosurface, if occupancy is high around the point, and 0, if it is low.
    *
    * @param pathMm the length of the frame's path
    */

@@ -6,7 +6,7 @@ import org.palpate.proxy.smooth.field.OccupancyField;
  * The work budget of a frame, in windows of voxels that the field reads. They take most of the
  * time.
  *
- * <p>A frame that has spent its budget and gained enough leaves the rest of a long way to the next
+ * <p>A frame that has spent its budget and made progress leaves the rest of a long path to the next
  * frame. A device that moves two voxels a frame needs one or two windows.
  */
 final class WindowBudget {
@@ -28,12 +28,12 @@ final class WindowBudget {
     limit = field.windowReads() + WINDOWS;
   }
 
-  /** Whether the frame should end at the next good opportunity. */
+  /** Whether the budget is spent, so that the frame should end as soon as it has made progress. */
   boolean isSpent() {
     return field.windowReads() >= limit;
   }
 
-  /** Whether the frame has to do with what it has found. */
+  /** Whether searches must stop and return their best result so far. */
   boolean isOverdrawn() {
     return field.windowReads() >= limit + OVERDRAFT;
   }

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.palpate.geometry.Vec3;
 
 /**
- * Samples the surface of a mesh evenly: cuts it into small pieces and keeps the centre of a piece
- * unless a kept one is near. So samples are no denser than triangles need, and each point of the
- * surface lies within the cover radius of a sample. One thread.
+ * Samples the surface of a mesh evenly. It cuts the triangles into small pieces, and adds the
+ * centre of a piece as a sample unless an earlier sample is near. Each point of the surface then
+ * lies within the cover radius of a sample. One thread.
  */
 final class SurfaceSampler {
   /** Pieces reach at most this part of the cover radius from their centres. */

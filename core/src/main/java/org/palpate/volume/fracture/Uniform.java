@@ -26,7 +26,7 @@ final class Uniform {
     return (int) next(0, bound);
   }
 
-  /** Returns a direction, all alike, as a unit vector. */
+  /** Returns a unit vector whose direction is uniformly distributed over the sphere. */
   Vec3 direction() {
     Vec3 v = new Vec3();
     double length;

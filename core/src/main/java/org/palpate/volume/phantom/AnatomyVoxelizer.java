@@ -2,7 +2,8 @@ package org.palpate.volume.phantom;
 
 /**
  * Voxelizes an anatomy brick by brick. The centre of a voxel decides its label, and 4x4x4 points in
- * it decide its grey value. Walls are whole voxels in both. Owned scratch: one thread.
+ * it decide its grey value. A voxel of a wall is solid throughout, in labels and in grey values.
+ * Owned scratch: one thread.
  */
 final class AnatomyVoxelizer implements BrickSource {
   /** The sign patterns of three surfaces. */

@@ -14,7 +14,7 @@ public final class Bytes {
     littleEndian = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
   }
 
-  /** Returns a copy of these bytes. */
+  /** Returns bytes that hold a copy of an array. */
   public static Bytes of(byte... bytes) {
     return new Bytes(bytes.clone());
   }

@@ -1,6 +1,20 @@
 package org.palpate.device.protocol;
 
-/** A report of the device, unpacked. Immutable. */
+/**
+ * Report 1 of the protocol, which the device sends, unpacked. Immutable.
+ *
+ * @param state the state flags, such as {@link #FORCE_ON}
+ * @param sequence the number of the report, modulo 65536
+ * @param timeMicros the device's clock, us
+ * @param distanceMm the distance of the position from the origin of the device, mm
+ * @param quaternionNorm the norm of the orientation
+ * @param buttons the pressed buttons, a bit each
+ * @param heard the sequence number of the last force report that the device has received
+ * @param fault the code of a fault; 0 for none
+ * @param watchdogTrips the number of times that the watchdog has set the force to zero
+ * @param echoedMicros the time that the device echoes from that force report, us
+ * @param hostMicros the host's time when the report arrived, us
+ */
 record InReport(
     int state,
     int sequence,

@@ -86,7 +86,7 @@ final class DeviceCheck {
     }
   }
 
-  /** Returns the refusal of a capture where no device is checked. */
+  /** Returns the error for {@code --capture} if no device is checked. */
   static PalpateException noDevice(Path captureFile) {
     return PalpateException.wrongUse(
         "no device is captured", "--capture " + captureFile, "add --check hid, or leave it out");

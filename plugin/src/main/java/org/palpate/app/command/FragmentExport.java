@@ -22,8 +22,8 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
 /**
- * Writes bodies as a label volume, and their poses as a scene file or as transforms. With poses the
- * volume has the bodies at rest, and without them where they stand.
+ * Writes bodies as a label volume, and their poses as a scene file or as transforms. If poses are
+ * written, the volume holds the bodies at rest; otherwise it holds them at their present poses.
  */
 final class FragmentExport {
   private final Path labels;

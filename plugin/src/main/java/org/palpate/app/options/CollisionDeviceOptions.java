@@ -29,7 +29,8 @@ public final class CollisionDeviceOptions {
    * Checks the option.
    *
    * @param rigid whether there is a rigid tool
-   * @throws PalpateException exit code 2, if there is no such device or a point needs none
+   * @throws PalpateException exit code 2, if there is no such device, or if the tool is a point,
+   *     which needs none
    */
   public void check(boolean rigid) {
     boolean isOpenCl = isOpenCl();

@@ -36,7 +36,7 @@ record JpegLsParameters(
         most, near, thresholds[0], thresholds[1], thresholds[2], DEFAULT_RESET);
   }
 
-  /** Returns the step between values that can be told apart. */
+  /** Returns the step between values that the code distinguishes. */
   int step() {
     return 2 * near + 1;
   }
@@ -46,12 +46,12 @@ record JpegLsParameters(
     return (most + 2 * near) / step() + 1;
   }
 
-  /** Returns the bits of a prediction error that is written plainly. */
+  /** Returns the number of bits of a prediction error that is written without a Golomb code. */
   int errorBits() {
     return bitsFor(range());
   }
 
-  /** Returns the most bits that a prediction error takes. */
+  /** Returns the largest number of bits that a prediction error takes. */
   int limit() {
     int bits = Math.max(2, bitsFor(most + 1));
     return 2 * (bits + Math.max(8, bits));

@@ -41,7 +41,7 @@ final class JpegLsScan {
   private int[] above;
   private int[] line;
 
-  /** Creates a decoder; lines have a pixel more at either end. */
+  /** Creates a decoder. Its buffers of a line hold one more pixel at either end. */
   JpegLsScan(JpegLsBits in, JpegLsParameters parameters, int columns, int rows) {
     this.in = in;
     this.parameters = parameters;

@@ -52,7 +52,7 @@ final class DicomSegmentationReader implements VolumeReader {
   /**
    * Opens a segmentation object.
    *
-   * @param notes what a reader should know already
+   * @param notes notes for the user so far; those of the segmentation are added
    * @throws VolumeFormatException if there are several files, or the object is incomplete
    */
   static VolumeReader open(

@@ -20,7 +20,7 @@ public final class MemoryCheck {
   }
 
   /**
-   * Checks that so many bytes are free.
+   * Checks that a number of bytes is free.
    *
    * @param purpose what needs the bytes, the subject of the message
    * @throws VolumeFormatException if they are not free, even after a garbage collection

@@ -11,9 +11,9 @@ import org.palpate.io.volume.VolumeFormatException;
 /**
  * Reads words that are separated by white space, and counts lines for messages. One thread.
  *
- * <p>Line by line: {@link #hasWordInLine}, {@link #word} and {@link #nextLine}. Used so, they skip
- * comments, which begin with {@code #}. {@link #wordOrNull} reads on across line ends and knows no
- * comments.
+ * <p>{@link #hasWordInLine}, {@link #word} and {@link #nextLine} together read line by line, and
+ * skip comments, which begin with {@code #}. {@link #wordOrNull} reads across line ends and does
+ * not recognize comments.
  */
 final class WordReader {
   private static final int LONGEST_WORD = 4096;

@@ -20,7 +20,7 @@ import org.palpate.volume.VoxelGrid;
  * The meaning of the axes of a NRRD.
  *
  * @param grid the three spatial axes
- * @param extra the non-spatial axis; its step is chosen if it is neither of colours nor of layers
+ * @param extra the non-spatial axis; one of its steps is chosen, unless they are colours or layers
  * @param extraKind the meaning of the non-spatial axis
  * @param coordinateSystem directions of the world axes in the patient
  * @param sampleCount samples over all axes
@@ -53,7 +53,7 @@ record NrrdAxes(
 
   /** The meanings of a non-spatial axis. */
   enum ExtraKind {
-    /** No axis, or one of whose steps one is chosen. */
+    /** No such axis, or an axis of time or components, of which one step is read. */
     STEPS,
     /** Red, green, blue and perhaps opacity. */
     COLOUR,

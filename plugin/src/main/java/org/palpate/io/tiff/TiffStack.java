@@ -21,7 +21,8 @@ import org.palpate.volume.VoxelGrid;
  * The pages of a stack in the order of its slices, and what its descriptions state.
  *
  * @param slices a page for each slice; a single page if ImageJ stored all slices after it
- * @param chosen the stack that is read of those with several channels and times, from 0
+ * @param chosen the number of the stack that is read, from 0, if there are several channels or
+ *     times
  * @param planes the arrangement of channels, slices and times
  * @param scaling maps stored numbers to values
  * @param header the header of the volume

@@ -4,8 +4,8 @@ package org.palpate.io.volume;
 @FunctionalInterface
 public interface SliceSink {
   /**
-   * Receives slice {@code k}. Slices arrive in order, each once, or once a layer by {@link
-   * VolumeReader#readLayers}. The reader reuses the slice after this returns.
+   * Receives slice {@code k}. Slices arrive in order, each once. {@link VolumeReader#readLayers}
+   * passes each slice once for every layer. The reader reuses the slice after this returns.
    *
    * @throws VolumeFormatException if the values make it pointless to read on
    */

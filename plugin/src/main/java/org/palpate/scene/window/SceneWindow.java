@@ -26,7 +26,7 @@ import org.palpate.scene.gl.SceneRenderer;
  * move the camera and the device, and call actions.
  *
  * <p>Any thread opens and closes it. If it is closed, loses its context or its driver fails, it
- * tells its owner once and disturbs nothing else.
+ * reports that to its owner once and disturbs nothing else.
  */
 public final class SceneWindow implements AutoCloseable {
   /** Reasons for the end of a window. */
@@ -227,15 +227,15 @@ public final class SceneWindow implements AutoCloseable {
   }
 
   /**
-   * Reports that the display is gone. The owner is told, and nothing of the window is used any
-   * more, because any use would hang. Any thread.
+   * Handles the loss of the display: reports it to the owner, and uses nothing of the window any
+   * more, because any call would hang. Any thread.
    */
   public void displayLost() {
     displayLost = true;
     fail(new IllegalStateException("the display is gone"));
   }
 
-  /** Closes the window without telling the owner. Any thread, any number of times. */
+  /** Closes the window without a report to the owner. Any thread, any number of times. */
   @Override
   public void close() {
     synchronized (this) {

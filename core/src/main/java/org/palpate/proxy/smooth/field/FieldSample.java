@@ -51,7 +51,10 @@ public final class FieldSample {
     this.level = level;
   }
 
-  /** Returns the number of the evaluation, which is another one whenever anything else is. */
+  /**
+   * Returns the number of the evaluation. It changes whenever any other value of the sample may
+   * have changed.
+   */
   public long evaluation() {
     return evaluation;
   }

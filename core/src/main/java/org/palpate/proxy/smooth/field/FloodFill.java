@@ -28,8 +28,8 @@ final class FloodFill {
   }
 
   /**
-   * Writes the voxels that the empty voxel (x,y,z) reaches by faces. Runs along one axis after the
-   * other are filled, until two axes add nothing to the third.
+   * Writes the voxels that the empty voxel (x,y,z) reaches by faces. It fills runs along one axis
+   * after the other, until two axes in succession add nothing.
    */
   void floodFrom(int x, int y, int z) {
     Arrays.fill(reached, 0);
