@@ -27,7 +27,7 @@ const uint8_t palpate_report_descriptor[] = {
 };
 const size_t palpate_report_descriptor_bytes = sizeof(palpate_report_descriptor);
 
-/* Little-endian whatever the processor is. */
+/* Writes little-endian bytes on every processor. */
 static void put16(uint8_t* to, uint16_t value) {
   to[0] = (uint8_t)value;
   to[1] = (uint8_t)(value >> 8);
@@ -132,7 +132,7 @@ void palpate_device_feature(const palpate_device* device,
 }
 
 static int host_is_silent(palpate_device* device, uint32_t now_us) {
-  const uint32_t silent_us = now_us - device->heard_us; /* right across the wrap of the clock */
+  const uint32_t silent_us = now_us - device->heard_us; /* correct also when the clock wraps */
   if (!device->listening) {
     return 1;
   }

@@ -1,9 +1,9 @@
 /*
  * Device side of the Palpate HID protocol, version 1 (see ../hid-protocol.md).
  *
- * Plain C99, no allocation, no floating point, no clock of its own: it runs on a microcontroller as
- * on a PC. The three USB calls and palpate_device_motors must not interrupt one another; call them
- * from one priority, or mask interrupts around them.
+ * Plain C99 without allocation, floating point or a clock of its own. It runs on a microcontroller
+ * and on a PC. The three USB calls and palpate_device_motors must not interrupt one another. Call
+ * them at one interrupt priority, or mask interrupts around them.
  */
 #ifndef PALPATE_DEVICE_H
 #define PALPATE_DEVICE_H
@@ -40,7 +40,7 @@ enum {
   PALPATE_ENDING = 1 << 1,
 };
 
-/* Byte 40 of an IN report; from 128 on the session ends. */
+/* Byte 40 of an IN report. A code of 128 or more ends the session. */
 enum {
   PALPATE_FAULT_NONE = 0,
   PALPATE_FAULT_HOT = 1,
@@ -55,7 +55,7 @@ enum {
   PALPATE_HAS_GRIPPER = 1 << 1,
 };
 
-/* What the device can do; sent as feature report 3. */
+/* The capabilities of the device, sent as feature report 3. */
 typedef struct {
   uint16_t max_force_mn;
   uint16_t continuous_force_mn;
@@ -70,7 +70,7 @@ typedef struct {
   uint8_t flags;
 } palpate_capabilities;
 
-/* What the sensors say now. */
+/* The present readings of the sensors. */
 typedef struct {
   int32_t position_um[3];
   int16_t quaternion[4]; /* x, y, z, w times 32767 */
@@ -80,10 +80,10 @@ typedef struct {
   uint8_t calibrated;
   uint8_t hand_present;
   uint8_t fault;
-  uint8_t motor_heat; /* 0 cold .. 255 as hot as they may be */
+  uint8_t motor_heat; /* from 0, cold, to 255, the hottest allowed */
 } palpate_pose;
 
-/* What the motors are to do now. */
+/* The force, the torque and the gripper force that the motors exert now. */
 typedef struct {
   int16_t force_mn[3];
   int16_t torque_tenth_mnm[3];
@@ -101,7 +101,7 @@ typedef struct {
   uint8_t listening;
   uint8_t force_on;
   uint8_t zeroed;
-  uint8_t hand_away; /* the hand sensor says so, or has said nothing yet */
+  uint8_t hand_away; /* no hand on the sensor, or no reading yet */
 } palpate_device;
 
 /* The HID report descriptor to hand to the USB stack. */
@@ -110,11 +110,11 @@ extern const size_t palpate_report_descriptor_bytes;
 
 void palpate_device_init(palpate_device* device, const palpate_capabilities* capabilities);
 
-/* Takes an OUT report as it came, id first. Returns 0 where it is not one of ours. */
+/* Takes an OUT report as it was received, id first. Returns 0 if it is not of this protocol. */
 int palpate_device_out(palpate_device* device, const uint8_t* report, size_t length,
                        uint32_t now_us);
 
-/* Writes the next IN report; call once a report interval. */
+/* Writes the next IN report. Call it once in each report interval. */
 void palpate_device_in(palpate_device* device, const palpate_pose* pose, uint32_t now_us,
                        uint8_t report[PALPATE_IN_BYTES]);
 
@@ -123,9 +123,9 @@ void palpate_device_feature(const palpate_device* device,
                             uint8_t report[PALPATE_CAPABILITIES_BYTES]);
 
 /*
- * What the motors are to do now: the force last heard, within the maximum; zero where the host has
- * been silent for watchdog_ms, and where the hand sensor of the last IN report was let go. Call
- * from the motor loop, at least once a millisecond.
+ * Writes the order for the motors: the last force received, limited to the maximum. It is zero if
+ * the host has been silent for watchdog_ms, or if the last IN report had no hand on the sensor.
+ * Call it from the motor loop at least once a millisecond.
  */
 void palpate_device_motors(palpate_device* device, uint32_t now_us, palpate_motors* motors);
 

@@ -38,7 +38,7 @@ const std::string& fakeFolder() {
     auto* made = new std::string(mkdtemp(pattern));
     setenv("PALPATE_FAKE_HID", made->c_str(), 1);
     std::atexit([] {
-      std::error_code ignored;  // what is left of a test is no reason to fail it
+      std::error_code ignored;  // files that remain do not fail a test
       std::filesystem::remove_all(fakeFolder(), ignored);
     });
     return made;

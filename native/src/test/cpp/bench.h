@@ -6,28 +6,30 @@
 #include "device/session.h"
 #include "substitutes/panel.h"
 
-/** What the tests share: the panel, the folder of fake HID devices, a clock that they move. */
+/** Helpers of all tests: the panel, the folder of fake HID devices, and a clock that tests set. */
 namespace bench {
 
-/** The folder whose sockets are HID devices; made once, named in the environment. */
+/**
+ * Returns the folder whose sockets are HID devices. Makes it once and names it in the environment.
+ */
 const std::string& fakeFolder();
 
-/** The panel as new; it is named in the environment before a substitute is loaded. */
+/** Resets the panel and returns it. The environment names it before a substitute is loaded. */
 substitutes::Panel& freshPanel();
 
-/** Moves the clock on. */
+/** Advances the clock. */
 void advanceMillis(int millis);
 
-/** Opens or fails the test; 0 then. */
+/** Opens a device and returns its handle. If that is impossible, fails the test and returns 0. */
 int64_t open(const std::string& backend, const std::string& id);
 
-/** Reads until there is something new or the device is gone, in real time at most 200 ms. */
+/** Reads until there is a new sample or the device is gone, for at most 200 ms of real time. */
 palpate::ReadStatus readFresh(int64_t handle);
 
-/** Writes one force; false where the device was not reached. */
+/** Writes one force. Returns false if the device could not be reached. */
 bool push(int64_t handle, double x, double y, double z);
 
-/** Holds still until the soft start has let the whole force in. */
+/** Holds the device still until the soft start permits the whole force. */
 void holdStill(int64_t handle);
 
 }  // namespace bench

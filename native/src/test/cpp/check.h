@@ -9,7 +9,7 @@
 
 namespace check {
 
-/** A test: a sentence and what shows it. */
+/** A test: a sentence, and the function that shows that it holds. */
 struct Test {
   const char* sentence;
   void (*run)();
@@ -59,7 +59,7 @@ inline void near(double expected, double actual, double tolerance, const char* f
          holds ? "" : std::string(what) + " is " + text(actual) + ", not " + text(expected));
 }
 
-/** Runs the tests whose sentence holds the first argument; all without one. */
+/** Runs the tests whose sentence contains the first argument; all tests without an argument. */
 inline int runAll(int count, char** arguments) {
   const std::string wanted = count > 1 ? arguments[1] : "";
   int ran = 0;

@@ -74,7 +74,10 @@ void FakeDevice::answer(int connection) {
   close(connection);
 }
 
-/** The host's connection, a new one in place of the old; closed by this thread alone. */
+/**
+ * Returns the socket of the host. A new connection replaces the old one, which only this thread
+ * closes.
+ */
 int FakeDevice::socketNow() {
   const int next = incoming_.exchange(-1);
   if (next >= 0) {

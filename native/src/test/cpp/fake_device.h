@@ -11,13 +11,13 @@
 #include "palpate_device.h"
 
 /**
- * A hand-built device without the device: the example firmware behind a socket, where the
- * substitute of hidapi finds it. Connections are taken by a thread of its own; reports go when
- * step() is called, on one thread.
+ * A fake hand-built device: the example firmware behind a socket that the substitute of hidapi
+ * finds. A thread of its own accepts connections. Each call of step() sends a report; one thread
+ * calls it.
  */
 class FakeDevice {
  public:
-  /** How hidapi lists a device with our protocol: vendor, product, usage page, usage. */
+  /** The vendor, product, usage page and usage with which hidapi lists a device of our protocol. */
   static constexpr const char* kOurs = "1209-4a01-ff00-50";
 
   FakeDevice(const std::string& folder, const std::string& serial, const char* kind = kOurs,
@@ -32,24 +32,24 @@ class FakeDevice {
   bool isOpen() const { return incoming_.load() >= 0 || data_ >= 0; }
 
   /**
-   * Sends one report with the pose as it is; `nowMicros` is the device's clock. False where no host
-   * has it open, or one that has not read for so long that there is no room.
+   * Sends one report with the present pose; `nowMicros` is the device's clock. Returns false if no
+   * host has the device open, or if the host reads so slowly that there is no room.
    */
   bool step(uint32_t nowMicros);
 
-  /** Sends bytes of any kind; as step. */
+  /** Sends any bytes, and returns what step returns. */
   bool sendRaw(const std::vector<uint8_t>& bytes);
 
-  /** Reports that were dropped because there was no room for them. */
+  /** Returns the number of reports that were dropped because there was no room for them. */
   int64_t withoutRoom() const { return withoutRoom_; }
 
-  /** The next report as step would send it, without sending it. */
+  /** Returns the next report that step would send, without sending it. */
   std::vector<uint8_t> nextReport(uint32_t nowMicros);
 
-  /** Takes what the host has sent; the number of reports. */
+  /** Takes the reports that the host has sent, and returns their number. */
   int receive(uint32_t nowMicros);
 
-  /** What the motors do now. */
+  /** Returns the force and torque that the motors exert now. */
   palpate_motors motors(uint32_t nowMicros);
 
   void unplug();
@@ -57,7 +57,7 @@ class FakeDevice {
   palpate_pose pose = {};
   palpate_device firmware = {};
   std::vector<uint8_t> lastOut;
-  /** Told of every report of full length that comes, on the thread that receives. */
+  /** Receives every report of full length from the host, on the thread that calls receive(). */
   std::function<void(const uint8_t*)> heard;
 
  private:
@@ -67,9 +67,9 @@ class FakeDevice {
 
   std::string path_;
   int listener_;
-  int data_ = -1;  // the thread that steps
+  int data_ = -1;  // for the thread that calls step()
   int64_t withoutRoom_ = 0;
-  std::atomic<int> incoming_{-1};  // from the acceptor to it
+  std::atomic<int> incoming_{-1};  // from the accepting thread to it
   std::atomic<bool> ending_{false};
   uint8_t feature_[PALPATE_CAPABILITIES_BYTES] = {};
   std::thread acceptor_;

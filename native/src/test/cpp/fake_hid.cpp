@@ -1,5 +1,5 @@
-// A fake hand-built device as a process: fake_hid FOLDER SERIAL [SECONDS]. It stands where the
-// substitute of hidapi finds it (PALPATE_FAKE_HID=FOLDER) and moves a hand at 1 kHz.
+// A fake hand-built device as a process: fake_hid FOLDER SERIAL [SECONDS]. The substitute of hidapi
+// finds it by PALPATE_FAKE_HID=FOLDER. It moves a hand at 1 kHz.
 #include <csignal>
 #include <cstdlib>
 

@@ -1,6 +1,6 @@
-// Every call of every back end fails in every way, in opening, in a frame and in closing. Each time
-// the session ends or goes on, with one line where it ends, zero force sent where the device can
-// still be reached, and no two threads inside the vendor's library.
+// Every call of every back end fails in every way: at opening, in a frame and at closing. Each time
+// the session either goes on or ends with one line. It sends zero force if the device can still be
+// reached, and two threads are never inside the vendor's library at once.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -37,7 +37,7 @@ void arm(Panel& panel, const std::string& call, Fault fault) {
   panel.fault = fault;
 }
 
-/** One back end with, for hid, a fake device that sends by itself. */
+/** One back end; for hid, with a fake device that sends reports by itself. */
 class Subject {
  public:
   explicit Subject(const char* backend) : backend_(backend) {
@@ -55,10 +55,10 @@ class Subject {
 
   const char* backend() const { return backend_; }
 
-  /** The largest component that the motors push with now. */
+  /** Returns the largest component of the force that the motors exert now. */
   double felt(Panel& panel) {
     if (fake_) {
-      // The fake's own clock runs on; after 20 ms its watchdog has spoken.
+      // The clock of the fake device runs on. After 20 ms its watchdog has set the force to zero.
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       return felt_.load();
     }
@@ -83,7 +83,7 @@ class Subject {
   std::atomic<double> felt_{0};
 };
 
-/** Names of the functions that were called since the panel was fresh. */
+/** Returns the names of the functions that were called since the panel was reset. */
 std::vector<std::string> called(Panel& panel) {
   std::vector<std::string> names;
   for (int i = 0; i < panel.calledCount; i++) {
@@ -97,7 +97,10 @@ void forget(Panel& panel) {
   panel.calledCount = 0;
 }
 
-/** A frame; true while the device is there. Frames go on while a haptic thread hangs elsewhere. */
+/**
+ * Runs a frame and returns whether the device is still there. Frames go on while a haptic thread
+ * hangs elsewhere.
+ */
 bool frame(int64_t handle) {
   bench::advanceMillis(5);
   ReadStatus status = ReadStatus::kRepeated;
@@ -117,7 +120,7 @@ void settle(int64_t handle) {
   }
 }
 
-/** Waits until what hung and was released has finished. */
+/** Waits until the calls that hung and were released have returned. */
 void waitUntilQuiet() {
   while (Session::underWay() > 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -136,7 +139,7 @@ struct Case {
   std::string where;
 };
 
-/** What holds after every fault, however it went. */
+/** Checks what must hold after every fault. */
 void checkAftermath(Case& one, bool reachable) {
   for (int i = 0; i < 100 && one.subject.felt(one.panel) != 0; i++) {
     bench::advanceMillis(5);
@@ -168,7 +171,7 @@ void failOpening(Case one, const std::string& call, Fault fault) {
   checkAftermath(one, true);
 }
 
-/** Frames on a thread of their own, as the haptic thread's are; ends when the device is gone. */
+/** Runs frames on a thread of their own, like the haptic thread. Ends when the device is gone. */
 void runFrames(int64_t handle, int frames, std::atomic<int>& done) {
   for (int i = 0; i < frames && frame(handle); i++) {
     done++;
@@ -188,7 +191,7 @@ void failRunning(Case one, const std::string& call, Fault fault) {
   while (done < kFrames && !deadline.isOver()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(fault == Fault::kHang ? 40 : 1));
     if (fault == Fault::kHang && done == before) {
-      break;  // it hangs: nothing has moved for 40 ms
+      break;  // it hangs: no progress for 40 ms
     }
     before = done;
   }
@@ -237,7 +240,9 @@ void failEvery(Subject& subject, When when, const std::vector<std::string>& call
   }
 }
 
-/** A session without faults, to learn which functions it calls when. */
+/**
+ * Runs a session without faults to record the functions that it calls, then makes each one fail.
+ */
 void failAll(const char* backend) {
   Subject subject(backend);
   Panel& panel = bench::freshPanel();

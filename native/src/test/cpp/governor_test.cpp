@@ -35,7 +35,7 @@ double size(const Wrench& wrench) {
   return std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
 }
 
-/** A governor and a hand, a millisecond a frame. */
+/** A governor and a hand, with frames of one millisecond. */
 struct Hand {
   Governor governor{omni()};
   Sample sample;
@@ -61,7 +61,7 @@ struct Hand {
 TEST("no force before the hand has held the device still, then it comes slowly") {
   Hand hand;
   for (int i = 0; i < 1000; i++) {
-    hand.sample.positionMm[0] = i;  // a metre a second
+    hand.sample.positionMm[0] = i;  // one metre per second
     CHECK_EQUAL(0.0, hand.frame(along(1)));
   }
   CHECK(hand.governor.isWaitingForHand());

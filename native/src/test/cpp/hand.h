@@ -3,16 +3,16 @@
 
 #include "palpate_device.h"
 
-/** Moves a fake device as a hand does: still for a second, then to and fro, 40 mm in 4 s. */
+/** Moves a fake device like a hand: at rest for a second, then to and fro by 40 mm in 4 s. */
 void moveHand(palpate_pose& pose, double seconds);
 
-/** What a fake device notes of the forces that it was sent, and says at its end. */
+/** Statistics of the forces that a fake device received, which it prints at its end. */
 class Felt {
  public:
-  /** One report interval: what the motors do, and how many reports came in it. */
+  /** Adds one report interval: the order of the motors, and the number of reports received. */
   void note(const palpate_motors& motors, int reports);
 
-  /** One line on standard error. */
+  /** Prints one line on standard error. */
   void say(const char* name, const palpate_device& firmware, const palpate_motors& last) const;
 
  private:
@@ -23,10 +23,10 @@ class Felt {
   int largestMn_ = 0;
 };
 
-/** Sleeps until the next whole millisecond after `startNanos`; the number of it. */
+/** Sleeps until the next whole millisecond after `startNanos`, and returns its number. */
 long nextMillisecond(long startNanos);
 
-/** Nanoseconds on the system's steady clock. */
+/** Returns nanoseconds on the system's steady clock. */
 long nowNanos();
 
 #endif

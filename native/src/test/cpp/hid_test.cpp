@@ -16,7 +16,7 @@ namespace {
 
 constexpr int64_t kWait = palpate::kNanosPerSecond;
 
-/** A fake device that is open, with a hand that has held it still: one thread, no real time. */
+/** An open fake device whose hand has held it still. One thread; no real time passes. */
 struct Rig {
   FakeDevice device;
   int64_t handle = bench::open("hid", "SN0001");
@@ -30,7 +30,9 @@ struct Rig {
   }
   ~Rig() { Session::close(handle, kWait); }
 
-  /** One millisecond: a report, a read, a write, and what the motors then do along x, in N. */
+  /**
+   * Runs one millisecond: a report, a read and a write. Returns the force of the motors along x, N.
+   */
   double frame(double newton) {
     micros += 1000;
     bench::advanceMillis(1);
@@ -176,7 +178,7 @@ TEST("a virtual wall for a minute at 1 kHz: every force is the right one and non
   bench::freshPanel();
   Rig rig;
   rig.settle();
-  constexpr double kStiffness = 0.6;  // N/mm, under the governor's slew for this hand
+  constexpr double kStiffness = 0.6;  // N/mm, below the governor's slew rate for this hand
   int64_t pressed = 0;
   for (int i = 0; i < 60000; i++) {
     const double handMm = 3 * std::sin(i * 0.006);

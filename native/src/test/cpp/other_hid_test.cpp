@@ -1,4 +1,4 @@
-// HID devices that others made: WoodenHaptics, and the SpaceMouse as an input without force.
+// Other makers' HID devices: WoodenHaptics, and the SpaceMouse, which has no force.
 #include <cmath>
 #include <string>
 
@@ -54,7 +54,7 @@ TEST("a SpaceMouse moves the point as fast as its cap is pushed, and takes no fo
   const palpate::Sample& sample = Session::frame(handle)->sample;
   CHECK(Session::read(handle) == ReadStatus::kFresh);
   CHECK_EQUAL(0.0, sample.positionMm[0]);
-  // Full to the right, half down, half away from the person: int16, little-endian, of 350.
+  // Fully to the right, half down, half away from the person: int16, little-endian, full scale 350.
   mouse.sendRaw({1, 94, 1, 81, 255, 175, 0});
   for (int i = 0; i < 500; i++) {
     bench::advanceMillis(1);
@@ -104,7 +104,7 @@ TEST("a SpaceMouse's point stays within reach however long its cap is pushed") {
 
 namespace {
 
-/** Encoder counts as a WoodenHaptics reports them. */
+/** Returns the report of a WoodenHaptics with these encoder counts. */
 std::vector<uint8_t> encoders(int a, int b, int c) {
   std::vector<uint8_t> report(8);
   const int counts[3] = {a, b, c};
@@ -115,7 +115,7 @@ std::vector<uint8_t> encoders(int a, int b, int c) {
   return report;
 }
 
-/** The current of a body in the last report that the device was sent, mA. */
+/** Returns the current of a body in the last report that the device received, mA. */
 int currentOf(const FakeDevice& device, size_t body) {
   return static_cast<int16_t>(device.lastOut[1 + 2 * body] | device.lastOut[2 + 2 * body] << 8);
 }

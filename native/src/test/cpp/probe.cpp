@@ -1,5 +1,5 @@
-// Prints what each back end finds here: the look of palpate devices without a JVM, for a platform
-// that is only cross-compiled for.
+// Prints what each back end finds on this machine, like `palpate devices` but without a JVM. For
+// platforms that are only cross-compiled for.
 #include <cstdio>
 
 #include "device/clock.h"

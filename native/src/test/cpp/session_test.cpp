@@ -14,7 +14,7 @@ using palpate::Session;
 
 namespace {
 
-/** What a test does to a device, and what the device saw. */
+/** The behaviour that a test sets for a device, and the record of its calls. */
 struct Script {
   std::atomic<bool> hangs{false};
   std::atomic<bool> hangsInOpen{false};

@@ -1,6 +1,7 @@
-// A hand-built device that this kernel's own HID core makes: uhid_hid COMMAND [ARGUMENT ...] plays
-// its side over /dev/uhid and moves a hand at 1 kHz until the command ends. Its exit code is the
-// command's; 125 where the device fails. Wants root and the kernel's uhid, so a virtual machine.
+// A hand-built device in the HID core of this kernel. uhid_hid COMMAND [ARGUMENT ...] simulates it
+// over /dev/uhid and moves a hand at 1 kHz until the command ends. Its exit code is that of the
+// command, or 125 if the device fails. It needs root and the kernel's uhid, so run it in a virtual
+// machine.
 #include <fcntl.h>
 #include <linux/uhid.h>
 #include <poll.h>
@@ -27,7 +28,7 @@ class KernelDevice : public VirtualDevice {
  public:
   ~KernelDevice() override {
     if (uhid_ >= 0) {
-      close(uhid_);  // the kernel takes the device away
+      close(uhid_);  // the kernel removes the device
     }
   }
 

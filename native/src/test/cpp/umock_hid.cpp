@@ -1,6 +1,6 @@
-// A hand-built device that the unmodified hidapi finds, opens, reads and writes: umock_hid COMMAND
-// [ARGUMENT ...] runs the command with a virtual /dev/hidraw0 behind umockdev and moves a hand at
-// 1 kHz until the command ends. Its exit code is the command's; 125 where the device fails.
+// A hand-built device that the unmodified hidapi finds, opens, reads and writes. umock_hid COMMAND
+// [ARGUMENT ...] runs the command with a virtual /dev/hidraw0 of umockdev, and moves a hand at 1
+// kHz until the command ends. Its exit code is that of the command, or 125 if the device fails.
 #include <fcntl.h>
 #include <linux/hidraw.h>
 #include <poll.h>
@@ -30,7 +30,7 @@ std::string descriptorHex() {
   return hex;
 }
 
-/** The device as udev and sysfs describe one on USB. */
+/** Returns the description that udev and sysfs have of such a device on USB. */
 std::string description() {
   const std::string usb = "/devices/pci0000:00/0000:00:14.0/usb1/1-2";
   const std::string interface = usb + "/1-2:1.0";
@@ -69,7 +69,7 @@ bool answer(UMockdevIoctlClient* client, const void* bytes, size_t length, long 
   return true;
 }
 
-/** What hidraw's ioctls say of the device. */
+/** Answers hidraw's ioctls about the device. */
 gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer firmware) {
   const auto request = static_cast<unsigned>(umockdev_ioctl_client_get_request(client));
   if (request == HIDIOCGRDESCSIZE) {
@@ -103,11 +103,11 @@ class MockedDevice : public VirtualDevice {
     master_ = master;
     peer_ = ioctl(master, TIOCGPTPEER, O_RDWR | O_NOCTTY | O_CLOEXEC);
     fcntl(master, F_SETFL, fcntl(master, F_GETFL) | O_NONBLOCK);
-    fcntl(master, F_SETFD, FD_CLOEXEC);  // else unplugging would never be seen
+    fcntl(master, F_SETFD, FD_CLOEXEC);  // otherwise unplugging is never noticed
   }
 
  private:
-  /** A pty is a stream, so reports are put together again. */
+  /** Reassembles reports, because a pty is a stream. */
   int receive(uint32_t micros) override {
     int count = 0;
     pollfd wait = {master_, POLLIN, 0};
@@ -127,9 +127,9 @@ class MockedDevice : public VirtualDevice {
   }
 
   /**
-   * Nothing is kept for a host that has not spoken yet. Later as many as hidraw keeps for a host
-   * that does not read, then none: a pty that is full takes a part of a report, and what is read of
-   * it after that is cut.
+   * Sends no report before the host has sent one. Later it queues as many reports as hidraw does
+   * for a host that does not read, and drops the others. A full pty would accept only a part of a
+   * report, and reports read after that would be cut.
    */
   void send(const uint8_t (&report)[PALPATE_IN_BYTES]) override {
     if (!heard_) {
@@ -144,7 +144,7 @@ class MockedDevice : public VirtualDevice {
   static constexpr int kReports = 64;
 
   int master_ = -1;
-  int peer_ = -1;  // the host's end, to see what waits there
+  int peer_ = -1;  // the host's end, to see how much waits there
   uint8_t in_[PALPATE_OUT_BYTES] = {};
   size_t have_ = 0;
   bool heard_ = false;

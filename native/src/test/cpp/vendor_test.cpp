@@ -21,11 +21,11 @@ void pushUntilFelt(int64_t handle, double x, double y, double z) {
     bench::readFresh(handle);
     bench::push(handle, x, y, z);
   }
-  bench::readFresh(handle);  // a servo loop has now taken the newest
+  bench::readFresh(handle);  // a servo loop has now taken the newest wrench
   bench::readFresh(handle);
 }
 
-/** Where our axes lie in a vendor's frame that runs towards the person, right and up. */
+/** Checks the conversion from a vendor's frame with axes towards the person, right and up. */
 void checkTowardsRightUp(const char* backend, double newtonTolerance) {
   substitutes::Panel& panel = bench::freshPanel();
   panel.position[0] = 0.01;
@@ -37,7 +37,7 @@ void checkTowardsRightUp(const char* backend, double newtonTolerance) {
   CHECK_NEAR(20.0, sample.positionMm[0], 1e-5);
   CHECK_NEAR(30.0, sample.positionMm[1], 1e-5);
   CHECK_NEAR(10.0, sample.positionMm[2], 1e-5);
-  // Their turn about z, which is up, is one about our y.
+  // A rotation about their z axis, which points up, is one about our y axis.
   CHECK_NEAR(0.0, sample.orientation[0], 1e-6);
   CHECK_NEAR(std::sqrt(0.5), sample.orientation[1], 1e-6);
   CHECK_NEAR(0.0, sample.orientation[2], 1e-6);
@@ -53,7 +53,9 @@ void checkTowardsRightUp(const char* backend, double newtonTolerance) {
   CHECK_EQUAL(0, panel.overlaps.load());
 }
 
-/** A Phantom as ready as told, 1 for a hand's help wanted, 2 for an update; held still and pushed.
+/**
+ * Opens a Phantom that is held still and sent a force. `notReady` is 1 if it needs the user for
+ * calibration, and 2 if it needs an update.
  */
 int64_t pushedPhantom(substitutes::Panel& panel, int notReady) {
   panel.notReady = notReady;

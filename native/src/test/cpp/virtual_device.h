@@ -5,8 +5,8 @@
 #include "palpate_device.h"
 
 /**
- * A hand-built device that another program finds: the example firmware, a hand that moves it at
- * 1 kHz, and the way to the host's side of HID, which a class of its own knows. One thread.
+ * A hand-built device that another program finds: the example firmware, and a hand that moves it at
+ * 1 kHz. Subclasses connect it to the host's side of HID. One thread.
  */
 class VirtualDevice {
  public:
@@ -22,8 +22,8 @@ class VirtualDevice {
   VirtualDevice& operator=(const VirtualDevice&) = delete;
 
   /**
-   * Runs a command, moves the hand until it ends, says under `name` what was felt; the command's
-   * exit code.
+   * Runs a command and moves the hand until it ends. Prints the statistics of the forces under
+   * `name`, and returns the command's exit code.
    */
   int serve(const char* name, char** command);
 
@@ -31,10 +31,10 @@ class VirtualDevice {
   palpate_device firmware_;
 
  private:
-  /** Takes what the host has sent; the number of forces. */
+  /** Takes the reports that the host has sent, and returns the number of forces. */
   virtual int receive(uint32_t micros) = 0;
 
-  /** Sends a report where there is room for it. */
+  /** Sends a report if there is room for it. */
   virtual void send(const uint8_t (&report)[PALPATE_IN_BYTES]) = 0;
 };
 

@@ -1,4 +1,5 @@
-// A virtual wall in real time: a fake device on a thread of its own at 1 kHz, the host on another.
+// A virtual wall in real time. A fake device runs on a thread of its own at 1 kHz, and the host on
+// another.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -20,13 +21,16 @@ using palpate::Session;
 
 namespace {
 
-constexpr double kStiffness = 0.6;  // N/mm, under the governor's slew for this hand
+constexpr double kStiffness = 0.6;  // N/mm, below the governor's slew rate for this hand
 constexpr long kStillMillis = 1200;
 constexpr int64_t kLongGapNanos = 15 * palpate::kNanosPerMilli;
 constexpr int64_t kRecoveryNanos =
-    200 * palpate::kNanosPerMilli;  // the governor lets force back in over less
+    200 * palpate::kNanosPerMilli;  // the governor needs less to return the force
 
-/** Where the hand is at a millisecond: still until the force is let in, then to and fro. */
+/**
+ * Returns the position of the hand at a millisecond: at rest until the force is permitted, then to
+ * and fro.
+ */
 int32_t handMicrometre(long millis) {
   const long moving = std::max(0L, millis - kStillMillis);
   return static_cast<int32_t>(std::lround(3000 * std::sin(static_cast<double>(moving) * 0.006)));
@@ -34,13 +38,13 @@ int32_t handMicrometre(long millis) {
 
 double wallNewton(double handMm) { return -kStiffness * std::max(0.0, handMm); }
 
-/** A force that the device was sent, and the sample that it answers. */
+/** A force that the device received, and the sample that the host computed it from. */
 struct Answer {
   int64_t sampleMicros;
   double newton;
 };
 
-/** The device's side: sends samples and notes forces. */
+/** The device's side: sends samples and records forces. */
 class Wall {
  public:
   explicit Wall(long millis) : millis_(millis) {
@@ -51,7 +55,10 @@ class Wall {
   }
 
   FakeDevice& device() { return device_; }
-  /** Reports for which there was room; a host that is held up for long leaves none. */
+  /**
+   * Returns the number of reports for which there was room; a host that is delayed for long leaves
+   * none.
+   */
   int64_t sent() const { return made_ - device_.withoutRoom(); }
   const std::vector<Answer>& answers() const { return answers_; }
 
@@ -65,7 +72,7 @@ class Wall {
       device_.step(micros);
       made_++;
     }
-    // The last one gets through, so that a gap before it is seen.
+    // The last report must arrive, so that a gap before it is noticed.
     do {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       made_++;
@@ -94,7 +101,7 @@ struct Host {
   std::atomic<bool> ending{false};
   std::atomic<int64_t> samples{0};
   int64_t written = 0;
-  /** Samples answered while the force is on its way back, after this thread was held up. */
+  /** Samples that were answered while the force was returning, after this thread was delayed. */
   std::set<int64_t> recoveringMicros;
 
   void run() {
@@ -118,7 +125,9 @@ struct Host {
   }
 };
 
-/** Holds each force against the sample that it answers; how many were on their way back. */
+/**
+ * Compares each force with its sample, and returns the number of forces that were still returning.
+ */
 int64_t checkAll(const Wall& wall, const Host& host) {
   int64_t recovering = 0;
   for (const Answer& answer : wall.answers()) {
@@ -171,5 +180,5 @@ TEST("a virtual wall in real time: every force is its own sample's and none is l
         static_cast<long long>(recovering));
     Session::close(host.handle, palpate::kNanosPerSecond);
   }
-  palpate::heldNanos = palpate::steadyNanos();  // the tests' own again
+  palpate::heldNanos = palpate::steadyNanos();  // the tests' own clock again
 }

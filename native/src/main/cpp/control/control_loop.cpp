@@ -1,19 +1,17 @@
-// The control of the real-time laboratory: the same paced loop as the Java cells run, without a
-// JVM. What it is late is the machine's share.
+// The control experiment of the jitter laboratory: the same paced loop as in Java, without a JVM.
+// Its lateness is due to the machine alone.
 //
 //   palpate-control --wait sleep|absolute|hybrid|spin --frames N --warm-up N --period NANOS
 //                   --priority 0|1..99 --cpu N|-1 --lock 0|1 --out FILE
+// FILE receives one record for each frame: six 64-bit integers in the machine's byte order.
 //
-// FILE gets one record a frame, six 64-bit integers in the machine's byte order:
-//
-//   due      when the frame should have begun, ns of CLOCK_MONOTONIC
-//   start    when it began
-//   end      when its work was done
-//   delayed  how long this thread was ready to run and did not, in all, ns (the kernel's schedstat)
-//   preempted  how often it was put off its processor, in all
-//   faults   pages that had to come from a disk, in all
-//
-// Standard output gets what the kernel granted, a line each, "class granted fifo 40".
+//   due      deadline of the frame, ns of CLOCK_MONOTONIC
+//   start    start of its work
+//   end      end of its work
+//   delayed  total time in which this thread was ready but did not run, ns (the kernel's schedstat)
+//   preempted  total number of preemptions
+//   faults   total number of pages read from a disk
+// Standard output receives a line for each request to the kernel, as in "class granted fifo 40".
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/mman.h>
@@ -76,7 +74,7 @@ void spinUntil(int64_t moment) {
   }
 }
 
-/** A quarter more than the 99th percentile of how late this thread wakes. */
+/** Returns a quarter more than the 99th percentile of the lateness of this thread's wake-ups. */
 int64_t measureWindow() {
   std::vector<int64_t> late;
   for (int i = 0; i < kWindowSleeps; i++) {
@@ -183,8 +181,8 @@ void askKernel(const Options& options) {
 }
 
 /**
- * Deadlines lie on a fixed grid; the next is the first that is at least half a period away, as in
- * the haptic loop.
+ * Returns the next deadline: the first one of a fixed grid that is at least half a period away, as
+ * in the haptic loop.
  */
 int64_t nextDue(int64_t due, int64_t began, int64_t period) {
   int64_t late = began - due;

@@ -10,10 +10,10 @@ namespace palpate {
 constexpr int64_t kNanosPerMilli = 1000000;
 constexpr int64_t kNanosPerSecond = 1000000000;
 
-/** What steadyNanos says instead of the time, where it is not 0: a test's own time. */
+/** The time that a test sets; steadyNanos returns it unless it is 0. */
 inline std::atomic<int64_t> heldNanos{0};
 
-/** Nanoseconds on a clock that never goes back; for what a test must be able to bring about. */
+/** Returns nanoseconds on a clock that never goes back. A test can set the time. */
 inline int64_t steadyNanos() {
   const int64_t held = heldNanos.load(std::memory_order_relaxed);
   return held != 0 ? held
@@ -22,7 +22,7 @@ inline int64_t steadyNanos() {
                          .count();
 }
 
-/** A moment in real time until which to wait for another thread. */
+/** The end of a wait for another thread, in real time. */
 class Deadline {
  public:
   explicit Deadline(int64_t waitNanos)

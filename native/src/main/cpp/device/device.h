@@ -11,33 +11,36 @@
 
 namespace palpate {
 
-/** What a read gave; the numbers are those of ReadStatus.java. */
+/** The result of a read. The numbers are those of ReadStatus.java. */
 enum class ReadStatus : int { kFresh = 0, kRepeated = 1, kDisconnected = 2 };
 
-/** What a device can do, as its maker says. A force of 0: an input alone; infinity: no limit. */
+/**
+ * The capabilities of a device, as its maker states them. A maximum force of 0 means an input
+ * device, infinity means no limit.
+ */
 struct Specification {
   std::string name;
   std::string serial;
-  /** Who zeroes the force when this program no longer can, for the line that says so. */
+  /** The name of what sets the force to zero if this program no longer can, for messages. */
   std::string watchdog;
   double maxForceNewton = 0;
   double continuousForceNewton = 0;
   double maxTorqueNewtonMetre = 0;
   double maxStiffnessNewtonPerMm = 0;
   double workspaceRadiusMm = 0;
-  int64_t reportIntervalNanos = 0;  // 0 where every read is a sample
+  int64_t reportIntervalNanos = 0;  // 0 if every read is a sample
 };
 
-/** What other threads may see of a device: the vendor's call under way, and why it ended. */
+/** The state of a device for other threads: the vendor's call in progress, and why it ended. */
 class Trace {
  public:
-  /** The vendor's function that is running now, or nullptr. Any thread. */
+  /** Returns the vendor's function that is running now, or nullptr. Any thread. */
   const char* call() const { return call_.load(std::memory_order_relaxed); }
 
   void enter(const char* function) { call_.store(function, std::memory_order_relaxed); }
   void leave() { call_.store(nullptr, std::memory_order_relaxed); }
 
-  /** Says once why nothing more will come; later reasons are dropped. Any thread. */
+  /** Stores the reason why the device has ended. Later reasons are dropped. Any thread. */
   void end(const std::string& why) {
     if (!claimed_.exchange(true)) {
       why_ = why;
@@ -45,7 +48,7 @@ class Trace {
     }
   }
 
-  /** The reason given to end, or empty. Any thread. */
+  /** Returns the reason that was given to end(), or an empty text. Any thread. */
   std::string why() const { return ended_.load(std::memory_order_acquire) ? why_ : std::string(); }
 
  private:
@@ -55,7 +58,7 @@ class Trace {
   std::string why_;
 };
 
-/** Calls a vendor's function and leaves a mark while it runs, so that a hang can be named. */
+/** Calls a vendor's function and records its name while it runs, so that a hang can be reported. */
 template <typename F, typename... A>
 auto traced(Trace& trace, const char* name, F function, A&&... arguments) {
   struct Mark {
@@ -68,8 +71,8 @@ auto traced(Trace& trace, const char* name, F function, A&&... arguments) {
 }
 
 /**
- * One open device. Read, written and closed by one thread at a time (Session sees to it), never
- * throws once it is open, never waits longer than the vendor's own call does.
+ * One open device. Session ensures that one thread at a time reads, writes or closes it. Once it is
+ * open, it never throws, and it never waits longer than the vendor's own call.
  */
 class Device {
  public:
@@ -79,13 +82,16 @@ class Device {
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  /** The newest sample; `sample` is written where the answer is kFresh, else left as it was. */
+  /** Reads the newest sample. `sample` is written only if the result is kFresh. */
   virtual ReadStatus read(Sample& sample) = 0;
 
-  /** Sends what is already limited; false where the device could not be reached. */
+  /** Sends a wrench that is already limited. Returns false if the device could not be reached. */
   virtual bool write(const Wrench& wrench) = 0;
 
-  /** Zero force first, then lets go; false where the zero could not be sent. Called once. */
+  /**
+   * Sends zero force, then releases the device. Returns false if the zero could not be sent. Called
+   * once.
+   */
   virtual bool close() = 0;
 
   const Specification& specification() const { return specification_; }
@@ -105,13 +111,13 @@ class Device {
 
 /** One device that a back end sees. */
 struct FoundDevice {
-  std::string id;  // what to write after the back end's name and a colon
+  std::string id;  // the text to write after the back end's name and a colon
   std::string name;
   bool usable = false;
-  std::string why;  // one line: why not, and what to do
+  std::string why;  // one line: the reason if it is not usable, and the remedy
 };
 
-/** What a back end found here. */
+/** The result of a back end's search for devices on this machine. */
 struct Finding {
   bool usable = false;
   std::string library;
@@ -120,7 +126,7 @@ struct Finding {
   std::vector<FoundDevice> devices;
 };
 
-/** A way to reach devices of one vendor. Its library is looked for at run time. */
+/** A back end: it opens the devices of one vendor, whose library it loads at run time. */
 class Backend {
  public:
   Backend() = default;
@@ -130,14 +136,16 @@ class Backend {
 
   virtual const char* name() const = 0;
 
-  /** Looks without opening a device's force. */
+  /** Lists the devices without enabling the force of any. */
   virtual Finding probe(Trace& trace) = 0;
 
-  /** Opens one device: empty `id` means the first; nullptr with `why` filled where it cannot. */
+  /**
+   * Opens one device; an empty `id` means the first. Returns nullptr and fills `why` if that fails.
+   */
   virtual std::unique_ptr<Device> open(const std::string& id, std::shared_ptr<Trace> trace,
                                        std::string& why) = 0;
 
-  /** Captures a device, as lines of text; empty with `why` filled where it cannot. */
+  /** Captures a device as lines of text. Returns an empty text and fills `why` if that fails. */
   virtual std::string capture(const std::string& id, Trace& trace, std::string& why) {
     (void)id;
     (void)trace;
@@ -146,10 +154,12 @@ class Backend {
   }
 };
 
-/** All back ends, in the order in which they are listed. They live as long as the process. */
+/**
+ * Returns all back ends in the order in which they are listed. They live as long as the process.
+ */
 const std::vector<Backend*>& backends();
 
-/** The back end of that name, or nullptr. */
+/** Returns the back end of a name, or nullptr. */
 Backend* backendNamed(const std::string& name);
 
 }  // namespace palpate

@@ -6,8 +6,8 @@
 namespace palpate {
 
 /**
- * A device without anything behind it: every read is a new sample at the origin, every force is
- * taken. It shows what the crossing alone costs. Not listed; opened by the name "empty".
+ * A device without hardware: every read is a new sample at the origin, and every force is accepted.
+ * It measures the cost of calls from Java alone. It is not listed; its name is "empty".
  */
 class EmptyBackend : public Backend {
  public:

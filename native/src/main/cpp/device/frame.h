@@ -8,15 +8,18 @@ namespace palpate {
 
 /** Bits of Sample::flags. */
 enum SampleFlag : uint32_t {
-  /** Powered, calibrated, dead-man held: a force that is sent reaches the hand. */
+  /**
+   * The device is powered and calibrated, and its safety switch is held: a force that is sent
+   * reaches the hand.
+   */
   kForceReady = 1U << 0,
   /** The soft start waits until the hand holds the device still. */
   kWaitingForHand = 1U << 1,
-  /** The device wants to be calibrated first. */
+  /** The device must be calibrated first. */
   kNeedsCalibration = 1U << 2,
   /** The motors are hot. */
   kMotorsHot = 1U << 3,
-  /** The device's own watchdog has zeroed the force since the sample before. */
+  /** The device's own watchdog has set the force to zero since the previous sample. */
   kWatchdogTripped = 1U << 4,
 };
 
@@ -26,32 +29,32 @@ enum SampleFlag : uint32_t {
  * Device frame of every back end: x to the right, y up, z towards the person; millimetres.
  */
 struct Sample {
-  int64_t timeNanos = 0;  // on a clock of the device's own
+  int64_t timeNanos = 0;  // on the device's own clock
   double positionMm[3] = {0, 0, 0};
   double orientation[4] = {0, 0, 0, 1};  // unit quaternion x, y, z, w
-  uint32_t buttons = 0;                  // bit 0 the first
+  uint32_t buttons = 0;                  // bit 0 is the first
   uint32_t flags = kForceReady;
   double gripperMm = 0;
-  double motorHeat = 0;  // 0 cold, 1 as hot as the maker allows
+  double motorHeat = 0;  // from 0, cold, to 1, the maker's limit
 };
 
-/** What the hand is to feel, device frame. */
+/** The force and the torque that the hand is to feel, device frame. */
 struct Wrench {
   double forceNewton[3] = {0, 0, 0};
   double torqueNewtonMetre[3] = {0, 0, 0};
   double gripperNewton = 0;
 };
 
-/** What befell the samples; written by the haptic thread alone. */
+/** Counters of the samples. The haptic thread alone writes them. */
 struct Counters {
   int64_t samples = 0;
-  int64_t merged = 0;       // superseded by a newer one before they were read
+  int64_t merged = 0;       // replaced by a newer one before they were read
   int64_t late = 0;         // came after more than two report intervals
   int64_t lost = 0;         // gaps in the device's sequence
   int64_t duplicated = 0;   // the same sequence number again
-  int64_t outOfOrder = 0;   // older than the one before: dropped
+  int64_t outOfOrder = 0;   // older than the previous one: dropped
   int64_t wrongLength = 0;  // dropped
-  int64_t errors = 0;       // a vendor's call failed and the session went on
+  int64_t errors = 0;       // failed vendor's calls that the session survived
 };
 
 /**

@@ -25,7 +25,7 @@ void scaleInto(const double (&v)[3], double factor, double (&dest)[3]) {
   }
 }
 
-/** The factor that brings a vector of that length within the limit. */
+/** Returns the factor that scales a vector of this length to within the limit. */
 double within(double length, double limit) { return length > limit ? limit / length : 1; }
 
 }  // namespace
@@ -85,7 +85,7 @@ double Governor::share(int64_t nowNanos) {
 
 double Governor::heatLimitNewton() const {
   const double full = continuousNewton_ * continuousNewton_;
-  // From 80 % of what the motors bear for ever the limit eases down, so that it does not chatter.
+  // From 80 % of the continuous limit on, the maximum falls gradually, so that it does not chatter.
   const double over = std::clamp((heatNewton2_ - 0.8 * full) / (0.2 * full), 0.0, 1.0);
   return nominalNewton_ + (continuousNewton_ - nominalNewton_) * over;
 }
@@ -104,7 +104,7 @@ void Governor::clampForce(const double (&wanted)[3], double share, double second
                           double (&dest)[3]) {
   const double size = length(wanted);
   if (share == 0 || size == 0 || !isFinite(wanted)) {
-    std::fill(std::begin(dest), std::end(dest), 0.0);  // zero is never slewed
+    std::fill(std::begin(dest), std::end(dest), 0.0);  // the slew rate never delays zero
   } else {
     const double factor = std::isfinite(size) ? within(size, heatLimitNewton()) * share : 0;
     scaleInto(wanted, factor, dest);

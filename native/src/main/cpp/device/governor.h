@@ -6,38 +6,40 @@
 namespace palpate {
 
 /**
- * The last word on a force before it leaves: finite, within the device's nominal maximum and, over
- * time, within its continuous one; rising no faster than the slew; nothing until the hand has held
- * the device still; nothing while samples stay away. Pure: time comes in, one thread.
+ * Limits each force before it is sent. The result is finite, within the device's nominal maximum
+ * and, over time, within its continuous maximum. It rises no faster than the slew rate. It is zero
+ * until the hand has held the device still, and while no samples arrive.
+ *
+ * It has no clock: the caller passes the time. One thread.
  */
 class Governor {
  public:
-  /** A hand holds still while the device stays within this much of one place ... */
+  /** A hand holds the device still if it stays within this distance of one position ... */
   static constexpr double kStillMm = 2;
-  /** ... for this long; then the force is let in over kSoftStartNanos. */
+  /** ... for this time. The force then rises over kSoftStartNanos. */
   static constexpr int64_t kStillNanos = 200000000;
   static constexpr int64_t kSoftStartNanos = 500000000;
-  /** Without a new sample for so long (or three report intervals) the force is zero ... */
+  /** After this time, or three report intervals, without a new sample the force is zero ... */
   static constexpr int64_t kStaleNanos = 20000000;
-  /** ... and let back in over this long. */
+  /** ... and returns over this time once samples arrive again. */
   static constexpr int64_t kReturnNanos = 100000000;
-  /** From zero to the nominal maximum takes at least this long. */
+  /** The least time in which the force rises from zero to the nominal maximum. */
   static constexpr double kFullSlewSeconds = 0.005;
-  /** How fast the motors' heat follows the square of the force. */
+  /** The time constant with which the motors' heat follows the square of the force. */
   static constexpr double kHeatSeconds = 5;
 
   explicit Governor(const Specification& specification);
 
-  /** Takes note of a read: whether it was new, where the device is, whether it can push. */
+  /** Takes note of a read: whether the sample is new, its position and its flags. */
   void sampled(bool fresh, const Sample& sample, int64_t nowNanos);
 
-  /** Writes into `dest` the most of `wanted` that may be felt now. */
+  /** Writes the wanted wrench into `dest`, limited to what is permitted now. */
   void limit(const Wrench& wanted, int64_t nowNanos, Wrench& dest);
 
   /** Whether the soft start still waits for the hand. */
   bool isWaitingForHand() const { return waiting_; }
 
-  /** The force that may be asked for now without harm to the motors, N. */
+  /** Returns the largest force that does not overheat the motors now, N. */
   double heatLimitNewton() const;
 
  private:

@@ -6,19 +6,23 @@
 namespace palpate {
 
 /**
- * The newest value handed from one thread to one other, neither of which ever waits. Three places:
- * one being written, one being read, one between, which change hands by an atomic exchange.
+ * A triple buffer: passes the newest value from one thread to another, and neither ever waits. One
+ * copy is written, one is read, and the third lies between them. An atomic exchange swaps it with
+ * either of the others.
  */
 template <typename T>
 class Latest {
  public:
-  /** Writer's thread. */
+  /** Publishes a value. Writer's thread. */
   void publish(const T& value) {
     values_[writing_] = value;
     writing_ = between_.exchange(writing_ | kNew, std::memory_order_acq_rel) & kPlace;
   }
 
-  /** Reader's thread: whether something newer than last time was copied into `dest`. */
+  /**
+   * Copies the newest value into `dest`. Returns false if there is none since the last call.
+   * Reader's thread.
+   */
   bool take(T& dest) {
     if ((between_.load(std::memory_order_relaxed) & kNew) == 0) {
       return false;

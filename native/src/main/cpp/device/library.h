@@ -7,23 +7,23 @@
 namespace palpate {
 
 /**
- * A vendor's shared library, found at run time and never unloaded again: vendors keep threads in
- * theirs. Not for use by two threads at once.
+ * A vendor's shared library, which is loaded at run time. It is never unloaded, because it may have
+ * threads of its own. One thread at a time.
  */
 class Library {
  public:
   /**
-   * Tries the names in turn, first in the folder that the environment variable `folderVariable`
-   * names (where it is not nullptr and set), then where the system looks. Ask isFound after.
+   * Tries the names in order: first in the folder that the environment variable `folderVariable`
+   * names, if there is one, then where the system looks. isFound reports the outcome.
    */
   Library(const std::vector<std::string>& names, const char* folderVariable);
 
   bool isFound() const { return handle_ != nullptr; }
 
-  /** The name that was found, or empty. */
+  /** Returns the name that was found, or an empty text. */
   const std::string& name() const { return name_; }
 
-  /** Fills a function pointer; false, and the name noted as missing, where there is none. */
+  /** Fills a function pointer. If the function is missing, returns false and records its name. */
   template <typename F>
   bool need(const char* symbol, F*& function) {
     function = reinterpret_cast<F*>(find(symbol));
@@ -33,16 +33,16 @@ class Library {
     return function != nullptr;
   }
 
-  /** Fills a function pointer where there is one; nullptr else. */
+  /** Fills the pointer of a function that may be missing: then with nullptr. */
   template <typename F>
   void wish(const char* symbol, F*& function) {
     function = reinterpret_cast<F*>(find(symbol));
   }
 
-  /** Needed functions that were not there, separated by commas. */
+  /** Returns the names of required functions that are missing, separated by commas. */
   const std::string& missing() const { return missing_; }
 
-  /** One line: which names were looked for and how the last one failed. */
+  /** Returns one line: the names that were tried, and the error of the last one. */
   const std::string& whyNot() const { return whyNot_; }
 
  private:
@@ -55,18 +55,18 @@ class Library {
   std::string whyNot_;
 };
 
-/** A vendor's library: where to look for it, and what to say where it cannot be used. */
+/** A vendor's library: where to look for it, and the messages if it cannot be used. */
 struct Wanted {
   std::vector<std::string> names;
   const char* folderVariable;  // or nullptr
   const char* product;         // as in "OpenHaptics is not installed"
-  const char* install;         // what to do then
-  const char* update;          // what to do where it lacks functions
+  const char* install;         // the remedy then
+  const char* update;          // the remedy if functions are missing
 };
 
 /**
- * Looks for a library and fills the functions of `api`, which has `library` and `whyNot` for what
- * came of it; `fill` asks a Library for each.
+ * Loads a library and fills the functions of `api`, whose `library` and `whyNot` receive the
+ * outcome. `fill` requests each function from a Library.
  */
 template <typename Api, typename Fill>
 void findFunctions(const Wanted& wanted, Api& api, Fill fill) {

@@ -5,7 +5,7 @@
 
 namespace palpate {
 
-/** The unit quaternion (x, y, z, w) of a rotation matrix, m[row][column]. */
+/** Writes the unit quaternion (x, y, z, w) of a rotation matrix m[row][column]. */
 inline void quaternionOf(const double (&m)[3][3], double (&dest)[4]) {
   const double part[4] = {m[0][0] - m[1][1] - m[2][2], m[1][1] - m[0][0] - m[2][2],
                           m[2][2] - m[0][0] - m[1][1], m[0][0] + m[1][1] + m[2][2]};
@@ -27,12 +27,12 @@ inline void quaternionOf(const double (&m)[3][3], double (&dest)[4]) {
 }
 
 /**
- * From the frame that Force Dimension and Haption share (x towards the person, y right, z up) to
- * ours (x right, y up, z towards): the source axis of each of ours.
+ * The axes of the frame that Force Dimension and Haption use (x towards the person, y right, z up),
+ * one for each axis of our device frame (x right, y up, z towards the person).
  */
 constexpr int kFromTowardsRightUp[3] = {1, 2, 0};
 
-/** Reorders a vector of that frame into ours. */
+/** Converts a vector from that frame to ours. */
 template <typename Number>
 void toOurFrame(const Number* theirs, double factor, double (&ours)[3]) {
   for (int axis = 0; axis < 3; axis++) {
@@ -40,7 +40,7 @@ void toOurFrame(const Number* theirs, double factor, double (&ours)[3]) {
   }
 }
 
-/** Reorders a vector of ours into that frame. */
+/** Converts a vector from our frame to that frame. */
 template <typename Number>
 void toTheirFrame(const double (&ours)[3], Number* theirs) {
   for (int axis = 0; axis < 3; axis++) {

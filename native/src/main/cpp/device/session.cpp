@@ -15,7 +15,9 @@
 namespace palpate {
 namespace {
 
-/** Low bits of Slot::state; the rest is the generation, so that an old handle never matches. */
+/**
+ * The low bits of Slot::state. The other bits are the generation, so an old handle never matches.
+ */
 enum Phase : uint64_t { kFree = 0, kClaimed = 1, kIdle = 2, kBusy = 3, kClosing = 4, kLeaving = 5 };
 constexpr uint64_t kPhaseBits = 3;
 constexpr uint64_t kSlotBits = 8;
@@ -29,7 +31,7 @@ struct Slot {
   std::optional<Governor> governor;
   Wrench limited;
   std::atomic<bool> zeroSent{false};
-  std::mutex about;  // guards what follows; never taken in a frame
+  std::mutex about;  // guards the members below; no frame locks it
   Specification specification;
   std::shared_ptr<Trace> trace;
 };
@@ -56,14 +58,16 @@ bool move(Slot& slot, uint64_t generation, Phase from, Phase to) {
                                             std::memory_order_acq_rel);
 }
 
-/** Zero force and good-bye, by the one thread that owns the device now. */
+/** Sends zero force and releases the device. For the one thread that owns it now. */
 void letGo(Slot& slot, uint64_t generation) {
   slot.zeroSent.store(slot.device->close());
   slot.device.reset();
   slot.state.store(stateOf(generation, kFree), std::memory_order_release);
 }
 
-/** The haptic thread's way out of a frame's call; closes where another thread asked for it. */
+/**
+ * Ends a call of the haptic thread. Closes the device if another thread requested that meanwhile.
+ */
 void leave(Slot& slot, uint64_t generation) {
   if (!move(slot, generation, kBusy, kIdle)) {
     letGo(slot, generation);
@@ -94,7 +98,7 @@ bool writeFrom(Slot& slot) {
 
 std::atomic<int> threadsUnderWay{0};
 
-/** Runs `work` on a thread of its own that counts as under way until it is done. */
+/** Runs `work` on a new thread, which counts as under way until `work` returns. */
 template <typename Work>
 void runDetached(Work work) {
   threadsUnderWay++;
@@ -104,7 +108,7 @@ void runDetached(Work work) {
   }).detach();
 }
 
-/** What a helper thread leaves for the one that waits, whichever comes first. */
+/** The state that a helper thread shares with the thread that waits for its result. */
 template <typename R>
 struct Errand {
   std::mutex lock;
@@ -116,7 +120,10 @@ struct Errand {
   std::shared_ptr<Trace> trace = std::make_shared<Trace>();
 };
 
-/** Runs `work` beside; false where it takes longer. `late` gets what comes after all. */
+/**
+ * Runs `work` on a helper thread and waits. Returns false if it takes longer than `waitNanos`;
+ * `late` then receives the result when it comes.
+ */
 template <typename R, typename Work, typename Late>
 bool runBeside(const std::shared_ptr<Errand<R>>& errand, int64_t waitNanos, Work work, Late late) {
   runDetached([errand, work, late] {

@@ -9,12 +9,13 @@
 namespace palpate {
 
 /**
- * Open devices by handle. A handle stays safe to use for ever: after its device is closed every
- * call answers as for a device that is gone. At most kMaxOpen are open at once.
+ * Open devices by handle. A handle never becomes invalid: after its device is closed, every call
+ * reports that the device is gone. At most kMaxOpen devices are open at once.
  *
- * read and write belong to one thread, the haptic one; close may come from any. No two threads are
- * ever inside a device: a close that finds the haptic thread in a vendor's call waits for it, and
- * where the call does not return, the haptic thread itself sends the zero and lets go when it does.
+ * The haptic thread alone calls read and write; any thread may call close. Two threads are never
+ * inside a device at once. If the haptic thread is in a vendor's call, close waits for it for a
+ * limited time. If the call has not returned by then, the haptic thread itself sends zero force and
+ * releases the device once it returns.
  */
 class Session {
  public:
@@ -23,15 +24,19 @@ class Session {
   enum class Closed : int { kZeroSent = 0, kUnreachable = 1, kHung = 2, kAlready = 3 };
 
   /**
-   * Opens a device on a thread of its own, so that a vendor's call that hangs cannot take this one
-   * along; what opens later than that is closed again. 0 with `why` filled where it cannot.
+   * Opens a device on a helper thread, so that a vendor's call that hangs does not block the
+   * caller. A device that opens too late is closed again. Returns 0 and fills `why` if the device
+   * cannot be opened.
    */
   static int64_t open(Backend& backend, const std::string& id, int64_t waitNanos, std::string& why);
 
-  /** Looks for devices likewise. */
+  /** Searches for devices, on a helper thread as well. */
   static Finding probe(Backend& backend, int64_t waitNanos);
 
-  /** Captures a device likewise; empty with `why` filled where it cannot. */
+  /**
+   * Captures a device, on a helper thread as well. Returns an empty text and fills `why` if that
+   * fails.
+   */
   static std::string capture(Backend& backend, const std::string& id, int64_t waitNanos,
                              std::string& why);
 
@@ -39,15 +44,20 @@ class Session {
   static bool write(int64_t handle) noexcept;
   static Closed close(int64_t handle, int64_t waitNanos) noexcept;
 
-  /** The bytes shared with Java; they outlive the device. nullptr for a handle of nothing. */
+  /**
+   * Returns the bytes that are shared with Java, which outlive the device; nullptr if the handle
+   * never belonged to a device.
+   */
   static Frame* frame(int64_t handle);
 
   static Specification specification(int64_t handle);
 
-  /** How many threads are inside a vendor's opening, looking or closing, hanging ones too. */
+  /**
+   * Returns the number of threads in a vendor's open, probe or close call, hanging ones included.
+   */
   static int underWay();
 
-  /** One line: why nothing more comes; empty while it does. */
+  /** Returns one line with the reason why the device is gone; empty while it works. */
   static std::string ending(int64_t handle);
 };
 

@@ -12,15 +12,16 @@
 
 namespace palpate::forcedimension {
 
-// The part of Force Dimension's DHD that is used here; constants and shapes are the vendor's. Every
-// function takes the device's number, whose default exists in C++ alone.
+// The part of Force Dimension's DHD that is used here, with the vendor's constants and signatures.
+// Every function takes the device's number, whose default value exists in the vendor's header
+// alone.
 
-constexpr int kTimeGuard = 1;  // asked too soon: the value of before; not an error
+constexpr int kTimeGuard = 1;  // called too early: the previous value; not an error
 constexpr int kStatusLength = 17;
 constexpr int kStatusPower = 0;
 constexpr int kStatusConnected = 1;
 constexpr int kStatusForce = 5;
-constexpr unsigned char kWatchdogSteps = 160;  // of 125 us: 20 ms
+constexpr unsigned char kWatchdogSteps = 160;  // of 125 us each: 20 ms
 
 struct Dhd {
   int(PALPATE_DHD_CALL* getDeviceCount)() = nullptr;
@@ -46,12 +47,12 @@ struct Dhd {
   int(PALPATE_DHD_CALL* setWatchdog)(unsigned char, char) = nullptr;  // may be missing
 
   std::string library;
-  std::string whyNot;  // one line; empty where it can be used
+  std::string whyNot;  // one line; empty if it can be used
   std::mutex lock;     // guards opening and closing
 
   static Dhd& instance();
 
-  /** The last error of this thread, in words. */
+  /** Returns the last error of this thread as text. */
   std::string lastError() const;
 
  private:

@@ -13,10 +13,13 @@ constexpr double kMmPerMetre = 1000;
 constexpr const char* kReplug = ": check its cable and power, then start again";
 
 /**
- * What the makers and CHAI3D's tables say of a model; forces are continuous but for the Falcon. The
- * stiffness is not theirs: 3 to 8 N/mm at up to 4 kHz shake a loosely held handle at 1 kHz in the
- * closed loop's model (bench --stability), so it is no more than what rests there, two frames late,
- * with twice the mass and a quarter of the damping that the model assumes.
+ * The data of a model from its maker and from CHAI3D's tables. Forces are continuous ones, except
+ * for the Falcon.
+ *
+ * The stiffness is not the maker's, which is 3 to 8 N/mm at up to 4 kHz. In the closed-loop model
+ * of `bench --stability`, that vibrates a loosely held handle at 1 kHz. The value here is stable in
+ * that model with a delay of two frames, twice the assumed mass and a quarter of the assumed
+ * damping.
  */
 struct Model {
   int type;
@@ -32,11 +35,13 @@ constexpr Model kModels[] = {
     {108, 12, 12, 0.4, 112.5}, {109, 12, 12, 0.4, 112.5}, {131, 12, 12, 0.4, 112.5},
     {132, 12, 12, 0.4, 112.5}, {203, 12, 12, 0.4, 112.5}, {60, 8, 4, 0.75, 40},
 };
-/** For a type that is not in the table: less than the least of them. */
+/** The model for a type that is not in the table, with less than the smallest of each value. */
 constexpr Model kUnknown = {0, 6, 3, 0.4, 40};
 constexpr double kMaxTorqueNewtonMetre = 0.2;
 
-/** One device of DHD's, polled by the caller's thread; DHD has no loop of its own. One thread. */
+/**
+ * One device of DHD. The caller's thread polls it, because DHD has no loop of its own. One thread.
+ */
 class ForceDimensionDevice : public Device {
  public:
   ForceDimensionDevice(Dhd& api, int number, bool hasWrist, std::shared_ptr<Trace> trace,
@@ -178,7 +183,7 @@ const Model& modelOf(int type) {
   return kUnknown;
 }
 
-/** Asks the device's controller to zero the force after 20 ms of silence. */
+/** Requests that the device's controller sets the force to zero after 20 ms of silence. */
 std::string setWatchdog(Dhd& api, Trace& trace, char number) {
   if (api.enableExpertMode != nullptr && api.setWatchdog != nullptr) {
     traced(trace, "dhdEnableExpertMode", api.enableExpertMode);
@@ -207,7 +212,7 @@ Specification specify(Dhd& api, Trace& trace, char number, bool turns) {
   return specification;
 }
 
-/** A serial number of up to five digits, or -1. */
+/** Returns a serial number of up to five digits, or -1. */
 int serialOf(const std::string& id) {
   int serial = 0;
   for (const char digit : id) {
@@ -238,7 +243,7 @@ Finding ForceDimensionBackend::probe(Trace& trace) {
     finding.why = "no Force Dimension device is connected: check its cable and power";
   }
   for (int i = 0; i < count; i++) {
-    // A serial can be read only from an opened device, which would take it from another program.
+    // Only an opened device states its serial number, and opening takes it from another program.
     finding.devices.push_back({"", "device " + std::to_string(i + 1), true, ""});
   }
   return finding;

@@ -5,7 +5,9 @@
 
 namespace palpate::forcedimension {
 
-/** Force Dimension's devices through DHD: omega, delta, sigma, lambda, and Novint's Falcon. */
+/**
+ * The back end for Force Dimension's omega, delta, sigma and lambda, and Novint's Falcon, by DHD.
+ */
 class ForceDimensionBackend : public Backend {
  public:
   const char* name() const override { return "forcedimension"; }

@@ -5,7 +5,7 @@
 
 namespace palpate::hid {
 
-// Little-endian numbers in a report, whatever the processor is.
+// Reads and writes little-endian numbers of a report on every processor.
 
 inline uint16_t uint16At(const uint8_t* from) {
   return static_cast<uint16_t>(from[0] | from[1] << 8);

@@ -14,11 +14,11 @@ namespace {
 
 constexpr int64_t kListenMillis = 100;
 constexpr int64_t kExchangeMillis = 100;
-/** Silence after the last force: twice what the watchdog waits, within these bounds. */
+/** Bounds of the silence after the last force, which is twice the watchdog's time. */
 constexpr int64_t kLeastSilenceMillis = 60;
 constexpr int64_t kMostSilenceMillis = 1000;
 
-/** Real time, because a device answers in real time; a test's own clock stands still here. */
+/** Returns the real time, us. A test's own clock does not advance while a device answers. */
 int64_t microsNow() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
              std::chrono::steady_clock::now().time_since_epoch())
@@ -35,7 +35,10 @@ std::string hex(const uint8_t* bytes, size_t length) {
   return text;
 }
 
-/** The descriptor that Linux keeps for a node, for a hidapi that does not give it. */
+/**
+ * Returns Linux's file with the report descriptor of a node, for versions of hidapi without that
+ * function.
+ */
 std::string descriptorFile(const std::string& path) {
   const std::string node = path.substr(path.rfind('/') + 1);
   std::ifstream file("/sys/class/hidraw/" + node + "/device/report_descriptor", std::ios::binary);
@@ -43,7 +46,7 @@ std::string descriptorFile(const std::string& path) {
   return hex(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
 }
 
-/** A capture that is being made. One thread. */
+/** A capture in progress. One thread. */
 class Capture {
  public:
   Capture(const Link& link, Trace& trace) : link_(link), trace_(trace), start_(microsNow()) {}
@@ -81,7 +84,7 @@ void Capture::describe(const Listed& listed) {
        length > 0 ? hex(bytes, static_cast<size_t>(length)) : descriptorFile(listed.path));
 }
 
-/** The watchdog time in feature report 3, ms; 0 where there is no such report. */
+/** Returns the watchdog's time in feature report 3, ms; 0 if there is no such report. */
 int64_t Capture::watchdogMillis() {
   uint8_t report[kCapabilitiesBytes + 1] = {kCapabilitiesId};
   const int length = traced(trace_, "hid_get_feature_report", link_.api().getFeature,
@@ -101,7 +104,7 @@ void Capture::receive() {
     line("in", at() + hex(bytes, got));
   }
   if (got >= kInBytes) {
-    deviceMicros_ = uint32At(bytes + got - kInBytes + 4);  // of the last one, where they are joined
+    deviceMicros_ = uint32At(bytes + got - kInBytes + 4);  // of the last of joined reports
   }
 }
 
@@ -109,7 +112,7 @@ void Capture::send(bool ending) {
   uint8_t report[kOutBytes];
   packOut(Wrench(), ending, ++sequence_, deviceMicros_, report);
   if (!ending) {
-    report[1] = 0;  // no force is wanted
+    report[1] = 0;  // no force is requested
   }
   line("out", at() + hex(report, sizeof report));
   traced(trace_, "hid_write", link_.api().write, link_.handle(), report, sizeof report);

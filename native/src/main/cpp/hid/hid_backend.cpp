@@ -22,7 +22,7 @@ constexpr uint16_t kMultiAxisController = 0x08;
 using Opener = std::unique_ptr<Device> (*)(Link, const Listed&, std::shared_ptr<Trace>,
                                            std::string&);
 
-/** How to open it; nullptr where it is no device of ours. */
+/** Returns the function that opens a listed device; nullptr if no kind of device matches. */
 Opener openerOf(const Listed& listed) {
   if (listed.usagePage == kUsagePage && listed.usage == kUsage) {
     return openProtocolDevice;
@@ -45,7 +45,7 @@ std::string idOf(const Listed& listed) {
   return listed.serial.empty() ? listed.path : listed.serial;
 }
 
-/** Why the device's node cannot be opened by this person; empty where it can. */
+/** Returns the reason why this user may not open the device's node; empty if it can be opened. */
 std::string permission(const Listed& listed) {
 #ifdef __linux__
   const bool node = listed.path.rfind("/dev/", 0) == 0;
@@ -178,7 +178,7 @@ Finding HidBackend::probe(Trace& trace) {
   return finding;
 }
 
-/** A handle of the requested device, and the function that makes a device of it. */
+/** The handle of the requested device, and the function that makes a device from it. */
 struct HidBackend::Opened {
   Handle* handle = nullptr;
   Listed listed;

@@ -7,8 +7,8 @@
 namespace palpate::hid {
 
 /**
- * Devices that speak HID: hand-built ones with the protocol of docs/hid-protocol.md, WoodenHaptics,
- * and the 3Dconnexion SpaceMouse as an input without force.
+ * The back end for HID devices: hand-built ones with the protocol of docs/hid-protocol.md,
+ * WoodenHaptics, and the 3Dconnexion SpaceMouse, which has no force.
  */
 class HidBackend : public Backend {
  public:
@@ -21,11 +21,16 @@ class HidBackend : public Backend {
  private:
   struct Opened;
 
-  /** The caller holds the lock of HidApi. Without a handle, `why` gives the reason. */
+  /**
+   * Opens a handle. The caller holds the lock of HidApi. If there is no handle, `why` has the
+   * reason.
+   */
   static Opened openHandle(const std::string& id, Trace& trace, std::string& why);
 };
 
-/** A device of hidapi's that is closed when it goes out of use. Moves, does not copy. */
+/**
+ * Owns an open device of hidapi and closes it in its destructor. It can be moved but not copied.
+ */
 class Link {
  public:
   static constexpr size_t kMostReadBytes = 192;  // some systems join reports
@@ -42,18 +47,19 @@ class Link {
   Handle* handle() const { return handle_; }
 
   /**
-   * One read without waiting: how many bytes, 0 for none or for a failure that is let pass, -1
-   * where so many failed in a row that the device is gone, which `trace` then knows.
+   * Reads once without waiting. Returns the number of bytes: 0 if there is no report or after a
+   * single failure. After several failures in succession it returns -1: the device is gone, and
+   * `trace` has the reason.
    */
   int read(uint8_t* bytes, size_t length, Trace& trace, Counters& counters);
 
-  /** One write; `isGone` is set as for a read. */
+  /** Writes one report. Several failures in succession set `isGone`, as in read. */
   bool write(const uint8_t* bytes, size_t length, Trace& trace, Counters& counters);
 
   /** Whether the device is gone. */
   bool isGone() const { return gone_; }
 
-  /** Sends the last report until it is taken, three times at most, then lets go. */
+  /** Sends the last report up to three times until it is accepted, then closes the device. */
   bool closeWith(const uint8_t* bytes, size_t length, Trace& trace);
 
   void close(Trace* trace);
@@ -72,10 +78,13 @@ class Link {
   bool gone_ = false;
 };
 
-/** Why a device's node cannot be opened, by the system's error, and what to do: one line. */
+/** Returns one line for a system's error at opening a device's node: the reason and the remedy. */
 std::string refusal(const Listed& listed, int error);
 
-/** Opens a device of each kind over a link; nullptr with `why` filled where it is not one. */
+/**
+ * Opens a device of one kind over a link. Returns nullptr and fills `why` if it is none of that
+ * kind.
+ */
 std::unique_ptr<Device> openProtocolDevice(Link link, const Listed& listed,
                                            std::shared_ptr<Trace> trace, std::string& why);
 std::unique_ptr<Device> openWoodenHaptics(Link link, const Listed& listed,
@@ -85,7 +94,8 @@ std::unique_ptr<Device> openSpaceMouse(Link link, const Listed& listed,
 
 /**
  * Captures a device of the protocol, as lines of a capture file (docs/hid-protocol.md). It first
- * listens, then sends zero forces, then falls silent for longer than the device's watchdog waits.
+ * only reads, then sends zero forces, and then sends nothing for longer than the device's watchdog
+ * waits.
  */
 std::string captureDevice(const Link& link, const Listed& listed, Trace& trace);
 

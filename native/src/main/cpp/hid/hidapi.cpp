@@ -7,7 +7,7 @@
 namespace palpate::hid {
 namespace {
 
-/** An entry of hidapi's list, as its header has laid it out since 0.8. */
+/** An entry of hidapi's list, with the layout of its header since version 0.8. */
 struct Info {
   char* path;
   unsigned short vendorId;

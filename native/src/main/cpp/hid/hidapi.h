@@ -10,10 +10,10 @@
 
 namespace palpate::hid {
 
-/** An opened device of hidapi's. */
+/** An open device of hidapi. */
 struct Handle;
 
-/** One device as hidapi lists it, in our words. */
+/** One device of hidapi's list. */
 struct Listed {
   std::string path;
   std::string serial;
@@ -25,8 +25,9 @@ struct Listed {
 };
 
 /**
- * hidapi 0.13 or newer, found at run time. One for the process: its list and its last error are
- * shared, so what lists and opens holds `lock`; a handle belongs to one thread at a time.
+ * hidapi 0.13 or newer, loaded at run time; one for the process. Its list and its last error are
+ * shared, so a caller holds `lock` while it lists or opens. A handle belongs to one thread at a
+ * time.
  */
 struct HidApi {
   int (*init)() = nullptr;
@@ -36,22 +37,22 @@ struct HidApi {
   int (*write)(Handle*, const unsigned char*, size_t) = nullptr;
   int (*readTimeout)(Handle*, unsigned char*, size_t, int) = nullptr;
   int (*getFeature)(Handle*, unsigned char*, size_t) = nullptr;
-  int (*getReportDescriptor)(Handle*, unsigned char*, size_t) = nullptr;  // since 0.14; or nullptr
+  int (*getReportDescriptor)(Handle*, unsigned char*, size_t) = nullptr;  // nullptr before 0.14
   void (*close)(Handle*) = nullptr;
   const wchar_t* (*error)(Handle*) = nullptr;
   const char* (*version)() = nullptr;
 
   std::string library;
-  std::string whyNot;  // one line; empty where it can be used
+  std::string whyNot;  // one line; empty if it can be used
   std::mutex lock;
 
-  /** The process's own, looked for on the first call. */
+  /** Returns the one instance of the process. The first call loads the library. */
   static HidApi& instance();
 
-  /** Lists what is plugged in now. */
+  /** Lists the devices that are connected now. */
   std::vector<Listed> list(Trace& trace);
 
-  /** The last error in plain letters. */
+  /** Returns the last error as ASCII text. */
   std::string lastError(Handle* handle) const;
 
  private:

@@ -6,8 +6,9 @@
 namespace palpate::hid {
 
 /**
- * A device over a link, as all of them are: reports are drained to the newest, a wrench is one
- * report, the last one says zero. What the bytes mean is the kind's. One thread.
+ * A HID device over a link. A read takes all waiting reports and keeps the newest. A wrench is one
+ * report, and the last report of a session has zero force. Subclasses define the meaning of the
+ * bytes. One thread.
  */
 class LinkedDevice : public Device {
  public:
@@ -21,20 +22,23 @@ class LinkedDevice : public Device {
  protected:
   static constexpr size_t kMostReportBytes = 64;
 
-  /** Takes the bytes of one read into `sample`; whether there was a new sample among them. */
+  /** Unpacks the bytes of one read into `sample`. Returns whether they contain a new sample. */
   virtual bool take(const uint8_t* bytes, size_t length, Sample& sample) = 0;
 
-  /** After the last report of a frame: completes `sample`; whether it is a new one. */
+  /** Completes `sample` after the last report of a frame. Returns whether it is a new sample. */
   virtual bool finish(bool fresh, Sample& sample) = 0;
 
-  /** Writes the report that makes the motors do this; its length, or 0 where there are none. */
+  /**
+   * Writes the report that makes the motors exert a wrench. Returns its length; 0 if the device has
+   * no motors.
+   */
   virtual size_t pack(const Wrench& wrench, bool ending, uint8_t (&report)[kMostReportBytes]) = 0;
 
-  /** Ends the session: the device itself cannot go on. */
+  /** Ends the session because of a fault of the device. */
   void fail(const std::string& why);
 
  private:
-  /** So many reports at once are drained; a device that sends faster is faulty. */
+  /** The largest number of reports that one frame reads. A device that sends more is faulty. */
   static constexpr int kMostReadsAFrame = 64;
 
   Link link_;

@@ -28,7 +28,7 @@ uint32_t flagsOf(uint8_t state, uint8_t fault) {
   return flags;
 }
 
-/** A quaternion of length 1; no rotation where the device sends nothing of use. */
+/** Unpacks a unit quaternion; the identity if the device sends none. */
 void unpackOrientation(const uint8_t* from, double (&dest)[4]) {
   double length2 = 0;
   for (int i = 0; i < 4; i++) {

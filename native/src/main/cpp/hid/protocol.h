@@ -8,7 +8,7 @@
 
 namespace palpate::hid {
 
-// Host side of the protocol for hand-built devices, version 1: docs/hid-protocol.md has the ruler.
+// The host side of the protocol for hand-built devices, version 1; see docs/hid-protocol.md.
 
 constexpr uint16_t kUsagePage = 0xFF00;
 constexpr uint16_t kUsage = 0x50;
@@ -30,7 +30,7 @@ struct InReport {
   Sample sample;
 };
 
-/** What a device says of itself in feature report 3. */
+/** The capabilities that a device states in feature report 3. */
 struct Capabilities {
   double maxForceNewton = 0;
   double continuousForceNewton = 0;
@@ -41,17 +41,17 @@ struct Capabilities {
   int watchdogMillis = 0;
 };
 
-/** Unpacks a report of kInBytes; everything but the sample's time, which needs unwrapping. */
+/** Unpacks a report of kInBytes, except for the time of the sample, which must be unwrapped. */
 InReport unpackIn(const uint8_t* report);
 
-/** Packs a force; `ending` tells the device that none will follow. */
+/** Packs a force; `ending` means that no other one follows. */
 void packOut(const Wrench& wrench, bool ending, uint16_t sequence, uint32_t echoMicros,
              uint8_t (&report)[kOutBytes]);
 
 /** The kinds of answers to a request for feature report 3. */
 enum class CapabilitiesStatus { kOk, kAnotherReport, kOlderVersion, kNewerVersion };
 
-/** Unpacks feature report 3; `dest` is filled where the answer is kOk. */
+/** Unpacks feature report 3. `dest` is filled if the result is kOk. */
 CapabilitiesStatus unpackCapabilities(const uint8_t* report, size_t length, Capabilities& dest);
 
 }  // namespace palpate::hid

@@ -8,7 +8,7 @@
 namespace palpate::hid {
 namespace {
 
-/** A device that speaks our protocol. One thread. */
+/** A device that uses the protocol of docs/hid-protocol.md. One thread. */
 class ProtocolDevice : public LinkedDevice {
  public:
   using LinkedDevice::LinkedDevice;
@@ -28,7 +28,7 @@ class ProtocolDevice : public LinkedDevice {
   bool taken_ = false;
 };
 
-/** One read may bring several whole reports where the system below joins them. */
+/** Unpacks one or several whole reports, because some systems join them in one read. */
 bool ProtocolDevice::take(const uint8_t* bytes, size_t length, Sample& sample) {
   if (length % kInBytes != 0) {
     counters().wrongLength++;
@@ -63,7 +63,7 @@ bool ProtocolDevice::takeOne(const uint8_t* report, Sample& sample) {
   return true;
 }
 
-/** Late is what comes after more than two report intervals. */
+/** Counts a sample as late if it comes after more than two report intervals. */
 bool ProtocolDevice::finish(bool fresh, Sample&) {
   if (fresh) {
     const int64_t now = steadyNanos();
@@ -83,7 +83,10 @@ size_t ProtocolDevice::pack(const Wrench& wrench, bool ending,
   return kOutBytes;
 }
 
-/** The reason to refuse a device by its feature report 3, and the remedy; empty for kOk. */
+/**
+ * Returns the reason to refuse a device because of its feature report 3, and the remedy; empty for
+ * kOk.
+ */
 std::string refusal(CapabilitiesStatus status, uint8_t version) {
   const std::string versions = "it speaks version " + std::to_string(version) +
                                " of the protocol, and this program version " +

@@ -5,13 +5,16 @@
 
 namespace palpate::hid {
 
-/** Tells new reports from old ones by their 16-bit sequence; counts what goes wrong. One thread. */
+/**
+ * Distinguishes new reports from old ones by their 16-bit sequence number, and counts faults. One
+ * thread.
+ */
 class ReportOrder {
  public:
-  /** After so many old ones in a row the device has started anew. */
+  /** After this many old reports in succession, the device counts as restarted. */
   static constexpr int kRestartAfter = 32;
 
-  /** Whether a report of that sequence is newer than all before. */
+  /** Whether a report with this sequence number is newer than all earlier ones. */
   bool isNewer(uint16_t sequence, Counters& counters) {
     const auto step = static_cast<int16_t>(static_cast<uint16_t>(sequence - last_));
     if (started_ && step <= 0 && ++old_ < kRestartAfter) {
@@ -26,7 +29,7 @@ class ReportOrder {
     return true;
   }
 
-  /** The device's 32-bit microseconds as nanoseconds that do not wrap. */
+  /** Converts the device's 32-bit microseconds to nanoseconds that do not wrap. */
   int64_t unwrapNanos(uint32_t micros) {
     micros_ += timed_ ? static_cast<uint32_t>(micros - lastMicros_) : micros;
     timed_ = true;

@@ -8,9 +8,8 @@ namespace palpate::hid {
 namespace {
 
 /**
- * A 3Dconnexion SpaceMouse: how far its cap is pushed is how fast the point moves. It has no force.
- * Its axes run to the right, towards the person and down; ours to the right, up and towards. One
- * thread.
+ * A 3Dconnexion SpaceMouse. The displacement of its cap is the velocity of the device position. It
+ * has no force. Its axes point to the right, towards the person and down. One thread.
  */
 class SpaceMouse : public LinkedDevice {
  public:
@@ -34,7 +33,7 @@ class SpaceMouse : public LinkedDevice {
   int64_t movedNanos_ = 0;
 };
 
-/** Reports hold parts of a sample and are none by themselves. */
+/** Unpacks a report, which holds only a part of a sample. */
 bool SpaceMouse::take(const uint8_t* report, size_t length, Sample&) {
   if (report[0] == 1 && (length == 7 || length == 13)) {
     deflection_[0] = int16At(report + 1);
@@ -61,7 +60,10 @@ void SpaceMouse::move(int64_t nowNanos) {
   }
 }
 
-/** While the cap is pushed it sends nothing new and yet moves on: every read is a sample. */
+/**
+ * Makes a sample of every read, because the position moves on without reports while the cap is
+ * pushed.
+ */
 bool SpaceMouse::finish(bool, Sample& sample) {
   const int64_t now = steadyNanos();
   move(now);

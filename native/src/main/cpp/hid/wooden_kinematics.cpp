@@ -6,7 +6,7 @@ namespace palpate::hid {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-/** Which way a motor turns its body, as the makers wired it. */
+/** The sign of each body's rotation per encoder count, as the makers wired the motors. */
 constexpr double kEncoderSign[3] = {-1, -1, -1};
 constexpr double kMotorSign[3] = {1, -1, -1};
 
@@ -21,7 +21,7 @@ void woodenAngles(const WoodenArm& arm, const double (&counts)[3], double (&angl
     const double motorRad = 2 * kPi * counts[body] / arm.countsPerTurn[body];
     anglesRad[body] = kEncoderSign[body] * motorRad / gear(arm, body);
   }
-  anglesRad[2] += kPi / 2;  // at rest body C is level
+  anglesRad[2] += kPi / 2;  // body C is level at rest
 }
 
 void woodenTip(const WoodenArm& arm, const double (&anglesRad)[3], double (&tipMetre)[3]) {

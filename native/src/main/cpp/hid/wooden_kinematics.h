@@ -4,9 +4,9 @@
 namespace palpate::hid {
 
 /**
- * The arm of a WoodenHaptics as its makers publish it: body A turns about the upright axis, bodies
- * B and C stand on it, each driven by a capstan. Metres, radians, newton metres; the maker's frame
- * is x towards the person, y to the right, z up.
+ * The arm of a WoodenHaptics, as its makers publish it. Body A turns about the vertical axis and
+ * carries bodies B and C. A capstan drives each body. Units are metres, radians and newton metres.
+ * The makers' frame has x towards the person, y to the right and z up.
  */
 struct WoodenArm {
   double capstanMetre[3] = {0.010, 0.010, 0.010};
@@ -17,13 +17,13 @@ struct WoodenArm {
   double countsPerTurn[3] = {4096, 2000, 2000};
 };
 
-/** Turns of bodies A and B from the upright, of C from the level; from encoder counts. */
+/** Converts encoder counts to the angles of the bodies: A and B from upright, C from level. */
 void woodenAngles(const WoodenArm& arm, const double (&counts)[3], double (&anglesRad)[3]);
 
-/** Where the tip is. */
+/** Writes the position of the tip. */
 void woodenTip(const WoodenArm& arm, const double (&anglesRad)[3], double (&tipMetre)[3]);
 
-/** The currents, in ampere, that make the tip push with that force: the transposed Jacobian. */
+/** Writes the currents, A, with which the tip exerts a force, by the transposed Jacobian. */
 void woodenCurrents(const WoodenArm& arm, const double (&anglesRad)[3],
                     const double (&forceNewton)[3], double (&ampere)[3]);
 

@@ -10,8 +10,8 @@ namespace palpate::hid {
 namespace {
 
 /**
- * WoodenHaptics over USB: encoder counts in (8 bytes), motor currents in mA out (a report id of 0
- * and 8 bytes). Its firmware has no watchdog. One thread.
+ * WoodenHaptics over USB. It sends encoder counts (8 bytes) and receives motor currents in mA (a
+ * report id of 0 and 8 bytes). Its firmware has no watchdog. One thread.
  */
 class WoodenHaptics : public LinkedDevice {
  public:
@@ -20,7 +20,7 @@ class WoodenHaptics : public LinkedDevice {
  private:
   static constexpr size_t kInBytes = 8;
   static constexpr size_t kOutBytes = 9;
-  /** What its amplifiers deliver at most. */
+  /** The largest current of its amplifiers. */
   static constexpr double kMostMilliampere = 3000;
 
   bool take(const uint8_t* bytes, size_t length, Sample& sample) override;
@@ -35,7 +35,10 @@ class WoodenHaptics : public LinkedDevice {
   double anglesRad_[3] = {0, 0, 0};
 };
 
-/** The counters are 16 bits wide and wrap; what matters is how far they went since. */
+/**
+ * Adds the differences of the encoder counts since the last report, because the 16-bit counters
+ * wrap.
+ */
 void WoodenHaptics::count(const uint8_t* report) {
   for (int body = 0; body < 3; body++) {
     const int16_t count = int16At(report + 2 * body);

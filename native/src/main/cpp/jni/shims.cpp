@@ -28,7 +28,7 @@ jstring text(JNIEnv* env, const std::string& from) { return env->NewStringUTF(fr
 void line(std::string& to, const char* key, const std::string& value) {
   to.append(key).append("\t");
   for (const char c : value) {
-    const bool plain = c >= ' ' && c <= '~';  // a vendor's text is not always UTF-8
+    const bool plain = c >= ' ' && c <= '~';  // vendors' texts are not always UTF-8
     to.push_back(plain ? c : '?');
   }
   to.append("\n");

@@ -20,7 +20,7 @@ std::vector<std::string> names() {
 }  // namespace
 
 HdApi& HdApi::instance() {
-  static auto* api = new HdApi();  // outlives a servo thread that hangs
+  static auto* api = new HdApi();  // never destroyed, because a servo thread may hang in it
   return *api;
 }
 

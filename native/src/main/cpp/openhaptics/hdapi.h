@@ -13,7 +13,7 @@
 
 namespace palpate::openhaptics {
 
-// The part of HDAPI that is used here; constants and shapes are the vendor's.
+// The part of HDAPI that is used here, with the vendor's constants and signatures.
 
 using DeviceHandle = unsigned int;
 using SchedulerHandle = unsigned long;
@@ -51,11 +51,11 @@ constexpr Error kExceededFirst = 0x201;
 constexpr Error kExceededLast = 0x20F;
 constexpr unsigned kCallbackDone = 0;
 constexpr unsigned kCallbackContinue = 1;
-constexpr unsigned short kPriority = 0x7FFF;  // the middle: the vendor's own come first
+constexpr unsigned short kPriority = 0x7FFF;  // the middle, after the vendor's own callbacks
 
 using Callback = unsigned(PALPATE_HD_CALL*)(void*);
 
-/** HDAPI, found at run time. One for the process, as its scheduler is. */
+/** HDAPI, loaded at run time. There is one for the process, like its scheduler. */
 struct HdApi {
   DeviceHandle(PALPATE_HD_CALL* initDevice)(const char*) = nullptr;
   void(PALPATE_HD_CALL* makeCurrentDevice)(DeviceHandle) = nullptr;
@@ -79,9 +79,9 @@ struct HdApi {
   void(PALPATE_HD_CALL* unschedule)(SchedulerHandle) = nullptr;
 
   std::string library;
-  std::string whyNot;   // one line; empty where it can be used
+  std::string whyNot;   // one line; empty if it can be used
   std::mutex lock;      // guards opening and closing
-  int openDevices = 0;  // the scheduler runs while there is one
+  int openDevices = 0;  // the scheduler runs while it is above 0
 
   static HdApi& instance();
 

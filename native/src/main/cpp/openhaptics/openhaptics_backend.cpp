@@ -14,7 +14,10 @@ namespace {
 
 constexpr int kDeepestStack = 10000;
 
-/** One device of HDAPI's. The servo loop talks to it; this hands over. One thread. */
+/**
+ * One device of HDAPI. The servo loop calls the vendor; this class exchanges samples and wrenches
+ * with it. One thread.
+ */
 class OpenHapticsDevice : public Device {
  public:
   OpenHapticsDevice(HdApi& api, DeviceHandle device, std::shared_ptr<Trace> trace,
@@ -32,7 +35,7 @@ class OpenHapticsDevice : public Device {
   bool close() override;
 
  private:
-  /** A servo loop that stands still for so long is not coming back. */
+  /** A servo loop without a tick for this time counts as dead. */
   static constexpr int64_t kStandstillNanos = 500 * kNanosPerMilli;
   static constexpr int64_t kLastTickNanos = 100 * kNanosPerMilli;
 
@@ -42,20 +45,20 @@ class OpenHapticsDevice : public Device {
   HdApi& api_;
   const DeviceHandle device_;
   const bool isCalibrated_;
-  Servo* servo_;  // left alive where its thread hangs
+  Servo* servo_;  // never deleted if its thread hangs
   SchedulerHandle scheduled_ = kInvalidHandle;
   int64_t tickedNanos_ = 0;
   int64_t lastTick_ = 0;
   bool gone_ = false;
 };
 
-/** For a servo whose thread may still come back to it. The caller holds the lock. */
+/** Keeps a servo alive because its thread may still use it. The caller holds the lock. */
 void keepForEver(Servo* servo) {
   static auto* kept = new std::vector<Servo*>();
   kept->push_back(servo);
 }
 
-/** The first error on the library's stack as text; empty where there is none. */
+/** Returns the first error on the library's stack as text; empty if there is none. */
 std::string errorNow(HdApi& api, Trace& trace, int most = 8) {
   std::string first;
   for (int i = 0; i < most; i++) {
@@ -150,7 +153,7 @@ bool OpenHapticsDevice::close() {
   if (stopped) {
     traced(trace(), "hdStopScheduler", api_.stopScheduler);
     if (!servo_->hasSentZero()) {
-      servo_->sendZero();  // no tick came back to do it, and none is left to meet here
+      servo_->sendZero();  // no tick has done it, and none can run at the same time any more
     }
   }
   const bool zeroSent = servo_->hasSentZero();
@@ -178,7 +181,10 @@ std::string textOf(HdApi& api, Trace& trace, unsigned what, const char* otherwis
   return text != nullptr ? text : otherwise;
 }
 
-/** Half the smallest edge of the workspace: what the library gives is minimum, then maximum, mm. */
+/**
+ * Returns half the smallest edge of the workspace, mm. The library gives the minima, then the
+ * maxima.
+ */
 double radiusOf(HdApi& api, Trace& trace) {
   double box[6] = {-60, -40, -30, 60, 40, 30};
   traced(trace, "hdGetDoublev", api.getDoublev, kUsableWorkspace, box);
@@ -200,7 +206,7 @@ Specification specify(HdApi& api, Trace& trace) {
   return specification;
 }
 
-/** Whether the device knows where it is, after an update where that is all it needs. */
+/** Returns whether the device is calibrated. Updates the calibration if nothing else is needed. */
 bool calibrate(HdApi& api, Trace& trace) {
   unsigned state = traced(trace, "hdCheckCalibration", api.checkCalibration);
   if (state == kCalibrationNeedsUpdate) {
@@ -220,7 +226,7 @@ Finding OpenHapticsBackend::probe(Trace&) {
   finding.why = api.whyNot;
   finding.usable = api.whyNot.empty();
   if (finding.usable) {
-    // HDAPI has no list: a device is known by the name that the vendor's set-up gave it.
+    // HDAPI lists no devices. The vendor's set-up program gives each device its name.
     finding.devices.push_back({"", "the one that the vendor's set-up calls default", true, ""});
   }
   return finding;
@@ -234,7 +240,7 @@ std::unique_ptr<Device> OpenHapticsBackend::open(const std::string& id,
     return nullptr;
   }
   std::unique_lock<std::mutex> guard(api.lock);
-  errorNow(api, *trace, kDeepestStack);  // what an earlier session left
+  errorNow(api, *trace, kDeepestStack);  // discards the errors of an earlier session
   const DeviceHandle device =
       traced(*trace, "hdInitDevice", api.initDevice, id.empty() ? nullptr : id.c_str());
   why = errorNow(api, *trace);
@@ -253,7 +259,7 @@ std::unique_ptr<Device> OpenHapticsBackend::open(const std::string& id,
   specification.maxTorqueNewtonMetre =
       outputDof >= 6 ? doubleOf(api, *trace, kNominalMaxTorque, 0, 1000, 188) / 1000 : 0;
   const bool calibrated = calibrate(api, *trace);
-  errorNow(api, *trace);  // what a model does not know is not asked for again
+  errorNow(api, *trace);  // discards the errors of functions that this model does not have
   auto opened = std::make_unique<OpenHapticsDevice>(api, device, trace, specification,
                                                     outputDof >= 6, calibrated);
   if (!opened->start(why)) {

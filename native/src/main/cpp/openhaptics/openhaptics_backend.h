@@ -5,7 +5,7 @@
 
 namespace palpate::openhaptics {
 
-/** 3D Systems' (SensAble's) devices through HDAPI: Omni, Touch, Premium. */
+/** The back end for 3D Systems' (SensAble's) Omni, Touch and Premium, by HDAPI. */
 class OpenHapticsBackend : public Backend {
  public:
   const char* name() const override { return "openhaptics"; }

@@ -11,10 +11,13 @@ namespace {
 constexpr int64_t kTicksBetweenTemperatures = 100;
 constexpr int kMostErrorsATick = 8;
 
-/** Errors that say something about one force, not about the device. */
+/** Whether an error concerns a single force and not the device. */
 bool isPassing(Error error) { return error >= kWarmMotors && error <= kExceededLast; }
 
-/** From the vendor's transform, columns first, translation in 12 to 14, mm: our frame is theirs. */
+/**
+ * Fills in the pose from the vendor's transform: column-major, the translation in 12 to 14, mm. The
+ * vendor's frame is ours.
+ */
 void fillPose(const double (&transform)[16], Sample& sample) {
   double rotation[3][3];
   for (int row = 0; row < 3; row++) {
@@ -43,7 +46,7 @@ unsigned Servo::run() {
   readings_.publish(reading);
   const bool done = last && reading.error == kSuccess;
   if (done) {
-    zeroSent_.store(true);  // from here on this may be deleted
+    zeroSent_.store(true);  // from now on another thread may delete this
   }
   return done ? kCallbackDone : kCallbackContinue;
 }
@@ -77,7 +80,7 @@ void Servo::readState(Sample& sample) {
   sample.timeNanos = steadyNanos();
   sample.buttons = static_cast<uint32_t>(buttons);
   sample.motorHeat = heat_;
-  // A device without a safety switch never says that one is held.
+  // A device without a safety switch never reports a held one.
   hasSwitch_ = hasSwitch_ || held != 0;
   if (hasSwitch_ && held == 0) {
     sample.flags &= ~uint32_t{kForceReady};
@@ -102,7 +105,7 @@ void Servo::setForce(const Wrench& wrench) {
   }
 }
 
-/** The library stacks its errors; the first one is the cause. */
+/** Empties the library's stack of errors. The first error is the cause. */
 void Servo::drainErrors(Reading& reading) {
   bool failed = false;
   for (int i = 0; i < kMostErrorsATick; i++) {

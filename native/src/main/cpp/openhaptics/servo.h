@@ -9,7 +9,7 @@
 
 namespace palpate::openhaptics {
 
-/** What a tick of the servo loop saw. */
+/** The reading of one tick of the servo loop. */
 struct Reading {
   Sample sample;
   Error error = kSuccess;
@@ -19,38 +19,40 @@ struct Reading {
 };
 
 /**
- * Our part of the vendor's servo loop: one frame a tick on the vendor's thread, which reads the
- * device and sets the newest force. It is its own watchdog: without an order for kSilenceNanos the
- * force is zero. Hands over without locks; nothing here waits.
+ * Our callback in the vendor's servo loop. Each tick runs one frame on the vendor's thread: it
+ * reads the device and sets the newest force. It is a watchdog too: without an order for
+ * kSilenceNanos the force is zero. It exchanges data without locks and never waits.
  */
 class Servo {
  public:
   static constexpr int64_t kSilenceNanos = 20000000;
-  /** So many ticks in a row with an error end the session. */
+  /** The number of successive ticks with an error that ends the session. */
   static constexpr int kMostFailures = 25;
 
   Servo(HdApi& api, DeviceHandle device, bool hasTorque)
       : api_(api), device_(device), hasTorque_(hasTorque) {}
 
-  /** What the vendor's scheduler calls; `servo` is a Servo. */
+  /** The callback of the vendor's scheduler; `servo` is a Servo. */
   static unsigned PALPATE_HD_CALL tick(void* servo);
 
-  /** Haptic thread: the newest tick; false where there was none since. */
+  /**
+   * Takes the newest reading; returns false if there is none since the last call. Haptic thread.
+   */
   bool take(Reading& dest) { return readings_.take(dest); }
 
-  /** Haptic thread: what the hand is to feel from the next tick on. */
+  /** Sets the wrench from the next tick on. Haptic thread. */
   void order(const Wrench& wrench) { orders_.publish(wrench); }
 
-  /** Any thread: the next tick sends zero and is the last. */
+  /** Makes the next tick the last one, which sends zero. Any thread. */
   void end() { ending_.store(true); }
 
-  /** Sends zero in a frame of its own, once the scheduler has stopped. */
+  /** Sends zero force in a frame of its own, after the scheduler has stopped. */
   void sendZero();
 
-  /** Whether the last tick has sent its zero. */
+  /** Whether the last tick has sent zero force. */
   bool hasSentZero() const { return zeroSent_.load(); }
 
-  /** The call that the servo thread is in, or nullptr. Any thread. */
+  /** Returns the vendor's call that the servo thread is in, or nullptr. Any thread. */
   const char* call() const { return trace_.call(); }
 
  private:
@@ -68,14 +70,14 @@ class Servo {
   Latest<Wrench> orders_;
   std::atomic<bool> ending_{false};
   std::atomic<bool> zeroSent_{false};
-  // What follows belongs to the vendor's thread.
+  // The members below belong to the vendor's thread.
   Wrench current_;
   int64_t heardNanos_ = 0;
   int64_t ticks_ = 0;
   int64_t failures_ = 0;
   int failuresInARow_ = 0;
   double heat_ = 0;
-  bool hasSwitch_ = false;  // the safety switch was seen held
+  bool hasSwitch_ = false;  // the safety switch has been held once
 };
 
 }  // namespace palpate::openhaptics

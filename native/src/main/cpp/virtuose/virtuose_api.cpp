@@ -29,7 +29,7 @@ VirtuoseApi::VirtuoseApi() {
                       "install Virtuose API 4 or newer"};
   findFunctions(wanted, *this, [this](Library& found) {
     if (!found.need("virtOpen", open)) {
-      // Version 3 has its functions in the header alone, over one entry that takes a number.
+      // Version 3 defines its functions in the header, over one exported function with a number.
       whyNot = library + " is older than version 4: install Virtuose API 4 or newer";
       return;
     }

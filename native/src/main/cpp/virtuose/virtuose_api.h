@@ -6,8 +6,9 @@
 
 namespace palpate::virtuose {
 
-// The part of Haption's Virtuose API 4 that is used here; constants and shapes are the vendor's.
-// Everything returns 0 for success and takes floats; a context belongs to one thread.
+// The part of Haption's Virtuose API 4 that is used here, with the vendor's constants and
+// signatures. Every function returns 0 for success and takes floats. A context belongs to one
+// thread.
 
 using Context = void*;
 
@@ -40,12 +41,12 @@ struct VirtuoseApi {
   int (*getAlarm)(Context, unsigned*) = nullptr;
 
   std::string library;
-  std::string whyNot;  // one line; empty where it can be used
+  std::string whyNot;  // one line; empty if it can be used
   std::mutex lock;     // guards opening and closing
 
   static VirtuoseApi& instance();
 
-  /** The last error of a context (nullptr: of the opening), in words. */
+  /** Returns the last error of a context as text; with nullptr, that of opening. */
   std::string lastError(Context context) const;
 
  private:

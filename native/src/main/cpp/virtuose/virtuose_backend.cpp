@@ -14,14 +14,14 @@ constexpr const char* kDefaultHost = "127.0.0.1#5000";
 constexpr float kTimeStepSeconds = 0.001F;
 constexpr float kTimeoutSeconds = 0.1F;
 
-// The API does not say what a device can do; this is less than any of them can.
+// The API does not state the limits of a device. These lie below those of every model.
 constexpr double kMaxForceNewton = 10;
 constexpr double kContinuousForceNewton = 8;
 constexpr double kMaxTorqueNewtonMetre = 1;
 constexpr double kMaxStiffnessNewtonPerMm = 1;
 constexpr double kRadiusMm = 150;
 
-/** One device of Haption's in impedance mode: a force every step. One thread. */
+/** One device of Haption in impedance mode, in which each step sends a force. One thread. */
 class VirtuoseDevice : public Device {
  public:
   VirtuoseDevice(VirtuoseApi& api, Context context, std::shared_ptr<Trace> trace,
@@ -68,12 +68,12 @@ ReadStatus VirtuoseDevice::failed(const char* call) {
 bool VirtuoseDevice::ask(const char* name, int (*function)(Context, int*), int& dest) {
   int value = 0;
   const bool answered = traced(trace(), name, function, context_, &value) == 0;
-  dest = answered ? value : 0;  // what is not known to be safe counts as not
+  dest = answered ? value : 0;  // an unknown state counts as unsafe
   counters().errors += answered ? 0 : 1;
   return answered;
 }
 
-/** Asks for one state a frame in turn, so that a frame never costs more than two questions. */
+/** Reads one state in each frame, in turn, so that a frame never makes more than two queries. */
 void VirtuoseDevice::readOneState() {
   const int turn = turn_++ % (4 + kButtons);
   if (turn == 0) {
@@ -112,7 +112,7 @@ ReadStatus VirtuoseDevice::read(Sample& sample) {
 void VirtuoseDevice::fill(const float (&pose)[7], Sample& sample) {
   double turned[3];
   toOurFrame(pose, kMmPerMetre, sample.positionMm);
-  toOurFrame(pose + 3, 1, turned);  // a quaternion's axis turns with the frame
+  toOurFrame(pose + 3, 1, turned);  // the axis of a quaternion is converted like a vector
   for (int axis = 0; axis < 3; axis++) {
     sample.orientation[axis] = turned[axis];
   }
@@ -153,7 +153,10 @@ bool VirtuoseDevice::close() {
   return zeroSent || off;
 }
 
-/** The order that the maker documents; the first step that fails ends it, named in `why`. */
+/**
+ * Sets the device up in the order that the maker documents. Stops at the first step that fails, and
+ * names it in `why`.
+ */
 bool setUp(VirtuoseApi& api, Context context, Trace& trace, std::string& why) {
   float none[7] = {0, 0, 0, 0, 0, 0, 1};
   const auto step = [&](const char* name, auto function, auto... arguments) {
@@ -203,7 +206,7 @@ Finding VirtuoseBackend::probe(Trace& trace) {
     if (traced(trace, "virtAPIVersion", api.apiVersion, &major, &minor) == 0) {
       finding.version = std::to_string(major) + "." + std::to_string(minor);
     }
-    // A device is found by its address alone; the API has no list.
+    // The API lists no devices; a device is opened by its address.
     finding.devices.push_back({"HOST", "the device at an address, as virtuose:10.0.0.5", true, ""});
   }
   return finding;

@@ -5,7 +5,7 @@
 
 namespace palpate::virtuose {
 
-/** Haption's devices through the Virtuose API: INCA 6D, Virtuose 6D. */
+/** The back end for Haption's INCA 6D and Virtuose 6D, by the Virtuose API. */
 class VirtuoseBackend : public Backend {
  public:
   const char* name() const override { return "virtuose"; }

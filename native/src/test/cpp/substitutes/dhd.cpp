@@ -1,5 +1,5 @@
-// Stands in for Force Dimension's libdhd: the functions that the back end uses, as the vendor's
-// header and manual describe them.
+// A substitute for Force Dimension's libdhd with the functions that the back end uses, as the
+// vendor's header and manual describe them.
 #include <cmath>
 
 #include "substitutes/panel.h"
@@ -14,7 +14,7 @@ int calls = 0;
 
 int answer(const Call& call) { return call.fails() ? -1 : 0; }
 
-/** Every tenth position is asked for too soon. */
+/** Reports every tenth query of a position as too early. */
 int guarded(const Call& call) { return call.fails() ? -1 : ++calls % 10 == 0 ? kTimeGuard : 0; }
 
 void position(const Call& call, double* x, double* y, double* z) {
@@ -94,7 +94,7 @@ int dhdGetPosition(double* x, double* y, double* z, char) {
 
 int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double matrix[3][3], char) {
   const Call call("dhdGetPositionAndOrientationFrame");
-  // A turn by 90 degrees about the vendor's z, which points up: rows first.
+  // A rotation by 90 degrees about the vendor's z axis, which points up; row-major.
   const double turned[3][3] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
   position(call, x, y, z);
   for (int row = 0; row < 3; row++) {

@@ -1,5 +1,5 @@
-// Stands in for OpenHaptics' libHD: a scheduler thread that calls what was scheduled once a tick,
-// frames that must be begun and ended, a stack of errors.
+// A substitute for OpenHaptics' libHD: a scheduler thread that runs its callbacks once a tick,
+// frames that must be begun and ended, and a stack of errors.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -27,7 +27,7 @@ constexpr unsigned kCommError = 0x302;
 constexpr unsigned kIllegalBegin = 0x400;
 constexpr unsigned kFrameError = 0x402;
 
-std::mutex guard;  // of what follows
+std::mutex guard;  // guards the members below
 std::vector<ErrorInfo> errors;
 Callback scheduled = nullptr;
 void* scheduledData = nullptr;
@@ -35,7 +35,7 @@ std::atomic<bool> running{false};
 std::thread scheduler;
 thread_local bool inFrame = false;
 
-/** The stack is bounded: a session that stays unplugged for long pushes an error at every call. */
+/** The size of the stack. A session that stays unplugged pushes an error at every call. */
 constexpr size_t kMostErrors = 1000;
 
 void push(unsigned code) {
@@ -76,7 +76,10 @@ void stop() {
   }
 }
 
-/** State may be read and set only by the servo thread, in a frame, once the scheduler runs. */
+/**
+ * Checks that the servo thread is in a frame: once the scheduler runs, it alone may use the state,
+ * in frames.
+ */
 void mustBeInFrame() {
   if (running.load() && !inFrame) {
     panel().ruleBreaks++;
@@ -85,7 +88,7 @@ void mustBeInFrame() {
 }
 
 void giveTransform(const Call& call, double* m) {
-  // A turn by 90 degrees about y, which points up, columns first; translation in mm.
+  // A rotation by 90 degrees about the y axis, which points up; column-major, translation in mm.
   const double turned[16] = {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1};
   for (int i = 0; i < 16; i++) {
     m[i] = call.givesNaN() ? NAN : turned[i];
@@ -225,7 +228,7 @@ void hdSetDoublev(unsigned what, const double* value) {
 
 unsigned hdCheckCalibration() {
   const Call call("hdCheckCalibration", false);
-  const int state = panel().notReady;  // 1 wants a hand's help, 2 an update
+  const int state = panel().notReady;  // 1 needs the user, 2 an update
   return state == 0 ? 0x5000 : state == 1 ? 0x5002 : 0x5001;
 }
 

@@ -1,8 +1,8 @@
-// Stands in for hidapi: its C interface over AF_UNIX SOCK_SEQPACKET, which keeps reports apart.
-// Each socket in the folder PALPATE_FAKE_HID is a device; the file's name is
-// VENDOR-PRODUCT-PAGE-USAGE-SERIAL.sock, numbers in hexadecimal. Where PALPATE_NULL_HID is set
-// there is one more, behind which there is nothing: every other read is a report, every write is
-// taken. It shows what calling costs.
+// A substitute for hidapi: its C interface over AF_UNIX SOCK_SEQPACKET, which keeps reports apart.
+// Each socket in the folder PALPATE_FAKE_HID is a device. The file's name is
+// VENDOR-PRODUCT-PAGE-USAGE-SERIAL.sock, with numbers in hexadecimal. If PALPATE_NULL_HID is set,
+// there is one more device, which measures the cost of calls: every other read is a report, and
+// every write is accepted.
 #include <dirent.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -36,7 +36,7 @@ struct hid_device_info {
 };
 
 struct hid_device {
-  int socket;  // kNothing for the device with nothing behind it
+  int socket;  // kNothing for the device of PALPATE_NULL_HID
   std::string path;
   palpate_device firmware = {};
   bool given = false;

@@ -1,5 +1,5 @@
-// Stands in for Haption's Virtuose API 4: floats, metres, 0 for success, and the documented order
-// of calls, a break of which is noted.
+// A substitute for Haption's Virtuose API 4, with floats, metres and 0 for success. It records each
+// call against the documented order.
 #include <cmath>
 
 #include "substitutes/panel.h"
@@ -134,7 +134,7 @@ int virtGetPosition(void*, float* pose) {
     pose[3 + axis] = 0;
   }
   pose[0] = call.givesNaN() ? NAN : pose[0];
-  pose[5] = std::sqrt(0.5F);  // a turn by 90 degrees about the vendor's z, which points up
+  pose[5] = std::sqrt(0.5F);  // a rotation by 90 degrees about the vendor's z axis, up
   pose[6] = std::sqrt(0.5F);
   return answer(call);
 }

@@ -1,7 +1,7 @@
 #ifndef PALPATE_JNI_MD_H
 #define PALPATE_JNI_MD_H
 
-// What jni.h wants to know of Windows, for a cross build with the headers of another system's JDK.
+// The definitions that jni.h needs on Windows, for a cross build with another system's JDK.
 
 #define JNIEXPORT __declspec(dllexport)
 #define JNIIMPORT __declspec(dllimport)
