@@ -30,8 +30,8 @@ public final class Figures {
   private Figures() {}
 
   /**
-   * Gives a chart a white background, no frames, colours that most eyes distinguish, and axis
-   * numbers that read as numbers.
+   * Gives a chart a white background, no frames, colours for any colour vision, and decimal numbers
+   * without exponents on its axes.
    */
   public static void plain(Chart<?, ?> chart) {
     if (chart.getStyler() instanceof AxesChartStyler axes) {

@@ -205,7 +205,8 @@ final class BinaryCoefficientSource implements CoefficientSource {
     /**
      * Returns the weighed sum for coefficient {@code n} of three.
      *
-     * @param twice element k+1 is k v0 + (k-1) v1 + ... + v(k-1)
+     * @param twice the second sums of the values v: element k + 1 is k v0 + (k - 1) v1 + ... + v(k
+     *     - 1)
      */
     long weigh(long[] twice, int n) {
       return twice[n + high] - twice[n + second] - twice[n + first] + twice[n + low];
