@@ -85,7 +85,7 @@ record DicomFrame(
     }
   }
 
-  /** Returns the frames of a file that passed {@link DicomFile#check}. */
+  /** Returns the frames of a file that passed {@link DicomImageChecks#check}. */
   static List<DicomFrame> of(DicomFile dicom) throws VolumeFormatException {
     int count = dicom.frameCount();
     if (dicom.syntax().coding() == TransferSyntax.Coding.PLAIN
