@@ -28,6 +28,10 @@ public final class ContactForce {
   private final Vec3 slide = new Vec3();
   private double slideLengthMm;
   private boolean damps;
+
+  /** Null if materials do not follow from grey values. */
+  private GreyMaterials greys;
+
   private long frictionSkipped;
 
   /**
@@ -55,9 +59,15 @@ public final class ContactForce {
   public void change(ForceSettings newSettings) {
     if (settings != newSettings) {
       settings = newSettings;
-      damps = newSettings.damps();
+      damps = newSettings.damps() || (greys != null && greys.damp());
       material.reset();
     }
+  }
+
+  /** Takes materials from grey values instead of the settings; before the first frame. */
+  public void use(GreyMaterials materials) {
+    greys = materials;
+    damps |= materials.damp();
   }
 
   /** Returns the number of frames that skipped friction because it is zero. */
@@ -113,6 +123,11 @@ public final class ContactForce {
   }
 
   private void updateMaterial(InteractionPoint point, Vec3 device, double stretchMm) {
+    if (greys != null) {
+      double grey = point.contact ? greys.greyUnder(point, device, metric) : 0;
+      material.follow(settings, greys, grey, point.contact, stretchMm, motionMm(device));
+      return;
+    }
     double motionMm = settings.distinguishesObjects() ? motionMm(device) : 0;
     material.follow(settings, point.touchedObject, point.contact, stretchMm, motionMm);
   }

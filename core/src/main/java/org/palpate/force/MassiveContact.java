@@ -51,7 +51,11 @@ public final class MassiveContact {
   private ForceSettings settings;
   private double couplingStiffness;
 
+  /** Null if materials do not follow from grey values. */
+  private GreyMaterials greys;
+
   private final Vec3 body = new Vec3();
+  private final Vec3 targetGrid = new Vec3();
   private final Vec3 velocity = new Vec3();
   private final Vec3 point = new Vec3();
   private final Vec3 device = new Vec3();
@@ -89,9 +93,18 @@ public final class MassiveContact {
     }
   }
 
+  /** Takes materials from grey values instead of the settings; before the first frame. */
+  public void use(GreyMaterials materials) {
+    greys = materials;
+    couple();
+  }
+
   private void couple() {
-    couplingStiffness =
-        settings.stiffestNewtonPerMm() * CONTACT_STIFFNESS_FACTOR / (CONTACT_STIFFNESS_FACTOR - 1);
+    double stiffest =
+        greys == null
+            ? settings.stiffestNewtonPerMm()
+            : settings.stiffnessNewtonPerMm() * greys.stiffest();
+    couplingStiffness = stiffest * CONTACT_STIFFNESS_FACTOR / (CONTACT_STIFFNESS_FACTOR - 1);
   }
 
   /**
@@ -119,9 +132,9 @@ public final class MassiveContact {
    *
    * @param contact the point where the last frame left it
    * @param elapsedNanos time since the last call; counts up to 5 ms
-   * @param targetGrid written, grid coordinates
+   * @param dest written, grid coordinates
    */
-  public void move(InteractionPoint contact, Vec3 deviceGrid, long elapsedNanos, Vec3 targetGrid) {
+  public void move(InteractionPoint contact, Vec3 deviceGrid, long elapsedNanos, Vec3 dest) {
     toMillimetres(deviceGrid, device);
     toMillimetres(contact.position, point);
     double seconds = Math.min(MAX_STEP_SECONDS, Math.max(0, elapsedNanos) / NANOS_PER_SECOND);
@@ -136,11 +149,12 @@ public final class MassiveContact {
       step.mul(1 / seconds, velocity);
       lastPoint.set(point);
     }
-    writeTarget(deviceGrid, targetGrid);
+    writeTarget(deviceGrid);
+    dest.set(targetGrid);
   }
 
   /** Writes the body's position; if a huge number has made it not finite, that of the device. */
-  private void writeTarget(Vec3 deviceGrid, Vec3 targetGrid) {
+  private void writeTarget(Vec3 deviceGrid) {
     targetGrid.set(
         body.x / metric.spacingX(), body.y / metric.spacingY(), body.z / metric.spacingZ());
     if (!targetGrid.isFinite() || !velocity.isFinite()) {
@@ -206,7 +220,12 @@ public final class MassiveContact {
     double motionMm = begun ? device.sub(lastDevice, scratch).length() : 0;
     double stretchMm =
         Math.max(0, body.sub(point, scratch).length() - Math.max(0, contact.surfaceHeightMm));
-    material.follow(settings, contact.touchedObject, contact.contact, stretchMm, motionMm);
+    if (greys != null) {
+      double grey = contact.contact ? greys.greyUnder(contact, targetGrid, metric) : 0;
+      material.follow(settings, greys, grey, contact.contact, stretchMm, motionMm);
+    } else {
+      material.follow(settings, contact.touchedObject, contact.contact, stretchMm, motionMm);
+    }
     body.sub(device, forceNewton).mul(couplingStiffness, forceNewton);
     account(stretchMm, forceNewton);
     lastDevice.set(device);

@@ -19,6 +19,9 @@ final class MaterialTransition {
   private double slidingFriction;
   private double damping;
 
+  /** The material that is approached: stiffness, static and sliding friction, and damping. */
+  private final double[] wanted = new double[4];
+
   /** Whether the tool was pressed against an object in the last frame. */
   private boolean pressed;
 
@@ -71,12 +74,37 @@ final class MaterialTransition {
     pressed = stretchMm > 0 && contact;
   }
 
+  /**
+   * Takes the material of a grey value: at once if contact begins, else by a transition.
+   *
+   * @param grey the value under the contact; not used without contact
+   */
+  void follow(
+      ForceSettings settings,
+      GreyMaterials materials,
+      double grey,
+      boolean contact,
+      double stretchMm,
+      double motionMm) {
+    if (contact) {
+      double friction = materials.friction(grey);
+      wanted[0] = settings.stiffnessNewtonPerMm() * materials.stiffness(grey);
+      wanted[1] = friction;
+      wanted[2] = settings.form().slidingFraction() * friction;
+      wanted[3] = materials.damping(grey);
+      if (pressed) {
+        approach(stretchMm, motionMm);
+      } else {
+        setWanted();
+      }
+    }
+    pressed = stretchMm > 0 && contact;
+  }
+
   /** Takes a material without transition. */
   void set(Material material) {
-    stiffness = material.stiffnessNewtonPerMm();
-    staticFriction = material.staticFriction();
-    slidingFriction = material.slidingFriction();
-    damping = material.dampingNewtonSecondPerMm();
+    want(material);
+    setWanted();
   }
 
   /**
@@ -86,43 +114,60 @@ final class MaterialTransition {
    * @param motionMm motion of the hand since the last frame
    */
   void approach(Material material, double stretchMm, double motionMm) {
-    if (equalsFelt(material)) {
+    want(material);
+    approach(stretchMm, motionMm);
+  }
+
+  private void want(Material material) {
+    wanted[0] = material.stiffnessNewtonPerMm();
+    wanted[1] = material.staticFriction();
+    wanted[2] = material.slidingFriction();
+    wanted[3] = material.dampingNewtonSecondPerMm();
+  }
+
+  private void setWanted() {
+    stiffness = wanted[0];
+    staticFriction = wanted[1];
+    slidingFriction = wanted[2];
+    damping = wanted[3];
+  }
+
+  private void approach(double stretchMm, double motionMm) {
+    if (equalsFelt()) {
       return;
     }
-    double stiffer = Math.max(stiffness, material.stiffnessNewtonPerMm());
+    double stiffer = Math.max(stiffness, wanted[0]);
     double maxChange = ChangeBound.ofMotion(stiffer, motionMm, minMotionMm);
-    double change = changeNewton(material, stretchMm, stiffer);
+    double change = changeNewton(stretchMm, stiffer);
     if (change <= maxChange) {
-      set(material);
+      setWanted();
       return;
     }
     double fraction = maxChange / change;
-    stiffness += fraction * (material.stiffnessNewtonPerMm() - stiffness);
-    staticFriction += fraction * (material.staticFriction() - staticFriction);
-    slidingFriction += fraction * (material.slidingFriction() - slidingFriction);
-    damping += fraction * (material.dampingNewtonSecondPerMm() - damping);
+    stiffness += fraction * (wanted[0] - stiffness);
+    staticFriction += fraction * (wanted[1] - staticFriction);
+    slidingFriction += fraction * (wanted[2] - slidingFriction);
+    damping += fraction * (wanted[3] - damping);
   }
 
-  private boolean equalsFelt(Material material) {
-    return stiffness == material.stiffnessNewtonPerMm()
-        && staticFriction == material.staticFriction()
-        && slidingFriction == material.slidingFriction()
-        && damping == material.dampingNewtonSecondPerMm();
+  private boolean equalsFelt() {
+    return stiffness == wanted[0]
+        && staticFriction == wanted[1]
+        && slidingFriction == wanted[2]
+        && damping == wanted[3];
   }
 
   /**
    * Returns an upper bound of the change of the force if the material were taken at once, N. It
    * adds up coupling, friction and damping; damping is never longer than the coupling.
    */
-  private double changeNewton(Material material, double stretchMm, double stiffer) {
-    double rougher = Math.max(staticFriction, material.staticFriction());
-    double ofStiffness = Math.abs(material.stiffnessNewtonPerMm() - stiffness) * (2 + rougher);
+  private double changeNewton(double stretchMm, double stiffer) {
+    double rougher = Math.max(staticFriction, wanted[1]);
+    double ofStiffness = Math.abs(wanted[0] - stiffness) * (2 + rougher);
     double ofFriction =
-        Math.abs(material.staticFriction() - staticFriction)
-            + Math.abs(material.slidingFriction() - slidingFriction);
-    double maxDamping = Math.max(damping, material.dampingNewtonSecondPerMm());
-    double ofDamping =
-        maxDamping > 0 ? Math.abs(material.dampingNewtonSecondPerMm() - damping) / maxDamping : 0;
+        Math.abs(wanted[1] - staticFriction) + Math.abs(wanted[2] - slidingFriction);
+    double maxDamping = Math.max(damping, wanted[3]);
+    double ofDamping = maxDamping > 0 ? Math.abs(wanted[3] - damping) / maxDamping : 0;
     return stretchMm * (ofStiffness + stiffer * (ofFriction + ofDamping));
   }
 }

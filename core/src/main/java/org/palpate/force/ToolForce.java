@@ -37,7 +37,14 @@ public final class ToolForce {
   private final Vec3 dampingForce = new Vec3();
   private final Vec3 dampingTorque = new Vec3();
   private final Quaternion scratch = new Quaternion();
+  private final Vec3 under = new Vec3();
+  private final Vec3 normal = new Vec3();
+  private final double greyDepthMm;
   private ForceSettings settings;
+
+  /** Null if materials do not follow from grey values. */
+  private GreyMaterials greys;
+
   private boolean known;
   private long frictionSkipped;
 
@@ -55,11 +62,20 @@ public final class ToolForce {
     rateLimit = new CouplingRateLimit(tool, ChangeBound.MIN_MOTION_EDGES * shortestEdgeMm);
     material = new MaterialTransition(shortestEdgeMm, settings.general());
     friction = new ToolFriction(shortestEdgeMm);
+    greyDepthMm = shortestEdgeMm;
   }
 
   /** Changes materials and friction from the next frame on. */
   public void change(ForceSettings newSettings) {
     settings = newSettings;
+  }
+
+  /**
+   * Takes materials from grey values instead of the settings; before the first frame. The values
+   * are those of bodies at rest.
+   */
+  public void use(GreyMaterials materials) {
+    greys = materials;
   }
 
   /** Forgets what the hand feels, after the tool was placed anew. */
@@ -131,20 +147,33 @@ public final class ToolForce {
   }
 
   private void updateMaterial(ToolMotion tool, double stretchMm) {
-    int body = mostPressed(tool.contacts());
-    material.follow(settings, body, tool.contact(), stretchMm, rateLimit.lengthMm(motion, turn));
+    int most = mostPressed(tool.contacts());
+    double motionMm = rateLimit.lengthMm(motion, turn);
+    if (greys != null) {
+      boolean touches = tool.contact() && most >= 0;
+      double grey = touches ? greyUnder(tool, most) : 0;
+      material.follow(settings, greys, grey, touches, stretchMm, motionMm);
+      return;
+    }
+    int body = most < 0 ? InteractionPoint.NO_OBJECT : tool.contacts().body(most);
+    material.follow(settings, body, tool.contact(), stretchMm, motionMm);
   }
 
-  /** Returns the body that carries the largest share, or that there is none. */
+  /** Returns the contact that carries the largest share, or -1. */
   private static int mostPressed(ToolContacts contacts) {
-    if (contacts.count() == 0) {
-      return InteractionPoint.NO_OBJECT;
-    }
-    int most = 0;
+    int most = contacts.count() == 0 ? -1 : 0;
     for (int n = 1; n < contacts.count(); n++) {
       most = contacts.share(n) > contacts.share(most) ? n : most;
     }
-    return contacts.body(most);
+    return most;
+  }
+
+  /** Returns the grey value at a contact, an edge of a voxel below the surface. */
+  private double greyUnder(ToolMotion tool, int contact) {
+    tool.pose().transform(tool.contacts().position(contact, under), under);
+    tool.contacts().normal(contact, normal).mul(greyDepthMm, normal);
+    greys.grid().worldToGrid(under.sub(normal, under), under);
+    return greys.greyAt(under);
   }
 
   private void computeDamping(Pose device, long elapsedNanos, Vec3 force, Vec3 torque) {

@@ -3,6 +3,7 @@ package org.palpate.frame;
 import org.palpate.body.BodyScene;
 import org.palpate.edit.PlacementLog;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.GreyMaterials;
 import org.palpate.force.ToolForce;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
@@ -82,6 +83,16 @@ final class Grasp {
   private Grip newGrip(RigidSolver solver, RigidCoupling coupling, ForceSettings settings) {
     ToolForce force = new ToolForce(solver.shape(), bodies.shortestEdgeMm(), coupling, settings);
     return new Grip(solver, coupling, force);
+  }
+
+  /** Takes materials of everything that is held from grey values. */
+  void use(GreyMaterials materials) {
+    tool.force.use(materials);
+    for (Grip each : ofBody) {
+      if (each != null) {
+        each.force.use(materials);
+      }
+    }
   }
 
   RigidSolver solver() {

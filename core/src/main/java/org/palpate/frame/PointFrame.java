@@ -12,6 +12,7 @@ import org.palpate.edit.VoxelWriter;
 import org.palpate.elastic.ElasticContact;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.GreyMaterials;
 import org.palpate.force.HandState;
 import org.palpate.force.MassiveContact;
 import org.palpate.geometry.AffineMap;
@@ -244,6 +245,14 @@ public final class PointFrame extends HapticFrame {
    */
   public void give(MassiveContact body) {
     massive = body;
+  }
+
+  /** Takes materials from grey values from now on. Call it before the first frame, last. */
+  public void use(GreyMaterials materials) {
+    contactForce.use(materials);
+    if (massive != null) {
+      massive.use(materials);
+    }
   }
 
   /** Returns what {@link #give} gave, if anything. */

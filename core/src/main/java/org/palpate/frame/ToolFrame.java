@@ -21,6 +21,7 @@ import org.palpate.edit.EditQueue;
 import org.palpate.edit.PlacementLog;
 import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.GreyMaterials;
 import org.palpate.force.HandState;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
@@ -265,6 +266,11 @@ public final class ToolFrame extends HapticFrame {
   @Override
   public void carve(CarveSettings settings) {
     carver = new ToolCarver(settings, bodies, blocking, voxels);
+  }
+
+  /** Takes materials from grey values from now on. Call it before the first frame. */
+  public void use(GreyMaterials materials) {
+    grasp.use(materials);
   }
 
   /** Without a new sample bodies move all the same, and may push the tool. */

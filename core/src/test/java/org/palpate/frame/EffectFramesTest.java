@@ -17,6 +17,7 @@ import org.palpate.edit.EditQueue;
 import org.palpate.force.EffectPlan;
 import org.palpate.force.EffectSite;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.GreyMaterials;
 import org.palpate.force.HapticEffect;
 import org.palpate.force.guide.GuideStrength;
 import org.palpate.force.guide.Guides;
@@ -33,6 +34,7 @@ import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.testing.Floor;
 import org.palpate.testing.ScriptedDevice;
+import org.palpate.volume.ScalarVolume;
 
 /** Effects in whole frames of a point and of a rigid tool. */
 class EffectFramesTest {
@@ -210,5 +212,25 @@ class EffectFramesTest {
     hand.set(16.3, 15.9, 6.2);
     run(frame, 50);
     assertTrue(device.lastForce().sameBits(expected));
+  }
+
+  @Test
+  void aToolFeelsTheGreyValueUnderItsContact() {
+    ScalarVolume values = ScalarVolume.of(Floor.GRID, ScalarVolume.Storage.INT16);
+    for (int n = 0; n < 32 * 32 * 32; n++) {
+      values.set(n % 32, n / 32 % 32, n / 1024, n % 32 < 16 ? -100 : 1200);
+    }
+    double[] felt = new double[2];
+    for (int side = 0; side < 2; side++) {
+      ToolFrame frame = toolFrame(floorBody());
+      frame.use(new GreyMaterials(values, GreyMaterials.CT));
+      hand.set(side == 0 ? 8 : 24, 16, 14);
+      run(frame, 5);
+      hand.z = 9;
+      run(frame, 400);
+      assertTrue(frame.motion().contact());
+      felt[side] = device.lastForce().z;
+    }
+    assertEquals(0.15 * felt[1], felt[0], 1e-3);
   }
 }

@@ -345,13 +345,15 @@ public final class ContactScene {
     return made;
   }
 
-  /** Gives a frame the effects and the mass of the settings. */
+  /** Gives a frame the effects, the mass and the grey materials of the settings. */
   private void feel(PointFrame made, FrameSettings frame) {
     made.requestEffects(newEffects(pointSite(frame)));
     settings
+        .feel()
         .mass()
         .map(held -> new MassiveContact(metric, frame.force(), alongGrid(held)))
         .ifPresent(made::give);
+    settings.feel().materials().ifPresent(made::use);
   }
 
   private MassSettings alongGrid(MassSettings held) {
@@ -367,7 +369,7 @@ public final class ContactScene {
 
   /** Returns new effects of one frame. */
   List<HapticEffect> newEffects(EffectSite site) {
-    return settings.effects().stream().map(plan -> plan.make(site)).toList();
+    return settings.feel().effects().stream().map(plan -> plan.make(site)).toList();
   }
 
   /** Returns how a tool cuts, if it does. */

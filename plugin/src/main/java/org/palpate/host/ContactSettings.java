@@ -1,13 +1,10 @@
 package org.palpate.host;
 
-import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalDouble;
-import org.palpate.force.EffectPlan;
+import org.palpate.force.FeelSettings;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
-import org.palpate.force.MassSettings;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.VoxelGrid;
 
@@ -33,9 +30,7 @@ import org.palpate.volume.VoxelGrid;
  * @param carveMm3PerNewtonSecond the volume that the tool removes for each N s, mm^3; if empty, it
  *     does not cut
  * @param protectedMm for names of segments the margin around them that nothing cuts, mm
- * @param effects what the hand feels beside contact, in the order in which the forces add up
- * @param mass the mass of an interaction point, with gravity along the world's axes; if empty, it
- *     has none
+ * @param feel what the hand feels beside plain contact
  * @param border how {@link SolverKind#DOT} and {@link SolverKind#PAPER} find border voxels; frames
  *     do not depend on it
  */
@@ -50,8 +45,7 @@ public record ContactSettings(
     Map<String, MaterialOverride> materials,
     OptionalDouble carveMm3PerNewtonSecond,
     Map<String, Double> protectedMm,
-    List<EffectPlan> effects,
-    Optional<MassSettings> mass,
+    FeelSettings feel,
     BorderChoice border) {
   private static final double SMALLEST_USUAL_MM = 32;
   private static final double LARGEST_USUAL_MM = 1000;
@@ -62,11 +56,10 @@ public record ContactSettings(
   /** Exponent of the stiffness against the extent, for scenes just below the usual extents. */
   private static final double GROWTH = 1.5;
 
-  /** Copies maps and list. */
+  /** Copies the maps. */
   public ContactSettings {
     materials = Map.copyOf(materials);
     protectedMm = Map.copyOf(protectedMm);
-    effects = List.copyOf(effects);
   }
 
   /** Returns the default settings. */
@@ -129,8 +122,7 @@ public record ContactSettings(
     private Map<String, MaterialOverride> materials = Map.of();
     private OptionalDouble carveMm3PerNewtonSecond = OptionalDouble.empty();
     private Map<String, Double> protectedMm = Map.of();
-    private List<EffectPlan> effects = List.of();
-    private Optional<MassSettings> mass = Optional.empty();
+    private FeelSettings feel = FeelSettings.NONE;
     private BorderChoice border = BorderChoice.ON_THE_FLY;
 
     private Builder(SolverKind solver) {
@@ -197,15 +189,9 @@ public record ContactSettings(
       return this;
     }
 
-    /** Sets what the hand feels beside contact. */
-    public Builder effects(List<EffectPlan> plans) {
-      effects = plans;
-      return this;
-    }
-
-    /** Sets the mass of an interaction point, with gravity along the world's axes. */
-    public Builder mass(Optional<MassSettings> held) {
-      mass = held;
+    /** Sets what the hand feels beside plain contact. */
+    public Builder feel(FeelSettings chosen) {
+      feel = chosen;
       return this;
     }
 
@@ -228,8 +214,7 @@ public record ContactSettings(
           materials,
           carveMm3PerNewtonSecond,
           protectedMm,
-          effects,
-          mass,
+          feel,
           border);
     }
   }

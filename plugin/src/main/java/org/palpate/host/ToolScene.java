@@ -224,6 +224,7 @@ public final class ToolScene {
     ToolFrame made = new ToolFrame(worldDevice, bodies, solver, coupling, frame, edits, publisher);
     scene.carve().ifPresent(made::carve);
     made.requestEffects(newEffects(frame, coupling));
+    scene.settings().feel().materials().ifPresent(made::use);
     return made;
   }
 
@@ -243,6 +244,7 @@ public final class ToolScene {
     ToolFrame made =
         new ToolFrame(worldDevice, bodies, solver, coupling, frame, none, ToolFramePublisher.NONE);
     made.requestEffects(newEffects(frame, coupling));
+    scene.settings().feel().materials().ifPresent(made::use);
     return made;
   }
 }

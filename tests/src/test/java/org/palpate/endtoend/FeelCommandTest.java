@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -184,5 +186,66 @@ class FeelCommandTest {
     String text = Files.readString(report);
     assertTrue(text.contains("\"taken_mj\""), text);
     assertFalse(text.contains("\"contact_frames\" : 0,"), text);
+  }
+
+  private double largestForce(Object... options) throws IOException {
+    Path report = folder.resolve("r.json");
+    List<Object> replay = new ArrayList<>(List.of("replay", "--trajectory", sliding()));
+    replay.addAll(List.of("--phantom", "sphere:32:grey", "--segment", "sphere=>=500"));
+    replay.addAll(List.of("--friction", 0, "--report", report));
+    replay.addAll(List.of(options));
+    CommandRun.of(replay.toArray()).mustSucceed();
+    Matcher found =
+        Pattern.compile("\"max_force_n\" : ([-0-9.E]+)").matcher(Files.readString(report));
+    assertTrue(found.find());
+    return Double.parseDouble(found.group(1));
+  }
+
+  @Test
+  void materialsFollowFromATableOfGreyValues() throws IOException {
+    Path table =
+        Files.writeString(
+            folder.resolve("m.csv"), "grey,stiffness,friction,damping\n-1e4,0.5,0,0\n");
+    for (String tool : new String[] {"point", "sphere:2"}) {
+      double plain = largestForce("--tool", tool);
+      double soft = largestForce("--tool", tool, "--material-from-grey", table);
+      assertEquals(0.5 * plain, soft, 1e-9 * plain, tool);
+    }
+    double weighty = largestForce("--mass", 0.02, "--material-from-grey", table);
+    assertTrue(weighty > 0 && weighty < largestForce("--mass", 0.02), "with mass " + weighty);
+    assertTrue(largestForce("--material-from-grey", "ct") > 0);
+  }
+
+  @Test
+  void faultsOfATableOfMaterialsAreOneLine() throws IOException {
+    String header = "grey,stiffness,friction,damping\n";
+    String[] tables = {
+      header,
+      header + "0,1,0,0\n0,1,0,0\n",
+      header + "0,11,0,0\n",
+      header + "0,1,-1,0\n",
+      header + "0,1,0,NaN\n",
+      header + "x,1,0,0\n",
+      "grey,stiffness\n0,1\n"
+    };
+    Path table = folder.resolve("m.csv");
+    Object[] replay = {
+      "replay",
+      "--trajectory",
+      sliding(),
+      "--phantom",
+      "sphere:32:grey",
+      "--segment",
+      "sphere=>=500",
+      "--material-from-grey",
+      table
+    };
+    for (String text : tables) {
+      Files.writeString(table, text);
+      String said = CommandRun.of(replay).mustRefuse();
+      assertTrue(said.contains("m.csv"), said);
+    }
+    Files.delete(table);
+    assertTrue(CommandRun.of(replay).mustRefuse().contains("m.csv"));
   }
 }

@@ -66,6 +66,8 @@ class WrongUseTest {
         "touch --headless --phantom sphere:32 --effect magnet:bone,1,3",
         "touch --headless --phantom sphere:32 --effect texture:0.2",
         "touch --effect texture:-1",
+        "touch --headless --phantom sphere:32 --material-from-grey ct",
+        "touch --material-from-grey ct --material sphere=stiffness:1",
         "touch --gravity 0,0,-9.81",
         "touch --mass 0.1 --gravity 0,0",
         "touch --mass 0.1 --gravity 0,0,-981",

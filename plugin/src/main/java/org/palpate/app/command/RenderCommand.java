@@ -340,7 +340,7 @@ public final class RenderCommand implements Callable<Integer> {
   private void showMarks(SceneModel model, VolumeSource source, SegmentedVolume segments)
       throws IOException {
     if (trajectory != null) {
-      ContactScene scene = contact.scene(source, segments, List.of(), tool.massOfPoint());
+      ContactScene scene = contact.scene(source, segments, tool.feel());
       model.setMarks(Optional.of(marks(scene, model.axes())));
     }
   }

@@ -202,7 +202,7 @@ public final class ReplayCommand implements Callable<Integer> {
     refuseMassAmongElastic();
     boolean rigid = tool.isRigid() || posesFile != null;
     tool.checkOthers(spec.commandLine().getParseResult(), rigid);
-    feel.check(rigid);
+    feel.check(rigid, contact);
     collisionDevice.check(rigid);
     return rigid ? replayTool() : replayPoint();
   }
@@ -249,7 +249,7 @@ public final class ReplayCommand implements Callable<Integer> {
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
     ContactScene scene =
-        contact.scene(source, segments, feel.effects(source, segments), tool.massOfPoint());
+        contact.scene(source, segments, feel.settings(source, segments, tool.massOfPoint()));
     ReplayRun plain =
         world ? ReplayRun.inWorld(scene, trajectory) : ReplayRun.inGrid(scene, trajectory);
     ReplayRun replay = elastic.deform(plain.withEdits(edits), segments, contact.solver());
@@ -273,6 +273,12 @@ public final class ReplayCommand implements Callable<Integer> {
           "a tool moves in the world",
           posesFile == null ? "--coordinates grid with --tool" : "--coordinates grid with --poses",
           "give a trajectory in world mm");
+    }
+    if (feel.hasGreyMaterials() && posesFile != null) {
+      throw PalpateException.wrongUse(
+          "grey values are those of bodies that stand still",
+          "--material-from-grey with --poses",
+          "leave one of them out");
     }
     if (contact.protects() && posesFile != null) {
       throw PalpateException.wrongUse(
@@ -302,7 +308,7 @@ public final class ReplayCommand implements Callable<Integer> {
     try (ChosenCollisionDevice device = collisionDevice.open(spec.commandLine().getErr())) {
       ToolScene scene =
           tool.scene(
-              contact.scene(source, segments, feel.effects(source, segments), Optional.empty()),
+              contact.scene(source, segments, feel.settings(source, segments, Optional.empty())),
               made,
               ToolReplay.movable(poses),
               device.device());

@@ -197,7 +197,7 @@ public final class TouchCommand implements Callable<Integer> {
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     tool.checkOthers(spec.commandLine().getParseResult());
-    feel.check(tool.isRigid());
+    feel.check(tool.isRigid(), contact);
     brushOptions.check(tool.isRigid(), volume.isPlaced());
     collisionDevice.check(tool.isRigid());
     ShutdownHook.endQuietly();
@@ -275,7 +275,7 @@ public final class TouchCommand implements Callable<Integer> {
         source.segments(
             spec.commandLine().getErr(), contact.followsGrey(source) || feel.needsGrey());
     ContactScene contactScene =
-        contact.scene(source, segments, feel.effects(source, segments), tool.massOfPoint());
+        contact.scene(source, segments, feel.settings(source, segments, tool.massOfPoint()));
     SessionScene scene = SessionScene.of(contactScene, tool, made, judge.device());
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());

@@ -7,9 +7,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.GrownSolids;
-import org.palpate.force.EffectPlan;
+import org.palpate.force.FeelSettings;
 import org.palpate.force.FrictionForm;
-import org.palpate.force.MassSettings;
 import org.palpate.host.BorderChoice;
 import org.palpate.host.CollisionChoice;
 import org.palpate.host.ContactScene;
@@ -180,13 +179,12 @@ public final class ContactOptions {
    * @throws PalpateException exit code 2, if an option is wrong
    */
   public ContactSettings settings() {
-    return settings(List.of(), Optional.empty());
+    return settings(FeelSettings.NONE);
   }
 
-  private ContactSettings settings(List<EffectPlan> effects, Optional<MassSettings> mass) {
+  private ContactSettings settings(FeelSettings feel) {
     return ContactSettings.builder(solver())
-        .effects(effects)
-        .mass(mass)
+        .feel(feel)
         .collision(collision())
         .stiffness(stiffnessNewtonPerMm())
         .friction(friction())
@@ -235,21 +233,16 @@ public final class ContactOptions {
   }
 
   /**
-   * Returns the contact scene of a volume with effects and mass.
+   * Returns the contact scene of a volume.
    *
    * @param source the volume
    * @param segments its segments
-   * @param effects what the hand feels beside contact
-   * @param mass the mass of a point, if it has one
+   * @param feel what the hand feels beside plain contact
    * @throws VolumeFormatException if the grey values are needed and cannot be read
    */
-  public ContactScene scene(
-      VolumeSource source,
-      SegmentedVolume segments,
-      List<EffectPlan> effects,
-      Optional<MassSettings> mass)
+  public ContactScene scene(VolumeSource source, SegmentedVolume segments, FeelSettings feel)
       throws VolumeFormatException {
-    ContactSettings settings = settings(effects, mass);
+    ContactSettings settings = settings(feel);
     for (String name : materials.keySet()) {
       named(segments, "--material ", name, name);
     }
@@ -348,6 +341,11 @@ public final class ContactOptions {
   /** Whether segments are protected. */
   public boolean protects() {
     return !protectedSegments.isEmpty();
+  }
+
+  /** Whether segments have materials of their own. */
+  boolean hasMaterials() {
+    return !materials.isEmpty();
   }
 
   /** Whether the tool cuts. */

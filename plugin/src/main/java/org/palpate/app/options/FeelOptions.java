@@ -6,9 +6,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.palpate.app.process.PalpateException;
 import org.palpate.force.EffectPlan;
+import org.palpate.force.FeelSettings;
+import org.palpate.force.MassSettings;
 import org.palpate.force.guide.GuideStrength;
 import org.palpate.force.guide.Guides;
 import org.palpate.force.guide.PathShape;
@@ -16,12 +20,12 @@ import org.palpate.force.guide.SegmentDistance;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.file.NumberText;
-import org.palpate.io.table.PositionsCsvReader;
+import org.palpate.io.table.NumbersCsvReader;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** The options of what the hand feels beside contact: guides and effects. */
+/** The options of what the hand feels beside plain contact: guides, effects, grey values. */
 public final class FeelOptions {
   private static final NumberRange STRENGTH =
       new NumberRange(
@@ -64,6 +68,7 @@ public final class FeelOptions {
   private Double guideRange;
 
   @Mixin private EffectOptions effects;
+  @Mixin private GreyMaterialOptions materials;
 
   /**
    * Checks the numbers and the forms, before a volume is read.
@@ -71,8 +76,9 @@ public final class FeelOptions {
    * @param isRigid whether the hand holds a rigid tool
    * @throws PalpateException exit code 2, if an option is wrong
    */
-  public void check(boolean isRigid) {
+  public void check(boolean isRigid, ContactOptions contact) {
     effects.check();
+    materials.check(contact);
     GuideStrength strength = strength();
     for (String text : guides) {
       String kind = kind(text);
@@ -92,21 +98,36 @@ public final class FeelOptions {
 
   /** Whether grey values are needed. */
   public boolean needsGrey() {
-    return effects.needsGrey();
+    return effects.needsGrey() || materials.areWanted();
   }
 
   /** Returns the files that the options name, which no output may replace. */
   public List<Path> files() {
-    return guides.stream().filter(text -> kind(text).equals("path")).map(this::file).toList();
+    return Stream.concat(
+            guides.stream().filter(text -> kind(text).equals("path")).map(this::file),
+            materials.file().stream())
+        .toList();
+  }
+
+  /** Whether materials follow from grey values. */
+  public boolean hasGreyMaterials() {
+    return materials.areWanted();
   }
 
   /**
-   * Returns the plans of all effects, in the order in which they add up.
+   * Returns what the hand feels beside plain contact.
    *
+   * @param mass the mass of an interaction point
    * @throws IOException if a file cannot be read
    * @throws PalpateException exit code 2, if an option is wrong
    */
-  public List<EffectPlan> effects(VolumeSource source, SegmentedVolume segments)
+  public FeelSettings settings(
+      VolumeSource source, SegmentedVolume segments, Optional<MassSettings> mass)
+      throws IOException {
+    return new FeelSettings(effects(source, segments), mass, materials.materials(source));
+  }
+
+  private List<EffectPlan> effects(VolumeSource source, SegmentedVolume segments)
       throws IOException {
     GuideStrength strength = strength();
     List<EffectPlan> plans = new ArrayList<>(effects.plans(source, segments));
@@ -212,7 +233,10 @@ public final class FeelOptions {
   }
 
   private EffectPlan path(String text, GuideStrength strength) throws IOException {
-    List<Vec3> positions = PositionsCsvReader.read(file(text));
+    List<Vec3> positions = new ArrayList<>();
+    for (double[] row : NumbersCsvReader.read(file(text), List.of("x", "y", "z"))) {
+      positions.add(vector(row, 0));
+    }
     if (positions.size() < 2 || positions.size() > PathShape.MOST_POSITIONS) {
       throw PalpateException.wrongUse(
           "a path has 2 to 1,000 positions and this one has " + NumberText.count(positions.size()),

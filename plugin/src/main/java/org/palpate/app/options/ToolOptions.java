@@ -8,6 +8,7 @@ import java.util.Set;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.BodyScene;
 import org.palpate.collision.CollisionDevice;
+import org.palpate.force.FeelSettings;
 import org.palpate.force.MassSettings;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
@@ -178,6 +179,15 @@ public final class ToolOptions {
     return kg.isPresent()
         ? Optional.of(new MassSettings(kg.getAsDouble(), acceleration))
         : Optional.empty();
+  }
+
+  /**
+   * Returns plain contact with the mass of an interaction point, if it has one.
+   *
+   * @throws PalpateException exit code 2, as {@link #massOfPoint}
+   */
+  public FeelSettings feel() {
+    return new FeelSettings(List.of(), massOfPoint(), Optional.empty());
   }
 
   private Vec3 gravityMmPerSecond2() {
