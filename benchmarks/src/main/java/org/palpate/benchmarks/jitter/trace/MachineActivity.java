@@ -20,10 +20,10 @@ public final class MachineActivity {
    * after {@code to}.
    */
   long stolenBetween(long from, long to) {
-    long before = 0;
-    long after = 0;
+    long before = samples.isEmpty() ? 0 : samples.get(0).stolenNanos();
+    long after = before;
     for (MachineSample sample : samples) {
-      if (sample.nanos() <= from || before == 0) {
+      if (sample.nanos() <= from) {
         before = sample.stolenNanos();
       }
       after = sample.stolenNanos();
