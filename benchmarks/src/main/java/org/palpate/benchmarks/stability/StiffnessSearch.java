@@ -28,14 +28,14 @@ final class StiffnessSearch {
   static double largest(DoubleFunction<Outcome> trial) {
     double stable = 0;
     double unstable = SOFTEST;
-    while (unstable <= STIFFEST && trial.apply(unstable).stable()) {
+    while (trial.apply(unstable).stable()) {
+      if (unstable == STIFFEST) {
+        return Double.POSITIVE_INFINITY;
+      }
       stable = unstable;
-      unstable *= 2;
+      unstable = Math.min(2 * unstable, STIFFEST);
     }
-    if (stable == 0) {
-      return 0;
-    }
-    return unstable > STIFFEST ? Double.POSITIVE_INFINITY : between(trial, stable, unstable);
+    return stable == 0 ? 0 : between(trial, stable, unstable);
   }
 
   private static double between(DoubleFunction<Outcome> trial, double low, double high) {
