@@ -1,0 +1,41 @@
+package org.palpate.benchmarks.accuracy;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.palpate.benchmarks.report.Row;
+import org.palpate.benchmarks.report.StudyTable;
+
+class AccuracyRowTest {
+  private static AccuracyRow row(double sliceMm) {
+    Accuracy accuracy = new Accuracy(1.5, 9.5, 0.25, 0.125, 1.01, 2.5, 7);
+    return new AccuracyRow("guarded", "torus", sliceMm, 3, 0.5, accuracy, 812);
+  }
+
+  @Test
+  void everyErrorStandsInItsColumn() {
+    assertEquals(
+        Map.ofEntries(
+            Map.entry("shape", "torus"),
+            Map.entry("slice_mm", 2.0),
+            Map.entry("depth_voxels", 3.0),
+            Map.entry("speed_voxels", 0.5),
+            Map.entry("solver", "guarded"),
+            Map.entry("angle_rms_deg", 1.5),
+            Map.entry("angle_worst_deg", 9.5),
+            Map.entry("height_mean_mm", 0.25),
+            Map.entry("height_std_mm", 0.125),
+            Map.entry("lag", 1.01),
+            Map.entry("force_change", 2.5),
+            Map.entry("lost_frames", 7.0),
+            Map.entry("ns_per_frame", 812.0)),
+        Row.of(StudyTable.ACCURACY, row(2).cells()));
+  }
+
+  @Test
+  void aSeriesNamesTheSlicesOnlyWhereVoxelsAreNoCubes() {
+    assertEquals("guarded", row(1).series());
+    assertEquals("guarded, slices of 2 mm", row(2).series());
+  }
+}
