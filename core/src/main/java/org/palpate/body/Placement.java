@@ -21,4 +21,9 @@ public record Placement(Mobility mobility, Pose pose) {
     }
     return transforms;
   }
+
+  /** Whether the body is fixed where it rests. */
+  public boolean isAtRest() {
+    return mobility == Mobility.FIXED && pose.sameBits(new Pose());
+  }
 }

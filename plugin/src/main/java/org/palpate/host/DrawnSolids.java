@@ -23,7 +23,9 @@ import org.palpate.volume.VoxelGrid;
 final class DrawnSolids {
   private final VoxelGrid grid;
   private volatile List<Segment> segments;
+  private final List<RigidTransform> starts;
   private volatile List<RigidTransform> poses;
+  private boolean hasGhosts;
 
   /**
    * Creates the segments of a volume.
@@ -32,7 +34,8 @@ final class DrawnSolids {
    */
   DrawnSolids(SegmentedVolume volume, List<RigidTransform> poses) {
     grid = volume.grid();
-    this.poses = List.copyOf(poses);
+    starts = List.copyOf(poses);
+    this.poses = starts;
     segments = volume.segments();
   }
 
@@ -65,6 +68,18 @@ final class DrawnSolids {
         int segment = n;
         shown.ifPresent(loader -> loader.move(segment, pose.get()));
       }
+    }
+  }
+
+  /**
+   * Shows faint copies where the bodies started, or hides them.
+   *
+   * @param shown draws them; null while there is no window
+   */
+  synchronized void toggleGhosts(SceneLoader shown) {
+    hasGhosts = !hasGhosts && shown != null;
+    for (int n = 0; n < starts.size() && shown != null; n++) {
+      shown.showGhost(n, hasGhosts ? Optional.of(starts.get(n)) : Optional.empty());
     }
   }
 

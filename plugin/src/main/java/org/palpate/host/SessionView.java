@@ -239,6 +239,7 @@ public final class SessionView implements AutoCloseable {
     input.onKey(
         'n', "next solver: smooth, guarded, paper, dot", () -> applyAndShow(tuning::nextSolver));
     if (session.canHold()) {
+      input.onKey('4', "ghosts: where bodies started", () -> solids.toggleGhosts(loader));
       input.onKey('x', "take hold of the touched body, or let go", session::toggleHold);
     }
     if (session.cuts() || session.canHold()) {

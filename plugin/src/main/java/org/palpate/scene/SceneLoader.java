@@ -146,6 +146,16 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
+   * Shows a faint copy of a segment at another pose, or hides it.
+   *
+   * @param segment number of the segment
+   * @param restToPresent the pose of the copy, world mm
+   */
+  public void showGhost(int segment, Optional<RigidTransform> restToPresent) {
+    model.setGhost(objects.get(segment), restToPresent.map(this::gridMmToWorld));
+  }
+
+  /**
    * Reports that a picture of the model was drawn. Any thread, at every picture; it only reads a
    * flag once the finer levels are started.
    */

@@ -26,6 +26,8 @@ public final class SceneModel {
   /** One counter for all models, so that a renderer never confuses two models. */
   private static final AtomicLong REVISIONS = new AtomicLong();
 
+  private static final double GHOST_OPACITY = 0.25;
+
   private final WorldAxes axes;
   private final List<SceneObject> objects = new ArrayList<>();
   private final List<Runnable> redrawRequests = new CopyOnWriteArrayList<>();
@@ -222,6 +224,16 @@ public final class SceneModel {
         true);
   }
 
+  /** Draws a faint copy of a segment at another pose, or draws it no more. */
+  public void setGhost(SceneObject object, Optional<RigidTransform> gridMmToWorld) {
+    change(
+        () -> {
+          object.ghost = gridMmToWorld.map(axes::toScene).orElse(null);
+          return true;
+        },
+        true);
+  }
+
   /** Reports that surface bricks were added or removed. */
   void surfaceChanged() {
     change(() -> true, true);
@@ -314,6 +326,9 @@ public final class SceneModel {
     for (SceneObject object : objects) {
       if (object.visible && object.opacity > 0) {
         drawn.add(new DrawnObject(object, object.rgb, object.opacity, object.pose));
+        if (object.ghost != null) {
+          drawn.add(new DrawnObject(object, object.rgb, GHOST_OPACITY, object.ghost));
+        }
       }
     }
     return new SceneState(

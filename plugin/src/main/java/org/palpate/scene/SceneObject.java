@@ -24,6 +24,9 @@ public final class SceneObject {
   boolean visible = true;
   RigidTransform pose;
 
+  /** The pose at which a faint copy is drawn, or null. */
+  RigidTransform ghost;
+
   SceneObject(String name, int rgb, RigidTransform pose, Vec3 lowMm, Vec3 highMm) {
     this.name = name;
     this.rgb = rgb;

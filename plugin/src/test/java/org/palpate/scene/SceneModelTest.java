@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.RigidTransform;
@@ -45,6 +46,24 @@ class SceneModelTest {
     assertEquals(BONE_RGB, then.rgb());
     assertEquals(1, then.opacity());
     assertTrue(before.staticRevision() < model.state().staticRevision());
+  }
+
+  @Test
+  void aGhostIsAFaintCopyAtAnotherPoseUntilItIsHidden() {
+    RigidTransform there = RigidTransform.identity();
+    there.origin().set(5, 0, 0);
+    model.setGhost(bone, Optional.of(there));
+    List<DrawnObject> drawn = model.state().objects();
+    assertEquals(2, drawn.size());
+    assertEquals(1, drawn.get(0).opacity());
+    assertTrue(drawn.get(1).opacity() < 0.5);
+    assertEquals(5, Math.abs(drawn.get(1).pose().origin().x));
+    assertEquals(0, Math.abs(drawn.get(0).pose().origin().x));
+    model.setVisible(bone, false);
+    assertEquals(List.of(), model.state().objects());
+    model.setVisible(bone, true);
+    model.setGhost(bone, Optional.empty());
+    assertEquals(1, model.state().objects().size());
   }
 
   @Test

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
@@ -22,12 +23,14 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.VolumeFiles;
 import org.palpate.io.mesh.MeshFiles;
 import org.palpate.io.scene.BodyReader;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.scene.SceneReader;
 import org.palpate.io.table.BodyPose;
 import org.palpate.io.table.PosesCsv;
+import org.palpate.io.volume.ReadOptions;
 import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.rigid.tool.TriangleMesh;
 import org.palpate.volume.Segment;
@@ -339,21 +342,80 @@ class SceneCommandTest {
 
   @Test
   void keysThatHaveNoEffectYetAreNamedInANote() throws IOException {
-    String keys = "\"carve\": 40, \"protect\": [\"a:1\"], \"device\": {}, \"version\"";
-    String text =
-        Files.readString(scene)
-            .replace("\"version\"", keys)
-            .replace(
-                "\"mobility\" : \"fixed\"", "\"mobility\": \"fixed\", \"material\": \"cut:1\"");
+    String text = Files.readString(scene).replace("\"version\"", "\"device\": {}, \"version\"");
     Path file = Files.writeString(folder.resolve("keys.json"), text);
     Path trajectory = Files.writeString(folder.resolve("t.csv"), "t_ms,x,y,z\n0,1,2,3\n");
-    String note =
-        "The scene has keys that are not used yet: bodies[0].material, device, protect, carve.";
+    String note = "The scene has keys that are not used yet: device.";
     CommandRun replay = CommandRun.of("replay", "--scene", file, "--trajectory", trajectory);
     assertTrue(replay.mustSucceed().err().contains(note), replay.err());
     assertTrue(CommandRun.of("info", "--scene", file).mustSucceed().out().contains(note));
     CommandRun plain = CommandRun.of("replay", "--scene", scene, "--trajectory", trajectory);
     assertFalse(plain.mustSucceed().err().contains("not used yet"), plain.err());
+  }
+
+  /**
+   * Returns the report of a replay that presses a block of two halves, "a" and "b", without the
+   * digest of its files.
+   */
+  private Map<String, String> press(String scene, Object... options) throws IOException {
+    Path volume = folder.resolve("block.nrrd");
+    if (!Files.exists(volume)) {
+      TestFiles.nrrd(volume, 24, v -> v[2] >= 12 ? 0 : v[0] < 12 ? 1 : 2);
+    }
+    Vec3 at =
+        VolumeFiles.open(volume, ReadOptions.defaults())
+            .header()
+            .grid()
+            .gridToWorld(new Vec3(6, 12, 12), new Vec3());
+    StringBuilder rows = new StringBuilder("t_ms,x,y,z\n");
+    for (int n = 0; n < 300; n++) {
+      rows.append(n).append(',').append(at.x).append(',').append(at.y).append(',');
+      rows.append(at.z + 8 - Math.min(n, 150) * 0.08).append('\n');
+    }
+    Path trajectory = Files.writeString(folder.resolve("press.csv"), rows);
+    Path file = Files.writeString(folder.resolve("press.json"), scene);
+    Path report = folder.resolve("press-report.json");
+    List<Object> args = new ArrayList<>(List.of("replay", "--scene", file));
+    args.addAll(List.of("--trajectory", trajectory, "--report", report));
+    args.addAll(List.of(options));
+    CommandRun.of(args.toArray()).mustSucceed();
+    Map<String, String> fields = new TreeMap<>(FlatJson.read(report));
+    fields.remove("/sha256");
+    return fields;
+  }
+
+  private static String blocks(String further, String ofA) {
+    String volume = "\"volume\": \"block.nrrd\", \"segment\": \"label:";
+    return "{\"tool\": {\"spec\": \"sphere:2\"}, "
+        + further
+        + "\"bodies\": [{\"name\": \"a\", "
+        + ofA
+        + volume
+        + "1\"}, {\"name\": \"b\", "
+        + volume
+        + "2\"}]}";
+  }
+
+  @Test
+  void materialsCuttingAndMarginsOfASceneAreThoseOfTheOptions() throws IOException {
+    String plain = press(blocks("", "")).get("/max_force_n");
+    String soft = press(blocks("", "\"material\": \"stiffness:0.1\", ")).get("/max_force_n");
+    String option = press(blocks("", ""), "--material", "a=stiffness:0.1").get("/max_force_n");
+    assertEquals(option, soft);
+    assertTrue(Double.parseDouble(soft) < 0.5 * Double.parseDouble(plain), soft + " " + plain);
+    Map<String, String> cut = press(blocks("\"carve\": 400, ", ""));
+    assertEquals(press(blocks("", ""), "--carve", 400), cut);
+    assertTrue(Double.parseDouble(cut.get("/carved/a")) > 10, cut.toString());
+    Map<String, String> spared = press(blocks("\"carve\": 400, \"protect\": [\"a\"], ", ""));
+    assertEquals(press(blocks("", ""), "--carve", 400, "--protect", "a"), spared);
+    assertEquals(0, Double.parseDouble(spared.get("/carved/a")), spared.toString());
+    String moved = "\"pose\": {\"translation_mm\": [1, 0, 0], \"rotation\": [1, 0, 0, 0]}, ";
+    Path file = folder.resolve("moved.json");
+    Files.writeString(file, blocks("\"protect\": [\"a\"], ", moved));
+    String refusal =
+        CommandRun.of("replay", "--scene", file, "--trajectory", folder.resolve("press.csv"))
+            .mustRefuse();
+    assertTrue(refusal.contains("margins are for bodies that are fixed"), refusal);
   }
 
   @Test

@@ -282,6 +282,7 @@ public final class RenderCommand implements Callable<Integer> {
   private void checkTool() throws VolumeFormatException {
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
+    contact.takeFrom(volume, spec.commandLine().getParseResult());
     tool.checkOthers(spec.commandLine().getParseResult());
     boolean isAskedFor = spec.commandLine().getParseResult().hasMatchedOption("--tool");
     if (isAskedFor && tool.isRigid() && trajectory == null) {

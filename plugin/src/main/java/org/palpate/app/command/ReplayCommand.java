@@ -195,9 +195,10 @@ public final class ReplayCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     failures = new WriteFailures(spec.commandLine().getErr());
     REPEAT.checkGiven(repeat);
-    contact.settings();
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
+    contact.takeFrom(volume, spec.commandLine().getParseResult());
+    contact.settings();
     requireRepeatable();
     refuseMassAmongElastic();
     boolean rigid = tool.isRigid() || posesFile != null;

@@ -196,6 +196,7 @@ public final class TouchCommand implements Callable<Integer> {
     checkOptionCombination();
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
+    contact.takeFrom(volume, spec.commandLine().getParseResult());
     tool.checkOthers(spec.commandLine().getParseResult());
     feel.check(tool.isRigid(), contact);
     brushOptions.check(tool.isRigid(), volume.isPlaced());

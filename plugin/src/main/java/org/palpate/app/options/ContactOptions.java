@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.GrownSolids;
+import org.palpate.body.Placement;
 import org.palpate.force.FeelSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.host.BorderChoice;
@@ -17,11 +18,15 @@ import org.palpate.host.MaterialOverride;
 import org.palpate.host.SolverKind;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.file.NumberText;
+import org.palpate.io.scene.SceneBody;
+import org.palpate.io.scene.SceneFile;
+import org.palpate.io.scene.SceneReader;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParseResult;
 
 /** The options of contact: solver, collision and force. */
 public final class ContactOptions {
@@ -159,6 +164,28 @@ public final class ContactOptions {
   private Double maxForce;
 
   /**
+   * Takes materials, margins and the rate of cutting of a scene file, except for what an option
+   * gives.
+   *
+   * @throws VolumeFormatException if the scene cannot be read
+   */
+  public void takeFrom(VolumeOptions volume, ParseResult given) throws VolumeFormatException {
+    if (volume.scene().isEmpty()) {
+      return;
+    }
+    SceneFile scene = SceneReader.read(volume.scene().get());
+    for (SceneBody body : scene.bodies()) {
+      body.material().ifPresent(text -> materials.putIfAbsent(body.name(), text));
+    }
+    if (carve == null && scene.carve().isPresent()) {
+      carve = scene.carve().getAsDouble();
+    }
+    if (!given.hasMatchedOption("--protect")) {
+      protectedSegments = scene.protect();
+    }
+  }
+
+  /**
    * Returns the solver.
    *
    * @throws PalpateException exit code 2, if there is no such solver
@@ -246,9 +273,12 @@ public final class ContactOptions {
     for (String name : materials.keySet()) {
       named(segments, "--material ", name, name);
     }
-    if (!settings.protectedMm().isEmpty() && !source.placements().isEmpty()) {
+    if (!settings.protectedMm().isEmpty()
+        && !source.placements().stream().allMatch(Placement::isAtRest)) {
       throw PalpateException.wrongUse(
-          "margins are for the segments of one volume", "--protect", "leave out --scene");
+          "margins are for bodies that are fixed where they rest",
+          "--protect",
+          "leave it out, or make all bodies of the scene fixed, without poses");
     }
     for (Map.Entry<String, Double> margin : settings.protectedMm().entrySet()) {
       named(segments, "--protect ", margin.getKey(), margin.getKey());

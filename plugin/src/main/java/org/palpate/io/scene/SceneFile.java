@@ -1,6 +1,5 @@
 package org.palpate.io.scene;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -31,18 +30,7 @@ public record SceneFile(
 
   /** Returns the keys of this scene that are read but have no effect yet. */
   List<String> unusedKeys() {
-    List<String> keys = new ArrayList<>();
-    for (int n = 0; n < bodies.size(); n++) {
-      if (bodies.get(n).material().isPresent()) {
-        keys.add("bodies[" + n + "].material");
-      }
-    }
-    device.ifPresent(given -> keys.add("device"));
-    if (!protect.isEmpty()) {
-      keys.add("protect");
-    }
-    carve.ifPresent(given -> keys.add("carve"));
-    return keys;
+    return device.isPresent() ? List.of("device") : List.of();
   }
 
   /** Returns a scene of bodies and a point tool. */
