@@ -3,6 +3,7 @@ package org.palpate.host;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.palpate.body.Placement;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
@@ -18,6 +19,7 @@ import org.palpate.frame.PointFrame;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
 import org.palpate.geometry.Pose;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.HapticLoop;
 import org.palpate.loop.LoopEnd;
@@ -247,6 +249,22 @@ public final class TouchSession implements AutoCloseable {
                 frame.requestLetGo();
               }
             });
+  }
+
+  /**
+   * Returns the pose of each body in the last frame that was taken, from rest to present, world mm;
+   * a new list, empty for a point. For the reader of {@link #properties}, after the first frame.
+   */
+  public List<RigidTransform> bodyPoses() {
+    if (held.isEmpty()) {
+      return List.of();
+    }
+    HeldTool tool = held.get();
+    List<RigidTransform> poses = Placement.transforms(tool.scene().contactScene().placements());
+    for (int n = 0; n < poses.size(); n++) {
+      poses.set(n, tool.publisher().bodyPose(n).orElse(poses.get(n)));
+    }
+    return poses;
   }
 
   /** Returns the frame of the rigid tool, for its methods that are for any thread. */

@@ -27,6 +27,11 @@ final class PoseOptions {
       })
   private Path savedTransforms;
 
+  /** Returns the scene file to write; empty if none is written. */
+  Optional<Path> scene() {
+    return Optional.ofNullable(savedScene);
+  }
+
   /**
    * Returns what writes bodies and their poses.
    *

@@ -180,6 +180,8 @@ public final class TouchCommand implements Callable<Integer> {
   private PrintWriter out;
   private Optional<SessionLink> link = Optional.empty();
   private WriteFailures failures;
+  private Optional<SessionView> shownView = Optional.empty();
+  private Optional<SceneAutosave> autosave = Optional.empty();
   private ChosenCollisionDevice judge;
 
   @Override
@@ -284,6 +286,7 @@ public final class TouchCommand implements Callable<Integer> {
     LoopSettings loop = LoopSettings.ofRate(rateHz);
     try (HapticDevice opened = open(choice, source, scene, target, loop.periodNanos())) {
       scene.notes(opened.specification()).forEach(out::println);
+      SceneAutosave.note(savedPoses.scene()).ifPresent(out::println);
       Optional<ViewOptions> view = view(source, scene.contactScene());
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
       Optional<BrushOptions.Brush> brush =
@@ -314,6 +317,9 @@ public final class TouchCommand implements Callable<Integer> {
     readings.lines().forEach(out::println);
     report.put("fracture", readings.field()).write();
     failures.attempt(exportFile, () -> bodies.write(left).forEach(out::println));
+    if (failures.exitCode() == 0) {
+      autosave.ifPresent(file -> failures.attempt(file.target(), file::end));
+    }
   }
 
   private DeviceChoice choice(VolumeSource source) {
@@ -397,6 +403,11 @@ public final class TouchCommand implements Callable<Integer> {
                     .withRecorder(recording.recorder())
                     .withEditRecorder(recording.editRecorder())
                     .withBodyRecorder(recording.bodyRecorder()))) {
+      autosave =
+          SceneAutosave.of(
+              volume.scene(),
+              savedPoses.scene(),
+              () -> shownView.map(SessionView::bodyPoses).orElseGet(session::bodyPoses));
       Optional<SessionBrush> painter =
           brush.map(held -> new SessionBrush(held, session, scene.volume(), scene.tool()));
       Runnable check =
@@ -404,6 +415,8 @@ public final class TouchCommand implements Callable<Integer> {
             recording.check();
             judge.reportFailure();
             painter.ifPresent(SessionBrush::tick);
+            autosave.ifPresent(
+                file -> failures.attempt(file.target(), () -> file.tick(System.nanoTime())));
           };
       SessionSupervisor supervisor =
           new SessionSupervisor(session, Optional.ofNullable(seconds), check, out);
@@ -419,6 +432,7 @@ public final class TouchCommand implements Callable<Integer> {
                       listener.addKeys(
                           input -> held.addKeys(input, shown::proxyGrid, listener::print))));
       view.ifPresent(supervisor::show);
+      shownView = view;
       link.ifPresent(
           server ->
               server.stream(

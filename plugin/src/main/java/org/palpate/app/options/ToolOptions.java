@@ -133,8 +133,10 @@ public final class ToolOptions {
   }
 
   private void take(SceneTool own, Path sceneFile) {
-    boolean isFile = own.spec().indexOf(':') < 0 && !own.spec().equals("point");
-    tool = isFile ? sceneFile.toAbsolutePath().resolveSibling(own.spec()).toString() : own.spec();
+    tool =
+        own.isFile()
+            ? sceneFile.toAbsolutePath().resolveSibling(own.spec()).toString()
+            : own.spec();
     segment = own.segment().orElse(null);
     clearance = own.clearance().orElse(null);
     mass = own.massKg().isPresent() ? own.massKg().getAsDouble() : null;

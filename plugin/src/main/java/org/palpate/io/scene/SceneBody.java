@@ -45,4 +45,10 @@ public record SceneBody(
         OptionalDouble.empty(),
         OptionalDouble.empty());
   }
+
+  /** Returns this body at another pose, with another name of the same file. */
+  public SceneBody at(String newSource, Pose newPose) {
+    return new SceneBody(
+        name, newSource, isMesh, segment, mobility, newPose, material, youngPa, poisson);
+  }
 }

@@ -38,4 +38,9 @@ public record SceneFile(
     return new SceneFile(
         bodies, Optional.empty(), Optional.empty(), List.of(), OptionalDouble.empty());
   }
+
+  /** Returns this scene with other bodies and another tool. */
+  public SceneFile with(List<SceneBody> newBodies, Optional<SceneTool> newTool) {
+    return new SceneFile(newBodies, newTool, device, protect, carve);
+  }
 }

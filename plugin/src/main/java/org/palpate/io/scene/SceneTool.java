@@ -12,4 +12,15 @@ import java.util.OptionalDouble;
  * @param massKg the mass, kg
  */
 public record SceneTool(
-    String spec, Optional<String> segment, Optional<String> clearance, OptionalDouble massKg) {}
+    String spec, Optional<String> segment, Optional<String> clearance, OptionalDouble massKg) {
+
+  /** Whether the tool is a file, and neither a point nor a shape with numbers. */
+  public boolean isFile() {
+    return spec.indexOf(':') < 0 && !spec.equals("point");
+  }
+
+  /** Returns this tool with another spec. */
+  public SceneTool with(String newSpec) {
+    return new SceneTool(newSpec, segment, clearance, massKg);
+  }
+}

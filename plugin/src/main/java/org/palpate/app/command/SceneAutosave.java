@@ -1,0 +1,158 @@
+package org.palpate.app.command;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.RigidTransform;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.scene.SceneBody;
+import org.palpate.io.scene.SceneFile;
+import org.palpate.io.scene.SceneReader;
+import org.palpate.io.scene.SceneWriter;
+import org.palpate.io.volume.VolumeFormatException;
+
+/**
+ * Saves a scene with the present poses of its bodies from time to time, beside the scene file that
+ * the session will write at its end. The end deletes what was saved, so it is there after a crash
+ * alone. One thread.
+ */
+final class SceneAutosave {
+  /** The time between two saves, if a body has moved. */
+  static final long PERIOD_NANOS = 10_000_000_000L;
+
+  private final SceneFile scene;
+  private final Path sceneFile;
+  private final Path target;
+  private final Supplier<List<RigidTransform>> poses;
+  private List<RigidTransform> saved = List.of();
+  private long lastNanos;
+
+  /**
+   * Prepares to save; the first save comes after a period.
+   *
+   * @param scene the scene of the session
+   * @param sceneFile its file, to which the names of volumes are relative
+   * @param target the file to write
+   * @param poses gives the present pose of each body, from rest to present, world mm
+   * @param nowNanos the present time
+   */
+  SceneAutosave(
+      SceneFile scene,
+      Path sceneFile,
+      Path target,
+      Supplier<List<RigidTransform>> poses,
+      long nowNanos) {
+    this.scene = scene;
+    this.sceneFile = sceneFile;
+    this.target = target;
+    this.poses = poses;
+    lastNanos = nowNanos;
+  }
+
+  /**
+   * Returns what saves a session; empty if it has no scene file or writes none at its end. A file
+   * that an earlier session left is not replaced.
+   *
+   * @param scene the scene file of the session
+   * @param end the scene file that it will write
+   * @throws VolumeFormatException if the scene cannot be read
+   */
+  static Optional<SceneAutosave> of(
+      Optional<Path> scene, Optional<Path> end, Supplier<List<RigidTransform>> poses)
+      throws VolumeFormatException {
+    if (scene.isEmpty() || end.isEmpty()) {
+      return Optional.empty();
+    }
+    int number = 1;
+    while (Files.exists(beside(end.get(), number))) {
+      number++;
+    }
+    return Optional.of(
+        new SceneAutosave(
+            SceneReader.read(scene.get()),
+            scene.get(),
+            beside(end.get(), number),
+            poses,
+            System.nanoTime()));
+  }
+
+  private static Path beside(Path end, int number) {
+    String name = end.getFileName().toString();
+    String stem = name.endsWith(".json") ? name.substring(0, name.length() - 5) : name;
+    return end.resolveSibling(stem + ".autosave" + (number == 1 ? "" : number) + ".json");
+  }
+
+  /** Returns a note about what an earlier session left without its end; empty if none did. */
+  static Optional<String> note(Optional<Path> end) {
+    return end.map(file -> beside(file, 1))
+        .filter(Files::exists)
+        .map(left -> "A session did not end in order: --scene " + left + " resumes it.");
+  }
+
+  /** Returns the file in which it saves. */
+  Path target() {
+    return target;
+  }
+
+  /**
+   * Saves if a period is over and a body has moved.
+   *
+   * @throws IOException if the file cannot be written
+   */
+  void tick(long nowNanos) throws IOException {
+    if (nowNanos - lastNanos < PERIOD_NANOS) {
+      return;
+    }
+    lastNanos = nowNanos;
+    List<RigidTransform> present = poses.get();
+    if (!isSaved(present)) {
+      try (AtomicFile file = new AtomicFile(target)) {
+        SceneWriter.write(present(present), file.stream());
+        file.commit();
+      }
+      saved = present;
+    }
+  }
+
+  private boolean isSaved(List<RigidTransform> present) {
+    boolean same = present.size() == saved.size();
+    for (int n = 0; same && n < present.size(); n++) {
+      same = present.get(n).sameBits(saved.get(n));
+    }
+    return same;
+  }
+
+  private SceneFile present(List<RigidTransform> present) {
+    List<SceneBody> bodies = new ArrayList<>();
+    for (SceneBody body : scene.bodies()) {
+      Pose pose = new Pose().set(present.get(bodies.size()));
+      bodies.add(body.at(seenFromTarget(body.source()), pose));
+    }
+    return scene.with(
+        bodies,
+        scene.tool().map(tool -> tool.isFile() ? tool.with(seenFromTarget(tool.spec())) : tool));
+  }
+
+  /** Returns the name of a file, which is relative to the scene file, relative to the target. */
+  private String seenFromTarget(String name) {
+    Path file = sceneFile.toAbsolutePath().resolveSibling(name).normalize();
+    Path folder = target.toAbsolutePath().normalize().getParent();
+    return folder.relativize(file).toString().replace('\\', '/');
+  }
+
+  /**
+   * Deletes what was saved, because the session has ended in order.
+   *
+   * @throws IOException if that is not possible
+   */
+  void end() throws IOException {
+    if (!saved.isEmpty()) {
+      Files.deleteIfExists(target);
+    }
+  }
+}
