@@ -55,6 +55,8 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   private final ForceRamp ramp;
   private final HapticEffects effects = new HapticEffects();
   private final HandState hand = new HandState();
+  private final Vec3 contactForce = new Vec3();
+  private final Vec3 contactTorque = new Vec3();
   private final Watchdog watchdog;
   private boolean freed;
   private boolean followed;
@@ -191,6 +193,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   final void addEffects(long sinceLastNanos) {
     if (effects.areActive()) {
       describe(hand);
+      hand.contact = isTouching();
       hand.contactNewton.set(forceNewton);
       hand.contactTorqueNewtonMm.set(torqueNewtonMm);
       hand.advance(sinceLastNanos);
@@ -201,7 +204,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     }
   }
 
-  /** Writes poses, contact and what is held. */
+  /** Writes poses and what is held. */
   abstract void describe(HandState dest);
 
   /** Lets effects begin anew, because the hand holds something else from now on. */
@@ -218,10 +221,14 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     return effects.areActive() ? Math.min(felt, hand.contactNewton.length()) : felt;
   }
 
-  /** Writes the part of the last force and torque that no effect made. */
-  final void withoutEffects(Vec3 forceDest, Vec3 torqueDest) {
-    forceNewton.sub(effects.lastForceNewton(), forceDest);
-    torqueNewtonMm.sub(effects.lastTorqueNewtonMm(), torqueDest);
+  /** Returns the part of the last force that no effect made, until the next call. */
+  final Vec3 forceOfContact() {
+    return forceNewton.sub(effects.lastForceNewton(), contactForce);
+  }
+
+  /** Returns the part of the last torque that no effect made, until the next call. */
+  final Vec3 torqueOfContact() {
+    return torqueNewtonMm.sub(effects.lastTorqueNewtonMm(), contactTorque);
   }
 
   /** Limits force and torque; a device without torque gets none. */

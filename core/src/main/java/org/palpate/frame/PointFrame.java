@@ -318,7 +318,6 @@ public final class PointFrame extends HapticFrame {
   void describe(HandState dest) {
     toMillimetres(deviceGrid, dest.device.translation);
     toMillimetres(presentPosition(), dest.tool.translation);
-    dest.contact = point.contact;
   }
 
   private void toMillimetres(Vec3 grid, Vec3 dest) {

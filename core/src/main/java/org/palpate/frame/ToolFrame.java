@@ -26,7 +26,6 @@ import org.palpate.force.HandState;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
-import org.palpate.geometry.Vec3;
 import org.palpate.rigid.BlockingVoxels;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSolver;
@@ -58,8 +57,6 @@ public final class ToolFrame extends HapticFrame {
   private final ToolFramePublisher publisher;
   private final ToolMotion motion;
   private final Pose devicePose = new Pose();
-  private final Vec3 pressingForce = new Vec3();
-  private final Vec3 pressingTorque = new Vec3();
   private final Quaternion checked = new Quaternion();
   private final SkipCounters skippedBeforeUse = new SkipCounters();
   private final BlockingVoxels blocking;
@@ -194,8 +191,7 @@ public final class ToolFrame extends HapticFrame {
     int touched = holds ? Grasp.NO_BODY : grasp.touched(motion);
     BodyGroups bound = groups;
     if (request == HoldRequest.TAKE && touched != Grasp.NO_BODY && !bound.isLocked(touched)) {
-      withoutEffects(pressingForce, pressingTorque);
-      grasp.take(touched, devicePose, pressingForce, pressingTorque, motion);
+      grasp.take(touched, devicePose, forceOfContact(), torqueOfContact(), motion);
       holdChanged(touched, BodyEvent.TAKEN);
       joinAll(touched, bound);
     } else if (request == HoldRequest.LET_GO && holds) {
@@ -327,7 +323,6 @@ public final class ToolFrame extends HapticFrame {
   void describe(HandState dest) {
     dest.device.set(grasp.solver().target());
     dest.tool.set(motion.pose());
-    dest.contact = motion.contact();
     dest.isRigid = true;
     dest.heldBody = grasp.held();
   }
@@ -359,10 +354,7 @@ public final class ToolFrame extends HapticFrame {
     holdRequest.set(HoldRequest.TAKE);
   }
 
-  /**
-   * Lets go of the body that is held, in the next frame. It stays where it is, and undo can take it
-   * back. Any thread.
-   */
+  /** Lets go of the body in hand in the next frame; undo can take it back. Any thread. */
   public void requestLetGo() {
     holdRequest.set(HoldRequest.LET_GO);
   }

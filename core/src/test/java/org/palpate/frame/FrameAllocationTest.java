@@ -7,6 +7,7 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
@@ -26,9 +27,20 @@ import org.palpate.elastic.SynchronousUpdates;
 import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.elastic.lattice.ElasticSegment;
+import org.palpate.force.EffectPlan;
+import org.palpate.force.EffectSite;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
+import org.palpate.force.GreyMaterials;
+import org.palpate.force.HapticEffect;
+import org.palpate.force.MassSettings;
+import org.palpate.force.MassiveContact;
 import org.palpate.force.Material;
+import org.palpate.force.effect.Effects;
+import org.palpate.force.guide.GuideStrength;
+import org.palpate.force.guide.Guides;
+import org.palpate.force.guide.SegmentDistance;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.HapticLoop;
 import org.palpate.loop.LoopEnd;
@@ -48,6 +60,7 @@ import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.sync.Accumulator;
 import org.palpate.sync.TouchProperties;
 import org.palpate.testing.Floor;
+import org.palpate.volume.ScalarVolume;
 
 /** Measures a whole frame: device, edits, solver, force, recorder, sync, loop and histograms. */
 class FrameAllocationTest {
@@ -143,6 +156,89 @@ class FrameAllocationTest {
     frame.deform(body.contact());
     assertARoundAllocatesNothing(frame);
     assertTrue(body.counters().updates() > 100);
+  }
+
+  @Test
+  void aHundredThousandWarmFramesWithGuidesEffectsMassAndGreyValuesAllocateNothing() {
+    prepareEdits(1.5);
+    HandTarget target = HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1);
+    SimulatedDevice hand = new SimulatedDevice(7, target, ManualClock.MS);
+    FrameSettings settings = FrameSettings.live(hand.specification(), Floor.settings().force());
+    PointFrame frame =
+        new PointFrame(
+            GridDevice.inGridCoordinates(new MeasuringDevice(new RecordingDevice(hand, recorder))),
+            new SmoothSolver(Floor.METRIC, 8),
+            floor.scene,
+            Floor.METRIC,
+            settings,
+            floor.edits,
+            FramePublisher.NONE);
+    frame.requestEffects(everyEffect(0));
+    MassSettings held = new MassSettings(0.02, new Vec3(0, 0, -9810));
+    frame.give(new MassiveContact(Floor.METRIC, settings.force(), held));
+    frame.use(new GreyMaterials(greyValues(), GreyMaterials.CT));
+    assertARoundAllocatesNothing(frame);
+  }
+
+  @Test
+  void aHundredThousandWarmFramesOfARigidToolWithGuidesAndEffectsAllocateNothing() {
+    prepareEdits(2.6);
+    BodyScene bodies =
+        new BodyScene(List.of(new Body("floor", floor.bits, Floor.GRID, Mobility.FIXED)));
+    RigidTool tool = ToolSampler.ofShape(RodShape.capsule(1, 4), 0.7);
+    HandTarget target = HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1);
+    SimulatedDevice hand = SimulatedDevice.withOrientation(7, target, ManualClock.MS);
+    ToolFrame frame =
+        new ToolFrame(
+            new MeasuringDevice(new RecordingDevice(hand, recorder)),
+            bodies,
+            new RigidSolver(bodies, tool, RigidSettings.ofWholeBodies(8, bodies, tool)),
+            RigidCoupling.of(tool, 0.5),
+            FrameSettings.live(hand.specification(), Floor.settings().force()),
+            floor.edits,
+            ToolFramePublisher.NONE);
+    frame.requestEffects(everyEffect(2));
+    frame.use(new GreyMaterials(greyValues(), GreyMaterials.CT));
+    assertARoundAllocatesNothing(frame);
+  }
+
+  private static ScalarVolume greyValues() {
+    ScalarVolume values = ScalarVolume.of(Floor.GRID, ScalarVolume.Storage.INT16);
+    for (int n = 0; n < 32 * 32 * 32; n++) {
+      values.set(n % 32, n / 32 % 32, n / 1024, 40 * (n % 32) - 100 + n % 7);
+    }
+    return values;
+  }
+
+  private List<HapticEffect> everyEffect(double rotationalStiffness) {
+    EffectSite site =
+        new EffectSite(
+            RigidTransform.identity(),
+            0.5,
+            rotationalStiffness,
+            Double.POSITIVE_INFINITY,
+            List.of(new Vec3(), new Vec3(0, 0, 1)));
+    Vec3 middle = new Vec3(16, 16, 10);
+    GuideStrength weak = new GuideStrength(OptionalDouble.of(0.01), OptionalDouble.of(0.1), 40);
+    SegmentDistance distance = new SegmentDistance(floor.bits, Floor.GRID, 3);
+    List<HapticEffect> effects = new ArrayList<>();
+    for (EffectPlan plan :
+        List.of(
+            Guides.axis(middle, new Vec3(0, 0, 1), weak),
+            Guides.plane(middle, new Vec3(1, 0, 0), weak),
+            Guides.ball(middle, 3, weak),
+            Guides.hinge(middle, new Vec3(0, 1, 0), weak),
+            Guides.path(List.of(new Vec3(), middle, new Vec3(30, 0, 9)), weak),
+            Guides.align(new Vec3(0, 0, 1), weak),
+            Guides.away(distance, 3, weak),
+            Effects.viscosity(0.0001),
+            Effects.magnet(distance, 0.1, 3),
+            Effects.stickSlip(0.1),
+            Effects.vibration(50, 0.1),
+            Effects.texture(greyValues(), 0.001))) {
+      effects.add(plan.make(site));
+    }
+    return effects;
   }
 
   /** Returns settings with materials, friction and damping, so that a frame computes them all. */

@@ -268,7 +268,8 @@ public final class ReplayCommand implements Callable<Integer> {
     return failures.exitCode();
   }
 
-  private int replayTool() throws IOException {
+  /** Refuses what a rigid tool, or bodies that move, do not have. */
+  private void checkToolOptions() {
     if (coordinates == Coordinates.grid) {
       throw PalpateException.wrongUse(
           "a tool moves in the world",
@@ -287,6 +288,10 @@ public final class ReplayCommand implements Callable<Integer> {
           "--protect with --poses",
           "leave one of them out");
     }
+  }
+
+  private int replayTool() throws IOException {
+    checkToolOptions();
     ToolTables.LegSelection selection = ToolTables.LegSelection.parse(legsEvery, legsFrames);
     VolumeSource source = VolumeSource.open(volume);
     MadeTool made = tool.make(source.header());
