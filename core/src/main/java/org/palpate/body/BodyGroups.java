@@ -45,7 +45,10 @@ public final class BodyGroups {
     return false;
   }
 
-  /** Returns groups in which a body and all that move together with it are locked or not. */
+  /**
+   * Returns groups in which a body and all bodies that move together with it are locked, or
+   * unlocked.
+   */
   public BodyGroups withLock(int body, boolean isLocked) {
     boolean[] changed = locked.clone();
     for (int n = 0; n < first.length; n++) {
@@ -54,7 +57,7 @@ public final class BodyGroups {
     return new BodyGroups(first, changed);
   }
 
-  /** Returns groups in which all that move together with one body do so with another as well. */
+  /** Returns groups in which the group of one body is merged with that of another. */
   public BodyGroups bound(int one, int other) {
     int joint = Math.min(first[one], first[other]);
     int[] changed = first.clone();

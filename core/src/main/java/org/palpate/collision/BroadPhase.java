@@ -108,7 +108,7 @@ final class BroadPhase {
     if (alwaysCount > 0) {
       addKept();
     }
-    // In the order of the scene, so that the first of equal hits does not depend on the search.
+    // In the order of the scene, so that the choice among equal hits does not depend on the search.
     Arrays.sort(indices, 0, count);
     for (int n = 0; n < count; n++) {
       candidates[n] = cubes[indices[n]];

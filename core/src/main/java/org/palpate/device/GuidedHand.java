@@ -24,7 +24,7 @@ public final class GuidedHand implements HapticDevice {
   /** The mean angular speed between two stops. */
   public static final double RAD_PER_SECOND = 1;
 
-  /** The fraction of what is seen to be wrong that a sample corrects. */
+  /** The fraction of the visible error that one sample corrects. */
   private static final double CORRECTION = 0.005;
 
   /** The time in which the tremor dies away at a steady stop. */
@@ -40,7 +40,7 @@ public final class GuidedHand implements HapticDevice {
   private final Vec3 shake = new Vec3();
   private final Vec3 twist = new Vec3();
 
-  /** The present stop's pose with what was corrected there. */
+  /** The pose of the present stop, with the corrections so far. */
   private final Pose corrected = new Pose();
 
   private final Pose error = new Pose();
@@ -121,7 +121,7 @@ public final class GuidedHand implements HapticDevice {
     return departure() + travelSeconds(stops.get(stop).pose(), stops.get(stop + 1).pose());
   }
 
-  /** Moves the device a part of the way that takes what is seen to its goal. */
+  /** Moves the device by a fraction of the motion that brings the visible thing to its goal. */
   private void correct(HandStop.Aim aim) {
     Pose seen = aim.seen().get();
     aim.goal().rotation.multiply(seen.rotation.conjugate(quaternion), error.rotation);

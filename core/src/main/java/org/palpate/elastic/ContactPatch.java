@@ -12,7 +12,10 @@ import org.palpate.geometry.Vec3;
  * <p>One thread; allocates nothing after construction.
  */
 final class ContactPatch {
-  /** The radius of the patch over the longest edge of a cell: a smaller one feels the cells. */
+  /**
+   * The radius of the patch over the longest edge of a cell. With a smaller one, the hand would
+   * feel the cells.
+   */
   static final double RADIUS_EDGES = 2;
 
   /** The reach of the weights over the radius. */

@@ -3,8 +3,8 @@ package org.palpate.elastic;
 import org.palpate.elastic.lattice.ControlLattice;
 
 /**
- * Makes cells stiffer that are nearly flat, air too, so that what crushes a cell or closes a gap is
- * resisted. The modulus in use approaches its goal over several updates.
+ * Makes nearly flat cells stiffer, cells of air included, so that the material resists when a cell
+ * is crushed or a gap closes. The modulus in use approaches its goal over several updates.
  *
  * <p>One thread; allocates nothing.
  */

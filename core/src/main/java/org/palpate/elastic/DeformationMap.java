@@ -61,7 +61,8 @@ final class DeformationMap {
   }
 
   /**
-   * Sets the force on the material, N, and clips it to what is proved to fold nothing.
+   * Sets the force on the material, N, clipped to the forces that are proved to fold no
+   * tetrahedron.
    *
    * @return whether it was clipped
    */
@@ -163,8 +164,8 @@ final class DeformationMap {
   }
 
   /**
-   * Returns the material point at a present position. It walks from tetrahedron to tetrahedron
-   * through the face that the position lies beyond.
+   * Returns the material point at a present position. The search goes from tetrahedron to
+   * tetrahedron, each time through the face that the position lies beyond.
    *
    * @param near a material point at which to begin
    * @param dest may be {@code near} but not {@code present}
@@ -281,9 +282,9 @@ final class DeformationMap {
   }
 
   /**
-   * Writes the transposed gradient of the map times a vector, divided by a bound of its largest
-   * squared stretch. The gradient comes from differences over a cell, so that it is continuous: the
-   * one of a tetrahedron jumps from one to the next.
+   * Writes the product of the transposed gradient of the map and a vector, divided by a bound of
+   * the largest squared stretch. The gradient comes from differences over a cell, so that it is
+   * continuous. The gradients of neighbouring tetrahedra would differ by a jump.
    *
    * @param vectorMm along the axes of the grid, mm; {@code dest} may be the same
    */

@@ -90,7 +90,8 @@ public final class ElasticContact {
   }
 
   /**
-   * Begins a frame: takes a new field and gives way to the force that will balance.
+   * Begins a frame: takes a new field, if there is one, and deforms the material by the force at
+   * which it balances the coupling.
    *
    * @param deviceGrid where the device is, grid coordinates
    * @param point where the last frame left it, material coordinates
@@ -222,7 +223,7 @@ public final class ElasticContact {
 
   private void couple(InteractionPoint point) {
     if (!pressed && point.position.sameBits(target)) {
-      coupled.set(point.position); // Without the rounding of there and back.
+      coupled.set(point.position); // This avoids the rounding of a conversion and its inverse.
     } else {
       device.sub(present, coupled);
       coupled.add(point.position, coupled);
@@ -230,8 +231,8 @@ public final class ElasticContact {
   }
 
   /**
-   * Returns the device position as the coupling takes it, from the point in material coordinates:
-   * as far from it, and in the same direction, as the device is from the present position.
+   * Returns the device position for the coupling, in material coordinates. Its offset from the
+   * point equals the offset of the device from the present position of the point.
    */
   public Vec3 coupledDevice() {
     return coupled;
@@ -242,7 +243,7 @@ public final class ElasticContact {
     return present;
   }
 
-  /** Returns the number of frames whose force on the material was clipped to the proof. */
+  /** Returns the number of frames whose force on the material was clipped to the proved forces. */
   public long clippedFrames() {
     return clippedFrames;
   }

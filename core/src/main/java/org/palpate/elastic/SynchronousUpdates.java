@@ -1,9 +1,9 @@
 package org.palpate.elastic;
 
 /**
- * Updates an elastic body every so many frames, between two frames of the same thread. An update
- * uses the load of the one before it, as a thread that needs the whole period would. So a replay
- * gives the same bits on every machine.
+ * Updates an elastic body every {@link #FRAMES} frames, between two frames of the same thread. An
+ * update uses the load of the previous update, like a thread that needs the whole period. So a
+ * replay gives the same bits on every machine.
  */
 public final class SynchronousUpdates {
   /** The frames of a period, 30 a second at 1 kHz. */

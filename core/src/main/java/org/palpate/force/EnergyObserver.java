@@ -2,8 +2,8 @@ package org.palpate.force;
 
 /**
  * Watches the energy of a body that the hand moves by a spring. In each frame the energy of the
- * body may grow by the work of the hand and no more. A surplus is to be taken from the motion of
- * the body; what its motion does not have stays as a debt, for later frames.
+ * body may grow by the work of the hand and no more. A surplus is taken from the kinetic energy of
+ * the body. If that does not suffice, the rest is a debt, which later frames pay.
  *
  * <p>References: passivity observer and controller, Hannaford and Ryu 2002. Energies in N mm, which
  * are mJ. Haptic thread; allocates nothing.
@@ -13,7 +13,7 @@ final class EnergyObserver {
   private double debt;
   private double taken;
 
-  /** Begins with a body of this energy, which owes nothing. */
+  /** Begins with a body of this energy and without a debt. */
   void begin(double energy) {
     last = energy;
     debt = 0;

@@ -161,7 +161,10 @@ final class StepOff {
     return dest.set(start.x + t * across.x, start.y + t * across.y, start.z + t * across.z);
   }
 
-  /** Finds the surface of a fragment nearest to a point along a normal, from out to in. */
+  /**
+   * Finds the surface of a fragment nearest to a point along a normal, from the outside to the
+   * inside.
+   */
   private boolean surface(SmoothedBits fragment, Vec3 start, Vec3 normal, Vec3 dest) {
     Vec3 scratch = new Vec3();
     Vec3 at = new Vec3();

@@ -35,7 +35,10 @@ final class BodyReport {
     listener.accept(body, event, bodies.body(body).pose(), grasp.inHand());
   }
 
-  /** Reports the poses that changed: by the hand those that it moves, the others by an event. */
+  /**
+   * Reports the poses that changed. The cause is the hand for the bodies that it moves, and the
+   * given event for the others.
+   */
   void tellMotions(BodyEvent event) {
     for (int n = 0; n < known.size(); n++) {
       Pose pose = bodies.body(n).pose();

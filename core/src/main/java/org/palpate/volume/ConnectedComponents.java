@@ -78,7 +78,10 @@ public final class ConnectedComponents {
     return found;
   }
 
-  /** Returns the largest component, the first one of equals; an empty cube if nothing is solid. */
+  /**
+   * Returns the largest component, or the first one of several that are equally large; an empty
+   * cube if nothing is solid.
+   */
   public static BitCube largest(BitCube bits, Neighbours neighbours) {
     BitCube[] largest = {new BitCube(bits.sizeX(), bits.sizeY(), bits.sizeZ())};
     visit(

@@ -80,7 +80,7 @@ public final class Smoothing {
     return result;
   }
 
-  /** Returns an erosion or a dilation, which is right in the box grown by some reaches. */
+  /** Returns an erosion or a dilation. It is valid in the box, grown by a number of reaches. */
   private BitCube filtered(BitCube bits, IntBox box, int reaches, boolean erodes) {
     BitCube result = new BitCube(bits.sizeX(), bits.sizeY(), bits.sizeZ());
     IntBox grown = new IntBox().set(box).grow(reaches * reach);

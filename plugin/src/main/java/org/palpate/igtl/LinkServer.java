@@ -132,7 +132,7 @@ public final class LinkServer implements AutoCloseable {
     }
   }
 
-  /** Sends updates on the clock; a late one is not made up for. */
+  /** Sends updates at fixed times. A late update is not followed by extra ones. */
   private void sendAll() {
     LinkState state = new LinkState();
     long due = System.nanoTime();

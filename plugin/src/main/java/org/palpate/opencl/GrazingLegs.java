@@ -66,7 +66,10 @@ final class GrazingLegs implements PointSet {
     }
   }
 
-  /** Returns the way of all points in a motion, voxels: any, short, or within a plane. */
+  /**
+   * Returns the displacement of all points in a motion, voxels: any one, a short one, or one within
+   * a grid plane.
+   */
   private Vec3 way() {
     Vec3 way = vector(LONGEST_VOXELS);
     switch (random.nextInt(5)) {
@@ -79,9 +82,9 @@ final class GrazingLegs implements PointSet {
   }
 
   /**
-   * Returns a start from which the way passes through a corner, an edge or a face. Most of these
-   * lie at the origin of the grid, where coordinates have the most digits: only there does the
-   * rounding of products decide.
+   * Returns a start from which the displacement leads through a corner, an edge or a face. Most of
+   * these lie at the origin of the grid, where coordinates have the most digits: only there does
+   * the rounding of products decide.
    */
   private Vec3 grazingStart(Vec3 way) {
     Vec3 start = new Vec3();

@@ -188,8 +188,8 @@ final class SceneLegJudge {
   }
 
   /**
-   * Judges the legs of a pair. The tool carries the sample points; of two bodies, the one that has
-   * fewer of them does, and of equals the earlier one.
+   * Judges the legs of a pair. The tool carries the sample points. Of two bodies, the one with
+   * fewer points carries them; if both have equally many, the earlier one does.
    */
   private void judgePair(int later, int earlier) {
     boolean laterCarries =

@@ -75,7 +75,7 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
     }
   }
 
-  /** Returns what is compared; the first is plain contact. */
+  /** Returns the compared guides, effects and masses; the first is plain contact. */
   public static List<Feel> feels() {
     return FEELS;
   }
@@ -145,9 +145,9 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
   }
 
   /**
-   * Returns the energy that the forces gave to the hand over the whole motion, which ends where it
-   * began, mJ: each force times the mean of the steps before and after it. So it shows what the
-   * effect does, and not what sampling and delay add. A passive effect gives none.
+   * Returns the energy that the forces gave to the hand over the whole motion, mJ; the motion ends
+   * where it began. Each force is multiplied by the mean of the steps before and after it, so that
+   * sampling and delay add no energy. A passive effect gives none.
    *
    * @param newtonPerM the stiffness, N/m
    */

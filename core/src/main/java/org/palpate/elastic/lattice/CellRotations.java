@@ -25,7 +25,7 @@ final class CellRotations {
   private final double[] perMm = new double[3];
   private final double[] f = new double[9];
 
-  /** Creates rotations by nothing. */
+  /** Creates rotations that are the identity. */
   CellRotations(ActiveCells cells) {
     this.cells = cells;
     nodes = cells.layout().nodeCount();
@@ -41,7 +41,7 @@ final class CellRotations {
     }
   }
 
-  /** Takes the rotations from displacements, mm. */
+  /** Computes the rotations from displacements, mm. */
   void update(float[] displacement) {
     for (int cell = 0; cell < cells.count(); cell++) {
       gradient(displacement, cells.firstNode(cell));

@@ -24,7 +24,7 @@ public final class ConjugateGradients {
   }
 
   /**
-   * Adds to a displacement what its residual asks for.
+   * Adds to a displacement the solution for its residual.
    *
    * @param residual the force that is not balanced; holds what remains at the end, N
    * @param displacement changed in place, mm

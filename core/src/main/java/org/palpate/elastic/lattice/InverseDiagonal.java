@@ -3,8 +3,8 @@ package org.palpate.elastic.lattice;
 import java.util.Arrays;
 
 /**
- * One over the diagonal of a stiffness, one number for the three entries of a node, and zero where
- * nothing may move.
+ * The reciprocals of the diagonal of a stiffness: one number for the three entries of a node, and
+ * zero for a fixed node.
  *
  * <p>Each cell counts with the largest entry of its diagonal. So the diagonal is the same for every
  * rotation, and {@link #largestEigenvalue} bounds its product with the stiffness for all rotations

@@ -6,7 +6,9 @@ import org.palpate.force.guide.SegmentDistance;
 import org.palpate.force.guide.SegmentPush;
 import org.palpate.volume.ScalarVolume;
 
-/** Plans of effects. No force of them is longer than the longest one of the frame. Any thread. */
+/**
+ * Plans of effects. The force of each effect is at most the longest force of the frame. Any thread.
+ */
 public final class Effects {
   private Effects() {}
 

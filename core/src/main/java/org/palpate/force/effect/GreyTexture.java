@@ -9,8 +9,9 @@ import org.palpate.volume.VoxelGrid;
 
 /**
  * Lets the hand feel the detail of the grey values under the contact as bumps. The detail is the
- * grey value less the mean of those around it. It counts as a height; where the surface rises along
- * the way, the pressing force pushes the hand back, and where it falls, forwards.
+ * grey value less the mean of those around it, and counts as a height. If the height rises in the
+ * direction of motion, the pressing force pushes the hand back; if it falls, it pushes the hand
+ * forwards.
  *
  * <p>The force is the pressing force times the slope, along the surface, and at most half the
  * pressing force. Of a rigid tool the detail at its reference point counts.

@@ -54,7 +54,7 @@ final class LiftedMotion {
     return moved;
   }
 
-  /** Moves in one leg to a position as low above {@code to} as voxels allow. */
+  /** Moves in one leg to the lowest free position above {@code to} that the tried heights give. */
   private boolean moveAbove(Vec3 to, Vec3 normal) {
     for (double lift : LIFTS_EDGES) {
       units.offset(to, lift, normal, above);

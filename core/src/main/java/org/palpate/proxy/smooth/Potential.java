@@ -15,13 +15,13 @@ import org.palpate.proxy.smooth.field.SeedCell;
 final class Potential {
   /**
    * The weight of an edge of depth against an edge of distance. Above 1, so that leaving the inside
-   * pays; twice that, because the field is flatter in places.
+   * lowers the potential; twice that, because the field is flatter in places.
    */
   private static final double DEPTH_WEIGHT = 2;
 
   /**
    * The weight of an edge of height against an edge of distance. Nearly 1, so that passing over
-   * voxels that stand out costs next to nothing; below 1, so that coming down pays.
+   * voxels that stand out hardly raises the potential; below 1, so that coming down lowers it.
    */
   private static final double HEIGHT_WEIGHT = 0.98;
 

@@ -12,7 +12,10 @@ final class SurfaceHeight {
   /** The path over which curvature is smoothed. */
   private static final double SMOOTHING_PATH_EDGES = 12;
 
-  /** The ripple of a single curvature, by the voxels; the smoothed one stays within it. */
+  /**
+   * The ripple of the voxels in a single curvature. The smoothed curvature differs from it by no
+   * more.
+   */
   private static final double RIPPLE_EDGES = 0.05;
 
   private final FieldSample sample;

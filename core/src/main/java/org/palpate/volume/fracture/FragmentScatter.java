@@ -30,7 +30,7 @@ public final class FragmentScatter {
   /** The least gap between two fragments, longest voxel edges. */
   private static final double LEAST_GAP_EDGES = 2;
 
-  /** After so many failures a fragment is moved farther away at each try. */
+  /** After this many failures a fragment is moved farther away at each try. */
   private static final int CROWDED = 200;
 
   private static final int MOST_TRIES = 2000;

@@ -43,7 +43,7 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
    * Returns the voxels of a grid whose centres lie in voxels of the posed bodies. This is
    * nearest-voxel resampling by the inverse map. It leaves no gap inside a body, nor between bodies
    * that touch as they did at rest. A voxel that lies in two bodies goes to the one whose voxel
-   * centre is nearer, or to the first of equals.
+   * centre is nearer. If both are equally near, it goes to the first one.
    *
    * @return a cube for each body, of the size of the grid; no two share a voxel
    */

@@ -33,7 +33,7 @@ final class PoseOptions {
   }
 
   /**
-   * Returns what writes bodies and their poses.
+   * Returns the export of bodies and their poses.
    *
    * @param labels the label volume, or null if none is written
    */
@@ -43,7 +43,7 @@ final class PoseOptions {
   }
 
   /**
-   * Returns what writes the bodies of a volume and their poses.
+   * Returns the export of the bodies of a volume and their poses.
    *
    * @param labels the label volume, or null if none is written
    * @throws PalpateException exit code 2, if poses are to be written but the volume has none

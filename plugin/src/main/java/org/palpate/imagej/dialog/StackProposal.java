@@ -21,7 +21,7 @@ record StackProposal(double lower, double upper, String reason) {
   private static final String PREFIX = "palpate.";
   private static final double DEFAULT_UPPER = 65535;
 
-  /** Largest number of slices in the sample, and below of pixels of a slice. */
+  /** Largest number of slices in the sample; the next one is that of pixels in a slice. */
   private static final int MAX_SLICES = 32;
 
   private static final int MAX_PIXELS = 16384;

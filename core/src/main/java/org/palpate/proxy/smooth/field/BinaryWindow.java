@@ -219,9 +219,9 @@ final class BinaryWindow {
   }
 
   /**
-   * Finds the cell from which a seed reaches empty space: of the cells of its voxel the empty one
-   * nearest to the middle along the first cut, of these that nearest along the second. Returns
-   * false if there is none in the window.
+   * Finds the cell from which a seed reaches empty space. It looks at the empty cells of the voxel
+   * of the seed. Of those nearest to the middle along the first cut, it takes the one nearest along
+   * the second. Returns false if there is none in the window.
    */
   private boolean findSeed(SeedCell seed) {
     if (cuts.length == 0) {

@@ -4,11 +4,11 @@ import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
 
 /**
- * The occupancies of the cells of a window less their bits, summed up over each row along x. Thin
- * slices end columns within cells; such a cell is solid in part.
+ * Corrections of a window of bits: the occupancy of each cell less its bit, summed up over each row
+ * along x. A column of a thin slice may end within a cell, which is then only partly solid.
  *
  * <p>A correction counts only if the seed reaches the cell or one beside it along the last cut.
- * Otherwise the empty part counts as solid, as empty cells do that the seed does not reach.
+ * Otherwise its empty part counts as solid, like empty cells that the seed does not reach.
  */
 final class CellCorrections {
   private static final int EDGE = BinaryWindow.EDGE;

@@ -58,8 +58,8 @@ final class NearestPixels {
   }
 
   /**
-   * Returns the steps up to the distance from which on some pixels are out of reach. Of steps of
-   * equal distance that of fewer rows comes first.
+   * Returns the steps up to the distance from which on some pixels are out of reach. Among steps of
+   * equal distance, the one with fewer rows comes first.
    */
   private List<Integer> stepsInOrder() {
     double endSquare = Math.min(edges.square(REACH + 1, 0), edges.square(0, REACH + 1));

@@ -25,7 +25,8 @@ public final class OccupancyField {
   private static final int COEFFICIENTS = 27;
 
   /**
-   * The isosurface's greatest offset where it still tells more than voxels that stand out of it.
+   * The greatest offset at which the isosurface still describes the surface better than voxels that
+   * stand out of it.
    */
   private static final double MAX_DEVIATIONS_OF_BITS = 1.93;
 

@@ -7,7 +7,9 @@ package org.palpate.proxy.smooth.field;
  * @param v the edge along v, at least 1
  */
 record PixelEdges(double u, double v) {
-  /** Returns the squared distance between pixels that lie so many pixels apart along u and v. */
+  /**
+   * Returns the squared distance between two pixels, given their offsets along u and v in pixels.
+   */
   double square(int alongU, int alongV) {
     return alongU * alongU * (u * u) + alongV * alongV * (v * v);
   }

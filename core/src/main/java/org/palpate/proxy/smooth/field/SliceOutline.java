@@ -141,7 +141,8 @@ final class SliceOutline {
   }
 
   /**
-   * Finds the nearest pixel of a kind, of equals that of the fewest rows away.
+   * Finds the nearest pixel of a kind. Among equally near pixels, it takes the one the fewest rows
+   * away.
    *
    * @return false if there is none within reach
    */

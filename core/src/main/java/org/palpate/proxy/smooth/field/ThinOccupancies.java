@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
 
 /**
- * The occupancies of thin slices, which are cut from voxels by what the grey values say. A voxel
- * that is partly solid is filled from the side of its solid neighbour along the long axis, as far
- * as its occupancy goes. If the neighbours on both sides are alike, it is filled evenly.
+ * The occupancies of the thin slices into which voxels are cut, as the grey values give them. A
+ * voxel that is partly solid is filled from the side of its solid neighbour along the long axis, as
+ * far as its occupancy goes. If the neighbours on both sides are alike, it is filled evenly.
  *
  * <p>A cell lies in one voxel or in two. It depends on these and on the next voxel on either side,
  * so four words of voxels give a word of cells, whichever window asks. Voxels are cached, because
