@@ -1,12 +1,13 @@
 #!/bin/sh
-# What reaching hidapi from Java costs: ours, JNA direct, hid4java, on one substitute library, by JMH.
+# Measures by JMH what calls of hidapi from Java cost: by Palpate, by JNA and by hid4java, all with
+# the same substitute library.
 #
 #   benchmarks/src/test/sh/crossing-table.sh [ROUNDS [JAVA_HOME ...]]
 #
-# In every round (5) each JDK (JAVA_HOME) measures every way in a fresh process, so that what else
-# the machine does falls on all alike. Prints processor time of the measuring thread, nanoseconds a
-# frame: median, least and most of the rounds, and how many times two empty native calls of the
-# same process that is. Needs what ./palpate test has built.
+# In each of 5 rounds, each JDK measures each of these in a fresh process, so that other work of the
+# machine affects all of them alike. The table has the processor time of the measuring thread,
+# nanoseconds for each frame: the median, the least and the largest of the rounds. It also has the
+# ratio to two empty native calls in the same process. It needs the build of ./palpate test.
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../../../.." && pwd -P)
 substitutes=$root/native/target/cmake-tests/substitutes
@@ -27,7 +28,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 
-# One fresh process a way; appends lines of JDK, round, way, nanoseconds.
+# Runs a fresh process for each kind of call, and appends lines of JDK, round, kind, nanoseconds.
 measure() {
   jdk=$("$2/bin/java" -version 2>&1 | sed -n 's/.*version "\([0-9]*\).*/\1/p')
   PALPATE_NULL_HID=1 PALPATE_FAKE_HID=/nonexistent LD_LIBRARY_PATH=$substitutes \

@@ -1,17 +1,18 @@
 #!/bin/sh
-# Runs palpate with a hand-built device that the Linux kernel itself makes (uhid), in a virtual
-# machine without a disk: Debian's kernel, this system's files read-only beneath it, software
-# emulation alone, so it says nothing of time. The firmware is docs/firmware/palpate_device.c.
+# Runs palpate with a hand-built device that the Linux kernel itself simulates (uhid), in a virtual
+# machine without a disk. The machine runs Debian's kernel with this system's files, read-only. It is
+# emulated in software, so its times mean nothing. The firmware is docs/firmware/palpate_device.c.
 #
 #   native/src/test/sh/touch-uhid-in-qemu.sh [COMMAND [ARGUMENT ...]]
 #
-# COMMAND starts palpate, this copy's unless told otherwise; its arguments follow. Prints what the
-# machine said; exit 0 where the device was listed, refused without permission with the udev rule
-# to install, and touched: forces came, none beyond the maximum, none at the end.
+# COMMAND starts palpate; by default it is that of this checkout. Its arguments follow. The script
+# prints the output of the machine. It exits with 0 if three things hold. The device was listed.
+# Without permission it was refused, with the udev rule to install. A session sent forces, none
+# beyond the maximum and none at the end.
 #
-# Needs qemu-system-x86 busybox-static libhidapi-hidraw0 cmake g++ (Debian's names), and fetches
-# Debian's kernel (70 MB) into target/qemu; a folder with vmlinuz and *.ko in PALPATE_KERNEL spares
-# that. No root, no KVM.
+# It needs qemu-system-x86 busybox-static libhidapi-hidraw0 cmake g++ (Debian's names). It downloads
+# Debian's kernel (70 MB) into target/qemu, unless PALPATE_KERNEL names a folder with vmlinuz and
+# *.ko. It needs neither root nor KVM.
 set -eu
 module=$(CDPATH='' cd -- "$(dirname -- "$0")/../../.." && pwd -P)
 build=$module/target/cmake-tests
@@ -20,7 +21,7 @@ work=
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 
-# In the order in which they are loaded; later kernels have joined or left out some.
+# In the order of loading. Later kernels have merged or removed some of them.
 modules="virtio_ring virtio virtio_pci_legacy_dev virtio_pci_modern_dev virtio_pci netfs fscache
   9pnet 9pnet_virtio 9p hid hid-generic uhid"
 
@@ -71,7 +72,7 @@ find_kernel() {
   cp "$work/unpacked/boot/vmlinuz"* "$kept"
 }
 
-# A file of the kernel's into the first file system, unpacked.
+# Unpacks a module of the kernel into the first file system.
 put_module() {
   file=$(find "$kernel" -name "$1.ko*" | head -n 1)
   case $file in
@@ -82,7 +83,7 @@ put_module() {
   esac
 }
 
-# What the machine starts with: busybox, the modules, and what it does.
+# Makes the first file system: busybox, the modules and the script that starts the machine.
 make_first_files() {
   root=$work/root
   mkdir -p "$root/bin" "$root/modules" "$root/host" "$root/proc" "$root/sys" "$root/dev"
@@ -114,7 +115,7 @@ quoted() {
   done
 }
 
-# What runs in the machine once it has this system's files.
+# Writes the script that runs in the machine once this system's files are mounted.
 make_session() {
   cat >"$root/session" <<SESSION
 export PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/run LC_ALL=C.UTF-8 JAVA_HOME='${JAVA_HOME:-}'
@@ -136,7 +137,7 @@ SESSION
 
 run_machine() {
   (cd "$root" && find . | "$busybox" cpio -o -H newc 2>/dev/null | gzip -1 >"$work/first.gz")
-  # One thread for both processors: with two, a JVM now and then runs code of its own half patched.
+  # One thread for both processors: with two, a JVM sometimes runs code that it has only half patched.
   image=$(find "$kernel" -name 'vmlinuz*' -type f | head -n 1)
   timeout 600 qemu-system-x86_64 -accel tcg,thread=single -cpu max -smp 2 -m 1536 -display none \
     -no-reboot -nodefaults -serial stdio -monitor none \
@@ -145,7 +146,7 @@ run_machine() {
     2>"$work/qemu.log" </dev/null | sed -u 's/\r//g' | tee "$work/said"
 }
 
-# Whether the machine said a line like this.
+# Fails unless the machine printed a line of this form.
 must_say() {
   grep -qE -- "$1" "$work/said" || fail "the session in the virtual machine: $2: look at what it said above"
 }

@@ -1,11 +1,12 @@
 #!/bin/sh
-# Runs palpate with a hand-built device that does not exist: the unmodified hidapi finds it behind
-# umockdev as /dev/hidraw0, its firmware is docs/firmware/palpate_device.c, a hand moves it at 1 kHz.
+# Runs palpate with a simulated hand-built device. The unmodified hidapi finds it as /dev/hidraw0 of
+# umockdev. Its firmware is docs/firmware/palpate_device.c, and a hand moves it at 1 kHz.
 #
 #   native/src/test/sh/touch-virtual-device.sh [COMMAND [ARGUMENT ...]]
 #
-# Without arguments: touch --device hid --seconds 10 --headless. At the end the device says what it
-# felt. Needs umockdev libumockdev-dev libhidapi-hidraw0 pkg-config cmake g++ (Debian's names).
+# Without arguments it runs touch --device hid --seconds 10 --headless. At the end the device prints
+# statistics of the forces that it received. It needs umockdev libumockdev-dev libhidapi-hidraw0
+# pkg-config cmake g++ (Debian's names).
 set -eu
 module=$(CDPATH='' cd -- "$(dirname -- "$0")/../../.." && pwd -P)
 build=$module/target/cmake-tests
