@@ -31,12 +31,27 @@ public final class WorkStudy {
   /** The name of hands that jump among such slices while a voxel is edited before each frame. */
   public static final String EDITED_SLICES = "jumps and edits, alternating slices";
 
+  /** The name of hands that jump among alternating slices of voxels with two long axes. */
+  public static final String SLICES_ALONG_TWO_AXES = SLICES + ", two long axes";
+
+  /** The name of hands that jump among such slices with edits. */
+  public static final String EDITED_SLICES_ALONG_TWO_AXES = EDITED_SLICES + ", two long axes";
+
   private static final double DEPTH_VOXELS = 5;
   private static final int SLIDE_FRAMES = 5000;
   private static final String SLID_ON = "sphere:192";
 
-  /** The spacings of alternating slices, in pixels. */
-  private static final double[] SLICE_SPACINGS = {1.5, 2, 3, 5, 10};
+  /** The edges of the voxels of alternating slices; the shortest is 1. */
+  private static final List<Vec3> ONE_LONG_AXIS =
+      List.of(
+          new Vec3(1, 1, 1.5),
+          new Vec3(1, 1, 2),
+          new Vec3(1, 1, 3),
+          new Vec3(1, 1, 5),
+          new Vec3(1, 1, 10));
+
+  private static final List<Vec3> TWO_LONG_AXES =
+      List.of(new Vec3(1, 2, 2), new Vec3(1, 3, 5), new Vec3(1, 5, 2));
 
   private static final int SLICES_EDGE = 160;
 
@@ -96,8 +111,10 @@ public final class WorkStudy {
       rows.add(Row.of("jumps, " + phantom, follow(bits, trajectory)));
     }
     rows.add(hostile());
-    rows.add(slices(SLICES, false));
-    rows.add(slices(EDITED_SLICES, true));
+    rows.add(slices(SLICES, ONE_LONG_AXIS, false));
+    rows.add(slices(EDITED_SLICES, ONE_LONG_AXIS, true));
+    rows.add(slices(SLICES_ALONG_TWO_AXES, TWO_LONG_AXES, false));
+    rows.add(slices(EDITED_SLICES_ALONG_TWO_AXES, TWO_LONG_AXES, true));
     return rows;
   }
 
@@ -153,27 +170,27 @@ public final class WorkStudy {
    * Follows hands that jump among slices of which every other one is solid but for single holes.
    * Outlines are then far apart, so that the search for them reads most.
    */
-  private Row slices(String name, boolean edited) {
-    int frames = jumps / SLICE_SPACINGS.length;
-    long[] all = new long[frames * SLICE_SPACINGS.length];
-    for (int n = 0; n < SLICE_SPACINGS.length; n++) {
-      long[] counts = jumpAmongSlices(SLICE_SPACINGS[n], frames, edited);
+  private Row slices(String name, List<Vec3> spacings, boolean edited) {
+    int frames = jumps / spacings.size();
+    long[] all = new long[frames * spacings.size()];
+    for (int n = 0; n < spacings.size(); n++) {
+      long[] counts = jumpAmongSlices(spacings.get(n), frames, edited);
       System.arraycopy(counts, 0, all, frames * n, frames);
     }
     return Row.of(name, all);
   }
 
-  private long[] jumpAmongSlices(double spacing, int frames, boolean edited) {
+  private long[] jumpAmongSlices(Vec3 edges, int frames, boolean edited) {
     SplittableRandom random = new SplittableRandom(seed);
-    BitCube bits = new BitCube(SLICES_EDGE, SLICES_EDGE, (int) (SLICES_EDGE / spacing));
+    int rows = (int) (SLICES_EDGE / edges.y);
+    BitCube bits = new BitCube(SLICES_EDGE, rows, (int) (SLICES_EDGE / edges.z));
     for (int k = 0; k < bits.sizeZ(); k += 2) {
-      for (int n = 0; n < SLICES_EDGE * SLICES_EDGE; n++) {
+      for (int n = 0; n < SLICES_EDGE * rows; n++) {
         if (random.nextInt(16) != 0) {
           bits.set(n % SLICES_EDGE, n / SLICES_EDGE, k);
         }
       }
     }
-    Vec3 edges = new Vec3(1, 1, spacing);
     double maxStepMm = ContactSettings.defaultMaxStepMm(edges);
     Vec3 device = new Vec3(-5, -5, -5);
     WorkCounts counts =
@@ -181,13 +198,13 @@ public final class WorkStudy {
     for (int frame = 0; frame < frames; frame++) {
       boolean jumps = frame % 3 == 0; // in between the point catches up
       for (int axis = 0; axis < 3; axis++) {
-        double edge = axis == 2 ? bits.sizeZ() : SLICES_EDGE;
+        double edge = SLICES_EDGE / edges.get(axis);
         double at = device.get(axis) + (4 * random.nextDouble() - 2) / edges.get(axis);
         device.set(axis, jumps ? edge * random.nextDouble() : at);
       }
       if (edited) {
         counts.clear(
-            random.nextInt(SLICES_EDGE), random.nextInt(SLICES_EDGE), random.nextInt(bits.sizeZ()));
+            random.nextInt(SLICES_EDGE), random.nextInt(rows), random.nextInt(bits.sizeZ()));
       }
       counts.follow(device);
     }

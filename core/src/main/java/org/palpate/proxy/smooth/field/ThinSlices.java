@@ -37,6 +37,12 @@ final class ThinSlices implements BrickSource {
    */
   private static final int MAX_REACH_BRICKS = 6;
 
+  /**
+   * The greatest reach of a second cut, in bricks. Each brick that it reads has to be made by the
+   * first one; a wider reach makes rare frames several times as long and no force truer.
+   */
+  private static final int MAX_REACH_BRICKS_OF_SECOND = 2;
+
   private final AxisCut cut;
   private final CellPairs pairs;
   private final SliceBits slices;
@@ -81,12 +87,13 @@ final class ThinSlices implements BrickSource {
    *
    * @param source the voxels, or what an earlier cut along another axis made of them
    * @param edges the edges of what is cut, in shortest voxel edges
+   * @param maxReachBricks the greatest reach of searches for the outline
    */
-  ThinSlices(AxisCut cut, BrickSource source, Vec3 edges) {
+  private ThinSlices(AxisCut cut, BrickSource source, Vec3 edges, int maxReachBricks) {
     this.cut = cut;
     pairs = new CellPairs(cut);
     slices = new SliceBits(source, cut.axis());
-    outline = new SliceOutline(slices, pixelEdges(cut.axis(), edges), reach(cut));
+    outline = new SliceOutline(slices, pixelEdges(cut.axis(), edges), reach(cut, maxReachBricks));
     interpolation = new ShapeInterpolation(outline, cut.perVoxel());
   }
 
@@ -97,10 +104,12 @@ final class ThinSlices implements BrickSource {
   static ThinSlices of(ThinGrid grid, Vec3 edges) {
     BrickSource source = new BrickSource.BoundedVoxels();
     ThinSlices slices = null;
+    int maxReachBricks = MAX_REACH_BRICKS;
     Vec3 left = new Vec3().set(edges);
     for (AxisCut cut : grid.cuts()) {
-      slices = new ThinSlices(cut, source, left);
+      slices = new ThinSlices(cut, source, left, maxReachBricks);
       source = slices;
+      maxReachBricks = MAX_REACH_BRICKS_OF_SECOND;
       left.set(cut.axis(), left.get(cut.axis()) / cut.perVoxel());
     }
     return slices;
@@ -116,8 +125,8 @@ final class ThinSlices implements BrickSource {
   }
 
   /** Returns the reach of searches for the outline of a cut's slices, in shortest voxel edges. */
-  static int reach(AxisCut cut) {
-    return 4 * Math.min(MAX_REACH_BRICKS, (int) Math.ceil(REACH_BRICKS_PER_CELL * cut.perVoxel()));
+  private static int reach(AxisCut cut, int maxBricks) {
+    return 4 * Math.min(maxBricks, (int) Math.ceil(REACH_BRICKS_PER_CELL * cut.perVoxel()));
   }
 
   @Override

@@ -31,11 +31,11 @@ final class NaiveThinSlices implements Cells {
   private int nearestV;
 
   /** Creates the thin slices of one cut through cells of some edges. */
-  private NaiveThinSlices(Cells cells, AxisCut cut, Vec3 edges) {
+  private NaiveThinSlices(Cells cells, AxisCut cut, Vec3 edges, int maxReach) {
     this.cells = cells;
     axis = cut.axis();
     perVoxel = cut.perVoxel();
-    reach = 4 * Math.min(6, (int) Math.ceil(2 * perVoxel));
+    reach = Math.min(maxReach, 4 * (int) Math.ceil(2 * perVoxel));
     edgeU = edges.get(axis == 0 ? 2 : 0);
     edgeV = edges.get(axis == 1 ? 2 : 1);
   }
@@ -46,7 +46,9 @@ final class NaiveThinSlices implements Cells {
     NaiveThinSlices slices = null;
     double[] left = {edges.x, edges.y, edges.z};
     for (AxisCut cut : grid.cuts()) {
-      slices = new NaiveThinSlices(cells, cut, new Vec3(left[0], left[1], left[2]));
+      slices =
+          new NaiveThinSlices(
+              cells, cut, new Vec3(left[0], left[1], left[2]), slices == null ? 24 : 8);
       cells = slices;
       left[cut.axis()] /= cut.perVoxel();
     }
