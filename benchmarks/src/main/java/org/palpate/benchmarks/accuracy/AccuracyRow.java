@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param solver the solver with its collision method
  * @param shape the phantom
- * @param sliceMm the distance between slices, mm; pixels are 1 mm wide
+ * @param spacing the edges of a voxel, mm, as 1:1:3
  * @param depth the depth of the device, voxels
  * @param speed the speed of the device, voxels per frame
  * @param accuracy the errors
@@ -16,7 +16,7 @@ import java.util.List;
 record AccuracyRow(
     String solver,
     String shape,
-    double sliceMm,
+    String spacing,
     double depth,
     double speed,
     Accuracy accuracy,
@@ -26,7 +26,7 @@ record AccuracyRow(
   List<Object> cells() {
     return List.of(
         shape,
-        sliceMm,
+        spacing,
         depth,
         speed,
         solver,
@@ -40,8 +40,8 @@ record AccuracyRow(
         nanosPerFrame);
   }
 
-  /** Returns the solver, with the distance between slices if voxels are no cubes. */
+  /** Returns the solver, with the edges of a voxel if these are no cubes. */
   String series() {
-    return sliceMm == 1 ? solver : solver + ", slices of " + (int) sliceMm + " mm";
+    return spacing.equals(AccuracyStudy.CUBES) ? solver : solver + ", voxels of " + spacing;
   }
 }

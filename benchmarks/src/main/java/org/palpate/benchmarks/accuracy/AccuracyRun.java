@@ -17,8 +17,8 @@ public final class AccuracyRun {
   private static final double PLOTTED_DEPTH = 5;
   private static final int PLOTTED_FRAMES = 600;
 
-  /** The distance between the slices of the plots of thick slices. */
-  private static final int THICK_MM = 3;
+  /** The edges of a voxel in the plots of thick slices. */
+  private static final String THICK = "1:1:3";
 
   private static final List<String> PLOTTED = List.of("paper sampled:1", "guarded", "smooth");
 
@@ -40,31 +40,32 @@ public final class AccuracyRun {
     List<AccuracyRow> rows = study.rows();
     print(rows, out);
     StudyTable.ACCURACY.write(folder, rows, AccuracyRow::cells);
-    drawFront(folder.resolve("accuracy-front.png"), rows, 1);
-    drawFront(folder.resolve("accuracy-front-thick.png"), rows, THICK_MM);
-    drawSlide(folder.resolve("accuracy-slide.png"), 1);
-    drawSlide(folder.resolve("accuracy-slide-thick.png"), THICK_MM);
+    drawFront(folder.resolve("accuracy-front.png"), rows, AccuracyStudy.CUBES);
+    drawFront(folder.resolve("accuracy-front-thick.png"), rows, THICK);
+    drawSlide(folder.resolve("accuracy-slide.png"), AccuracyStudy.CUBES);
+    drawSlide(folder.resolve("accuracy-slide-thick.png"), THICK);
     return timesOverBaseline(rows);
   }
 
-  private static void drawFront(Path file, List<AccuracyRow> rows, int sliceMm) throws IOException {
+  private static void drawFront(Path file, List<AccuracyRow> rows, String spacing)
+      throws IOException {
     AccuracyPlots.plotFront(
         file,
-        "Run time against error of the force, for every shape, depth and speed" + voxels(sliceMm),
-        rows.stream().filter(row -> row.sliceMm() == sliceMm).toList());
+        "Run time against error of the force, for every shape, depth and speed" + voxels(spacing),
+        rows.stream().filter(row -> row.spacing().equals(spacing)).toList());
   }
 
-  /** Returns the distance between slices as the end of a title; nothing if voxels are cubes. */
-  private static String voxels(int sliceMm) {
-    return sliceMm == 1 ? "" : ", slices of " + sliceMm + " mm";
+  /** Returns the edges of a voxel as the end of a title; nothing if voxels are cubes. */
+  private static String voxels(String spacing) {
+    return spacing.equals(AccuracyStudy.CUBES) ? "" : ", voxels of " + spacing + " mm";
   }
 
   private static void print(List<AccuracyRow> rows, PrintWriter out) {
     out.printf(
         Locale.ROOT,
-        "%-8s %5s %5s %5s  %-19s %8s %7s %7s %6s %7s %5s %9s%n",
+        "%-8s %7s %5s %5s  %-19s %8s %7s %7s %6s %7s %5s %9s%n",
         "shape",
-        "slice",
+        "spacing",
         "depth",
         "speed",
         "solver",
@@ -79,9 +80,9 @@ public final class AccuracyRun {
       Accuracy a = row.accuracy();
       out.printf(
           Locale.ROOT,
-          "%-8s %5.0f %5.1f %5.2f  %-19s %8.2f %7.1f %7.3f %6.3f %7.2f %5d %9.0f%n",
+          "%-8s %7s %5.1f %5.2f  %-19s %8.2f %7.1f %7.3f %6.3f %7.2f %5d %9.0f%n",
           row.shape(),
-          row.sliceMm(),
+          row.spacing(),
           row.depth(),
           row.speed(),
           row.solver(),
@@ -96,8 +97,8 @@ public final class AccuracyRun {
     out.flush();
   }
 
-  private static void drawSlide(Path file, int sliceMm) throws IOException {
-    AccuracyScene scene = new AccuracyScene("sphere", 192, sliceMm);
+  private static void drawSlide(Path file, String spacing) throws IOException {
+    AccuracyScene scene = AccuracyStudy.scene("sphere", spacing);
     Map<String, double[]> angles = new LinkedHashMap<>();
     for (ComparedSolver one : ComparedSolver.all(scene)) {
       if (PLOTTED.contains(one.name())) {
@@ -106,7 +107,7 @@ public final class AccuracyRun {
     }
     AccuracyPlots.plotSlide(
         file,
-        "A slide over a sphere of bits, 5 mm deep, 0.05 mm per frame" + voxels(sliceMm),
+        "A slide over a sphere of bits, 5 mm deep, 0.05 mm per frame" + voxels(spacing),
         angles);
   }
 

@@ -23,8 +23,14 @@ final class AccuracyStudy {
   private static final int ROUNDS = 7;
   private static final int WARM_UP_ROUNDS = 2;
 
-  /** The distances between slices, mm. With the first one, voxels are cubes. */
-  private static final int[] SLICES_MM = {1, 2, 3, 5};
+  /** Voxels of 1 mm. */
+  static final String CUBES = "1:1:1";
+
+  /** The edges of voxels, mm; the shortest is 1. */
+  private static final List<String> SPACINGS =
+      List.of(
+          CUBES, "1:1:1.2", "1:1:1.4", "1:1:2", "1:1:3", "1:1:5", "1:1:8", "1:1:10", "1:2:2",
+          "1:3:3");
 
   private final double[] depths;
   private final double[] speeds;
@@ -42,20 +48,20 @@ final class AccuracyStudy {
   /** Measures all rows. */
   List<AccuracyRow> rows() {
     List<AccuracyRow> rows = new ArrayList<>();
-    for (int sliceMm : SLICES_MM) {
+    for (String spacing : SPACINGS) {
       for (String shape : SHAPES) {
-        AccuracyScene scene = new AccuracyScene(shape, EDGE, sliceMm);
+        AccuracyScene scene = scene(shape, spacing);
         for (double depth : depths) {
           for (double speed : speeds) {
             progress.accept(
                 String.format(
                     Locale.ROOT,
-                    "%s, slices of %d mm, %s voxels deep, %s per frame",
+                    "%s, voxels of %s mm, %s mm deep, %s mm per frame",
                     shape,
-                    sliceMm,
+                    spacing,
                     depth,
                     speed));
-            rows.addAll(slide(scene, shape, depth, speed));
+            rows.addAll(slide(scene, shape, spacing, depth, speed));
           }
         }
       }
@@ -63,11 +69,21 @@ final class AccuracyStudy {
     return rows;
   }
 
-  private List<AccuracyRow> slide(AccuracyScene scene, String shape, double depth, double speed) {
+  /**
+   * Makes the scene of a phantom.
+   *
+   * @param spacing the edges of a voxel, mm, as 1:1:3
+   */
+  static AccuracyScene scene(String shape, String spacing) {
+    double[] edges = Arrays.stream(spacing.split(":")).mapToDouble(Double::parseDouble).toArray();
+    return new AccuracyScene(shape, EDGE, new Vec3(edges[0], edges[1], edges[2]));
+  }
+
+  private List<AccuracyRow> slide(
+      AccuracyScene scene, String shape, String spacing, double depth, double speed) {
     SlideTrajectory slide = new SlideTrajectory(scene.truth, EDGE, depth, speed, frames, SEED);
-    double sliceMm = scene.metric.spacingZ();
     List<ComparedSolver> solvers =
-        sliceMm == 1 ? ComparedSolver.all(scene) : ComparedSolver.ours(scene);
+        spacing.equals(CUBES) ? ComparedSolver.all(scene) : ComparedSolver.ours(scene);
     double[] nanos = times(scene, solvers, slide);
     List<AccuracyRow> rows = new ArrayList<>();
     for (int n = 0; n < solvers.size(); n++) {
@@ -75,7 +91,7 @@ final class AccuracyStudy {
       Accuracy accuracy =
           new AccuracyMeter(scene.truth, scene.metric, slide, depth)
               .measure(one.solver(), one.scene());
-      rows.add(new AccuracyRow(one.name(), shape, sliceMm, depth, speed, accuracy, nanos[n]));
+      rows.add(new AccuracyRow(one.name(), shape, spacing, depth, speed, accuracy, nanos[n]));
     }
     return rows;
   }

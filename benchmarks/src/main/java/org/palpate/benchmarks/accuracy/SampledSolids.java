@@ -2,10 +2,20 @@ package org.palpate.benchmarks.accuracy;
 
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.ScalarVolume;
+import org.palpate.volume.ScalarVolume.Storage;
+import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.phantom.AnalyticSurface;
+import org.palpate.volume.phantom.Phantom;
 
-/** Makes bits that sample an analytic surface with voxels of any size. */
+/** Samples an analytic surface with voxels of any size, as bits and as grey values. */
 public final class SampledSolids {
+  /**
+   * The samples of a voxel along each axis, for each millimetre. Fewer would leave steps in the
+   * values where a surface is nearly parallel to the slices.
+   */
+  private static final int SAMPLES_PER_MM = 8;
+
   private SampledSolids() {}
 
   /**
@@ -26,6 +36,77 @@ public final class SampledSolids {
         for (int i = 0; i < bits.sizeX(); i++) {
           centre.set((i + 0.5) * spacingMm.x, (j + 0.5) * spacingMm.y, (k + 0.5) * spacingMm.z);
           if (truth.signedDistance(centre) < 0) {
+            bits.set(i, j, k);
+          }
+        }
+      }
+    }
+    return bits;
+  }
+
+  /**
+   * Returns grey values: the solid fraction of each voxel, times {@link Phantom#SOLID_GREY}.
+   *
+   * @param truth the surface, mm
+   * @param edgeMm the edge of the cube that the voxels fill
+   */
+  public static ScalarVolume greyOf(AnalyticSurface truth, double edgeMm, Vec3 spacingMm) {
+    VoxelGrid grid =
+        VoxelGrid.ofUnitVoxels(
+            (int) (edgeMm / spacingMm.x),
+            (int) (edgeMm / spacingMm.y),
+            (int) (edgeMm / spacingMm.z));
+    ScalarVolume volume = ScalarVolume.of(grid, Storage.INT16);
+    Vec3 corner = new Vec3();
+    for (int k = 0; k < grid.sizeZ(); k++) {
+      for (int j = 0; j < grid.sizeY(); j++) {
+        for (int i = 0; i < grid.sizeX(); i++) {
+          corner.set(i * spacingMm.x, j * spacingMm.y, k * spacingMm.z);
+          double solid = solidFraction(truth, corner, spacingMm);
+          volume.set(i, j, k, Math.rint(Phantom.SOLID_GREY * solid));
+        }
+      }
+    }
+    return volume;
+  }
+
+  private static double solidFraction(AnalyticSurface truth, Vec3 corner, Vec3 spacingMm) {
+    Vec3 at = spacingMm.mul(0.5, new Vec3());
+    at.add(corner, at);
+    double height = truth.signedDistance(at);
+    if (Math.abs(height) > spacingMm.length() / 2) {
+      return height < 0 ? 1 : 0;
+    }
+    int countX = samples(spacingMm.x);
+    int countY = samples(spacingMm.y);
+    int countZ = samples(spacingMm.z);
+    int solid = 0;
+    for (int z = 0; z < countZ; z++) {
+      for (int y = 0; y < countY; y++) {
+        for (int x = 0; x < countX; x++) {
+          at.set(
+              corner.x + (x + 0.5) / countX * spacingMm.x,
+              corner.y + (y + 0.5) / countY * spacingMm.y,
+              corner.z + (z + 0.5) / countZ * spacingMm.z);
+          solid += truth.signedDistance(at) < 0 ? 1 : 0;
+        }
+      }
+    }
+    return solid / (double) (countX * countY * countZ);
+  }
+
+  private static int samples(double edgeMm) {
+    return (int) Math.ceil(SAMPLES_PER_MM * edgeMm);
+  }
+
+  /** Returns the voxels whose grey value is at least half that of a solid. */
+  public static BitCube threshold(ScalarVolume volume) {
+    VoxelGrid grid = volume.grid();
+    BitCube bits = new BitCube(grid.sizeX(), grid.sizeY(), grid.sizeZ());
+    for (int k = 0; k < grid.sizeZ(); k++) {
+      for (int j = 0; j < grid.sizeY(); j++) {
+        for (int i = 0; i < grid.sizeX(); i++) {
+          if (volume.value(i, j, k) >= Phantom.HALF_GREY) {
             bits.set(i, j, k);
           }
         }

@@ -18,7 +18,7 @@ public enum StudyTable {
   /** Errors of forces on analytic surfaces. */
   ACCURACY(
       "accuracy.csv",
-      "shape,slice_mm,depth_voxels,speed_voxels,solver,angle_rms_deg,angle_worst_deg,height_mean_mm,"
+      "shape,spacing_mm,depth_voxels,speed_voxels,solver,angle_rms_deg,angle_worst_deg,height_mean_mm,"
           + "height_std_mm,lag,force_change,lost_frames,ns_per_frame"),
   /** Distances beyond the nearest free point. */
   NEAREST(
