@@ -136,22 +136,14 @@ class CarveCommandTest {
   }
 
   @Test
-  void aSessionWithoutACutLeavesNoTableOfEdits() throws IOException {
+  void aSessionWithoutACutOrAMotionLeavesNoTableOfEditsOrPoses() throws IOException {
     Path recording = folder.resolve("t.csv");
-    Path older = Files.writeString(folder.resolve("t.edits.csv"), "of an older recording");
+    Path edits = Files.writeString(folder.resolve("t.edits.csv"), "of an older recording");
+    Path poses = Files.writeString(folder.resolve("t.poses.csv"), "of an older recording");
     record(recording).mustSucceed();
     assertTrue(Files.exists(recording));
-    assertFalse(Files.exists(older));
-  }
-
-  @Test
-  void noRecordingIsMadeBesideAnOlderTableOfPoses() throws IOException {
-    Path recording = folder.resolve("t.csv");
-    Path older = Files.writeString(folder.resolve("t.poses.csv"), "of an older recording");
-    String line = record(recording).mustRefuse();
-    assertTrue(line.contains("t.poses.csv: move it away"), line);
-    assertFalse(Files.exists(recording));
-    assertTrue(Files.exists(older));
+    assertFalse(Files.exists(edits));
+    assertFalse(Files.exists(poses));
   }
 
   @Test
