@@ -68,7 +68,7 @@ public final class MassiveContact {
   private boolean begun;
 
   /**
-   * Makes the force of a session.
+   * Creates the force of a session.
    *
    * @param metric measures all lengths
    * @param held the mass, with gravity along the grid's axes

@@ -100,7 +100,10 @@ public final class SurfaceBuilder implements AutoCloseable {
     sink.accept(brick, started, extractor.get().extract(source, occlusion, brick));
   }
 
-  /** Drops waiting bricks. Bricks in progress are finished, but nobody is told. */
+  /**
+   * Drops waiting bricks, so that their jobs are never done. Bricks in progress are finished and
+   * given to their sinks.
+   */
   @Override
   public void close() {
     threads.shutdownNow();
