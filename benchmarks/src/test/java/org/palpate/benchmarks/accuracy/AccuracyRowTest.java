@@ -8,9 +8,9 @@ import org.palpate.benchmarks.report.Row;
 import org.palpate.benchmarks.report.StudyTable;
 
 class AccuracyRowTest {
-  private static AccuracyRow row(double sliceMm) {
+  private static AccuracyRow row(String spacing) {
     Accuracy accuracy = new Accuracy(1.5, 9.5, 0.25, 0.125, 1.01, 2.5, 7);
-    return new AccuracyRow("guarded", "torus", sliceMm, 3, 0.5, accuracy, 812);
+    return new AccuracyRow("guarded", "torus", spacing, 3, 0.5, accuracy, 812);
   }
 
   @Test
@@ -18,7 +18,7 @@ class AccuracyRowTest {
     assertEquals(
         Map.ofEntries(
             Map.entry("shape", "torus"),
-            Map.entry("slice_mm", 2.0),
+            Map.entry("spacing_mm", "1:1:2"),
             Map.entry("depth_voxels", 3.0),
             Map.entry("speed_voxels", 0.5),
             Map.entry("solver", "guarded"),
@@ -30,12 +30,12 @@ class AccuracyRowTest {
             Map.entry("force_change", 2.5),
             Map.entry("lost_frames", 7.0),
             Map.entry("ns_per_frame", 812.0)),
-        Row.of(StudyTable.ACCURACY, row(2).cells()));
+        Row.of(StudyTable.ACCURACY, row("1:1:2").cells()));
   }
 
   @Test
-  void aSeriesNamesTheSlicesOnlyWhereVoxelsAreNoCubes() {
-    assertEquals("guarded", row(1).series());
-    assertEquals("guarded, slices of 2 mm", row(2).series());
+  void aSeriesNamesTheSpacingOnlyWhereVoxelsAreNoCubes() {
+    assertEquals("guarded", row("1:1:1").series());
+    assertEquals("guarded, voxels of 1:1:2", row("1:1:2").series());
   }
 }
