@@ -12,6 +12,7 @@ import org.palpate.force.ForceRamp;
 import org.palpate.force.HandState;
 import org.palpate.force.HapticEffect;
 import org.palpate.force.HapticEffects;
+import org.palpate.force.guide.NearestApproach;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -71,6 +72,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   private long elapsedNanos;
   private long sinceForceNanos;
   private long unreachableNanos;
+  private NearestApproach[] approaches = {};
   private volatile List<HapticEffect> requestedEffects = List.of();
 
   /**
@@ -123,6 +125,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     writeForce();
     countFrame();
     publish(counters.lastFrame());
+    noteApproaches();
     return outcome();
   }
 
@@ -276,6 +279,15 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   /** Publishes the result of the frame. */
   abstract void publish(long frame);
 
+  private void noteApproaches() {
+    for (int n = 0; followed && n < approaches.length; n++) {
+      note(counters.lastFrame(), approaches[n]);
+    }
+  }
+
+  /** Notes where the tool is at the end of a frame. */
+  abstract void note(long frame, NearestApproach dest);
+
   private FrameOutcome outcome() {
     return unreachableNanos > settings.silenceNanos()
         ? FrameOutcome.DEVICE_GONE
@@ -300,6 +312,11 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
 
   /** Returns what changes the voxels of the scene; haptic thread, or before the first frame. */
   public abstract VoxelWriter voxels();
+
+  /** Notes how near the tool comes to segments. Call it before the first frame. */
+  public void watch(List<NearestApproach> segments) {
+    approaches = segments.toArray(new NearestApproach[0]);
+  }
 
   /**
    * Cuts with the tool from now on. Call it before the first frame.

@@ -15,6 +15,7 @@ import org.palpate.force.ForceSettings;
 import org.palpate.force.GreyMaterials;
 import org.palpate.force.HandState;
 import org.palpate.force.MassiveContact;
+import org.palpate.force.guide.NearestApproach;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
@@ -327,6 +328,11 @@ public final class PointFrame extends HapticFrame {
   @Override
   boolean isTouching() {
     return point.contact;
+  }
+
+  @Override
+  void note(long frame, NearestApproach dest) {
+    dest.notePoint(point.position, frame);
   }
 
   @Override

@@ -23,6 +23,7 @@ import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.GreyMaterials;
 import org.palpate.force.HandState;
+import org.palpate.force.guide.NearestApproach;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
@@ -330,6 +331,13 @@ public final class ToolFrame extends HapticFrame {
   @Override
   boolean isTouching() {
     return motion.contact();
+  }
+
+  @Override
+  void note(long frame, NearestApproach dest) {
+    if (grasp.held() == Grasp.NO_BODY) {
+      dest.noteTool(solver.tool(), motion.pose(), frame);
+    }
   }
 
   @Override

@@ -24,6 +24,8 @@ import org.palpate.force.HapticEffect;
 import org.palpate.force.MassSettings;
 import org.palpate.force.MassiveContact;
 import org.palpate.force.Material;
+import org.palpate.force.guide.NearestApproach;
+import org.palpate.force.guide.SegmentDistance;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.GridDevice;
@@ -68,6 +70,11 @@ public final class ContactScene {
   private final double maxStepMm;
   private final EditQueue edits;
   private final Optional<GreyIsosurfaceSource> grey;
+
+  /** The distance beyond a margin that is noted, shortest voxel edges. */
+  private static final double NOTED_EDGES = 8;
+
+  private final List<NearestApproach> approaches;
 
   /** The voxels within the margins of protected segments, as they were at first. */
   private final Optional<BitCube> kept;
@@ -114,7 +121,31 @@ public final class ContactScene {
     metric = GridMetric.of(spacing);
     maxStepMm = settings.maxStepMm().orElseGet(() -> ContactSettings.defaultMaxStepMm(spacing));
     edits = new EditQueue(volume.grid(), volume.segments().size());
+    approaches = newApproaches();
     kept = settings.protectedMm().isEmpty() ? Optional.empty() : Optional.of(keptVoxels());
+  }
+
+  private List<NearestApproach> newApproaches() {
+    List<NearestApproach> found = new ArrayList<>();
+    for (Segment segment : volume.segments()) {
+      Double marginMm = settings.protectedMm().get(segment.name());
+      if (marginMm != null) {
+        double reachMm = marginMm + NOTED_EDGES * metric.shortestEdgeMm();
+        BitCube bits = segment.bits();
+        if (SegmentDistance.voxelsFor(bits, grid(), reachMm) <= SegmentDistance.MOST_VOXELS) {
+          found.add(new NearestApproach(segment.name(), marginMm, bits, grid(), reachMm));
+        }
+      }
+    }
+    return found;
+  }
+
+  /**
+   * Returns how near the frames of this scene came to each protected segment. One whose
+   * neighbourhood is too large to keep is missing.
+   */
+  public List<NearestApproach> approaches() {
+    return approaches;
   }
 
   private BitCube keptVoxels() {
@@ -341,6 +372,7 @@ public final class ContactScene {
         new PointFrame(
             gridDevice, newSolver(), newCollisionScene(), metric, frame, edits, publisher);
     carve().ifPresent(made::carve);
+    made.watch(approaches);
     feel(made, frame);
     return made;
   }

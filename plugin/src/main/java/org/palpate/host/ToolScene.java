@@ -223,6 +223,7 @@ public final class ToolScene {
       ToolFramePublisher publisher) {
     ToolFrame made = new ToolFrame(worldDevice, bodies, solver, coupling, frame, edits, publisher);
     scene.carve().ifPresent(made::carve);
+    made.watch(scene.approaches());
     made.requestEffects(newEffects(frame, coupling));
     scene.settings().feel().materials().ifPresent(made::use);
     return made;

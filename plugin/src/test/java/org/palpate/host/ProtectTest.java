@@ -13,8 +13,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.body.BodyScene;
 import org.palpate.device.Trajectory;
+import org.palpate.force.guide.GuideStrength;
+import org.palpate.force.guide.Guides;
+import org.palpate.force.guide.NearestApproach;
+import org.palpate.force.guide.SegmentDistance;
+import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.rigid.tool.RigidTool;
 import org.palpate.tool.MadeTool;
 import org.palpate.tool.ToolMaker;
 import org.palpate.tool.ToolRequest;
@@ -86,13 +92,17 @@ class ProtectTest {
         made.clearances(bodies, contact.settings().protectedMm());
     ToolScene tools =
         new ToolScene(contact, bodies, made.tool(), clearances, OptionalDouble.empty());
-    double[] nearest = {Double.POSITIVE_INFINITY};
+    double[] nearest = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
     new ToolReplay(tools, hand(20_000), false)
         .run(
             (number, frame) -> {
               assertEquals(0, frame.motion().reducedPoints());
               nearest[0] = Math.min(nearest[0], distance(frame.motion().pose().translation));
+              if (distance(frame.motion().pose().translation) < nearest[1] + 2.5) {
+                nearest[1] = Math.min(nearest[1], nearestPoint(made.tool(), frame));
+              }
             });
+    assertReported(nearest[1], contact);
     double gapMm = nearest[0] - 2;
     // in mode points the sphere bulges between its points
     double bulgeMm = clearance.equals("body") ? 0 : made.tool().coverRadiusMm();
@@ -105,13 +115,65 @@ class ProtectTest {
   void aPointStopsAtTheMarginAndNothingInItIsRemoved() throws IOException {
     BitCube before = bone.copy();
     double[] nearest = {Double.POSITIVE_INFINITY};
-    ReplayRun.inWorld(scene(), hand(20_000))
+    ContactScene contact = scene();
+    ReplayRun.inWorld(contact, hand(20_000))
         .run(
             (number, device, point, force, state, freed) ->
                 nearest[0] = Math.min(nearest[0], distance(point)));
     assertTrue(nearest[0] >= MARGIN_MM - ROUNDING_MM, "nearest " + nearest[0]);
     assertTrue(nearest[0] < MARGIN_MM + 1, "the point came near: " + nearest[0]);
+    assertReported(nearest[0], contact);
     assertKept(before);
+  }
+
+  /** The frame is found by interpolation, so it may be one that is a little farther. */
+  private static void assertReported(double nearestMm, ContactScene contact) {
+    NearestApproach approach = contact.approaches().get(0);
+    assertEquals("nerve", approach.segment());
+    double reportedMm = approach.nearestMm().getAsDouble();
+    assertTrue(reportedMm >= nearestMm - ROUNDING_MM, reportedMm + " of " + nearestMm);
+    assertTrue(reportedMm <= nearestMm + 0.2, reportedMm + " of " + nearestMm);
+    assertTrue(approach.frame() > 0 && approach.frame() < 20_000);
+  }
+
+  private double nearestPoint(RigidTool tool, ToolFrame frame) {
+    double least = Double.POSITIVE_INFINITY;
+    Vec3 p = new Vec3();
+    for (int n = 0; n < tool.count(); n++) {
+      frame.motion().pose().transform(tool.point(n, p), p);
+      least = Math.min(least, distance(p));
+    }
+    return least;
+  }
+
+  /** The hand hovers beside the bone; the force of the guidance is the only one. */
+  @Test
+  void aToolNearTheMarginIsPushedAway() throws IOException {
+    SegmentDistance distances = new SegmentDistance(nerve, grid, MARGIN_MM + 2);
+    List<Segment> segments = List.of(new Segment("nerve", nerve, 0xffff00));
+    ContactScene contact =
+        new ContactScene(
+            new SegmentedVolume(grid, segments),
+            ContactSettings.builder(SolverKind.GUARDED)
+                .protect(Map.of("nerve", MARGIN_MM))
+                .effects(List.of(Guides.away(distances, MARGIN_MM + 2, GuideStrength.STANDARD)))
+                .build());
+    Trajectory down = new Trajectory();
+    for (int n = 0; n < 2000; n++) {
+      down.add(n, 14.5, 14.5, 25 - n * 0.0045); // to a height of 16, and the nerve ends at 14
+    }
+    double[] last = {0};
+    ReplayRun.inWorld(contact, down)
+        .run(
+            (number, device, point, force, state, freed) -> {
+              if (point.z > 14 + MARGIN_MM + 2.5) {
+                assertEquals(0, force.length(), 1e-9);
+              } else if (point.z < 14 + MARGIN_MM + 1.5) {
+                assertTrue(force.z > 0 && force.z >= last[0] - 1e-3, "force " + force);
+                last[0] = force.z;
+              }
+            });
+    assertTrue(last[0] > 0.2, "force " + last[0]);
   }
 
   private void assertKept(BitCube before) {

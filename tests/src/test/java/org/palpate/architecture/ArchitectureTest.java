@@ -142,7 +142,7 @@ class ArchitectureTest {
           Map.entry("force", List.of("proxy", "rigid")),
           Map.entry("force.effect", List.of("force.guide")),
           Map.entry("force.guide", List.of("force")),
-          Map.entry("frame", List.of("carve", "device", "elastic", "force")),
+          Map.entry("frame", List.of("carve", "device", "elastic", "force.guide")),
           Map.entry("fracture", List.of("volume.fracture")),
           Map.entry("geometry", List.of()),
           Map.entry(

@@ -190,4 +190,33 @@ class CarveCommandTest {
             .mustRefuse()
             .contains("cannot be written in this format"));
   }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"point", "sphere:3"})
+  void theReportSaysWhatCameNearestToWhatIsProtectedAndWhen(String tool) throws IOException {
+    Path trajectory = Files.writeString(folder.resolve("t.csv"), press());
+    Path report = folder.resolve("r.json");
+    List<Object> replay = new ArrayList<>(List.of("replay", "--phantom", "sphere:32"));
+    replay.addAll(List.of("--tool", tool, "--trajectory", trajectory));
+    replay.addAll(List.of("--protect", "sphere:1.5:2", "--report", report));
+    CommandRun.of(replay.toArray()).mustSucceed();
+    String json = Files.readString(report);
+    assertTrue(json.contains("\"segment\" : \"sphere\""), json);
+    assertTrue(json.contains("\"margin_mm\" : 1.5"), json);
+    Matcher nearest = Pattern.compile("\"nearest_mm\" : ([0-9.]+)").matcher(json);
+    assertTrue(nearest.find(), json);
+    double mm = Double.parseDouble(nearest.group(1));
+    assertTrue(mm >= 1.5 - 1e-6 && mm < 4, "nearest " + mm);
+    assertTrue(Pattern.compile("\"nearest_s\" : 0\\.[0-9]+").matcher(json).find(), json);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"sphere:x", "sphere:1:x", ":1", "sphere:1:-2", "sphere:2000"})
+  void aMarginThatCannotBeReadIsRefused(String protect) {
+    List<Object> touch = List.of("touch", "--headless", "--seconds", 1, "--phantom", "sphere:32");
+    List<Object> all = new ArrayList<>(touch);
+    all.addAll(List.of("--protect", protect));
+    String line = CommandRun.of(all.toArray()).mustRefuse();
+    assertTrue(line.startsWith("palpate: the margin cannot be read: --protect "), line);
+  }
 }

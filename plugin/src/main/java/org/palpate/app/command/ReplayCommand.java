@@ -27,6 +27,7 @@ import org.palpate.app.output.EditedVolume;
 import org.palpate.app.output.ElasticFields;
 import org.palpate.app.output.FaultFields;
 import org.palpate.app.output.MassFields;
+import org.palpate.app.output.ProtectedFields;
 import org.palpate.app.output.ReplayTables;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
@@ -96,6 +97,8 @@ public final class ReplayCommand implements Callable<Integer> {
           1_000_000,
           "",
           "12");
+
+  private static final double MS_PER_SECOND = 1e3;
 
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
@@ -264,6 +267,7 @@ public final class ReplayCommand implements Callable<Integer> {
     if (repeat != null) {
       putTime(new ReplayTiming(scene, trajectory, world).run(repeat), report);
     }
+    ProtectedFields.put(report, scene, frame -> trajectory.timeMs((int) frame) / MS_PER_SECOND);
     finish(report, edited);
     return failures.exitCode();
   }
@@ -332,6 +336,7 @@ public final class ReplayCommand implements Callable<Integer> {
       }
       report.put("collision_device", device.fields());
     }
+    ProtectedFields.put(report, fixed, frame -> trajectory.timeMs((int) frame) / MS_PER_SECOND);
     finish(report, edited);
     return failures.exitCode();
   }

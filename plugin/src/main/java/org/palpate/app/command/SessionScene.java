@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.palpate.app.options.ChosenCollisionDevice;
 import org.palpate.app.options.ToolOptions;
+import org.palpate.app.output.ProtectedFields;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
 import org.palpate.body.BodyScene;
@@ -153,6 +154,7 @@ final class SessionScene {
 
   /** Adds the fields that depend on the tool to a report. */
   void putInto(Report report, TouchReport measured, ChosenCollisionDevice judge) {
+    ProtectedFields.put(report, scene, measured::secondsOf);
     if (toolReport.isPresent()) {
       report
           .put("max_torque_nmm", measured.maxTorqueNewtonMm())

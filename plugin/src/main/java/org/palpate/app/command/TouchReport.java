@@ -125,6 +125,11 @@ final class TouchReport {
     out.flush();
   }
 
+  /** Returns about the time of a frame after the first one, s, by the mean rate. */
+  double secondsOf(long frame) {
+    return frame / loop.rateHz();
+  }
+
   /** Returns the length of the longest torque, N mm. */
   double maxTorqueNewtonMm() {
     return loop.statistics().maxTorqueNewtonMm();

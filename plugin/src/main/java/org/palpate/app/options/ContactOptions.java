@@ -1,5 +1,6 @@
 package org.palpate.app.options;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,6 +9,7 @@ import java.util.OptionalDouble;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.GrownSolids;
 import org.palpate.body.Placement;
+import org.palpate.force.EffectPlan;
 import org.palpate.force.FeelSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.host.BorderChoice;
@@ -16,7 +18,6 @@ import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MaterialOverride;
 import org.palpate.host.SolverKind;
-import org.palpate.io.file.NumberParser;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.scene.SceneBody;
 import org.palpate.io.scene.SceneFile;
@@ -43,8 +44,6 @@ public final class ContactOptions {
           "--friction", "the friction coefficient", 0, MaterialOverride.MOST_FRICTION, "", "0.2");
   private static final NumberRange CARVE =
       NumberRange.positive("--carve", "the rate", "mm^3 per N s");
-  private static final double MOST_MARGIN_MM = 1000;
-
   private static final NumberRange MAX_STEP =
       NumberRange.positive("--max-step", "the longest path", "mm");
   private static final NumberRange MAX_FORCE =
@@ -150,10 +149,12 @@ public final class ContactOptions {
 
   @Option(
       names = "--protect",
-      paramLabel = "NAME[:MM]",
+      paramLabel = "NAME[:MM[:MM]]",
       description = {
         "A segment that the tool keeps away from by a margin in mm, 0 if none is given, and from"
-            + " which and from whose margin nothing is cut; may be repeated."
+            + " which and from whose margin nothing is cut; may be repeated. A force pushes the"
+            + " tool away as soon as it is nearer to the margin than the second length, which is"
+            + " the first one by default."
       })
   private List<String> protectedSegments = List.of();
 
@@ -269,7 +270,7 @@ public final class ContactOptions {
    */
   public ContactScene scene(VolumeSource source, SegmentedVolume segments, FeelSettings feel)
       throws VolumeFormatException {
-    ContactSettings settings = settings(feel);
+    ContactSettings settings = settings();
     for (String name : materials.keySet()) {
       named(segments, "--material ", name, name);
     }
@@ -284,7 +285,10 @@ public final class ContactOptions {
       named(segments, "--protect ", margin.getKey(), margin.getKey());
       checkMargin(segments, margin.getKey(), margin.getValue());
     }
-    return new ContactScene(segments, source.placements(), settings, grey(source));
+    List<EffectPlan> all = new ArrayList<>(feel.effects());
+    all.addAll(guidance(segments));
+    FeelSettings guided = new FeelSettings(all, feel.mass(), feel.materials());
+    return new ContactScene(segments, source.placements(), settings(guided), grey(source));
   }
 
   /**
@@ -353,19 +357,18 @@ public final class ContactOptions {
 
   private Map<String, Double> protectedMm() {
     Map<String, Double> margins = new LinkedHashMap<>();
-    for (String text : protectedSegments) {
-      int colon = text.lastIndexOf(':');
-      String name = colon < 0 ? text : text.substring(0, colon);
-      double marginMm = colon < 0 ? 0 : NumberParser.number(text.substring(colon + 1));
-      if (name.isEmpty() || !(marginMm >= 0 && marginMm <= MOST_MARGIN_MM)) {
-        throw PalpateException.wrongUse(
-            "the margin cannot be read",
-            "--protect " + text,
-            "write NAME or NAME:MM with a margin from 0 to 1,000 mm, as in nerve:1.5");
-      }
-      margins.put(name, marginMm);
-    }
+    Protection.all(protectedSegments).forEach(found -> margins.put(found.name(), found.marginMm()));
     return margins;
+  }
+
+  /** Returns the pushes away from the margins of protected segments. */
+  private List<EffectPlan> guidance(SegmentedVolume segments) {
+    List<EffectPlan> plans = new ArrayList<>();
+    for (Protection found : Protection.all(protectedSegments)) {
+      Segment segment = named(segments, "--protect ", found.name(), found.name());
+      found.guidance(segment, segments.grid()).ifPresent(plans::add);
+    }
+    return plans;
   }
 
   /** Whether segments are protected. */
