@@ -62,15 +62,19 @@ public final class BlockingVoxels {
   private final Vec3 rotation = new Vec3();
   private final Quaternion scratch = new Quaternion();
 
-  /** The found cells in the order in which legs meet them; of equals the first found. */
-  private final double[] t = new double[MOST_CELLS + 1];
+  /** The nearest cells that were found so far, in no order: where their legs meet them. */
+  private final double[] t = new double[MOST_CELLS];
 
-  private final int[] body = new int[MOST_CELLS + 1];
-  private final int[] level = new int[MOST_CELLS + 1];
-  private final int[] cellX = new int[MOST_CELLS + 1];
-  private final int[] cellY = new int[MOST_CELLS + 1];
-  private final int[] cellZ = new int[MOST_CELLS + 1];
+  /** The numbers of the legs that found them, in the order in which legs were cast. */
+  private final int[] found = new int[MOST_CELLS];
+
+  private final int[] body = new int[MOST_CELLS];
+  private final int[] level = new int[MOST_CELLS];
+  private final int[] cellX = new int[MOST_CELLS];
+  private final int[] cellY = new int[MOST_CELLS];
+  private final int[] cellZ = new int[MOST_CELLS];
   private int count;
+  private int hits;
 
   /** Creates a finder for the tool of a verifier. */
   BlockingVoxels(BodyScene scene, RigidTool tool, MoverVerifier verifier) {
@@ -90,13 +94,16 @@ public final class BlockingVoxels {
    */
   public void find(Pose device, Sink sink) {
     count = 0;
+    hits = 0;
     setNext(device);
     for (int n = 0; n < scene.count(); n++) {
       findIn(n);
     }
     boolean isWanted = true;
-    for (int cell = 0; cell < count && isWanted; cell++) {
+    while (count > 0 && isWanted) {
+      int cell = extreme(false);
       isWanted = report(cell, sink);
+      copy(--count, cell);
     }
   }
 
@@ -233,29 +240,37 @@ public final class BlockingVoxels {
     }
   }
 
-  /** Inserts the hit into the ordered cells, of which only the first ones are kept. */
+  /** Keeps the hit, unless there are enough that the tool meets no later. */
   private void insert(int index, int at) {
-    int place = count;
-    while (place > 0 && t[place - 1] > hit.t) {
-      place--;
-    }
-    if (place == MOST_CELLS) {
+    int number = hits++;
+    int place = number < MOST_CELLS ? count++ : extreme(true);
+    if (number >= MOST_CELLS && t[place] <= hit.t) {
       return;
     }
-    for (int n = count; n > place; n--) {
-      copy(n - 1, n);
-    }
     t[place] = hit.t;
+    found[place] = number;
     body[place] = index;
     level[place] = at;
     cellX[place] = hit.i;
     cellY[place] = hit.j;
     cellZ[place] = hit.k;
-    count = Math.min(count + 1, MOST_CELLS);
+  }
+
+  /** Returns the cell that the tool meets first or last; of equals the first or last found. */
+  private int extreme(boolean last) {
+    int best = 0;
+    for (int n = 1; n < count; n++) {
+      boolean isBefore = t[n] < t[best] || (t[n] == t[best] && found[n] < found[best]);
+      if (isBefore != last) {
+        best = n;
+      }
+    }
+    return best;
   }
 
   private void copy(int source, int dest) {
     t[dest] = t[source];
+    found[dest] = found[source];
     body[dest] = body[source];
     level[dest] = level[source];
     cellX[dest] = cellX[source];

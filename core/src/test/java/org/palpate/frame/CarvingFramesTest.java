@@ -89,6 +89,42 @@ class CarvingFramesTest {
     assertTrue(wall.solidCount() < EDGE * EDGE - 3, "some voxels were removed");
   }
 
+  /**
+   * A burr rests on the smooth surface, up to about one edge above the cells that block it. Legs of
+   * one edge often end before them, so that a hand that slides cuts less than its force pays for.
+   */
+  @Test
+  void aBurrThatSlidesOverACurvedSurfaceCutsAlmostAllThatItsForcePaysFor() {
+    double rate = 200;
+    BitCube ball = ball(8);
+    long before = ball.solidCount();
+    ToolFrame frame = toolFrame(burr(), CarveSettings.ofRate(rate), ball);
+    run(frame, 5);
+    double paidMm3 = 0;
+    for (int n = 0; n < 3000; n++) {
+      double angle = n * 0.004;
+      position.set(12 + 3 * Math.cos(angle), 12 + 3 * Math.sin(angle), 12 + 8);
+      run(frame, 1);
+      paidMm3 += rate * device.lastForce().length() * 1e-3;
+    }
+    long removed = before - ball.solidCount();
+    assertTrue(paidMm3 > 20, "paid " + paidMm3);
+    assertTrue(removed > 0.9 * paidMm3, removed + " of " + paidMm3);
+  }
+
+  private static BitCube ball(double radius) {
+    BitCube bits = new BitCube(EDGE, EDGE, EDGE);
+    for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
+      double x = n % EDGE - 11.5;
+      double y = n / EDGE % EDGE - 11.5;
+      double z = n / (EDGE * EDGE) - 11.5;
+      if (x * x + y * y + z * z <= radius * radius) {
+        bits.set(n % EDGE, n / EDGE % EDGE, n / (EDGE * EDGE));
+      }
+    }
+    return bits;
+  }
+
   @Test
   void aForceBelowTheThresholdMeetsAHardWall() {
     double pressed = STIFFNESS * 2;
