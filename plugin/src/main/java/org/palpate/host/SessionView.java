@@ -140,7 +140,8 @@ public final class SessionView implements AutoCloseable {
     synchronizer =
         new SceneSynchronizer(
             session.properties(), volume.grid(), model, this::overlayLines, this::toolMarks);
-    synchronization = new SynchronizationThread(this::tick, this::synchronizationFailed);
+    synchronization =
+        new SynchronizationThread(this::tick, this::remeshChanges, this::synchronizationFailed);
     changes = session.changes();
     changed = new ChangedVoxels(volume.segments().size());
     opening = new Thread(this::open, "palpate-open-view");
@@ -160,7 +161,6 @@ public final class SessionView implements AutoCloseable {
       touched.refresh();
       overlay.touches(touched.firstName(proxyGrid, deviceGrid));
     }
-    remeshChanges();
     synchronizer.run();
     if (synchronizer.applications() > 0) {
       session.properties().touch().interactionPoint(point);
@@ -174,7 +174,7 @@ public final class SessionView implements AutoCloseable {
     }
   }
 
-  /** Rebuilds the surfaces where frames have changed voxels since the last tick. */
+  /** Rebuilds the surfaces where frames have changed voxels since the last step. */
   private void remeshChanges() {
     changes.drainTo((sample, segment, i, j, k, solid) -> changed.note(segment, i, j, k, solid));
     if (changed.remesh(this::remesh)) {

@@ -336,7 +336,7 @@ public final class SceneLoader implements AutoCloseable {
   private SurfaceJob rebuild(int segment, int level, IntBox voxels, int urgency) {
     SurfaceSource source = source(segment, level);
     SceneObject object = objects.get(segment);
-    return builder.build(
+    return builder.rebuild(
         source,
         occlusionAt(segment, level),
         urgency,

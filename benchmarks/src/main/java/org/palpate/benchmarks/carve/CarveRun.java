@@ -34,6 +34,10 @@ public final class CarveRun {
     Progress.to(progress).accept("times of cutting");
     List<RigidFigure> figures = new ArrayList<>(new CarveTimes(quick ? 3_000 : 30_000).figures());
     RigidRun.print(figures, out);
+    Progress.to(progress).accept("surfaces while cutting");
+    List<RigidFigure> surfaces = new RemeshTimes(quick ? 3_000 : 30_000).figures();
+    RigidRun.print(surfaces, out);
+    figures.addAll(surfaces);
     Progress.to(progress).accept("attack on tools that cut");
     List<RigidFigure> attack = new CarveStudy(seed).figures(quick ? 20_000 : 1_000_000);
     RigidRun.print(attack, out);

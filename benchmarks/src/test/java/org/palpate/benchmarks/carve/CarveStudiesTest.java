@@ -22,6 +22,13 @@ class CarveStudiesTest {
     assertTrue(value(new CarveTimes(300).figures(), "voxels removed") > 100);
   }
 
+  @Test
+  void everyCutReachesTheScene() {
+    List<RigidFigure> figures = new RemeshTimes(300).figures();
+    assertTrue(value(figures, "voxels removed") > 100);
+    assertTrue(value(figures, "cut to surface p50") > 0);
+  }
+
   private static double value(List<RigidFigure> figures, String name) {
     return figures.stream().filter(f -> f.name().equals(name)).findFirst().orElseThrow().value();
   }

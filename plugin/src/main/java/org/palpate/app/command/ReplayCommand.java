@@ -335,8 +335,9 @@ public final class ReplayCommand implements Callable<Integer> {
         putTime(new ToolReplay(scene, trajectory, rawDevice).time(repeat), report);
       }
       report.put("collision_device", device.fields());
+      ProtectedFields.put(
+          report, scene.contactScene(), frame -> trajectory.timeMs((int) frame) / MS_PER_SECOND);
     }
-    ProtectedFields.put(report, fixed, frame -> trajectory.timeMs((int) frame) / MS_PER_SECOND);
     finish(report, edited);
     return failures.exitCode();
   }

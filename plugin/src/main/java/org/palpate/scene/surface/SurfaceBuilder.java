@@ -1,11 +1,16 @@
 package org.palpate.scene.surface;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.PriorityBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
+import org.palpate.volume.BitCube;
 
 /**
  * Extracts surface bricks in the background, on threads of low priority so that the haptic thread
@@ -38,6 +43,7 @@ public final class SurfaceBuilder implements AutoCloseable {
       ThreadLocal.withInitial(SurfaceExtractor::new);
   private final AtomicLong order = new AtomicLong();
   private final AtomicLong starts = new AtomicLong();
+  private final Map<WaitingBrick, Rebuild> waiting = new ConcurrentHashMap<>();
 
   /**
    * Creates a builder.
@@ -93,6 +99,71 @@ public final class SurfaceBuilder implements AutoCloseable {
               () -> job.run(() -> extract(source, occlusion, brick, sink))));
     }
     return job;
+  }
+
+  /**
+   * Extracts some bricks of a source again after an edit. A brick that still waits to be extracted
+   * again is extracted once for all, with the voxels that there are then. So an editor that is
+   * faster than the extraction makes no queue.
+   *
+   * @return the job, which reports progress and failures
+   */
+  public SurfaceJob rebuild(
+      SurfaceSource source,
+      AmbientOcclusion occlusion,
+      int urgency,
+      int[] bricks,
+      Sink sink,
+      Runnable whenDone) {
+    SurfaceJob job = new SurfaceJob(bricks.length, whenDone);
+    for (int brick : bricks) {
+      WaitingBrick key = new WaitingBrick(source.bits(), urgency, brick);
+      Rebuild fresh = new Rebuild(key, () -> extract(source, occlusion, brick, sink));
+      Rebuild found =
+          waiting.compute(key, (same, old) -> old != null && old.join(job) ? old : fresh);
+      if (found == fresh) {
+        fresh.join(job);
+        threads.execute(new BrickTask(urgency, order.getAndIncrement(), fresh));
+      }
+    }
+    return job;
+  }
+
+  /** A brick that waits to be extracted again. Cubes are equal only to themselves. */
+  private record WaitingBrick(BitCube bits, int urgency, int brick) {}
+
+  /** The extraction of a brick for every job that asked for it before it began. */
+  private final class Rebuild implements Runnable {
+    private final WaitingBrick key;
+    private final Runnable work;
+    private final List<SurfaceJob> jobs = new ArrayList<>();
+    private boolean hasBegun;
+
+    Rebuild(WaitingBrick key, Runnable work) {
+      this.key = key;
+      this.work = work;
+    }
+
+    /** Adds a job, unless the extraction has begun; returns whether it was added. */
+    synchronized boolean join(SurfaceJob job) {
+      if (!hasBegun) {
+        jobs.add(job);
+      }
+      return !hasBegun;
+    }
+
+    private synchronized void begin() {
+      hasBegun = true;
+    }
+
+    @Override
+    public void run() {
+      begin();
+      waiting.remove(key, this);
+      SurfaceJob first = jobs.get(0);
+      first.run(work);
+      jobs.subList(1, jobs.size()).forEach(job -> job.endLike(first));
+    }
   }
 
   private void extract(SurfaceSource source, AmbientOcclusion occlusion, int brick, Sink sink) {

@@ -33,6 +33,12 @@ public final class SurfaceJob {
     }
   }
 
+  /** Ends one brick that another job has extracted, or failed to extract. */
+  void endLike(SurfaceJob other) {
+    failure.compareAndSet(null, other.failure.get());
+    end();
+  }
+
   private void end() {
     try {
       boolean isLast = ended.incrementAndGet() == count;

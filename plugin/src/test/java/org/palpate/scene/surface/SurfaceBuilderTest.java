@@ -5,10 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.IntBox;
@@ -51,6 +56,73 @@ class SurfaceBuilderTest {
           .await(PATIENCE_MS);
     }
     assertSameBricks(buildAll(source, 1), bricks);
+  }
+
+  @Test
+  void editsThatAreFasterThanTheExtractionMakeNoQueue() throws Exception {
+    BitCube bits = Shapes.sphere(20, 5);
+    SurfaceSource source = SurfaceSource.ofBits(bits, Shapes.UNIT);
+    CountDownLatch begun = new CountDownLatch(1);
+    CountDownLatch mayEnd = new CountDownLatch(1);
+    List<SurfaceBrick> extracted = new CopyOnWriteArrayList<>();
+    AtomicInteger done = new AtomicInteger();
+    SurfaceBuilder.Sink sink =
+        (brick, order, mesh) -> {
+          extracted.add(mesh);
+          begun.countDown();
+          awaitUnchecked(mayEnd);
+        };
+    try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
+      List<SurfaceJob> jobs = new ArrayList<>();
+      for (int n = 0; n < 20; n++) {
+        bits.clear(10, 10, 14 - n % 5);
+        jobs.add(rebuild(builder, source, sink, done::incrementAndGet));
+        assertTrue(begun.await(PATIENCE_MS, TimeUnit.MILLISECONDS)); // the others wait for it
+      }
+      mayEnd.countDown();
+      for (SurfaceJob job : jobs) {
+        job.await(PATIENCE_MS);
+      }
+    }
+    assertEquals(2, extracted.size());
+    assertEquals(20, done.get());
+    SurfaceBrick now = new SurfaceExtractor().extract(source, AmbientOcclusion.NONE, 0);
+    assertEquals(now.triangleCount(), extracted.get(1).triangleCount());
+  }
+
+  @Test
+  void everyJobThatWaitsForABrickHearsThatItFailed() throws Exception {
+    SurfaceSource source = SurfaceSource.ofBits(Shapes.sphere(20, 5), Shapes.UNIT);
+    CountDownLatch mayEnd = new CountDownLatch(1);
+    try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
+      SurfaceJob first =
+          rebuild(builder, source, (brick, order, mesh) -> awaitUnchecked(mayEnd), () -> {});
+      SurfaceBuilder.Sink full =
+          (brick, order, mesh) -> {
+            throw new IllegalStateException("sink is full");
+          };
+      SurfaceSource other = SurfaceSource.ofBits(Shapes.sphere(20, 6), Shapes.UNIT);
+      SurfaceJob second = rebuild(builder, other, full, () -> {});
+      SurfaceJob third = rebuild(builder, other, full, () -> {});
+      mayEnd.countDown();
+      first.await(PATIENCE_MS);
+      assertThrows(IllegalStateException.class, () -> second.await(PATIENCE_MS));
+      assertThrows(IllegalStateException.class, () -> third.await(PATIENCE_MS));
+    }
+  }
+
+  private static SurfaceJob rebuild(
+      SurfaceBuilder builder, SurfaceSource source, SurfaceBuilder.Sink sink, Runnable whenDone) {
+    return builder.rebuild(
+        source, AmbientOcclusion.NONE, SurfaceBuilder.EDITED, new int[] {0}, sink, whenDone);
+  }
+
+  private static void awaitUnchecked(CountDownLatch latch) {
+    try {
+      assertTrue(latch.await(PATIENCE_MS, TimeUnit.MILLISECONDS));
+    } catch (InterruptedException e) {
+      throw new IllegalStateException(e);
+    }
   }
 
   @Test
