@@ -115,11 +115,11 @@ class CarvingFramesTest {
   private static BitCube ball(double radius) {
     BitCube bits = new BitCube(EDGE, EDGE, EDGE);
     for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
-      double x = n % EDGE - 11.5;
-      double y = n / EDGE % EDGE - 11.5;
-      double z = n / (EDGE * EDGE) - 11.5;
-      if (x * x + y * y + z * z <= radius * radius) {
-        bits.set(n % EDGE, n / EDGE % EDGE, n / (EDGE * EDGE));
+      int i = n % EDGE;
+      int j = n / EDGE % EDGE;
+      int k = n / (EDGE * EDGE);
+      if (GRID.metric().distance(i, j, k, 11.5, 11.5, 11.5) <= radius) {
+        bits.set(i, j, k);
       }
     }
     return bits;
