@@ -2,6 +2,7 @@ package org.palpate.body;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /** The bodies of a scene, in the order in which results number them. Haptic thread only. */
@@ -39,6 +40,15 @@ public final class BodyScene {
       grids.add(body.grid());
     }
     return grids;
+  }
+
+  /** Returns the voxels of each body; not copied. */
+  public List<BitCube> cubes() {
+    List<BitCube> cubes = new ArrayList<>();
+    for (Body body : bodies) {
+      cubes.add(body.bits());
+    }
+    return cubes;
   }
 
   /** Returns the number of times that the pose of any body was set. */

@@ -45,6 +45,16 @@ final class RigidPlace implements ToolPlace {
     isPlaced = true;
   }
 
+  /** Whether the tool has a place. */
+  boolean isPlaced() {
+    return isPlaced;
+  }
+
+  /** Returns the finder of the voxels that block the tool. */
+  BlockingVoxels blocking() {
+    return blocking;
+  }
+
   @Override
   public boolean touchedPoint(int segment, Vec3 destGrid) {
     if (isPlaced) {

@@ -1,8 +1,6 @@
 package org.palpate.frame;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.atomic.AtomicReference;
@@ -27,14 +25,12 @@ import org.palpate.force.guide.NearestApproach;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
-import org.palpate.rigid.BlockingVoxels;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.statistics.SkipCounters;
 import org.palpate.statistics.SkipKind;
-import org.palpate.volume.BitCube;
 
 /**
  * The frame of a rigid tool among bodies. The device delivers poses in the world and takes force
@@ -60,9 +56,7 @@ public final class ToolFrame extends HapticFrame {
   private final Pose devicePose = new Pose();
   private final Quaternion checked = new Quaternion();
   private final SkipCounters skippedBeforeUse = new SkipCounters();
-  private final BlockingVoxels blocking;
   private final RigidPlace place;
-  private boolean placed;
 
   /** Null if the tool does not cut. */
   private ToolCarver carver;
@@ -118,10 +112,9 @@ public final class ToolFrame extends HapticFrame {
     this.edits = edits;
     this.publisher = publisher;
     PlacementLog placements = new PlacementLog((body, pose) -> bodies.body(body).setPose(pose));
-    voxels = new VoxelWriter(new CollisionScene(cubesOf(bodies)), this::noteEdit, placements);
+    voxels = new VoxelWriter(new CollisionScene(bodies.cubes()), this::noteEdit, placements);
     limitMovableBodies();
-    blocking = solver.newBlockingVoxels();
-    place = new RigidPlace(bodies, blocking, motion, devicePose);
+    place = new RigidPlace(bodies, solver.newBlockingVoxels(), motion, devicePose);
     voxels.follow(place);
     grasp = new Grasp(bodies, solver, coupling, settings.force(), placements);
     requestedForce = settings.force();
@@ -138,14 +131,6 @@ public final class ToolFrame extends HapticFrame {
         voxels.limit(n, bodies.body(n).bits().copy());
       }
     }
-  }
-
-  private static List<BitCube> cubesOf(BodyScene bodies) {
-    List<BitCube> cubes = new ArrayList<>();
-    for (int n = 0; n < bodies.count(); n++) {
-      cubes.add(bodies.body(n).bits());
-    }
-    return cubes;
   }
 
   /**
@@ -242,7 +227,7 @@ public final class ToolFrame extends HapticFrame {
   }
 
   private void takePlacedBodies() {
-    if (placed && solver.wasBodyMoved()) {
+    if (place.isPlaced() && solver.wasBodyMoved()) {
       solver.bodies().clearGoals();
       solver.place(motion.pose(), motion);
       grasp.force().reset();
@@ -262,7 +247,7 @@ public final class ToolFrame extends HapticFrame {
 
   @Override
   public void carve(CarveSettings settings) {
-    carver = new ToolCarver(settings, bodies, blocking, voxels);
+    carver = new ToolCarver(settings, bodies, place.blocking(), voxels);
   }
 
   /** Takes materials from grey values from now on. Call it before the first frame. */
@@ -283,14 +268,13 @@ public final class ToolFrame extends HapticFrame {
   @Override
   void follow() {
     takePose();
-    boolean jumped = placed && sample.relocated;
+    boolean jumped = place.isPlaced() && sample.relocated;
     boolean startsAtDevice = true;
-    if (!placed || jumped) {
+    if (!place.isPlaced() || jumped) {
       if (grasp.held() != Grasp.NO_BODY) {
         letGo();
       }
       startsAtDevice = solver.place(devicePose, motion);
-      placed = true;
       place.place();
     } else if (carver != null && grasp.held() == Grasp.NO_BODY) {
       carver.carve(devicePose, pressingNewton(), sinceForceNanos());
