@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -13,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.body.BodyScene;
 import org.palpate.device.Trajectory;
+import org.palpate.force.FeelSettings;
 import org.palpate.force.guide.GuideStrength;
 import org.palpate.force.guide.Guides;
 import org.palpate.force.guide.NearestApproach;
@@ -156,7 +158,11 @@ class ProtectTest {
             new SegmentedVolume(grid, segments),
             ContactSettings.builder(SolverKind.GUARDED)
                 .protect(Map.of("nerve", MARGIN_MM))
-                .effects(List.of(Guides.away(distances, MARGIN_MM + 2, GuideStrength.STANDARD)))
+                .feel(
+                    new FeelSettings(
+                        List.of(Guides.away(distances, MARGIN_MM + 2, GuideStrength.STANDARD)),
+                        Optional.empty(),
+                        Optional.empty()))
                 .build());
     Trajectory down = new Trajectory();
     for (int n = 0; n < 2000; n++) {
