@@ -44,6 +44,15 @@ public final class ElasticBody {
     return updater.counters();
   }
 
+  /** Returns an update with the newest load of the haptic thread. */
+  Runnable liveUpdate() {
+    ElasticLoad load = new ElasticLoad();
+    return () -> {
+      loads.read(load);
+      updater.update(load);
+    };
+  }
+
   FieldUpdater updater() {
     return updater;
   }

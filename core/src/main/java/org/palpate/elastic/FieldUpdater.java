@@ -35,6 +35,9 @@ final class FieldUpdater {
 
   private static final double REACH_PER_LOAD = 2.5;
 
+  /** A displacement whose length over all nodes is shorter counts as none, mm. */
+  private static final double REST_MM = 1e-3;
+
   private final ControlLattice lattice;
   private final FieldExchange exchange;
   private final ChangedCells changed;
@@ -80,11 +83,28 @@ final class FieldUpdater {
 
   /** Computes the field for a load and hands it over. */
   void update(ElasticLoad next) {
+    long begunNanos = System.nanoTime();
     changed.refill();
+    patch.place(next.point);
+    if (isAtRest(next)) {
+      counters.countSkipped();
+      return;
+    }
+    solve(next);
+    counters.noteNanos(System.nanoTime() - begunNanos);
+  }
+
+  /** Whether nothing is pressed or near, and the last field has come back to rest. */
+  private boolean isAtRest(ElasticLoad next) {
+    return patch.isEmpty()
+        && next.forceNewton.length() == 0
+        && Vectors.norm(displacement) < REST_MM;
+  }
+
+  private void solve(ElasticLoad next) {
     predict(next.forceNewton);
     boolean scaledBack =
         guard.unfold(displacement, proved); // So that rotations are those of a shape.
-    patch.place(next.point);
     stiffening.update(guard.determinants());
     lattice.rotate(displacement);
     solveDisplacement();

@@ -1,8 +1,16 @@
 package org.palpate.elastic;
 
+import org.HdrHistogram.Histogram;
+
 /** Counts updates. The thread of the updates writes; read them after it has ended. */
 public final class UpdateCounters {
+  private static final long MOST_NANOS = 100_000_000_000L;
+  private static final int SIGNIFICANT_DIGITS = 3;
+  private static final double NANOS_PER_MILLI = 1e6;
+
+  private final Histogram nanos = new Histogram(MOST_NANOS, SIGNIFICANT_DIGITS);
   private long updates;
+  private long skipped;
   private long scaledBack;
   private long refused;
   private double worstResidual;
@@ -10,6 +18,14 @@ public final class UpdateCounters {
   void count(boolean wasScaledBack) {
     updates++;
     scaledBack += wasScaledBack ? 1 : 0;
+  }
+
+  void countSkipped() {
+    skipped++;
+  }
+
+  void noteNanos(long duration) {
+    nanos.recordValue(Math.max(0, Math.min(MOST_NANOS, duration)));
   }
 
   void countRefused() {
@@ -23,6 +39,16 @@ public final class UpdateCounters {
   /** Returns the number of updates. */
   public long updates() {
     return updates;
+  }
+
+  /** Returns the number of updates that were left out because nothing was pressed or near. */
+  public long skipped() {
+    return skipped;
+  }
+
+  /** Returns a percentile of the time of an update, ms; 100 for the longest. */
+  public double updateMs(double percentile) {
+    return nanos.getValueAtPercentile(percentile) / NANOS_PER_MILLI;
   }
 
   /** Returns the number of updates that would have folded a cell and were scaled back. */

@@ -106,6 +106,11 @@ final class ElasticTouch {
   /** Runs one frame at the present hand, 1 ms after the last. */
   void run() {
     updates.beforeFrame();
+    runWithoutUpdate();
+  }
+
+  /** Runs one frame as if the thread of the updates had died. */
+  void runWithoutUpdate() {
     frame.run(1_000_000L * millis++);
     device.forces.clear();
     device.torques.clear();

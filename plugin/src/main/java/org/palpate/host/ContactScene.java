@@ -13,10 +13,16 @@ import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
 import org.palpate.carve.CarveSettings;
 import org.palpate.collision.CollisionScene;
+import org.palpate.device.DeviceDecorator;
 import org.palpate.device.DeviceSpecification;
+import org.palpate.device.DeviceState;
 import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.ReadStatus;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.GreyEdit;
+import org.palpate.elastic.ElasticBody;
+import org.palpate.elastic.SynchronousUpdates;
 import org.palpate.force.EffectSite;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
@@ -431,5 +437,40 @@ public final class ContactScene {
             gridDevice, newSolver(), newCollisionScene(), metric, frame, none, FramePublisher.NONE);
     feel(made, frame);
     return made;
+  }
+
+  /**
+   * Returns a frame for the warm-up of a session with elastic segments, which also updates them.
+   *
+   * @param hand moves in world mm
+   * @param body at rest, for the warm-up alone
+   */
+  PointFrame newWarmUpFrame(HapticDevice hand, FrameSettings frame, ElasticBody body) {
+    HapticDevice updating = new UpdatingDevice(hand, new SynchronousUpdates(body));
+    PointFrame made = newWarmUpFrame(GridDevice.fromWorld(updating, grid()), frame);
+    made.deform(body.contact());
+    return made;
+  }
+
+  /** Updates elastic segments between the frames of a warm-up, so that their code is compiled. */
+  private static final class UpdatingDevice extends DeviceDecorator {
+    /** Fewer updates than in a replay suffice, and leave time for frames. */
+    private static final int READS_PER_FRAME = 8;
+
+    private final SynchronousUpdates updates;
+    private int reads;
+
+    UpdatingDevice(HapticDevice device, SynchronousUpdates updates) {
+      super(device);
+      this.updates = updates;
+    }
+
+    @Override
+    public ReadStatus read(DeviceState state) {
+      if (reads++ % READS_PER_FRAME == 0) {
+        updates.beforeFrame();
+      }
+      return device.read(state);
+    }
   }
 }

@@ -3,7 +3,9 @@ package org.palpate.host;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.palpate.device.DeviceSpecification;
+import org.palpate.elastic.ElasticBody;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopSettings;
 import org.palpate.recording.BodyRecorder;
@@ -22,6 +24,7 @@ import org.palpate.recording.SampleRecorder;
  * @param recorder records what the device sends, if given
  * @param editRecorder records changes of voxels, if given
  * @param bodyRecorder records poses of bodies, if given
+ * @param elastic makes the elastic segments at rest, if there are any; for a point alone
  * @param listener receives the end of the loop, once, on the thread that ends it
  */
 public record SessionSettings(
@@ -30,6 +33,7 @@ public record SessionSettings(
     Optional<SampleRecorder> recorder,
     Optional<EditRecorder> editRecorder,
     Optional<BodyRecorder> bodyRecorder,
+    Optional<Supplier<ElasticBody>> elastic,
     Consumer<LoopEnd> listener) {
   private static final double USUAL_HERTZ = 1000;
 
@@ -41,43 +45,56 @@ public record SessionSettings(
         Optional.empty(),
         Optional.empty(),
         Optional.empty(),
+        Optional.empty(),
         end -> {});
   }
 
   /** Returns a copy with the stiffness that is used if the scene's settings give none, N/mm. */
   public SessionSettings withDefaultStiffness(double newtonPerMm) {
     return new SessionSettings(
-        OptionalDouble.of(newtonPerMm), loop, recorder, editRecorder, bodyRecorder, listener);
+        OptionalDouble.of(newtonPerMm),
+        loop,
+        recorder,
+        editRecorder,
+        bodyRecorder,
+        elastic,
+        listener);
   }
 
   /** Returns a copy with another pace and thread setup. */
   public SessionSettings withLoop(LoopSettings newLoop) {
     return new SessionSettings(
-        defaultNewtonPerMm, newLoop, recorder, editRecorder, bodyRecorder, listener);
+        defaultNewtonPerMm, newLoop, recorder, editRecorder, bodyRecorder, elastic, listener);
   }
 
   /** Returns a copy that records what the device sends, if a recorder is given. */
   public SessionSettings withRecorder(Optional<SampleRecorder> newRecorder) {
     return new SessionSettings(
-        defaultNewtonPerMm, loop, newRecorder, editRecorder, bodyRecorder, listener);
+        defaultNewtonPerMm, loop, newRecorder, editRecorder, bodyRecorder, elastic, listener);
   }
 
   /** Returns a copy that records changes of voxels, if a recorder is given. */
   public SessionSettings withEditRecorder(Optional<EditRecorder> newRecorder) {
     return new SessionSettings(
-        defaultNewtonPerMm, loop, recorder, newRecorder, bodyRecorder, listener);
+        defaultNewtonPerMm, loop, recorder, newRecorder, bodyRecorder, elastic, listener);
   }
 
   /** Returns a copy that records poses of bodies, if a recorder is given. */
   public SessionSettings withBodyRecorder(Optional<BodyRecorder> newRecorder) {
     return new SessionSettings(
-        defaultNewtonPerMm, loop, recorder, editRecorder, newRecorder, listener);
+        defaultNewtonPerMm, loop, recorder, editRecorder, newRecorder, elastic, listener);
+  }
+
+  /** Returns a copy with elastic segments, if they are given. */
+  public SessionSettings withElastic(Optional<Supplier<ElasticBody>> bodies) {
+    return new SessionSettings(
+        defaultNewtonPerMm, loop, recorder, editRecorder, bodyRecorder, bodies, listener);
   }
 
   /** Returns a copy that reports the end of the loop, once, on the thread that ends it. */
   public SessionSettings withListener(Consumer<LoopEnd> newListener) {
     return new SessionSettings(
-        defaultNewtonPerMm, loop, recorder, editRecorder, bodyRecorder, newListener);
+        defaultNewtonPerMm, loop, recorder, editRecorder, bodyRecorder, elastic, newListener);
   }
 
   /** Returns the stiffness if the scene's settings give none, N per mm of scan. */

@@ -3,6 +3,7 @@ package org.palpate.host;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Supplier;
 import org.palpate.body.Placement;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
@@ -11,6 +12,8 @@ import org.palpate.device.SimulatedDevice;
 import org.palpate.edit.Edit;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.HistoryEdit;
+import org.palpate.elastic.ElasticBody;
+import org.palpate.elastic.ElasticThread;
 import org.palpate.force.MassiveContact;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.GridDevice;
@@ -64,6 +67,9 @@ public final class TouchSession implements AutoCloseable {
   private static final long WARM_UP_NANOS = 1_000_000_000L;
   private static final long WARM_UP_SEED = 1;
 
+  /** The time for which a session waits for updates of elastic segments to come back. */
+  public static final long TROUBLE_NANOS = 5_000_000_000L;
+
   /** Time between two calls of {@link #supervise}, 30 a second. */
   public static final long SUPERVISION_PERIOD_NANOS = SynchronizationThread.PERIOD_NANOS;
 
@@ -74,7 +80,18 @@ public final class TouchSession implements AutoCloseable {
   private final List<Property> published;
   private final Optional<HeldTool> held;
   private final Optional<MassiveContact> mass;
+  private final Optional<ElasticBody> elastic;
+  private final Optional<ElasticThread> elasticThread;
   private final VoxelGrid grid;
+
+  /** The time since which no update of elastic segments comes; the supervising thread's. */
+  private long troubledSinceNanos;
+
+  /** The reason for which no update comes; null as long as they come. */
+  private volatile String elasticTrouble;
+
+  /** Whether the session ended for that reason. */
+  private volatile boolean endedByTrouble;
 
   /** Set before the haptic thread starts, which reads it; null without a second reader. */
   private SessionReader secondReader;
@@ -103,7 +120,10 @@ public final class TouchSession implements AutoCloseable {
     edits = scene.edits();
     cuts = scene.carve().isPresent();
     tuning = new ContactTuning(frame, scene, frameSettings.force(), specification);
-    Runnable warmUp = warmUp(scene, frameSettings, settings.loop().periodNanos());
+    Runnable warmUp = warmUp(scene, frameSettings, settings);
+    elastic = settings.elastic().map(Supplier::get);
+    elastic.ifPresent(body -> frame.deform(body.contact()));
+    elasticThread = elastic.map(ElasticThread::new);
     loop = newLoop(frame, settings, warmUp);
     published = properties.accumulator().properties();
     held = Optional.empty();
@@ -142,6 +162,8 @@ public final class TouchSession implements AutoCloseable {
     published = properties.accumulator().properties();
     held = Optional.of(new HeldTool(scene, frame, publisher));
     mass = Optional.empty();
+    elastic = Optional.empty();
+    elasticThread = Optional.empty();
   }
 
   /** The rigid tool of a session. */
@@ -168,10 +190,16 @@ public final class TouchSession implements AutoCloseable {
   }
 
   private static Runnable warmUp(
-      ContactScene scene, FrameSettings frameSettings, long periodNanos) {
+      ContactScene scene, FrameSettings frameSettings, SessionSettings settings) {
     HandTarget target = scene.handTarget();
-    HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, periodNanos);
-    return warmUp(scene.newWarmUpFrame(GridDevice.fromWorld(hand, scene.grid()), frameSettings));
+    HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, settings.loop().periodNanos());
+    return warmUp(
+        settings
+            .elastic()
+            .map(bodies -> scene.newWarmUpFrame(hand, frameSettings, bodies.get()))
+            .orElseGet(
+                () ->
+                    scene.newWarmUpFrame(GridDevice.fromWorld(hand, scene.grid()), frameSettings)));
   }
 
   private static Runnable warmUp(HapticFrame frame) {
@@ -316,16 +344,53 @@ public final class TouchSession implements AutoCloseable {
   /** Starts the haptic thread. It warms up and then switches the force on. */
   public void start() {
     started = true;
+    elasticThread.ifPresent(ElasticThread::start);
     loop.start();
   }
 
   /**
-   * Ends the session if a frame does not return. Call it about 30 times a second.
+   * Ends the session if a frame does not return, or if elastic segments have not been updated for
+   * {@link #TROUBLE_NANOS} longer than an update may take. Call it about 30 times a second.
    *
    * @return whether the session has ended
    */
   public boolean supervise() {
-    return loop.supervise(NanoClock.SYSTEM.nanoTime());
+    long nowNanos = NanoClock.SYSTEM.nanoTime();
+    boolean ended = loop.supervise(nowNanos);
+    if (!ended && isTroubled(nowNanos)) {
+      endedByTrouble = true;
+      loop.stop();
+      ended = true;
+    }
+    return ended;
+  }
+
+  private boolean isTroubled(long nowNanos) {
+    String trouble = elasticThread.flatMap(ElasticThread::trouble).orElse(null);
+    if (trouble == null) {
+      troubledSinceNanos = nowNanos;
+    } else {
+      elasticTrouble = trouble;
+    }
+    return nowNanos - troubledSinceNanos > TROUBLE_NANOS;
+  }
+
+  /**
+   * Returns the reason for which updates of elastic segments failed to come at any time; empty if
+   * they always came. Meanwhile the last proved shape stays. Any thread.
+   */
+  public Optional<String> elasticTrouble() {
+    return Optional.ofNullable(elasticTrouble);
+  }
+
+  /** Whether the session ended because elastic segments were no longer updated. Any thread. */
+  public boolean endedByTrouble() {
+    return endedByTrouble;
+  }
+
+  /** Returns the elastic segments, if there are any; their counters after {@link #stop}. */
+  public Optional<ElasticBody> elastic() {
+    return elastic;
   }
 
   /**
@@ -395,7 +460,9 @@ public final class TouchSession implements AutoCloseable {
    * @return how the loop ended, now or earlier
    */
   public LoopEnd stop() {
-    return loop.stop();
+    LoopEnd end = loop.stop();
+    elasticThread.filter(thread -> started).ifPresent(ElasticThread::close);
+    return end;
   }
 
   /** Returns the measurements; complete after {@link #stop}. */
@@ -407,7 +474,7 @@ public final class TouchSession implements AutoCloseable {
   @Override
   public void close() {
     try {
-      loop.stop();
+      stop();
     } finally {
       device.close();
     }

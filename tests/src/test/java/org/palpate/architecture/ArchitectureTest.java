@@ -437,6 +437,7 @@ class ArchitectureTest {
                 .and(
                     resideInAnyPackage(
                             "..loop..",
+                            "..elastic..",
                             "..recording..",
                             "..scene..",
                             "..host..",

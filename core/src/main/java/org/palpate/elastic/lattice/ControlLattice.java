@@ -20,7 +20,11 @@ public final class ControlLattice {
   /** The layers of cells around the elastic segments that deform with them. */
   static final int AIR_CELLS = 2;
 
-  /** The number of cells along an axis, so that there are coarser lattices. */
+  /**
+   * The number of cells along an axis is a multiple of this, so that there are coarser lattices. So
+   * is the number of cells before the elastic segments: where they stand on a plane, that plane has
+   * nodes on the coarser lattices too, which halves the iterations.
+   */
   private static final int CELL_MULTIPLE = 4;
 
   private static final double AIR_PER_SOLID = 1e-3;
@@ -51,7 +55,7 @@ public final class ControlLattice {
       GridMetric metric, List<ElasticSegment> segments, List<BitCube> still, double edgeMm) {
     this.segments = List.copyOf(segments);
     double poisson = commonPoisson(segments);
-    layout = LatticeLayout.around(bounds(segments), metric, edgeMm, AIR_CELLS + 1, CELL_MULTIPLE);
+    layout = LatticeLayout.around(bounds(segments), metric, edgeMm, CELL_MULTIPLE, CELL_MULTIPLE);
     airModulus = AIR_PER_SOLID * stiffest(segments);
     cells = new ActiveCells(layout, fixedNodes(still));
     restModulus = new float[cells.count()];

@@ -59,7 +59,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
 /** Runs the frames of a recorded trajectory without a device and without a clock. */
@@ -202,8 +201,8 @@ public final class ReplayCommand implements Callable<Integer> {
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     contact.takeFrom(volume, spec.commandLine().getParseResult());
     contact.settings();
+    elastic.check(volume, tool, false);
     requireRepeatable();
-    refuseMassAmongElastic();
     boolean rigid = tool.isRigid() || posesFile != null;
     tool.checkOthers(spec.commandLine().getParseResult(), rigid);
     feel.check(rigid, contact);
@@ -221,17 +220,6 @@ public final class ReplayCommand implements Callable<Integer> {
       throw PalpateException.wrongUse(
           "a pass would not begin where the last one did",
           "--repeat with " + changing.get(),
-          "leave one of them out");
-    }
-  }
-
-  /** Refuses a mass among elastic segments, where the point stands in material coordinates. */
-  private void refuseMassAmongElastic() {
-    ParseResult given = spec.commandLine().getParseResult();
-    if (given.hasMatchedOption("--elastic") && given.hasMatchedOption("--mass")) {
-      throw PalpateException.wrongUse(
-          "a point with mass touches rigid segments alone",
-          "--elastic with --mass",
           "leave one of them out");
     }
   }

@@ -30,6 +30,7 @@ final class SessionSupervisor {
   private Optional<SessionView> view = Optional.empty();
   private long startNanos;
   private long endedNanos;
+  private boolean troubleTold;
   private boolean started;
   private long lastLineNanos;
   private long lastLineFrames;
@@ -84,9 +85,24 @@ final class SessionSupervisor {
       recordStart();
       takeUpdates();
       check.run();
+      printTrouble();
       printProgress();
       next = Math.max(next + TouchSession.SUPERVISION_PERIOD_NANOS, System.nanoTime());
       stop = waitUntil(next);
+    }
+  }
+
+  /** Prints once that elastic segments are no longer updated. */
+  private void printTrouble() {
+    Optional<String> trouble = session.elasticTrouble();
+    if (trouble.isPresent() && !troubleTold) {
+      troubleTold = true;
+      clearLine();
+      out.println(
+          "palpate: "
+              + trouble.get()
+              + ": --elastic: the last shape stays until updates come back");
+      out.flush();
     }
   }
 

@@ -13,6 +13,7 @@ import org.palpate.app.options.ChosenCollisionDevice;
 import org.palpate.app.options.CollisionDeviceOptions;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.DeviceChoice;
+import org.palpate.app.options.ElasticOptions;
 import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.LinkOptions;
 import org.palpate.app.options.NumberRange;
@@ -91,6 +92,7 @@ public final class TouchCommand implements Callable<Integer> {
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
   @Mixin private ToolOptions tool;
+  @Mixin private ElasticOptions elastic;
   @Mixin private FeelOptions feel;
   @Mixin private BrushOptions brushOptions;
   @Mixin private CollisionDeviceOptions collisionDevice;
@@ -194,11 +196,13 @@ public final class TouchCommand implements Callable<Integer> {
       return 0;
     }
     failures = new WriteFailures(spec.commandLine().getErr());
-    checkNumbers();
+    RATE.check(rateHz);
+    NumberRange.seconds().checkGiven(seconds);
     checkOptionCombination();
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     contact.takeFrom(volume, spec.commandLine().getParseResult());
+    elastic.check(volume, tool, hasWindow());
     tool.checkOthers(spec.commandLine().getParseResult());
     feel.check(tool.isRigid(), contact);
     brushOptions.check(tool.isRigid(), volume.isPlaced());
@@ -359,11 +363,6 @@ public final class TouchCommand implements Callable<Integer> {
     needs.check("--device mouse", device.equals("mouse"));
   }
 
-  private void checkNumbers() {
-    RATE.check(rateHz);
-    NumberRange.seconds().checkGiven(seconds);
-  }
-
   private void printStart(VolumeSource source, DeviceChoice choice, String held) {
     out.println(
         "palpate "
@@ -401,6 +400,7 @@ public final class TouchCommand implements Callable<Integer> {
                     .withDefaultStiffness(choice.defaultStiffness(opened, scene.contactScene()))
                     .withLoop(loop.with(realtime, realtime))
                     .withRecorder(recording.recorder())
+                    .withElastic(elastic.bodies(scene.volume(), contact.solver()))
                     .withEditRecorder(recording.editRecorder())
                     .withBodyRecorder(recording.bodyRecorder()))) {
       autosave =

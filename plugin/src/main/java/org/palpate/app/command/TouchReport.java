@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.palpate.app.options.DeviceChoice;
+import org.palpate.app.output.ElasticFields;
 import org.palpate.app.output.FaultFields;
 import org.palpate.app.output.MassFields;
 import org.palpate.app.output.Report;
@@ -61,6 +62,13 @@ final class TouchReport {
    * @throws PalpateException exit code 1, if it failed
    */
   int exitCode() {
+    if (session.endedByTrouble()) {
+      throw PalpateException.failed(
+          session.elasticTrouble().orElseThrow(),
+          "--elastic",
+          "run it again with --debug and report the output",
+          null);
+    }
     return exitCode(end, choice, device.ending());
   }
 
@@ -167,6 +175,7 @@ final class TouchReport {
         .put("faults", FaultFields.of(counts.faults()))
         .put("end", end.cause().name().toLowerCase(Locale.ROOT));
     session.mass().ifPresent(body -> report.put("mass", MassFields.of(body)));
+    session.elastic().ifPresent(body -> report.put("elastic", ElasticFields.of(body)));
   }
 
   private Map<String, Object> skipped(FrameStatistics counts) {

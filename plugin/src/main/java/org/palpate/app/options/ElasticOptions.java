@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.palpate.app.process.PalpateException;
 import org.palpate.elastic.ElasticBody;
 import org.palpate.elastic.lattice.ControlLattice;
@@ -25,7 +26,7 @@ public final class ElasticOptions {
       NumberRange.positive("--lattice", "the edge of a cell", "mm");
 
   /** The number of cells over the elastic segments if the user chooses no edge. */
-  private static final double USUAL_CELLS = 6000;
+  private static final double USUAL_CELLS = 3000;
 
   @Option(
       names = "--elastic",
@@ -48,7 +49,7 @@ public final class ElasticOptions {
       paramLabel = "MM",
       description =
           "Edge of a finite element of elastic segments, rounded to whole voxels. Default: such"
-              + " that some 6,000 cover them.")
+              + " that some 3,000 cover them.")
   private Double latticeMm;
 
   /** Whether a segment is elastic. */
@@ -63,17 +64,40 @@ public final class ElasticOptions {
    * @throws PalpateException exit code 2, if an option is wrong
    */
   public ReplayRun deform(ReplayRun replay, SegmentedVolume volume, SolverKind solver) {
-    Optional<ElasticBody> checked = body(volume, solver);
-    return checked.isPresent() ? replay.withElastic(() -> newBody(volume)) : replay;
+    return bodies(volume, solver).map(replay::withElastic).orElse(replay);
   }
 
   /**
-   * Returns a new body of the elastic segments at rest, if any were asked for.
+   * Refuses what does not go with elastic segments: a window, which would not show how they give
+   * way, a mass, and poses.
+   *
+   * @throws PalpateException exit code 2, if segments are elastic and one of these is wanted
+   */
+  public void check(VolumeOptions volume, ToolOptions tool, boolean hasWindow) {
+    if (isWanted() && hasWindow) {
+      throw PalpateException.wrongUse(
+          "elastic segments are not drawn yet", "--elastic", "add --headless");
+    }
+    if (isWanted() && tool.massKg().isPresent()) {
+      throw PalpateException.wrongUse(
+          "a point with mass touches rigid segments alone",
+          "--elastic with --mass",
+          "leave one of them out");
+    }
+    if (isWanted() && volume.isPlaced()) {
+      throw PalpateException.wrongUse(
+          "elastic segments are those of one volume", "--elastic", "give a volume, not a scene");
+    }
+  }
+
+  /**
+   * Returns what makes bodies of the elastic segments at rest, if any were asked for. One body is
+   * made at once, so that whatever is wrong is found.
    *
    * @param solver moves the interaction point
    * @throws PalpateException exit code 2, if an option is wrong
    */
-  public Optional<ElasticBody> body(SegmentedVolume volume, SolverKind solver) {
+  public Optional<Supplier<ElasticBody>> bodies(SegmentedVolume volume, SolverKind solver) {
     LATTICE.checkGiven(latticeMm);
     if (elastic.isEmpty()) {
       refuseAlone("--fixed", !fixed.isEmpty());
@@ -93,7 +117,14 @@ public final class ElasticOptions {
             "a segment is elastic and fixed", "--fixed " + name, "leave one of them out");
       }
     }
-    return Optional.of(newBody(volume));
+    ElasticBody first = newBody(volume);
+    ElasticBody[] made = {first};
+    return Optional.of(
+        () -> {
+          ElasticBody body = made[0] == null ? newBody(volume) : made[0];
+          made[0] = null;
+          return body;
+        });
   }
 
   private static void refuseAlone(String option, boolean given) {

@@ -15,10 +15,20 @@ public final class ElasticFields {
     Map<String, Object> fields = new LinkedHashMap<>();
     fields.put("hexes", body.hexahedra());
     fields.put("updates", counts.updates());
+    fields.put("skipped", counts.skipped());
+    fields.put("update_ms", times(counts));
     fields.put("scaled_back", counts.scaledBack());
     fields.put("refused", counts.refused());
     fields.put("worst_residual", counts.worstResidual());
     fields.put("clipped_frames", body.contact().clippedFrames());
+    return fields;
+  }
+
+  private static Map<String, Object> times(UpdateCounters counts) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("p50", counts.updateMs(50));
+    fields.put("p99", counts.updateMs(99));
+    fields.put("max", counts.updateMs(100));
     return fields;
   }
 }

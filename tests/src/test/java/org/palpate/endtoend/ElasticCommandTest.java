@@ -22,8 +22,8 @@ import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
 
-/** Replays with elastic segments: {@code palpate replay --elastic}. */
-class ElasticReplayTest {
+/** Replays and live sessions with elastic segments: option {@code --elastic}. */
+class ElasticCommandTest {
   @TempDir private Path folder;
 
   private Path file(String name) {
@@ -122,6 +122,7 @@ class ElasticReplayTest {
     "--elastic, bone=young:1e3, there is no such segment: --elastic bone",
     "--elastic, skin=young:1e3;poisson:0.2, there is no such segment: --elastic skin",
     "--elastic, block=yung:1e3, the elastic material cannot be read: --elastic block=yung:1e3",
+    "--mass, 0.1, a point with mass touches rigid segments alone: --elastic with --mass",
     "--repeat, 5, a pass would not begin where the last one did: --repeat with --elastic",
   })
   void refusesWhatDoesNotFitInOneLine(String option, String value, String line) {
@@ -137,6 +138,42 @@ class ElasticReplayTest {
     assertEquals(2, run.exitCode());
     assertEquals(
         "palpate: no segment is elastic: --lattice: add --elastic NAME=young:PA, or leave it out",
+        run.err().strip());
+  }
+
+  @Test
+  void aLiveSessionReportsItsUpdates() throws IOException {
+    Object[] session = {
+      "touch",
+      "--phantom",
+      "block:32",
+      "--elastic",
+      "block=young:20e3",
+      "--lattice",
+      8,
+      "--headless",
+      "--seconds",
+      2,
+      "--report",
+      file("r.json")
+    };
+    CommandRun.of(session).mustSucceed();
+    Map<String, String> report = FlatJson.read(file("r.json"));
+    assertTrue(Integer.parseInt(report.get("/elastic/hexes")) > 20, report.toString());
+    assertTrue(Integer.parseInt(report.get("/elastic/updates")) > 3, report.toString());
+    double p50 = Double.parseDouble(report.get("/elastic/update_ms/p50"));
+    double most = Double.parseDouble(report.get("/elastic/update_ms/max"));
+    assertTrue(p50 > 0 && p50 <= most, report.toString());
+  }
+
+  @Test
+  void aSceneOfSeveralVolumesIsRefused() {
+    CommandRun run =
+        CommandRun.of(
+            "touch", "--phantom", "fracture:64:2", "--elastic", "x=young:1e3", "--headless");
+    assertEquals(2, run.exitCode());
+    assertEquals(
+        "palpate: elastic segments are those of one volume: --elastic: give a volume, not a scene",
         run.err().strip());
   }
 }
