@@ -180,7 +180,7 @@ public final class ToolFrame extends HapticFrame {
       grasp.take(touched, devicePose, forceOfContact(), torqueOfContact(), motion);
       holdChanged(touched, BodyEvent.TAKEN);
       joinAll(touched, bound);
-    } else if (request == HoldRequest.LET_GO && holds) {
+    } else if (request == HoldRequest.LET_GO) {
       letGo();
     }
   }
@@ -198,8 +198,12 @@ public final class ToolFrame extends HapticFrame {
     report.tell(body, BodyEvent.JOINED);
   }
 
+  /** Lets go of the body that is held, if any. */
   private void letGo() {
     int body = grasp.held();
+    if (body == Grasp.NO_BODY) {
+      return;
+    }
     if (!grasp.letGo(motion)) {
       setFree();
     }
@@ -271,9 +275,7 @@ public final class ToolFrame extends HapticFrame {
     boolean jumped = place.isPlaced() && sample.relocated;
     boolean startsAtDevice = true;
     if (!place.isPlaced() || jumped) {
-      if (grasp.held() != Grasp.NO_BODY) {
-        letGo();
-      }
+      letGo();
       startsAtDevice = solver.place(devicePose, motion);
       place.place();
     } else if (carver != null && grasp.held() == Grasp.NO_BODY) {
@@ -390,7 +392,7 @@ public final class ToolFrame extends HapticFrame {
     boolean holds = grasp.held() != Grasp.NO_BODY;
     switch (event) {
       case TAKEN -> {
-        if (!holds) {
+        if (!holds && !voxels.history().isMoving()) {
           takePlacedBodies();
           grasp.takeAgain(body, inHand, motion);
           holdChanged(body, BodyEvent.TAKEN);
@@ -401,13 +403,11 @@ public final class ToolFrame extends HapticFrame {
           join(body);
         }
       }
-      case RELEASED -> {
-        if (holds) {
-          letGo();
-        }
-      }
+      case RELEASED -> letGo();
       case PLACED -> {
-        bodies.body(body).setPose(pose);
+        if (!holds) { // Undo waits while a body is held.
+          bodies.body(body).setPose(pose);
+        }
       }
       case MOVED, HELD -> {
         if (!grasp.moves(body)) {

@@ -102,8 +102,10 @@ final class MoverVerifier {
     joinedAt.set(pose());
     group[groupSize] = other;
     other.mover.carrier = mover;
-    joined[groupSize].set(other.pose());
     ReferencePose.relative(pose(), other.pose(), inFrame[groupSize++]);
+    for (int m = 1; m < groupSize; m++) {
+      joined[m].set(group[m].pose()); // those that joined before may have moved since
+    }
     updateGroup();
   }
 

@@ -143,10 +143,11 @@ public final class RigidSolver {
   }
 
   /**
-   * Takes a body in hand where it is, bit for bit. The tool leaves the scene until its own solver
-   * places it again.
+   * Takes a body in hand where it is, bit for bit, even if an edit has just put a solid there. The
+   * tool leaves the scene until its own solver places it again.
    */
   public void takeOver(ToolMotion motion) {
+    scene.takeEdits(); // or the next frame would take them as edits at a tool, and set it free
     scene.verifier(scene.toolIndex()).mover.setPresent(false);
     bodies.clearGoal(hand);
     motion.freed = false;
