@@ -7,7 +7,9 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -18,7 +20,14 @@ final class Sources {
       List.of("core", "native", "plugin", "benchmarks", "tests");
 
   /** The text of each class by its full name, of tests too. */
-  private static final Map<String, String> CLASSES = readClasses();
+  private static final Map<String, String> CLASSES = new TreeMap<>();
+
+  /** The classes that are no tests, by their full names. */
+  private static final Set<String> PRODUCTION = new TreeSet<>();
+
+  static {
+    readClasses();
+  }
 
   private Sources() {}
 
@@ -62,16 +71,23 @@ final class Sources {
     return true;
   }
 
-  private static Map<String, String> readClasses() {
-    Map<String, String> classes = new TreeMap<>();
+  private static void readClasses() {
     for (String module : MODULES) {
       for (Path file : files(ROOT.resolve(module), ".java")) {
         String path = file.toString().replace('\\', '/');
-        String name = path.substring(path.lastIndexOf("/org/palpate/") + 1);
-        classes.put(name.replaceAll("\\.java$", "").replace('/', '.'), read(file));
+        String relative = path.substring(path.lastIndexOf("/org/palpate/") + 1);
+        String name = relative.replaceAll("\\.java$", "").replace('/', '.');
+        CLASSES.put(name, read(file));
+        if (path.contains("/src/main/")) {
+          PRODUCTION.add(name);
+        }
       }
     }
-    return classes;
+  }
+
+  /** Whether a class is no test. */
+  static boolean isProduction(String name) {
+    return PRODUCTION.contains(name);
   }
 
   /** Returns the text of each class by its full name, of tests too. */

@@ -23,9 +23,14 @@ public final class VirtualDisplay {
 
   private static final String SERVER = "Xvfb";
 
-  /** Runs the command again with a display and returns its exit code. */
+  /**
+   * Runs the command again with a display and returns its exit code.
+   *
+   * @param arguments the arguments of the program, of which the first is the command
+   */
   public int rerun(List<String> arguments) {
-    Process server = start();
+    String commandName = arguments.get(0);
+    Process server = start(commandName);
     try {
       String number = displayNumber(server);
       List<String> command = javaCommand();
@@ -35,7 +40,7 @@ public final class VirtualDisplay {
       return again.start().waitFor();
     } catch (IOException e) {
       throw PalpateException.failed(
-          "Xvfb did not start", "render", "run it yourself and set DISPLAY", e);
+          "Xvfb did not start", commandName, "run it yourself and set DISPLAY", e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return PalpateException.FAILED;
@@ -44,7 +49,7 @@ public final class VirtualDisplay {
     }
   }
 
-  private static Process start() {
+  private static Process start(String commandName) {
     try {
       return new ProcessBuilder(
               SERVER,
@@ -63,7 +68,7 @@ public final class VirtualDisplay {
     } catch (IOException e) {
       throw PalpateException.failed(
           "there is no display, and Xvfb is not installed",
-          "render",
+          commandName,
           "install Xvfb with: sudo apt-get install xvfb libgl1 libglx-mesa0 libgl1-mesa-dri",
           e);
     }
