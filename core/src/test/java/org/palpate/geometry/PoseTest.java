@@ -1,6 +1,7 @@
 package org.palpate.geometry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.palpate.geometry.QuaternionTest.assertNear;
 
@@ -49,6 +50,25 @@ class PoseTest {
     Vec3 p = new Vec3(1, 2, 3);
     assertNear(
         mirrored.transform(p, new Vec3()), new AffineMap().set(mirrored).transform(p, new Vec3()));
+  }
+
+  @Test
+  void isFiniteAndTheSameOnlyIfBothPartsAre() {
+    Pose pose = RandomGeometry.pose(random, 50);
+    for (int part = 0; part < 2; part++) {
+      Pose other = new Pose().set(pose);
+      assertTrue(other.sameBits(pose) && other.isFinite());
+      if (part == 0) {
+        other.translation.x = Double.NaN;
+      } else {
+        other.rotation.x = Double.NaN;
+      }
+      assertFalse(other.sameBits(pose) || other.isFinite());
+    }
+    Pose ofAxes = new Pose().set(pose.transform(RigidTransform.identity()));
+    assertNear(pose.translation, ofAxes.translation);
+    assertEquals(1, Math.abs(ofAxes.rotation.dot(pose.rotation)), 1e-12);
+    assertTrue(ofAxes.setIdentity().sameBits(new Pose()));
   }
 
   @Test

@@ -2,6 +2,7 @@ package org.palpate.geometry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
@@ -114,6 +115,30 @@ class QuaternionTest {
     assertFalse(new Quaternion(Double.NaN, 0, 0, 1).normalize());
     assertFalse(new Quaternion(Double.POSITIVE_INFINITY, 0, 0, 1).normalize());
     assertFalse(new Quaternion(1e200, 0, 0, 0).normalize());
+  }
+
+  @Test
+  void comparesAndChecksEveryComponent() {
+    Quaternion q = new Quaternion(0.5, -0.5, 0.5, 0.5);
+    assertTrue(q.isFinite() && q.isUnit() && q.isNearUnit());
+    for (int n = 0; n < 4; n++) {
+      for (double wrong : new double[] {Double.NaN, 0.501, 0.6}) {
+        Quaternion other = withComponent(q, n, wrong);
+        assertFalse(other.sameBits(q));
+        assertEquals(!Double.isNaN(wrong), other.isFinite());
+        assertFalse(other.isUnit());
+        assertEquals(wrong == 0.501, other.isNearUnit());
+      }
+    }
+    Quaternion negative = new Quaternion();
+    assertSame(negative, q.negate(negative));
+    assertTrue(negative.sameBits(new Quaternion(-0.5, 0.5, -0.5, -0.5)));
+    assertTrue(negative.setIdentity().sameBits(new Quaternion(1, 0, 0, 0)));
+  }
+
+  private static Quaternion withComponent(Quaternion q, int n, double value) {
+    return new Quaternion(
+        n == 0 ? value : q.w, n == 1 ? value : q.x, n == 2 ? value : q.y, n == 3 ? value : q.z);
   }
 
   private Quaternion randomRotation() {

@@ -29,6 +29,30 @@ class RigidTransformTest {
   }
 
   @Test
+  void appliesTheFirstOfAProductFirst() {
+    RigidTransform twice = QUARTER_TURN.multiply(QUARTER_TURN);
+    Vec3 once = QUARTER_TURN.transform(new Vec3(1, 2, 3), new Vec3());
+    assertTrue(
+        twice
+            .transform(new Vec3(1, 2, 3), new Vec3())
+            .sameBits(QUARTER_TURN.transform(once, new Vec3())));
+    assertFalse(twice.sameBits(QUARTER_TURN));
+    assertTrue(twice.sameBits(QUARTER_TURN.multiply(QUARTER_TURN)));
+  }
+
+  @Test
+  void boundsTheChangeOfLengths() {
+    assertEquals(0, QUARTER_TURN.distortion());
+    Vec3 stretched = new Vec3(2, 0, 0); // 2^2 - 1 = 3
+    Vec3 skewed = new Vec3(0, 1, 1); // 2 - 1 = 1, and 1 with the next
+    Vec3 z = new Vec3(0, 0, 1);
+    assertEquals(
+        Math.sqrt(9 + 1 + 2),
+        new RigidTransform(stretched, skewed, z, new Vec3()).distortion(),
+        1e-12);
+  }
+
+  @Test
   void recognizesOrthonormalAxes() {
     assertTrue(QUARTER_TURN.isOrthonormal());
     assertTrue(RigidTransform.identity().isOrthonormal());
