@@ -101,9 +101,10 @@ class EffectsTest {
     for (int n = 0; n < 24 * 24 * 24; n++) {
       double x = n % 24 - 11.5;
       double y = n / 24 % 24 - 11.5;
-      double z = n / 576 - 11.5;
+      int k = n / 576;
+      double z = k - 11.5;
       if (x * x + y * y + z * z < 16) {
-        ball.set(n % 24, n / 24 % 24, n / 576);
+        ball.set(n % 24, n / 24 % 24, k);
       }
     }
     HapticEffect magnet = made(Effects.magnet(new SegmentDistance(ball, GRID, 6), 1, 6));
