@@ -71,9 +71,11 @@ public final class ElasticOptions {
    * Refuses what does not go with elastic segments: a window, which would not show how they give
    * way, a mass, and poses.
    *
-   * @throws PalpateException exit code 2, if segments are elastic and one of these is wanted
+   * @throws PalpateException exit code 2, if segments are elastic and one of these is wanted, or the
+   *     edge of a cell is out of range
    */
   public void check(VolumeOptions volume, ToolOptions tool, boolean hasWindow) {
+    LATTICE.checkGiven(latticeMm);
     if (isWanted() && hasWindow) {
       throw PalpateException.wrongUse(
           "elastic segments are not drawn yet", "--elastic", "add --headless");
@@ -98,7 +100,6 @@ public final class ElasticOptions {
    * @throws PalpateException exit code 2, if an option is wrong
    */
   public Optional<Supplier<ElasticBody>> bodies(SegmentedVolume volume, SolverKind solver) {
-    LATTICE.checkGiven(latticeMm);
     if (elastic.isEmpty()) {
       refuseAlone("--fixed", !fixed.isEmpty());
       refuseAlone("--lattice", latticeMm != null);
