@@ -94,6 +94,12 @@ class ColumnsTest {
             common,
             "Reports with elastic segments"));
     seen.addAll(
+        keys(
+            report,
+            replay(trajectory, "--protect", "sphere:1"),
+            common,
+            "Reports with protected segments"));
+    seen.addAll(
         keys(report, replay(trajectory, "--mass", 0.1), common, "Reports of a point with mass"));
     seen.addAll(keys(report, touch(), common, "Reports of `touch`"));
     Object[] info = {"info", "--phantom", "sphere:16"};
