@@ -169,6 +169,11 @@ final class MessageSources {
         .orElse("{text}");
   }
 
+  /** Whether a tree is a literal of another type than a text, such as the number of a column. */
+  private static boolean isNumber(ExpressionTree tree) {
+    return tree instanceof LiteralTree literal && !(literal.getValue() instanceof String);
+  }
+
   private static String nameOf(ExpressionTree tree) {
     if (tree instanceof MemberSelectTree select) {
       return select.getIdentifier().toString();
@@ -269,7 +274,9 @@ final class MessageSources {
         Map<String, String> values = new LinkedHashMap<>();
         List<String> names = parameters.get(callee);
         for (int n = 0; n < names.size(); n++) {
-          values.put(names.get(n), text(arguments.get(n)));
+          if (!isNumber(arguments.get(n))) {
+            values.put(names.get(n), text(arguments.get(n)));
+          }
         }
         add(template.with(source, values));
       }
