@@ -393,7 +393,7 @@ public final class ToolFrame extends HapticFrame {
     switch (event) {
       case TAKEN -> {
         if (!holds && !voxels.history().isMoving()) {
-          takePlacedBodies();
+          applyEdits(Integer.MAX_VALUE); // They came before the hand took hold, and now would wait.
           grasp.takeAgain(body, inHand, motion);
           holdChanged(body, BodyEvent.TAKEN);
         }

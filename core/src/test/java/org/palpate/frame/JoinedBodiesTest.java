@@ -1,6 +1,7 @@
 package org.palpate.frame;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -174,5 +175,15 @@ class JoinedBodiesTest {
     frame.repeat(1, BodyEvent.TAKEN, new Pose(), new Pose());
     run(1);
     assertEquals(-1, frame.heldBody());
+  }
+
+  @Test
+  void editsThatCameBeforeABodyWasTakenAreRepeatedBeforeIt() {
+    run(1);
+    assertTrue(edits.offer(new BrushEdit(0, new Vec3(20.5, 20.5, 2.5), 0.6, false)));
+    frame.repeat(1, BodyEvent.TAKEN, new Pose(), new Pose());
+    run(1);
+    assertEquals(1, frame.heldBody());
+    assertFalse(floor.bits().get(20, 20, 2), "the edit of the same sample");
   }
 }
