@@ -48,7 +48,7 @@ final class NaiveThinSlices implements Cells {
     for (AxisCut cut : grid.cuts()) {
       slices =
           new NaiveThinSlices(
-              cells, cut, new Vec3(left[0], left[1], left[2]), slices == null ? 24 : 8);
+              cells, cut, new Vec3(left[0], left[1], left[2]), slices == null ? 24 : 12);
       cells = slices;
       left[cut.axis()] /= cut.perVoxel();
     }
