@@ -392,10 +392,8 @@ public final class ToolFrame extends HapticFrame {
     boolean holds = grasp.held() != Grasp.NO_BODY;
     switch (event) {
       case TAKEN -> {
-        if (!holds && !voxels.history().isMoving()) {
-          applyEdits(Integer.MAX_VALUE); // They came before the hand took hold, and now would wait.
-          grasp.takeAgain(body, inHand, motion);
-          holdChanged(body, BodyEvent.TAKEN);
+        if (!holds) {
+          takeAgain(body, inHand);
         }
       }
       case JOINED -> {
@@ -414,6 +412,18 @@ public final class ToolFrame extends HapticFrame {
           solver.bodies().setGoal(body, pose);
         }
       }
+    }
+  }
+
+  /**
+   * Takes hold of a body as it was recorded, after the edits that came before, which now would
+   * wait. Nothing is taken while a stroke is undone in part.
+   */
+  private void takeAgain(int body, Pose inHand) {
+    applyEdits(Integer.MAX_VALUE);
+    if (!voxels.history().isMoving()) {
+      grasp.takeAgain(body, inHand, motion);
+      holdChanged(body, BodyEvent.TAKEN);
     }
   }
 

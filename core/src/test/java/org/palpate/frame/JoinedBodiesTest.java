@@ -166,7 +166,7 @@ class JoinedBodiesTest {
   }
 
   @Test
-  void noBodyIsTakenAgainWhileAnUndoIsInPart() {
+  void aBodyIsTakenAgainAfterTheWholeUndo() {
     assertTrue(edits.offer(new BrushEdit(0, new Vec3(20, 20, 2), 100, false)));
     run(50);
     assertTrue(edits.offer(HistoryEdit.undo()));
@@ -174,7 +174,25 @@ class JoinedBodiesTest {
     assertTrue(frame.voxels().history().isMoving());
     frame.repeat(1, BodyEvent.TAKEN, new Pose(), new Pose());
     run(1);
+    assertFalse(frame.voxels().history().isMoving());
+    assertEquals(1, frame.heldBody());
+  }
+
+  @Test
+  void noBodyIsTakenAgainBetweenTwoUndosOfWhichOneIsInPart() {
+    for (int n = 0; n < 2; n++) {
+      assertTrue(edits.offer(new BrushEdit(0, new Vec3(20, 20, 2), 100, n == 1)));
+      run(50);
+    }
+    assertTrue(edits.offer(HistoryEdit.undo()));
+    assertTrue(edits.offer(HistoryEdit.undo()));
+    frame.repeat(1, BodyEvent.TAKEN, new Pose(), new Pose());
+    run(1);
+    assertTrue(frame.heldBody() < 0 || !frame.voxels().history().isMoving());
+    frame.repeat(1, BodyEvent.RELEASED, new Pose(), new Pose());
+    run(50);
     assertEquals(-1, frame.heldBody());
+    assertFalse(frame.voxels().history().isMoving());
   }
 
   @Test
