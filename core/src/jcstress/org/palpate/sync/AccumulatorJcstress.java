@@ -1,7 +1,5 @@
 package org.palpate.sync;
 
-import org.palpate.geometry.Vec3;
-
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;
@@ -11,6 +9,7 @@ import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.DDD_Result;
 import org.openjdk.jcstress.infra.results.DD_Result;
 import org.openjdk.jcstress.infra.results.ZZ_Result;
+import org.palpate.geometry.Vec3;
 
 /**
  * Checks the values that the reader of an {@link Accumulator} can see while a writer publishes, on

@@ -71,8 +71,8 @@ public final class ElasticOptions {
    * Refuses what does not go with elastic segments: a window, which would not show how they give
    * way, a mass, and poses.
    *
-   * @throws PalpateException exit code 2, if segments are elastic and one of these is wanted, or the
-   *     edge of a cell is out of range
+   * @throws PalpateException exit code 2, if segments are elastic and one of these is wanted, or
+   *     the edge of a cell is out of range
    */
   public void check(VolumeOptions volume, ToolOptions tool, boolean hasWindow) {
     LATTICE.checkGiven(latticeMm);
