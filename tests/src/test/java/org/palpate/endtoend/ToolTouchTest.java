@@ -78,7 +78,7 @@ class ToolTouchTest {
       {"--tool", "sphere:0"},
       {"--tool", "sphere:4", "--solver", "guarded"},
       {"--tool", "sphere:4", "--rotational-stiffness", "0"},
-      {"--mass", "1"},
+      {"--mass", "0"},
     };
     for (String[] arguments : wrong) {
       Object[] all = new Object[arguments.length + 2];
