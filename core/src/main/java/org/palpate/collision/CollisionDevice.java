@@ -7,7 +7,8 @@ import org.palpate.volume.BitCube;
  * Judges whether legs touch solid voxels: the CPU, or a device that judges many legs at once.
  *
  * <p>Invariant: {@link LegVerdict#FREE} and {@link LegVerdict#HIT} are exact on every device.
- * Callers decide a {@link LegVerdict#DOUBT} themselves, so the device changes no bit of an answer.
+ * Verification skips a leg that is free, and casts every other one. So a device changes no bit of
+ * an answer, and the guarantee rests on this invariant.
  *
  * <p>One thread at a time uses a device; {@link #failure} and {@link #close} are for any thread.
  */

@@ -31,7 +31,7 @@ import org.palpate.volume.BitCube;
  *   <li>A point or a leaf, until its odometer has used up the empty cube that was found around it.
  *       Each committed motion adds the longest motion of any point along an axis.
  *   <li>A leg whose bounding box is empty.
- *   <li>A leg that {@link LegScreen} finds to be free.
+ *   <li>A leg that {@link LegScreen} finds to be free. Here the device is believed.
  * </ul>
  *
  * <p>Work is counted in tested points. Points that odometers and boxes skip count too. Belongs to
