@@ -2,7 +2,6 @@ package org.palpate.opencl;
 
 import java.util.SplittableRandom;
 import org.palpate.geometry.AffineMap;
-import org.palpate.geometry.PointSet;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 
@@ -11,7 +10,7 @@ import org.palpate.geometry.Vec3;
  * verdict on such a leg depends on every bit of its ends and on the error bound of the test. Each
  * point grazes in one of the motions, and has an ordinary leg in the others.
  */
-final class GrazingLegs implements PointSet {
+final class GrazingLegs extends PointArrays {
   /** The number of motions. */
   static final int MOTIONS = 4;
 
@@ -19,9 +18,6 @@ final class GrazingLegs implements PointSet {
 
   private final SplittableRandom random;
   private final int size;
-  private final double[] x;
-  private final double[] y;
-  private final double[] z;
   private final AffineMap[] from = new AffineMap[MOTIONS];
   private final AffineMap[] to = new AffineMap[MOTIONS];
 
@@ -31,11 +27,9 @@ final class GrazingLegs implements PointSet {
    * @param size the number of voxels along each axis of the grid that is grazed
    */
   GrazingLegs(SplittableRandom random, int size, int count) {
+    super(count);
     this.random = random;
     this.size = size;
-    x = new double[count];
-    y = new double[count];
-    z = new double[count];
     for (int motion = 0; motion < MOTIONS; motion++) {
       makeMotion(motion);
     }
@@ -53,13 +47,13 @@ final class GrazingLegs implements PointSet {
     }
     from[motion] = new AffineMap().set(pose);
     AffineMap inverse = new AffineMap().setInverse(pose);
-    Vec3 way = way();
+    Vec3 displacement = displacement();
     to[motion] = new AffineMap().set(from[motion]);
-    to[motion].offsetX += way.x;
-    to[motion].offsetY += way.y;
-    to[motion].offsetZ += way.z;
+    to[motion].offsetX += displacement.x;
+    to[motion].offsetY += displacement.y;
+    to[motion].offsetZ += displacement.z;
     for (int n = motion; n < x.length; n += MOTIONS) {
-      Vec3 start = inverse.transform(grazingStart(way), new Vec3());
+      Vec3 start = inverse.transform(grazingStart(displacement), new Vec3());
       x[n] = disturbed(start.x);
       y[n] = disturbed(start.y);
       z[n] = disturbed(start.z);
@@ -70,15 +64,19 @@ final class GrazingLegs implements PointSet {
    * Returns the displacement of all points in a motion, voxels: any one, a short one, or one within
    * a grid plane.
    */
-  private Vec3 way() {
-    Vec3 way = vector(LONGEST_VOXELS);
+  private Vec3 displacement() {
+    Vec3 displacement = vector(LONGEST_VOXELS);
     switch (random.nextInt(5)) {
-      case 0 -> way.set(random.nextInt(3), 0);
-      case 1 -> way.mul(0x1p-30, way);
-      case 2 -> way.set(Math.rint(2 * way.x) / 2, Math.rint(2 * way.y) / 2, Math.rint(way.z));
+      case 0 -> displacement.set(random.nextInt(3), 0);
+      case 1 -> displacement.mul(0x1p-30, displacement);
+      case 2 ->
+          displacement.set(
+              Math.rint(2 * displacement.x) / 2,
+              Math.rint(2 * displacement.y) / 2,
+              Math.rint(displacement.z));
       default -> {}
     }
-    return way;
+    return displacement;
   }
 
   /**
@@ -86,7 +84,7 @@ final class GrazingLegs implements PointSet {
    * these lie at the origin of the grid, where coordinates have the most digits: only there does
    * the rounding of products decide.
    */
-  private Vec3 grazingStart(Vec3 way) {
+  private Vec3 grazingStart(Vec3 displacement) {
     Vec3 start = new Vec3();
     double part = random.nextDouble();
     int free = random.nextInt(6);
@@ -94,7 +92,7 @@ final class GrazingLegs implements PointSet {
     for (int axis = 0; axis < 3; axis++) {
       double corner = random.nextInt(reach + 1);
       boolean isFree = axis == free || (free == 5 && axis > 0);
-      start.set(axis, corner + (isFree ? random.nextDouble() : 0) - part * way.get(axis));
+      start.set(axis, corner + (isFree ? random.nextDouble() : 0) - part * displacement.get(axis));
     }
     return start;
   }
@@ -124,25 +122,5 @@ final class GrazingLegs implements PointSet {
   /** Returns the map at the end of a motion; not to be written. */
   AffineMap to(int motion) {
     return to[motion];
-  }
-
-  @Override
-  public int count() {
-    return x.length;
-  }
-
-  @Override
-  public double x(int point) {
-    return x[point];
-  }
-
-  @Override
-  public double y(int point) {
-    return y[point];
-  }
-
-  @Override
-  public double z(int point) {
-    return z[point];
   }
 }

@@ -2,31 +2,25 @@ package org.palpate.opencl;
 
 import java.util.SplittableRandom;
 import org.palpate.geometry.AffineMap;
-import org.palpate.geometry.PointSet;
 import org.palpate.volume.BitCube;
 
 /**
  * Points close above a ball of voxels, and a short motion of them, for measurements of time. No leg
  * of these points would be culled. Grid coordinates.
  */
-final class NearBall implements PointSet {
+final class NearBall extends PointArrays {
   private static final int SIZE = 128;
   private static final double RADIUS = 50;
   private static final double HIGHEST_VOXELS = 3;
   private static final long SEED = 1;
 
   private final BitCube voxels = new BitCube(SIZE, SIZE, SIZE);
-  private final double[] x;
-  private final double[] y;
-  private final double[] z;
   private final AffineMap from = new AffineMap();
   private final AffineMap to = new AffineMap();
 
   /** Makes a number of points. */
   NearBall(int count) {
-    x = new double[count];
-    y = new double[count];
-    z = new double[count];
+    super(count);
     fillBall();
     SplittableRandom random = new SplittableRandom(SEED);
     for (int n = 0; n < count; n++) {
@@ -73,25 +67,5 @@ final class NearBall implements PointSet {
   /** Returns the map at its end. */
   AffineMap to() {
     return to;
-  }
-
-  @Override
-  public int count() {
-    return x.length;
-  }
-
-  @Override
-  public double x(int point) {
-    return x[point];
-  }
-
-  @Override
-  public double y(int point) {
-    return y[point];
-  }
-
-  @Override
-  public double z(int point) {
-    return z[point];
   }
 }
