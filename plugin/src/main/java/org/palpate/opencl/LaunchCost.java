@@ -1,6 +1,7 @@
 package org.palpate.opencl;
 
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicLong;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.LegBatch;
 import org.palpate.collision.LegVerdict;
@@ -67,40 +68,44 @@ final class LaunchCost implements OpenClDevice.Chooser {
       from.offsetY = (box.lowY + box.highY) / 2.0;
       from.offsetZ = (box.lowZ + box.highZ) / 2.0;
     }
-    double[] nanos = new double[MEASURED_BATCHES];
-    for (int n = -WARM_UP_BATCHES; n < MEASURED_BATCHES; n++) {
-      to.set(from);
-      to.offsetX += 0.3;
-      to.offsetY -= 0.2;
-      long start = System.nanoTime();
-      batch.judge(from, to, firstNanos);
-      if (n >= 0) {
-        nanos[n] = System.nanoTime() - start;
-      }
-    }
-    Arrays.sort(nanos);
-    return nanos[MEASURED_BATCHES / 2];
+    to.set(from);
+    to.offsetX += 0.3;
+    to.offsetY -= 0.2;
+    return medianNanos(WARM_UP_BATCHES, MEASURED_BATCHES, () -> batch.judge(from, to, firstNanos));
   }
 
   private static double measureCpu() {
     NearBall ball = new NearBall(LEGS);
     LegBatch batch = CollisionDevice.CPU.keep(ball.voxels()).newBatch(ball);
     batch.judge(ball.from(), ball.to());
-    double[] nanos = new double[MEASURED_ROUNDS];
-    long hits = 0;
-    for (int round = -WARM_UP_ROUNDS; round < MEASURED_ROUNDS; round++) {
-      long start = System.nanoTime();
-      for (int n = 0; n < LEGS; n++) {
-        hits += batch.verdict(n) == LegVerdict.HIT ? 1 : 0;
-      }
-      if (round >= 0) {
-        nanos[round] = (double) (System.nanoTime() - start) / LEGS;
-      }
-    }
-    if (hits == 0) {
+    AtomicLong hits = new AtomicLong(); // read below, so that no judging can be left out
+    double nanos =
+        medianNanos(WARM_UP_ROUNDS, MEASURED_ROUNDS, () -> hits.addAndGet(countHits(batch)));
+    if (hits.get() == 0) {
       throw new IllegalStateException("no leg near a surface touches it");
     }
+    return Math.max(1, nanos / LEGS);
+  }
+
+  private static long countHits(LegBatch batch) {
+    long hits = 0;
+    for (int n = 0; n < LEGS; n++) {
+      hits += batch.verdict(n) == LegVerdict.HIT ? 1 : 0;
+    }
+    return hits;
+  }
+
+  /** Runs an action often, after a warm-up, and returns the median of its times, ns. */
+  private static double medianNanos(int warmUp, int measured, Runnable action) {
+    long[] nanos = new long[measured];
+    for (int n = -warmUp; n < measured; n++) {
+      long start = System.nanoTime();
+      action.run();
+      if (n >= 0) {
+        nanos[n] = System.nanoTime() - start;
+      }
+    }
     Arrays.sort(nanos);
-    return Math.max(1, nanos[MEASURED_ROUNDS / 2]);
+    return nanos[measured / 2];
   }
 }
