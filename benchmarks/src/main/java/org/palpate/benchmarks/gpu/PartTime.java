@@ -1,7 +1,7 @@
 package org.palpate.benchmarks.gpu;
 
-import java.util.Arrays;
 import java.util.List;
+import org.HdrHistogram.Histogram;
 
 /**
  * The time that a part of a batch takes.
@@ -27,34 +27,29 @@ record PartTime(
     double p999,
     double max) {
   private static final double NANOS_PER_MICRO = 1e3;
+  private static final int SIGNIFICANT_DIGITS = 3;
 
   /** Runs a part often, after a warm-up of a tenth of that, and returns its times. */
   static PartTime measure(String device, int points, String part, int frames, Runnable run) {
     for (int n = 0; n < frames / 10 + 1; n++) {
       run.run();
     }
-    long[] nanos = new long[frames];
+    Histogram nanos = new Histogram(SIGNIFICANT_DIGITS);
     for (int n = 0; n < frames; n++) {
       long start = System.nanoTime();
       run.run();
-      nanos[n] = System.nanoTime() - start;
+      nanos.recordValue(System.nanoTime() - start);
     }
-    Arrays.sort(nanos);
     return new PartTime(
         device,
         points,
         part,
         frames,
-        micros(nanos, 0),
-        micros(nanos, 0.5),
-        micros(nanos, 0.99),
-        micros(nanos, 0.999),
-        micros(nanos, 1));
-  }
-
-  private static double micros(long[] sortedNanos, double part) {
-    int index = (int) Math.min(sortedNanos.length - 1.0, part * sortedNanos.length);
-    return sortedNanos[index] / NANOS_PER_MICRO;
+        nanos.getMinValue() / NANOS_PER_MICRO,
+        nanos.getValueAtPercentile(50) / NANOS_PER_MICRO,
+        nanos.getValueAtPercentile(99) / NANOS_PER_MICRO,
+        nanos.getValueAtPercentile(99.9) / NANOS_PER_MICRO,
+        nanos.getMaxValue() / NANOS_PER_MICRO);
   }
 
   List<Object> cells() {
