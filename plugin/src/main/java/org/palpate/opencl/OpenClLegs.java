@@ -118,8 +118,8 @@ final class OpenClLegs implements LegBatch {
   /** Begins to send changed voxels and maps, and to judge. */
   void launch(AffineMap from, AffineMap to) {
     voxels.send();
-    put(from, 0);
-    put(to, MAP_BYTES);
+    put(from, maps.host(), 0);
+    put(to, maps.host(), MAP_BYTES);
     driver.write(maps, 2 * MAP_BYTES);
     driver.launch(kernel, count);
   }
@@ -143,8 +143,8 @@ final class OpenClLegs implements LegBatch {
     }
   }
 
-  private void put(AffineMap map, int at) {
-    ByteBuffer rows = maps.host();
+  /** Writes a map as the kernels read it. */
+  static void put(AffineMap map, ByteBuffer rows, int at) {
     putRow(rows, at, map.mXX, map.mXY, map.mXZ, map.offsetX);
     putRow(rows, at + 32, map.mYX, map.mYY, map.mYZ, map.offsetY);
     putRow(rows, at + 64, map.mZX, map.mZY, map.mZZ, map.offsetZ);

@@ -228,23 +228,7 @@ class OpenClVerdictTest {
     pose.rotation.set(0.5, 0.1, -0.7, 0.3).normalize();
     pose.translation.set(12.3, -4.5, 6.7);
     AffineMap map = new AffineMap().set(pose);
-    double[] values = {
-      map.mXX,
-      map.mXY,
-      map.mXZ,
-      map.offsetX,
-      map.mYX,
-      map.mYY,
-      map.mYZ,
-      map.offsetY,
-      map.mZX,
-      map.mZY,
-      map.mZZ,
-      map.offsetZ
-    };
-    for (int n = 0; n < values.length; n++) {
-      rows.host().putDouble(8 * n, values[n]);
-    }
+    OpenClLegs.put(map, rows.host(), 0);
     for (int n = 0; n < 3 * points; n++) {
       coordinates.host().putDouble(8 * n, random.nextDouble(-50, 50));
     }
