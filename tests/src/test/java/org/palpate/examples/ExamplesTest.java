@@ -28,7 +28,7 @@ import org.palpate.volume.phantom.Phantom;
 class ExamplesTest {
   /** The jars that module plugin marks as optional, by the start of their names. */
   private static final Pattern OPTIONAL =
-      Pattern.compile("^(jogl|gluegen|ij|picocli|scijava|zstd-jni)-.*\\.jar$");
+      Pattern.compile("^(jocl|jogl|gluegen|ij|picocli|scijava|zstd-jni)-.*\\.jar$");
 
   private static final BitCube SPHERE =
       Phantom.parse("sphere:64").segments().segments().get(0).bits();
