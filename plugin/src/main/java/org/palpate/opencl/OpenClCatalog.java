@@ -32,7 +32,7 @@ public final class OpenClCatalog {
    */
   public record Listing(List<Entry> devices, String why) {}
 
-  /** There are devices, but none that was asked for can be used. */
+  /** There are devices, but none of those that were asked for can be used. */
   static final class WrongChoiceException extends RuntimeException {
     private static final long serialVersionUID = 1;
 

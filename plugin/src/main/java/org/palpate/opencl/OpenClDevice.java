@@ -19,10 +19,13 @@ import org.palpate.volume.BitCube;
  * still write to its memory.
  */
 public final class OpenClDevice implements CollisionDevice {
-  /** The time within which a batch must be judged, ns. With the CPU's work it leaves 10 ms. */
+  /**
+   * The time within which a batch must be judged, ns. It is half of the 10 ms that a frame may take
+   * in which the device fails, because the CPU then does the work afterwards.
+   */
   static final long DEADLINE_NANOS = 5_000_000;
 
-  /** The time within which the first batches must be judged, ns: drivers compile then. */
+  /** The time within which the first batches must be judged, ns. Drivers compile during them. */
   static final long FIRST_DEADLINE_NANOS = 60_000_000_000L;
 
   /** Keeps the memory of devices that were given up, which the driver may still write to. */

@@ -11,7 +11,7 @@ public final class OpenClException extends Exception {
     this.isWrongChoice = isWrongChoice;
   }
 
-  /** Whether OpenCL works, but no device has the name, or those that have it are not exact. */
+  /** Whether there are devices, but none of those that were asked for can be used. */
   public boolean isWrongChoice() {
     return isWrongChoice;
   }

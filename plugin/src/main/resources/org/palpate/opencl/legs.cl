@@ -54,7 +54,7 @@ int sureSide(double ax, double ay, double bx, double by, double cx, double cy) {
 // to either side of the line decide.
 int lineMeetsSquare(double ax, double ay, double bx, double by, int lowX, int lowY) {
   if (ax == bx && ay == by) {
-    return HIT; // a point in this plane, which lies in the square as the box of the leg meets it
+    return HIT; // a point in this plane, inside the square because the leg's box meets the voxel
   }
   int up = by > ay;
   int right = bx > ax;

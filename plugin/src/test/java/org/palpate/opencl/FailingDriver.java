@@ -1,8 +1,8 @@
 package org.palpate.opencl;
 
 /**
- * A driver that works until a certain call, which fails and after which every call fails: it throws
- * or, if it hangs, a read never ends.
+ * A driver that works for a number of calls. Every later call fails: it throws, or in a driver that
+ * hangs, no read ends.
  */
 final class FailingDriver implements ClDriver {
   /** A way in which a call fails. */

@@ -59,11 +59,12 @@ public final class CollisionDeviceOptions {
   }
 
   /**
-   * Opens the device. If OpenCL cannot be used, the CPU takes its place, and a line says so.
+   * Opens the device. If OpenCL or the device cannot be used, the CPU takes its place, and a line
+   * says so.
    *
    * @param err receives notes, a line each
-   * @throws PalpateException exit code 2, if no device has the name, or the one that has it cannot
-   *     give exact verdicts
+   * @throws PalpateException exit code 2, if a name was given, and no device with this name is
+   *     listed as usable
    */
   public ChosenCollisionDevice open(PrintWriter err) {
     if (!isOpenCl()) {
