@@ -113,7 +113,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     isSampleNew = status == ReadStatus.FRESH;
     samples += isSampleNew ? 1 : 0;
     beginFrame();
-    effects.use(requestedEffects);
+    applyEffects();
     applyRequests();
     applyEdits(settings.editVoxelsAFrame());
     applyVerdict(watchdog.judge(status, sample, nowNanos));
@@ -139,6 +139,14 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     ramp.advance(elapsedNanos);
     sinceForceNanos += Math.max(0, elapsedNanos);
     freed = false;
+  }
+
+  private void applyEffects() {
+    List<HapticEffect> wanted = requestedEffects;
+    if (!wanted.isEmpty() && !effects.areActive()) {
+      hand.forget(); // It moved unwatched while there were no effects.
+    }
+    effects.use(wanted);
   }
 
   /** Applies what other threads requested. */

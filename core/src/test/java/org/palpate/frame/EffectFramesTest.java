@@ -141,6 +141,26 @@ class EffectFramesTest {
     assertEquals(solid, floor.bits.solidCount());
   }
 
+  @Test
+  void effectsThatComeBackDoNotSeeTheMotionThatTheyMissed() {
+    PointFrame frame = floor.frame(device);
+    Vec3 speed = new Vec3(9, 9, 9);
+    List<HapticEffect> watching =
+        List.of((state, force, torque) -> speed.set(state.velocityMmPerSecond));
+    frame.requestEffects(watching);
+    run(frame, 5);
+    frame.requestEffects(List.of());
+    run(frame, 300);
+    hand.x = 26;
+    run(frame, 5);
+    frame.requestEffects(watching);
+    run(frame, 1);
+    assertEquals(0, speed.length());
+    hand.x = 26.1;
+    run(frame, 1);
+    assertEquals(100 / 5.0, speed.x, 1e-9); // 1 ms of a smoothing over 4 ms
+  }
+
   private ToolFrame toolFrame(BodyScene bodies) {
     RigidTool tool = ToolSampler.ofShape(RodShape.capsule(1, 4), 0.7);
     return new ToolFrame(
