@@ -20,6 +20,7 @@ final class ContactDamping {
 
   private final GridMetric metric;
   private final Vec3 lastDevice = new Vec3();
+  private final Vec3 step = new Vec3();
   private final Vec3 velocityMmPerMs = new Vec3();
   private boolean begun;
 
@@ -48,13 +49,27 @@ final class ContactDamping {
     lastDevice.set(device);
   }
 
-  /** Moves the velocity by ms / (SMOOTHING_MS + ms) towards that of the last step. */
   private void smooth(Vec3 device, double ms) {
-    double weight = 1 / (SMOOTHING_MS + ms);
-    Vec3 v = velocityMmPerMs;
-    v.x += weight * ((device.x - lastDevice.x) * metric.spacingX() - ms * v.x);
-    v.y += weight * ((device.y - lastDevice.y) * metric.spacingY() - ms * v.y);
-    v.z += weight * ((device.z - lastDevice.z) * metric.spacingZ() - ms * v.z);
+    step.set(
+        (device.x - lastDevice.x) * metric.spacingX(),
+        (device.y - lastDevice.y) * metric.spacingY(),
+        (device.z - lastDevice.z) * metric.spacingZ());
+    smooth(step, ms, SMOOTHING_MS, velocityMmPerMs);
+  }
+
+  /**
+   * Moves a speed by t / (T + t) towards that of the last step.
+   *
+   * @param step what was covered in the time t
+   * @param time t, in the unit of time of the speed
+   * @param smoothing T, in the same unit
+   * @param speed changed
+   */
+  static void smooth(Vec3 step, double time, double smoothing, Vec3 speed) {
+    double weight = 1 / (smoothing + time);
+    speed.x += weight * (step.x - time * speed.x);
+    speed.y += weight * (step.y - time * speed.y);
+    speed.z += weight * (step.z - time * speed.z);
   }
 
   /** Writes the damping force, which acts along the coupling force, N. */

@@ -12,7 +12,7 @@ import org.palpate.geometry.Vec3;
  */
 public final class HandState {
   private static final double NANOS_PER_SECOND = 1e9;
-  private static final double MS_PER_SECOND = 1e3;
+  private static final double SMOOTHING_SECONDS = ContactDamping.SMOOTHING_MS / 1e3;
 
   /**
    * The pose that the hand asks for: that of the device, or for a body in hand the pose that the
@@ -25,7 +25,7 @@ public final class HandState {
    */
   public final Pose tool = new Pose();
 
-  /** The speed of {@link #device}, mm/s, smoothed over {@link ContactDamping#SMOOTHING_MS}. */
+  /** The speed of {@link #device}, mm/s, smoothed over 4 ms. */
   public final Vec3 velocityMmPerSecond = new Vec3();
 
   /** The angular speed of {@link #device}, rad/s, smoothed likewise. */
@@ -71,18 +71,10 @@ public final class HandState {
     seconds = Math.max(0, elapsedNanos) / NANOS_PER_SECOND;
     if (known && elapsedNanos > 0) {
       lastDevice.differenceTo(device, motion, turn, scratch);
-      double weight = 1 / (ContactDamping.SMOOTHING_MS / MS_PER_SECOND + seconds);
-      smooth(motion, weight, velocityMmPerSecond);
-      smooth(turn, weight, spinRadPerSecond);
+      ContactDamping.smooth(motion, seconds, SMOOTHING_SECONDS, velocityMmPerSecond);
+      ContactDamping.smooth(turn, seconds, SMOOTHING_SECONDS, spinRadPerSecond);
     }
     lastDevice.set(device);
     known = true;
-  }
-
-  /** Moves a speed towards that of the last step. */
-  private void smooth(Vec3 step, double weight, Vec3 speed) {
-    speed.x += weight * (step.x - seconds * speed.x);
-    speed.y += weight * (step.y - seconds * speed.y);
-    speed.z += weight * (step.z - seconds * speed.z);
   }
 }
