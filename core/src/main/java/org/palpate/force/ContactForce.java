@@ -59,7 +59,7 @@ public final class ContactForce {
   public void change(ForceSettings newSettings) {
     if (settings != newSettings) {
       settings = newSettings;
-      damps = newSettings.damps() || (greys != null && greys.damp());
+      damps = newSettings.damps() || (greys != null && greys.damps());
       material.reset();
     }
   }
@@ -67,7 +67,7 @@ public final class ContactForce {
   /** Takes materials from grey values instead of the settings; before the first frame. */
   public void use(GreyMaterials materials) {
     greys = materials;
-    damps |= materials.damp();
+    damps |= materials.damps();
   }
 
   /** Returns the number of frames that skipped friction because it is zero. */

@@ -1,6 +1,7 @@
 package org.palpate.force;
 
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
@@ -77,12 +78,12 @@ public final class GreyMaterials {
   }
 
   /** Whether any material has damping. */
-  boolean damp() {
-    boolean damp = false;
+  boolean damps() {
+    boolean damps = false;
     for (int n = 0; n < rows.size(); n++) {
-      damp |= rows.get(n).dampingNewtonSecondPerMm() > 0;
+      damps |= rows.get(n).dampingNewtonSecondPerMm() > 0;
     }
-    return damp;
+    return damps;
   }
 
   /** Returns the value at a position in grid coordinates, interpolated between voxels. */
@@ -116,35 +117,31 @@ public final class GreyMaterials {
     return row;
   }
 
-  private double fractionOf(double grey, int row) {
-    if (row + 1 == rows.size() || grey <= rows.get(row).grey()) {
-      return 0;
+  /** Returns a figure of the rows at a grey value. */
+  private double interpolated(double grey, ToDoubleFunction<Row> figure) {
+    int index = rowOf(grey);
+    Row row = rows.get(index);
+    double from = figure.applyAsDouble(row);
+    if (index + 1 == rows.size() || grey <= row.grey()) {
+      return from;
     }
-    double from = rows.get(row).grey();
-    return (grey - from) / (rows.get(row + 1).grey() - from);
+    Row next = rows.get(index + 1);
+    double fraction = (grey - row.grey()) / (next.grey() - row.grey());
+    return from + fraction * (figure.applyAsDouble(next) - from);
   }
 
   /** Returns the stiffness over that of contact at a grey value. */
   double stiffness(double grey) {
-    int row = rowOf(grey);
-    double from = rows.get(row).stiffness();
-    double to = rows.get(Math.min(row + 1, rows.size() - 1)).stiffness();
-    return from + fractionOf(grey, row) * (to - from);
+    return interpolated(grey, Row::stiffness);
   }
 
   /** Returns the friction coefficient at a grey value. */
   double friction(double grey) {
-    int row = rowOf(grey);
-    double from = rows.get(row).friction();
-    double to = rows.get(Math.min(row + 1, rows.size() - 1)).friction();
-    return from + fractionOf(grey, row) * (to - from);
+    return interpolated(grey, Row::friction);
   }
 
   /** Returns the damping at a grey value, N s/mm. */
   double damping(double grey) {
-    int row = rowOf(grey);
-    double from = rows.get(row).dampingNewtonSecondPerMm();
-    double to = rows.get(Math.min(row + 1, rows.size() - 1)).dampingNewtonSecondPerMm();
-    return from + fractionOf(grey, row) * (to - from);
+    return interpolated(grey, Row::dampingNewtonSecondPerMm);
   }
 }

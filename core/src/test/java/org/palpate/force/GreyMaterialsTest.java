@@ -57,7 +57,7 @@ class GreyMaterialsTest {
     assertEquals(0.8, materials.stiffness(550), 1e-15);
     assertEquals(1, materials.stiffness(1e9));
     assertEquals(1, materials.stiffest());
-    assertTrue(materials.damp());
+    assertTrue(materials.damps());
   }
 
   @Test
