@@ -18,7 +18,10 @@ public final class SegmentDistance {
   public static final long MOST_VOXELS = 1L << 25;
 
   private final VoxelGrid grid;
-  private final double reachMm;
+
+  /** The greatest distance that is kept, mm. */
+  private final double mostMm;
+
   private final int lowX;
   private final int lowY;
   private final int lowZ;
@@ -26,7 +29,7 @@ public final class SegmentDistance {
   private final int sizeY;
   private final int sizeZ;
 
-  /** Distances of the middles of voxels, mm, x first; at most {@link #reachMm}. */
+  /** Distances of the middles of voxels, mm, x first; at most {@link #mostMm}. */
   private final float[] distances;
 
   /**
@@ -39,7 +42,7 @@ public final class SegmentDistance {
    */
   public SegmentDistance(BitCube solids, VoxelGrid grid, double reachMm) {
     double voxels = voxelsFor(solids, grid, reachMm);
-    this.reachMm = measuredMm(grid, reachMm);
+    mostMm = mostMm(grid, reachMm);
     if (!(voxels <= MOST_VOXELS)) {
       throw new IllegalArgumentException(
           "distances of at most " + MOST_VOXELS + " voxels can be kept: voxels=" + voxels);
@@ -48,12 +51,12 @@ public final class SegmentDistance {
     IntBox box = solids.bounds();
     Vec3 spacing = grid.spacingMm();
     boolean isEmpty = box.isEmpty();
-    lowX = isEmpty ? 0 : box.lowX - pad(measuredMm(grid, reachMm), spacing.x);
-    lowY = isEmpty ? 0 : box.lowY - pad(measuredMm(grid, reachMm), spacing.y);
-    lowZ = isEmpty ? 0 : box.lowZ - pad(measuredMm(grid, reachMm), spacing.z);
-    sizeX = isEmpty ? 0 : box.highX + pad(measuredMm(grid, reachMm), spacing.x) - lowX + 1;
-    sizeY = isEmpty ? 0 : box.highY + pad(measuredMm(grid, reachMm), spacing.y) - lowY + 1;
-    sizeZ = isEmpty ? 0 : box.highZ + pad(measuredMm(grid, reachMm), spacing.z) - lowZ + 1;
+    lowX = isEmpty ? 0 : box.lowX - pad(mostMm, spacing.x);
+    lowY = isEmpty ? 0 : box.lowY - pad(mostMm, spacing.y);
+    lowZ = isEmpty ? 0 : box.lowZ - pad(mostMm, spacing.z);
+    sizeX = isEmpty ? 0 : box.highX + pad(mostMm, spacing.x) - lowX + 1;
+    sizeY = isEmpty ? 0 : box.highY + pad(mostMm, spacing.y) - lowY + 1;
+    sizeZ = isEmpty ? 0 : box.highZ + pad(mostMm, spacing.z) - lowZ + 1;
     distances = new float[sizeX * sizeY * sizeZ];
     measure(solids);
   }
@@ -62,30 +65,34 @@ public final class SegmentDistance {
   public static double voxelsFor(BitCube solids, VoxelGrid grid, double reachMm) {
     IntBox box = solids.bounds();
     Vec3 spacing = grid.spacingMm();
+    double mostMm = mostMm(grid, reachMm);
     return box.isEmpty()
         ? 0
-        : (box.highX - box.lowX + 1 + 2.0 * pad(measuredMm(grid, reachMm), spacing.x))
-            * (box.highY - box.lowY + 1 + 2.0 * pad(measuredMm(grid, reachMm), spacing.y))
-            * (box.highZ - box.lowZ + 1 + 2.0 * pad(measuredMm(grid, reachMm), spacing.z));
+        : (box.highX - box.lowX + 1 + 2.0 * pad(mostMm, spacing.x))
+            * (box.highY - box.lowY + 1 + 2.0 * pad(mostMm, spacing.y))
+            * (box.highZ - box.lowZ + 1 + 2.0 * pad(mostMm, spacing.z));
   }
 
   /**
    * Returns the greatest distance that is kept: between middles of voxels all up to the reach
    * count.
    */
-  private static double measuredMm(VoxelGrid grid, double reachMm) {
+  private static double mostMm(VoxelGrid grid, double reachMm) {
     Vec3 spacing = grid.spacingMm();
     return reachMm + Math.max(spacing.x, Math.max(spacing.y, spacing.z));
   }
 
-  /** Returns the voxels by which the box reaches beyond the segment; the last one has the reach. */
-  private static int pad(double reachMm, double spacingMm) {
-    return (int) Math.min(1 << 20, Math.ceil(reachMm / spacingMm) + 2);
+  /**
+   * Returns the voxels by which the box reaches beyond the segment. The last one is as far away as
+   * the greatest distance that is kept.
+   */
+  private static int pad(double mostMm, double spacingMm) {
+    return (int) Math.min(1 << 20, Math.ceil(mostMm / spacingMm) + 2);
   }
 
   /** Writes squared distances along x, extends them along y and z, and takes their roots. */
   private void measure(BitCube solids) {
-    float most = (float) (reachMm * reachMm);
+    float most = (float) (mostMm * mostMm);
     Arrays.fill(distances, most);
     for (int index = 0; index < distances.length; index++) {
       int i = lowX + index % sizeX;
@@ -105,7 +112,7 @@ public final class SegmentDistance {
 
   /** Extends squared distances along every line of an axis. */
   private void extend(int size, int stride, double spacingMm) {
-    int reach = pad(reachMm, spacingMm);
+    int reach = pad(mostMm, spacingMm);
     float[] squares = new float[reach + 1];
     for (int n = 1; n <= reach; n++) {
       squares[n] = (float) ((n - 0.5) * spacingMm * ((n - 0.5) * spacingMm));
@@ -139,7 +146,7 @@ public final class SegmentDistance {
     double v = y - 0.5 - lowY;
     double w = z - 0.5 - lowZ;
     if (!(u >= 0 && u < sizeX - 1 && v >= 0 && v < sizeY - 1 && w >= 0 && w < sizeZ - 1)) {
-      return reachMm;
+      return mostMm;
     }
     int i = (int) u;
     int j = (int) v;
