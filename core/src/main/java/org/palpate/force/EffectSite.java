@@ -28,10 +28,10 @@ public record EffectSite(
   }
 
   /**
-   * Returns the length by which the coupling weighs rotations against displacements, mm; 0 for a
-   * point.
+   * Returns the lever of the coupling, mm: the square root of rotational stiffness over stiffness.
+   * A rotation counts as its angle times the lever. A point has 0.
    */
-  public double rotationRadiusMm() {
+  public double leverMm() {
     return stiffnessNewtonPerMm > 0 ? Math.sqrt(rotationalStiffness / stiffnessNewtonPerMm) : 0;
   }
 

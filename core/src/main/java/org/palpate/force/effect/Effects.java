@@ -18,7 +18,7 @@ public final class Effects {
    * @param newtonSecondPerMm force per speed, positive
    */
   public static EffectPlan viscosity(double newtonSecondPerMm) {
-    return site -> new Viscosity(newtonSecondPerMm, site.maxForceNewton(), site.rotationRadiusMm());
+    return site -> new Viscosity(newtonSecondPerMm, site.maxForceNewton(), site.leverMm());
   }
 
   /**

@@ -11,7 +11,7 @@ import org.palpate.geometry.Vec3;
 final class Viscosity implements HapticEffect {
   private final double newtonSecondPerMm;
   private final double maxNewton;
-  private final double radiusMm;
+  private final double leverMm;
   private final Vec3 drag = new Vec3();
 
   /**
@@ -19,20 +19,20 @@ final class Viscosity implements HapticEffect {
    *
    * @param newtonSecondPerMm force per speed
    * @param maxNewton the longest force, N
-   * @param radiusMm the length by which a rotation counts as a displacement, mm
+   * @param leverMm the lever of the coupling, mm
    */
-  Viscosity(double newtonSecondPerMm, double maxNewton, double radiusMm) {
+  Viscosity(double newtonSecondPerMm, double maxNewton, double leverMm) {
     this.newtonSecondPerMm = newtonSecondPerMm;
     this.maxNewton = maxNewton;
-    this.radiusMm = radiusMm;
+    this.leverMm = leverMm;
   }
 
   @Override
   public void add(HandState hand, Vec3 forceNewton, Vec3 torqueNewtonMm) {
     addDrag(hand.velocityMmPerSecond, newtonSecondPerMm, maxNewton, forceNewton);
     if (hand.isRigid) {
-      double turning = newtonSecondPerMm * radiusMm * radiusMm;
-      addDrag(hand.spinRadPerSecond, turning, maxNewton * radiusMm, torqueNewtonMm);
+      double turning = newtonSecondPerMm * leverMm * leverMm;
+      addDrag(hand.spinRadPerSecond, turning, maxNewton * leverMm, torqueNewtonMm);
     }
   }
 

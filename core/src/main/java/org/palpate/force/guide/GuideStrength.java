@@ -36,9 +36,9 @@ public record GuideStrength(
    * same ratio as the two stiffnesses of the coupling. It does not pull beyond half a turn.
    */
   GuideSpring turnSpring(EffectSite site) {
-    double radiusMm = site.rotationRadiusMm();
+    double leverMm = site.leverMm();
     return new GuideSpring(
-        newtonPerMm(site) * radiusMm * radiusMm, mostNewton(site) * radiusMm, Math.PI);
+        newtonPerMm(site) * leverMm * leverMm, mostNewton(site) * leverMm, Math.PI);
   }
 
   private double newtonPerMm(EffectSite site) {

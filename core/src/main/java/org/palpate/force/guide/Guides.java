@@ -49,7 +49,7 @@ public final class Guides {
             site.direction(unit),
             strength.spring(site),
             strength.turnSpring(site),
-            site.rotationRadiusMm());
+            site.leverMm());
   }
 
   /** Turns the axis z of a rigid tool along a direction; see {@link AlignGuide}. */

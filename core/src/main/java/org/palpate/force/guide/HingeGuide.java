@@ -11,8 +11,9 @@ import org.palpate.geometry.Vec3;
  * the circle about the axis on which it was at the start. A rigid tool or a body in hand stays at
  * the poses that a rotation about the axis makes of its first one.
  *
- * <p>Of these poses the guide pulls to the one that is nearest in the kinetic metric: positions
- * count as they are, and angles times the rms radius of the tool. Haptic thread; allocates nothing.
+ * <p>Of these poses the guide pulls to the nearest one. Its distance is the root of the sum of two
+ * squares: the offset, and the angle times the lever of the coupling. Haptic thread; allocates
+ * nothing.
  */
 public final class HingeGuide implements HapticEffect {
   private static final double FULL_TURN = 2 * Math.PI;
@@ -21,7 +22,7 @@ public final class HingeGuide implements HapticEffect {
   private final Vec3 axis;
   private final GuideSpring spring;
   private final GuideSpring turnSpring;
-  private final double squaredRadiusMm2;
+  private final double squaredLeverMm2;
   private final Pose first = new Pose();
   private final Pose last = new Pose();
   private final Pose turned = new Pose();
@@ -39,15 +40,15 @@ public final class HingeGuide implements HapticEffect {
    * @param through a position on the axis, mm
    * @param axis its unit direction
    * @param turnSpring the spring of rotations, with N mm and rad
-   * @param rmsRadiusMm the rms radius of the tool, mm; 0 for a point
+   * @param leverMm the lever of the coupling, mm; 0 for a point
    */
   public HingeGuide(
-      Vec3 through, Vec3 axis, GuideSpring spring, GuideSpring turnSpring, double rmsRadiusMm) {
+      Vec3 through, Vec3 axis, GuideSpring spring, GuideSpring turnSpring, double leverMm) {
     this.through = through;
     this.axis = axis;
     this.spring = spring;
     this.turnSpring = turnSpring;
-    squaredRadiusMm2 = rmsRadiusMm * rmsRadiusMm;
+    squaredLeverMm2 = leverMm * leverMm;
   }
 
   @Override
@@ -78,13 +79,13 @@ public final class HingeGuide implements HapticEffect {
    */
   private void approach(double wanted, Pose at) {
     last.differenceTo(at, offset, rotation, scratch);
-    double motionMm = Math.sqrt(offset.dot(offset) + squaredRadiusMm2 * rotation.dot(rotation));
+    double motionMm = Math.sqrt(offset.dot(offset) + squaredLeverMm2 * rotation.dot(rotation));
     double mostMm = Math.max(PositionGuide.LEAST_STEP_MM, 2 * motionMm);
-    double squaredLeverMm2 = from.dot(from) + squaredRadiusMm2;
+    double squaredArmMm2 = from.dot(from) + squaredLeverMm2;
     double step = wanted - angle;
     step -= FULL_TURN * Math.rint(step / FULL_TURN);
-    if (step * step * squaredLeverMm2 > mostMm * mostMm) {
-      step *= mostMm / Math.sqrt(step * step * squaredLeverMm2);
+    if (step * step * squaredArmMm2 > mostMm * mostMm) {
+      step *= mostMm / Math.sqrt(step * step * squaredArmMm2);
     }
     angle += step;
     last.set(at);
@@ -92,22 +93,22 @@ public final class HingeGuide implements HapticEffect {
 
   /** Returns the angle of the nearest pose that the hinge allows, rad. */
   private double nearestAngle(Pose at) {
-    lever(first, from);
-    lever(at, to);
+    arm(first, from);
+    arm(at, to);
     double cosine = from.dot(to);
     double sine = from.cross(to, offset).dot(axis);
     at.rotation.multiply(first.rotation.conjugate(scratch), scratch);
     double twist = scratch.x * axis.x + scratch.y * axis.y + scratch.z * axis.z;
     double norm = scratch.w * scratch.w + twist * twist;
     if (norm > 0) {
-      cosine += squaredRadiusMm2 * (scratch.w * scratch.w - twist * twist) / norm;
-      sine += squaredRadiusMm2 * 2 * scratch.w * twist / norm;
+      cosine += squaredLeverMm2 * (scratch.w * scratch.w - twist * twist) / norm;
+      sine += squaredLeverMm2 * 2 * scratch.w * twist / norm;
     }
     return StrictMath.atan2(sine, cosine);
   }
 
   /** Writes the vector from the axis to a position, at right angles to the axis. */
-  private void lever(Pose pose, Vec3 dest) {
+  private void arm(Pose pose, Vec3 dest) {
     pose.translation.sub(through, dest);
     axis.mul(dest.dot(axis), offset);
     dest.sub(offset, dest);
