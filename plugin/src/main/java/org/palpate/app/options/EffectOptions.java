@@ -49,7 +49,7 @@ public final class EffectOptions {
    * @throws PalpateException exit code 2, if an effect is wrong
    */
   void check() {
-    effects.forEach(EffectOptions::values);
+    effects.forEach(EffectOptions::numbers);
   }
 
   /** Whether an effect needs grey values. */
@@ -67,14 +67,15 @@ public final class EffectOptions {
       throws VolumeFormatException {
     List<EffectPlan> plans = new ArrayList<>();
     for (String text : effects) {
-      double[] v = values(text);
+      double[] v = numbers(text);
       plans.add(
           switch (kind(text)) {
             case "viscosity" -> Effects.viscosity(v[0]);
             case "stickslip" -> Effects.stickSlip(v[0]);
             case "vibration" -> Effects.vibration(v[0], v[1]);
             case "magnet" -> {
-              String name = where(text).substring(0, where(text).indexOf(','));
+              String values = values(text);
+              String name = values.substring(0, values.indexOf(','));
               yield Effects.magnet(distance(segments, OPTION, text, name, v[1]), v[0], v[1]);
             }
             default -> texture(source, text, v[0]);
@@ -97,21 +98,24 @@ public final class EffectOptions {
     return Effects.texture(surface.volume(), mm / surface.contrast());
   }
 
-  private static String kind(String text) {
-    return text.substring(0, Math.max(0, text.indexOf(':')));
+  /** Returns what stands before the first colon; all of it without one. */
+  static String kind(String text) {
+    int colon = text.indexOf(':');
+    return colon < 0 ? text : text.substring(0, colon);
   }
 
-  private static String where(String text) {
-    return text.substring(text.indexOf(':') + 1);
+  /** Returns what stands after the first colon; nothing without one. */
+  static String values(String text) {
+    return text.substring(Math.min(text.length(), kind(text).length() + 1));
   }
 
-  private static double[] values(String text) {
+  private static double[] numbers(String text) {
     return switch (kind(text)) {
-      case "viscosity" -> values(text, "viscosity:NS/MM", 0, VISCOSITY);
-      case "stickslip" -> values(text, "stickslip:N", 0, NEWTON);
-      case "vibration" -> values(text, "vibration:HZ,N", 0, HERTZ, NEWTON);
-      case "magnet" -> values(text, "magnet:NAME,N,MM", 1, NEWTON, REACH);
-      case "texture" -> values(text, "texture:MM", 0, BUMP);
+      case "viscosity" -> numbers(text, "viscosity:NS/MM", 0, VISCOSITY);
+      case "stickslip" -> numbers(text, "stickslip:N", 0, NEWTON);
+      case "vibration" -> numbers(text, "vibration:HZ,N", 0, HERTZ, NEWTON);
+      case "magnet" -> numbers(text, "magnet:NAME,N,MM", 1, NEWTON, REACH);
+      case "texture" -> numbers(text, "texture:MM", 0, BUMP);
       default ->
           throw PalpateException.wrongUse(
               "there is no such effect",
@@ -121,8 +125,8 @@ public final class EffectOptions {
   }
 
   /** Returns the numbers of an effect after its first words. */
-  private static double[] values(String text, String form, int first, Range... ranges) {
-    String[] words = where(text).split(",", -1);
+  private static double[] numbers(String text, String form, int first, Range... ranges) {
+    String[] words = values(text).split(",", -1);
     double[] found = Arrays.stream(words).skip(first).mapToDouble(NumberParser::number).toArray();
     boolean fits = found.length == ranges.length;
     for (int n = 0; fits && n < found.length; n++) {

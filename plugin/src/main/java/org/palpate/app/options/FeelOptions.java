@@ -81,7 +81,7 @@ public final class FeelOptions {
     materials.check(contact);
     GuideStrength strength = strength();
     for (String text : guides) {
-      String kind = kind(text);
+      String kind = EffectOptions.kind(text);
       if (kind.equals("away")) {
         marginMm(text);
       } else if (kind.equals("path")) {
@@ -104,7 +104,7 @@ public final class FeelOptions {
   /** Returns the files that the options name, which no output may replace. */
   public List<Path> files() {
     return Stream.concat(
-            guides.stream().filter(text -> kind(text).equals("path")).map(this::file),
+            guides.stream().filter(text -> EffectOptions.kind(text).equals("path")).map(this::file),
             materials.file().stream())
         .toList();
   }
@@ -132,7 +132,7 @@ public final class FeelOptions {
     GuideStrength strength = strength();
     List<EffectPlan> plans = new ArrayList<>(effects.plans(source, segments));
     for (String text : guides) {
-      String kind = kind(text);
+      String kind = EffectOptions.kind(text);
       plans.add(
           switch (kind) {
             case "away" -> away(text, segments, strength);
@@ -149,15 +149,6 @@ public final class FeelOptions {
         STRENGTH.checkGiven(guideStiffness),
         PULL.checkGiven(guideForce),
         range.orElse(Double.POSITIVE_INFINITY));
-  }
-
-  private static String kind(String text) {
-    int colon = text.indexOf(':');
-    return colon < 0 ? text : text.substring(0, colon);
-  }
-
-  private static String where(String text) {
-    return text.substring(Math.min(text.length(), kind(text).length() + 1));
   }
 
   private static EffectPlan plan(String text, String kind, GuideStrength strength) {
@@ -197,8 +188,8 @@ public final class FeelOptions {
    * @param direction the index of the first of three that are not all zero; {@code count} if none
    */
   private static double[] numbers(String text, String form, int count, int direction) {
-    double[] found =
-        Arrays.stream(where(text).split(",", -1)).mapToDouble(NumberParser::number).toArray();
+    String[] words = EffectOptions.values(text).split(",", -1);
+    double[] found = Arrays.stream(words).mapToDouble(NumberParser::number).toArray();
     boolean isRead =
         found.length == count && Arrays.stream(found).allMatch(n -> Math.abs(n) <= MOST_MM);
     if (!isRead) {
@@ -220,7 +211,7 @@ public final class FeelOptions {
 
   private Path file(String text) {
     try {
-      String name = where(text);
+      String name = EffectOptions.values(text);
       if (!name.isBlank()) {
         return Path.of(name);
       }
@@ -260,7 +251,8 @@ public final class FeelOptions {
 
   private static EffectPlan away(String text, SegmentedVolume segments, GuideStrength strength) {
     double mm = marginMm(text);
-    String name = where(text).substring(0, where(text).lastIndexOf(','));
+    String values = EffectOptions.values(text);
+    String name = values.substring(0, values.lastIndexOf(','));
     SegmentDistance distance = EffectOptions.distance(segments, "--guide ", text, name, mm);
     return Guides.away(distance, mm, strength);
   }
