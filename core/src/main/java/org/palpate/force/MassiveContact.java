@@ -9,9 +9,10 @@ import org.palpate.proxy.InteractionPoint;
  * and another one to the point; the solver follows the body instead of the device. So the dynamics
  * only propose where the point goes.
  *
- * <p>Both springs in series are as stiff as the touched material. For the stiffest one, that to the
- * point is {@link #CONTACT_STIFFNESS_FACTOR} times as stiff, so the body hardly enters the surface.
- * The height of the solver's surface is subtracted from its length.
+ * <p>Both springs in series are as stiff as the touched material. For the stiffest material, the
+ * spring to the point is {@link #CONTACT_STIFFNESS_FACTOR} times as stiff as the material, so the
+ * body hardly enters the surface. The height of the solver's surface is subtracted from the length
+ * of that spring.
  *
  * <p>Each frame takes a step of the implicit Euler method while the point stays: the body goes to
  * the least sum of kinetic, spring, drag and gravity terms. Such a step never raises the energy by
@@ -68,7 +69,7 @@ public final class MassiveContact {
   private boolean begun;
 
   /**
-   * Creates the force of a session.
+   * Creates the body of a session, at rest at the origin until {@link #place}.
    *
    * @param metric measures all lengths
    * @param held the mass, with gravity along the grid's axes

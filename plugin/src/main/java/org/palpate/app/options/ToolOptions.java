@@ -92,8 +92,8 @@ public final class ToolOptions {
       names = "--mass",
       paramLabel = "KG",
       description =
-          "Mass of an interaction point, which the hand then feels, or of a rigid tool, of even"
-              + " density: the report states that one, and nothing depends on it yet.")
+          "Mass of an interaction point, which the hand then feels. With a rigid tool the report"
+              + " states it, and nothing else depends on it yet.")
   private Double mass;
 
   @Option(
