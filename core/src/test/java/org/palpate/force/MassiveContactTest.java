@@ -8,9 +8,10 @@ import org.junit.jupiter.api.Test;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
+import org.palpate.testing.Seeds;
 
 class MassiveContactTest {
-  private static final long SEED = Long.getLong("palpate.seed", 20260728);
+  private static final long SEED = Seeds.seed();
   private static final GridMetric METRIC = new GridMetric(1, 0.5, 2);
   private static final double STIFFNESS = 0.6;
 

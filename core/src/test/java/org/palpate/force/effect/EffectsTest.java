@@ -13,12 +13,13 @@ import org.palpate.force.HapticEffect;
 import org.palpate.force.guide.SegmentDistance;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
 class EffectsTest {
-  private static final long SEED = Long.getLong("palpate.seed", 20260728);
+  private static final long SEED = Seeds.seed();
   private static final long MS = 1_000_000;
   private static final double STIFFNESS = 0.5;
   private static final VoxelGrid GRID = VoxelGrid.ofUnitVoxels(24, 24, 24);

@@ -13,11 +13,12 @@ import org.palpate.force.HandState;
 import org.palpate.force.HapticEffect;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 class SegmentPushTest {
-  private static final long SEED = Long.getLong("palpate.seed", 20260728);
+  private static final long SEED = Seeds.seed();
   private static final int EDGE = 20;
   private static final double REACH_MM = 6;
   private static final VoxelGrid GRID =
