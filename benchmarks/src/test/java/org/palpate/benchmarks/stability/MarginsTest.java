@@ -120,6 +120,22 @@ class MarginsTest {
     assertEquals(Map.of(trial.device().name(), 1.5), StabilityStudy.leastMargins(rows));
   }
 
+  private static double givenMillijoule(String name) {
+    FeelTrial.Feel feel =
+        FeelTrial.feels().stream().filter(one -> one.name().equals(name)).findFirst().orElseThrow();
+    DeviceModel device = DeviceModel.KNOWN.get(0);
+    double newtonPerM = 500 * device.maxStiffnessNewtonPerMm();
+    return new FeelTrial(device, Grip.FIRM, new Sampling(1_000, 1), feel)
+        .givenMillijoule(newtonPerM);
+  }
+
+  @Test
+  void plainContactGivesNoEnergyAndLiquidAndMassTakeSome() {
+    assertEquals(0, givenMillijoule("none"), 0.01);
+    assertTrue(givenMillijoule("viscosity 0.01") < -0.5);
+    assertTrue(givenMillijoule("mass 0.05 kg") < -0.1);
+  }
+
   @Test
   void aFrameLastsAsLongAsItsRateSays() {
     assertEquals(1_000_000, new Sampling(1_000, 0).periodNanos());

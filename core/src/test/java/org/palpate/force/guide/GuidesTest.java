@@ -17,9 +17,10 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.Seeds;
 
 class GuidesTest {
-  private static final long SEED = Long.getLong("palpate.seed", 20260728);
+  private static final long SEED = Seeds.seed();
   private static final double STIFFNESS = 0.25;
   private static final double RADIUS = 4;
   private static final GuideStrength STRONG =
@@ -178,19 +179,26 @@ class GuidesTest {
             Guides.plane(randomVector(3), randomVector(1), ranged),
             Guides.ball(randomVector(3), 2, ranged));
     for (EffectPlan plan : plans) {
+      double moved = 0;
       for (int loop = 0; loop < 20; loop++) {
-        assertEquals(0, workOfClosedLoop(plan.make(WORLD)), 1e-4, "seed " + SEED);
+        double[] work = workOfClosedLoop(plan.make(WORLD));
+        assertEquals(0, work[0], 1e-4, "seed " + SEED);
+        moved += work[1];
       }
+      assertTrue(moved > 10, "seed " + SEED + ": " + moved + " mJ went to and fro");
     }
   }
 
-  /** Returns the work that a guide does on a hand that moves around an ellipse. */
-  private double workOfClosedLoop(HapticEffect guide) {
+  /**
+   * Returns the work that a guide does on a hand that moves around an ellipse, and the sum of its
+   * amounts.
+   */
+  private double[] workOfClosedLoop(HapticEffect guide) {
     Vec3 centre = randomVector(8);
     Vec3 u = randomVector(6);
     Vec3 v = randomVector(6);
     int steps = 20_000;
-    double work = 0;
+    double[] work = new double[2];
     Vec3 last = new Vec3();
     Vec3 at = new Vec3();
     for (int n = 0; n <= steps; n++) {
@@ -199,7 +207,9 @@ class GuidesTest {
       at.add(u.mul(Math.cos(angle), new Vec3()), at).add(v.mul(Math.sin(angle), new Vec3()), at);
       if (n > 0) {
         Vec3 middle = at.add(last, new Vec3()).mul(0.5, new Vec3());
-        work += feel(guide, middle.x, middle.y, middle.z).dot(at.sub(last, new Vec3()));
+        double done = feel(guide, middle.x, middle.y, middle.z).dot(at.sub(last, new Vec3()));
+        work[0] += done;
+        work[1] += Math.abs(done);
       }
       last.set(at);
     }
