@@ -322,7 +322,7 @@ public final class ToolFrame extends HapticFrame {
   @Override
   void note(long frame, NearestApproach dest) {
     if (grasp.held() == Grasp.NO_BODY) {
-      dest.noteTool(solver.tool(), motion.pose(), frame);
+      dest.noteTool(solver.shape(), motion.pose(), frame);
     }
   }
 

@@ -222,11 +222,6 @@ public final class RigidSolver {
     beginApproach();
   }
 
-  /** Returns the tool. */
-  public RigidTool tool() {
-    return tool;
-  }
-
   /** Returns a finder of the voxels that block the tool. It shares the haptic thread. */
   public BlockingVoxels newBlockingVoxels() {
     return new BlockingVoxels(scene.bodies(), tool, verifier);
