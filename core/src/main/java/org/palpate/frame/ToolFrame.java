@@ -382,9 +382,7 @@ public final class ToolFrame extends HapticFrame {
    * @throws IllegalArgumentException if the body cannot move
    */
   public void repeat(int body, BodyEvent event, Pose pose, Pose inHand) {
-    if (!solver.canMove(body)) {
-      throw new IllegalArgumentException("the body stands still: " + bodies.body(body).name());
-    }
+    solver.requireMovable(body);
     repetitions.add(() -> repeatNow(body, event, pose, inHand));
   }
 
@@ -451,8 +449,8 @@ public final class ToolFrame extends HapticFrame {
    */
   public void requestGroups(BodyGroups requested) {
     for (int n = 0; n < bodies.count(); n++) {
-      if (requested.size(n) > 1 && !solver.canMove(n)) {
-        throw new IllegalArgumentException("the body stands still: " + bodies.body(n).name());
+      if (requested.size(n) > 1) {
+        solver.requireMovable(n);
       }
     }
     groups = requested;

@@ -104,10 +104,7 @@ public final class BodyMover {
    * @throws IllegalArgumentException as {@link #setGoal}
    */
   public void requireGoal(int body, Pose goal) {
-    if (scene.verifier(body) == null) {
-      throw new IllegalArgumentException(
-          "the body stands still: " + scene.bodies().body(body).name());
-    }
+    scene.requireMovable(body);
     if (!goal.isFinite() || !goal.rotation.isUnit()) {
       throw new IllegalArgumentException(
           "the goal of a body must be finite with a unit quaternion: goal=" + goal);

@@ -145,6 +145,17 @@ public final class RigidScene {
     return verifiers[mover];
   }
 
+  /**
+   * Checks that a body can move.
+   *
+   * @throws IllegalArgumentException if it stands still
+   */
+  void requireMovable(int body) {
+    if (verifiers[body] == null) {
+      throw new IllegalArgumentException("the body stands still: " + bodies.body(body).name());
+    }
+  }
+
   /** Returns the surface of each pair of a mover, by the index of the other. */
   private ContactField[] fields(int mover) {
     ContactField[] ofMover = new ContactField[pairs.length];

@@ -125,16 +125,18 @@ public final class RigidSolver {
     return new RigidSolver(scene, body);
   }
 
-  private void requireMovable(int body) {
-    if (!canMove(body)) {
-      throw new IllegalArgumentException(
-          "the body stands still: " + scene.bodies().body(body).name());
-    }
-  }
-
   /** Whether a body of the scene can move. */
   public boolean canMove(int body) {
     return scene.verifier(body) != null;
+  }
+
+  /**
+   * Checks that a body of the scene can move. Any thread.
+   *
+   * @throws IllegalArgumentException if it stands still
+   */
+  public void requireMovable(int body) {
+    scene.requireMovable(body);
   }
 
   /** Returns what this solver moves: its sample points and its metric. */
