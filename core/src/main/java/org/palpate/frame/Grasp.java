@@ -8,6 +8,7 @@ import org.palpate.force.ToolForce;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.ReferencePose;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolContacts;
@@ -47,6 +48,8 @@ final class Grasp {
   private final Quaternion turn = new Quaternion();
   private Grip grip;
   private int held = NO_BODY;
+
+  /** For each body whether it is held or moves along with the one that is. */
   private final boolean[] moves;
 
   /** The solver, the coupling and the force of something that the hand can hold. */
@@ -168,14 +171,13 @@ final class Grasp {
   }
 
   private void take(int body, ToolMotion motion) {
-    toolInBody.set(motion.pose());
+    target.set(motion.pose());
     held = body;
     grip = ofBody[body];
     begin(body);
     grip.solver.takeOver(motion);
     grip.force.takeOver();
-    motion.pose().inverseTransform(toolInBody.translation, toolInBody.translation);
-    motion.pose().rotation.conjugate(turn).multiply(toolInBody.rotation, toolInBody.rotation);
+    motion.pose().inverseMultiply(target, toolInBody);
   }
 
   /** Lets a movable body move along with the one that is held; before the next frame follows. */
@@ -232,8 +234,6 @@ final class Grasp {
     double angle = moment.length();
     moment.mul(angle > LARGEST_TURN ? LARGEST_TURN / angle : 1, moment);
     turn.setRotationVector(moment).multiply(holding.rotation, target.rotation);
-    device.inverseTransform(target.translation, attachment.translation);
-    device.rotation.conjugate(turn).multiply(target.rotation, attachment.rotation);
-    attachment.rotation.normalize();
+    ReferencePose.relative(device, target, attachment);
   }
 }

@@ -71,6 +71,13 @@ public final class Pose {
     return dest;
   }
 
+  /** Writes the pose that applies {@code first} and then the inverse of this; dest is neither. */
+  public Pose inverseMultiply(Pose first, Pose dest) {
+    inverseTransform(first.translation, dest.translation);
+    rotation.conjugate(dest.rotation).multiply(first.rotation, dest.rotation);
+    return dest;
+  }
+
   /**
    * Writes the pose after a further displacement of its origin and a further rotation about it.
    *

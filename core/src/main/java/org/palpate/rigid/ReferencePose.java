@@ -68,9 +68,7 @@ public final class ReferencePose {
 
   /** Writes the pose of a second reference point in the frame of a first. */
   public static Pose relative(Pose first, Pose second, Pose dest) {
-    first.inverseTransform(second.translation, dest.translation);
-    first.rotation.conjugate(dest.rotation).multiply(second.rotation, dest.rotation);
-    dest.rotation.normalize();
+    first.inverseMultiply(second, dest).rotation.normalize();
     return dest;
   }
 

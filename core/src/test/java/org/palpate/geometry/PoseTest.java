@@ -34,7 +34,9 @@ class PoseTest {
       Pose b = RandomGeometry.pose(random, 50);
       Vec3 p = RandomGeometry.vector(random, 20);
       Vec3 expected = a.transform(b.transform(p, new Vec3()), new Vec3());
-      assertNear(expected, a.multiply(b, new Pose()).transform(p, new Vec3()));
+      Pose ab = a.multiply(b, new Pose());
+      assertNear(expected, ab.transform(p, new Vec3()));
+      assertNear(b.transform(p, new Vec3()), a.inverseMultiply(ab, new Pose()).transform(p, new Vec3()));
       AffineMap product = new AffineMap().set(a).multiply(new AffineMap().set(b), new AffineMap());
       assertNear(expected, product.transform(p, new Vec3()));
       b.multiply(a, b);
