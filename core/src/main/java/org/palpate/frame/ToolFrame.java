@@ -259,9 +259,12 @@ public final class ToolFrame extends HapticFrame {
     grasp.use(materials);
   }
 
-  /** Without a new sample bodies move all the same, and may push the tool. */
+  /** Without a new sample bodies move all the same, and may push the tool, once it has a place. */
   @Override
   void rest() {
+    if (!place.isPlaced()) {
+      return;
+    }
     grasp.solver().rest(motion);
     if (motion.freed()) {
       grasp.force().reset();
@@ -354,9 +357,10 @@ public final class ToolFrame extends HapticFrame {
   }
 
   /**
-   * Moves a body towards a pose from the next frame on, by verified steps. A pose that it cannot
-   * reach stays its goal, until another is requested, the hand takes the body, or undo moves a
-   * body. A request for a body that is held has no effect. Any thread; copies the pose.
+   * Moves a body towards a pose from the next frame on, by verified steps. No body moves before the
+   * first sample. A pose that it cannot reach stays its goal, until another is requested, the hand
+   * takes the body, or undo moves a body. A request for a body that is held has no effect. Any
+   * thread; copies the pose.
    *
    * @param body the index of a body that can move
    * @param restToPresent world mm

@@ -166,6 +166,23 @@ class JoinedBodiesTest {
   }
 
   @Test
+  void recordedEventsBeforeTheFirstSampleMoveBodiesOnceTheToolHasAPlace() {
+    status = ReadStatus.REPEATED;
+    Pose placed = new Pose();
+    placed.translation.set(18, 16, 8);
+    Pose goal = new Pose();
+    goal.translation.set(30, 16, 20);
+    frame.repeat(1, BodyEvent.PLACED, placed, new Pose());
+    frame.repeat(2, BodyEvent.MOVED, goal, new Pose());
+    run(5);
+    assertEquals(12, small.pose().translation.z);
+    status = ReadStatus.FRESH;
+    run(50);
+    assertTrue(block.pose().sameBits(placed));
+    assertEquals(20, small.pose().translation.z, 1e-6);
+  }
+
+  @Test
   void aBodyIsTakenAgainAfterTheWholeUndo() {
     assertTrue(edits.offer(new BrushEdit(0, new Vec3(20, 20, 2), 100, false)));
     run(50);
