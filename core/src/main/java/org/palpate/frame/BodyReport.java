@@ -31,7 +31,7 @@ final class BodyReport {
   }
 
   /** Reports an event of a body. */
-  void tell(int body, BodyEvent event) {
+  void report(int body, BodyEvent event) {
     listener.accept(body, event, bodies.body(body).pose(), grasp.inHand());
   }
 
@@ -39,12 +39,12 @@ final class BodyReport {
    * Reports the poses that changed. The cause is the hand for the bodies that it moves, and the
    * given event for the others.
    */
-  void tellMotions(BodyEvent event) {
+  void reportMotions(BodyEvent event) {
     for (int n = 0; n < known.size(); n++) {
       Pose pose = bodies.body(n).pose();
       if (!pose.sameBits(known.get(n))) {
         known.get(n).set(pose);
-        tell(n, grasp.moves(n) ? BodyEvent.HELD : event);
+        report(n, grasp.moves(n) ? BodyEvent.HELD : event);
       }
     }
   }

@@ -74,7 +74,7 @@ public final class ToolFrame extends HapticFrame {
   private volatile int pressedBody = Grasp.NO_BODY;
   private volatile BodyGroups groups;
 
-  private final BodyReport report;
+  private final BodyReport bodyReport;
 
   /** Recorded events for the next frame. */
   private final Queue<Runnable> repetitions = new ArrayDeque<>();
@@ -120,7 +120,7 @@ public final class ToolFrame extends HapticFrame {
     requestedForce = settings.force();
     requestedPoses = new AtomicReferenceArray<>(bodies.count());
     groups = BodyGroups.none(bodies.count());
-    report = new BodyReport(bodies, grasp);
+    bodyReport = new BodyReport(bodies, grasp);
     solver.addSkips(skippedBeforeUse);
   }
 
@@ -195,7 +195,7 @@ public final class ToolFrame extends HapticFrame {
 
   private void join(int body) {
     grasp.join(body);
-    report.tell(body, BodyEvent.JOINED);
+    bodyReport.report(body, BodyEvent.JOINED);
   }
 
   /** Lets go of the body that is held, if any. */
@@ -214,7 +214,7 @@ public final class ToolFrame extends HapticFrame {
     grasp.force().change(requestedForce);
     heldBody = grasp.held();
     beginEffectsAnew();
-    report.tell(body, event);
+    bodyReport.report(body, event);
   }
 
   /**
@@ -236,7 +236,7 @@ public final class ToolFrame extends HapticFrame {
       solver.place(motion.pose(), motion);
       grasp.force().reset();
       setFree();
-      report.tellMotions(BodyEvent.PLACED);
+      bodyReport.reportMotions(BodyEvent.PLACED);
     }
   }
 
@@ -332,7 +332,7 @@ public final class ToolFrame extends HapticFrame {
   @Override
   void publish(long frame) {
     mostReduced = Math.max(mostReduced, motion.reducedPoints());
-    report.tellMotions(BodyEvent.MOVED);
+    bodyReport.reportMotions(BodyEvent.MOVED);
     pressedBody = grasp.held() == Grasp.NO_BODY ? grasp.touched(motion) : Grasp.NO_BODY;
     publisher.publish(devicePose, motion, forceNewton, torqueNewtonMm, frame);
   }
@@ -374,7 +374,7 @@ public final class ToolFrame extends HapticFrame {
 
   /** Sets who receives where bodies are put. Call it before the first frame. */
   public void listen(BodyListener newListener) {
-    report.listen(newListener);
+    bodyReport.listen(newListener);
   }
 
   /**
