@@ -227,10 +227,6 @@ public final class ToolFrame extends HapticFrame {
       return;
     }
     edits.applyTo(voxels, maxVoxels);
-    takePlacedBodies();
-  }
-
-  private void takePlacedBodies() {
     if (place.isPlaced() && solver.wasBodyMoved()) {
       solver.bodies().clearGoals();
       solver.place(motion.pose(), motion);
