@@ -1,7 +1,5 @@
 package org.palpate.recording;
 
-import java.util.concurrent.atomic.AtomicLong;
-
 /**
  * A ring buffer of changes of voxels from the haptic thread to a file.
  *
@@ -16,11 +14,7 @@ public final class EditRecorder {
   private static final int COORDINATE_BITS = 31;
   private static final long COORDINATE = (1L << COORDINATE_BITS) - 1;
 
-  private final long[] ring;
-  private final int capacity;
-  private final AtomicLong written = new AtomicLong();
-  private final AtomicLong taken = new AtomicLong();
-  private final AtomicLong overflows = new AtomicLong();
+  private final WordRing ring;
 
   /** Receives the recorded changes. */
   @FunctionalInterface
@@ -42,44 +36,40 @@ public final class EditRecorder {
 
   /** Makes an empty buffer for {@code capacity} changes, at least 1. */
   public EditRecorder(int capacity) {
-    this.capacity = capacity;
-    ring = new long[Math.multiplyExact(capacity, WORDS_A_CHANGE)];
+    ring = new WordRing(capacity, WORDS_A_CHANGE);
   }
 
   /** Adds a change; see {@link Sink#accept}. Haptic thread: never waits, allocates nothing. */
   public void offer(long sample, int segment, int i, int j, int k, boolean solid) {
-    long at = written.getPlain();
-    if (at - taken.get() >= capacity) {
-      overflows.lazySet(overflows.getPlain() + 1);
+    int from = ring.claim();
+    if (from == WordRing.FULL) {
       return;
     }
-    int from = (int) (at % capacity) * WORDS_A_CHANGE;
-    ring[from] = sample;
-    ring[from + 1] = (long) segment << COORDINATE_BITS | i;
-    ring[from + 2] = (long) j << COORDINATE_BITS | k | (solid ? Long.MIN_VALUE : 0);
-    written.setRelease(at + 1);
+    ring.set(from, sample);
+    ring.set(from + 1, (long) segment << COORDINATE_BITS | i);
+    ring.set(from + 2, (long) j << COORDINATE_BITS | k | (solid ? Long.MIN_VALUE : 0));
+    ring.publish();
   }
 
   /** Moves all changes from the buffer into a sink. Reader. */
   public void drainTo(Sink sink) {
-    long end = written.getAcquire();
-    for (long at = taken.getPlain(); at < end; at++) {
-      int from = (int) (at % capacity) * WORDS_A_CHANGE;
-      long first = ring[from + 1];
-      long second = ring[from + 2];
+    for (int left = ring.available(); left > 0; left--) {
+      int from = ring.oldest();
+      long first = ring.get(from + 1);
+      long second = ring.get(from + 2);
       sink.accept(
-          ring[from],
+          ring.get(from),
           (int) (first >>> COORDINATE_BITS),
           (int) (first & COORDINATE),
           (int) (second >>> COORDINATE_BITS & COORDINATE),
           (int) (second & COORDINATE),
           second < 0);
-      taken.setRelease(at + 1);
+      ring.release();
     }
   }
 
   /** Returns the number of changes that were dropped because the buffer was full. Any thread. */
   public long overflows() {
-    return overflows.get();
+    return ring.overflows();
   }
 }

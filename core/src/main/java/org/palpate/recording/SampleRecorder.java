@@ -1,6 +1,5 @@
 package org.palpate.recording;
 
-import java.util.concurrent.atomic.AtomicLong;
 import org.palpate.device.DeviceState;
 
 /**
@@ -15,21 +14,16 @@ public final class SampleRecorder {
   public static final int DEFAULT_CAPACITY = 8192;
 
   private static final int TIME = 0;
-  private static final int X = 1;
-  private static final int QW = 4;
-  private static final int BUTTONS = 8;
-  private static final int WORDS_A_SAMPLE = 9;
+  private static final int POSE = 1;
+  private static final int BUTTONS = POSE + WordRing.WORDS_A_POSE;
+  private static final int WORDS_A_SAMPLE = BUTTONS + 1;
 
   /** The lower half of the word of the buttons; the upper half holds {@link #RELOCATED}. */
   private static final long BUTTONS_MASK = 0xffffffffL;
 
   private static final long RELOCATED = 1L << 32;
 
-  private final long[] ring;
-  private final int capacity;
-  private final AtomicLong written = new AtomicLong();
-  private final AtomicLong taken = new AtomicLong();
-  private final AtomicLong overflows = new AtomicLong();
+  private final WordRing ring;
   private final DeviceState out = new DeviceState();
   private long lastTimeNanos = Long.MIN_VALUE;
 
@@ -51,28 +45,19 @@ public final class SampleRecorder {
 
   /** Makes an empty buffer for {@code capacity} samples, at least 1. */
   public SampleRecorder(int capacity) {
-    this.capacity = capacity;
-    ring = new long[Math.multiplyExact(capacity, WORDS_A_SAMPLE)];
+    ring = new WordRing(capacity, WORDS_A_SAMPLE);
   }
 
   /** Adds a sample. Haptic thread: never waits, allocates nothing. */
   public void offer(DeviceState sample) {
-    long at = written.getPlain();
-    if (at - taken.get() >= capacity) {
-      overflows.lazySet(overflows.getPlain() + 1);
+    int from = ring.claim();
+    if (from == WordRing.FULL) {
       return;
     }
-    int from = (int) (at % capacity) * WORDS_A_SAMPLE;
-    ring[from + TIME] = sample.timeNanos;
-    for (int axis = 0; axis < 3; axis++) {
-      ring[from + X + axis] = Double.doubleToRawLongBits(sample.positionMm.get(axis));
-    }
-    ring[from + QW] = Double.doubleToRawLongBits(sample.orientation.w);
-    ring[from + QW + 1] = Double.doubleToRawLongBits(sample.orientation.x);
-    ring[from + QW + 2] = Double.doubleToRawLongBits(sample.orientation.y);
-    ring[from + QW + 3] = Double.doubleToRawLongBits(sample.orientation.z);
-    ring[from + BUTTONS] = (sample.buttons & BUTTONS_MASK) | (sample.relocated ? RELOCATED : 0);
-    written.setRelease(at + 1);
+    ring.set(from + TIME, sample.timeNanos);
+    ring.set(from + POSE, sample.positionMm, sample.orientation);
+    ring.set(from + BUTTONS, (sample.buttons & BUTTONS_MASK) | (sample.relocated ? RELOCATED : 0));
+    ring.publish();
   }
 
   /**
@@ -81,30 +66,22 @@ public final class SampleRecorder {
    * @return number of samples
    */
   public int drainTo(Sink sink) {
-    long end = written.getAcquire();
-    long at = taken.getPlain();
-    int count = (int) (end - at);
-    for (; at < end; at++) {
-      read((int) (at % capacity) * WORDS_A_SAMPLE);
+    int count = ring.available();
+    for (int n = 0; n < count; n++) {
+      read(ring.oldest());
       SampleFlags flags = flags();
       lastTimeNanos = out.timeNanos;
       sink.accept(out, flags);
-      taken.setRelease(at + 1);
+      ring.release();
     }
     return count;
   }
 
   private void read(int from) {
-    out.timeNanos = ring[from + TIME];
-    for (int axis = 0; axis < 3; axis++) {
-      out.positionMm.set(axis, Double.longBitsToDouble(ring[from + X + axis]));
-    }
-    out.orientation.w = Double.longBitsToDouble(ring[from + QW]);
-    out.orientation.x = Double.longBitsToDouble(ring[from + QW + 1]);
-    out.orientation.y = Double.longBitsToDouble(ring[from + QW + 2]);
-    out.orientation.z = Double.longBitsToDouble(ring[from + QW + 3]);
-    out.buttons = (int) ring[from + BUTTONS];
-    out.relocated = (ring[from + BUTTONS] & RELOCATED) != 0;
+    out.timeNanos = ring.get(from + TIME);
+    ring.get(from + POSE, out.positionMm, out.orientation);
+    out.buttons = (int) ring.get(from + BUTTONS);
+    out.relocated = (ring.get(from + BUTTONS) & RELOCATED) != 0;
   }
 
   private SampleFlags flags() {
@@ -114,6 +91,6 @@ public final class SampleRecorder {
 
   /** Returns the number of samples that were dropped because the buffer was full. Any thread. */
   public long overflows() {
-    return overflows.get();
+    return ring.overflows();
   }
 }

@@ -1,0 +1,71 @@
+package org.palpate.recording;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.palpate.body.BodyEvent;
+import org.palpate.geometry.Pose;
+import org.palpate.testing.RandomGeometry;
+import org.palpate.testing.Seeds;
+
+class BodyRecorderTest {
+  private final BodyRecorder recorder = new BodyRecorder();
+
+  /** An event as it was offered, or as it arrived. */
+  private record Event(long sample, int body, BodyEvent event, Pose pose, Pose inHand) {
+    private boolean isSame(Event other) {
+      return sample == other.sample
+          && body == other.body
+          && event == other.event
+          && pose.sameBits(other.pose)
+          && inHand.sameBits(other.inHand);
+    }
+  }
+
+  private List<Event> drain() {
+    List<Event> got = new ArrayList<>();
+    recorder.drainTo(
+        (sample, body, event, pose, inHand) ->
+            got.add(
+                new Event(sample, body, event, new Pose().set(pose), new Pose().set(inHand))));
+    return got;
+  }
+
+  @Test
+  void everyEventArrivesBitForBit() {
+    SplittableRandom random = new SplittableRandom(Seeds.seed());
+    List<Event> sent = new ArrayList<>();
+    List<Event> got = new ArrayList<>();
+    for (int n = 0; n < 2 * BodyRecorder.CAPACITY; n++) {
+      BodyEvent event = BodyEvent.values()[random.nextInt(BodyEvent.values().length)];
+      Pose pose = RandomGeometry.pose(random, 50);
+      Event next = new Event(n, random.nextInt(9), event, pose, RandomGeometry.pose(random, 50));
+      recorder.offer(next.sample(), next.body(), event, pose, next.inHand());
+      sent.add(next);
+      if (random.nextInt(1000) == 0 || n % BodyRecorder.CAPACITY == 0) {
+        got.addAll(drain());
+      }
+    }
+    got.addAll(drain());
+    assertEquals(sent.size(), got.size());
+    for (int n = 0; n < sent.size(); n++) {
+      assertTrue(sent.get(n).isSame(got.get(n)), "seed " + Seeds.seed() + " event " + n);
+    }
+    assertEquals(0, recorder.overflows());
+  }
+
+  @Test
+  void aFullBufferDropsTheNewestEventsAndCountsThem() {
+    for (int n = 0; n < BodyRecorder.CAPACITY + 5; n++) {
+      recorder.offer(n, 0, BodyEvent.MOVED, new Pose(), new Pose());
+    }
+    List<Event> got = drain();
+    assertEquals(BodyRecorder.CAPACITY, got.size());
+    assertEquals(BodyRecorder.CAPACITY - 1, got.get(got.size() - 1).sample());
+    assertEquals(5, recorder.overflows());
+  }
+}
