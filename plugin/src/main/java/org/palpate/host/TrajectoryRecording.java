@@ -80,11 +80,11 @@ public final class TrajectoryRecording implements AutoCloseable {
     }
 
     /** Moves the table over its target; an older one does not fit the new samples. */
-    private void finish(boolean holdsSamples) throws IOException {
+    private void finish() throws IOException {
       if (file != null) {
         file.stream().flush();
         file.commit();
-      } else if (holdsSamples) {
+      } else {
         Files.deleteIfExists(target);
       }
     }
@@ -187,9 +187,9 @@ public final class TrajectoryRecording implements AutoCloseable {
   }
 
   /**
-   * Writes the remaining samples and moves the file over its target, unless there is no sample at
-   * all. Call it after the session's last frame. If nothing was edited or no body moved, an older
-   * table of edits or poses is deleted, because it would not fit the new samples.
+   * Writes the remaining samples and moves the files over their targets. If there is no sample at
+   * all, older files stay. Call it after the session's last frame. If nothing was edited or no body
+   * moved, an older table of edits or poses is deleted, because it would not fit the new samples.
    *
    * @throws IOException if the file cannot be written
    */
@@ -202,9 +202,9 @@ public final class TrajectoryRecording implements AutoCloseable {
     writer.flush();
     if (holdsSamples) {
       file.commit();
+      edits.finish();
+      poses.finish();
     }
-    edits.finish(holdsSamples);
-    poses.finish(holdsSamples);
     requireWhole("changes of voxels", editRecorder.overflows());
     requireWhole("poses of bodies", bodyRecorder.overflows());
   }

@@ -1,0 +1,54 @@
+package org.palpate.host;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.palpate.body.BodyEvent;
+import org.palpate.device.DeviceState;
+import org.palpate.geometry.Pose;
+
+class TrajectoryRecordingTest {
+  @TempDir private Path folder;
+
+  private Path older(String name) throws IOException {
+    return Files.writeString(folder.resolve(name), "older");
+  }
+
+  @Test
+  void withoutASampleAllFilesOfAnOlderRecordingStay() throws IOException {
+    List<Path> files = List.of(older("t.csv"), older("t.edits.csv"), older("t.poses.csv"));
+    try (TrajectoryRecording recording = new TrajectoryRecording(files.get(0), List.of("bone"))) {
+      recording.editRecorder().offer(0, 0, 1, 2, 3, false);
+      recording.bodyRecorder().offer(0, 0, BodyEvent.MOVED, new Pose(), new Pose());
+      recording.finish();
+    }
+    for (Path file : files) {
+      assertEquals("older", Files.readString(file), file.toString());
+    }
+    try (var left = Files.list(folder)) {
+      assertEquals(3, left.count());
+    }
+  }
+
+  @Test
+  void eachTableIsReplacedOrDeletedTogetherWithTheSamples() throws IOException {
+    Path samples = older("t.csv");
+    Path edits = older("t.edits.csv");
+    Path poses = older("t.poses.csv");
+    try (TrajectoryRecording recording = new TrajectoryRecording(samples, List.of("bone"))) {
+      recording.recorder().offer(new DeviceState());
+      recording.bodyRecorder().offer(0, 0, BodyEvent.MOVED, new Pose(), new Pose());
+      recording.finish();
+    }
+    assertTrue(Files.readString(samples).startsWith("t_ms,"));
+    assertTrue(Files.readString(poses).contains("\n0,bone,"), Files.readString(poses));
+    assertFalse(Files.exists(edits));
+  }
+}
