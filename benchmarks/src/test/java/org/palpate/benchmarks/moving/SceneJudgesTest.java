@@ -22,10 +22,21 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 class SceneJudgesTest {
-  private static Body dot(String name, Mobility mobility, double x) {
+  private static final RigidSettings SETTINGS = RigidSettings.of(100, Clearance.POINTS);
+
+  private final RigidTool point = ToolSampler.point();
+  private final Body dot = dot("dot", 10);
+  private final BodyScene bodies = new BodyScene(List.of(dot));
+  private final MovableShapes shapes = MovableShapes.ofPoints(bodies);
+  private final RigidSolver solver =
+      new RigidSolver(new RigidScene(bodies, point, shapes, SETTINGS));
+  private final ToolMotion motion = solver.newMotion();
+  private final SceneLegJudge judge = new SceneLegJudge(bodies, point, shapes);
+
+  private static Body dot(String name, double x) {
     BitCube bits = new BitCube(3, 3, 3);
     bits.set(1, 1, 1);
-    Body body = new Body(name, bits, VoxelGrid.ofUnitVoxels(3, 3, 3), mobility);
+    Body body = new Body(name, bits, VoxelGrid.ofUnitVoxels(3, 3, 3), Mobility.MOVABLE);
     body.setPose(at(x, 0, 0));
     return body;
   }
@@ -39,13 +50,12 @@ class SceneJudgesTest {
   /** Moves the second dot across the first or the tool, of which the solver knows nothing. */
   private static SceneLegJudge judged(double toolX, double first) {
     RigidTool point = ToolSampler.point();
-    Body mover = dot("mover", Mobility.MOVABLE, 10);
-    Body unknown = dot("unknown", Mobility.MOVABLE, first);
-    BodyScene known = new BodyScene(List.of(dot("far", Mobility.MOVABLE, -500), mover));
+    Body mover = dot("mover", 10);
+    Body unknown = dot("unknown", first);
+    BodyScene known = new BodyScene(List.of(dot("far", -500), mover));
     BodyScene seen = new BodyScene(List.of(unknown, mover));
     MovableShapes shapes = MovableShapes.ofPoints(known);
-    RigidSettings settings = RigidSettings.of(100, Clearance.POINTS);
-    RigidSolver solver = new RigidSolver(new RigidScene(known, point, shapes, settings));
+    RigidSolver solver = new RigidSolver(new RigidScene(known, point, shapes, SETTINGS));
     ToolMotion motion = solver.newMotion();
     solver.place(at(0, 90, 0), motion);
     SceneLegJudge judge = new SceneLegJudge(seen, point, shapes);
@@ -64,36 +74,25 @@ class SceneJudgesTest {
     assertEquals(0, judged(0, 0).broken());
   }
 
+  private void begin() {
+    solver.place(at(0, 90, 0), motion);
+    judge.begin(motion);
+  }
+
   @Test
   void theLegJudgeFindsAMotionThatNobodyReported() {
-    RigidTool point = ToolSampler.point();
-    BodyScene bodies = new BodyScene(List.of(dot("dot", Mobility.MOVABLE, 10)));
-    MovableShapes shapes = MovableShapes.ofPoints(bodies);
-    RigidSettings settings = RigidSettings.of(100, Clearance.POINTS);
-    RigidSolver solver = new RigidSolver(new RigidScene(bodies, point, shapes, settings));
-    ToolMotion motion = solver.newMotion();
-    solver.place(at(0, 90, 0), motion);
-    SceneLegJudge judge = new SceneLegJudge(bodies, point, shapes);
-    judge.begin(motion);
+    begin();
     solver.follow(at(0, 91, 0), motion);
     judge.judge(motion);
     assertEquals(0, judge.broken());
-    bodies.body(0).setPose(at(11, 0, 0));
+    dot.setPose(at(11, 0, 0));
     judge.judge(motion);
     assertTrue(judge.broken() > 0);
   }
 
   @Test
   void aToolThatIsSetFreeInAnUnchangedSceneBreaksTheChain() {
-    RigidTool point = ToolSampler.point();
-    BodyScene bodies = new BodyScene(List.of(dot("dot", Mobility.MOVABLE, 10)));
-    MovableShapes shapes = MovableShapes.ofPoints(bodies);
-    RigidSettings settings = RigidSettings.of(100, Clearance.POINTS);
-    RigidSolver solver = new RigidSolver(new RigidScene(bodies, point, shapes, settings));
-    ToolMotion motion = solver.newMotion();
-    solver.place(at(0, 90, 0), motion);
-    SceneLegJudge judge = new SceneLegJudge(bodies, point, shapes);
-    judge.begin(motion);
+    begin();
     solver.place(at(11.5, 1.5, 1.5), motion);
     assertTrue(motion.freed());
     judge.judge(motion);
@@ -102,19 +101,11 @@ class SceneJudgesTest {
 
   @Test
   void theLegJudgeFindsABodyThatMovesOverTheTool() {
-    RigidTool point = ToolSampler.point();
-    Body block = dot("block", Mobility.MOVABLE, 10);
-    BodyScene bodies = new BodyScene(List.of(block));
-    MovableShapes shapes = MovableShapes.ofPoints(bodies);
-    RigidSettings settings = RigidSettings.of(100, Clearance.POINTS);
-    RigidSolver solver = new RigidSolver(new RigidScene(bodies, point, shapes, settings));
-    ToolMotion motion = solver.newMotion();
     solver.place(at(5, 90, 1.5), motion);
     solver.bodies().setGoal(0, at(-10, 0, 0));
     ToolMotion planted = new ToolMotion(1);
     Vec3 inTheWay = new Vec3(5, 1.5, 1.5);
     planted.pose().translation.set(inTheWay);
-    SceneLegJudge judge = new SceneLegJudge(bodies, point, shapes);
     judge.begin(planted);
     solver.follow(at(5, 90, 1.5), motion);
     motion.pathPose(0).translation.set(inTheWay);
