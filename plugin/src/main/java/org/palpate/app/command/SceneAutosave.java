@@ -18,11 +18,11 @@ import org.palpate.io.volume.VolumeFormatException;
 
 /**
  * Saves a scene with the present poses of its bodies from time to time, beside the scene file that
- * the session will write at its end. The end deletes what was saved, so it is there after a crash
- * alone. One thread.
+ * the session will write at its end. An orderly end deletes the saved file, so it remains only
+ * after a crash. One thread.
  */
 final class SceneAutosave {
-  /** The time between two saves, if a body has moved. */
+  /** The time between two saves, if a body has moved meanwhile. */
   static final long PERIOD_NANOS = 10_000_000_000L;
 
   private final SceneFile scene;
@@ -100,7 +100,7 @@ final class SceneAutosave {
   }
 
   /**
-   * Saves if a period is over and a body has moved.
+   * Saves if a period is over, unless no body has moved since the last save.
    *
    * @throws IOException if the file cannot be written
    */
