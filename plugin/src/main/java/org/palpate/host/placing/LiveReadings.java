@@ -14,6 +14,7 @@ import org.palpate.host.SessionView;
  */
 public final class LiveReadings implements AutoCloseable {
   private static final long PAUSE_NANOS = 100_000_000;
+  private static final long JOIN_MILLIS = 1000;
   private static final int NONE = -1;
 
   private final ToolFrame frame;
@@ -66,20 +67,14 @@ public final class LiveReadings implements AutoCloseable {
     return present == NONE ? body : present;
   }
 
-  /** Ends the readings and waits for their thread. */
+  /** Ends the readings, and waits at most a second for lines that are being computed. */
   @Override
   public void close() {
     closed = true;
     LockSupport.unpark(thread);
-    boolean interrupted = false;
-    while (thread.isAlive()) {
-      try {
-        thread.join();
-      } catch (InterruptedException e) {
-        interrupted = true;
-      }
-    }
-    if (interrupted) {
+    try {
+      thread.join(JOIN_MILLIS);
+    } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
   }
