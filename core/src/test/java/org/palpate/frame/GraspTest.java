@@ -16,98 +16,32 @@ import org.palpate.device.ReadStatus;
 import org.palpate.edit.BrushEdit;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.HistoryEdit;
-import org.palpate.force.ForceSettings;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
-import org.palpate.rigid.Clearance;
-import org.palpate.rigid.MovableShapes;
 import org.palpate.rigid.ReferencePose;
-import org.palpate.rigid.RigidCoupling;
-import org.palpate.rigid.RigidScene;
-import org.palpate.rigid.RigidSettings;
-import org.palpate.rigid.RigidSolver;
-import org.palpate.rigid.tool.RigidTool;
-import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.testing.ScriptedDevice;
 import org.palpate.testing.Seeds;
-import org.palpate.volume.BitCube;
-import org.palpate.volume.VoxelGrid;
 
 /** Takes hold of a block that lies over a floor, and lets go of it. */
-class GraspTest {
-  private static final long MS = 1_000_000;
-  private static final double INFINITE = Double.POSITIVE_INFINITY;
-  private static final double STIFFNESS = 0.5;
-
-  private final Body floor = body("floor", 40, 40, 5, Mobility.FIXED, new Vec3());
-  private final Body block = body("block", 8, 8, 8, Mobility.MOVABLE, new Vec3(16, 16, 8));
-  private final Body small = body("small", 4, 4, 4, Mobility.MOVABLE, new Vec3(30, 16, 8));
+class GraspTest extends HeldBlocks {
+  private final Body floor = body("floor", 40, 40, 5, 5, Mobility.FIXED, new Vec3());
+  private final Body block = cube("block", 8, new Vec3(16, 16, 8));
+  private final Body small = cube("small", 4, new Vec3(30, 16, 8));
   private final BodyScene bodies = new BodyScene(List.of(floor, block, small));
   private final EditQueue edits = EditQueue.ofBodies(bodies.grids());
-  private final Vec3 hand = new Vec3(20, 20, 20);
   private final Quaternion turn = new Quaternion();
   private final ScriptedDevice device = new ScriptedDevice(this::sample);
-  private final ToolFrame frame = frame();
-  private long nowNanos = 1;
-
-  private static Body body(String name, int x, int y, int z, Mobility mobility, Vec3 at) {
-    BitCube bits = new BitCube(x, y, z);
-    for (int n = 0; n < x * y * z; n++) {
-      bits.set(n % x, n / x % y, n / (x * y));
-    }
-    Body body = new Body(name, bits, VoxelGrid.ofUnitVoxels(x, y, z), mobility);
-    Pose pose = new Pose();
-    pose.translation.set(at);
-    body.setPose(pose);
-    return body;
-  }
+  private final ToolFrame frame = newFrame(device, bodies, edits, 64);
 
   private ReadStatus sample(int read, DeviceState state) {
     state.orientation.set(turn);
     return ScriptedDevice.fresh(state, read, hand.x, hand.y, hand.z);
   }
 
-  private ToolFrame frame() {
-    RigidTool point = ToolSampler.point();
-    MovableShapes shapes = MovableShapes.ofWholeBodies(bodies, 0);
-    RigidSettings settings = RigidSettings.of(4, Clearance.POINTS);
-    return new ToolFrame(
-        device,
-        bodies,
-        new RigidSolver(new RigidScene(bodies, point, shapes, settings)),
-        RigidCoupling.of(point, STIFFNESS),
-        new FrameSettings(
-            ForceSettings.of(STIFFNESS, 0), INFINITE, INFINITE, 0, 20 * MS, 64, INFINITE, INFINITE),
-        edits,
-        ToolFramePublisher.NONE);
-  }
-
-  private void run(int frames) {
-    for (int n = 0; n < frames; n++) {
-      frame.run(nowNanos);
-      nowNanos += MS;
-    }
-  }
-
-  /** Moves the hand in steps of a tenth of a millimetre. */
-  private void moveTo(double x, double y, double z) {
-    Vec3 way = new Vec3(x, y, z).sub(hand, new Vec3());
-    int steps = (int) Math.ceil(way.length() * 10);
-    way.mul(1.0 / steps, way);
-    for (int n = 0; n < steps; n++) {
-      hand.add(way, hand);
-      run(1);
-    }
-    run(50);
-  }
-
-  private void takeBlock() {
-    moveTo(20, 20, 15); // a millimetre below its upper face
-    assertTrue(frame.motion().contact());
-    frame.requestTake();
-    run(1);
-    assertEquals(1, frame.heldBody());
+  @Override
+  ToolFrame frame() {
+    return frame;
   }
 
   @Test

@@ -15,98 +15,32 @@ import org.palpate.device.ReadStatus;
 import org.palpate.edit.BrushEdit;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.HistoryEdit;
-import org.palpate.force.ForceSettings;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
-import org.palpate.rigid.Clearance;
-import org.palpate.rigid.MovableShapes;
 import org.palpate.rigid.ReferencePose;
-import org.palpate.rigid.RigidCoupling;
-import org.palpate.rigid.RigidScene;
-import org.palpate.rigid.RigidSettings;
-import org.palpate.rigid.RigidSolver;
-import org.palpate.rigid.tool.RigidTool;
-import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.testing.ScriptedDevice;
-import org.palpate.volume.BitCube;
-import org.palpate.volume.VoxelGrid;
 
 /** Holds a block with which others move along, among edits and events of a hostile recording. */
-class JoinedBodiesTest {
-  private static final long MS = 1_000_000;
-  private static final double INFINITE = Double.POSITIVE_INFINITY;
-  private static final double STIFFNESS = 0.5;
+class JoinedBodiesTest extends HeldBlocks {
+  /** It has room above. */
+  private final Body floor = body("floor", 40, 40, 5, 40, Mobility.FIXED, new Vec3());
 
-  private final Body floor = body("floor", 5, new Vec3());
-  private final Body block = body("block", 8, new Vec3(16, 16, 8));
-  private final Body small = body("small", 4, new Vec3(30, 16, 12));
-  private final Body other = body("other", 3, new Vec3(8, 16, 12));
+  private final Body block = cube("block", 8, new Vec3(16, 16, 8));
+  private final Body small = cube("small", 4, new Vec3(30, 16, 12));
+  private final Body other = cube("other", 3, new Vec3(8, 16, 12));
   private final BodyScene bodies = new BodyScene(List.of(floor, block, small, other));
   private final EditQueue edits = EditQueue.ofBodies(bodies.grids());
-  private final Vec3 hand = new Vec3(20, 20, 20);
   private ReadStatus status = ReadStatus.FRESH;
-  private final ToolFrame frame = frame();
-  private long nowNanos = 1;
+  private final ToolFrame frame = newFrame(new ScriptedDevice(this::sample), bodies, edits, 4096);
 
-  /** Makes a cube that can move, or a floor with room above. */
-  private static Body body(String name, int edge, Vec3 at) {
-    boolean moves = !name.equals("floor");
-    int wide = moves ? edge : 40;
-    BitCube bits = new BitCube(wide, wide, wide);
-    for (int n = 0; n < wide * wide * edge; n++) {
-      bits.set(n % wide, n / wide % wide, n / (wide * wide));
-    }
-    Mobility mobility = moves ? Mobility.MOVABLE : Mobility.FIXED;
-    Body body = new Body(name, bits, VoxelGrid.ofUnitVoxels(wide, wide, wide), mobility);
-    Pose pose = new Pose();
-    pose.translation.set(at);
-    body.setPose(pose);
-    return body;
-  }
-
-  private ToolFrame frame() {
-    RigidTool point = ToolSampler.point();
-    MovableShapes shapes = MovableShapes.ofWholeBodies(bodies, 0);
-    return new ToolFrame(
-        new ScriptedDevice(this::sample),
-        bodies,
-        new RigidSolver(
-            new RigidScene(bodies, point, shapes, RigidSettings.of(4, Clearance.POINTS))),
-        RigidCoupling.of(point, STIFFNESS),
-        new FrameSettings(
-            ForceSettings.of(STIFFNESS, 0), INFINITE, INFINITE, 0, 20 * MS, 4096, 0, INFINITE),
-        edits,
-        ToolFramePublisher.NONE);
+  @Override
+  ToolFrame frame() {
+    return frame;
   }
 
   private ReadStatus sample(int read, DeviceState state) {
     ScriptedDevice.fresh(state, read, hand.x, hand.y, hand.z);
     return status;
-  }
-
-  private void run(int frames) {
-    for (int n = 0; n < frames; n++) {
-      frame.run(nowNanos);
-      nowNanos += MS;
-    }
-  }
-
-  private void moveTo(double x, double y, double z) {
-    Vec3 way = new Vec3(x, y, z).sub(hand, new Vec3());
-    int steps = (int) Math.ceil(way.length() * 10);
-    way.mul(1.0 / steps, way);
-    for (int n = 0; n < steps; n++) {
-      hand.add(way, hand);
-      run(1);
-    }
-    run(50);
-  }
-
-  private void takeBlock() {
-    moveTo(20, 20, 15); // a millimetre below its upper face
-    frame.requestTake();
-    run(1);
-    assertEquals(1, frame.heldBody());
   }
 
   private Vec3 fromBlock(Body body) {

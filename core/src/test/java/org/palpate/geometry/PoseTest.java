@@ -36,7 +36,8 @@ class PoseTest {
       Vec3 expected = a.transform(b.transform(p, new Vec3()), new Vec3());
       Pose ab = a.multiply(b, new Pose());
       assertNear(expected, ab.transform(p, new Vec3()));
-      assertNear(b.transform(p, new Vec3()), a.inverseMultiply(ab, new Pose()).transform(p, new Vec3()));
+      assertNear(
+          b.transform(p, new Vec3()), a.inverseMultiply(ab, new Pose()).transform(p, new Vec3()));
       AffineMap product = new AffineMap().set(a).multiply(new AffineMap().set(b), new AffineMap());
       assertNear(expected, product.transform(p, new Vec3()));
       b.multiply(a, b);

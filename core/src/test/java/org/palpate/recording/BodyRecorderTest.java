@@ -30,8 +30,7 @@ class BodyRecorderTest {
     List<Event> got = new ArrayList<>();
     recorder.drainTo(
         (sample, body, event, pose, inHand) ->
-            got.add(
-                new Event(sample, body, event, new Pose().set(pose), new Pose().set(inHand))));
+            got.add(new Event(sample, body, event, new Pose().set(pose), new Pose().set(inHand))));
     return got;
   }
 
