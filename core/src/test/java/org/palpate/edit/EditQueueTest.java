@@ -16,13 +16,10 @@ import org.palpate.collision.CollisionScene;
 import org.palpate.device.HandTarget;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.frame.FrameOutcome;
-import org.palpate.frame.FramePublisher;
-import org.palpate.frame.GridDevice;
 import org.palpate.frame.PointFrame;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.ManualClock;
-import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.testing.Floor;
 import org.palpate.testing.LegJudge;
 import org.palpate.testing.Seeds;
@@ -179,15 +176,7 @@ class EditQueueTest {
             Seeds.seed(),
             HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1),
             ManualClock.MS);
-    PointFrame frame =
-        new PointFrame(
-            GridDevice.inGridCoordinates(device),
-            new GuardedSolver(Floor.METRIC, 8),
-            floor.scene,
-            Floor.METRIC,
-            Floor.settings(),
-            floor.edits,
-            FramePublisher.NONE);
+    PointFrame frame = floor.frame(device);
     AtomicBoolean ended = new AtomicBoolean();
     AtomicReference<Vec3> near = new AtomicReference<>(new Vec3(16, 16, 8));
     Thread editor = new Thread(() -> editUntil(ended, near));

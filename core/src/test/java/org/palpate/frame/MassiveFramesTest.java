@@ -134,15 +134,7 @@ class MassiveFramesTest {
   @Test
   void aFloorThatComesToThePointSetsItFreeWithItsMass() {
     Floor floor = Floor.make();
-    PointFrame frame =
-        new PointFrame(
-            GridDevice.inGridCoordinates(device),
-            new GuardedSolver(Floor.METRIC, 8),
-            floor.scene,
-            Floor.METRIC,
-            Floor.settings(),
-            floor.edits,
-            FramePublisher.NONE);
+    PointFrame frame = floor.frame(device);
     MassSettings held = new MassSettings(0.05, new Vec3());
     frame.give(new MassiveContact(Floor.METRIC, Floor.settings().force(), held));
     hand.set(16.5, 16.5, 10.5);

@@ -2,6 +2,7 @@ package org.palpate.testing;
 
 import java.util.List;
 import org.palpate.collision.CollisionScene;
+import org.palpate.device.HapticDevice;
 import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
 import org.palpate.frame.FramePublisher;
@@ -62,12 +63,12 @@ public final class Floor {
   }
 
   /** Returns a frame with the usual settings and the solver {@code guarded}. */
-  public PointFrame frame(ScriptedDevice device) {
+  public PointFrame frame(HapticDevice device) {
     return frame(device, settings());
   }
 
   /** Returns a frame with the solver {@code guarded}. */
-  public PointFrame frame(ScriptedDevice device, FrameSettings settings) {
+  public PointFrame frame(HapticDevice device, FrameSettings settings) {
     return new PointFrame(
         GridDevice.inGridCoordinates(device),
         new GuardedSolver(METRIC, 8),
