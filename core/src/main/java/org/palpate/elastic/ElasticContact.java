@@ -99,7 +99,7 @@ public final class ElasticContact {
    * @return the device position in material coordinates, to read until the next frame
    */
   public Vec3 begin(Vec3 deviceGrid, InteractionPoint point, double newtonPerMm) {
-    if (fields.take()) {
+    if (fields.hasNew()) {
       useNewField(point);
     }
     shift.mul(KEPT_SHIFT, shift);
@@ -113,6 +113,7 @@ public final class ElasticContact {
   private void useNewField(InteractionPoint point) {
     map.forward(point.position, present);
     map.force(forceNewton);
+    fields.take(); // From here on the updates may write the field that was in use.
     map.use(fields.front());
     setForce(forceNewton.x, forceNewton.y, forceNewton.z);
     if (pressed) {

@@ -38,16 +38,15 @@ final class FieldExchange {
     return fields[front];
   }
 
-  /**
-   * Takes the newest field. Reader.
-   *
-   * @return false if there is none since the last one
-   */
-  boolean take() {
-    if ((middle.get() & FRESH) == 0) {
-      return false;
+  /** Whether there is a field since the last one that was taken. Reader. */
+  boolean hasNew() {
+    return (middle.get() & FRESH) != 0;
+  }
+
+  /** Takes the newest field, if there is one, and gives the last one back. Reader. */
+  void take() {
+    if (hasNew()) {
+      front = middle.getAndSet(front) & INDEX;
     }
-    front = middle.getAndSet(front) & INDEX;
-    return true;
   }
 }

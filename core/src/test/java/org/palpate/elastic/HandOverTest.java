@@ -32,15 +32,18 @@ class HandOverTest {
   @Test
   void theReaderTakesTheNewestFieldOnce() {
     FieldExchange exchange = new FieldExchange(lattice.layout());
-    assertFalse(exchange.take());
+    assertFalse(exchange.hasNew());
     DeformationField first = exchange.back();
     exchange.publish();
     DeformationField second = exchange.back();
     assertNotSame(first, second);
     exchange.publish();
-    assertTrue(exchange.take());
+    assertTrue(exchange.hasNew());
+    exchange.take();
     assertSame(second, exchange.front());
-    assertFalse(exchange.take());
+    assertFalse(exchange.hasNew());
+    exchange.take();
+    assertSame(second, exchange.front());
     assertNotSame(second, exchange.back());
   }
 
