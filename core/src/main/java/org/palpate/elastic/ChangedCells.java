@@ -43,12 +43,8 @@ final class ChangedCells {
     if (listed < 0) {
       return;
     }
-    int word = listed / Long.SIZE;
-    long bit = 1L << listed;
-    long before = marks.get(word);
-    while ((before & bit) == 0 && !marks.compareAndSet(word, before, before | bit)) {
-      before = marks.get(word);
-    }
+    // A mark that is set already is set again, so that the reader sees the voxels of this edit too.
+    marks.accumulateAndGet(listed / Long.SIZE, 1L << listed, (before, bit) -> before | bit);
   }
 
   /** Counts the voxels of the marked cells anew. Thread of the updates. */
