@@ -1,5 +1,7 @@
 package org.palpate.elastic;
 
+import java.util.Arrays;
+
 /**
  * Changes of the force for which a field is proved to fold nothing: a union of double cones around
  * one axis. A cone around place t of the axis holds a change if its distance from t along the axis
@@ -43,6 +45,7 @@ final class ForceRoom {
 
   /**
    * Moves a change of the force into the room, towards the place of the cone that loses the least.
+   * Without a cone, or if the length of the change is not finite, no change remains.
    *
    * @param change in place, N
    * @return whether it was moved
@@ -68,6 +71,10 @@ final class ForceRoom {
         scale = 1 / filled;
         from = place[n];
       }
+    }
+    if (leastLost == Double.POSITIVE_INFINITY) {
+      Arrays.fill(change, 0);
+      return true;
     }
     double kept = from + (t - from) * scale;
     change[0] = kept * axis[0] + x * scale;
