@@ -35,12 +35,4 @@ final class DeformationField {
         + changeNewton[1] * values[at + 6]
         + changeNewton[2] * values[at + 9];
   }
-
-  /** Returns the answer of a node to a force along a unit vector, cells per N. */
-  double slope(int node, int axis, double[] direction) {
-    int at = STRIDE * node + axis;
-    return direction[0] * values[at + 3]
-        + direction[1] * values[at + 6]
-        + direction[2] * values[at + 9];
-  }
 }

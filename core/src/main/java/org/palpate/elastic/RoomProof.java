@@ -16,8 +16,11 @@ final class RoomProof {
   /** The least determinant of a field that counts as proved; far above any rounding. */
   static final double LEAST_DETERMINANT = 0.01;
 
-  /** The longest sum of the squared edges of a cell for which rounding is far below the slack. */
-  static final double MOST_SQUARED_LENGTH = 1e4;
+  /** The largest sum of the squared edges of a tetrahedron for which rounding is negligible. */
+  private static final double MOST_SQUARED_LENGTH = 1e4;
+
+  /** The longest change of a cell by a force in the room for which rounding is negligible. */
+  private static final double MOST_CHANGE_CELLS = 100;
 
   /** The part of the least singular value that a change may take. */
   private static final double USED_PART = 0.9;
@@ -53,6 +56,9 @@ final class RoomProof {
   private double along;
   private double across;
 
+  /** The longest change of the force that a cone may hold, N. */
+  private double reach;
+
   RoomProof(ActiveCells cells) {
     this.cells = cells;
     near = new int[cells.count()];
@@ -61,7 +67,7 @@ final class RoomProof {
   /**
    * Proves a field and writes its {@link DeformationField#room} along the axis that the room has.
    *
-   * @param reachNewton the longest change of the force to prove
+   * @param reachNewton the longest change of the force to prove; shorter if the answers are large
    * @param lowestNewton the lowest place of a cone along the axis, not positive
    * @return whether the field without a change is proved; if not, it must not be used
    */
@@ -70,11 +76,11 @@ final class RoomProof {
       return false;
     }
     ForceRoom room = field.room;
-    addCone(field, 0, reachNewton);
+    addCone(field, 0);
     double first = along;
     double place = NEXT_CONE * first;
-    for (int n = 0; n < MOST_UPWARD && place < reachNewton; n++) {
-      double size = addCone(field, place, reachNewton);
+    for (int n = 0; n < MOST_UPWARD && place < reach; n++) {
+      double size = addCone(field, place);
       if (size < LEAST_STEP_NEWTON) {
         break;
       }
@@ -82,7 +88,7 @@ final class RoomProof {
     }
     place = Math.max(lowestNewton, -NEXT_CONE * first);
     while (!room.isFull() && place < 0) {
-      double size = addCone(field, place, reachNewton);
+      double size = addCone(field, place);
       if (size < LEAST_STEP_NEWTON || place == lowestNewton) {
         break;
       }
@@ -92,10 +98,10 @@ final class RoomProof {
   }
 
   /** Adds the cone around a place of the axis, if it is proved, and returns its size along it. */
-  private double addCone(DeformationField field, double place, double reachNewton) {
+  private double addCone(DeformationField field, double place) {
     boolean proved = measure(field, place);
-    along = proved ? Math.min(along, reachNewton - Math.abs(place)) : 0;
-    across = proved ? Math.min(across, reachNewton - Math.abs(place)) : 0;
+    along = proved ? Math.min(along, reach - Math.abs(place)) : 0;
+    across = proved ? Math.min(across, reach - Math.abs(place)) : 0;
     if (along > 0 && across > 0) {
       field.room.add(place, along, across);
     }
@@ -104,11 +110,13 @@ final class RoomProof {
 
   /**
    * Checks every cell without a change of the force, and lists those that could fold within reach.
+   * Shortens the reach if the answers are large.
    *
    * @return whether every cell is proved
    */
   private boolean findNear(DeformationField field, double reachNewton) {
     nearCount = 0;
+    reach = reachNewton;
     for (int cell = 0; cell < cells.count(); cell++) {
       int first = cells.firstNode(cell);
       readCorners(field, first, none);
@@ -122,7 +130,8 @@ final class RoomProof {
       // Three edges of a tetrahedron are at most twice as long as all ways from corner 0 together.
       double largest = 1 + 2 * Math.sqrt(stretch);
       double room = USED_PART * determinant / (largest * largest);
-      if (!(2 * Math.sqrt(answers) * reachNewton <= room)) {
+      reach = Math.min(reach, MOST_CHANGE_CELLS / Math.sqrt(answers));
+      if (!(2 * Math.sqrt(answers) * reach <= room)) {
         near[nearCount++] = cell;
       }
     }
@@ -172,15 +181,6 @@ final class RoomProof {
     }
   }
 
-  private void readSlopes(DeformationField field, int firstNode, double[] direction) {
-    for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
-      int node = firstNode + cells.layout().cornerOffset(corner);
-      for (int axis = 0; axis < 3; axis++) {
-        slopes[3 * corner + axis] = field.slope(node, axis, direction);
-      }
-    }
-  }
-
   /** Measures the cone around a place of the axis. Returns false if a cell is not proved there. */
   private boolean measure(DeformationField field, double place) {
     double[] axis = field.room.axis();
@@ -192,7 +192,6 @@ final class RoomProof {
     for (int n = 0; n < nearCount; n++) {
       int first = cells.firstNode(near[n]);
       readCorners(field, first, change);
-      readSlopes(field, first, axis);
       measureEdges(field, first);
       if (!measureTetrahedra()) {
         return false;
@@ -205,31 +204,35 @@ final class RoomProof {
     for (int n = 0; n < EDGES.length; n += 2) {
       int a = EDGES[n];
       int b = EDGES[n + 1];
-      double length = 0;
-      double slope = 0;
-      for (int axis = 0; axis < 3; axis++) {
-        double x = corners[3 * b + axis] - corners[3 * a + axis];
-        double y = slopes[3 * b + axis] - slopes[3 * a + axis];
-        length += x * x;
-        slope += y * y;
-      }
       int edge = 8 * a + b;
-      length2[edge] = length;
-      along2[edge] = slope;
-      across2[edge] = Math.max(0, squaredAnswers(field, firstNode, a, b) - slope);
+      int from = DeformationField.STRIDE * (firstNode + cells.layout().cornerOffset(a)) + 3;
+      int to = DeformationField.STRIDE * (firstNode + cells.layout().cornerOffset(b)) + 3;
+      length2[edge] = 0;
+      along2[edge] = 0;
+      across2[edge] = 0;
+      for (int axis = 0; axis < 3; axis++) {
+        double length = corners[3 * b + axis] - corners[3 * a + axis];
+        length2[edge] += length * length;
+        addAnswers(field, from + axis, to + axis, edge);
+      }
     }
   }
 
-  /** Returns the squared differences of all answers along an edge. */
-  private double squaredAnswers(DeformationField field, int firstNode, int a, int b) {
-    int from = DeformationField.STRIDE * (firstNode + cells.layout().cornerOffset(a));
-    int to = DeformationField.STRIDE * (firstNode + cells.layout().cornerOffset(b));
-    double sum = 0;
-    for (int n = 3; n < DeformationField.STRIDE; n++) {
-      double difference = (double) field.values[to + n] - field.values[from + n];
-      sum += difference * difference;
-    }
-    return sum;
+  /**
+   * Adds the squared answers of an edge along an axis, to forces along the axis of the room and
+   * across it. Those across are a cross product, in which nothing cancels.
+   */
+  private void addAnswers(DeformationField field, int from, int to, int edge) {
+    double[] e = field.room.axis();
+    double x = (double) field.values[to] - field.values[from];
+    double y = (double) field.values[to + 3] - field.values[from + 3];
+    double z = (double) field.values[to + 6] - field.values[from + 6];
+    double slope = e[0] * x + e[1] * y + e[2] * z;
+    double crossX = e[1] * z - e[2] * y;
+    double crossY = e[2] * x - e[0] * z;
+    double crossZ = e[0] * y - e[1] * x;
+    along2[edge] += slope * slope;
+    across2[edge] += crossX * crossX + crossY * crossY + crossZ * crossZ;
   }
 
   private boolean measureTetrahedra() {

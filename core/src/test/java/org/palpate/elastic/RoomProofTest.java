@@ -68,6 +68,32 @@ class RoomProofTest {
     assertTrue(moved > 15 && moved < 88, "clipped " + moved);
   }
 
+  /** Answers to forces across the axis are rounding alone, which large answers make visible. */
+  @Test
+  void noForceFoldsATetrahedronWhoseAnswersHaveOneDirection() {
+    DeformationMap map = new DeformationMap(lattice.layout(), field);
+    for (int n = 0; n < 60; n++) {
+      randomField(0.05, 0);
+      double size = Math.pow(10, 9 * random.nextDouble());
+      double[] axis = field.room.axis();
+      for (int at = 0; at < field.values.length; at += DeformationField.STRIDE) {
+        boolean fixed = lattice.cells().isFixed(at / DeformationField.STRIDE);
+        for (int row = 0; row < 3 && !fixed; row++) {
+          double answer = size * (2 * random.nextDouble() - 1);
+          for (int force = 0; force < 3; force++) {
+            field.values[at + 3 + 3 * force + row] = (float) (axis[force] * answer);
+          }
+        }
+      }
+      assertTrue(proof.prove(field, 4, -2), "field " + n);
+      map.use(field);
+      for (int i = 0; i < 5; i++) {
+        map.setForce(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+        assertEquals(0, TetrahedraJudge.folded(lattice, map), "answers of " + size);
+      }
+    }
+  }
+
   @Test
   void aFieldThatFoldsIsNotProved() {
     DeformationMap map = new DeformationMap(lattice.layout(), field);
