@@ -1,56 +1,28 @@
 package org.palpate.elastic;
 
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
+import org.palpate.sync.Accumulator;
+import org.palpate.sync.PositionProperty;
 
 /**
  * Hands the load of each frame from the haptic thread to the thread of the updates: the last whole
- * one wins. The writer never waits; the reader tries again while the writer writes.
- *
- * <p>Reference: Boehm 2012, "Can seqlocks get along with programming language memory models?".
+ * one wins. Neither waits.
  */
 final class LoadExchange {
-  private static final VarHandle SEQUENCE;
-  private static final VarHandle VALUES = MethodHandles.arrayElementVarHandle(double[].class);
-
-  static {
-    try {
-      SEQUENCE = MethodHandles.lookup().findVarHandle(LoadExchange.class, "sequence", int.class);
-    } catch (ReflectiveOperationException e) {
-      throw new ExceptionInInitializerError(e);
-    }
-  }
-
-  @SuppressWarnings("unused") // by SEQUENCE
-  private int sequence;
-
-  private final double[] values = new double[6];
+  private final Accumulator accumulator = new Accumulator();
+  private final PositionProperty point = accumulator.position("point");
+  private final PositionProperty forceNewton = accumulator.position("force");
 
   /** Writes a load. Haptic thread. */
   void write(ElasticLoad load) {
-    int next = (int) SEQUENCE.getOpaque(this) + 1;
-    SEQUENCE.setOpaque(this, next);
-    VarHandle.storeStoreFence();
-    for (int axis = 0; axis < 3; axis++) {
-      VALUES.setOpaque(values, axis, load.point.get(axis));
-      VALUES.setOpaque(values, 3 + axis, load.forceNewton.get(axis));
-    }
-    SEQUENCE.setRelease(this, next + 1);
+    point.set(load.point);
+    forceNewton.set(load.forceNewton);
+    accumulator.publish();
   }
 
-  /** Reads the last load. Thread of the updates. */
+  /** Reads the last load, or none before the first frame. Thread of the updates. */
   void read(ElasticLoad dest) {
-    while (true) {
-      int before = (int) SEQUENCE.getAcquire(this);
-      for (int axis = 0; axis < 3; axis++) {
-        dest.point.set(axis, (double) VALUES.getOpaque(values, axis));
-        dest.forceNewton.set(axis, (double) VALUES.getOpaque(values, 3 + axis));
-      }
-      VarHandle.loadLoadFence();
-      if ((before & 1) == 0 && before == (int) SEQUENCE.getOpaque(this)) {
-        return;
-      }
-      Thread.onSpinWait();
-    }
+    accumulator.take();
+    point.read(dest.point);
+    forceNewton.read(dest.forceNewton);
   }
 }

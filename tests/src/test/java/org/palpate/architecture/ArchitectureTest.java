@@ -137,7 +137,7 @@ class ArchitectureTest {
           Map.entry("device.protocol", List.of()),
           Map.entry("display", List.of()),
           Map.entry("edit", List.of("proxy.smooth.field")),
-          Map.entry("elastic", List.of("elastic.lattice", "proxy")),
+          Map.entry("elastic", List.of("elastic.lattice", "proxy", "sync")),
           Map.entry("elastic.lattice", List.of("volume")),
           Map.entry("force", List.of("proxy", "rigid")),
           Map.entry("force.effect", List.of("force.guide")),
