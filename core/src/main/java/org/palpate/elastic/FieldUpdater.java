@@ -143,7 +143,7 @@ final class FieldUpdater {
   private void solveAnswer(int axis) {
     Arrays.fill(load, 0);
     patch.addForce(axis, 1, load);
-    lattice.stiffness().multiply(answers[axis], residual);
+    stiffness.multiply(answers[axis], residual);
     subtractFromLoad();
     double goal = ANSWER_RESIDUAL * Math.max(LEAST_LOAD_NEWTON, Vectors.norm(load));
     solver.solve(residual, answers[axis], goal, ANSWER_STEPS);

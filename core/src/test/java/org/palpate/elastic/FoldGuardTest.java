@@ -37,7 +37,6 @@ class FoldGuardTest {
   }
 
   private boolean isFolded(float[] u) {
-    guard.unfold(u.clone(), new float[size]);
     return guard.unfold(u.clone(), new float[size]);
   }
 

@@ -62,7 +62,7 @@ public final class ControlLattice {
     solidModulus = new float[cells.count()];
     stiffness = new StiffnessOperator(cells, poisson);
     for (int n = 0; n < cells.count(); n++) {
-      refillListed(n);
+      refill(n);
     }
     System.arraycopy(restModulus, 0, stiffness.modulus(), 0, restModulus.length);
     stiffness.changed();
@@ -199,10 +199,6 @@ public final class ControlLattice {
    * @param listed its place in the list of cells
    */
   public void refill(int listed) {
-    refillListed(listed);
-  }
-
-  private void refillListed(int listed) {
     double solid = 0;
     double empty = 1;
     for (int n = 0; n < segments.size(); n++) {
