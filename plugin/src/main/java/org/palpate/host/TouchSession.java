@@ -84,7 +84,7 @@ public final class TouchSession implements AutoCloseable {
   private final Optional<ElasticThread> elasticThread;
   private final VoxelGrid grid;
 
-  /** The time since which no update of elastic segments comes; the supervising thread's. */
+  /** The time since which no update of elastic segments comes; later the supervising thread's. */
   private long troubledSinceNanos;
 
   /** The reason for which no update comes; null as long as they come. */
@@ -344,6 +344,7 @@ public final class TouchSession implements AutoCloseable {
   /** Starts the haptic thread. It warms up and then switches the force on. */
   public void start() {
     started = true;
+    troubledSinceNanos = NanoClock.SYSTEM.nanoTime();
     elasticThread.ifPresent(ElasticThread::start);
     loop.start();
   }
@@ -461,7 +462,7 @@ public final class TouchSession implements AutoCloseable {
    */
   public LoopEnd stop() {
     LoopEnd end = loop.stop();
-    elasticThread.filter(thread -> started).ifPresent(ElasticThread::close);
+    elasticThread.ifPresent(ElasticThread::close);
     return end;
   }
 
