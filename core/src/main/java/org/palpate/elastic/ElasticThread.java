@@ -80,6 +80,11 @@ public final class ElasticThread implements AutoCloseable {
         : Optional.empty();
   }
 
+  /** Returns what an update threw, if one failed. Any thread. */
+  public Optional<Throwable> failure() {
+    return Optional.ofNullable(failure);
+  }
+
   /**
    * Ends the thread and waits for its last update, but not for one that has stalled. A second call
    * does no harm.

@@ -384,6 +384,11 @@ public final class TouchSession implements AutoCloseable {
     return Optional.ofNullable(elasticTrouble);
   }
 
+  /** Returns what an update of elastic segments threw, if one failed. Any thread. */
+  public Optional<Throwable> elasticFailure() {
+    return elasticThread.flatMap(ElasticThread::failure);
+  }
+
   /** Whether the session ended because elastic segments were no longer updated. Any thread. */
   public boolean endedByTrouble() {
     return endedByTrouble;

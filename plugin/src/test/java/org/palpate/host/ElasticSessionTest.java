@@ -124,6 +124,7 @@ class ElasticSessionTest {
       assertTrue(supervise(session, Long.MAX_VALUE), "ended");
       assertTrue(session.endedByTrouble());
       assertTrue(session.elasticTrouble().orElseThrow().contains("no memory"));
+      assertEquals("no memory", session.elasticFailure().orElseThrow().getMessage());
       assertEquals(LoopEnd.Cause.STOPPED, session.stop().cause());
       assertTrue(device.mostNewton > 0.1, "largest force " + device.mostNewton);
     }

@@ -67,7 +67,7 @@ final class TouchReport {
           session.elasticTrouble().orElseThrow(),
           "--elastic",
           "run it again with --debug and report the output",
-          null);
+          session.elasticFailure().orElse(null));
     }
     return exitCode(end, choice, device.ending());
   }
