@@ -30,7 +30,7 @@ final class SessionSupervisor {
   private Optional<SessionView> view = Optional.empty();
   private long startNanos;
   private long endedNanos;
-  private boolean troubleTold;
+  private boolean troublePrinted;
   private boolean started;
   private long lastLineNanos;
   private long lastLineFrames;
@@ -95,13 +95,13 @@ final class SessionSupervisor {
   /** Prints once that elastic segments are no longer updated. */
   private void printTrouble() {
     Optional<String> trouble = session.elasticTrouble();
-    if (trouble.isPresent() && !troubleTold) {
-      troubleTold = true;
+    if (trouble.isPresent() && !troublePrinted) {
+      troublePrinted = true;
       clearLine();
       out.println(
           "palpate: "
               + trouble.get()
-              + ": --elastic: the last shape stays until updates come back");
+              + ": --elastic: the last shape stays; the session ends in 5 s if no update comes");
       out.flush();
     }
   }
