@@ -14,13 +14,12 @@ public final class BodyRecorder {
   static final int CAPACITY = 1 << 14;
 
   private static final int BODY = 1;
-  private static final int EVENT = 2;
-  private static final int POSE = 3;
+  private static final int POSE = 2;
   private static final int IN_HAND = POSE + WordRing.WORDS_A_POSE;
   private static final int WORDS_AN_EVENT = IN_HAND + WordRing.WORDS_A_POSE;
 
   private final WordRing ring = new WordRing(CAPACITY, WORDS_AN_EVENT);
-  private final BodyEvent[] events = BodyEvent.values();
+  private final BodyEvent[] events = new BodyEvent[CAPACITY];
   private final Pose pose = new Pose();
   private final Pose inHand = new Pose();
 
@@ -43,7 +42,7 @@ public final class BodyRecorder {
     }
     ring.set(from, sample);
     ring.set(from + BODY, body);
-    ring.set(from + EVENT, event.ordinal());
+    events[from / WORDS_AN_EVENT] = event;
     ring.set(from + POSE, newPose.translation, newPose.rotation);
     ring.set(from + IN_HAND, newInHand.translation, newInHand.rotation);
     ring.publish();
@@ -55,7 +54,7 @@ public final class BodyRecorder {
       int from = ring.oldest();
       ring.get(from + POSE, pose.translation, pose.rotation);
       ring.get(from + IN_HAND, inHand.translation, inHand.rotation);
-      BodyEvent event = events[(int) ring.get(from + EVENT)];
+      BodyEvent event = events[from / WORDS_AN_EVENT];
       sink.accept(ring.get(from), (int) ring.get(from + BODY), event, pose, inHand);
       ring.release();
     }

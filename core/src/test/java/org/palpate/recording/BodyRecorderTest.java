@@ -37,10 +37,11 @@ class BodyRecorderTest {
   @Test
   void everyEventArrivesBitForBit() {
     SplittableRandom random = new SplittableRandom(Seeds.seed());
+    List<BodyEvent> kinds = List.of(BodyEvent.values());
     List<Event> sent = new ArrayList<>();
     List<Event> got = new ArrayList<>();
     for (int n = 0; n < 2 * BodyRecorder.CAPACITY; n++) {
-      BodyEvent event = BodyEvent.values()[random.nextInt(BodyEvent.values().length)];
+      BodyEvent event = kinds.get(random.nextInt(kinds.size()));
       Pose pose = RandomGeometry.pose(random, 50);
       Event next = new Event(n, random.nextInt(9), event, pose, RandomGeometry.pose(random, 50));
       recorder.offer(next.sample(), next.body(), event, pose, next.inHand());
