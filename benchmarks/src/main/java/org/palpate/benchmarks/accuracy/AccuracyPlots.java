@@ -18,12 +18,29 @@ final class AccuracyPlots {
   private static final int WIDTH = 1000;
   private static final int HEIGHT = 640;
 
-  /** One colour for each solver, all distinguishable on white. */
-  private static final Color[] COLOURS = {
-    new Color(0x1F4FD8), new Color(0xF0A000), new Color(0xA86A00), new Color(0x7A2FB8),
-    new Color(0xB04FC8), new Color(0xD070A0), new Color(0x5A3A80), new Color(0xD02020),
-    new Color(0x101010), new Color(0x0A8A8A)
-  };
+  /** The colour of each solver in every plot, all distinguishable on white. */
+  private static final Map<String, Color> COLOURS =
+      Map.of(
+          ComparedSolver.BASELINE,
+          new Color(0x1F4FD8),
+          "dot sampled:1",
+          new Color(0xF0A000),
+          "dot exact",
+          new Color(0xA86A00),
+          "paper sampled:1",
+          new Color(0x7A2FB8),
+          "paper sampled:0.25",
+          new Color(0xB04FC8),
+          "paper gridplanes",
+          new Color(0xD070A0),
+          "paper exact",
+          new Color(0x5A3A80),
+          "guarded",
+          new Color(0xD02020),
+          "smooth",
+          new Color(0x101010),
+          "smooth grey",
+          new Color(0x0A8A8A));
 
   private AccuracyPlots() {}
 
@@ -41,7 +58,6 @@ final class AccuracyPlots {
     chart.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);
     chart.getStyler().setDefaultSeriesRenderStyle(XYSeriesRenderStyle.Scatter);
     chart.getStyler().setMarkerSize(7);
-    chart.getStyler().setSeriesColors(COLOURS);
     Map<String, List<AccuracyRow>> bySolver = new LinkedHashMap<>();
     for (AccuracyRow row : rows) {
       bySolver.computeIfAbsent(row.solver(), name -> new ArrayList<>()).add(row);
@@ -53,7 +69,7 @@ final class AccuracyPlots {
   private static void addSolver(XYChart chart, String solver, List<AccuracyRow> rows) {
     double[] nanos = rows.stream().mapToDouble(AccuracyRow::nanosPerFrame).toArray();
     double[] degrees = rows.stream().mapToDouble(row -> row.accuracy().angleRmsDegrees()).toArray();
-    chart.addSeries(Figures.words(solver), nanos, degrees);
+    chart.addSeries(Figures.words(solver), nanos, degrees).setMarkerColor(COLOURS.get(solver));
   }
 
   /** Plots the angle of the force for each frame. */
@@ -77,6 +93,9 @@ final class AccuracyPlots {
     for (int frame = 0; frame < voxels.length; frame++) {
       voxels[frame] = 0.05 * frame;
     }
-    chart.addSeries(Figures.words(solver), voxels, angles).setMarker(SeriesMarkers.NONE);
+    chart
+        .addSeries(Figures.words(solver), voxels, angles)
+        .setMarker(SeriesMarkers.NONE)
+        .setLineColor(COLOURS.get(solver));
   }
 }

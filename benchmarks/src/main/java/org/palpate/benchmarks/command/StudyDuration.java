@@ -13,8 +13,8 @@ import java.util.stream.Collectors;
 enum StudyDuration {
   CPP(56, 56),
   STABILITY(1200, 80),
-  ACCURACY(Double.NaN, 61),
-  RIGID(Double.NaN, 140),
+  ACCURACY(605, 61),
+  RIGID(2340, 140),
   CARVE(Double.NaN, 60),
   GPU(Double.NaN, 90),
   SYNC(83, 22),

@@ -38,12 +38,13 @@ final class SpeedPlots {
     }
   }
 
-  private static CategoryChart chart(String title, List<SpeedRow> rows) {
+  private static CategoryChart chart(String table, List<SpeedRow> rows) {
+    Set<String> shared = shared(rows);
     CategoryChart chart =
         new CategoryChartBuilder()
             .width(WIDTH)
             .height(HEIGHT)
-            .title(title + ": median time")
+            .title(title(table, shared, rows.get(0)))
             .yAxisTitle(axisTitle(rows.get(0).unit()))
             .build();
     Figures.plain(chart);
@@ -57,6 +58,7 @@ final class SpeedPlots {
       Map.Entry<String, String> last = params.get(params.size() - 1);
       String condition =
           params.subList(0, params.size() - 1).stream()
+              .filter(param -> !shared.contains(param.getKey()))
               .map(param -> words(param.getKey(), param.getValue()))
               .collect(Collectors.joining(", "));
       conditions.add(condition);
@@ -70,6 +72,32 @@ final class SpeedPlots {
             chart.addSeries(
                 series, List.copyOf(conditions), conditions.stream().map(medians::get).toList()));
     return chart;
+  }
+
+  /**
+   * Returns the parameters that have the same value in all rows, so that the title can name them
+   * once. If all rows have the same condition, the parameters stay with the bars.
+   */
+  private static Set<String> shared(List<SpeedRow> rows) {
+    Set<String> shared = new LinkedHashSet<>(conditionKeys(rows.get(0)));
+    shared.removeIf(key -> rows.stream().map(row -> row.params().get(key)).distinct().count() > 1);
+    return rows.stream().allMatch(row -> shared.containsAll(conditionKeys(row)))
+        ? Set.of()
+        : shared;
+  }
+
+  /** Returns the parameters of a row but the last, which has a colour. */
+  private static List<String> conditionKeys(SpeedRow row) {
+    List<String> keys = List.copyOf(row.params().keySet());
+    return keys.subList(0, keys.size() - 1);
+  }
+
+  private static String title(String table, Set<String> shared, SpeedRow row) {
+    return table
+        + shared.stream()
+            .map(key -> ", " + words(key, row.params().get(key)))
+            .collect(Collectors.joining())
+        + ": median time";
   }
 
   private static void addPublished(
