@@ -8,7 +8,7 @@ import org.palpate.volume.BitCube;
 
 /**
  * The lattice over elastic segments and some air around them. A cell has the mean modulus of its
- * voxels, in which air counts with a thousandth of the stiffest segment.
+ * voxels, in which air counts with a thousandth of the stiffest segment, and their second moments.
  *
  * <p>Nodes are fixed on the rim of the lattice, far from elastic voxels, and where at least a fifth
  * of the voxels around them belongs to a segment that stands still.
@@ -38,6 +38,7 @@ public final class ControlLattice {
   private final ActiveCells cells;
   private final float[] restModulus;
   private final float[] solidModulus;
+  private final CellMatter matter;
   private final StiffnessOperator stiffness;
   private final MultigridPreconditioner preconditioner;
 
@@ -61,6 +62,7 @@ public final class ControlLattice {
     restModulus = new float[cells.count()];
     solidModulus = new float[cells.count()];
     stiffness = new StiffnessOperator(cells, poisson);
+    matter = new CellMatter(layout);
     for (int n = 0; n < cells.count(); n++) {
       refill(n);
     }
@@ -199,16 +201,38 @@ public final class ControlLattice {
    * @param listed its place in the list of cells
    */
   public void refill(int listed) {
-    double solid = 0;
-    double empty = 1;
+    matter.begin(cells.cell(listed));
     for (int n = 0; n < segments.size(); n++) {
       ElasticSegment segment = segments.get(n);
-      double share = share(segment.bits(), cells.cell(listed));
-      solid += share * segment.material().youngNewtonPerMm2();
-      empty -= share;
+      matter.add(segment.bits(), segment.material().youngNewtonPerMm2());
     }
+    double solid = matter.modulus();
+    double air = Math.max(0, 1 - matter.share()) * airModulus;
     solidModulus[listed] = (float) solid;
-    restModulus[listed] = (float) (solid + Math.max(0, empty) * airModulus);
+    restModulus[listed] = (float) (solid + air);
+    for (int axis = 0; axis < 3; axis++) {
+      double moment = (solid * matter.moment(axis) + air) / (solid + air);
+      stiffness.moment(axis)[listed] = (float) moment;
+    }
+  }
+
+  /** Returns the stiffness of the matter in a listed cell; a new object. */
+  public CellStiffness stiffnessOf(int listed) {
+    return new CellStiffness(
+        solidModulus[listed],
+        restModulus[listed],
+        stiffness.moment(0)[listed],
+        stiffness.moment(1)[listed],
+        stiffness.moment(2)[listed]);
+  }
+
+  /** Sets the stiffness of the matter in a listed cell, instead of counting its voxels. */
+  public void refill(int listed, CellStiffness matterOfCell) {
+    solidModulus[listed] = matterOfCell.solidModulus();
+    restModulus[listed] = matterOfCell.restModulus();
+    stiffness.moment(0)[listed] = matterOfCell.momentX();
+    stiffness.moment(1)[listed] = matterOfCell.momentY();
+    stiffness.moment(2)[listed] = matterOfCell.momentZ();
   }
 
   /** Returns the place in the list of the cell that holds a voxel, or a negative number. */

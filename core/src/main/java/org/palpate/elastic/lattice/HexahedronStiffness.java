@@ -15,22 +15,32 @@ final class HexahedronStiffness {
   private static final int MODES = 3;
   private static final int FUNCTIONS = LatticeLayout.CORNERS + MODES;
   private static final double GAUSS = 0.5 / Math.sqrt(3);
+  private static final double[] FULL = {1, 1, 1};
 
   private HexahedronStiffness() {}
 
   /**
-   * Returns the matrix by rows, N/mm.
+   * Returns the matrix of a full cell by rows, N/mm.
    *
    * @param poisson Poisson's ratio
    * @param layout gives the edges of the cell
    */
   static float[] of(double poisson, LatticeLayout layout) {
+    return of(poisson, layout, FULL);
+  }
+
+  /**
+   * Returns the matrix of a cell with other second moments by rows, N/mm.
+   *
+   * @param moments along each axis, over those of a full cell
+   */
+  static float[] of(double poisson, LatticeLayout layout, double[] moments) {
     double lambda = poisson / ((1 + poisson) * (1 - 2 * poisson));
     double shear = 1 / (2 * (1 + poisson));
     double[][] matrix = new double[3 * FUNCTIONS][3 * FUNCTIONS];
     double mm3 = layout.edgeMm(0) * layout.edgeMm(1) * layout.edgeMm(2);
     for (int point = 0; point < LatticeLayout.CORNERS; point++) {
-      double[][] gradients = gradients(point, layout);
+      double[][] gradients = gradients(point, layout, moments);
       addPoint(gradients, lambda * mm3 / 8, shear * mm3 / 8, matrix);
     }
     condenseModes(matrix);
@@ -38,10 +48,11 @@ final class HexahedronStiffness {
   }
 
   /** Returns the gradients of the shape functions and the modes at a Gauss point, 1/mm. */
-  private static double[][] gradients(int point, LatticeLayout layout) {
+  private static double[][] gradients(int point, LatticeLayout layout, double[] moments) {
     double[] at = new double[3];
     for (int axis = 0; axis < 3; axis++) {
-      at[axis] = 0.5 + ((point >> axis & 1) == 1 ? GAUSS : -GAUSS);
+      double away = GAUSS * Math.sqrt(moments[axis]);
+      at[axis] = 0.5 + ((point >> axis & 1) == 1 ? away : -away);
     }
     double[][] gradients = new double[FUNCTIONS][3];
     for (int axis = 0; axis < 3; axis++) {

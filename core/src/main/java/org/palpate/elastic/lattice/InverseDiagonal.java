@@ -39,7 +39,7 @@ final class InverseDiagonal {
     double[] from = new double[size];
     double[] to = new double[size];
     for (int n = 0; n < size; n++) {
-      from[n] = Math.sin(1 + 1.7 * n);
+      from[n] = StrictMath.sin(1 + 1.7 * n);
     }
     double norm = 0;
     for (int step = 0; step < POWER_STEPS; step++) {

@@ -42,6 +42,9 @@ final class MultigridPreconditioner implements Preconditioner {
     final float[] direction;
     final float[] displacement;
 
+    /** By axis: the modulus of the upper halves of each cell. */
+    final float[][] first = new float[3][];
+
     Level(StiffnessOperator stiffness) {
       this.stiffness = stiffness;
       int size = 3 * stiffness.cells().layout().nodeCount();
@@ -50,6 +53,24 @@ final class MultigridPreconditioner implements Preconditioner {
       product = new float[size];
       direction = new float[size];
       displacement = new float[size];
+      for (int axis = 0; axis < 3; axis++) {
+        first[axis] = new float[stiffness.cells().count()];
+      }
+    }
+
+    /**
+     * Finds the second moments from sums over the halves: a cell of parts a and b of the modulus in
+     * its halves has a quarter of their own moments, and 3 a b of their distance.
+     */
+    void takeMoments() {
+      float[] sum = stiffness.modulus();
+      for (int axis = 0; axis < 3; axis++) {
+        float[] moment = stiffness.moment(axis);
+        for (int n = 0; n < sum.length; n++) {
+          float upper = first[axis][n] / sum[n];
+          moment[n] = 0.25f * moment[n] / sum[n] + 3 * upper * (1 - upper);
+        }
+      }
     }
   }
 
@@ -80,7 +101,7 @@ final class MultigridPreconditioner implements Preconditioner {
    */
   private static float largestEigenvalue(Level fine) {
     for (int n = 0; n < fine.solution.length; n++) {
-      fine.solution[n] = (float) Math.sin(1.7 * n);
+      fine.solution[n] = (float) StrictMath.sin(1.7 * n);
     }
     InverseDiagonal diagonal = fine.stiffness.diagonal();
     double norm = 0;
@@ -104,28 +125,40 @@ final class MultigridPreconditioner implements Preconditioner {
       Level coarse = levels[n];
       transfers[n - 1].inject(from, coarse.displacement);
       coarse.stiffness.rotate(coarse.displacement);
-      averageModuli(levels[n - 1].stiffness, coarse.stiffness);
+      average(levels[n - 1].stiffness, coarse);
       from = coarse.displacement;
     }
   }
 
-  /** Gives each coarse cell the mean modulus of the eight fine cells in it. */
-  private static void averageModuli(StiffnessOperator fine, StiffnessOperator coarse) {
-    float[] dest = coarse.modulus();
-    Arrays.fill(dest, 0);
+  /** Gives each coarse cell the mean modulus and the second moments of the eight cells in it. */
+  private static void average(StiffnessOperator fine, Level coarse) {
+    ActiveCells cells = coarse.stiffness.cells();
+    float[] sum = coarse.stiffness.modulus();
+    Arrays.fill(sum, 0);
     LatticeLayout small = fine.cells().layout();
-    LatticeLayout large = coarse.cells().layout();
+    for (int axis = 0; axis < 3; axis++) {
+      Arrays.fill(coarse.first[axis], 0);
+      Arrays.fill(coarse.stiffness.moment(axis), 0);
+    }
     for (int n = 0; n < fine.cells().count(); n++) {
       int cell = fine.cells().cell(n);
-      int x = small.cellIndex(0, cell) / 2;
-      int y = small.cellIndex(1, cell) / 2;
-      int z = small.cellIndex(2, cell) / 2;
-      int listed = coarse.cells().indexOf(large.cell(x, y, z));
+      int x = small.cellIndex(0, cell);
+      int y = small.cellIndex(1, cell);
+      int z = small.cellIndex(2, cell);
+      int listed = cells.indexOf(cells.layout().cell(x / 2, y / 2, z / 2));
       if (listed >= 0) {
-        dest[listed] += fine.modulus()[n] / LatticeLayout.CORNERS;
+        float modulus = fine.modulus()[n] / LatticeLayout.CORNERS;
+        sum[listed] += modulus;
+        coarse.first[0][listed] += (x & 1) * modulus;
+        coarse.first[1][listed] += (y & 1) * modulus;
+        coarse.first[2][listed] += (z & 1) * modulus;
+        for (int axis = 0; axis < 3; axis++) {
+          coarse.stiffness.moment(axis)[listed] += fine.moment(axis)[n] * modulus;
+        }
       }
     }
-    coarse.changed();
+    coarse.takeMoments();
+    coarse.stiffness.changed();
   }
 
   @Override

@@ -13,6 +13,11 @@ class CantileverTest {
 
   /** The deflection of the tip, mm, for a modulus of 1 N/mm^2; clamped where x is 0. */
   private static double deflection(int through, double poisson) {
+    return deflection(through, poisson, 1);
+  }
+
+  /** The same for a layer that fills a part of the height of each cell. */
+  private static double deflection(int through, double poisson, double part) {
     double edge = THICK_MM / through;
     int[] cells = {6 * through, through, through};
     LatticeLayout layout =
@@ -22,7 +27,8 @@ class CantileverTest {
       fixed[node] = layout.nodeIndex(0, node) == 0;
     }
     StiffnessOperator stiffness = new StiffnessOperator(new ActiveCells(layout, fixed), poisson);
-    java.util.Arrays.fill(stiffness.modulus(), 1);
+    java.util.Arrays.fill(stiffness.modulus(), (float) part);
+    java.util.Arrays.fill(stiffness.moment(2), (float) (part * part));
     stiffness.changed();
     float[] load = new float[3 * layout.nodeCount()];
     double sum = 0;
@@ -45,11 +51,24 @@ class CantileverTest {
   }
 
   private static double timoshenko(double poisson) {
-    double inertia = Math.pow(THICK_MM, 4) / 12;
+    return timoshenko(poisson, 1);
+  }
+
+  private static double timoshenko(double poisson, double part) {
+    double height = part * THICK_MM;
+    double inertia = THICK_MM * Math.pow(height, 3) / 12;
     double shear = 1 / (2 * (1 + poisson));
     double factor = 10 * (1 + poisson) / (12 + 11 * poisson);
     return NEWTON * Math.pow(LENGTH_MM, 3) / (3 * inertia)
-        + NEWTON * LENGTH_MM / (factor * shear * THICK_MM * THICK_MM);
+        + NEWTON * LENGTH_MM / (factor * shear * THICK_MM * height);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.5, 0.3", "0.25, 0.3", "0.125, 0.3", "0.25, 0"})
+  void aLayerThinnerThanItsCellsBendsLikeAPlate(double part, double poisson) {
+    double ratio = deflection(1, poisson, part) / timoshenko(poisson, part);
+    System.out.printf("layer of %.3f of a cell, %.2f: %.4f%n", part, poisson, ratio);
+    assertEquals(1, ratio, 0.2);
   }
 
   @ParameterizedTest

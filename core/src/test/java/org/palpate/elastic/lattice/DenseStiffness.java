@@ -14,7 +14,6 @@ final class DenseStiffness {
     cells = stiffness.cells();
     nodes = cells.layout().nodeCount();
     matrix = new double[3 * nodes][3 * nodes];
-    float[] element = HexahedronStiffness.of(poisson, cells.layout());
     CellRotations rotations = new CellRotations(cells);
     rotations.update(displacement);
     for (int n = 0; n < cells.count(); n++) {
@@ -22,6 +21,11 @@ final class DenseStiffness {
       for (int entry = 0; entry < 9; entry++) {
         r[entry] = rotations.entries[entry][n];
       }
+      double[] moments = new double[3];
+      for (int axis = 0; axis < 3; axis++) {
+        moments[axis] = stiffness.moment(axis)[n];
+      }
+      float[] element = HexahedronStiffness.of(poisson, cells.layout(), moments);
       addCell(n, r, element, stiffness.modulus()[n]);
     }
   }

@@ -24,6 +24,9 @@ class StiffnessOperatorTest {
     StiffnessOperator made = new StiffnessOperator(new ActiveCells(layout, fixed), POISSON);
     for (int n = 0; n < made.modulus().length; n++) {
       made.modulus()[n] = (float) Math.pow(10, -3 + 3 * random.nextDouble());
+      for (int axis = 0; axis < 3; axis++) {
+        made.moment(axis)[n] = random.nextBoolean() ? 1 : 0.02f + 0.98f * random.nextFloat();
+      }
     }
     made.changed();
     return made;
