@@ -48,11 +48,15 @@ final class ChangedCells {
   }
 
   /** Counts the voxels of the marked cells anew. Thread of the updates. */
-  void refill() {
+  void refill(UpdateListener listener) {
     for (int word = 0; word < marks.length(); word++) {
       long rest = marks.get(word) == 0 ? 0 : marks.getAndSet(word, 0);
       for (; rest != 0; rest &= rest - 1) {
-        lattice.refill(word * Long.SIZE + Long.numberOfTrailingZeros(rest));
+        int listed = word * Long.SIZE + Long.numberOfTrailingZeros(rest);
+        lattice.refill(listed);
+        if (listener != UpdateListener.NONE) {
+          listener.refilled(listed, lattice.stiffnessOf(listed));
+        }
       }
     }
   }

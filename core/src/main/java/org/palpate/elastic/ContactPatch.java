@@ -12,12 +12,6 @@ import org.palpate.geometry.Vec3;
  * <p>One thread; allocates nothing after construction.
  */
 final class ContactPatch {
-  /**
-   * The radius of the patch over the longest edge of a cell. With a smaller one, the hand would
-   * feel the cells.
-   */
-  static final double RADIUS_EDGES = 2;
-
   /** The reach of the weights over the radius. */
   private static final double REACH = 1.5;
 
@@ -32,10 +26,15 @@ final class ContactPatch {
   private final int[] low = new int[3];
   private final int[] high = new int[3];
 
-  ContactPatch(ControlLattice lattice) {
+  /**
+   * Creates a patch that lies nowhere yet.
+   *
+   * @param radiusMm at least two thirds of the longest edge of a cell, so that nodes are in reach
+   */
+  ContactPatch(ControlLattice lattice, double radiusMm) {
     this.lattice = lattice;
     layout = lattice.layout();
-    reachMm = REACH * RADIUS_EDGES * layout.longestEdgeMm();
+    reachMm = REACH * radiusMm;
     int most = 1;
     for (int axis = 0; axis < 3; axis++) {
       most *= 2 * (int) Math.ceil(reachMm / layout.edgeMm(axis)) + 1;

@@ -19,6 +19,9 @@ final class DeformationField {
   /** The force on the material for which u was solved, N. */
   final double[] baseNewton = new double[3];
 
+  /** The number of the update that computed it, from 0. */
+  long update;
+
   /** The proved changes of the force; at first only none. */
   final ForceRoom room = new ForceRoom();
 

@@ -22,16 +22,27 @@ public final class ElasticBody {
    * @param metric the spacing of the grid
    */
   public ElasticBody(ControlLattice lattice, GridMetric metric) {
+    this(lattice, metric, UpdateSettings.usual(lattice.layout()));
+  }
+
+  /** Creates a body at rest with other settings; otherwise as the other constructor. */
+  ElasticBody(ControlLattice lattice, GridMetric metric, UpdateSettings settings) {
     this.lattice = lattice;
     FieldExchange fields = new FieldExchange(lattice.layout());
     ChangedCells changed = new ChangedCells(lattice);
     contact = new ElasticContact(lattice, metric, fields, loads, changed);
-    updater = new FieldUpdater(lattice, fields, changed);
+    updater = new FieldUpdater(lattice, settings, fields, changed);
   }
 
   /** Returns the contact, which belongs to the haptic thread. */
   public ElasticContact contact() {
     return contact;
+  }
+
+  /** Tells a listener what the fields follow from. Call it before the first frame and update. */
+  public void listen(UpdateListener listener) {
+    contact.listen(listener);
+    updater.listen(listener);
   }
 
   /** Returns the number of finite elements. */

@@ -26,6 +26,8 @@ public final class ElasticContact {
 
   private static final int BALANCE_STEPS = 2;
 
+  private static final Vec3 ORIGIN = new Vec3();
+
   private static final double KEPT_SHIFT = 1 - 1.0 / DECAY_FRAMES;
 
   private final GridMetric metric;
@@ -35,6 +37,7 @@ public final class ElasticContact {
   private final DeformationMap map;
   private final LocalAnswer answer = new LocalAnswer();
   private final ElasticLoad load = new ElasticLoad();
+  private final EnergyTank tank = new EnergyTank();
 
   /** The shift of the device, grid coordinates. */
   private final Vec3 shift = new Vec3();
@@ -51,6 +54,7 @@ public final class ElasticContact {
   private final Vec3 stretchMm = new Vec3();
   private final Vec3 reachMm = new Vec3();
   private final Vec3 forceNewton = new Vec3();
+  private final Vec3 deviceMm = new Vec3();
 
   /** Whether the point was kept from its device in the last frame. */
   private boolean pressed;
@@ -59,6 +63,7 @@ public final class ElasticContact {
   private boolean clipped;
 
   private long clippedFrames;
+  private UpdateListener listener = UpdateListener.NONE;
 
   /** Creates a contact without a load. */
   ElasticContact(
@@ -77,6 +82,11 @@ public final class ElasticContact {
   /** Returns the map in use; for checks of the field after a frame. */
   DeformationMap map() {
     return map;
+  }
+
+  /** Tells a listener which fields come into use. */
+  void listen(UpdateListener newListener) {
+    listener = newListener;
   }
 
   /** Returns the device position of the last frame in material coordinates. */
@@ -115,6 +125,7 @@ public final class ElasticContact {
     map.force(forceNewton);
     fields.take(); // From here on the updates may write the field that was in use.
     map.use(fields.front());
+    listener.used(fields.front().update);
     setForce(forceNewton.x, forceNewton.y, forceNewton.z);
     if (pressed) {
       map.forward(point.position, coupled);
@@ -142,6 +153,7 @@ public final class ElasticContact {
   public void restart() {
     shift.set(0, 0, 0);
     pressed = false;
+    tank.restart();
   }
 
   /**
@@ -157,6 +169,7 @@ public final class ElasticContact {
       aim.set(target);
     }
     solver.follow(scene, aim, point);
+    point.limitsForceRate = true; // An update may turn the surface under a point of any solver.
     pressed = point.contact || !point.position.sameBits(aim);
     if (pressed) {
       balance(point, newtonPerMm);
@@ -239,6 +252,21 @@ public final class ElasticContact {
     return coupled;
   }
 
+  /**
+   * Lowers the force on the hand if a press and release would otherwise return more work than it
+   * took. Call it in each frame after {@link #follow}.
+   *
+   * @param deviceGrid where the device is, grid coordinates
+   * @param newtonPerMm the stiffness of the coupling
+   * @param onHandNewton lowered in place
+   */
+  public void limitWork(
+      Vec3 deviceGrid, InteractionPoint point, double newtonPerMm, Vec3 onHandNewton) {
+    toMm(ORIGIN, deviceGrid, deviceMm);
+    toMm(point.position, deviceGrid, reachMm);
+    tank.limit(deviceMm, reachMm.length(), newtonPerMm, onHandNewton);
+  }
+
   /** Returns the present position of the point, grid coordinates. */
   public Vec3 presentPosition() {
     return present;
@@ -247,5 +275,10 @@ public final class ElasticContact {
   /** Returns the number of frames whose force on the material was clipped to the proved forces. */
   public long clippedFrames() {
     return clippedFrames;
+  }
+
+  /** Returns the number of frames whose force on the hand {@link #limitWork} lowered. */
+  public long loweredFrames() {
+    return tank.loweredFrames();
   }
 }

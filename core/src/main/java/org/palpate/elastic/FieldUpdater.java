@@ -15,9 +15,6 @@ import org.palpate.geometry.Vec3;
  * allocates nothing after construction.
  */
 final class FieldUpdater {
-  /** The residual at which the displacement is good enough, over the load. */
-  private static final double DISPLACEMENT_RESIDUAL = 1e-3;
-
   /** The residual at which an answer is good enough, over its unit load. */
   private static final double ANSWER_RESIDUAL = 2e-2;
 
@@ -39,6 +36,7 @@ final class FieldUpdater {
   private static final double REST_MM = 1e-3;
 
   private final ControlLattice lattice;
+  private final UpdateSettings settings;
   private final FieldExchange exchange;
   private final ChangedCells changed;
   private final StiffnessOperator stiffness;
@@ -55,14 +53,23 @@ final class FieldUpdater {
   private final double[] force = new double[3];
   private final double[] lastForce = new double[3];
   private final UpdateCounters counters = new UpdateCounters();
+  private UpdateListener listener = UpdateListener.NONE;
 
-  FieldUpdater(ControlLattice lattice, FieldExchange exchange, ChangedCells changed) {
+  /** The number of the present update, from 0. */
+  private long begun;
+
+  FieldUpdater(
+      ControlLattice lattice,
+      UpdateSettings settings,
+      FieldExchange exchange,
+      ChangedCells changed) {
     this.lattice = lattice;
+    this.settings = settings;
     this.exchange = exchange;
     this.changed = changed;
     stiffness = lattice.stiffness();
     solver = lattice.newSolver();
-    patch = new ContactPatch(lattice);
+    patch = new ContactPatch(lattice, settings.contactRadiusMm());
     guard = new FoldGuard(lattice.cells());
     stiffening = new CrushStiffening(lattice);
     proof = new RoomProof(lattice.cells());
@@ -81,17 +88,36 @@ final class FieldUpdater {
     return counters;
   }
 
-  /** Computes the field for a load and hands it over. */
+  /** Tells a listener about refilled cells and loads. Call it before the first update. */
+  void listen(UpdateListener newListener) {
+    listener = newListener;
+  }
+
+  /** Counts edited voxels, computes the field for a load, and hands it over. */
   void update(ElasticLoad next) {
     long begunNanos = System.nanoTime();
-    changed.refill();
-    patch.place(next.point);
-    if (isAtRest(next)) {
-      counters.countSkipped();
-      return;
+    changed.refill(listener);
+    listener.updating(next.point, next.forceNewton);
+    if (compute(next)) {
+      counters.noteNanos(System.nanoTime() - begunNanos);
     }
-    solve(next);
-    counters.noteNanos(System.nanoTime() - begunNanos);
+  }
+
+  /**
+   * Computes the field for a load and hands it over.
+   *
+   * @return whether there was anything to compute
+   */
+  boolean compute(ElasticLoad next) {
+    patch.place(next.point);
+    boolean atRest = isAtRest(next);
+    if (atRest) {
+      counters.countSkipped();
+    } else {
+      solve(next);
+    }
+    begun++;
+    return !atRest;
   }
 
   /** Whether nothing is pressed or near, and the last field has come back to rest. */
@@ -136,7 +162,7 @@ final class FieldUpdater {
     double size = Math.max(LEAST_LOAD_NEWTON, Vectors.norm(load));
     stiffness.force(displacement, residual);
     subtractFromLoad();
-    solver.solve(residual, displacement, DISPLACEMENT_RESIDUAL * size, DISPLACEMENT_STEPS);
+    solver.solve(residual, displacement, settings.residual() * size, DISPLACEMENT_STEPS);
     counters.noteResidual(solver.residualNewton() / size);
   }
 
@@ -158,6 +184,7 @@ final class FieldUpdater {
   /** Proves the field and hands it over, or goes back to the last one. */
   private void publish() {
     DeformationField field = exchange.back();
+    field.update = begun;
     write(field);
     double size = Math.sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
     beginRoom(field.room, size);

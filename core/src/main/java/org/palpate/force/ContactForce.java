@@ -23,7 +23,7 @@ public final class ContactForce {
   private final ForceRateLimit rateLimit;
   private final ContactDamping damping;
   private final ConeFriction coneFriction;
-  private final Vec3 lastDevice = new Vec3();
+  private final Vec3 lastHand = new Vec3();
   private final Vec3 dampingForce = new Vec3();
   private final Vec3 slide = new Vec3();
   private double slideLengthMm;
@@ -52,6 +52,11 @@ public final class ContactForce {
   /** Returns the present settings. */
   public ForceSettings settings() {
     return settings;
+  }
+
+  /** Returns the stiffness of the coupling in the last frame, N/mm. */
+  public double stiffnessNewtonPerMm() {
+    return material.stiffnessNewtonPerMm();
   }
 
   /** Changes the settings from the next frame on. */
@@ -95,18 +100,29 @@ public final class ContactForce {
    * @param forceNewton the result, newtons along the grid's axes
    */
   public void compute(InteractionPoint point, Vec3 device, long elapsedNanos, Vec3 forceNewton) {
+    compute(point, device, device, elapsedNanos, forceNewton);
+  }
+
+  /**
+   * Computes the force of a frame, where the point is in other coordinates than the hand.
+   *
+   * @param device the point plus the stretch of the coupling, grid coordinates
+   * @param hand the device position whose motion counts, grid coordinates
+   */
+  public void compute(
+      InteractionPoint point, Vec3 device, Vec3 hand, long elapsedNanos, Vec3 forceNewton) {
     computeStretch(point, device, forceNewton);
-    updateMaterial(point, device, forceNewton.length());
+    updateMaterial(point, device, hand, forceNewton.length());
     forceNewton.mul(material.stiffnessNewtonPerMm(), forceNewton);
-    limitRate(point, device, forceNewton);
+    limitRate(point, hand, forceNewton);
     if (damps) {
-      computeDamping(device, elapsedNanos, forceNewton);
+      computeDamping(hand, elapsedNanos, forceNewton);
     }
-    addFriction(point, device, forceNewton);
+    addFriction(point, hand, forceNewton);
     if (damps) {
       forceNewton.add(dampingForce, forceNewton);
     }
-    lastDevice.set(device);
+    lastHand.set(hand);
   }
 
   /** Writes the stretch of the virtual coupling into {@code dest}, mm. */
@@ -122,37 +138,37 @@ public final class ContactForce {
     }
   }
 
-  private void updateMaterial(InteractionPoint point, Vec3 device, double stretchMm) {
+  private void updateMaterial(InteractionPoint point, Vec3 device, Vec3 hand, double stretchMm) {
     if (greys != null) {
       double grey = point.contact ? greys.greyUnder(point, device, metric) : 0;
-      material.follow(settings, greys, grey, point.contact, stretchMm, motionMm(device));
+      material.follow(settings, greys, grey, point.contact, stretchMm, motionMm(hand));
       return;
     }
-    double motionMm = settings.distinguishesObjects() ? motionMm(device) : 0;
+    double motionMm = settings.distinguishesObjects() ? motionMm(hand) : 0;
     material.follow(settings, point.touchedObject, point.contact, stretchMm, motionMm);
   }
 
-  private void limitRate(InteractionPoint point, Vec3 device, Vec3 coupling) {
+  private void limitRate(InteractionPoint point, Vec3 hand, Vec3 coupling) {
     if (point.limitsForceRate) {
-      rateLimit.limit(coupling, material.stiffnessNewtonPerMm(), motionMm(device));
+      rateLimit.limit(coupling, material.stiffnessNewtonPerMm(), motionMm(hand));
     } else {
       rateLimit.reset();
     }
   }
 
-  /** Returns the motion of the device since the last frame. */
-  private double motionMm(Vec3 device) {
-    return metric.distance(lastDevice.x, lastDevice.y, lastDevice.z, device.x, device.y, device.z);
+  /** Returns the motion of the hand since the last frame. */
+  private double motionMm(Vec3 hand) {
+    return metric.distance(lastHand.x, lastHand.y, lastHand.z, hand.x, hand.y, hand.z);
   }
 
-  private void computeDamping(Vec3 device, long elapsedNanos, Vec3 coupling) {
-    damping.update(device, elapsedNanos);
+  private void computeDamping(Vec3 hand, long elapsedNanos, Vec3 coupling) {
+    damping.update(hand, elapsedNanos);
     damping.compute(coupling, material.dampingNewtonSecondPerMm(), dampingForce);
   }
 
-  private void addFriction(InteractionPoint point, Vec3 device, Vec3 force) {
+  private void addFriction(InteractionPoint point, Vec3 hand, Vec3 force) {
     if (settings.form() == FrictionForm.CONE) {
-      coneFriction.add(point, device, material, force);
+      coneFriction.add(point, hand, material, force);
     } else if (settings.skipsFriction() && material.slidingFriction() == 0) {
       frictionSkipped++;
     } else {

@@ -308,9 +308,11 @@ public final class PointFrame extends HapticFrame {
   void computeForce(long sinceLastNanos) {
     if (massive != null) {
       massive.compute(point, forceNewton);
+    } else if (elastic != null) {
+      contactForce.compute(point, elastic.coupledDevice(), deviceGrid, sinceLastNanos, forceNewton);
+      elastic.limitWork(deviceGrid, point, contactForce.stiffnessNewtonPerMm(), forceNewton);
     } else {
-      Vec3 device = elastic == null ? deviceGrid : elastic.coupledDevice();
-      contactForce.compute(point, device, sinceLastNanos, forceNewton);
+      contactForce.compute(point, deviceGrid, sinceLastNanos, forceNewton);
     }
     addEffects(sinceLastNanos);
   }

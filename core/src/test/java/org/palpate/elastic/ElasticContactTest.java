@@ -8,6 +8,9 @@ import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.palpate.force.ForceSettings;
+import org.palpate.force.FrictionForm;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 
@@ -77,6 +80,33 @@ class ElasticContactTest {
     assertTrue(step < 0.02, "step " + step);
   }
 
+  /** Slides along x and returns the mean force on the hand. */
+  private static Vec3 slidingForce(ForceSettings force) {
+    ElasticTouch touch = new ElasticTouch(ElasticTouch.Scene.block(UNIT), 50e3, force, 8, false);
+    touch.hand.set(42.3, 48.4, 52);
+    touch.run();
+    touch.moveTo(42.3, 48.4, 45, 400);
+    touch.moveTo(44.3, 48.4, 45, 400);
+    Vec3 sum = new Vec3();
+    for (int n = 0; n < 800; n++) {
+      touch.hand.x += 0.01;
+      touch.run();
+      sum.add(touch.frame.forceNewton(), sum);
+    }
+    return sum.mul(1.0 / 800, sum);
+  }
+
+  @ParameterizedTest
+  @EnumSource(FrictionForm.class)
+  void frictionHoldsTheHandBackByItsShareOfThePressingForce(FrictionForm form) {
+    Vec3 without = slidingForce(ForceSettings.of(0.5, 0));
+    Vec3 with = slidingForce(new ForceSettings(0.5, 0.4, form, true));
+    double expected = form.slidingFraction() * 0.4 * without.z;
+    System.out.printf("friction %s: %.4f, expected %.4f N%n", form, without.x - with.x, expected);
+    assertEquals(expected, without.x - with.x, 0.1 * expected);
+    assertEquals(without.z, with.z, 0.05 * without.z);
+  }
+
   @ParameterizedTest
   @CsvSource({"20e3, 0.5", "5e3, 2", "5e3, 4", "20e3, 4", "100e3, 4", "5e3, 0.25"})
   void comesToRestWithTheHand(double young, double k) {
@@ -93,6 +123,64 @@ class ElasticContactTest {
     assertTrue(most < 0.02 * before.length(), "swings by " + most + " N of " + before.length());
   }
 
+  /** Work that the hand does, and gets back, by the mean force of two frames times its motion. */
+  private static final class Work {
+    private final ElasticTouch touch;
+    private final Vec3 lastHand = new Vec3();
+    private final Vec3 lastForce = new Vec3();
+    private double taken;
+    private double returned;
+
+    Work(ElasticTouch touch) {
+      this.touch = touch;
+      lastHand.set(touch.hand);
+    }
+
+    void moveTo(double x, double z, double speedMmPerFrame) {
+      Vec3 from = new Vec3().set(touch.hand);
+      int frames = (int) Math.ceil(Math.hypot(x - from.x, z - from.z) / speedMmPerFrame);
+      for (int n = 1; n <= frames; n++) {
+        double t = (double) n / frames;
+        touch.hand.set(from.x + t * (x - from.x), from.y, from.z + t * (z - from.z));
+        touch.run();
+        Vec3 motion = touch.hand.sub(lastHand, new Vec3());
+        double work = 0.5 * motion.dot(lastForce.add(touch.frame.forceNewton(), new Vec3()));
+        taken += Math.max(0, -work);
+        returned += Math.max(0, work);
+        lastHand.set(touch.hand);
+        lastForce.set(touch.frame.forceNewton());
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "20e3, 0.01, 0",
+    "20e3, 0.06, 0",
+    "20e3, 0.2, 0",
+    "20e3, 0.5, 0",
+    "20e3, 0.06, 16",
+    "5e3, 0.2, 0",
+    "100e3, 0.2, 0",
+    "1e6, 0.2, 8"
+  })
+  void noPressAndReleaseReturnsMoreWorkThanItTook(double young, double speed, double slide) {
+    ElasticTouch touch = above(young, 0.5, 8, false);
+    Work work = new Work(touch);
+    work.moveTo(48.3, 41, speed);
+    for (int n = 0; n < 200; n++) {
+      touch.run();
+    }
+    work.lastForce.set(touch.frame.forceNewton());
+    work.moveTo(48.3 + slide, 41, speed);
+    work.moveTo(48.3 + slide, 52, speed);
+    System.out.printf(
+        "work, E %.0f, %.2f mm a frame, slide %.0f: %.4f of %.4f mJ, lowered %d%n",
+        young, speed, slide, work.returned, work.taken, touch.body.contact().loweredFrames());
+    assertTrue(work.taken > 1, "taken " + work.taken);
+    assertTrue(work.returned <= 1.01 * work.taken, work.returned + " of " + work.taken);
+  }
+
   @Test
   void framesAndUpdatesAllocateNothing() {
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -100,12 +188,15 @@ class ElasticContactTest {
     touch.moveTo(48.3, 48.4, 44, 400);
     long least = Long.MAX_VALUE;
     ElasticLoad load = new ElasticLoad();
+    Vec3 newton = new Vec3();
     for (int round = 0; round < 6; round++) {
       long before = threads.getCurrentThreadAllocatedBytes();
       for (int n = 0; n < 2000; n++) {
         touch.hand.z = 44 + Math.sin(n * 0.01);
         touch.body.contact().begin(touch.hand, touch.frame.point(), 0.5);
         touch.body.contact().follow(touch.solver, touch.scene, touch.frame.point(), 0.5);
+        newton.set(0, 0, Math.max(0, 48 - touch.hand.z));
+        touch.body.contact().limitWork(touch.hand, touch.frame.point(), 0.5, newton);
         if (n % 100 == 0) {
           touch.body.loads().read(load);
           touch.body.updater().update(load);

@@ -14,11 +14,13 @@ import org.palpate.testing.LegJudge;
 import org.palpate.testing.Seeds;
 
 /**
- * Attacks elastic segments with a wild hand and edits. Legs and tetrahedra are judged in exact
- * arithmetic.
+ * Attacks elastic segments with a wild hand that tears away, edits, and updates that stall. Legs
+ * and tetrahedra are judged in exact arithmetic.
  */
 class ElasticGuaranteeTest {
   private static final int FRAMES = 4000;
+  private static final double TORN_AWAY = 1e9;
+
   private final Random random = new Random(Seeds.seed());
 
   @ParameterizedTest
@@ -48,6 +50,7 @@ class ElasticGuaranteeTest {
     LegJudge still = new LegJudge(touch.still, touch.frame.point().position);
     Vec3 goal = new Vec3().set(touch.hand);
     double speed = 0.1;
+    int stalled = 0;
     long tetrahedra = 0;
     for (int n = 0; n < FRAMES; n++) {
       if (random.nextInt(150) == 0) {
@@ -55,14 +58,25 @@ class ElasticGuaranteeTest {
             10 + 76 * random.nextDouble(), 10 + 76 * random.nextDouble(), 68 * random.nextDouble());
         speed = Math.pow(10, -2 + 2.2 * random.nextDouble());
       }
-      if (random.nextInt(2000) == 0) {
+      if (random.nextInt(2000) == 0 || touch.hand.length() > TORN_AWAY / 2) {
         touch.hand.set(goal);
       }
       moveTowards(touch.hand, goal, speed);
+      if (random.nextInt(2000) == 0) {
+        touch.hand.set(-TORN_AWAY, touch.hand.y, TORN_AWAY);
+      }
+      if (stalled == 0 && random.nextInt(700) == 0) {
+        stalled = random.nextInt(300);
+      }
       if (edits && n % 97 == 96) {
         drillOrFill(touch);
       }
-      touch.run();
+      if (stalled > 0) {
+        stalled--;
+        touch.runWithoutUpdate();
+      } else {
+        touch.run();
+      }
       if (touch.frame.wasFreed()) {
         Vec3 start = startOfLegs(touch);
         judge = new LegJudge(touch.soft, start);

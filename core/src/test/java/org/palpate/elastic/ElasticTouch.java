@@ -36,9 +36,14 @@ final class ElasticTouch {
   private final SynchronousUpdates updates;
   private long millis;
 
-  /** Makes a scene at rest, with the hand and the point at a free place. */
+  /** Makes a scene at rest without friction, with the hand and the point at a free place. */
   ElasticTouch(Scene made, double young, double newtonPerMm, double edgeMm, boolean smooth) {
-    this.newtonPerMm = newtonPerMm;
+    this(made, young, ForceSettings.of(newtonPerMm, 0), edgeMm, smooth);
+  }
+
+  /** Makes a scene at rest with other forces. */
+  ElasticTouch(Scene made, double young, ForceSettings force, double edgeMm, boolean smooth) {
+    newtonPerMm = force.stiffnessNewtonPerMm();
     soft = made.soft;
     still = made.still;
     GridMetric metric = made.metric;
@@ -70,7 +75,7 @@ final class ElasticTouch {
             scene,
             metric,
             new FrameSettings(
-                ForceSettings.of(newtonPerMm, 0),
+                force,
                 Double.POSITIVE_INFINITY,
                 Double.POSITIVE_INFINITY,
                 0,

@@ -111,7 +111,7 @@ class HandOverTest {
       IntBox all = new IntBox();
       changed.mark(all); // An empty box marks nothing.
       changed.mark(box);
-      changed.refill();
+      changed.refill(UpdateListener.NONE);
       float[] now = moduli();
       for (int cell = 0; cell < now.length; cell++) {
         if (!expected.contains(cell)) {

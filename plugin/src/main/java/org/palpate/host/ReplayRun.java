@@ -1,12 +1,16 @@
 package org.palpate.host;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.palpate.device.Trajectory;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.EditSchedule;
 import org.palpate.elastic.ElasticBody;
+import org.palpate.elastic.RecordedUpdate;
+import org.palpate.elastic.RecordedUpdates;
 import org.palpate.elastic.SynchronousUpdates;
 import org.palpate.force.ForceRamp;
 import org.palpate.force.ForceSettings;
@@ -39,7 +43,10 @@ public final class ReplayRun {
   private final boolean world;
   private final boolean raw;
   private final EditSchedule edits;
-  private final Optional<Supplier<ElasticBody>> elastic;
+  private final Optional<Elastic> elastic;
+
+  /** Makes elastic segments at rest, and what updates them before each frame. */
+  private record Elastic(Supplier<ElasticBody> bodies, Function<ElasticBody, Runnable> updates) {}
 
   /** Receives the result of each frame. */
   @FunctionalInterface
@@ -66,7 +73,7 @@ public final class ReplayRun {
       boolean world,
       boolean raw,
       EditSchedule edits,
-      Optional<Supplier<ElasticBody>> elastic) {
+      Optional<Elastic> elastic) {
     this.edits = edits;
     this.elastic = elastic;
     this.scene = scene;
@@ -102,7 +109,20 @@ public final class ReplayRun {
    * @param bodies makes a body at rest for each run
    */
   public ReplayRun withElastic(Supplier<ElasticBody> bodies) {
-    return new ReplayRun(scene, trajectory, world, raw, edits, Optional.of(bodies));
+    return with(new Elastic(bodies, body -> new SynchronousUpdates(body)::beforeFrame));
+  }
+
+  /**
+   * Returns this replay with elastic segments, which are updated as in a recorded session.
+   *
+   * @param bodies makes a body at rest for each run
+   */
+  public ReplayRun withElastic(Supplier<ElasticBody> bodies, List<RecordedUpdate> recorded) {
+    return with(new Elastic(bodies, body -> new RecordedUpdates(body, recorded)::beforeFrame));
+  }
+
+  private ReplayRun with(Elastic segments) {
+    return new ReplayRun(scene, trajectory, world, raw, edits, Optional.of(segments));
   }
 
   /**
@@ -126,15 +146,15 @@ public final class ReplayRun {
     ForceSettings contact = scene.force(scene.defaultStiffnessNewtonPerMm());
     PointFrame frame =
         scene.newFrame(gridDevice, frameSettings(scene, contact, raw), FramePublisher.NONE);
-    Optional<ElasticBody> body = elastic.map(Supplier::get);
+    Optional<ElasticBody> body = elastic.map(segments -> segments.bodies().get());
     body.ifPresent(made -> frame.deform(made.contact()));
-    Optional<SynchronousUpdates> updates = body.map(SynchronousUpdates::new);
+    Runnable updates = elastic.map(e -> e.updates().apply(body.orElseThrow())).orElse(() -> {});
     Vec3 point = new Vec3();
     Vec3 force = new Vec3();
     long[] work = new long[trajectory.size()];
     for (int n = 0; n < work.length; n++) {
       edits.offerUpTo(n, scene.edits());
-      updates.ifPresent(SynchronousUpdates::beforeFrame);
+      updates.run();
       frame.run(frameNanos(trajectory, n, raw));
       work[n] = frame.followed() ? frame.work() : 0;
       toTrajectory(frame, point, force);

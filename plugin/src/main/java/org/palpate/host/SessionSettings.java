@@ -10,6 +10,7 @@ import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopSettings;
 import org.palpate.recording.BodyRecorder;
 import org.palpate.recording.EditRecorder;
+import org.palpate.recording.FieldRecorder;
 import org.palpate.recording.SampleRecorder;
 
 /**
@@ -24,6 +25,7 @@ import org.palpate.recording.SampleRecorder;
  * @param recorder records what the device sends, if given
  * @param editRecorder records changes of voxels, if given
  * @param bodyRecorder records poses of bodies, if given
+ * @param fieldRecorder records updates of elastic segments, if given
  * @param elastic makes the elastic segments at rest, if there are any; for a point alone
  * @param listener receives the end of the loop, once, on the thread that ends it
  */
@@ -33,6 +35,7 @@ public record SessionSettings(
     Optional<SampleRecorder> recorder,
     Optional<EditRecorder> editRecorder,
     Optional<BodyRecorder> bodyRecorder,
+    Optional<FieldRecorder> fieldRecorder,
     Optional<Supplier<ElasticBody>> elastic,
     Consumer<LoopEnd> listener) {
   private static final double USUAL_HERTZ = 1000;
@@ -42,6 +45,7 @@ public record SessionSettings(
     return new SessionSettings(
         OptionalDouble.empty(),
         LoopSettings.ofRate(USUAL_HERTZ),
+        Optional.empty(),
         Optional.empty(),
         Optional.empty(),
         Optional.empty(),
@@ -57,6 +61,7 @@ public record SessionSettings(
         recorder,
         editRecorder,
         bodyRecorder,
+        fieldRecorder,
         elastic,
         listener);
   }
@@ -64,37 +69,92 @@ public record SessionSettings(
   /** Returns a copy with another pace and thread setup. */
   public SessionSettings withLoop(LoopSettings newLoop) {
     return new SessionSettings(
-        defaultNewtonPerMm, newLoop, recorder, editRecorder, bodyRecorder, elastic, listener);
+        defaultNewtonPerMm,
+        newLoop,
+        recorder,
+        editRecorder,
+        bodyRecorder,
+        fieldRecorder,
+        elastic,
+        listener);
   }
 
   /** Returns a copy that records what the device sends, if a recorder is given. */
   public SessionSettings withRecorder(Optional<SampleRecorder> newRecorder) {
     return new SessionSettings(
-        defaultNewtonPerMm, loop, newRecorder, editRecorder, bodyRecorder, elastic, listener);
+        defaultNewtonPerMm,
+        loop,
+        newRecorder,
+        editRecorder,
+        bodyRecorder,
+        fieldRecorder,
+        elastic,
+        listener);
   }
 
   /** Returns a copy that records changes of voxels, if a recorder is given. */
   public SessionSettings withEditRecorder(Optional<EditRecorder> newRecorder) {
     return new SessionSettings(
-        defaultNewtonPerMm, loop, recorder, newRecorder, bodyRecorder, elastic, listener);
+        defaultNewtonPerMm,
+        loop,
+        recorder,
+        newRecorder,
+        bodyRecorder,
+        fieldRecorder,
+        elastic,
+        listener);
   }
 
   /** Returns a copy that records poses of bodies, if a recorder is given. */
   public SessionSettings withBodyRecorder(Optional<BodyRecorder> newRecorder) {
     return new SessionSettings(
-        defaultNewtonPerMm, loop, recorder, editRecorder, newRecorder, elastic, listener);
+        defaultNewtonPerMm,
+        loop,
+        recorder,
+        editRecorder,
+        newRecorder,
+        fieldRecorder,
+        elastic,
+        listener);
+  }
+
+  /** Returns a copy that records updates of elastic segments, if a recorder is given. */
+  public SessionSettings withFieldRecorder(Optional<FieldRecorder> newRecorder) {
+    return new SessionSettings(
+        defaultNewtonPerMm,
+        loop,
+        recorder,
+        editRecorder,
+        bodyRecorder,
+        newRecorder,
+        elastic,
+        listener);
   }
 
   /** Returns a copy with elastic segments, if they are given. */
   public SessionSettings withElastic(Optional<Supplier<ElasticBody>> bodies) {
     return new SessionSettings(
-        defaultNewtonPerMm, loop, recorder, editRecorder, bodyRecorder, bodies, listener);
+        defaultNewtonPerMm,
+        loop,
+        recorder,
+        editRecorder,
+        bodyRecorder,
+        fieldRecorder,
+        bodies,
+        listener);
   }
 
   /** Returns a copy that reports the end of the loop, once, on the thread that ends it. */
   public SessionSettings withListener(Consumer<LoopEnd> newListener) {
     return new SessionSettings(
-        defaultNewtonPerMm, loop, recorder, editRecorder, bodyRecorder, elastic, newListener);
+        defaultNewtonPerMm,
+        loop,
+        recorder,
+        editRecorder,
+        bodyRecorder,
+        fieldRecorder,
+        elastic,
+        newListener);
   }
 
   /** Returns the stiffness if the scene's settings give none, N per mm of scan. */

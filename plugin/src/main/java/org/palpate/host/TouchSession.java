@@ -123,6 +123,11 @@ public final class TouchSession implements AutoCloseable {
     Runnable warmUp = warmUp(scene, frameSettings, settings);
     elastic = settings.elastic().map(Supplier::get);
     elastic.ifPresent(body -> frame.deform(body.contact()));
+    elastic.ifPresent(
+        body ->
+            settings
+                .fieldRecorder()
+                .ifPresent(to -> body.listen(to.listener(frame::sampleOfChanges))));
     elasticThread = elastic.map(ElasticThread::new);
     loop = newLoop(frame, settings, warmUp);
     published = properties.accumulator().properties();

@@ -11,14 +11,17 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.body.BodyEvent;
+import org.palpate.elastic.RecordedUpdate;
 import org.palpate.geometry.Pose;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.table.CsvWriter;
 import org.palpate.io.table.EditsCsv;
+import org.palpate.io.table.FieldsCsv;
 import org.palpate.io.table.PosesCsv;
 import org.palpate.recording.BodyRecorder;
 import org.palpate.recording.EditRecorder;
+import org.palpate.recording.FieldRecorder;
 import org.palpate.recording.RecordingThread;
 import org.palpate.recording.SampleRecorder;
 import org.palpate.recording.TrajectoryWriter;
@@ -36,9 +39,11 @@ public final class TrajectoryRecording implements AutoCloseable {
   private final SampleRecorder recorder = new SampleRecorder();
   private final EditRecorder editRecorder = new EditRecorder();
   private final BodyRecorder bodyRecorder = new BodyRecorder();
+  private final FieldRecorder fieldRecorder = new FieldRecorder();
   private final List<String> segments;
   private final SecondTable edits;
   private final SecondTable poses;
+  private final SecondTable fields;
   private final RecordingThread thread;
 
   /** Written by the recording thread alone. */
@@ -107,7 +112,8 @@ public final class TrajectoryRecording implements AutoCloseable {
 
   /**
    * Starts a recording. Changes of voxels go into {@code T.edits.csv} beside {@code T.csv}, and
-   * poses of bodies into {@code T.poses.csv}, if there are any.
+   * poses of bodies into {@code T.poses.csv}, and updates of elastic segments into {@code
+   * T.fields.csv}, if there are any.
    *
    * @param segments names of the segments and bodies, in the order of their indices
    * @throws IOException if the file cannot be created
@@ -117,6 +123,7 @@ public final class TrajectoryRecording implements AutoCloseable {
     this.segments = List.copyOf(segments);
     edits = new SecondTable(editsFile(target));
     poses = new SecondTable(posesFile(target));
+    fields = new SecondTable(fieldsFile(target));
     file = new AtomicFile(target);
     writer = new OutputStreamWriter(file.stream(), StandardCharsets.UTF_8);
     TrajectoryWriter rows = new TrajectoryWriter(writer, NumberText::text);
@@ -130,6 +137,7 @@ public final class TrajectoryRecording implements AutoCloseable {
             () -> {
               editRecorder.drainTo(this::writeEdit);
               bodyRecorder.drainTo(this::writePose);
+              fieldRecorder.drainTo(this::writeUpdate);
             });
   }
 
@@ -143,6 +151,10 @@ public final class TrajectoryRecording implements AutoCloseable {
     poses.add(PosesCsv::writer, rows -> PosesCsv.add(rows, sample, name, event, pose, inHand));
   }
 
+  private void writeUpdate(RecordedUpdate update) {
+    fields.add(FieldsCsv::writer, rows -> FieldsCsv.add(rows, update));
+  }
+
   /** Returns the table of edits that belongs to a recording: {@code T.edits.csv}. */
   public static Path editsFile(Path recording) {
     return table(recording, ".edits.csv");
@@ -151,6 +163,11 @@ public final class TrajectoryRecording implements AutoCloseable {
   /** Returns the table of poses that belongs to a recording: {@code T.poses.csv}. */
   public static Path posesFile(Path recording) {
     return table(recording, ".poses.csv");
+  }
+
+  /** Returns the table of updates that belongs to a recording: {@code T.fields.csv}. */
+  public static Path fieldsFile(Path recording) {
+    return table(recording, ".fields.csv");
   }
 
   private static Path table(Path recording, String ending) {
@@ -186,10 +203,16 @@ public final class TrajectoryRecording implements AutoCloseable {
     return bodyRecorder;
   }
 
+  /** Returns the recorder of updates of elastic segments, to give to a {@link TouchSession}. */
+  public FieldRecorder fieldRecorder() {
+    return fieldRecorder;
+  }
+
   /**
    * Writes the remaining samples and moves the files over their targets. If there is no sample at
-   * all, older files stay. Call it after the session's last frame. If nothing was edited or no body
-   * moved, an older table of edits or poses is deleted, because it would not fit the new samples.
+   * all, older files stay. Call it after the session's last frame. If nothing was edited, no body
+   * moved or no update was recorded, an older table of these is deleted, because it would not fit
+   * the new samples.
    *
    * @throws IOException if the file cannot be written
    */
@@ -204,9 +227,11 @@ public final class TrajectoryRecording implements AutoCloseable {
       file.commit();
       edits.finish();
       poses.finish();
+      fields.finish();
     }
     requireWhole("changes of voxels", editRecorder.overflows());
     requireWhole("poses of bodies", bodyRecorder.overflows());
+    requireWhole("updates of elastic segments", fieldRecorder.overflows());
   }
 
   private static void requireWhole(String what, long lost) throws IOException {
@@ -232,6 +257,7 @@ public final class TrajectoryRecording implements AutoCloseable {
       file.close();
       edits.close();
       poses.close();
+      fields.close();
     }
   }
 }

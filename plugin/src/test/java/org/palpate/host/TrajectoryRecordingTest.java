@@ -23,7 +23,8 @@ class TrajectoryRecordingTest {
 
   @Test
   void withoutASampleAllFilesOfAnOlderRecordingStay() throws IOException {
-    List<Path> files = List.of(older("t.csv"), older("t.edits.csv"), older("t.poses.csv"));
+    List<Path> files =
+        List.of(older("t.csv"), older("t.edits.csv"), older("t.poses.csv"), older("t.fields.csv"));
     try (TrajectoryRecording recording = new TrajectoryRecording(files.get(0), List.of("bone"))) {
       recording.editRecorder().offer(0, 0, 1, 2, 3, false);
       recording.bodyRecorder().offer(0, 0, BodyEvent.MOVED, new Pose(), new Pose());
@@ -33,7 +34,7 @@ class TrajectoryRecordingTest {
       assertEquals("older", Files.readString(file), file.toString());
     }
     try (var left = Files.list(folder)) {
-      assertEquals(3, left.count());
+      assertEquals(4, left.count());
     }
   }
 
@@ -42,6 +43,7 @@ class TrajectoryRecordingTest {
     Path samples = older("t.csv");
     Path edits = older("t.edits.csv");
     Path poses = older("t.poses.csv");
+    Path fields = older("t.fields.csv");
     try (TrajectoryRecording recording = new TrajectoryRecording(samples, List.of("bone"))) {
       recording.recorder().offer(new DeviceState());
       recording.bodyRecorder().offer(0, 0, BodyEvent.MOVED, new Pose(), new Pose());
@@ -50,5 +52,6 @@ class TrajectoryRecordingTest {
     assertTrue(Files.readString(samples).startsWith("t_ms,"));
     assertTrue(Files.readString(poses).contains("\n0,bone,"), Files.readString(poses));
     assertFalse(Files.exists(edits));
+    assertFalse(Files.exists(fields));
   }
 }

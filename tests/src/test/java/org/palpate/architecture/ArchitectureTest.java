@@ -82,6 +82,7 @@ class ArchitectureTest {
                   "app",
                   "benchmarks.accuracy",
                   "benchmarks.carve",
+                  "benchmarks.elastic",
                   "benchmarks.gpu",
                   "benchmarks.nearest",
                   "benchmarks.rigid",
@@ -89,6 +90,7 @@ class ArchitectureTest {
                   "benchmarks.stability",
                   "benchmarks.surface",
                   "benchmarks.sync")),
+          Map.entry("benchmarks.elastic", List.of("benchmarks.rigid", "frame", "volume.phantom")),
           Map.entry("benchmarks.gpu", List.of("benchmarks.report", "opencl")),
           Map.entry("benchmarks.input", List.of("device", "io", "raycast")),
           Map.entry(
@@ -184,7 +186,7 @@ class ArchitectureTest {
           Map.entry("io.nifti", List.of("io.format")),
           Map.entry("io.nrrd", List.of("io.codec", "io.format")),
           Map.entry("io.raw", List.of("io.format")),
-          Map.entry("io.table", List.of("body", "edit", "io.file")),
+          Map.entry("io.table", List.of("body", "edit", "elastic", "io.file")),
           Map.entry("io.resample", List.of("io")),
           Map.entry("io.scene", List.of("body", "io", "io.table")),
           Map.entry("io.tiff", List.of("io.codec", "io.format")),
@@ -199,7 +201,7 @@ class ArchitectureTest {
           Map.entry("raycast", List.of("statistics", "volume")),
           Map.entry("realtime", List.of("loop", "realtime.os")),
           Map.entry("realtime.os", List.of()),
-          Map.entry("recording", List.of("body", "device")),
+          Map.entry("recording", List.of("body", "device", "elastic")),
           Map.entry("reduction", List.of("body", "device", "rigid.tool")),
           Map.entry("rigid", List.of("body", "proxy.smooth.field", "rigid.tool")),
           Map.entry("rigid.tool", List.of("volume")),
@@ -238,6 +240,9 @@ class ArchitectureTest {
   private static final Set<String> OPENERS_FOR_BENCHMARKS =
       Set.of(
           BASE + "collision.CollisionSceneVariants",
+          BASE + "elastic.ElasticBodyVariants",
+          BASE + "elastic.lattice.BeamVariants",
+          BASE + "elastic.lattice.DiscVariants",
           BASE + "opencl.OpenClLegsVariants",
           BASE + "proxy.exact.GuardedSolverVariants",
           BASE + "raycast.ExactRayCasterVariants");

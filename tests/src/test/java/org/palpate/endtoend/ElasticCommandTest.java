@@ -166,6 +166,106 @@ class ElasticCommandTest {
     assertTrue(p50 > 0 && p50 <= most, report.toString());
   }
 
+  private static final List<Object> RECORDED_SCENE =
+      List.of(
+          "--phantom",
+          "block:32",
+          "--elastic",
+          "block=young:20e3",
+          "--lattice",
+          8,
+          "--stiffness",
+          0.5);
+
+  private CommandRun recordSession(int seconds, Object... further) {
+    List<Object> touch = new ArrayList<>(List.of("touch", "--headless", "--seconds", seconds));
+    touch.addAll(RECORDED_SCENE);
+    touch.addAll(List.of("--record", file("s.csv")));
+    touch.addAll(List.of(further));
+    return CommandRun.of(touch.toArray());
+  }
+
+  private CommandRun replaySession(Object... further) {
+    List<Object> replay = new ArrayList<>(List.of("replay", "--trajectory", file("s.csv")));
+    replay.addAll(RECORDED_SCENE);
+    replay.addAll(List.of("--legs", file("legs.csv")));
+    replay.addAll(List.of(further));
+    return CommandRun.of(replay.toArray());
+  }
+
+  /** Returns how many recorded places of the contact the legs of a replay reach in their order. */
+  private long reached(List<String> places) throws IOException {
+    List<String> ends = new ArrayList<>();
+    for (String line : Files.readAllLines(file("legs.csv"))) {
+      String[] words = line.split(",", -1);
+      ends.add(String.join(",", words[5], words[6], words[7]));
+    }
+    int from = 0;
+    long count = 0;
+    for (String place : places) {
+      int at = ends.subList(from, ends.size()).indexOf(place);
+      if (at >= 0) {
+        from += at;
+        count++;
+      }
+    }
+    return count;
+  }
+
+  /** Returns where the point was when updates began, as far as the point had moved. */
+  private List<String> recordedPlaces() throws IOException {
+    List<String> places = new ArrayList<>();
+    for (String line : Files.readAllLines(file("s.fields.csv"))) {
+      String[] words = line.split(",", -1);
+      String place = String.join(",", words[1], words[2], words[3]);
+      if (words[4].matches("-?[0-9].*") && !words[6].equals("0.0") && !places.contains(place)) {
+        places.add(place);
+      }
+    }
+    return places;
+  }
+
+  @Test
+  void aLiveSessionReplaysToItsBitsWithItsFields() throws IOException {
+    recordSession(5, "--record-fields").mustSucceed();
+    replaySession("--fields", file("s.fields.csv")).mustSucceed();
+    List<String> places = recordedPlaces();
+    assertTrue(places.size() > 3, "updates with a force: " + places.size());
+    assertEquals(places.size(), reached(places));
+    replaySession().mustSucceed();
+    assertTrue(reached(places) < places.size(), "updates at other frames give other bits");
+  }
+
+  @Test
+  void withoutRecordFieldsATableOfAnOlderRecordingIsDeleted() throws IOException {
+    Files.writeString(file("s.fields.csv"), "older");
+    recordSession(1).mustSucceed();
+    assertTrue(Files.notExists(file("s.fields.csv")));
+  }
+
+  @Test
+  void refusesFieldsThatDoNotFit() throws IOException {
+    String header = "frame,x,y,z,fx,fy,fz,cells\n";
+    String[][] cases = {
+      {"5,1,1,1,0,0,0,\n4,1,1,1,0,0,0,\n", "frame is 4"},
+      {"5,1,nan,1,0,0,0,\n", "y is nan"},
+      {"5,1,1,1,0,0,0,7:1\n", "a cell is 7:1"},
+      {"5,1,1,1,0,0,0,7:1:-1:1:1:1\n", "a number of a cell is negative: 7:1:-1:1:1:1"},
+      {"5,1,1,1,0,0,0,99999:1:1:1:1:1\n", "there is no cell 99999 among "},
+    };
+    for (String[] each : cases) {
+      Files.writeString(file("fields.csv"), header + each[0]);
+      CommandRun run = elastic("", "--fields", file("fields.csv"));
+      assertEquals(2, run.exitCode(), run.err());
+      assertTrue(run.err().contains(each[1]), run.err());
+      assertEquals(1, run.err().lines().count(), run.err());
+    }
+    Files.writeString(file("fields.csv"), header);
+    CommandRun rigid = replay("", "--fields", file("fields.csv"));
+    assertEquals(2, rigid.exitCode());
+    assertTrue(rigid.err().startsWith("palpate: no segment is elastic: --fields"), rigid.err());
+  }
+
   @Test
   void aSceneOfSeveralVolumesIsRefused() {
     CommandRun run =

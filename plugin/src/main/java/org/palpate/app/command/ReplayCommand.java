@@ -45,11 +45,13 @@ import org.palpate.frame.FrameStatistics;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
 import org.palpate.host.ReplayTiming;
+import org.palpate.host.SolverKind;
 import org.palpate.host.ToolReplay;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TrajectoryFile;
 import org.palpate.io.table.BodyPose;
 import org.palpate.io.table.EditsCsv;
+import org.palpate.io.table.FieldsCsv;
 import org.palpate.io.table.PosesCsv;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.tool.MadeTool;
@@ -181,6 +183,14 @@ public final class ReplayCommand implements Callable<Integer> {
   private Path posesFile;
 
   @Option(
+      names = "--fields",
+      paramLabel = "FIELDS.csv",
+      description =
+          "Updates of elastic segments, as touch --record-fields writes them: the replay then gives"
+              + " the bits of that session.")
+  private Path fieldsFile;
+
+  @Option(
       names = "--repeat",
       paramLabel = "N",
       description = "Replays N times, at least 3, and reports the time of solver and force.")
@@ -244,7 +254,7 @@ public final class ReplayCommand implements Callable<Integer> {
         contact.scene(source, segments, feel.settings(source, segments, tool.massOfPoint()));
     ReplayRun plain =
         world ? ReplayRun.inWorld(scene, trajectory) : ReplayRun.inGrid(scene, trajectory);
-    ReplayRun replay = elastic.deform(plain.withEdits(edits), segments, contact.solver());
+    ReplayRun replay = deformed(plain.withEdits(edits), segments);
     ReplayRun.Result result = run(rawDevice ? replay.inRawMode() : replay, trajectory, tables);
     print(result.statistics());
     if (report.isWanted()) {
@@ -258,6 +268,13 @@ public final class ReplayCommand implements Callable<Integer> {
     ProtectedFields.put(report, scene, frame -> trajectory.timeMs((int) frame) / MS_PER_SECOND);
     finish(report, edited);
     return failures.exitCode();
+  }
+
+  private ReplayRun deformed(ReplayRun replay, SegmentedVolume segments) throws IOException {
+    SolverKind solver = contact.solver();
+    return fieldsFile == null
+        ? elastic.deform(replay, segments, solver)
+        : elastic.deform(replay, segments, solver, fieldsFile, FieldsCsv.read(fieldsFile));
   }
 
   /** Refuses what a rigid tool, or bodies that move, do not have. */
@@ -338,6 +355,9 @@ public final class ReplayCommand implements Callable<Integer> {
     }
     if (posesFile != null) {
       inputs.add(posesFile);
+    }
+    if (fieldsFile != null) {
+      inputs.add(fieldsFile);
     }
   }
 

@@ -5,10 +5,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.app.options.OutputPaths;
+import org.palpate.app.options.RecordOptions;
 import org.palpate.app.output.WriteFailures;
 import org.palpate.host.TrajectoryRecording;
 import org.palpate.recording.BodyRecorder;
 import org.palpate.recording.EditRecorder;
+import org.palpate.recording.FieldRecorder;
 import org.palpate.recording.SampleRecorder;
 import org.palpate.volume.Segment;
 
@@ -19,17 +21,20 @@ import org.palpate.volume.Segment;
 final class SessionRecording implements AutoCloseable {
   private final Optional<TrajectoryRecording> recording;
   private final WriteFailures failures;
+  private final boolean hasFields;
 
   /**
    * Starts a recording.
    *
-   * @param target the file; if empty, nothing is recorded
+   * @param options name the file; without one, nothing is recorded
    * @param segments the segments of the scene
    * @throws IOException if the file cannot be created
    */
-  SessionRecording(Optional<Path> target, List<Segment> segments, WriteFailures failures)
+  SessionRecording(RecordOptions options, List<Segment> segments, WriteFailures failures)
       throws IOException {
     this.failures = failures;
+    hasFields = options.hasFields();
+    Optional<Path> target = options.file();
     recording =
         target.isPresent()
             ? Optional.of(
@@ -53,7 +58,8 @@ final class SessionRecording implements AutoCloseable {
     return List.of(
         samples,
         OutputPaths.checked("--record", TrajectoryRecording.editsFile(samples), inputs),
-        OutputPaths.checked("--record", TrajectoryRecording.posesFile(samples), inputs));
+        OutputPaths.checked("--record", TrajectoryRecording.posesFile(samples), inputs),
+        OutputPaths.checked("--record", TrajectoryRecording.fieldsFile(samples), inputs));
   }
 
   /** Returns the recorder of the session. */
@@ -69,6 +75,11 @@ final class SessionRecording implements AutoCloseable {
   /** Returns the recorder of the poses of bodies. */
   Optional<BodyRecorder> bodyRecorder() {
     return recording.map(TrajectoryRecording::bodyRecorder);
+  }
+
+  /** Returns the recorder of updates of elastic segments, if they are to be recorded. */
+  Optional<FieldRecorder> fieldRecorder() {
+    return recording.filter(any -> hasFields).map(TrajectoryRecording::fieldRecorder);
   }
 
   /** Reports a failure so far. Called regularly while the session runs. */

@@ -19,6 +19,7 @@ import org.palpate.app.options.LinkOptions;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
+import org.palpate.app.options.RecordOptions;
 import org.palpate.app.options.SliceOptions;
 import org.palpate.app.options.SurfaceOptions;
 import org.palpate.app.options.ToolOptions;
@@ -101,6 +102,7 @@ public final class TouchCommand implements Callable<Integer> {
   @Mixin private SurfaceOptions surface;
   @Mixin private LinkOptions linkOptions;
   @Mixin private PoseOptions savedPoses;
+  @Mixin private RecordOptions record;
 
   @Option(
       names = "--device",
@@ -151,15 +153,6 @@ public final class TouchCommand implements Callable<Integer> {
   private boolean headless;
 
   @Option(
-      names = "--record",
-      paramLabel = "T.csv",
-      description = {
-        "Records what the device sends, for palpate replay; changes of voxels into T.edits.csv, and"
-            + " poses of bodies into T.poses.csv."
-      })
-  private Path recordFile;
-
-  @Option(
       names = "--export",
       paramLabel = "FILE",
       description =
@@ -203,6 +196,7 @@ public final class TouchCommand implements Callable<Integer> {
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     contact.takeFrom(volume, spec.commandLine().getParseResult());
     elastic.check(volume, tool, hasWindow());
+    record.check(elastic.isWanted());
     tool.checkOthers(spec.commandLine().getParseResult());
     feel.check(tool.isRigid(), contact);
     brushOptions.check(tool.isRigid(), volume.isPlaced());
@@ -222,7 +216,7 @@ public final class TouchCommand implements Callable<Integer> {
     Optional<InetSocketAddress> address = linkOptions.address();
     VolumeSource source = VolumeSource.open(volume);
     try (SessionLink opened =
-        address.isEmpty() ? null : new SessionLink(address.get(), recordFile != null, out)) {
+        address.isEmpty() ? null : new SessionLink(address.get(), record.file().isPresent(), out)) {
       link = Optional.ofNullable(opened);
       return touchInTurn(source);
     }
@@ -267,8 +261,7 @@ public final class TouchCommand implements Callable<Integer> {
         tool.isRigid() ? Optional.of(tool.make(source.header())) : Optional.empty();
     made.ifPresent(each -> inputs.addAll(each.files()));
     Report report = new Report("touch", output.report(), inputs);
-    Optional<Path> record = Optional.ofNullable(recordFile);
-    List<Path> recorded = SessionRecording.checked(record, inputs);
+    List<Path> recorded = SessionRecording.checked(record.file(), inputs);
     Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
     FragmentExport bodies = savedPoses.export(exportFile, source);
     List<Path> targets = new ArrayList<>(bodies.checked(inputs));
@@ -295,7 +288,7 @@ public final class TouchCommand implements Callable<Integer> {
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
       Optional<BrushOptions.Brush> brush =
           brushOptions.brush(source, scene.contactScene(), made.map(MadeTool::tool));
-      TouchReport measured = run(scene, opened, choice, loop, record, view, axes, brush);
+      TouchReport measured = run(scene, opened, choice, loop, view, axes, brush);
       measured.print(out);
       if (report.isWanted()) {
         report.putVolume(source, segments.segments());
@@ -385,7 +378,6 @@ public final class TouchCommand implements Callable<Integer> {
       HapticDevice opened,
       DeviceChoice choice,
       LoopSettings loop,
-      Optional<Path> record,
       Optional<ViewOptions> viewOptions,
       WorldAxes axes,
       Optional<BrushOptions.Brush> brush)
@@ -402,7 +394,8 @@ public final class TouchCommand implements Callable<Integer> {
                     .withRecorder(recording.recorder())
                     .withElastic(elastic.bodies(scene.volume(), contact.solver()))
                     .withEditRecorder(recording.editRecorder())
-                    .withBodyRecorder(recording.bodyRecorder()))) {
+                    .withBodyRecorder(recording.bodyRecorder())
+                    .withFieldRecorder(recording.fieldRecorder()))) {
       autosave =
           SceneAutosave.of(
               volume.scene(),
@@ -460,7 +453,7 @@ public final class TouchCommand implements Callable<Integer> {
 
   /** Returns why the threshold must not change; empty if it may. */
   private String thresholdRefusal() {
-    if (recordFile != null) {
+    if (record.file().isPresent()) {
       return "the threshold stays while --record records: a replay has one threshold";
     }
     return changesVoxels() || exportFile != null

@@ -1,5 +1,6 @@
 package org.palpate.app.options;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -8,6 +9,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.palpate.app.process.PalpateException;
 import org.palpate.elastic.ElasticBody;
+import org.palpate.elastic.RecordedUpdate;
 import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.elastic.lattice.ElasticSegment;
@@ -65,6 +67,42 @@ public final class ElasticOptions {
    */
   public ReplayRun deform(ReplayRun replay, SegmentedVolume volume, SolverKind solver) {
     return bodies(volume, solver).map(replay::withElastic).orElse(replay);
+  }
+
+  /**
+   * Returns a replay with elastic segments that are updated as in a recorded session.
+   *
+   * @param solver moves the interaction point
+   * @param fields the file with the updates, for messages
+   * @throws PalpateException exit code 2, if an option is wrong or the updates are those of another
+   *     lattice
+   */
+  public ReplayRun deform(
+      ReplayRun replay,
+      SegmentedVolume volume,
+      SolverKind solver,
+      Path fields,
+      List<RecordedUpdate> recorded) {
+    Supplier<ElasticBody> bodies =
+        bodies(volume, solver)
+            .orElseThrow(
+                () ->
+                    PalpateException.wrongUse(
+                        "no segment is elastic",
+                        "--fields " + fields,
+                        "add --elastic NAME=young:PA, or leave it out"));
+    int cells = bodies.get().hexahedra();
+    for (RecordedUpdate update : recorded) {
+      for (RecordedUpdate.Refill refill : update.refills()) {
+        if (refill.cell() >= cells) {
+          throw PalpateException.wrongUse(
+              "there is no cell " + refill.cell() + " among " + cells,
+              fields.toString(),
+              "give the scene and --lattice of the session that recorded it");
+        }
+      }
+    }
+    return replay.withElastic(bodies, recorded);
   }
 
   /**

@@ -21,6 +21,7 @@ public final class ElasticFields {
     fields.put("refused", counts.refused());
     fields.put("worst_residual", counts.worstResidual());
     fields.put("clipped_frames", body.contact().clippedFrames());
+    fields.put("lowered_frames", body.contact().loweredFrames());
     return fields;
   }
 

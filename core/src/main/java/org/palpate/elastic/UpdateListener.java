@@ -1,0 +1,45 @@
+package org.palpate.elastic;
+
+import org.palpate.elastic.lattice.CellStiffness;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Receives what the fields of a live session follow from, so that a {@link RecordedUpdates} can
+ * compute the same fields again.
+ */
+public interface UpdateListener {
+  /** Listens to nothing. */
+  UpdateListener NONE =
+      new UpdateListener() {
+        @Override
+        public void refilled(int cell, CellStiffness stiffness) {}
+
+        @Override
+        public void updating(Vec3 point, Vec3 forceNewton) {}
+
+        @Override
+        public void used(long update) {}
+      };
+
+  /**
+   * Receives the stiffness of a cell whose voxels were counted anew for the next update. Thread of
+   * the updates.
+   *
+   * @param cell its place in the list of cells
+   */
+  void refilled(int cell, CellStiffness stiffness);
+
+  /**
+   * Receives the load of an update that begins. Thread of the updates.
+   *
+   * @param point in material coordinates
+   * @param forceNewton on the material, N
+   */
+  void updating(Vec3 point, Vec3 forceNewton);
+
+  /**
+   * Receives the number of the update, from 0, whose field comes into use. Haptic thread: must not
+   * wait or allocate.
+   */
+  void used(long update);
+}

@@ -1,0 +1,78 @@
+package org.palpate.recording;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.elastic.RecordedUpdate;
+import org.palpate.elastic.UpdateListener;
+import org.palpate.elastic.lattice.CellStiffness;
+import org.palpate.geometry.Vec3;
+
+class FieldRecorderTest {
+  private static final CellStiffness SOFT = new CellStiffness(0.25f, 0.5f, 0.1f, -0f, 0.3f);
+  private static final CellStiffness EMPTY = new CellStiffness(0, Float.MIN_VALUE, 1, 1, 1);
+
+  private final FieldRecorder recorder = new FieldRecorder();
+  private final List<RecordedUpdate> read = new ArrayList<>();
+  private long sample;
+  private final UpdateListener listener = recorder.listener(() -> sample);
+
+  private List<Long> frames() {
+    return read.stream().map(RecordedUpdate::frame).toList();
+  }
+
+  private void update(double x) {
+    listener.updating(new Vec3(x, 0.1, -0.0), new Vec3(0, 0, -x));
+  }
+
+  @Test
+  void givesUpdatesWithTheFrameThatUsedThemInOrder() {
+    update(0);
+    update(1);
+    recorder.drainTo(read::add);
+    assertEquals(List.of(), read, "none is used yet");
+    sample = 40;
+    listener.used(1);
+    update(2);
+    recorder.drainTo(read::add);
+    assertEquals(List.of(RecordedUpdate.UNUSED, 40L), frames());
+    sample = 70;
+    listener.used(2);
+    update(3);
+    recorder.drainTo(read::add);
+    assertEquals(List.of(RecordedUpdate.UNUSED, 40L, 70L), frames());
+    assertEquals(2, read.get(2).point().x);
+    assertEquals(-2, read.get(2).forceNewton().z);
+    assertEquals(-0.0, read.get(2).point().z);
+  }
+
+  @Test
+  void givesEachUpdateTheCellsThatWereCountedBeforeIt() {
+    update(0);
+    listener.refilled(7, SOFT);
+    listener.refilled(9, EMPTY);
+    update(1);
+    listener.refilled(3, SOFT);
+    update(2);
+    listener.used(0);
+    listener.used(1);
+    listener.used(2);
+    recorder.drainTo(read::add);
+    assertEquals(List.of(), read.get(0).refills());
+    assertEquals(
+        List.of(new RecordedUpdate.Refill(7, SOFT), new RecordedUpdate.Refill(9, EMPTY)),
+        read.get(1).refills());
+    assertEquals(List.of(new RecordedUpdate.Refill(3, SOFT)), read.get(2).refills());
+    assertEquals(0, recorder.overflows());
+  }
+
+  @Test
+  void countsWhatAFullBufferDrops() {
+    for (int n = 0; n < 5000; n++) {
+      update(n);
+    }
+    assertEquals(5000 - 4096, recorder.overflows());
+  }
+}
