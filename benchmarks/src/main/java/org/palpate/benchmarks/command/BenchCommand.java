@@ -15,6 +15,7 @@ import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VirtualDisplay;
 import org.palpate.benchmarks.accuracy.AccuracyRun;
 import org.palpate.benchmarks.carve.CarveRun;
+import org.palpate.benchmarks.elastic.ElasticRun;
 import org.palpate.benchmarks.gpu.GpuRun;
 import org.palpate.benchmarks.nearest.NearestRun;
 import org.palpate.benchmarks.rigid.RigidRun;
@@ -53,6 +54,7 @@ import picocli.CommandLine.Spec;
       "  palpate bench --surfaces --out figures",
       "  palpate bench --rigid --quick --out figures",
       "  palpate bench --carve --quick --out figures",
+      "  palpate bench --elastic --quick --out figures",
       "  palpate bench --gpu --quick --out figures",
       "  palpate bench --stress --frames 20000000 --seed 7",
       "  palpate bench --skips --scale --stability --quick"
@@ -105,6 +107,14 @@ public final class BenchCommand implements Callable<Integer> {
   private boolean carve;
 
   @Option(
+      names = "--elastic",
+      description = {
+        "Elastic segments: legs and tetrahedra judged exactly, times of frames and updates, steps"
+            + " of the force, work, rest, and comparisons with formulas and finer lattices."
+      })
+  private boolean elastic;
+
+  @Option(
       names = "--gpu",
       description = {
         "Legs of a tool's points judged by the CPU on one and two threads and by every OpenCL",
@@ -130,7 +140,8 @@ public final class BenchCommand implements Callable<Integer> {
       names = "--seed",
       paramLabel = "S",
       description =
-          "With --stress, --rigid or --carve: seed of the attack, or of hands and scenes (7).")
+          "With --stress, --rigid, --carve or --elastic: seed of the attack, or of hands and scenes"
+              + " (7).")
   private Long seed;
 
   @Option(
@@ -243,6 +254,7 @@ public final class BenchCommand implements Callable<Integer> {
     addIf(accuracy, StudyDuration.ACCURACY, others);
     addIf(rigid, StudyDuration.RIGID, others);
     addIf(carve, StudyDuration.CARVE, others);
+    addIf(elastic, StudyDuration.ELASTIC, others);
     addIf(gpu, StudyDuration.GPU, others);
     addIf(sync, StudyDuration.SYNC, others);
     addIf(surfaces, StudyDuration.SURFACES, others);
@@ -288,7 +300,12 @@ public final class BenchCommand implements Callable<Integer> {
   }
 
   private boolean hasOtherStudy() {
-    return stability || accuracy || rigid || carve || gpu || sync || stress || cpp || surfaces;
+    return hasSeed() || stability || accuracy || gpu || sync || cpp || surfaces;
+  }
+
+  /** Whether a study was chosen that takes a seed. */
+  private boolean hasSeed() {
+    return stress || rigid || carve || elastic;
   }
 
   private Path table1Data() {
@@ -324,6 +341,10 @@ public final class BenchCommand implements Callable<Integer> {
     if (carve) {
       report.put("carve_targets_missed", CarveRun.run(folder, quick, seed(), out(), progress()));
     }
+    if (elastic) {
+      report.put(
+          "elastic_targets_missed", ElasticRun.run(folder, quick, seed(), out(), progress()));
+    }
     if (gpu) {
       report.put("gpus_measured", GpuRun.run(folder, quick, out(), progress()));
     }
@@ -339,7 +360,7 @@ public final class BenchCommand implements Callable<Integer> {
   private Attack attack() {
     if (!stress) {
       refuse("--frames", frames, "--stress");
-      refuse("--seed", rigid || carve ? null : seed, "--stress, --rigid or --carve");
+      refuse("--seed", hasSeed() ? null : seed, "--stress, --rigid, --carve or --elastic");
       refuse("--solver", solver, "--stress");
       return null;
     }

@@ -16,6 +16,7 @@ enum StudyDuration {
   ACCURACY(605, 61),
   RIGID(2340, 140),
   CARVE(Double.NaN, 60),
+  ELASTIC(Double.NaN, Double.NaN),
   GPU(Double.NaN, 90),
   SYNC(83, 22),
   SURFACES(38, 38);

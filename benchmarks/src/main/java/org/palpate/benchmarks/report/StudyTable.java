@@ -27,6 +27,8 @@ public enum StudyTable {
   RIGID("rigid.csv", Columns.FIGURES),
   /** Figures of tools that cut. */
   CARVE("carve.csv", Columns.FIGURES),
+  /** Figures of elastic segments. */
+  ELASTIC("elastic.csv", Columns.FIGURES),
   /** Times of judging legs by device and number. */
   GPU("gpu.csv", "device,points,part,frames,least_us,p50_us,p99_us,p99_9_us,max_us"),
   /** Largest stable stiffness of the model and of the theory. */

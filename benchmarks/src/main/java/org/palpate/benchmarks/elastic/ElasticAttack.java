@@ -1,0 +1,201 @@
+package org.palpate.benchmarks.elastic;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.palpate.benchmarks.rigid.RigidFigure;
+import org.palpate.benchmarks.stress.ExactJudge;
+import org.palpate.edit.BrushEdit;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+import org.palpate.proxy.LegPath;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.phantom.Phantom;
+
+/**
+ * Attacks elastic segments: a hand of up to 1.6 m/s that jumps, drills and fills; a device that
+ * tears away; updates that stop and come back. Every leg is judged exactly in material coordinates,
+ * and every tetrahedron of fields as the haptic thread uses them.
+ */
+final class ElasticAttack {
+  private static final int FRAMES_PER_ROUND = 3_000;
+  private static final int FRAMES_PER_JUDGEMENT = 60;
+  private static final double TORN_AWAY_VOXELS = 1e9;
+
+  private static final double[][] SPACINGS = {
+    {1, 1, 1}, {1, 1, 2}, {0.4, 0.9, 0.7}, {1, 1, 5}, {3, 1, 1}
+  };
+
+  private final SplittableRandom random;
+  private final ExactJudge legJudge = new ExactJudge();
+  private final TetrahedronJudge fieldJudge = new TetrahedronJudge();
+  private final Vec3 chain = new Vec3();
+  private final Vec3 goal = new Vec3();
+  private double speed;
+  private int stalled;
+  private long frames;
+  private long legs;
+  private long touching;
+  private long broken;
+  private long freed;
+  private long updates;
+  private long scaledBack;
+  private long refused;
+  private long clipped;
+
+  ElasticAttack(long seed) {
+    random = new SplittableRandom(seed);
+  }
+
+  /** Attacks until so many legs and tetrahedra are judged, and returns the figures. */
+  List<RigidFigure> figures(long leastLegs, long leastTetrahedra) {
+    while (legs < leastLegs || fieldJudge.judged() < leastTetrahedra) {
+      attack();
+    }
+    return List.of(
+        noneOf("legs that touch a solid", touching),
+        noneOf("broken chains", broken),
+        noneOf("tetrahedra that are not positive", fieldJudge.notPositive()),
+        countOf("legs judged", legs),
+        countOf("tetrahedra judged", fieldJudge.judged()),
+        countOf("tetrahedra decided in decimal fractions", fieldJudge.exactDecisions()),
+        countOf("frames", frames),
+        countOf("updates", updates),
+        countOf("updates scaled back", scaledBack),
+        countOf("updates refused", refused),
+        countOf("frames with a clipped force", clipped),
+        countOf("points set free", freed));
+  }
+
+  private static RigidFigure noneOf(String name, long count) {
+    return new RigidFigure("attack", "hostile frames", name, (double) count, "", 0);
+  }
+
+  private static RigidFigure countOf(String name, long count) {
+    return RigidFigure.of("attack", "hostile frames", name, (double) count, "");
+  }
+
+  private void attack() {
+    SoftScene scene = scene();
+    double edge = scene.metric().shortestEdgeMm();
+    double cell = (5 + random.nextInt(5)) * Math.max(edge, scene.metric().spacingZ() / 2);
+    Softness softness =
+        new Softness(
+            Math.pow(10, 3 + 2.5 * random.nextDouble()),
+            Math.pow(2, -2 + 4 * random.nextDouble()),
+            cell,
+            2 * cell,
+            1e-3,
+            random.nextBoolean());
+    ElasticSession session = new ElasticSession(scene, softness);
+    boolean edits = random.nextInt(3) > 0;
+    session.hand().set(scene.soft().sizeX() / 2.0 + 0.3, scene.soft().sizeY() / 2.0 + 0.4, -2);
+    session.run();
+    chain.set(session.point().position);
+    goal.set(session.hand());
+    stalled = 0;
+    for (int n = 0; n < FRAMES_PER_ROUND; n++) {
+      move(session, scene);
+      if (edits && random.nextInt(100) == 0) {
+        edit(session, scene);
+      }
+      updateUnlessStalled(session);
+      session.runFrame();
+      judge(session, scene);
+      if (n % FRAMES_PER_JUDGEMENT == FRAMES_PER_JUDGEMENT / 2) {
+        fieldJudge.judge(session.body());
+      }
+    }
+    frames += FRAMES_PER_ROUND;
+    updates += session.body().counters().updates();
+    scaledBack += session.body().counters().scaledBack();
+    refused += session.body().counters().refused();
+    clipped += session.body().contact().clippedFrames();
+  }
+
+  private SoftScene scene() {
+    double[] mm = SPACINGS[random.nextInt(SPACINGS.length)];
+    GridMetric metric = new GridMetric(mm[0], mm[1], mm[2]);
+    int kind = random.nextInt(4);
+    if (kind == 0) {
+      return SoftScene.block(32, 20, metric);
+    }
+    String name = new String[] {"sphere:40", "shell:40", "maze:32"}[kind - 1];
+    BitCube bits = Phantom.parse(name).segments().segments().get(0).bits();
+    BitCube still = new BitCube(bits.sizeX(), bits.sizeY(), bits.sizeZ());
+    return new SoftScene(name, bits, still, metric);
+  }
+
+  /** Moves the hand towards a goal that changes; sometimes it jumps, or the device tears away. */
+  private void move(ElasticSession session, SoftScene scene) {
+    Vec3 hand = session.hand();
+    if (random.nextInt(150) == 0) {
+      BitCube bits = scene.soft();
+      goal.set(
+          bits.sizeX() * (1.2 * random.nextDouble() - 0.1),
+          bits.sizeY() * (1.2 * random.nextDouble() - 0.1),
+          bits.sizeZ() * (1.2 * random.nextDouble() - 0.1));
+      speed = Math.pow(10, -2 + 2.2 * random.nextDouble());
+    }
+    if (random.nextInt(1_500) == 0) {
+      hand.set(goal);
+    }
+    if (random.nextInt(3_000) == 0) {
+      hand.set(TORN_AWAY_VOXELS * random.nextDouble(-1, 1), hand.y, TORN_AWAY_VOXELS);
+      return;
+    }
+    Vec3 way = goal.sub(hand, new Vec3());
+    double length = way.length();
+    way.mul(length <= speed || length > TORN_AWAY_VOXELS / 1e6 ? 1 : speed / length, way);
+    hand.add(way, hand);
+  }
+
+  private void edit(ElasticSession session, SoftScene scene) {
+    boolean drill = random.nextInt(3) > 0;
+    BitCube bits = scene.soft();
+    Vec3 centre =
+        drill
+            ? session.point().position
+            : new Vec3(
+                bits.sizeX() * random.nextDouble(),
+                bits.sizeY() * random.nextDouble(),
+                bits.sizeZ() * random.nextDouble());
+    session.edits().offer(new BrushEdit(random.nextInt(2), centre, 3, !drill));
+  }
+
+  /** Leaves updates out for up to half a second from time to time, as if their thread stalled. */
+  private void updateUnlessStalled(ElasticSession session) {
+    if (stalled == 0 && random.nextInt(1_000) == 0) {
+      stalled = random.nextInt(500);
+    }
+    if (stalled > 0) {
+      stalled--;
+    } else {
+      session.update();
+    }
+  }
+
+  private void judge(ElasticSession session, SoftScene scene) {
+    LegPath path = session.point().legs;
+    if (session.wasFreed()) {
+      freed++;
+      if (path.count() == 0) {
+        chain.set(session.point().position);
+      } else {
+        chain.set(path.start(0, 0), path.start(0, 1), path.start(0, 2));
+      }
+    }
+    for (int leg = 0; leg < path.count(); leg++) {
+      boolean begins =
+          path.start(leg, 0) == chain.x
+              && path.start(leg, 1) == chain.y
+              && path.start(leg, 2) == chain.z;
+      broken += begins ? 0 : 1;
+      for (BitCube bits : scene.solids()) {
+        touching += legJudge.touches(bits, path, leg) ? 1 : 0;
+      }
+      chain.set(path.end(leg, 0), path.end(leg, 1), path.end(leg, 2));
+      legs++;
+    }
+    broken += chain.sameBits(session.point().position) ? 0 : 1;
+  }
+}

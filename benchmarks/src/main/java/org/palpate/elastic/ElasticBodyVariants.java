@@ -1,0 +1,37 @@
+package org.palpate.elastic;
+
+import org.palpate.elastic.lattice.ControlLattice;
+import org.palpate.elastic.lattice.LatticeLayout;
+import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+
+/** Opens to studies what an elastic body computes inside. Thread: that of the body's frames. */
+public final class ElasticBodyVariants {
+  private ElasticBodyVariants() {}
+
+  /**
+   * Returns a body at rest with a contact of any radius, whose updates are as exact as wanted.
+   *
+   * @param contactRadiusMm radius of the patch over which the force is spread, mm
+   * @param residual the force that a displacement may leave unbalanced, over its load
+   */
+  public static ElasticBody body(
+      ControlLattice lattice, GridMetric metric, double contactRadiusMm, double residual) {
+    return new ElasticBody(lattice, metric, new UpdateSettings(contactRadiusMm, residual));
+  }
+
+  /** Returns the layout of the body's lattice. */
+  public static LatticeLayout layout(ElasticBody body) {
+    return body.lattice().layout();
+  }
+
+  /** Returns the position along an axis of a node, in cells, as the haptic thread computes it. */
+  public static double nodePosition(ElasticBody body, int node, int axis) {
+    return body.contact().map().nodePosition(node, axis);
+  }
+
+  /** Writes the present position of a material point, grid coordinates. */
+  public static void present(ElasticBody body, Vec3 material, Vec3 dest) {
+    body.contact().map().forward(material, dest);
+  }
+}

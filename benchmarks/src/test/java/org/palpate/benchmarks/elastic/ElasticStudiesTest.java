@@ -1,0 +1,52 @@
+package org.palpate.benchmarks.elastic;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.palpate.benchmarks.rigid.RigidFigure;
+import org.palpate.geometry.Vec3;
+
+class ElasticStudiesTest {
+  private static final long SEED = 5;
+
+  private static double value(List<RigidFigure> figures, String condition, String name) {
+    return figures.stream()
+        .filter(f -> f.condition().contains(condition) && f.name().equals(name))
+        .findFirst()
+        .orElseThrow()
+        .value();
+  }
+
+  @Test
+  void theAttackFindsNothing() {
+    List<RigidFigure> figures = new ElasticAttack(SEED).figures(5_000, 200_000);
+    figures.forEach(figure -> assertTrue(!figure.verdict().equals("missed"), figure.toString()));
+    assertTrue(value(figures, "", "updates") > 100);
+    assertTrue(value(figures, "", "legs judged") >= 5_000);
+  }
+
+  @Test
+  void elementsAloneBendAsTheFormulaSays() {
+    List<RigidFigure> figures = new FormulaStudy(true).figures();
+    String figure = "cantilever 96x16x16, off the formula";
+    assertEquals(2.7, value(figures, "elements alone, cells of 16 mm", figure), 0.1);
+    assertTrue(value(figures, "radius 16 mm", "disc on a half space, off the formula") < 10);
+  }
+
+  @Test
+  void aSlideUnderALoadTurnsTheNormalOfTheSurface() {
+    ElasticSession session = PressStudy.above(Softness.USUAL);
+    Vec3 hand = session.hand();
+    session.moveTo(hand.x, hand.y, 44, 300);
+    session.moveTo(hand.x, hand.y, 44, 300);
+    NormalWatch watch = new NormalWatch(session);
+    watch.look();
+    assertTrue(watch.rmsDegrees() < 0.5, "at rest over the middle, " + watch.rmsDegrees());
+    session.forceNewton().set(session.forceNewton().z, 0, session.forceNewton().z);
+    NormalWatch tilted = new NormalWatch(session);
+    tilted.look();
+    assertEquals(45, tilted.rmsDegrees(), 1, "a planted tilt");
+  }
+}
