@@ -42,7 +42,7 @@ public record Residual(double distanceMm, double angleDegrees) {
   }
 
   /** Returns the mean of the voxel centres at rest, world mm. */
-  private static Vec3 centroid(PosedBits fragment) {
+  public static Vec3 centroid(PosedBits fragment) {
     BitCube bits = fragment.bits();
     IntBox box = bits.bounds();
     Vec3 sum = new Vec3();

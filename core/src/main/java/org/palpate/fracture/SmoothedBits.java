@@ -1,6 +1,7 @@
 package org.palpate.fracture;
 
 import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
@@ -9,33 +10,96 @@ import org.palpate.volume.fracture.PosedBits;
 
 /**
  * The occupancy of a posed fragment, smoothed by a Gaussian, so that its surface, where half is
- * solid, lies between voxels. One thread an instance.
+ * solid, lies between voxels. Bits that change meanwhile may count as they were. One thread an
+ * instance.
+ *
+ * <p>Of two fragments that were cut from one bone without a kerf, both occupancies add up to that
+ * of the bone while they stand as they rest. So their surfaces coincide inside the bone, however
+ * rough the voxels are.
  */
-final class SmoothedBits {
-  /** The standard deviation of the Gaussian, voxels, and the voxels that it reaches. */
+public final class SmoothedBits {
+  /** The usual standard deviation of the Gaussian, voxels. */
   private static final double SIGMA = 1.3;
 
-  private static final int REACH = 4;
-  private static final int WIDTH = 2 * REACH + 1;
+  /** The voxels along an edge of the cube that the Gaussian covers. */
+  private static final int WIDTH = 8;
+
+  /** The edge of {@link BitCube#window}, and the number of its rows of four voxels. */
+  private static final int QUARTET = 4;
+
+  private static final int ROWS = QUARTET * QUARTET;
+  private static final int ROW_MASK = 15;
+
+  /** The position of the first voxel's centre relative to the middle of the cube. */
+  private static final double MIDDLE = 0.5 - WIDTH / 2.0;
+
+  private static final double WALK_EDGES = 0.5;
+  private static final int REFINEMENTS = 4;
 
   private final BitCube bits;
   private final AffineMap worldToGrid;
   private final PosedBits fragment;
+  private final double stepMm;
+  private final double sigma;
+
+  /** The Gaussian at the centres of voxels, if the position is the middle of the cube. */
+  private final double[] bell = new double[WIDTH];
+
   private final Vec3 grid = new Vec3();
+  private final Vec3 at = new Vec3();
+  private final Vec3 unused = new Vec3();
   private final double[][] weights = new double[3][WIDTH];
   private final double[][] slopes = new double[3][WIDTH];
   private final int[] first = new int[3];
 
+  /** The sums of the weights along x of each row of four voxels, for both halves of the cube. */
+  private final double[][] rowWeights = new double[2][1 << QUARTET];
+
+  private final double[][] rowSlopes = new double[2][1 << QUARTET];
+
+  private double sum;
+  private final Vec3 slope = new Vec3();
+
+  /** Prepares the occupancy of a fragment where it stands; the pose must not change. */
   SmoothedBits(PosedBits fragment) {
+    this(fragment, SIGMA);
+  }
+
+  /**
+   * Prepares the occupancy of a fragment where it stands; the pose must not change.
+   *
+   * @param sigma the standard deviation of the Gaussian, voxels, at most 1.5
+   */
+  public SmoothedBits(PosedBits fragment, double sigma) {
     this.fragment = fragment;
+    this.sigma = sigma;
+    for (int n = 0; n < WIDTH; n++) {
+      double m = MIDDLE + n;
+      bell[n] = StrictMath.exp(-m * m / (2 * sigma * sigma));
+    }
     bits = fragment.bits();
     worldToGrid = fragment.gridFrom(VoxelGrid.ofUnitVoxels(1, 1, 1), new Pose());
+    Vec3 s = fragment.grid().spacingMm();
+    stepMm = WALK_EDGES * Math.max(s.x, Math.max(s.y, s.z));
   }
 
   /** Whether a world position lies in a voxel. */
-  boolean isSolid(Vec3 world) {
+  public boolean isSolid(Vec3 world) {
     worldToGrid.transform(world, grid);
     return bits.get((int) Math.floor(grid.x), (int) Math.floor(grid.y), (int) Math.floor(grid.z));
+  }
+
+  /** Whether a world position lies in the box of the voxels or at most so far outside it. */
+  public boolean isNear(Vec3 world, double mm) {
+    worldToGrid.transform(world, grid);
+    Vec3 s = fragment.grid().spacingMm();
+    IntBox box = bits.bounds();
+    return grid.x >= box.lowX - mm / s.x
+        && grid.x <= box.highX + 1 + mm / s.x
+        && grid.y >= box.lowY - mm / s.y
+        && grid.y <= box.highY + 1 + mm / s.y
+        && grid.z >= box.lowZ - mm / s.z
+        && grid.z <= box.highZ + 1 + mm / s.z;
   }
 
   /**
@@ -43,52 +107,145 @@ final class SmoothedBits {
    *
    * @param outward receives the direction of steepest descent, a unit vector in the world
    */
-  double occupancy(Vec3 world, Vec3 outward) {
+  public double occupancy(Vec3 world, Vec3 outward) {
+    double occupancy = descent(world, outward);
+    double length = outward.length();
+    outward.mul(length > 0 ? 1 / length : 0, outward);
+    return occupancy;
+  }
+
+  /**
+   * Returns the smoothed occupancy at a world position, 0 to 1.
+   *
+   * @param descent receives the negative gradient, world axes, 1/mm
+   */
+  public double descent(Vec3 world, Vec3 descent) {
     worldToGrid.transform(world, grid);
     for (int axis = 0; axis < 3; axis++) {
       setWeights(axis, grid.get(axis));
     }
-    double sum = 0;
-    double x = 0;
-    double y = 0;
-    double z = 0;
-    for (int c = 0; c < WIDTH; c++) {
-      for (int b = 0; b < WIDTH; b++) {
-        double yz = weights[1][b] * weights[2][c];
-        double slopeY = slopes[1][b] * weights[2][c];
-        double slopeZ = weights[1][b] * slopes[2][c];
-        for (int a = 0; a < WIDTH; a++) {
-          if (bits.get(first[0] + a, first[1] + b, first[2] + c)) {
-            sum += weights[0][a] * yz;
-            x += slopes[0][a] * yz;
-            y += weights[0][a] * slopeY;
-            z += weights[0][a] * slopeZ;
-          }
-        }
+    sumRows(0);
+    sumRows(1);
+    sum = 0;
+    slope.set(0, 0, 0);
+    for (int part = 0; part < 8; part++) {
+      int x = part & 1;
+      int y = (part >> 1) & 1;
+      int z = part >> 2;
+      long voxels =
+          bits.window(first[0] + QUARTET * x, first[1] + QUARTET * y, first[2] + QUARTET * z);
+      if (voxels != 0) {
+        add(voxels, x, QUARTET * y, QUARTET * z);
       }
     }
     Vec3 s = fragment.grid().spacingMm();
-    outward.set(-x / s.x, -y / s.y, -z / s.z);
-    fragment.grid().gridMmToWorld().rotate(outward, outward);
-    fragment.pose().rotation.rotate(outward, outward);
-    double length = outward.length();
-    outward.mul(length > 0 ? 1 / length : 0, outward);
+    descent.set(-slope.x / s.x, -slope.y / s.y, -slope.z / s.z);
+    fragment.grid().gridMmToWorld().rotate(descent, descent);
+    fragment.pose().rotation.rotate(descent, descent);
     return sum;
   }
 
+  /** Adds 4x4x4 voxels. */
+  private void add(long voxels, int half, int y, int z) {
+    for (int row = 0; row < ROWS; row++) {
+      int four = (int) (voxels >>> (QUARTET * row)) & ROW_MASK;
+      if (four != 0) {
+        int b = y + row % QUARTET;
+        int c = z + row / QUARTET;
+        double along = rowWeights[half][four];
+        sum += along * weights[1][b] * weights[2][c];
+        slope.x += rowSlopes[half][four] * weights[1][b] * weights[2][c];
+        slope.y += along * slopes[1][b] * weights[2][c];
+        slope.z += along * weights[1][b] * slopes[2][c];
+      }
+    }
+  }
+
+  /**
+   * Computes the weights along an axis. Let d be the distance of the cube's middle, and m that of a
+   * voxel from the middle. The Gaussian of d + m is a power times a constant times a factor that
+   * all voxels share. Scaling to the sum 1 removes that factor.
+   */
   private void setWeights(int axis, double coordinate) {
-    first[axis] = (int) Math.floor(coordinate) - REACH;
+    first[axis] = (int) Math.floor(coordinate + 0.5) - WIDTH / 2;
+    double d = first[axis] + WIDTH / 2 - coordinate;
+    double ratio = StrictMath.exp(-d / (sigma * sigma));
+    double power = 1;
     double total = 0;
     for (int n = 0; n < WIDTH; n++) {
-      double d = first[axis] + n + 0.5 - coordinate;
-      double w = StrictMath.exp(-d * d / (2 * SIGMA * SIGMA));
-      weights[axis][n] = w;
-      slopes[axis][n] = w * d / (SIGMA * SIGMA);
-      total += w;
+      weights[axis][n] = power * bell[n];
+      total += weights[axis][n];
+      power *= ratio;
     }
     for (int n = 0; n < WIDTH; n++) {
       weights[axis][n] /= total;
-      slopes[axis][n] /= total;
+      slopes[axis][n] = weights[axis][n] * (d + MIDDLE + n) / (sigma * sigma);
     }
+  }
+
+  private void sumRows(int half) {
+    for (int four = 1; four < 1 << QUARTET; four++) {
+      int rest = four & (four - 1);
+      int last = QUARTET * half + Integer.numberOfTrailingZeros(four);
+      rowWeights[half][four] = rowWeights[half][rest] + weights[0][last];
+      rowSlopes[half][four] = rowSlopes[half][rest] + slopes[0][last];
+    }
+  }
+
+  /**
+   * Finds the surface on a line: of the places where the line enters the fragment against a
+   * direction, the one nearest to the start.
+   *
+   * @param outward the direction, a unit vector in the world
+   * @param mostMm the largest distance from the start, on either side
+   * @param dest receives the place
+   * @return whether there is one
+   */
+  public boolean surface(Vec3 start, Vec3 outward, double mostMm, Vec3 dest) {
+    double best = Double.NaN;
+    double bestAbove = 0;
+    double bestBelow = 0;
+    double before = Double.NaN;
+    for (double h = mostMm; h >= -mostMm; h -= stepMm) {
+      double now = occupancy(shifted(start, outward, h, at), unused);
+      if (before < 0.5 && now >= 0.5 && !(Math.abs(h) > Math.abs(best))) {
+        best = h;
+        bestAbove = before;
+        bestBelow = now;
+      }
+      before = now;
+    }
+    if (Double.isNaN(best)) {
+      return false;
+    }
+    double h = refined(start, outward, best, bestBelow, bestAbove);
+    shifted(start, outward, h, dest);
+    return true;
+  }
+
+  /** Returns where the occupancy is one half between two heights, by false position. */
+  private double refined(Vec3 start, Vec3 outward, double below, double inside, double outside) {
+    double low = below;
+    double high = below + stepMm;
+    double atLow = inside;
+    double atHigh = outside;
+    double h = low;
+    for (int n = 0; n < REFINEMENTS; n++) {
+      h = low + (high - low) * (atLow - 0.5) / (atLow - atHigh);
+      double now = occupancy(shifted(start, outward, h, at), unused);
+      if (now >= 0.5) {
+        low = h;
+        atLow = now;
+      } else {
+        high = h;
+        atHigh = now;
+      }
+    }
+    return h;
+  }
+
+  private static Vec3 shifted(Vec3 start, Vec3 direction, double h, Vec3 dest) {
+    return dest.set(
+        start.x + h * direction.x, start.y + h * direction.y, start.z + h * direction.z);
   }
 }

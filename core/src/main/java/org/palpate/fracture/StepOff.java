@@ -39,7 +39,6 @@ final class StepOff {
 
   private static final double WALK_EDGES = 0.25;
   private static final int LEAST_PAIRS = 20;
-  private static final int BISECTIONS = 12;
 
   private final PosedBits one;
   private final SmoothedBits own;
@@ -99,14 +98,14 @@ final class StepOff {
     if (!isFollowed(rim, depth, normal)) {
       return;
     }
-    if (Math.abs(normal.dot(across)) > SKIN_COSINE || !surface(own, rim, normal, p)) {
+    if (Math.abs(normal.dot(across)) > SKIN_COSINE || !own.surface(rim, normal, MOST_MM, p)) {
       return;
     }
     double beyond = 2 * depth + gapMm;
     Vec3 start = p.add(across.mul(beyond, new Vec3()), new Vec3());
     Vec3 q = new Vec3();
     Vec3 otherNormal = new Vec3();
-    if (surface(facing, start, normal, q)) {
+    if (facing.surface(start, normal, MOST_MM, q)) {
       facing.occupancy(q, otherNormal);
       own.occupancy(p, normal);
       if (normal.dot(otherNormal) >= SAME_SKIN_COSINE && isDeep(q, otherNormal)) {
@@ -159,40 +158,6 @@ final class StepOff {
 
   private Vec3 along(Vec3 start, double t, Vec3 dest) {
     return dest.set(start.x + t * across.x, start.y + t * across.y, start.z + t * across.z);
-  }
-
-  /**
-   * Finds the surface of a fragment nearest to a point along a normal, from the outside to the
-   * inside.
-   */
-  private boolean surface(SmoothedBits fragment, Vec3 start, Vec3 normal, Vec3 dest) {
-    Vec3 scratch = new Vec3();
-    Vec3 at = new Vec3();
-    double step = 0.5 * edgeMm;
-    double best = Double.NaN;
-    double before = Double.NaN;
-    for (double h = MOST_MM; h >= -MOST_MM; h -= step) {
-      double now = fragment.occupancy(shifted(start, normal, h, at), scratch);
-      if (before < 0.5 && now >= 0.5 && !(Math.abs(h) > Math.abs(best))) {
-        best = h;
-      }
-      before = now;
-    }
-    if (Double.isNaN(best)) {
-      return false;
-    }
-    double low = best;
-    double high = best + step;
-    for (int n = 0; n < BISECTIONS; n++) {
-      double middle = (low + high) / 2;
-      if (fragment.occupancy(shifted(start, normal, middle, at), scratch) >= 0.5) {
-        low = middle;
-      } else {
-        high = middle;
-      }
-    }
-    shifted(start, normal, (low + high) / 2, dest);
-    return true;
   }
 
   private static Vec3 shifted(Vec3 start, Vec3 normal, double h, Vec3 dest) {

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.HollowShaft;
 import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
@@ -25,7 +26,7 @@ import org.palpate.volume.fracture.PosedBits;
 class PairReadingsTest {
   private static final double TOLERANCE_MM = 0.15;
   private static final double[] OFFSETS_MM = {0, 0.5, 1, 2};
-  private static final VoxelGrid GRID = VoxelGrid.ofUnitVoxels(44, 44, 120);
+  private static final VoxelGrid GRID = HollowShaft.GRID;
 
   private static final int LATTICE_STEPS = 20;
 
@@ -37,7 +38,8 @@ class PairReadingsTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 4, 5, 6})
   void aFragmentThatIsPulledAwayWidensTheGap(int seed) {
-    Fragments fragments = FragmentCutter.cut(tube(), GRID, new FractureSpec(2, seed, 0));
+    Fragments fragments =
+        FragmentCutter.cut(HollowShaft.bits(), GRID, new FractureSpec(2, seed, 0));
     for (double offset : OFFSETS_MM) {
       PairReadings readings = read(fragments, 0, 0, away(fragments) * offset);
       assertEquals(offset, readings.gapMeanMm(), TOLERANCE_MM);
@@ -51,7 +53,8 @@ class PairReadingsTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 4, 5, 6})
   void aFragmentThatIsShiftedSidewaysHasThatStepOff(int seed) {
-    Fragments fragments = FragmentCutter.cut(tube(), GRID, new FractureSpec(2, seed, 0));
+    Fragments fragments =
+        FragmentCutter.cut(HollowShaft.bits(), GRID, new FractureSpec(2, seed, 0));
     for (double offset : OFFSETS_MM) {
       double apart = away(fragments) * 0.5;
       assertEquals(
@@ -63,7 +66,7 @@ class PairReadingsTest {
 
   @Test
   void fragmentsThatAreFarApartDoNotFaceEachOther() {
-    Fragments fragments = FragmentCutter.cut(tube(), GRID, new FractureSpec(2, 1, 0));
+    Fragments fragments = FragmentCutter.cut(HollowShaft.bits(), GRID, new FractureSpec(2, 1, 0));
     assertFalse(read(fragments, 0, 0, away(fragments) * 20).isFacing());
   }
 
@@ -78,26 +81,6 @@ class PairReadingsTest {
     return PairReadings.read(
         new PosedBits(fragments.bits().get(1), GRID, pose),
         new PosedBits(fragments.bits().get(0), GRID, new Pose()));
-  }
-
-  /** Returns a hollow shaft that bends and widens towards its ends. */
-  private static BitCube tube() {
-    BitCube bits = new BitCube(44, 44, 120);
-    for (int k = 6; k < 114; k++) {
-      for (int j = 0; j < 44; j++) {
-        for (int i = 0; i < 44; i++) {
-          double x = i + 0.5 - 22 - 3 * StrictMath.sin(k / 40.0);
-          double y = j + 0.5 - 22;
-          double r = Math.sqrt(x * x + y * y);
-          double end = (k - 60) / 54.0;
-          double wide = 12 + 4 * end * end * end * end;
-          if (r < wide && r > wide - 4.5) {
-            bits.set(i, j, k);
-          }
-        }
-      }
-    }
-    return bits;
   }
 
   @Test
@@ -209,7 +192,7 @@ class PairReadingsTest {
 
   @Test
   void theResidualIsThatOfTheMotionSinceRest() {
-    Fragments fragments = FragmentCutter.cut(tube(), GRID, new FractureSpec(2, 3, 1));
+    Fragments fragments = FragmentCutter.cut(HollowShaft.bits(), GRID, new FractureSpec(2, 3, 1));
     Pose together = RandomGeometry.pose(random, 50);
     Pose moved = new Pose();
     moved.rotation.setRotationVector(new Vec3(0.02, 0, 0));

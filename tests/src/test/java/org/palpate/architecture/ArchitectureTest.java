@@ -46,6 +46,7 @@ class ArchitectureTest {
               List.of(
                   "app.process",
                   "force.effect",
+                  "fracture.fit",
                   "host",
                   "io.resample",
                   "io.scene",
@@ -146,6 +147,7 @@ class ArchitectureTest {
           Map.entry("force.guide", List.of("force")),
           Map.entry("frame", List.of("carve", "device", "elastic", "force.guide")),
           Map.entry("fracture", List.of("volume.fracture")),
+          Map.entry("fracture.fit", List.of("force.guide", "fracture")),
           Map.entry("geometry", List.of()),
           Map.entry(
               "host",
@@ -158,7 +160,7 @@ class ArchitectureTest {
                   "recording",
                   "scene.window",
                   "volume.fracture")),
-          Map.entry("host.placing", List.of("fracture", "host")),
+          Map.entry("host.placing", List.of("fracture.fit", "host")),
           Map.entry("igtl", List.of("geometry")),
           Map.entry("imagej", List.of("imagej.session")),
           Map.entry("imagej.annotation", List.of("imagej.stack", "io.table")),

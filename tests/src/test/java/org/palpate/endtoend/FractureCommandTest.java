@@ -141,6 +141,25 @@ class FractureCommandTest {
   }
 
   @Test
+  void aSessionIsGuidedToAFit() throws IOException {
+    Path report = folder.resolve("r.json");
+    CommandRun.of(
+            "touch",
+            "--phantom",
+            "fracture:64:2:3:1",
+            "--guide",
+            "fit:1",
+            "--headless",
+            "--seconds",
+            "12",
+            "--report",
+            report)
+        .mustSucceed();
+    Map<String, String> json = FlatJson.read(report);
+    assertTrue(Double.parseDouble(json.get("/fracture/residual_mm")) < 0.5, json.toString());
+  }
+
+  @Test
   void wrongUseIsRefusedInOneLine() {
     Path parts = folder.resolve("parts.nrrd");
     CommandRun.of("info", "--phantom", "torus:64", "--fracture", "4").mustRefuse();

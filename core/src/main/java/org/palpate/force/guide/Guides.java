@@ -63,6 +63,11 @@ public final class Guides {
     return site -> new SegmentPush(segment, marginMm, strength.push(site)::newton, site);
   }
 
+  /** Pulls a body in hand to where it fits; see {@link FitGuide}. */
+  public static EffectPlan fit(FitExchange fits, GuideStrength strength) {
+    return site -> new FitGuide(fits, strength.spring(site));
+  }
+
   private static Vec3 unit(Vec3 direction) {
     double length = direction.length();
     if (!(length > 0 && length < Double.POSITIVE_INFINITY)) {

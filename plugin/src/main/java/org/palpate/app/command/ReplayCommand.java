@@ -216,6 +216,7 @@ public final class ReplayCommand implements Callable<Integer> {
     boolean rigid = tool.isRigid() || posesFile != null;
     tool.checkOthers(spec.commandLine().getParseResult(), rigid);
     feel.check(rigid, contact);
+    feel.checkFit(false);
     collisionDevice.check(rigid);
     return rigid ? replayTool() : replayPoint();
   }

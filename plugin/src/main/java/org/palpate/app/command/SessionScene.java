@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.palpate.app.options.ChosenCollisionDevice;
+import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.ToolOptions;
 import org.palpate.app.output.ProtectedFields;
 import org.palpate.app.output.Report;
@@ -18,12 +19,14 @@ import org.palpate.device.GuidedHand;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.Tremor;
+import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Pose;
 import org.palpate.host.ContactScene;
 import org.palpate.host.SessionSettings;
 import org.palpate.host.SessionView;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TouchSession;
+import org.palpate.host.placing.FaceFitting;
 import org.palpate.host.placing.HeldReadings;
 import org.palpate.host.placing.LiveReadings;
 import org.palpate.io.scene.PlacedVolume;
@@ -132,17 +135,30 @@ final class SessionScene {
   /** Returns readings of the fragment in hand for a view; empty if no body can be taken. */
   Optional<LiveReadings> readings(
       TouchSession session, SessionView view, ConsoleViewListener listener) {
-    return session
-        .toolFrame()
-        .filter(frame -> session.canHold() && !scene.placements().isEmpty())
-        .map(
-            frame ->
-                new LiveReadings(
-                    frame,
-                    new HeldReadings(
-                        scene.volume(), scene.placements().stream().map(Placement::pose).toList()),
-                    view,
-                    listener::landmarkLines));
+    Optional<LiveReadings> readings =
+        session
+            .toolFrame()
+            .filter(frame -> session.canHold() && !scene.placements().isEmpty())
+            .map(frame -> newReadings(frame, view, listener));
+    readings.ifPresent(made -> listener.addKeys(made.colours()::addTo));
+    return readings;
+  }
+
+  private LiveReadings newReadings(
+      ToolFrame frame, SessionView view, ConsoleViewListener listener) {
+    List<Pose> starts = scene.placements().stream().map(Placement::pose).toList();
+    return new LiveReadings(
+        frame,
+        new HeldReadings(scene.volume(), starts),
+        scene.volume(),
+        view,
+        listener::landmarkLines);
+  }
+
+  /** Returns what fits the fragment in hand to the others; empty without a guide to a fit. */
+  Optional<FaceFitting> fitting(TouchSession session, FeelOptions feel) {
+    return feel.faceFit(scene.volume())
+        .flatMap(fit -> session.toolFrame().map(frame -> new FaceFitting(frame, fit, feel.fits())));
   }
 
   /** Returns a new session; see {@link TouchSession}. */

@@ -9,6 +9,8 @@ import org.palpate.app.process.ShutdownHook;
 import org.palpate.app.process.Terminal;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
+import org.palpate.host.placing.FaceFitting;
+import org.palpate.host.placing.LiveReadings;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopStatus;
 
@@ -58,6 +60,18 @@ final class SessionSupervisor {
   /** Shows the session in a window while it runs. Call it before {@link #run}. */
   void show(SessionView shown) {
     view = Optional.of(shown);
+  }
+
+  /** Runs the session as {@link #run()} does, with threads that read and guide it. */
+  LoopEnd run(Optional<LiveReadings> readings, Optional<FaceFitting> fitting) {
+    readings.ifPresent(LiveReadings::start);
+    fitting.ifPresent(FaceFitting::start);
+    try {
+      return run();
+    } finally {
+      fitting.ifPresent(FaceFitting::close);
+      readings.ifPresent(LiveReadings::close);
+    }
   }
 
   /** Runs the session until it ends and zero force was sent; returns how it ended. */

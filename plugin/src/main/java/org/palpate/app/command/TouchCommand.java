@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import org.palpate.app.options.BrushOptions;
 import org.palpate.app.options.ChosenCollisionDevice;
 import org.palpate.app.options.CollisionDeviceOptions;
@@ -35,6 +36,7 @@ import org.palpate.app.process.ShutdownHook;
 import org.palpate.app.process.VersionProvider;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MouseTakeover;
@@ -42,7 +44,7 @@ import org.palpate.host.SessionSettings;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.host.ViewOptions;
-import org.palpate.host.placing.LiveReadings;
+import org.palpate.host.placing.FaceFitting;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
@@ -199,6 +201,7 @@ public final class TouchCommand implements Callable<Integer> {
     record.check(elastic.isWanted());
     tool.checkOthers(spec.commandLine().getParseResult());
     feel.check(tool.isRigid(), contact);
+    feel.checkFit(volume.isPlaced());
     brushOptions.check(tool.isRigid(), volume.isPlaced());
     collisionDevice.check(tool.isRigid());
     ShutdownHook.endQuietly();
@@ -396,11 +399,10 @@ public final class TouchCommand implements Callable<Integer> {
                     .withEditRecorder(recording.editRecorder())
                     .withBodyRecorder(recording.bodyRecorder())
                     .withFieldRecorder(recording.fieldRecorder()))) {
-      autosave =
-          SceneAutosave.of(
-              volume.scene(),
-              savedPoses.scene(),
-              () -> shownView.map(SessionView::bodyPoses).orElseGet(session::bodyPoses));
+      Supplier<List<RigidTransform>> poses =
+          () -> shownView.map(SessionView::bodyPoses).orElseGet(session::bodyPoses);
+      autosave = SceneAutosave.of(volume.scene(), savedPoses.scene(), poses);
+      Optional<FaceFitting> fitting = scene.fitting(session, feel);
       Optional<SessionBrush> painter =
           brush.map(held -> new SessionBrush(held, session, scene.volume(), scene.tool()));
       Runnable check =
@@ -408,6 +410,7 @@ public final class TouchCommand implements Callable<Integer> {
             recording.check();
             judge.reportFailure();
             painter.ifPresent(SessionBrush::tick);
+            fitting.ifPresent(thread -> thread.see(poses.get()));
             autosave.ifPresent(
                 file -> failures.attempt(file.target(), () -> file.tick(System.nanoTime())));
           };
@@ -434,20 +437,11 @@ public final class TouchCommand implements Callable<Integer> {
                   () -> view.map(SessionView::landmarks).orElse(List.of()),
                   supervisor::stop));
       LoopEnd end =
-          run(supervisor, view.flatMap(shown -> scene.readings(session, shown, listener)));
+          supervisor.run(view.flatMap(shown -> scene.readings(session, shown, listener)), fitting);
       link.ifPresent(SessionLink::pause);
       recording.finish();
       return new TouchReport(
           session, end, choice, opened, supervisor.seconds(), view, realtime.throttled());
-    }
-  }
-
-  private static LoopEnd run(SessionSupervisor supervisor, Optional<LiveReadings> readings) {
-    readings.ifPresent(LiveReadings::start);
-    try {
-      return supervisor.run();
-    } finally {
-      readings.ifPresent(LiveReadings::close);
     }
   }
 

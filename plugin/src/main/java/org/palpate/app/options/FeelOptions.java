@@ -13,14 +13,18 @@ import org.palpate.app.process.PalpateException;
 import org.palpate.force.EffectPlan;
 import org.palpate.force.FeelSettings;
 import org.palpate.force.MassSettings;
+import org.palpate.force.guide.FitExchange;
 import org.palpate.force.guide.GuideStrength;
 import org.palpate.force.guide.Guides;
 import org.palpate.force.guide.PathShape;
 import org.palpate.force.guide.SegmentDistance;
+import org.palpate.fracture.fit.FaceFit;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.table.NumbersCsvReader;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -44,7 +48,9 @@ public final class FeelOptions {
             + " line), plane:X,Y,Z,NX,NY,NZ (in a plane), sphere:X,Y,Z,R (in a ball),"
             + " hinge:X,Y,Z,DX,DY,DZ (turns about a line), path:FILE.csv (along positions x,y,z),"
             + " away:NAME,MM (out of a margin around a segment), align:DX,DY,DZ (the axis z of a"
-            + " rigid tool along a direction)."
+            + " rigid tool along a direction), fit[:GAP] (a fragment in hand to where its fracture"
+            + " faces fit; touch alone; GAP is the width of a saw cut in mm, and free one that the"
+            + " fit finds. Default: 0)."
       })
   private List<String> guides = List.of();
 
@@ -67,6 +73,8 @@ public final class FeelOptions {
           "Distance beyond which guides do not pull; from half of it on they fade. Default: none.")
   private Double guideRange;
 
+  private final FitExchange fits = new FitExchange();
+
   @Mixin private EffectOptions effects;
   @Mixin private GreyMaterialOptions materials;
 
@@ -86,6 +94,8 @@ public final class FeelOptions {
         marginMm(text);
       } else if (kind.equals("path")) {
         file(text);
+      } else if (kind.equals("fit")) {
+        gapMm(text);
       } else {
         plan(text, kind, strength);
       }
@@ -94,6 +104,46 @@ public final class FeelOptions {
             "a point has no direction", "--guide " + text, "choose a rigid tool with --tool");
       }
     }
+  }
+
+  /**
+   * Checks that a guide to a fit has something to fit.
+   *
+   * @param canHold whether the hand can take hold of fragments
+   * @throws PalpateException exit code 2, if not
+   */
+  public void checkFit(boolean canHold) {
+    if (!canHold && fit().isPresent()) {
+      throw PalpateException.wrongUse(
+          "nobody holds a fragment that could fit",
+          "--guide " + fit().get(),
+          "choose palpate touch with --scene FILE.json or --phantom fracture, or leave it out");
+    }
+  }
+
+  private Optional<String> fit() {
+    List<String> found =
+        guides.stream().filter(text -> EffectOptions.kind(text).equals("fit")).toList();
+    if (found.size() > 1) {
+      throw PalpateException.wrongUse(
+          "there is more than one guide to a fit", "--guide " + found.get(1), "leave one out");
+    }
+    return found.stream().findFirst();
+  }
+
+  /**
+   * Returns what finds the fits of the fragments in a scene; empty without a guide to a fit.
+   *
+   * @throws PalpateException exit code 2, if the gap is wrong
+   */
+  public Optional<FaceFit> faceFit(SegmentedVolume fragments) {
+    List<BitCube> cubes = fragments.segments().stream().map(Segment::bits).toList();
+    return fit().map(text -> new FaceFit(fragments.grid(), cubes, gapMm(text)));
+  }
+
+  /** Returns what hands fits over to the guide. */
+  public FitExchange fits() {
+    return fits;
   }
 
   /** Whether grey values are needed. */
@@ -137,6 +187,7 @@ public final class FeelOptions {
           switch (kind) {
             case "away" -> away(text, segments, strength);
             case "path" -> path(text, strength);
+            case "fit" -> Guides.fit(fits, strength);
             default -> plan(text, kind, strength);
           });
     }
@@ -178,7 +229,7 @@ public final class FeelOptions {
           throw PalpateException.wrongUse(
               "there is no such guide",
               "--guide " + text,
-              "choose axis, plane, sphere, hinge, path, away or align");
+              "choose axis, plane, sphere, hinge, path, away, align or fit");
     };
   }
 
@@ -235,6 +286,22 @@ public final class FeelOptions {
           "leave out rows, or add some");
     }
     return Guides.path(positions, strength);
+  }
+
+  /** Returns the width of the gap of a fit; empty if the fit finds it. */
+  private static OptionalDouble gapMm(String text) {
+    String value = EffectOptions.values(text);
+    if (value.equals("free")) {
+      return OptionalDouble.empty();
+    }
+    double mm = text.equals("fit") ? 0 : NumberParser.number(value);
+    if (!(mm >= 0 && mm <= FaceFit.MOST_GAP_MM)) {
+      throw PalpateException.wrongUse(
+          "the gap cannot be read",
+          "--guide " + text,
+          "write fit, fit:free, or fit:GAP with a width from 0 to 3 mm, as in fit:1");
+    }
+    return OptionalDouble.of(mm);
   }
 
   private static double marginMm(String text) {

@@ -1,0 +1,78 @@
+package org.palpate.host.placing;
+
+import java.util.List;
+import java.util.concurrent.locks.LockSupport;
+import org.palpate.body.BodyGroups;
+import org.palpate.force.guide.FitExchange;
+import org.palpate.force.guide.FitTarget;
+import org.palpate.fracture.fit.FaceFit;
+import org.palpate.frame.ToolFrame;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.RigidTransform;
+
+/**
+ * Fits the fragment in hand to the others while a session runs, on a thread of its own. The guide
+ * of the frame pulls to the newest fit.
+ */
+public final class FaceFitting implements AutoCloseable {
+  private static final long PAUSE_NANOS = 20_000_000;
+  private static final long JOIN_MILLIS = 1000;
+
+  private final ToolFrame frame;
+  private final FaceFit fit;
+  private final FitExchange exchange;
+  private final Thread thread = new Thread(this::run, "palpate-fit");
+  private volatile List<RigidTransform> seen = List.of();
+  private volatile boolean closed;
+
+  /**
+   * Creates a fitting that does not run yet.
+   *
+   * @param fit belongs to the fitting from now on
+   * @param exchange receives the fits; the effects of the frame take them from there
+   */
+  public FaceFitting(ToolFrame frame, FaceFit fit, FitExchange exchange) {
+    this.frame = frame;
+    this.fit = fit;
+    this.exchange = exchange;
+    thread.setDaemon(true);
+  }
+
+  /** Starts to fit. */
+  public void start() {
+    thread.start();
+  }
+
+  /** Takes the present poses of all bodies, from rest to present. Any thread. */
+  public void see(List<RigidTransform> poses) {
+    seen = poses;
+  }
+
+  private void run() {
+    while (!closed) {
+      int held = frame.heldBody();
+      List<RigidTransform> poses = seen;
+      exchange.offer(held < 0 || poses.isEmpty() ? null : fit(held, poses));
+      LockSupport.parkNanos(this, PAUSE_NANOS);
+    }
+    exchange.offer(null);
+  }
+
+  private FitTarget fit(int held, List<RigidTransform> poses) {
+    BodyGroups groups = frame.groups();
+    List<Pose> present = poses.stream().map(pose -> new Pose().set(pose)).toList();
+    return fit.fit(held, other -> groups.moveTogether(held, other), present).orElse(null);
+  }
+
+  /** Ends the fitting, and waits at most a second for a fit that is being computed. */
+  @Override
+  public void close() {
+    closed = true;
+    LockSupport.unpark(thread);
+    try {
+      thread.join(JOIN_MILLIS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}
