@@ -2,6 +2,7 @@ package org.palpate.host;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.palpate.body.Placement;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
@@ -296,10 +297,7 @@ public final class SessionView implements AutoCloseable {
   /** Shows voxels that the haptic thread collides with from now on. */
   private void replaced(int segment, BitCube bits, Optional<GreyRange> grey) {
     solids.replace(segment, bits);
-    SceneLoader meshes = loader;
-    if (meshes != null) {
-      meshes.replace(segment, bits, grey);
-    }
+    withSurfaces(meshes -> meshes.replace(segment, bits, grey));
   }
 
   private static void toggleClutch(WorkspaceDevice mapped) {
@@ -347,9 +345,14 @@ public final class SessionView implements AutoCloseable {
    * @param voxels a box around the changed voxels
    */
   public void remesh(int segment, IntBox voxels) {
+    withSurfaces(meshes -> meshes.remesh(segment, voxels));
+  }
+
+  /** Changes the surfaces, if a window shows them. */
+  public void withSurfaces(Consumer<SceneLoader> change) {
     SceneLoader meshes = loader;
     if (meshes != null) {
-      meshes.remesh(segment, voxels);
+      change.accept(meshes);
     }
   }
 
@@ -447,18 +450,13 @@ public final class SessionView implements AutoCloseable {
     return shown == null ? 0 : shown.redraws();
   }
 
-  /**
-   * Returns how often the picture of the static parts was reused; final once the session has ended.
-   */
+  /** Returns how often the picture of the static parts was reused; final after the session. */
   public long staticReused() {
     SceneWindow shown = window;
     return shown == null ? 0 : shown.staticReused();
   }
 
-  /**
-   * Returns how many surface bricks were not drawn because they were outside the view; final once
-   * the session has ended.
-   */
+  /** Returns how many surface bricks outside the view were not drawn; final after the session. */
   public long culledBricks() {
     SceneWindow shown = window;
     return shown == null ? 0 : shown.culledBricks();

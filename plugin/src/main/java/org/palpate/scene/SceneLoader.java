@@ -155,6 +155,11 @@ public final class SceneLoader implements AutoCloseable {
     model.setGhost(objects.get(segment), restToPresent.map(this::gridMmToWorld));
   }
 
+  /** Colours a part of a segment's surface by a measured value, or no more. */
+  public void tint(int segment, Optional<SurfaceTint> tint) {
+    model.setTint(objects.get(segment), tint);
+  }
+
   /**
    * Reports that a picture of the model was drawn. Any thread, at every picture; it only reads a
    * flag once the finer levels are started.

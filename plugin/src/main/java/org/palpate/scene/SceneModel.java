@@ -234,6 +234,17 @@ public final class SceneModel {
         true);
   }
 
+  /** Colours a part of a surface by a measured value, or no more. */
+  public void setTint(SceneObject object, Optional<SurfaceTint> tint) {
+    change(
+        () -> {
+          boolean differs = !Optional.ofNullable(object.tint).equals(tint);
+          object.tint = tint.orElse(null);
+          return differs;
+        },
+        true);
+  }
+
   /** Reports that surface bricks were added or removed. */
   void surfaceChanged() {
     change(() -> true, true);
@@ -325,9 +336,11 @@ public final class SceneModel {
     List<DrawnObject> drawn = new ArrayList<>();
     for (SceneObject object : objects) {
       if (object.visible && object.opacity > 0) {
-        drawn.add(new DrawnObject(object, object.rgb, object.opacity, object.pose));
+        Optional<SurfaceTint> tint = Optional.ofNullable(object.tint);
+        drawn.add(new DrawnObject(object, object.rgb, object.opacity, object.pose, tint));
         if (object.ghost != null) {
-          drawn.add(new DrawnObject(object, object.rgb, GHOST_OPACITY, object.ghost));
+          drawn.add(
+              new DrawnObject(object, object.rgb, GHOST_OPACITY, object.ghost, Optional.empty()));
         }
       }
     }

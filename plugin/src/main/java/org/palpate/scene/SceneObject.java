@@ -27,6 +27,9 @@ public final class SceneObject {
   /** The pose at which a faint copy is drawn, or null. */
   RigidTransform ghost;
 
+  /** Colours a part of the surface, or null. */
+  SurfaceTint tint;
+
   SceneObject(String name, int rgb, RigidTransform pose, Vec3 lowMm, Vec3 highMm) {
     this.name = name;
     this.rgb = rgb;

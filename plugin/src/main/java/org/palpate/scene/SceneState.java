@@ -52,8 +52,14 @@ public record SceneState(
    * A visible segment with its present appearance.
    *
    * @param pose transform from grid mm to the scene frame
+   * @param tint colours a part of the surface
    */
-  public record DrawnObject(SceneObject object, int rgb, double opacity, RigidTransform pose) {}
+  public record DrawnObject(
+      SceneObject object,
+      int rgb,
+      double opacity,
+      RigidTransform pose,
+      Optional<SurfaceTint> tint) {}
 
   /**
    * A segment in the legend.

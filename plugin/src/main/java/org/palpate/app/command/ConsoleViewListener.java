@@ -67,7 +67,7 @@ final class ConsoleViewListener implements SessionView.Listener {
 
   /** Adds further keys when the window opens. Before the view is started. */
   void addKeys(Consumer<WindowInput> further) {
-    keys = further;
+    keys = keys.andThen(further);
   }
 
   @Override

@@ -28,6 +28,7 @@ import org.palpate.body.Placement;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
+import org.palpate.host.placing.GapColours;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
@@ -73,6 +74,7 @@ import picocli.CommandLine.TypeConversionException;
       "  palpate render --phantom torus:192 --view head --theme light --out torus.png",
       "  palpate render --phantom head:256 --trajectory t.csv --out touched.png",
       "  palpate render --phantom torus:96 --tool capsule:3,20 --trajectory t.csv --out held.png",
+      "  palpate render --phantom fracture --gaps --out gaps.png",
       "  palpate render --volume labels.nrrd --out labels.obj",
       "  palpate render --volume labels.nrrd --out print.stl --separate"
     })
@@ -95,7 +97,8 @@ public final class RenderCommand implements Callable<Integer> {
           "--theme",
           "--opacity",
           "--stereo",
-          "--slices");
+          "--slices",
+          "--gaps");
 
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
@@ -180,6 +183,13 @@ public final class RenderCommand implements Callable<Integer> {
       converter = StereoConverter.class)
   private Stereo stereo;
 
+  @Option(
+      names = "--gaps",
+      description =
+          "Colours the fracture faces of a scene by the distance to the face that they face: purple"
+              + " 0 mm, blue 1, teal 2, green 3, yellow 4.")
+  private boolean gaps;
+
   private Optional<MadeTool> made = Optional.empty();
   private int width;
   private int height;
@@ -224,6 +234,9 @@ public final class RenderCommand implements Callable<Integer> {
             ? new SceneLoader(model, segments, greys, threads)
             : SceneLoader.ofPlaced(model, segments, poses, threads)) {
       awaitSurfaces(loader, source);
+      if (gaps) {
+        GapColours.show(loader, segments, poses);
+      }
       report.put("surface_ms", millisSince(started));
       report.put("triangles", triangles(model));
       if (surfaceOnly) {
@@ -268,6 +281,12 @@ public final class RenderCommand implements Callable<Integer> {
           "a picture shows all segments",
           "--separate",
           "leave it out, or write a .stl, .ply or .obj");
+    }
+    if (gaps && !volume.isPlaced()) {
+      throw PalpateException.wrongUse(
+          "no fragments face each other",
+          "--gaps",
+          "leave it out, or choose --scene FILE.json or --phantom fracture");
     }
     surface.check();
     checkTool();

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.host.SessionView;
+import org.palpate.volume.SegmentedVolume;
 
 /**
  * Shows readings of the fragment in hand, or of the one that was touched last, in a view. A thread
@@ -20,6 +21,7 @@ public final class LiveReadings implements AutoCloseable {
   private final ToolFrame frame;
   private final HeldReadings readings;
   private final SessionView view;
+  private final GapColours colours;
   private final Supplier<List<String>> further;
   private final Thread thread = new Thread(this::run, "palpate-readings");
   private volatile boolean closed;
@@ -29,15 +31,26 @@ public final class LiveReadings implements AutoCloseable {
   /**
    * Creates readings that are not shown yet.
    *
+   * @param fragments the fragments at rest
    * @param further gives lines to show below, ten times a second
    */
   public LiveReadings(
-      ToolFrame frame, HeldReadings readings, SessionView view, Supplier<List<String>> further) {
+      ToolFrame frame,
+      HeldReadings readings,
+      SegmentedVolume fragments,
+      SessionView view,
+      Supplier<List<String>> further) {
     this.frame = frame;
+    colours = new GapColours(fragments, view);
     this.readings = readings;
     this.view = view;
     this.further = further;
     thread.setDaemon(true);
+  }
+
+  /** Returns the colours of the gap. */
+  public GapColours colours() {
+    return colours;
   }
 
   /** Starts to show readings. */
@@ -50,12 +63,14 @@ public final class LiveReadings implements AutoCloseable {
     while (!closed) {
       List<RigidTransform> poses = view.bodyPoses();
       int chosen = chosenBody();
+      colours.update(chosen, poses, frame.groups());
       if (chosen != NONE && (chosen != body || !poses.equals(shown))) {
         body = chosen;
         lines = readings.lines(body, poses, frame.groups());
         shown = poses;
       }
       List<String> all = new ArrayList<>(lines);
+      all.addAll(colours.lines());
       all.addAll(further.get());
       view.show(all);
       LockSupport.parkNanos(this, PAUSE_NANOS);

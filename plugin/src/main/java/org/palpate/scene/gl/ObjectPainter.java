@@ -21,6 +21,7 @@ final class ObjectPainter {
   private static final long MAX_MOVING_TRIANGLES = 400_000;
 
   private final GlProgram program;
+  private final TintTexture tint;
   private final boolean cullsOutsideView;
   private final Map<SceneObject, List<Map<Integer, GlMesh>>> meshes = new HashMap<>();
   private long drawnTriangles;
@@ -35,6 +36,7 @@ final class ObjectPainter {
   ObjectPainter(GL3 gl, boolean cullsOutsideView) {
     this.cullsOutsideView = cullsOutsideView;
     program = new GlProgram(gl, Shaders.MESH_VERTEX, Shaders.MESH_FRAGMENT);
+    tint = new TintTexture(gl);
   }
 
   /**
@@ -139,6 +141,7 @@ final class ObjectPainter {
     program.set(gl, "toEye", gridToEye);
     program.setRgb(gl, "colour", object.rgb());
     program.set(gl, "opacity", object.opacity());
+    tint.set(gl, program, object.tint());
     gl.glFrontFace(object.pose().isMirrored() ? GL.GL_CW : GL.GL_CCW);
     for (GlMesh mesh : uploaded.values()) {
       if (cullsOutsideView && mesh.isOutside(toClip)) {
@@ -197,6 +200,7 @@ final class ObjectPainter {
       levels.forEach(level -> level.values().forEach(mesh -> mesh.dispose(gl)));
     }
     meshes.clear();
+    tint.dispose(gl);
     program.dispose(gl);
   }
 }

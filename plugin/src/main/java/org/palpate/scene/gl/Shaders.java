@@ -39,7 +39,9 @@ final class Shaders {
       out vec3 eyePosition;
       out vec3 eyeNormal;
       out float visibility;
+      out vec3 gridPosition;
       void main() {
+        gridPosition = position;
         vec4 p = toEye * vec4(position, 1);
         eyePosition = p.xyz;
         eyeNormal = mat3(toEye) * normalAndVisibility.xyz;
@@ -54,19 +56,39 @@ final class Shaders {
           in vec3 eyePosition;
           in vec3 eyeNormal;
           in float visibility;
+          in vec3 gridPosition;
           uniform vec3 colour;
           uniform float opacity;
           // What lies farther along the normal, both in the camera's frame, is hidden.
           uniform vec3 clipNormal;
           uniform float clipDistance;
+          // A measured value in a box, see SurfaceTint.
+          uniform sampler3D tint;
+          uniform int tinted;
+          uniform vec3 tintLow;
+          uniform vec3 tintSize;
           out vec4 result;
+          vec3 viridis(float value) {
+            vec3 c[5] = vec3[5](vec3(0.267, 0.005, 0.329), vec3(0.231, 0.318, 0.545),
+                vec3(0.129, 0.569, 0.549), vec3(0.369, 0.788, 0.384), vec3(0.993, 0.906, 0.144));
+            float at = clamp(value, 0.0, 1.0) * 4.0;
+            int low = min(int(at), 3);
+            return mix(c[low], c[low + 1], at - float(low));
+          }
+          vec3 surfaceColour() {
+            vec3 place = (gridPosition - tintLow) / tintSize;
+            bool isIn = all(greaterThan(place, vec3(0))) && all(lessThan(place, vec3(1)));
+            if (tinted == 0 || !isIn) return colour;
+            vec2 found = texture(tint, place).rg;
+            return mix(colour, viridis(found.r / max(found.g, 0.004)), smoothstep(0.2, 0.6, found.g));
+          }
           void main() {
             if (dot(clipNormal, eyePosition) > clipDistance) discard;
             vec3 toEye = normalize(-eyePosition);
             vec3 n = normalize(eyeNormal);
             bool inside = !gl_FrontFacing;
             if (inside) n = -n;
-            vec3 c = lit(linear(colour), n, toEye, clamp(visibility, 0.0, 1.0), inside ? 0.0 : 0.16);
+            vec3 c = lit(linear(surfaceColour()), n, toEye, clamp(visibility, 0.0, 1.0), inside ? 0.0 : 0.16);
             if (inside) c *= 0.6;
             // Transparent surfaces are most visible at their rim.
             float rim = pow(1.0 - max(dot(n, toEye), 0.0), 2.0);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
@@ -24,6 +25,7 @@ import org.palpate.scene.SceneObject;
 import org.palpate.scene.SlicePlanes;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
+import org.palpate.scene.SurfaceTint;
 import org.palpate.scene.Theme;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
@@ -103,6 +105,33 @@ class OffscreenRendererWindowTest {
     Picture picture = scene.draw(model.state());
     assertTrue(isDark(picture.rgb(WIDTH / 2 - 60, HEIGHT / 2)));
     assertTrue(isBluish(picture.rgb(WIDTH / 2 + 60, HEIGHT / 2)));
+  }
+
+  @Test
+  void aTintColoursASurfaceWhereItsValueIsKnown() throws Exception {
+    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    model.look(StandardView.FRONT, 4.0 / 3);
+    List<SurfaceTint.Sample> samples = new ArrayList<>();
+    for (int n = 0; n < EDGE * EDGE * EDGE / 2; n++) { // the lower half of each box
+      int row = n / EDGE;
+      int layer = row / EDGE;
+      Vec3 at = new Vec3(n % EDGE, row % EDGE, layer);
+      samples.add(new SurfaceTint.Sample(at, 1));
+    }
+    SurfaceTint tint = SurfaceTint.of(samples, new Vec3(1, 1, 1));
+    model.setTint(model.objects().get(0), Optional.of(tint));
+    Picture picture = scene.draw(model.state());
+    assertTrue(isYellow(picture.rgb(WIDTH / 2 - 60, HEIGHT / 2 + 20)), "the highest value below");
+    assertTrue(isReddish(picture.rgb(WIDTH / 2 - 60, HEIGHT / 2 - 20)), "its own colour above");
+    assertTrue(isBluish(picture.rgb(WIDTH / 2 + 60, HEIGHT / 2 + 20)), "the other one as before");
+    model.setTint(model.objects().get(0), Optional.empty());
+    assertTrue(isReddish(scene.draw(model.state()).rgb(WIDTH / 2 - 60, HEIGHT / 2 + 20)), "gone");
+  }
+
+  private static boolean isYellow(int rgb) {
+    int red = rgb >> 16 & 255;
+    int green = rgb >> 8 & 255;
+    return red > 100 && green > 80 && (rgb & 255) < green / 2;
   }
 
   @Test
