@@ -28,6 +28,7 @@ final class RemeshTimes {
   private static final long FRAME_NANOS = 1_000_000;
   private static final long POLL_NANOS = 250_000;
   private static final long PATIENCE_MILLIS = 60_000;
+  private static final long PATIENCE_NANOS = PATIENCE_MILLIS * 1_000_000;
   private static final double NANOS_PER_MS = 1e6;
   private static final double TARGET_MS = 33;
 
@@ -41,7 +42,6 @@ final class RemeshTimes {
 
   private final Deque<Batch> building = new ArrayDeque<>();
   private final List<Double> millis = new ArrayList<>();
-  private volatile boolean ended;
 
   /** Cuts whose surface one job builds. */
   private record Batch(List<Long> nanos, SurfaceJob job) {}
@@ -76,7 +76,7 @@ final class RemeshTimes {
     return new RigidFigure("surface", DrilledSlab.NAME, name, millis, "ms", target);
   }
 
-  private void drill(SceneLoader loader) throws InterruptedException {
+  private void drill(SceneLoader loader) throws InterruptedException, TimeoutException {
     slab.listen(
         (segment, i, j, k, solid) -> changes.offer(System.nanoTime(), segment, i, j, k, solid));
     Thread haptic = new Thread(this::runFrames, "palpate-drill");
@@ -89,12 +89,23 @@ final class RemeshTimes {
               throw failure;
             })) {
       steps.start();
-      while (!ended || !isBuilt()) {
-        LockSupport.parkNanos(POLL_NANOS);
-        takeFinished();
+      while (haptic.isAlive()) {
+        waitAndTakeFinished();
+      }
+      haptic.join();
+      long latest = System.nanoTime() + PATIENCE_NANOS;
+      while (!isBuilt()) {
+        if (System.nanoTime() > latest) {
+          throw new TimeoutException();
+        }
+        waitAndTakeFinished();
       }
     }
-    haptic.join();
+  }
+
+  private void waitAndTakeFinished() {
+    LockSupport.parkNanos(POLL_NANOS);
+    takeFinished();
   }
 
   private void runFrames() {
@@ -106,7 +117,6 @@ final class RemeshTimes {
       }
       slab.runFrame();
     }
-    ended = true;
   }
 
   private synchronized void step(SceneLoader loader) {
