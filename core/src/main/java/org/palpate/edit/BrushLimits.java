@@ -23,7 +23,9 @@ public record BrushLimits(Optional<BitCube> only, Optional<BitCube> kept, boolea
    */
   boolean write(VoxelWriter out, int segment, int i, int j, int k, boolean solid) {
     boolean mayChange =
-        (only.isEmpty() || only.get().get(i, j, k)) && (kept.isEmpty() || !kept.get().get(i, j, k));
+        (only.isEmpty() || only.get().get(i, j, k))
+            && (kept.isEmpty() || !kept.get().get(i, j, k))
+            && out.changes(segment, i, j, k, solid);
     return mayChange
         && !(solid && sparesTool && out.tool().meets(segment, i, j, k))
         && out.write(segment, i, j, k, solid);

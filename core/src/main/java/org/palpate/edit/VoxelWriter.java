@@ -85,17 +85,22 @@ public final class VoxelWriter {
     return history;
   }
 
+  /** Whether {@link #write} would change a voxel of the grid. */
+  boolean changes(int segment, int i, int j, int k, boolean solid) {
+    return scene.cube(segment).get(i, j, k) != solid && !(solid && isBeyondLimit(segment, i, j, k));
+  }
+
   /**
    * Makes a voxel of the grid solid or empty. The caller then reports the box to {@link #applied}.
    *
    * @return whether it changed; a voxel beyond the {@link #limit} stays empty
    */
   public boolean write(int segment, int i, int j, int k, boolean solid) {
-    BitCube bits = scene.cube(segment);
-    if (bits.get(i, j, k) == solid || (solid && isBeyondLimit(segment, i, j, k))) {
+    if (!changes(segment, i, j, k, solid)) {
       return false;
     }
     history.beforeChange();
+    BitCube bits = scene.cube(segment);
     int x = i >> BitCube.BRICK_SHIFT;
     int y = j >> BitCube.BRICK_SHIFT;
     int z = k >> BitCube.BRICK_SHIFT;
