@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.SameVoxels;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -267,9 +268,9 @@ class BrushEditTest {
         }
       }
       apply(new DifferenceEdit(0, before, after, BrushLimits.NONE));
-      assertEqual(after, bits);
+      SameVoxels.require(after, bits, "seed " + Seeds.seed());
       apply(HistoryEdit.undo());
-      assertEqual(before, bits);
+      SameVoxels.require(before, bits, "seed " + Seeds.seed());
       apply(HistoryEdit.redo());
     }
   }
@@ -281,15 +282,6 @@ class BrushEditTest {
     after.set(1, 1, EDGE + 1);
     DifferenceEdit edit = new DifferenceEdit(0, large, after, BrushLimits.NONE);
     assertThrows(IllegalArgumentException.class, () -> queue.offer(edit));
-  }
-
-  private static void assertEqual(BitCube expected, BitCube actual) {
-    for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
-      int i = n % EDGE;
-      int j = n / EDGE % EDGE;
-      int k = n / (EDGE * EDGE);
-      assertEquals(expected.get(i, j, k), actual.get(i, j, k), "seed " + Seeds.seed());
-    }
   }
 
   private void apply(Edit edit) {

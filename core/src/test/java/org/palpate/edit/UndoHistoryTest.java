@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.Floor;
+import org.palpate.testing.SameVoxels;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -130,8 +131,8 @@ class UndoHistoryTest {
     for (int step = 0; step < 300; step++) {
       int kind = random.nextInt(4);
       apply(writer, kind == 0 ? HistoryEdit.undo() : kind == 1 ? HistoryEdit.redo() : stroke());
-      assertEqual(copies[0], floor, "step " + step);
-      assertEqual(copies[1], other, "step " + step);
+      SameVoxels.require(copies[0], floor, "step " + step);
+      SameVoxels.require(copies[1], other, "step " + step);
     }
   }
 
@@ -160,19 +161,7 @@ class UndoHistoryTest {
   }
 
   private void assertState(int state) {
-    assertEqual(states.get(state)[0], floor, "seed " + Seeds.seed() + " state " + state);
-    assertEqual(states.get(state)[1], other, "seed " + Seeds.seed() + " state " + state);
-  }
-
-  private static void assertEqual(BitCube expected, BitCube actual, String where) {
-    assertEquals(expected.solidCount(), actual.solidCount(), where);
-    for (int k = 0; k < EDGE / 4; k++) {
-      for (int j = 0; j < EDGE / 4; j++) {
-        for (int i = 0; i < EDGE / 4; i++) {
-          assertEquals(expected.brick(i, j, k), actual.brick(i, j, k), where);
-          assertEquals(expected.block(i / 4, j / 4, k / 4), actual.block(i / 4, j / 4, k / 4));
-        }
-      }
-    }
+    SameVoxels.require(states.get(state)[0], floor, "seed " + Seeds.seed() + " state " + state);
+    SameVoxels.require(states.get(state)[1], other, "seed " + Seeds.seed() + " state " + state);
   }
 }

@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.SameVoxels;
 import org.palpate.testing.Seeds;
 
 /** Compares repairs and smoothing with plain references over arrays. */
@@ -37,7 +38,7 @@ class SegmentRepairTest {
       }
       BitCube found = SegmentRepair.withoutIslands(bits, least);
       if (largest >= least) {
-        assertEqual(expected, found);
+        SameVoxels.require(expected, found, "seed " + Seeds.seed());
       } else {
         assertEquals(largest, found.solidCount()); // which of equals stays is not stated
       }
@@ -58,7 +59,7 @@ class SegmentRepairTest {
         }
       }
       BitCube found = SegmentRepair.withoutHoles(bits, most);
-      assertEqual(expected, found);
+      SameVoxels.require(expected, found, "seed " + Seeds.seed());
       filled += found.solidCount() - bits.solidCount();
     }
     assertTrue(filled > 100, "filled " + filled);
@@ -159,14 +160,5 @@ class SegmentRepairTest {
   private static boolean isAtFace(int[] v) {
     return Math.min(v[0], Math.min(v[1], v[2])) == 0
         || Math.max(v[0], Math.max(v[1], v[2])) == EDGE - 1;
-  }
-
-  private static void assertEqual(BitCube expected, BitCube actual) {
-    for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
-      int i = n % EDGE;
-      int j = n / EDGE % EDGE;
-      int k = n / (EDGE * EDGE);
-      assertEquals(expected.get(i, j, k), actual.get(i, j, k), "seed " + Seeds.seed());
-    }
   }
 }
