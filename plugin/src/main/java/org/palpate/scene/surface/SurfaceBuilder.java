@@ -9,7 +9,6 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.stream.IntStream;
 import org.palpate.volume.BitCube;
 
 /**
@@ -71,27 +70,17 @@ public final class SurfaceBuilder implements AutoCloseable {
     return thread;
   }
 
-  /** Extracts every brick of a source. {@code whenDone} runs after the last one if none failed. */
-  public SurfaceJob build(
-      SurfaceSource source, AmbientOcclusion occlusion, int urgency, Sink sink, Runnable whenDone) {
-    int count = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE).count();
-    return build(source, occlusion, urgency, IntStream.range(0, count).toArray(), sink, whenDone);
-  }
-
   /**
-   * Extracts some bricks of a source, before less urgent ones that wait.
+   * Extracts every brick of a source. {@code whenDone} runs after the last one if none failed.
    *
    * @return the job, which reports progress and failures
    */
   public SurfaceJob build(
-      SurfaceSource source,
-      AmbientOcclusion occlusion,
-      int urgency,
-      int[] bricks,
-      Sink sink,
-      Runnable whenDone) {
-    SurfaceJob job = new SurfaceJob(bricks.length, whenDone);
-    for (int brick : bricks) {
+      SurfaceSource source, AmbientOcclusion occlusion, int urgency, Sink sink, Runnable whenDone) {
+    int count = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE).count();
+    SurfaceJob job = new SurfaceJob(count, whenDone);
+    for (int n = 0; n < count; n++) {
+      int brick = n;
       threads.execute(
           new BrickTask(
               urgency,
@@ -102,9 +91,9 @@ public final class SurfaceBuilder implements AutoCloseable {
   }
 
   /**
-   * Extracts some bricks of a source again after an edit. A brick that still waits to be extracted
-   * again is extracted once for all, with the voxels that there are then. So an editor that is
-   * faster than the extraction makes no queue.
+   * Extracts some bricks of a source again after an edit. A brick that already waits is not queued
+   * twice: it is extracted once for all its jobs, from the voxels at that time. So the queue stays
+   * short even if edits come faster than the extraction.
    *
    * @return the job, which reports progress and failures
    */

@@ -46,7 +46,7 @@ class SurfaceBuilderTest {
     assertTrue(touched.length < 27, "an edit of a corner touches few bricks: " + touched.length);
     try (SurfaceBuilder builder = new SurfaceBuilder(2)) {
       builder
-          .build(
+          .rebuild(
               source,
               AmbientOcclusion.NONE,
               SurfaceBuilder.EDITED,
