@@ -284,13 +284,14 @@ public final class SceneModel {
         true);
   }
 
-  /** Clips in the next direction, or no more. */
+  /** Turns the clipping plane to its next direction, or takes it away after the last one. */
   public void clipNext() {
-    ClipPlane.Direction present;
-    synchronized (this) {
-      present = clip;
-    }
-    clip(present.next());
+    change(
+        () -> {
+          clip = clip.next();
+          return true;
+        },
+        true);
   }
 
   /** Shows these landmarks and no others; positions in world mm. */

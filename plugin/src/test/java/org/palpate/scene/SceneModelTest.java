@@ -67,6 +67,46 @@ class SceneModelTest {
   }
 
   @Test
+  void theClippingPlaneTurnsFromAxisToAxisAndThenFacesTheViewer() {
+    model.look(StandardView.OBLIQUE, 1);
+    assertEquals(Optional.empty(), model.state().clip());
+    for (int axis = 0; axis < 3; axis++) {
+      model.clipNext();
+      ClipPlane plane = model.state().clip().orElseThrow();
+      Vec3 toEye = model.camera().eye().sub(plane.point(), new Vec3());
+      assertEquals(1, Math.abs(plane.normal().get(axis)));
+      assertEquals(1, plane.normal().length());
+      assertTrue(plane.normal().dot(toEye) > 0);
+    }
+    model.clipNext();
+    assertAt(model.camera().back(), model.state().clip().orElseThrow().normal());
+    model.clipNext();
+    assertEquals(Optional.empty(), model.state().clip());
+  }
+
+  @Test
+  void theClippingPlaneFollowsThePointButNotItsSmallestMotions() {
+    model.clipNext();
+    model.setMarks(Optional.of(marksAt(new Vec3(1, 2, 3))));
+    SceneState before = model.state();
+    assertAt(new Vec3(1, 2, 3), before.clip().orElseThrow().point());
+    model.setMarks(Optional.of(marksAt(new Vec3(1.001, 2, 3))));
+    assertAt(new Vec3(1, 2, 3), model.state().clip().orElseThrow().point());
+    assertEquals(before.staticRevision(), model.state().staticRevision());
+    model.setMarks(Optional.of(marksAt(new Vec3(1.5, 2, 3))));
+    assertAt(new Vec3(1.5, 2, 3), model.state().clip().orElseThrow().point());
+    assertTrue(before.staticRevision() < model.state().staticRevision());
+  }
+
+  private static void assertAt(Vec3 expected, Vec3 actual) {
+    assertEquals(0, expected.sub(actual, new Vec3()).length());
+  }
+
+  private static TouchMarks marksAt(Vec3 point) {
+    return new TouchMarks(new Vec3(), point, new Vec3(), false, List.of());
+  }
+
+  @Test
   void hiddenAndFullyTransparentSegmentsAreNotDrawn() {
     model.setVisible(bone, false);
     assertEquals(List.of(), model.state().objects());
