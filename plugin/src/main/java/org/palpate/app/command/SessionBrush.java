@@ -45,6 +45,9 @@ final class SessionBrush {
   /** The stroke of the last edit; {@link #tick} alone uses it. */
   private Optional<Stroke> ticked = Optional.empty();
 
+  /** The last edit of a stroke; {@link #tick} alone uses it. */
+  private Optional<Edit> last = Optional.empty();
+
   /** A stroke that goes on until a key ends it. */
   private record Stroke(boolean adds, BrushPath path) {}
 
@@ -105,17 +108,23 @@ final class SessionBrush {
     stroke = ends ? Optional.empty() : Optional.of(new Stroke(adds, new BrushPath()));
   }
 
-  /** Paints where the tool went since the last call. Call it about 30 times a second. */
+  /**
+   * Paints where the tool went since the last edit, unless that one is not complete yet. So at most
+   * one waits, however large the brush is. Call it about 30 times a second.
+   */
   void tick() {
     Optional<Stroke> now = stroke;
-    now.ifPresent(
-        present -> {
-          Edit edit = edit(present);
-          if (now.equals(ticked)) {
-            edit.continueStroke();
-          }
-          ticked = session.offer(edit) ? now : ticked;
-        });
+    if (now.isEmpty() || last.filter(edit -> !edit.isDone()).isPresent()) {
+      return;
+    }
+    Edit edit = edit(now.get());
+    if (now.equals(ticked)) {
+      edit.continueStroke();
+    }
+    if (session.offer(edit)) {
+      ticked = now;
+      last = Optional.of(edit);
+    }
   }
 
   private Edit edit(Stroke present) {
