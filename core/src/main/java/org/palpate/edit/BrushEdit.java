@@ -15,7 +15,7 @@ public final class BrushEdit extends BoxEdit {
   private final boolean solid;
   private final BrushLimits limits;
 
-  /** The piece of the path as a vector, mm along the axes of the grid. */
+  /** The vector from the beginning to the end of the piece, mm along the axes of the grid. */
   private final Vec3 wayMm = new Vec3();
 
   private double squaredWayMm;
@@ -46,6 +46,7 @@ public final class BrushEdit extends BoxEdit {
    * @param path the path of the stroke
    * @param radiusMm metric radius, at least 0
    * @param solid whether the voxels become solid; empty else
+   * @param limits the voxels that it leaves as they are
    */
   public static BrushEdit atTool(
       int segment, BrushPath path, double radiusMm, boolean solid, BrushLimits limits) {

@@ -8,7 +8,7 @@ import org.palpate.geometry.Vec3;
  * edits of one stroke share it, and only the haptic thread moves along it.
  */
 public final class BrushPath {
-  /** A tool that moves farther between two edits has jumped, radii of the brush. */
+  /** The longest piece of a path, radii of the brush; a tool that moves farther has jumped. */
   private static final double JUMP_RADII = 8;
 
   /** The end of the last piece; NaN before the first. */

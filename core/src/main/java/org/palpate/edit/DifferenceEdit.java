@@ -27,6 +27,7 @@ public final class DifferenceEdit extends Edit {
    * @param segment index of the segment in the scene
    * @param before the voxels from which {@code after} was computed, a cube of the scene's sizes
    * @param after the voxels as they should be, a cube of the same sizes
+   * @param limits the voxels that it leaves as they are
    */
   public DifferenceEdit(int segment, BitCube before, BitCube after, BrushLimits limits) {
     super(segment);
@@ -56,7 +57,7 @@ public final class DifferenceEdit extends Edit {
     count++;
   }
 
-  /** Whether the cubes are alike, so that the edit changes nothing. */
+  /** Whether the cubes are equal, so that the edit changes nothing. */
   public boolean isEmpty() {
     return count == 0;
   }

@@ -3,9 +3,9 @@ package org.palpate.edit;
 import org.palpate.geometry.AffineMap;
 
 /**
- * Makes every voxel solid or empty whose centre lies in the solid of the rigid tool, where the
- * device is when the edit is applied. It does nothing without a rigid tool. A large tool takes
- * several frames.
+ * Makes every voxel solid or empty whose centre lies in the solid of the rigid tool. The solid
+ * stands at the device pose of the frame in which the edit begins. Nothing happens without a rigid
+ * tool. A large tool takes several frames.
  */
 public final class ShapeEdit extends BoxEdit {
   /** The frame of a grid may differ from an orthonormal one by less than this factor. */
@@ -31,6 +31,7 @@ public final class ShapeEdit extends BoxEdit {
    * @param shape the solid
    * @param radiusMm the distance from the origin of the tool frame within which it lies, mm
    * @param solid whether the voxels become solid; empty else
+   * @param limits the voxels that it leaves as they are
    */
   public ShapeEdit(int segment, Shape shape, double radiusMm, boolean solid, BrushLimits limits) {
     super(segment);
@@ -51,9 +52,7 @@ public final class ShapeEdit extends BoxEdit {
     }
   }
 
-  /**
-   * Returns the coordinate of the tool's origin along an axis of the grid, whose image is given.
-   */
+  /** Returns a grid coordinate of the tool's origin; the image of that axis is given. */
   private double back(double axisX, double axisY, double axisZ) {
     double along =
         gridToDevice.offsetX * axisX + gridToDevice.offsetY * axisY + gridToDevice.offsetZ * axisZ;

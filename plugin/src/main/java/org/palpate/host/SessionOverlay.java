@@ -85,7 +85,7 @@ final class SessionOverlay {
     touched = segment.orElse("contact");
   }
 
-  /** Shows the volume of each segment that was removed, or added. Synchronization thread. */
+  /** Shows for each segment the volume that was removed or added. Synchronization thread. */
   void removed(ChangedVoxels changed, SegmentedVolume volume) {
     Vec3 spacing = volume.grid().spacingMm();
     StringBuilder text = new StringBuilder();
@@ -162,7 +162,7 @@ final class SessionOverlay {
         : format("%.0f Hz   ", (status.frames() - lastFrames) * 1e9 / (now - updateNanos));
   }
 
-  /** Returns the mean speed of the tool since the last update, the feed of one that cuts. */
+  /** Returns the feed of a tool that cuts: its mean speed since the last update. */
   private String feedText(long now) {
     return updateNanos == 0 ? "" : format("   feed %.0f mm/s", pathMm * 1e9 / (now - updateNanos));
   }

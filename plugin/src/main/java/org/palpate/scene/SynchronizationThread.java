@@ -48,12 +48,12 @@ public final class SynchronizationThread implements AutoCloseable {
   }
 
   /**
-   * Creates a thread that also runs shorter steps, four in the time of a tick, for what must not
-   * wait for a tick to begin.
+   * Creates a thread that also runs a step four times in each period, for work that must begin
+   * sooner than the next tick.
    *
    * @param tick runs at each tick
-   * @param step runs at each step
-   * @param onFailure receives the first exception, on this thread
+   * @param step runs four times in each period, the last time just before the tick
+   * @param onFailure receives the first exception of a tick or a step, on this thread
    */
   public SynchronizationThread(Runnable tick, Runnable step, Consumer<RuntimeException> onFailure) {
     this.tick = tick;

@@ -65,6 +65,7 @@ public final class BrushOptions {
    * Checks what needs no volume.
    *
    * @param isRigid whether the tool has a shape
+   * @param isPlaced whether the segments are bodies at poses
    * @throws PalpateException exit code 2, if an option is wrong
    */
   public void check(boolean isRigid, boolean isPlaced) {
@@ -122,7 +123,8 @@ public final class BrushOptions {
     }
     double mm = NumberParser.number(first);
     if (!(mm > 0 && mm <= MOST_RADIUS_MM)) {
-      throw unreadable("write a radius from 0 to 1,000 mm or tool first, as in --brush 3,refuse");
+      throw unreadable(
+          "begin with a radius above 0 and up to 1,000 mm, or with tool, as in --brush 3,refuse");
     }
     return OptionalDouble.of(mm);
   }

@@ -82,7 +82,7 @@ final class ObjectPainter {
     transparent.forEach(object -> drawTransparent(gl, state, object, toEye, projection));
   }
 
-  /** Sets the clipping plane; without one, no distance is too far. */
+  /** Sets the clipping plane. Without one the normal is zero, so that nothing is hidden. */
   private void setClip(GL3 gl, SceneState state, Matrix4 toEye) {
     Vec3 normal = new Vec3();
     double distance = 1;
