@@ -128,6 +128,7 @@ public final class SessionView implements AutoCloseable {
     model = new SceneModel(axes, Theme.DARK);
     toolPoints = session.held().map(held -> held.scene().drawnPoints()).orElse(List.of());
     model.setUpsideDown(options.upsideDown());
+    options.clip().ifPresent(model::clip);
     slices = options.slices().map(start -> new MovableSlices(model, start));
     threshold =
         options

@@ -2,6 +2,7 @@ package org.palpate.host;
 
 import java.util.List;
 import java.util.Optional;
+import org.palpate.scene.ClipPlane;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.window.ScenePanel;
@@ -21,6 +22,7 @@ import org.palpate.scene.window.ScenePanel;
  * @param threshold the segment whose threshold keys change, with the scene that touches it
  * @param axesFollowView whether the axes of a {@link org.palpate.device.WorkspaceDevice} are those
  *     of the picture; the world must then be right-handed
+ * @param clip the plane that cuts the surfaces open at first, if wanted; keys turn it
  */
 public record ViewOptions(
     List<Optional<GreyRange>> greys,
@@ -28,7 +30,8 @@ public record ViewOptions(
     Optional<ScenePanel> panel,
     boolean upsideDown,
     Optional<Threshold> threshold,
-    boolean axesFollowView) {
+    boolean axesFollowView,
+    Optional<ClipPlane.Start> clip) {
 
   /**
    * A segment whose threshold changes while it is touched.
@@ -41,7 +44,13 @@ public record ViewOptions(
   /** Surfaces made of bits, in a window of their own. */
   public static final ViewOptions PLAIN =
       new ViewOptions(
-          List.of(), Optional.empty(), Optional.empty(), false, Optional.empty(), false);
+          List.of(),
+          Optional.empty(),
+          Optional.empty(),
+          false,
+          Optional.empty(),
+          false,
+          Optional.empty());
 
   /** Copies the list. */
   public ViewOptions {
@@ -51,6 +60,6 @@ public record ViewOptions(
   /** Returns a copy that shows the view inside another program's window. */
   public ViewOptions in(ScenePanel component) {
     return new ViewOptions(
-        greys, slices, Optional.of(component), upsideDown, threshold, axesFollowView);
+        greys, slices, Optional.of(component), upsideDown, threshold, axesFollowView, clip);
   }
 }

@@ -3,6 +3,7 @@ package org.palpate.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.UnaryOperator;
@@ -40,6 +41,7 @@ public final class SceneModel {
   private boolean upsideDown;
   private ClipPlane.Direction clip = ClipPlane.Direction.OFF;
   private Optional<Vec3> clipPoint = Optional.empty();
+  private OptionalDouble clipWorldMm = OptionalDouble.empty();
   private Look look;
   private long staticRevision;
   private boolean moving;
@@ -270,28 +272,46 @@ public final class SceneModel {
         || clipPoint.get().sub(shown.point(), new Vec3()).length() > CLIP_STEP * radiusMm;
   }
 
+  /** Hides the surfaces in front of a plane. */
+  public void clip(ClipPlane.Start start) {
+    clipWith(
+        () -> {
+          clip = start.direction();
+          clipWorldMm = start.worldMm();
+        });
+  }
+
   /**
-   * Hides the surfaces in front of a plane through the interaction point, or through the middle of
-   * all objects before there is one.
+   * Turns the clipping plane to its next direction, or takes it away after the last one. It leads
+   * through the interaction point, or through the middle of all objects before there is one.
    */
-  public void clip(ClipPlane.Direction direction) {
+  public void clipNext() {
+    clipWith(
+        () -> {
+          clip = clip.next();
+          clipWorldMm = OptionalDouble.empty();
+        });
+  }
+
+  private void clipWith(Runnable turn) {
     change(
         () -> {
-          boolean differs = clip != direction;
-          clip = direction;
-          return differs;
+          turn.run();
+          clipPoint = marks.map(TouchMarks::point);
+          return true;
         },
         true);
   }
 
-  /** Turns the clipping plane to its next direction, or takes it away after the last one. */
-  public void clipNext() {
-    change(
-        () -> {
-          clip = clip.next();
-          return true;
-        },
-        true);
+  /** Returns a point of the clipping plane. */
+  private Vec3 clipPoint() {
+    Vec3 point = new Vec3().set(clipPoint.orElse(middle));
+    if (clipWorldMm.isPresent()) {
+      Vec3 world = axes.toSceneOrBack(point, new Vec3());
+      world.set(clip.axis(), clipWorldMm.getAsDouble());
+      axes.toSceneOrBack(world, point);
+    }
+    return point;
   }
 
   /** Shows these landmarks and no others; positions in world mm. */
@@ -359,7 +379,7 @@ public final class SceneModel {
         moving,
         landmarks,
         legend(),
-        clip.through(clipPoint.orElse(middle), camera));
+        clip.through(clipPoint(), camera));
   }
 
   private interface Change {

@@ -1,10 +1,12 @@
 package org.palpate.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.RigidTransform;
@@ -96,6 +98,29 @@ class SceneModelTest {
     model.setMarks(Optional.of(marksAt(new Vec3(1.5, 2, 3))));
     assertAt(new Vec3(1.5, 2, 3), model.state().clip().orElseThrow().point());
     assertTrue(before.staticRevision() < model.state().staticRevision());
+  }
+
+  @Test
+  void theClippingPlaneLeadsThroughAPointThatRests() {
+    model.setMarks(Optional.of(marksAt(new Vec3(1, 2, 3))));
+    model.clipNext();
+    assertAt(new Vec3(1, 2, 3), model.state().clip().orElseThrow().point());
+  }
+
+  @Test
+  void aClippingPlaneAtAPlaceOfTheWorldStaysThereUntilItIsTurned() {
+    model.clip(new ClipPlane.Start(ClipPlane.Direction.X, OptionalDouble.of(7)));
+    model.setMarks(Optional.of(marksAt(new Vec3(1, 2, 3))));
+    assertAt(new Vec3(-7, 2, 3), model.state().clip().orElseThrow().point());
+    model.clipNext();
+    assertAt(new Vec3(1, 2, 3), model.state().clip().orElseThrow().point());
+  }
+
+  @Test
+  void aPlaneThatFacesTheViewerHasNoPlaceOnAnAxis() {
+    OptionalDouble place = OptionalDouble.of(7);
+    assertThrows(
+        IllegalArgumentException.class, () -> new ClipPlane.Start(ClipPlane.Direction.VIEW, place));
   }
 
   private static void assertAt(Vec3 expected, Vec3 actual) {

@@ -98,7 +98,8 @@ public final class RenderCommand implements Callable<Integer> {
           "--opacity",
           "--stereo",
           "--slices",
-          "--gaps");
+          "--gaps",
+          "--clip");
 
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
@@ -224,6 +225,7 @@ public final class RenderCommand implements Callable<Integer> {
     SceneModel model = new SceneModel(axes(source.header().coordinateSystem()), theme);
     Optional<MovableSlices.Start> planes = slices.start(source);
     showMarks(model, source, segments);
+    surface.clip().ifPresent(model::clip);
     showSlices(model, segments.grid(), planes);
     List<Optional<GreyRange>> greys = surface.greys(source, true);
     long started = System.nanoTime();

@@ -481,6 +481,7 @@ public final class TouchCommand implements Callable<Integer> {
                 ? Optional.empty()
                 : SliceOptions.threshold(source)
                     .map(start -> new ViewOptions.Threshold(scene, start, thresholdRefusal())),
-            axes == DeviceAxes.VIEW));
+            axes == DeviceAxes.VIEW,
+            surface.clip()));
   }
 }

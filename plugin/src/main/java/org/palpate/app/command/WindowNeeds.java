@@ -12,7 +12,8 @@ import picocli.CommandLine.ParseResult;
  */
 record WindowNeeds(boolean headless) {
   /** Options that have no effect without a window. */
-  private static final List<String> OPTIONS = List.of("--slices", "--surface", "--upside-down");
+  private static final List<String> OPTIONS =
+      List.of("--slices", "--surface", "--clip", "--upside-down");
 
   /**
    * Checks all options that have no effect without a window.

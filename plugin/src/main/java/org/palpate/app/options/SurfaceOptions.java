@@ -4,17 +4,22 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.palpate.app.process.PalpateException;
 import org.palpate.io.GreyVolumes;
+import org.palpate.io.file.NumberParser;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.scene.ClipPlane;
+import org.palpate.scene.ClipPlane.Direction;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Option;
 
-/** The option that chooses the source of drawn surfaces. */
+/** The options of drawn surfaces: their source, and the plane that cuts them open. */
 public final class SurfaceOptions {
   private static final String GREY = "grey";
   private static final double MEMORY_FRACTION = 0.25;
@@ -31,16 +36,54 @@ public final class SurfaceOptions {
       })
   private String surface;
 
+  @Option(
+      names = "--clip",
+      paramLabel = "PLANE",
+      description = {
+        "Cuts the surfaces open by a plane across an axis of the world (x, y or z), or by one that"
+            + " faces the viewer (view). It leads through the interaction point. x:MM, y:MM and"
+            + " z:MM put it at a place on the axis."
+      })
+  private String clip;
+
   /**
-   * Checks that the value is known.
+   * Checks that the values are known.
    *
-   * @throws PalpateException exit code 2, if it is not
+   * @throws PalpateException exit code 2, if they are not
    */
   public void check() {
+    clip();
     if (surface != null && !surface.equals(GREY) && !surface.equals("bits")) {
       throw PalpateException.wrongUse(
           "there is no such source of a surface", "--surface " + surface, "choose grey or bits");
     }
+  }
+
+  /**
+   * Returns the clipping plane, if one was asked for.
+   *
+   * @throws PalpateException exit code 2, if it cannot be read
+   */
+  public Optional<ClipPlane.Start> clip() {
+    if (clip == null) {
+      return Optional.empty();
+    }
+    String[] parts = clip.split(":", -1);
+    Optional<Direction> direction =
+        Stream.of(Direction.values())
+            .filter(known -> known != Direction.OFF && known.toString().equals(parts[0]))
+            .findFirst();
+    boolean hasPlace = parts.length == 2 && direction.filter(Direction::isAcrossAxis).isPresent();
+    double mm = hasPlace ? NumberParser.number(parts[1]) : Double.NaN;
+    if (direction.isEmpty() || (parts.length > 1 && !Double.isFinite(mm))) {
+      throw PalpateException.wrongUse(
+          "the clipping plane cannot be read",
+          "--clip " + clip,
+          "write x, y, z or view, or a place on an axis in mm, as in x:12.5");
+    }
+    return Optional.of(
+        new ClipPlane.Start(
+            direction.get(), hasPlace ? OptionalDouble.of(mm) : OptionalDouble.empty()));
   }
 
   /**

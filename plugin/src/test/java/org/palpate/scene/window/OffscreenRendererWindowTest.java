@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -16,6 +17,7 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Camera;
+import org.palpate.scene.ClipPlane;
 import org.palpate.scene.GreySlices;
 import org.palpate.scene.Matrix4;
 import org.palpate.scene.NamedPoint;
@@ -132,6 +134,26 @@ class OffscreenRendererWindowTest {
     int red = rgb >> 16 & 255;
     int green = rgb >> 8 & 255;
     return red > 100 && green > 80 && (rgb & 255) < green / 2;
+  }
+
+  @Test
+  void aClippingPlaneShowsTheInsideOfWhatItCuts() throws Exception {
+    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    model.look(StandardView.FRONT, 4.0 / 3);
+    Picture whole = scene.draw(model.state());
+    Picture uncut = drawClippedAt(-1, model);
+    assertEquals(0, differing(uncut, whole, 0, 0, WIDTH, HEIGHT), "all lies behind the plane");
+    int outside = whole.rgb(WIDTH / 2 - 60, HEIGHT / 2);
+    int inside = drawClippedAt(EDGE / 2.0, model).rgb(WIDTH / 2 - 60, HEIGHT / 2);
+    assertTrue(isReddish(inside), Integer.toHexString(inside));
+    assertTrue((inside >> 16) < (outside >> 16), "the inside is darker");
+    int none = drawClippedAt(EDGE + 1, model).rgb(WIDTH / 2 - 60, HEIGHT / 2);
+    assertTrue(isDark(none), "all lies before the plane");
+  }
+
+  private Picture drawClippedAt(double y, SceneModel model) throws GraphicsException {
+    model.clip(new ClipPlane.Start(ClipPlane.Direction.Y, OptionalDouble.of(y)));
+    return scene.draw(model.state());
   }
 
   @Test
