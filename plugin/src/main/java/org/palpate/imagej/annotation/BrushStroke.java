@@ -12,6 +12,13 @@ import org.palpate.imagej.stack.StackVolume;
  * stroke can be undone and redone.
  */
 final class BrushStroke {
+  /** Receives what a stroke writes. */
+  @FunctionalInterface
+  interface Sink {
+    /** Receives the value that a voxel of the stack gets. */
+    void written(int i, int j, int k, float value);
+  }
+
   private record Change(int i, int j, int k, float before, float after) {}
 
   private final StackVolume volume;
@@ -22,7 +29,7 @@ final class BrushStroke {
   }
 
   /**
-   * Paints a ball into the stack.
+   * Finds the voxels of a ball that are to change. {@link #redo} paints them.
    *
    * @param centreGrid centre of the ball, grid coordinates
    * @param spacingMm edge lengths of a voxel
@@ -30,7 +37,7 @@ final class BrushStroke {
    * @param range the segment's values; only voxels change whose membership differs from that of
    *     {@code value}
    */
-  static BrushStroke paint(
+  static BrushStroke ofBall(
       StackVolume volume,
       Vec3 centreGrid,
       Vec3 spacingMm,
@@ -41,13 +48,12 @@ final class BrushStroke {
     int lowK = low(centreGrid.z, radiusMm / spacingMm.z);
     int highK = high(centreGrid.z, radiusMm / spacingMm.z, volume.slices());
     for (int k = lowK; k <= highK; k++) {
-      stroke.paintSlice(k, centreGrid, spacingMm, radiusMm, value, range);
+      stroke.findInSlice(k, centreGrid, spacingMm, radiusMm, value, range);
     }
-    stroke.redo();
     return stroke;
   }
 
-  private void paintSlice(
+  private void findInSlice(
       int k, Vec3 centre, Vec3 spacing, double radiusMm, float value, SegmentRange range) {
     ImageProcessor slice = volume.slice(k);
     int highJ = high(centre.y, radiusMm / spacing.y, volume.height());
@@ -84,14 +90,19 @@ final class BrushStroke {
   }
 
   /** Restores the values from before the stroke. */
-  void undo() {
-    changes.forEach(change -> volume.slice(change.k).setf(change.i, change.j, change.before));
+  void undo(Sink out) {
+    changes.forEach(change -> write(change, change.before, out));
     volume.image().updateAndDraw();
   }
 
   /** Applies the new values. */
-  void redo() {
-    changes.forEach(change -> volume.slice(change.k).setf(change.i, change.j, change.after));
+  void redo(Sink out) {
+    changes.forEach(change -> write(change, change.after, out));
     volume.image().updateAndDraw();
+  }
+
+  private void write(Change change, float value, Sink out) {
+    out.written(change.i, change.j, change.k, value);
+    volume.slice(change.k).setf(change.i, change.j, value);
   }
 }

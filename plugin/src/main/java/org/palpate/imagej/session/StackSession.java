@@ -1,11 +1,14 @@
 package org.palpate.imagej.session;
 
+import ij.Executer;
 import ij.IJ;
+import ij.ImagePlus;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -50,8 +53,10 @@ public final class StackSession implements AutoCloseable {
   private static final double RATE_HZ = 1000;
   private static final long STATUS_NANOS = 500_000_000;
   private static final long FORCE_WAIT_SECONDS = 60;
+  private static final long UNDO_WAIT_SECONDS = 1;
   private static final double NANOS_PER_SECOND = 1e9;
 
+  private final ImagePlus image;
   private final StackGeometry geometry;
   private final List<SegmentRange> ranges;
   private final List<Segment> segments;
@@ -79,7 +84,8 @@ public final class StackSession implements AutoCloseable {
    */
   StackSession(StackVolume volume, TouchOptions options, Optional<SampleRecorder> recorder)
       throws TouchRefusedException {
-    geometry = StackGeometry.of(volume.image());
+    image = volume.image();
+    geometry = StackGeometry.of(image);
     ranges = options.ranges(volume);
     seconds = options.seconds();
     IJ.showStatus("Palpate: making segments...");
@@ -115,7 +121,7 @@ public final class StackSession implements AutoCloseable {
             : Optional.empty();
     landmarks =
         new LandmarkTable(
-            volume.image(), geometry, all -> view.ifPresent(shown -> shown.showLandmarks(all)));
+            image, geometry, all -> view.ifPresent(shown -> shown.showLandmarks(all)));
   }
 
   private SessionView newView(StackDevice device) {
@@ -154,9 +160,12 @@ public final class StackSession implements AutoCloseable {
     IJ.resetEscape();
     session.start();
     view.ifPresent(SessionView::start);
+    StrokeUndo undo = new StrokeUndo(image, this::undoIfLast);
+    Executer.addCommandListener(undo);
     try {
       superviseUntilEnd();
     } finally {
+      Executer.removeCommandListener(undo);
       forceOn.countDown();
       session.stop();
       forceOff.countDown();
@@ -229,6 +238,11 @@ public final class StackSession implements AutoCloseable {
       @Override
       public void updated() {
         wake();
+      }
+
+      @Override
+      public void seen(int i, int j, int k, float value) {
+        strokes.seen(i, j, k, value);
       }
 
       @Override
@@ -324,6 +338,31 @@ public final class StackSession implements AutoCloseable {
     int changed = strokes.undo();
     synchronizer.markUpdated();
     return changed;
+  }
+
+  /**
+   * Undoes the last brush stroke, unless something else has changed the stack since. The thread of
+   * the session does it. Any other thread; waits at most a second.
+   *
+   * @return whether a stroke was undone
+   */
+  boolean undoIfLast() {
+    CompletableFuture<Boolean> undone = new CompletableFuture<>();
+    actions.add(
+        () -> {
+          try {
+            synchronizer.applyChanges(); // sees what was changed up to now
+            boolean isLast = strokes.isStrokeLast();
+            if (isLast) {
+              undo();
+            }
+            undone.complete(isLast);
+          } finally {
+            undone.complete(false); // after a refusal; else it does nothing
+          }
+        });
+    wake();
+    return undone.completeOnTimeout(false, UNDO_WAIT_SECONDS, TimeUnit.SECONDS).join();
   }
 
   /**

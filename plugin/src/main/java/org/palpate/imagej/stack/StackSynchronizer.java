@@ -41,6 +41,9 @@ public final class StackSynchronizer implements ImageListener, AutoCloseable {
     /** Reports that the image was updated or closed. Any thread. */
     void updated();
 
+    /** Reports the new value of a voxel of the stack. On the thread that applies changes. */
+    void seen(int i, int j, int k, float value);
+
     /**
      * Reports that voxels of a segment changed inside a box. On the thread that applies changes.
      */
@@ -203,6 +206,7 @@ public final class StackSynchronizer implements ImageListener, AutoCloseable {
     compared++;
     int i = n % volume.width();
     int j = n / volume.width();
+    listener.seen(i, j, k, value);
     for (int s = 0; s < segments.size(); s++) {
       segments.get(s).put(s, i, j, k, ranges.get(s).contains(value));
     }

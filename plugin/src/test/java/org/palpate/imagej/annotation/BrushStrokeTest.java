@@ -26,13 +26,13 @@ class BrushStrokeTest {
     StackVolume volume = StackVolume.shownIn(image);
     Vec3 spacing = new Vec3(1, 1, 2);
     BrushStroke stroke =
-        BrushStroke.paint(volume, new Vec3(4.5, 4.5, 2.5), spacing, 1.5, 100, BRIGHT);
+        BrushStroke.ofBall(volume, new Vec3(4.5, 4.5, 2.5), spacing, 1.5, 100, BRIGHT);
     assertEquals(9, stroke.size()); // a disc of nine voxels; the next slices are 2 mm away
-    assertEquals(9, brightVoxels(volume));
-    stroke.undo();
     assertEquals(0, brightVoxels(volume));
-    stroke.redo();
+    stroke.redo((i, j, k, value) -> assertEquals(100, value));
     assertEquals(9, brightVoxels(volume));
+    stroke.undo((i, j, k, value) -> assertEquals(0, value));
+    assertEquals(0, brightVoxels(volume));
   }
 
   private static long brightVoxels(StackVolume volume) throws TouchRefusedException {

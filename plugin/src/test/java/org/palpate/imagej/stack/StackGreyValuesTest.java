@@ -145,6 +145,9 @@ class StackGreyValuesTest {
           public void updated() {}
 
           @Override
+          public void seen(int i, int j, int k, float value) {}
+
+          @Override
           public void changed(IntBox voxels, int segment) {}
         });
   }

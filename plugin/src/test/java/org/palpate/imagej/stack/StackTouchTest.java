@@ -192,6 +192,9 @@ class StackTouchTest {
           public void updated() {}
 
           @Override
+          public void seen(int i, int j, int k, float value) {}
+
+          @Override
           public void changed(IntBox voxels, int segment) {
             seen.add(segment + ": " + voxels);
           }
