@@ -54,6 +54,7 @@ import picocli.CommandLine.Spec;
       "  palpate bench --surfaces --out figures",
       "  palpate bench --rigid --quick --out figures",
       "  palpate bench --carve --quick --out figures",
+      "  palpate bench --carve --frames 20000000 --seed 8",
       "  palpate bench --elastic --quick --out figures",
       "  palpate bench --gpu --quick --out figures",
       "  palpate bench --stress --frames 20000000 --seed 7",
@@ -64,6 +65,8 @@ public final class BenchCommand implements Callable<Integer> {
   private static final long DEFAULT_FRAMES = 10_000_000;
   private static final NumberRange FRAMES =
       new NumberRange("--frames", "the number of frames", 1, 1e12, "", "1000000");
+  private static final long CARVED_FRAMES = 100_000_000;
+  private static final long QUICK_CARVED_FRAMES = 1_000_000;
   private static final long DEFAULT_SEED = 7;
   private static final String DEFAULT_SOLVER = "guarded";
 
@@ -102,7 +105,7 @@ public final class BenchCommand implements Callable<Integer> {
       names = "--carve",
       description = {
         "Tools that cut: time of a cut, every leg judged exactly under hostile hands, edits and",
-        "undo, and voxels compared with a plain copy."
+        "undo beside protected voxels, and voxels compared with a plain copy."
       })
   private boolean carve;
 
@@ -133,7 +136,11 @@ public final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--frames",
       paramLabel = "N",
-      description = "With --stress: total number of frames (10000000).")
+      description = {
+        "With --stress: total number of frames (10000000).",
+        "With --carve: frames of a point that is attacked (100000000; 1000000 with --quick). Each"
+            + " kind of tool is attacked in a hundredth of them."
+      })
   private Long frames;
 
   @Option(
@@ -273,6 +280,10 @@ public final class BenchCommand implements Callable<Integer> {
     return frames == null ? DEFAULT_FRAMES : frames;
   }
 
+  private long carvedFrames() {
+    return frames == null ? (quick ? QUICK_CARVED_FRAMES : CARVED_FRAMES) : frames;
+  }
+
   private PrintWriter out() {
     return spec.commandLine().getOut();
   }
@@ -339,7 +350,9 @@ public final class BenchCommand implements Callable<Integer> {
       report.put("rigid_targets_missed", RigidRun.run(folder, quick, seed(), out(), progress()));
     }
     if (carve) {
-      report.put("carve_targets_missed", CarveRun.run(folder, quick, seed(), out(), progress()));
+      report.put(
+          "carve_targets_missed",
+          CarveRun.run(folder, quick, carvedFrames(), seed(), out(), progress()));
     }
     if (elastic) {
       report.put(
@@ -358,13 +371,13 @@ public final class BenchCommand implements Callable<Integer> {
 
   /** Returns the chosen attack, or null; without one its options are refused. */
   private Attack attack() {
+    FRAMES.checkGiven(frames);
     if (!stress) {
-      refuse("--frames", frames, "--stress");
+      refuse("--frames", carve ? null : frames, "--stress or --carve");
       refuse("--seed", hasSeed() ? null : seed, "--stress, --rigid, --carve or --elastic");
       refuse("--solver", solver, "--stress");
       return null;
     }
-    FRAMES.checkGiven(frames);
     return new Attack(attackedFrames(), seed(), solverUnderAttack());
   }
 

@@ -1,11 +1,16 @@
 package org.palpate.benchmarks.stress;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
+import org.palpate.carve.CarveSettings;
 import org.palpate.collision.CollisionScene;
 import org.palpate.edit.BrushEdit;
+import org.palpate.edit.BrushLimits;
+import org.palpate.edit.BrushPath;
 import org.palpate.edit.Edit;
 import org.palpate.edit.EditQueue;
+import org.palpate.edit.HistoryEdit;
 import org.palpate.edit.SwapEdit;
 import org.palpate.edit.VoxelEdit;
 import org.palpate.force.ForceSettings;
@@ -30,18 +35,40 @@ import org.palpate.volume.VoxelGrid;
  * <p>It checks the promises. A leg touches no voxel that is solid at that time. A chain of legs
  * breaks only where the point was set free. Forces are finite, within the device's maximum, and
  * zero at the end. The same seed gives the same bits. One thread.
+ *
+ * <p>In an attack with {@link #ofCuts} the point also cuts, brushes follow it, and strokes are
+ * undone and redone. The voxels are then those of a plain copy, and protected ones never change.
  */
 public final class FrameAttack {
   private static final int FRAMES_PER_CASE = 1000;
   private static final double STIFFNESS_NEWTON_PER_MM = 0.7;
   private static final double FRICTION = 0.4;
 
+  /** The highest rate of cutting, voxels per N s. */
+  private static final double MOST_VOXELS_RATE = 1e4;
+
   private final ExactJudge judge = new ExactJudge();
+  private final boolean cuts;
   private long cases;
   private long frames;
   private long legs;
   private long freed;
   private long edits;
+  private long changes;
+
+  /** Creates an attack on frames that do not cut. */
+  public FrameAttack() {
+    this(false);
+  }
+
+  private FrameAttack(boolean cuts) {
+    this.cuts = cuts;
+  }
+
+  /** Creates an attack on frames whose point cuts. */
+  public static FrameAttack ofCuts() {
+    return new FrameAttack(true);
+  }
 
   /** Returns the number of frames. */
   public long frames() {
@@ -63,6 +90,11 @@ public final class FrameAttack {
     return edits;
   }
 
+  /** Returns the number of voxels that changed in an attack with cuts. */
+  public long changes() {
+    return changes;
+  }
+
   /**
    * Runs whole cases until the total number of frames is reached.
    *
@@ -78,10 +110,19 @@ public final class FrameAttack {
     return null;
   }
 
+  /**
+   * A point that cuts.
+   *
+   * @param nerve what it must not cut
+   * @param copy follows the changes
+   */
+  private record Cutting(ProtectedVoxels nerve, PlainCopy copy) {}
+
   /** One scene with its device. */
   private final class Case {
     private final SplittableRandom random;
     private final HostileScene scene;
+    private final Optional<Cutting> cutting;
     private final FaultyDevice device;
     private final CollisionScene collisionScene;
     private final EditQueue queue;
@@ -96,9 +137,12 @@ public final class FrameAttack {
       random = new SplittableRandom(seed);
       scene = HostileScene.next(random);
       BitCube bits = scene.bits();
+      cutting = cuts ? Optional.of(newCutting()) : Optional.empty();
       HostileHand hand = new HostileHand(random.split(), bits);
       device = new FaultyDevice(random.split(), hand, new Vec3(0.5, 0.5, 0.5));
-      collisionScene = new CollisionScene(List.of(bits));
+      collisionScene =
+          new CollisionScene(
+              cutting.map(made -> List.of(bits, made.nerve.kept())).orElse(List.of(bits)));
       Vec3 spacing = scene.spacingMm();
       VoxelGrid grid =
           new VoxelGrid(
@@ -115,6 +159,20 @@ public final class FrameAttack {
               queue,
               FramePublisher.NONE);
       device.aimAt(frame.point());
+      cutting.ifPresent(this::beginCutting);
+    }
+
+    private Cutting newCutting() {
+      ProtectedVoxels nerve = ProtectedVoxels.next(random, scene);
+      return new Cutting(nerve, new PlainCopy(scene.bits(), nerve.near()));
+    }
+
+    private void beginCutting(Cutting made) {
+      Vec3 spacing = scene.spacingMm();
+      double rate = random.nextDouble(MOST_VOXELS_RATE) * spacing.x * spacing.y * spacing.z;
+      double leastNewton = random.nextInt(3) == 0 ? random.nextDouble() : 0;
+      frame.carve(new CarveSettings(rate, List.of(leastNewton), made.nerve.kept()));
+      frame.voxels().listen(made.copy);
     }
 
     private ProxySolver newSolver() {
@@ -138,7 +196,19 @@ public final class FrameAttack {
       }
       edits += queue.completed();
       frame.release();
-      return device.lastForce().length() == 0 ? null : "the last force is not zero";
+      return device.lastForce().length() == 0 ? faultOfVoxels() : "the last force is not zero";
+    }
+
+    private String faultOfVoxels() {
+      if (cutting.isEmpty()) {
+        return null;
+      }
+      PlainCopy copy = cutting.get().copy;
+      changes += copy.changes();
+      if (copy.keptChanges() > 0) {
+        return "a protected voxel changed";
+      }
+      return copy.differentBricks(scene.bits()) > 0 ? "bricks differ from a plain copy" : null;
     }
 
     private long step() {
@@ -163,6 +233,21 @@ public final class FrameAttack {
     }
 
     private Edit edit() {
+      return cutting.map(this::editBesideCuts).orElseGet(this::anyEdit);
+    }
+
+    /** Returns an edit that spares protected voxels, as those of a session do. */
+    private Edit editBesideCuts(Cutting made) {
+      Optional<BitCube> kept = Optional.of(made.nerve.kept());
+      BrushLimits limits = new BrushLimits(Optional.empty(), kept, random.nextBoolean());
+      return switch (random.nextInt(4)) {
+        case 0 -> HistoryEdit.undo();
+        case 1 -> HistoryEdit.redo();
+        default -> BrushEdit.atTool(0, new BrushPath(), radiusMm(), random.nextInt(3) != 0, limits);
+      };
+    }
+
+    private Edit anyEdit() {
       BitCube bits = scene.bits();
       Vec3 p = frame.point().position;
       boolean solid = random.nextInt(3) != 0;
@@ -186,9 +271,11 @@ public final class FrameAttack {
               near(p.x, bits.sizeX()) + 0.5,
               near(p.y, bits.sizeY()) + 0.5,
               near(p.z, bits.sizeZ()) + 0.5);
-      double shortest =
-          Math.min(scene.spacingMm().x, Math.min(scene.spacingMm().y, scene.spacingMm().z));
-      return new BrushEdit(0, centre, shortest * (0.3 + 3 * random.nextDouble()), solid);
+      return new BrushEdit(0, centre, radiusMm(), solid);
+    }
+
+    private double radiusMm() {
+      return scene.metric().shortestEdgeMm() * (0.3 + 3 * random.nextDouble());
     }
 
     /** Returns the point's voxel or one next to it, within the grid. */
@@ -241,13 +328,18 @@ public final class FrameAttack {
         if (!start.sameBits(at) && !(begins && leg == 0)) {
           return "leg " + leg + " does not start where the last one ended";
         }
-        if (judge.touches(collisionScene.cube(0), path, leg)) {
+        if (touches(path, leg)) {
           return "leg " + leg + " touches a solid";
         }
         at.set(path.end(leg, 0), path.end(leg, 1), path.end(leg, 2));
       }
       boolean ends = at.sameBits(frame.point().position) || (begins && path.count() == 0);
       return ends ? null : "the point is not where its last leg ended";
+    }
+
+    private boolean touches(LegPath path, int leg) {
+      return judge.touches(collisionScene.cube(0), path, leg)
+          || (cutting.isPresent() && judge.touches(cutting.get().nerve.kept(), path, leg));
     }
   }
 }

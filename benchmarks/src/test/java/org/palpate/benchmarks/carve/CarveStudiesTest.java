@@ -11,10 +11,33 @@ class CarveStudiesTest {
 
   @Test
   void theAttackOnToolsThatCutFindsNothing() {
-    List<RigidFigure> figures = new CarveStudy(SEED).figures(10_000);
-    figures.forEach(figure -> assertTrue(!figure.verdict().equals("missed"), figure.toString()));
+    List<RigidFigure> figures =
+        new CarveStudy(CarveStudy.Tools.FEW_POINTS, SEED, line -> {}).figures(10_000);
+    assertNothingMissed(figures);
     assertTrue(value(figures, "voxels removed or filled") > 1_000);
-    assertTrue(value(figures, "strokes undone and done again") > 50);
+    assertTrue(value(figures, "strokes undone and redone") > 50);
+    assertTrue(value(figures, "frames judged for the margin") > 2_000);
+  }
+
+  @Test
+  void theAttackOnToolsOfManyPointsFindsNothing() {
+    List<RigidFigure> figures =
+        new CarveStudy(CarveStudy.Tools.MANY_POINTS, SEED, line -> {}).figures(2_000);
+    assertNothingMissed(figures);
+    double points = value(figures, "points of a tool, mean");
+    assertTrue(points > 800 && points < 1_300, "points " + points);
+  }
+
+  @Test
+  void theAttackOnPointsThatCutFindsNothing() {
+    List<RigidFigure> figures = new PointCarveStudy(SEED, line -> {}).figures(50_000);
+    assertNothingMissed(figures);
+    assertTrue(value(figures, "voxels removed or filled") > 1_000);
+    assertTrue(value(figures, "points set free") > 5);
+  }
+
+  private static void assertNothingMissed(List<RigidFigure> figures) {
+    figures.forEach(figure -> assertTrue(!figure.verdict().equals("missed"), figure.toString()));
   }
 
   @Test
