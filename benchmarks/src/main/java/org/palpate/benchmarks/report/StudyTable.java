@@ -50,6 +50,11 @@ public enum StudyTable {
       "device,grip,feel,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
           + Columns.MARGIN
           + ",given_mj,verdict"),
+  /** Stability of a burr that cuts. */
+  STABILITY_CARVE(
+      "stability-carve.csv",
+      "device,grip,rate_mm3_per_ns,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
+          + "stiffness_n_per_m,over_default,verdict,back_mm,energy_back_mj,rise_n_per_ms,cut_mm3"),
   /** Cost of a frame by the method that changes the scene. */
   SYNC(
       "sync.csv",

@@ -45,7 +45,8 @@ public record ClosedLoop(
    * The outcome of a trial.
    *
    * @param stable whether the handle came to rest during the stay
-   * @param excursionMm the excursion of the handle during the last part of the stay
+   * @param excursionMm the excursion of the handle during the last part of the stay; its longest
+   *     way back if it sinks
    * @param energyBackMillijoule the largest energy that the contact had put into the handle
    * @param riseNewtonPerMs the largest change of force between two frames
    */
@@ -119,16 +120,31 @@ public record ClosedLoop(
 
   /** Runs the frames of a plant to the end of the motion. */
   Outcome run(Plant plant, HapticFrame frame) {
+    runFrames(frame);
+    return outcome(isStable(plant), plant.excursionMm(), plant);
+  }
+
+  /**
+   * Runs the frames of a tool that cuts, whose handle sinks.
+   *
+   * @param mostBackMm the longest way back of a handle that counts as stable
+   */
+  Outcome runSinking(Plant plant, HapticFrame frame, double mostBackMm) {
+    runFrames(frame);
+    return outcome(plant.reboundMm() <= mostBackMm, plant.reboundMm(), plant);
+  }
+
+  private void runFrames(HapticFrame frame) {
     long period = sampling.periodNanos();
     long now = 0;
     while (frame.run(now) == FrameOutcome.RUNNING) {
       now += period;
     }
+  }
+
+  private static Outcome outcome(boolean isStable, double excursionMm, Plant plant) {
     return new Outcome(
-        isStable(plant),
-        plant.excursionMm(),
-        plant.maxEnergyJoule() * 1e3,
-        plant.steepestNewtonPerMs());
+        isStable, excursionMm, plant.maxEnergyJoule() * 1e3, plant.steepestNewtonPerMs());
   }
 
   private boolean isStable(Plant plant) {

@@ -19,10 +19,14 @@ public record MarginRow<T extends LoopTrial>(
 
   /** Runs a trial at the default stiffness, and searches its largest stable stiffness. */
   static <T extends LoopTrial> MarginRow<T> of(T trial) {
-    double defaultStiffness =
-        DEFAULT_FRACTION * trial.device().maxStiffnessNewtonPerMm() * N_PER_M_PER_MM;
+    double defaultStiffness = defaultNewtonPerM(trial.device());
     return new MarginRow<>(
         trial, defaultStiffness, StiffnessSearch.largest(trial::run), trial.run(defaultStiffness));
+  }
+
+  /** Returns the default stiffness of a device, N/m. */
+  static double defaultNewtonPerM(DeviceModel device) {
+    return DEFAULT_FRACTION * device.maxStiffnessNewtonPerMm() * N_PER_M_PER_MM;
   }
 
   /** Returns the largest stable stiffness relative to the default. */

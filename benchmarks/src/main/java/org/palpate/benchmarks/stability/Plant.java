@@ -53,6 +53,7 @@ final class Plant implements HapticDevice {
   private double steepestNewtonPerMs;
   private final HandleExcursion before;
   private final HandleExcursion last;
+  private final HandleRebound rebound;
 
   /**
    * Creates a plant whose handle is at rest, away from the surface.
@@ -81,6 +82,7 @@ final class Plant implements HapticDevice {
             leave - WINDOW_DISTANCE_SECONDS,
             motion.axes());
     last = new HandleExcursion(leave - WINDOW_SECONDS, leave, motion.axes());
+    rebound = new HandleRebound(leave - WINDOW_SECONDS, leave, reach.inward());
     state = motion.start();
     double period = 1 / sampling.rateHz();
     steps = (int) Math.max(MIN_STEPS, Math.ceil(period / MAX_STEP_SECONDS));
@@ -157,6 +159,7 @@ final class Plant implements HapticDevice {
     maxEnergyJoule = Math.max(maxEnergyJoule, energyJoule);
     before.record(seconds, state);
     last.record(seconds, state);
+    rebound.record(seconds, state);
   }
 
   @Override
@@ -188,6 +191,11 @@ final class Plant implements HapticDevice {
   /** Returns the handle's excursion in the last part of the stay, mm. */
   double excursionMm() {
     return last.excursionMm();
+  }
+
+  /** Returns the longest way back of the handle in the last part of the stay, mm. */
+  double reboundMm() {
+    return rebound.longestMm();
   }
 
   /** Returns the excursion in the window that ended {@link #WINDOW_DISTANCE_SECONDS} before, mm. */

@@ -12,6 +12,12 @@ import org.palpate.geometry.Vec3;
  */
 public record Reach(Vec3 awayMm, Vec3 pressedMm, double inSeconds, double staySeconds) {
 
+  /** Returns the unit direction of the motion into the solid. */
+  Vec3 inward() {
+    Vec3 way = pressedMm.sub(awayMm, new Vec3());
+    return way.mul(1 / way.length(), way);
+  }
+
   /** Returns the time at which the motion ends. */
   public double endSeconds() {
     return 2 * inSeconds + staySeconds;

@@ -73,6 +73,7 @@ public final class StabilityRun {
     reportShapes(folder, study.shapes(), out);
     reportTools(folder, study.tools(), out);
     reportFeel(folder, study.feel(), out);
+    reportCarving(folder, study.carving(), out);
     reportLongRuns(quick, out, progress);
     out.flush();
     return margins;
@@ -157,6 +158,26 @@ public final class StabilityRun {
 
   private static boolean isPassive(MarginRow<FeelTrial> row, double givenMillijoule) {
     return !row.trial().feel().driven() && givenMillijoule <= PASSIVE_MILLIJOULE;
+  }
+
+  private static void reportCarving(Path folder, List<CarveTrial.Result> results, PrintWriter out)
+      throws IOException {
+    StudyTable.STABILITY_CARVE.write(folder, results, CarveTrial.Result::cells);
+    Map<Double, List<CarveTrial.Result>> byStiffness =
+        results.stream()
+            .collect(
+                Collectors.groupingBy(
+                    CarveTrial.Result::overDefault, LinkedHashMap::new, Collectors.toList()));
+    byStiffness.forEach(
+        (overDefault, own) ->
+            out.printf(
+                Locale.ROOT,
+                "carving at %.0f times the default stiffness: unstable in %d of %d, longest way"
+                    + " back %.3f mm%n",
+                overDefault,
+                own.stream().filter(result -> !result.outcome().stable()).count(),
+                own.size(),
+                own.stream().mapToDouble(r -> r.outcome().excursionMm()).max().orElse(0)));
   }
 
   private static String condition(MarginRow<ToolTrial> row) {

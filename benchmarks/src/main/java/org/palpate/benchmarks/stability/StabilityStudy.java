@@ -134,6 +134,24 @@ public final class StabilityStudy {
     return rows;
   }
 
+  /** Sweeps the rate of a burr that cuts and the stiffness, with devices by name and both grips. */
+  public List<CarveTrial.Result> carving() {
+    double[] rates = quick ? new double[] {40} : new double[] {40, 400};
+    double[] overDefaults = quick ? new double[] {1} : new double[] {1, 2};
+    List<CarveTrial.Result> results = new ArrayList<>();
+    for (DeviceModel device : DeviceModel.KNOWN) {
+      for (Grip grip : quick ? List.of(Grip.LIGHT) : List.of(Grip.LIGHT, Grip.FIRM)) {
+        progress.accept("carving: " + device.name() + " grip=" + grip.name());
+        for (double rate : rates) {
+          for (double overDefault : overDefaults) {
+            results.add(new CarveTrial(device, grip, DEFAULT_SAMPLING, rate).run(overDefault));
+          }
+        }
+      }
+    }
+    return results;
+  }
+
   private static List<DeviceModel> varied(
       DeviceModel device, double[] massFactors, double[] dampingFactors) {
     List<DeviceModel> all = new ArrayList<>();

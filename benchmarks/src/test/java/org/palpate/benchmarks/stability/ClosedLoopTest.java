@@ -122,6 +122,16 @@ class ClosedLoopTest {
   }
 
   @Test
+  void aBurrSinksWithoutVibrationAtTheDefaultStiffnessOfEveryDevice() {
+    for (DeviceModel device : DeviceModel.KNOWN) {
+      CarveTrial.Result result =
+          new CarveTrial(device, Grip.LIGHT, new Sampling(1000, 1), 40).run(1);
+      assertTrue(result.outcome().stable(), result.toString());
+      assertTrue(result.cutMm3() > 30, result.toString());
+    }
+  }
+
+  @Test
   void theIntendedMotionIsSmoothAndItsRateIsItsDerivative() {
     Reach reach = new Reach(new Vec3(), new Vec3(0, 0, 1), 0.2, 0.5);
     for (double t = 0.001; t < 0.9; t += 0.0137) {

@@ -11,6 +11,7 @@ import org.palpate.benchmarks.report.Row;
 import org.palpate.benchmarks.report.StudyTable;
 import org.palpate.benchmarks.stability.ClosedLoop.Outcome;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
+import org.palpate.geometry.Vec3;
 
 class MarginsTest {
   private static Outcome outcome(boolean stable) {
@@ -71,6 +72,19 @@ class MarginsTest {
     excursion.record(0.5, new double[] {0, 0, 0, 0.1, 0, 0});
     excursion.record(0.6, new double[] {0, 0, 0, -0.1, 0, 0});
     assertEquals(0.2 * Grip.RADIUS_MM, excursion.excursionMm(), 1e-12);
+  }
+
+  @Test
+  void aHandleThatSinksComesBackOnlyFromItsDeepestPosition() {
+    HandleRebound rebound = new HandleRebound(1, 2, new Vec3(0, 0, -1));
+    assertEquals(Double.POSITIVE_INFINITY, rebound.longestMm());
+    rebound.record(1, new double[] {0, 0, -9}); // not yet
+    double[] heightsMm = {5, 4, 4.5, 3, 3.2, 3.4, 3, 1};
+    for (int n = 0; n < heightsMm.length; n++) {
+      rebound.record(1.1 + 0.1 * n, new double[] {n, 7, heightsMm[n] * 1e-3});
+    }
+    rebound.record(2.01, new double[] {0, 0, 9}); // too late
+    assertEquals(0.5, rebound.longestMm(), 1e-12);
   }
 
   @Test
