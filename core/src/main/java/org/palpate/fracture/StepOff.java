@@ -1,5 +1,7 @@
 package org.palpate.fracture;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.fracture.PosedBits;
 
@@ -11,8 +13,12 @@ import org.palpate.volume.fracture.PosedBits;
  * some voxels from the fracture and equally far from it, so that it does not change the smoothed
  * skin. Let n be the direction half way between their normals. On a straight skin, and on a
  * circular one, (p - q) n is the component of the displacement along n. The step-off is the length
- * of the displacement that fits all pairs best; it is 0 for skins that continue each other. A
+ * of the displacement that fits the pairs best; it is 0 for skins that continue each other. A
  * direction is left out if the normals hardly point along it.
+ *
+ * <p>Some pairs do not belong to one skin: walls of marrow spaces, and where a bone ends or
+ * branches. Skins with a solid close above them are left out, and pairs that contradict the others
+ * lose their weight.
  *
  * <p>Reference: Rusinkiewicz, A symmetric objective function for ICP, 2019, for the pairs.
  */
@@ -37,6 +43,19 @@ final class StepOff {
   /** The depth under a skin at which the other fragment may follow, voxel edges. */
   private static final int UNDER_SKIN_EDGES = 3;
 
+  /** The height above a skin within which nothing lies, voxel edges, and where it begins. */
+  private static final double OPEN_EDGES = 10;
+
+  private static final double ABOVE_EDGES = 1.5;
+  private static final double RISE_EDGES = 0.5;
+
+  /** Pairs that are farther off than this count less, voxel edges: at first and at last. */
+  private static final double WIDE_EDGES = 1.5;
+
+  private static final double NARROW_EDGES = 0.3;
+  private static final double NARROWING = 0.8;
+  private static final int ROUNDS = 12;
+
   private static final double WALK_EDGES = 0.25;
   private static final int LEAST_PAIRS = 20;
 
@@ -48,12 +67,21 @@ final class StepOff {
   private final double edgeMm;
   private final Vec3 u = new Vec3();
   private final Vec3 v = new Vec3();
-  private double uu;
-  private double uv;
-  private double vv;
-  private double ur;
-  private double vr;
-  private int pairs;
+  private final List<Pair> pairs = new ArrayList<>();
+
+  /** The displacement along u and v that fits so far. */
+  private double alongU;
+
+  private double alongV;
+
+  /**
+   * A pair of skin points.
+   *
+   * @param u the component of the direction half way between the normals along u
+   * @param v the same along v
+   * @param offMm the distance of the points along that direction
+   */
+  private record Pair(double u, double v, double offMm) {}
 
   /**
    * Prepares a measurement.
@@ -84,7 +112,7 @@ final class StepOff {
               one.grid().gridToWorld(p.set(i + 0.5, j + 0.5, k + 0.5), p);
               add(one.pose().transform(p, p));
             });
-    return pairs < LEAST_PAIRS ? Double.NaN : solve();
+    return pairs.size() < LEAST_PAIRS ? Double.NaN : solve();
   }
 
   private void add(Vec3 rim) {
@@ -95,7 +123,7 @@ final class StepOff {
     Vec3 normal = new Vec3();
     own.occupancy(rim, normal);
     Vec3 p = new Vec3();
-    if (!isFollowed(rim, depth, normal)) {
+    if (!isOpen(rim, normal) || !isFollowed(rim, depth, normal)) {
       return;
     }
     if (Math.abs(normal.dot(across)) > SKIN_COSINE || !own.surface(rim, normal, MOST_MM, p)) {
@@ -124,6 +152,18 @@ final class StepOff {
       }
     }
     return Double.NaN;
+  }
+
+  /** Whether nothing lies close above a point of the rim, as in a marrow space. */
+  private boolean isOpen(Vec3 rim, Vec3 outward) {
+    Vec3 p = new Vec3();
+    for (double h = ABOVE_EDGES; h <= OPEN_EDGES; h += RISE_EDGES) {
+      shifted(rim, outward, h * edgeMm, p);
+      if (own.isSolid(p) || facing.isSolid(p)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Whether the other fragment follows after the gap, under the skin too if not behind it. */
@@ -167,19 +207,35 @@ final class StepOff {
   private void addPair(Vec3 p, Vec3 q, Vec3 normal, Vec3 otherNormal) {
     Vec3 n = normal.add(otherNormal, new Vec3());
     n.mul(1 / n.length(), n);
-    double r = p.sub(q, new Vec3()).dot(n);
-    double a = n.dot(u);
-    double b = n.dot(v);
-    uu += a * a;
-    uv += a * b;
-    vv += b * b;
-    ur += a * r;
-    vr += b * r;
-    pairs++;
+    pairs.add(new Pair(n.dot(u), n.dot(v), p.sub(q, new Vec3()).dot(n)));
   }
 
   /** Returns the length of the displacement in the directions that the skins determine. */
   private double solve() {
+    double edges = Double.POSITIVE_INFINITY;
+    for (int round = 0; round < ROUNDS; round++) {
+      fit(edges * edgeMm);
+      edges = Math.max(NARROW_EDGES, Math.min(WIDE_EDGES, edges * NARROWING));
+    }
+    return Math.sqrt(alongU * alongU + alongV * alongV);
+  }
+
+  /** Fits the displacement, with weights that fall with the distance from the last one. */
+  private void fit(double widthMm) {
+    double uu = 0;
+    double uv = 0;
+    double vv = 0;
+    double ur = 0;
+    double vr = 0;
+    for (Pair pair : pairs) {
+      double off = (pair.offMm - alongU * pair.u - alongV * pair.v) / widthMm;
+      double weight = 1 / ((1 + off * off) * (1 + off * off));
+      uu += weight * pair.u * pair.u;
+      uv += weight * pair.u * pair.v;
+      vv += weight * pair.v * pair.v;
+      ur += weight * pair.u * pair.offMm;
+      vr += weight * pair.v * pair.offMm;
+    }
     double mean = (uu + vv) / 2;
     double half = Math.sqrt((uu - vv) * (uu - vv) / 4 + uv * uv);
     double angle = 0.5 * StrictMath.atan2(2 * uv, uu - vv);
@@ -187,6 +243,7 @@ final class StepOff {
     double s = StrictMath.sin(angle);
     double along = (c * ur + s * vr) / (mean + half);
     double beside = mean - half < LEAST_SHARE * 2 * mean ? 0 : (c * vr - s * ur) / (mean - half);
-    return Math.sqrt(along * along + beside * beside);
+    alongU = c * along - s * beside;
+    alongV = s * along + c * beside;
   }
 }
