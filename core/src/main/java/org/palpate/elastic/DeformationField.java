@@ -30,6 +30,13 @@ final class DeformationField {
     values = new float[STRIDE * layout.nodeCount()];
   }
 
+  /** Copies another field of the same lattice. */
+  void set(DeformationField other) {
+    System.arraycopy(other.values, 0, values, 0, values.length);
+    System.arraycopy(other.baseNewton, 0, baseNewton, 0, baseNewton.length);
+    room.set(other.room);
+  }
+
   /** Returns the displacement of a node along an axis for a change of the force, cells. */
   double displacement(int node, int axis, double[] changeNewton) {
     int at = STRIDE * node + axis;

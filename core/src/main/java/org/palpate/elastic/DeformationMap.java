@@ -9,7 +9,7 @@ import org.palpate.geometry.Vec3;
  * tetrahedra of each cell, the identity outside the lattice. The force on the material may change
  * from frame to frame, within the {@link ForceRoom} of the field.
  *
- * <p>Haptic thread; allocates nothing after construction.
+ * <p>One thread; allocates nothing after construction.
  */
 final class DeformationMap {
   private static final int MOST_STEPS = 400;
@@ -81,9 +81,14 @@ final class DeformationMap {
         field.baseNewton[2] + change[2]);
   }
 
+  /** Returns the displacement of a node along an axis, cells. */
+  double displacement(int node, int axis) {
+    return field.displacement(node, axis, change);
+  }
+
   /** Returns the present position of a node along an axis, in cells from the lattice's origin. */
   double nodePosition(int node, int axis) {
-    return layout.nodeIndex(axis, node) + field.displacement(node, axis, change);
+    return layout.nodeIndex(axis, node) + displacement(node, axis);
   }
 
   /** Returns the present position of a material point; {@code dest} may be {@code material}. */
@@ -104,7 +109,7 @@ final class DeformationMap {
   private double displacement(int axis) {
     double sum = 0;
     for (int n = 0; n < 4; n++) {
-      sum += weights[n] * field.displacement(nodes[n], axis, change);
+      sum += weights[n] * displacement(nodes[n], axis);
     }
     return sum;
   }

@@ -2,6 +2,7 @@ package org.palpate.elastic;
 
 import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.geometry.GridMetric;
+import org.palpate.sync.Accumulator;
 
 /**
  * The elastic segments of a scene: their lattice, the contact for the haptic thread, and what
@@ -50,9 +51,26 @@ public final class ElasticBody {
     return lattice.cells().count();
   }
 
+  /** Returns the number of voxels that give way but that a tool cannot touch. */
+  public long untouchableVoxels() {
+    return lattice.untouchableVoxels();
+  }
+
   /** Returns the counters of the updates; read them after the last one. */
   public UpdateCounters counters() {
     return updater.counters();
+  }
+
+  /**
+   * Returns the shape for a reader of frames. Call it at most once, before the first frame and the
+   * first update.
+   *
+   * @param accumulator that of the reader, before its first publication
+   */
+  public PublishedShape publish(Accumulator accumulator) {
+    PublishedShape shape = new PublishedShape(contact, lattice.layout(), accumulator);
+    updater.publishTo(shape);
+    return shape;
   }
 
   /** Returns an update with the newest load of the haptic thread. */

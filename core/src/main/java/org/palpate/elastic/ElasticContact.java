@@ -89,6 +89,11 @@ public final class ElasticContact {
     listener = newListener;
   }
 
+  /** Returns the load that the last frame left; it belongs to the haptic thread. */
+  ElasticLoad load() {
+    return load;
+  }
+
   /** Returns the device position of the last frame in material coordinates. */
   public Vec3 deviceAtRest() {
     return target;

@@ -55,6 +55,9 @@ final class FieldUpdater {
   private final UpdateCounters counters = new UpdateCounters();
   private UpdateListener listener = UpdateListener.NONE;
 
+  /** Receives each field too; null if nobody else reads them. */
+  private PublishedShape shape;
+
   /** The number of the present update, from 0. */
   private long begun;
 
@@ -81,6 +84,11 @@ final class FieldUpdater {
     for (int axis = 0; axis < 3; axis++) {
       answers[axis] = new float[size];
     }
+  }
+
+  /** Offers each field to a further reader from now on. */
+  void publishTo(PublishedShape reader) {
+    shape = reader;
   }
 
   /** Returns what the updates counted. */
@@ -190,6 +198,9 @@ final class FieldUpdater {
     beginRoom(field.room, size);
     if (proof.prove(field, REACH_NEWTON + REACH_PER_LOAD * size, -size)) {
       System.arraycopy(displacement, 0, proved, 0, proved.length);
+      if (shape != null) {
+        shape.offer(field); // Before the haptic thread owns the field.
+      }
       exchange.publish();
     } else {
       System.arraycopy(proved, 0, displacement, 0, proved.length);

@@ -25,6 +25,15 @@ final class ForceRoom {
     count = 0;
   }
 
+  /** Copies another room. */
+  void set(ForceRoom other) {
+    System.arraycopy(other.axis, 0, axis, 0, axis.length);
+    System.arraycopy(other.place, 0, place, 0, MOST);
+    System.arraycopy(other.along, 0, along, 0, MOST);
+    System.arraycopy(other.across, 0, across, 0, MOST);
+    count = other.count;
+  }
+
   /** Returns the axis. */
   double[] axis() {
     return axis;

@@ -30,6 +30,15 @@ public final class TouchProperties {
     accumulator.publish();
   }
 
+  /** Marks the values that were last taken as applied to the scene. Reader. */
+  public void markApplied() {
+    for (Property property : accumulator.properties()) {
+      if (property.isDirty()) {
+        property.markApplied();
+      }
+    }
+  }
+
   /** Returns the accumulator that holds the properties. */
   public Accumulator accumulator() {
     return accumulator;

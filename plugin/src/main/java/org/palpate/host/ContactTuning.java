@@ -27,22 +27,36 @@ public final class ContactTuning {
   private static final List<SolverKind> SOLVERS =
       List.of(SolverKind.SMOOTH, SolverKind.GUARDED, SolverKind.PAPER, SolverKind.DOT);
 
+  /** Those that move an interaction point among elastic segments. */
+  private static final List<SolverKind> SOLVERS_OF_ELASTIC =
+      SOLVERS.stream().filter(SolverKind::keepsGuarantee).toList();
+
   private static final String RIGID_TOOL = "rigid tool";
 
   private final Consumer<ForceSettings> forceRequests;
   private final Consumer<SolverKind> solverRequests;
+  private final List<SolverKind> solvers;
   private final double maxNewtonPerMm;
   private ForceSettings force;
 
   /** Null for a rigid tool, which has one solver. */
   private SolverKind solver;
 
-  /** Starts from the settings that the frame was created with. */
+  /**
+   * Starts from the settings that the frame was created with.
+   *
+   * @param elastic whether segments are elastic
+   */
   ContactTuning(
-      PointFrame frame, ContactScene scene, ForceSettings force, DeviceSpecification device) {
+      PointFrame frame,
+      ContactScene scene,
+      ForceSettings force,
+      DeviceSpecification device,
+      boolean elastic) {
     this(
         frame::requestForce,
         kind -> frame.requestSolver(scene.newSolver(kind)),
+        elastic ? SOLVERS_OF_ELASTIC : SOLVERS,
         scene.settings().solver(),
         force,
         device);
@@ -53,17 +67,19 @@ public final class ContactTuning {
    * together. Requests to change the solver do nothing.
    */
   static ContactTuning ofTool(ToolFrame frame, ForceSettings force, DeviceSpecification device) {
-    return new ContactTuning(frame::requestForce, kind -> {}, null, force, device);
+    return new ContactTuning(frame::requestForce, kind -> {}, List.of(), null, force, device);
   }
 
   private ContactTuning(
       Consumer<ForceSettings> forceRequests,
       Consumer<SolverKind> solverRequests,
+      List<SolverKind> solvers,
       SolverKind solver,
       ForceSettings force,
       DeviceSpecification device) {
     this.forceRequests = forceRequests;
     this.solverRequests = solverRequests;
+    this.solvers = solvers;
     this.solver = solver;
     this.force = force;
     double deviceMax = device.maxStiffnessNewtonPerMm();
@@ -111,11 +127,12 @@ public final class ContactTuning {
   }
 
   /**
-   * Switches to the next of smooth, guarded, paper and dot. The last two do not keep the guarantee.
+   * Switches to the next of smooth, guarded, paper and dot. The last two do not keep the guarantee,
+   * and are left out if segments are elastic.
    */
   public synchronized void nextSolver() {
     if (solver != null) {
-      solver = SOLVERS.get((SOLVERS.indexOf(solver) + 1) % SOLVERS.size());
+      solver = solvers.get((solvers.indexOf(solver) + 1) % solvers.size());
       solverRequests.accept(solver);
     }
   }

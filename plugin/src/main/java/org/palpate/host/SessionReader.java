@@ -7,7 +7,6 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.sync.Accumulator;
-import org.palpate.sync.Property;
 import org.palpate.sync.TouchProperties;
 import org.palpate.volume.VoxelGrid;
 
@@ -56,11 +55,7 @@ public final class SessionReader {
   /** Takes the newest frame, so that the other methods show it. */
   public void take() {
     properties.accumulator().take();
-    for (Property property : properties.accumulator().properties()) {
-      if (property.isDirty()) {
-        property.markApplied();
-      }
-    }
+    properties.markApplied();
   }
 
   /** Writes the pose of the device into the vectors of {@code dest}. */

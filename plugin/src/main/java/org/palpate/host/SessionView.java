@@ -141,7 +141,12 @@ public final class SessionView implements AutoCloseable {
     overlay = new SessionOverlay(session, device, slices, threshold);
     synchronizer =
         new SceneSynchronizer(
-            session.properties(), volume.grid(), model, this::overlayLines, this::toolMarks);
+            session.properties(),
+            volume.grid(),
+            model,
+            this::overlayLines,
+            this::toolMarks,
+            session.shape());
     synchronization =
         new SynchronizationThread(this::tick, this::remeshChanges, this::synchronizationFailed);
     changes = session.changes();
@@ -165,8 +170,8 @@ public final class SessionView implements AutoCloseable {
     }
     synchronizer.run();
     if (synchronizer.applications() > 0) {
-      session.properties().touch().interactionPoint(point);
-      session.properties().touch().device(deviceGrid);
+      synchronizer.pointAtRest(point);
+      synchronizer.deviceAtRest(deviceGrid);
       session
           .held()
           .ifPresent(held -> solids.follow(held.publisher(), Optional.ofNullable(loader)));
@@ -195,16 +200,7 @@ public final class SessionView implements AutoCloseable {
 
   /** Returns how the tool lies in the last publication; empty if a point touches. */
   private Optional<ToolMarks> toolMarks() {
-    return session
-        .held()
-        .map(
-            held ->
-                ToolMarks.at(
-                    toolPoints,
-                    held.publisher().toolToWorld().read(),
-                    held.publisher().contactsMm(),
-                    held.publisher().torqueNewtonMm().read(new Vec3()),
-                    model.axes()));
+    return session.held().map(held -> held.publisher().marks(toolPoints, model.axes()));
   }
 
   private void open() {

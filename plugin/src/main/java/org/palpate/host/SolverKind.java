@@ -30,6 +30,11 @@ public enum SolverKind {
     return this == DOT || this == PAPER || this == NONE;
   }
 
+  /** Whether no leg of the interaction point can touch a solid. */
+  public boolean keepsGuarantee() {
+    return !choosesCollision();
+  }
+
   /** Returns the collision method if the user chose none. */
   public CollisionChoice defaultCollision() {
     return this == DOT || this == PAPER ? CollisionChoice.sampled(1) : CollisionChoice.EXACT;

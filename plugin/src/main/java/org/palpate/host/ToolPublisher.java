@@ -11,6 +11,8 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.ToolContacts;
 import org.palpate.rigid.ToolMotion;
+import org.palpate.scene.ToolMarks;
+import org.palpate.scene.WorldAxes;
 import org.palpate.sync.NumberProperty;
 import org.palpate.sync.PositionProperty;
 import org.palpate.sync.TouchProperties;
@@ -121,8 +123,18 @@ final class ToolPublisher implements ToolFramePublisher {
     return toolToWorld;
   }
 
-  /** Returns the sample points that are in contact, world mm; a new list. */
-  List<Vec3> contactsMm() {
+  /**
+   * Returns how the tool lay in the publication that was taken last.
+   *
+   * @param drawnPoints points of the tool's surface, tool frame
+   * @param axes orientation of the world's axes
+   */
+  ToolMarks marks(List<Vec3> drawnPoints, WorldAxes axes) {
+    Vec3 torque = torqueNewtonMm.read(new Vec3());
+    return ToolMarks.at(drawnPoints, toolToWorld.read(), contactsMm(), torque, axes);
+  }
+
+  private List<Vec3> contactsMm() {
     List<Vec3> contacts = new ArrayList<>();
     for (int n = 0; n < (int) contactCount.read(); n++) {
       contacts.add(contactMm[n].read(new Vec3()));

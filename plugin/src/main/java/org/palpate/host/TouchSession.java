@@ -14,6 +14,7 @@ import org.palpate.edit.EditQueue;
 import org.palpate.edit.HistoryEdit;
 import org.palpate.elastic.ElasticBody;
 import org.palpate.elastic.ElasticThread;
+import org.palpate.elastic.PublishedShape;
 import org.palpate.force.MassiveContact;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.GridDevice;
@@ -36,7 +37,6 @@ import org.palpate.recording.SampleRecorder;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.scene.SynchronizationThread;
 import org.palpate.sync.Accumulator;
-import org.palpate.sync.Property;
 import org.palpate.sync.SyncCounters;
 import org.palpate.sync.TouchProperties;
 import org.palpate.volume.VoxelGrid;
@@ -77,7 +77,6 @@ public final class TouchSession implements AutoCloseable {
   private final HapticLoop loop;
   private final ContactTuning tuning;
   private final TouchProperties properties = new TouchProperties(new Accumulator());
-  private final List<Property> published;
   private final Optional<HeldTool> held;
   private final Optional<MassiveContact> mass;
   private final Optional<ElasticBody> elastic;
@@ -95,6 +94,9 @@ public final class TouchSession implements AutoCloseable {
 
   /** Set before the haptic thread starts, which reads it; null without a second reader. */
   private SessionReader secondReader;
+
+  /** Set before the haptic thread starts, which writes it; null if nobody draws the shape. */
+  private PublishedShape shape;
 
   /** Set before the haptic thread starts, which writes it; null without a reader of changes. */
   private EditRecorder changes;
@@ -119,7 +121,9 @@ public final class TouchSession implements AutoCloseable {
     grid = scene.grid();
     edits = scene.edits();
     cuts = scene.carve().isPresent();
-    tuning = new ContactTuning(frame, scene, frameSettings.force(), specification);
+    tuning =
+        new ContactTuning(
+            frame, scene, frameSettings.force(), specification, settings.elastic().isPresent());
     Runnable warmUp = warmUp(scene, frameSettings, settings);
     elastic = settings.elastic().map(Supplier::get);
     elastic.ifPresent(body -> frame.deform(body.contact()));
@@ -130,7 +134,6 @@ public final class TouchSession implements AutoCloseable {
                 .ifPresent(to -> body.listen(to.listener(frame::sampleOfChanges))));
     elasticThread = elastic.map(ElasticThread::new);
     loop = newLoop(frame, settings, warmUp);
-    published = properties.accumulator().properties();
     held = Optional.empty();
     mass = frame.mass();
   }
@@ -164,7 +167,6 @@ public final class TouchSession implements AutoCloseable {
             WARM_UP_SEED, scene.handTarget(), settings.loop().periodNanos());
     Runnable warmUp = warmUp(scene.newWarmUpFrame(hand, frameSettings, coupling));
     loop = newLoop(frame, settings, warmUp);
-    published = properties.accumulator().properties();
     held = Optional.of(new HeldTool(scene, frame, publisher));
     mass = Optional.empty();
     elastic = Optional.empty();
@@ -213,6 +215,9 @@ public final class TouchSession implements AutoCloseable {
 
   /** Publishes the frame of a point to both readers. Haptic thread. */
   private void publish(Vec3 deviceGrid, Vec3 point, Vec3 newton, boolean contact, long frame) {
+    if (shape != null) {
+      shape.setFrame();
+    }
     properties.publish(deviceGrid, point, newton, contact, frame);
     if (secondReader != null) {
       secondReader.properties().publish(deviceGrid, point, newton, contact, frame);
@@ -256,6 +261,12 @@ public final class TouchSession implements AutoCloseable {
     }
     changes = new EditRecorder();
     return changes;
+  }
+
+  /** Returns the shape of elastic segments, if any, to read with the properties; before start. */
+  public Optional<PublishedShape> shape() {
+    shape = elastic.map(body -> body.publish(properties.accumulator())).orElse(null);
+    return Optional.ofNullable(shape);
   }
 
   /** Whether the tool cuts. */
@@ -412,11 +423,7 @@ public final class TouchSession implements AutoCloseable {
   public void takeUpdates() {
     ticks++;
     properties.accumulator().take();
-    for (Property property : published) {
-      if (property.isDirty()) {
-        property.markApplied();
-      }
-    }
+    properties.markApplied();
   }
 
   /** Returns the tuning of stiffness, friction and solver. Any thread. */

@@ -6,6 +6,7 @@ import ij.measure.ResultsTable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.palpate.device.Trajectory;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
@@ -75,8 +76,12 @@ public final class ReplayTrajectory extends PalpateCommand {
             options.contactSettings(),
             StackGreyValues.surface(pixels, volume.slices(), geometry.grid(), ranges));
     ResultsTable table = new ResultsTable();
+    ReplayRun rigid = ReplayRun.inWorld(scene, trajectory);
+    Optional<ReplayRun> elastic =
+        options.materials().bodies(scene.volume()).map(rigid::withElastic);
     try {
-      ReplayRun.inWorld(scene, trajectory)
+      elastic
+          .orElse(rigid)
           .run(
               (frame, device, point, force, state, freed) -> {
                 table.incrementCounter();

@@ -34,6 +34,7 @@ public final class SceneModel {
   private final List<Runnable> redrawRequests = new CopyOnWriteArrayList<>();
   private Camera camera = Camera.seeing(new Vec3(), List.of(), StandardView.OBLIQUE, 1);
   private Optional<TouchMarks> marks = Optional.empty();
+  private Optional<Deformation> deformation = Optional.empty();
   private List<String> overlay = List.of();
   private List<String> help = List.of();
   private List<NamedPoint> landmarks = List.of();
@@ -254,17 +255,33 @@ public final class SceneModel {
 
   /** Shows the device, interaction point and force, or hides them. */
   public void setMarks(Optional<TouchMarks> shown) {
+    Optional<Deformation> present;
+    synchronized (this) {
+      present = deformation;
+    }
+    setMarks(shown, present);
+  }
+
+  /**
+   * Shows the marks of a frame together with the deformation under its force.
+   *
+   * @param deformed what {@link Deformation} says; the same object again if it did not change
+   */
+  public void setMarks(Optional<TouchMarks> shown, Optional<Deformation> deformed) {
     boolean clips;
+    boolean deforms;
     synchronized (this) {
       clips = clip != ClipPlane.Direction.OFF && shown.isPresent() && isFarFromClip(shown.get());
+      deforms = !deformed.equals(deformation);
     }
     change(
         () -> {
           marks = shown;
+          deformation = deformed;
           clipPoint = clips ? Optional.of(shown.get().point()) : clipPoint;
           return true;
         },
-        clips);
+        clips || deforms);
   }
 
   private boolean isFarFromClip(TouchMarks shown) {
@@ -379,7 +396,8 @@ public final class SceneModel {
         moving,
         landmarks,
         legend(),
-        clip.through(clipPoint(), camera));
+        clip.through(clipPoint(), camera),
+        deformation);
   }
 
   private interface Change {

@@ -22,6 +22,7 @@ import org.palpate.geometry.Vec3;
  * @param landmarks landmarks in the scene frame
  * @param legend the segments with their colours; empty if no legend is shown
  * @param clip hides the surfaces in front of it; empty if all are shown
+ * @param deformation displaces what lies in the grid; empty if nothing is elastic
  */
 public record SceneState(
     List<DrawnObject> objects,
@@ -37,7 +38,8 @@ public record SceneState(
     boolean moving,
     List<NamedPoint> landmarks,
     List<LegendEntry> legend,
-    Optional<ClipPlane> clip) {
+    Optional<ClipPlane> clip,
+    Optional<Deformation> deformation) {
 
   /** Copies the lists. */
   public SceneState {

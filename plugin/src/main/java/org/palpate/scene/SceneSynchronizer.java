@@ -1,11 +1,11 @@
 package org.palpate.scene;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.palpate.elastic.PublishedShape;
 import org.palpate.geometry.Vec3;
 import org.palpate.sync.TouchProperties;
 import org.palpate.volume.VoxelGrid;
@@ -28,10 +28,16 @@ public final class SceneSynchronizer implements Runnable {
   private final SceneModel model;
   private final Supplier<List<String>> overlay;
   private final Supplier<Optional<ToolMarks>> tool;
+  private final Optional<PublishedShape> shape;
+
+  /** The last points of the contact: material coordinates if segments are elastic, else grid. */
   private final Deque<Vec3> trail = new ArrayDeque<>();
+
   private final Vec3 device = new Vec3();
   private final Vec3 point = new Vec3();
   private final Vec3 force = new Vec3();
+  private final Vec3 scratch = new Vec3();
+  private Optional<Deformation> deformation = Optional.empty();
   private long applications;
 
   /**
@@ -44,21 +50,24 @@ public final class SceneSynchronizer implements Runnable {
       VoxelGrid grid,
       SceneModel model,
       Supplier<List<String>> overlay) {
-    this(properties, grid, model, overlay, Optional::empty);
+    this(properties, grid, model, overlay, Optional::empty, Optional.empty());
   }
 
   /**
-   * Creates a reader that also shows a rigid tool.
+   * Creates a reader that also shows a rigid tool or elastic segments.
    *
    * @param tool provides the marks of the tool as of the last publication that was taken
+   * @param shape the shape of elastic segments, published in these properties, if there are any
    */
   public SceneSynchronizer(
       TouchProperties properties,
       VoxelGrid grid,
       SceneModel model,
       Supplier<List<String>> overlay,
-      Supplier<Optional<ToolMarks>> tool) {
+      Supplier<Optional<ToolMarks>> tool,
+      Optional<PublishedShape> shape) {
     this.tool = tool;
+    this.shape = shape;
     this.properties = properties;
     this.grid = grid;
     this.model = model;
@@ -68,7 +77,12 @@ public final class SceneSynchronizer implements Runnable {
   /** Runs one tick. */
   @Override
   public void run() {
-    if (properties.accumulator().take()) {
+    boolean changed = properties.accumulator().take();
+    if (shape.isPresent() && shape.get().take()) {
+      deformation = Optional.of(Deformation.of(shape.get()));
+      changed = true;
+    }
+    if (changed) {
       apply();
     }
     model.setOverlay(overlay.get());
@@ -76,7 +90,7 @@ public final class SceneSynchronizer implements Runnable {
 
   private void apply() {
     toScene(properties.touch().device(device), device);
-    toScene(properties.touch().interactionPoint(point), point);
+    pointAtRest(point);
     properties.touch().force(force);
     grid.gridMmToWorld().rotate(force, force);
     model.axes().toSceneOrBack(force, force);
@@ -85,26 +99,49 @@ public final class SceneSynchronizer implements Runnable {
     TouchMarks marks =
         new TouchMarks(
             new Vec3().set(device),
-            new Vec3().set(point),
+            presentInScene(point),
             new Vec3().set(force),
             contact,
-            new ArrayList<>(trail),
+            trail.stream().map(this::presentInScene).toList(),
             tool.get());
-    model.setMarks(Optional.of(marks));
-    properties
-        .accumulator()
-        .properties()
-        .forEach(
-            property -> {
-              if (property.isDirty()) {
-                property.markApplied();
-              }
-            });
+    model.setMarks(Optional.of(marks), deformation);
+    properties.markApplied();
     applications++;
   }
 
   private void toScene(Vec3 gridPoint, Vec3 dest) {
     model.axes().toSceneOrBack(grid.gridToWorld(gridPoint, dest), dest);
+  }
+
+  /**
+   * Writes the interaction point that was taken last among the voxels at rest: in material
+   * coordinates if segments are elastic, else in grid coordinates.
+   */
+  public Vec3 pointAtRest(Vec3 dest) {
+    return shape.isPresent()
+        ? shape.get().materialPoint(dest)
+        : properties.touch().interactionPoint(dest);
+  }
+
+  /**
+   * Writes the device position that was taken last, as far from {@link #pointAtRest} as the device
+   * is from the interaction point.
+   */
+  public Vec3 deviceAtRest(Vec3 dest) {
+    properties.touch().device(dest);
+    if (shape.isPresent()) {
+      dest.sub(properties.touch().interactionPoint(scratch), dest);
+      dest.add(pointAtRest(scratch), dest);
+    }
+    return dest;
+  }
+
+  /** Returns where a point of the grid is in the scene, after the deformation. */
+  private Vec3 presentInScene(Vec3 gridPoint) {
+    Vec3 present = new Vec3().set(gridPoint);
+    shape.ifPresent(deformed -> deformed.present(present, present));
+    toScene(present, present);
+    return present;
   }
 
   private void extendTrail(boolean contact) {
@@ -114,12 +151,16 @@ public final class SceneSynchronizer implements Runnable {
     }
     Vec3 last = trail.peekLast();
     double step = TRAIL_STEP * model.state().radiusMm();
-    if (last == null || last.sub(point, new Vec3()).length() > step) {
+    if (last == null || distanceMm(last, point) > step) {
       trail.addLast(new Vec3().set(point));
     }
     if (trail.size() > MAX_TRAIL_POINTS) {
       trail.removeFirst();
     }
+  }
+
+  private double distanceMm(Vec3 a, Vec3 b) {
+    return grid.metric().distance(a.x, a.y, a.z, b.x, b.y, b.z);
   }
 
   /** Returns the number of ticks that applied a change. */

@@ -28,7 +28,7 @@ class ContactTuningTest {
           scene.liveFrame(DEVICE, 0.4),
           FramePublisher.NONE);
   private final ContactTuning tuning =
-      new ContactTuning(frame, scene, ForceSettings.of(0.4, 0.2), DEVICE);
+      new ContactTuning(frame, scene, ForceSettings.of(0.4, 0.2), DEVICE, false);
 
   @Test
   void neverExceedsTheStiffnessOfTheDevice() {

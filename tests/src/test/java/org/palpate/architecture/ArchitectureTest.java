@@ -207,7 +207,7 @@ class ArchitectureTest {
           Map.entry("reduction", List.of("body", "device", "rigid.tool")),
           Map.entry("rigid", List.of("body", "proxy.smooth.field", "rigid.tool")),
           Map.entry("rigid.tool", List.of("volume")),
-          Map.entry("scene", List.of("scene.surface", "sync")),
+          Map.entry("scene", List.of("elastic", "scene.surface", "sync")),
           Map.entry("scene.gl", List.of("scene")),
           Map.entry("scene.surface", List.of("volume")),
           Map.entry("scene.window", List.of("scene.gl")),

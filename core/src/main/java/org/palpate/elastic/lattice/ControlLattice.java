@@ -263,6 +263,15 @@ public final class ControlLattice {
     return sum;
   }
 
+  /** Returns the number of voxels of the segments that deform but cannot be touched. */
+  public long untouchableVoxels() {
+    long count = 0;
+    for (ElasticSegment segment : segments) {
+      count += segment.touchable() ? 0 : segment.bits().solidCount();
+    }
+    return count;
+  }
+
   /** Returns the layout. */
   public LatticeLayout layout() {
     return layout;

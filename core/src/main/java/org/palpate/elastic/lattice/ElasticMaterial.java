@@ -1,5 +1,8 @@
 package org.palpate.elastic.lattice;
 
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+
 /**
  * A linear elastic material.
  *
@@ -19,6 +22,8 @@ public record ElasticMaterial(double youngPascal, double poisson) {
   /** The ratio of soft tissue if none is given. */
   public static final double USUAL_POISSON = 0.4;
 
+  private static final String YOUNG = "young:";
+  private static final String POISSON = "poisson:";
   private static final double PASCAL_PER_MEGAPASCAL = 1e6;
 
   /**
@@ -27,14 +32,44 @@ public record ElasticMaterial(double youngPascal, double poisson) {
    * @throws IllegalArgumentException if a figure is out of range
    */
   public ElasticMaterial {
-    if (!(youngPascal >= LEAST_YOUNG_PASCAL && youngPascal <= MOST_YOUNG_PASCAL)
-        || !(poisson >= 0 && poisson <= MOST_POISSON)) {
+    if (!isInRange(youngPascal, poisson)) {
       throw new IllegalArgumentException(
           "modulus must be 10 to 1e12 Pa and Poisson's ratio 0 to 0.49: youngPascal="
               + youngPascal
               + " poisson="
               + poisson);
     }
+  }
+
+  /**
+   * Reads {@code young:PA} or {@code young:PA,poisson:NU}.
+   *
+   * @param number reads a number, or returns NaN
+   * @return the material; empty if the text has another form or a figure is out of range
+   */
+  public static Optional<ElasticMaterial> parse(String text, ToDoubleFunction<String> number) {
+    String[] parts = text.split(",", -1);
+    boolean isKnown =
+        parts[0].startsWith(YOUNG)
+            && (parts.length == 1 || (parts.length == 2 && parts[1].startsWith(POISSON)));
+    if (!isKnown) {
+      return Optional.empty();
+    }
+    double young = number.applyAsDouble(parts[0].substring(YOUNG.length()));
+    double ratio =
+        parts.length == 1
+            ? USUAL_POISSON
+            : number.applyAsDouble(parts[1].substring(POISSON.length()));
+    return isInRange(young, ratio)
+        ? Optional.of(new ElasticMaterial(young, ratio))
+        : Optional.empty();
+  }
+
+  private static boolean isInRange(double young, double ratio) {
+    return young >= LEAST_YOUNG_PASCAL
+        && young <= MOST_YOUNG_PASCAL
+        && ratio >= 0
+        && ratio <= MOST_POISSON;
   }
 
   /** Returns Young's modulus, N/mm^2. */

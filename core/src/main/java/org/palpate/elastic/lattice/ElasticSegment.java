@@ -7,5 +7,11 @@ import org.palpate.volume.BitCube;
  *
  * @param bits its voxels
  * @param material of all of them
+ * @param touchable whether a tool can touch it; otherwise it fills the space behind what it can
  */
-public record ElasticSegment(BitCube bits, ElasticMaterial material) {}
+public record ElasticSegment(BitCube bits, ElasticMaterial material, boolean touchable) {
+  /** Creates a segment that a tool can touch. */
+  public ElasticSegment(BitCube bits, ElasticMaterial material) {
+    this(bits, material, true);
+  }
+}

@@ -5,10 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.Placement;
+import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.io.VolumeWriter;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.label.SegmentsAsLabels;
@@ -67,6 +69,15 @@ final class FragmentExport {
 
   /** Writes everything that was asked for, and returns a line for each file or folder. */
   List<String> write(PlacedVolume bodies) throws IOException {
+    return write(bodies, Map.of());
+  }
+
+  /**
+   * Writes everything that was asked for, as the other method does.
+   *
+   * @param elastic the materials of elastic bodies by name
+   */
+  List<String> write(PlacedVolume bodies, Map<String, ElasticMaterial> elastic) throws IOException {
     List<String> lines = new ArrayList<>();
     if (labels != null) {
       SegmentedVolume written = writesPoses() ? bodies.rest() : bodies.present();
@@ -74,7 +85,7 @@ final class FragmentExport {
       lines.add(format + ": " + labels);
     }
     if (scene.isPresent()) {
-      writeScene(bodies, scene.get());
+      writeScene(bodies, elastic, scene.get());
       lines.add("scene: " + scene.get());
     }
     if (transforms.isPresent()) {
@@ -90,19 +101,22 @@ final class FragmentExport {
         : "";
   }
 
-  private void writeScene(PlacedVolume bodies, Path file) {
+  private void writeScene(PlacedVolume bodies, Map<String, ElasticMaterial> elastic, Path file) {
     Path folder = file.toAbsolutePath().normalize().getParent();
     Path volume = folder.relativize(labels.toAbsolutePath().normalize());
     List<SceneBody> written = new ArrayList<>();
     for (Segment segment : bodies.rest().segments()) {
       Placement placement = bodies.placements().get(written.size());
-      written.add(
+      SceneBody body =
           SceneBody.ofVolume(
               segment.name(),
               volume.toString().replace('\\', '/'),
               "label:" + (written.size() + 1),
               placement.mobility(),
-              placement.pose()));
+              placement.pose());
+      ElasticMaterial material = elastic.get(segment.name());
+      written.add(
+          material == null ? body : body.elastic(material.youngPascal(), material.poisson()));
     }
     try (AtomicFile target = new AtomicFile(file)) {
       SceneWriter.write(SceneFile.ofBodies(written), target.stream());

@@ -13,8 +13,8 @@ final class PoseOptions {
       paramLabel = "FILE.json",
       description = {
         "Writes a scene file: the bodies of --scene or --phantom fracture where they stand at the"
-            + " end, or the fragments of --fracture, displaced. --export then writes their voxels"
-            + " at rest."
+            + " end, segments with their elasticity, or the fragments of --fracture, displaced."
+            + " --export then writes their voxels at rest."
       })
   private Path savedScene;
 
@@ -46,11 +46,13 @@ final class PoseOptions {
    * Returns the export of the bodies of a volume and their poses.
    *
    * @param labels the label volume, or null if none is written
+   * @param elastic whether segments are elastic, so that they make a scene
    * @throws PalpateException exit code 2, if poses are to be written but the volume has none
    */
-  FragmentExport export(Path labels, VolumeSource source) {
+  FragmentExport export(Path labels, VolumeSource source, boolean elastic) {
     FragmentExport bodies = export(labels);
-    if (bodies.writesPoses() && source.placed().isEmpty()) {
+    boolean isScene = source.placed().isPresent() || (elastic && savedTransforms == null);
+    if (bodies.writesPoses() && !isScene) {
       throw PalpateException.wrongUse(
           "the volume has no bodies with poses",
           source.name(),

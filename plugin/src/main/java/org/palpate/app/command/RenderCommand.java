@@ -13,6 +13,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.TimeoutException;
 import javax.imageio.ImageIO;
 import org.palpate.app.options.ContactOptions;
+import org.palpate.app.options.ElasticOptions;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
@@ -40,7 +41,6 @@ import org.palpate.scene.SceneState;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
-import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.surface.WeldedSurface;
@@ -73,6 +73,7 @@ import picocli.CommandLine.TypeConversionException;
       "  palpate render --volume scan.nrrd --segment 'bone=>=1500' --out x.png --size 1280x960",
       "  palpate render --phantom torus:192 --view head --theme light --out torus.png",
       "  palpate render --phantom head:256 --trajectory t.csv --out touched.png",
+      "  palpate render --phantom block --elastic block=young:20e3 --trajectory t.csv --out p.png",
       "  palpate render --phantom torus:96 --tool capsule:3,20 --trajectory t.csv --out held.png",
       "  palpate render --phantom fracture --gaps --out gaps.png",
       "  palpate render --volume labels.nrrd --out labels.obj",
@@ -92,6 +93,10 @@ public final class RenderCommand implements Callable<Integer> {
           "--view",
           "--trajectory",
           "--tool",
+          "--elastic",
+          "--fixed",
+          "--fill",
+          "--lattice",
           "--upside-down",
           "--zoom",
           "--theme",
@@ -105,6 +110,7 @@ public final class RenderCommand implements Callable<Integer> {
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
   @Mixin private ToolOptions tool;
+  @Mixin private ElasticOptions elastic;
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
@@ -304,11 +310,20 @@ public final class RenderCommand implements Callable<Integer> {
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     contact.takeFrom(volume, spec.commandLine().getParseResult());
+    elastic.check(volume, tool);
     tool.checkOthers(spec.commandLine().getParseResult());
     boolean isAskedFor = spec.commandLine().getParseResult().hasMatchedOption("--tool");
     if (isAskedFor && tool.isRigid() && trajectory == null) {
       throw PalpateException.wrongUse(
           "nothing moves the tool", "--tool", "add --trajectory, or leave --tool out");
+    }
+    for (String option : ElasticOptions.NAMES) {
+      if (spec.commandLine().getParseResult().hasMatchedOption(option) && trajectory == null) {
+        throw PalpateException.wrongUse(
+            "nothing presses the segments",
+            option,
+            "add --trajectory, or leave " + option + " out");
+      }
     }
   }
 
@@ -363,14 +378,12 @@ public final class RenderCommand implements Callable<Integer> {
       throws IOException {
     if (trajectory != null) {
       ContactScene scene = contact.scene(source, segments, tool.feel());
-      model.setMarks(Optional.of(marks(scene, model.axes())));
+      if (made.isPresent()) {
+        LastContactMarks.showTool(trajectory, tool.scene(scene, made.get()), model);
+      } else {
+        LastContactMarks.show(trajectory, scene, elastic.bodies(segments, contact.solver()), model);
+      }
     }
-  }
-
-  private TouchMarks marks(ContactScene scene, WorldAxes axes) throws IOException {
-    return made.isPresent()
-        ? LastContactMarks.ofTool(trajectory, tool.scene(scene, made.get()), axes)
-        : LastContactMarks.of(trajectory, scene, axes);
   }
 
   private static void showSlices(

@@ -211,7 +211,7 @@ public final class ReplayCommand implements Callable<Integer> {
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     contact.takeFrom(volume, spec.commandLine().getParseResult());
     contact.settings();
-    elastic.check(volume, tool, false);
+    elastic.check(volume, tool);
     requireRepeatable();
     boolean rigid = tool.isRigid() || posesFile != null;
     tool.checkOthers(spec.commandLine().getParseResult(), rigid);
@@ -285,6 +285,12 @@ public final class ReplayCommand implements Callable<Integer> {
           "a tool moves in the world",
           posesFile == null ? "--coordinates grid with --tool" : "--coordinates grid with --poses",
           "give a trajectory in world mm");
+    }
+    if (elastic.isWanted()) {
+      throw PalpateException.wrongUse(
+          "elastic bodies and those beside them stand where they rest",
+          "--scene with --poses",
+          "leave one of them out");
     }
     if (feel.hasGreyMaterials() && posesFile != null) {
       throw PalpateException.wrongUse(

@@ -13,6 +13,7 @@ import org.palpate.edit.Edit;
 import org.palpate.edit.ShapeEdit;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
+import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.scene.window.WindowInput;
@@ -77,6 +78,11 @@ final class SessionBrush {
    */
   private static double solidRadiusMm(RigidTool tool) {
     return tool.radiusMm() + tool.coverRadiusMm();
+  }
+
+  /** Adds the keys to the window of a view before it opens. */
+  void addKeys(ConsoleViewListener listener, SessionView view) {
+    listener.addKeys(input -> addKeys(input, view::proxyGrid, listener::print));
   }
 
   /**

@@ -8,6 +8,7 @@ import java.util.Set;
 import org.palpate.app.options.ChosenCollisionDevice;
 import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.ToolOptions;
+import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.ProtectedFields;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
@@ -111,12 +112,15 @@ final class SessionScene {
         periodNanos);
   }
 
-  /**
-   * Returns placed bodies where the session has left them.
-   *
-   * @param start the bodies of this scene at the start
-   */
-  PlacedVolume ended(PlacedVolume start) {
+  /** Returns placed bodies where the session has left them, and segments where they rest. */
+  PlacedVolume left(VolumeSource source) {
+    return source
+        .placed()
+        .map(this::ended)
+        .orElseGet(() -> PlacedVolume.atRest(volume(), source.header().coordinateSystem()));
+  }
+
+  private PlacedVolume ended(PlacedVolume start) {
     BodyScene bodies = rigid.orElseThrow().bodies();
     List<Pose> poses = new ArrayList<>();
     for (int n = 0; n < bodies.count(); n++) {

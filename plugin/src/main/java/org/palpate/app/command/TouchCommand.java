@@ -6,6 +6,7 @@ import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
@@ -36,6 +37,7 @@ import org.palpate.app.process.ShutdownHook;
 import org.palpate.app.process.VersionProvider;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
+import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
@@ -197,7 +199,7 @@ public final class TouchCommand implements Callable<Integer> {
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     contact.takeFrom(volume, spec.commandLine().getParseResult());
-    elastic.check(volume, tool, hasWindow());
+    elastic.check(volume, tool);
     record.check(elastic.isWanted());
     tool.checkOthers(spec.commandLine().getParseResult());
     feel.check(tool.isRigid(), contact);
@@ -266,7 +268,7 @@ public final class TouchCommand implements Callable<Integer> {
     Report report = new Report("touch", output.report(), inputs);
     List<Path> recorded = SessionRecording.checked(record.file(), inputs);
     Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
-    FragmentExport bodies = savedPoses.export(exportFile, source);
+    FragmentExport bodies = savedPoses.export(exportFile, source, elastic.isWanted());
     List<Path> targets = new ArrayList<>(bodies.checked(inputs));
     export.ifPresent(targets::add);
     output.report().ifPresent(targets::add);
@@ -301,8 +303,8 @@ public final class TouchCommand implements Callable<Integer> {
           report.put("carved", edited.carvedMm3()).put("added", edited.addedMm3());
         }
       }
-      if (source.placed().isPresent()) {
-        finish(scene.ended(source.placed().get()), bodies, report);
+      if (source.placed().isPresent() || bodies.writesPoses()) {
+        finish(source, scene, bodies, report);
       } else {
         edited.write(failures);
         report.write();
@@ -311,12 +313,18 @@ public final class TouchCommand implements Callable<Integer> {
     }
   }
 
-  /** Prints, reports and writes where the session left placed bodies. */
-  private void finish(PlacedVolume left, FragmentExport bodies, Report report) throws IOException {
-    FractureReport readings = new FractureReport(left);
-    readings.lines().forEach(out::println);
-    report.put("fracture", readings.field()).write();
-    failures.attempt(exportFile, () -> bodies.write(left).forEach(out::println));
+  /** Prints, reports and writes what the session left of placed or elastic bodies. */
+  private void finish(
+      VolumeSource source, SessionScene scene, FragmentExport bodies, Report report) {
+    PlacedVolume left = scene.left(source);
+    if (source.placed().isPresent()) {
+      FractureReport readings = new FractureReport(left);
+      readings.lines().forEach(out::println);
+      report.put("fracture", readings.field());
+    }
+    report.write();
+    Map<String, ElasticMaterial> moduli = elastic.touchable(scene.volume());
+    failures.attempt(exportFile, () -> bodies.write(left, moduli).forEach(out::println));
     if (failures.exitCode() == 0) {
       autosave.ifPresent(file -> failures.attempt(file.target(), file::end));
     }
@@ -360,15 +368,9 @@ public final class TouchCommand implements Callable<Integer> {
   }
 
   private void printStart(VolumeSource source, DeviceChoice choice, String held) {
+    String version = VersionProvider.version();
     out.println(
-        "palpate "
-            + VersionProvider.version()
-            + ": "
-            + source.name()
-            + ", device "
-            + choice
-            + ", "
-            + held);
+        String.format("palpate %s: %s, device %s, %s", version, source.name(), choice, held));
     if (!headless) {
       GraphicsDriver.missingDisplay()
           .ifPresent(why -> out.println(why + ": goes on without a window"));
@@ -421,12 +423,7 @@ public final class TouchCommand implements Callable<Integer> {
           viewOptions.map(
               options -> new SessionView(session, scene.volume(), axes, opened, listener, options));
       view.ifPresent(shown -> listener.serve(shown, session, scene.volume(), axes));
-      view.ifPresent(
-          shown ->
-              painter.ifPresent(
-                  held ->
-                      listener.addKeys(
-                          input -> held.addKeys(input, shown::proxyGrid, listener::print))));
+      view.ifPresent(shown -> painter.ifPresent(held -> held.addKeys(listener, shown)));
       view.ifPresent(supervisor::show);
       shownView = view;
       link.ifPresent(
@@ -450,9 +447,9 @@ public final class TouchCommand implements Callable<Integer> {
     if (record.file().isPresent()) {
       return "the threshold stays while --record records: a replay has one threshold";
     }
-    return changesVoxels() || exportFile != null
-        ? "the threshold stays with --carve, --brush and --export: they are about the voxels of one"
-            + " threshold"
+    return changesVoxels() || exportFile != null || elastic.isWanted()
+        ? "the threshold stays with --carve, --brush, --elastic and --export: they are about the"
+            + " voxels of one threshold"
         : "";
   }
 

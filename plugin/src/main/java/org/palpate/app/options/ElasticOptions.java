@@ -6,29 +6,36 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.palpate.app.process.PalpateException;
+import org.palpate.body.Mobility;
 import org.palpate.elastic.ElasticBody;
+import org.palpate.elastic.ElasticPlan;
 import org.palpate.elastic.RecordedUpdate;
-import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.elastic.lattice.ElasticSegment;
-import org.palpate.geometry.IntBox;
 import org.palpate.host.ReplayRun;
 import org.palpate.host.SolverKind;
 import org.palpate.io.file.NumberParser;
+import org.palpate.io.scene.SceneBody;
+import org.palpate.io.scene.SceneReader;
+import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.BitCube;
-import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Option;
 
 /** The options of elastic segments. */
 public final class ElasticOptions {
+  /** The names of these options. */
+  public static final List<String> NAMES =
+      List.of("--elastic", "--fixed", ElasticFill.OPTION, "--lattice");
+
   private static final NumberRange LATTICE =
       NumberRange.positive("--lattice", "the edge of a cell", "mm");
 
-  /** The number of cells over the elastic segments if the user chooses no edge. */
-  private static final double USUAL_CELLS = 3000;
+  /** Young's modulus of a fill if the user chooses none: that of soft tissue, Pa. */
+  private static final double USUAL_FILL_PASCAL = 10e3;
 
   @Option(
       names = "--elastic",
@@ -54,9 +61,55 @@ public final class ElasticOptions {
               + " that some 3,000 cover them.")
   private Double latticeMm;
 
+  @Option(
+      names = ElasticFill.OPTION,
+      paramLabel = "NAME=OUTER..INNER",
+      description = {
+        "Fills the empty space inside segment OUTER, but not the cavities of segment INNER, with"
+            + " elastic matter that cannot be touched; may be repeated. Its modulus is 10e3 Pa, or"
+            + " that of --elastic NAME=young:PA.",
+        "Default for the phantom head: tissue=skin..skull."
+      })
+  private Map<String, String> fill = new LinkedHashMap<>();
+
+  private boolean fillsHead;
+
+  /** The fills of the last volume, and the voxels of each. */
+  private final Map<ElasticFill, BitCube> fills = new LinkedHashMap<>();
+
+  /** The materials of the elastic bodies of a scene file. */
+  private final Map<String, ElasticMaterial> ofScene = new LinkedHashMap<>();
+
   /** Whether a segment is elastic. */
   public boolean isWanted() {
-    return !elastic.isEmpty();
+    return !elastic.isEmpty() || !ofScene.isEmpty();
+  }
+
+  /**
+   * Takes the elastic bodies of a scene file. An option gives one of them another material.
+   *
+   * @throws VolumeFormatException if the scene cannot be read, or a material is out of range
+   */
+  private void takeFrom(VolumeOptions volume) throws VolumeFormatException {
+    if (volume.scene().isEmpty()) {
+      return;
+    }
+    Path file = volume.scene().get();
+    for (SceneBody body : SceneReader.read(file).bodies()) {
+      if (body.mobility() == Mobility.ELASTIC) {
+        ofScene.put(body.name(), material(body, file));
+      }
+    }
+  }
+
+  private static ElasticMaterial material(SceneBody body, Path file) throws VolumeFormatException {
+    double poisson = body.poisson().orElse(ElasticMaterial.USUAL_POISSON);
+    try {
+      return new ElasticMaterial(body.youngPa().orElseThrow(), poisson);
+    } catch (IllegalArgumentException e) {
+      throw new VolumeFormatException(
+          e.getMessage(), file + ": body " + body.name(), "correct young_pa or poisson", e);
+    }
   }
 
   /**
@@ -106,17 +159,22 @@ public final class ElasticOptions {
   }
 
   /**
-   * Refuses what does not go with elastic segments: a window, which would not show how they give
-   * way, a mass, and poses.
+   * Takes the elastic bodies of a scene, and refuses what does not go with elastic segments: a
+   * rigid tool, a mass, and poses.
    *
+   * @throws VolumeFormatException if the scene cannot be read, or a material in it is out of range
    * @throws PalpateException exit code 2, if segments are elastic and one of these is wanted, or
    *     the edge of a cell is out of range
    */
-  public void check(VolumeOptions volume, ToolOptions tool, boolean hasWindow) {
+  public void check(VolumeOptions volume, ToolOptions tool) throws VolumeFormatException {
     LATTICE.checkGiven(latticeMm);
-    if (isWanted() && hasWindow) {
+    fillsHead = volume.isHeadPhantom();
+    takeFrom(volume);
+    if (!ofScene.isEmpty() && tool.isRigid()) {
       throw PalpateException.wrongUse(
-          "elastic segments are not drawn yet", "--elastic", "add --headless");
+          "a rigid tool touches no elastic body",
+          "--scene " + volume.scene().orElseThrow(),
+          "write the tool point, or the mobility fixed");
     }
     if (isWanted() && tool.massKg().isPresent()) {
       throw PalpateException.wrongUse(
@@ -138,12 +196,13 @@ public final class ElasticOptions {
    * @throws PalpateException exit code 2, if an option is wrong
    */
   public Optional<Supplier<ElasticBody>> bodies(SegmentedVolume volume, SolverKind solver) {
-    if (elastic.isEmpty()) {
+    if (!isWanted()) {
       refuseAlone("--fixed", !fixed.isEmpty());
       refuseAlone("--lattice", latticeMm != null);
+      refuseAlone(ElasticFill.OPTION, !fill.isEmpty());
       return Optional.empty();
     }
-    if (solver != SolverKind.SMOOTH && solver != SolverKind.GUARDED) {
+    if (!solver.keepsGuarantee()) {
       throw PalpateException.wrongUse(
           "elastic segments need a solver that keeps the guarantee",
           "--solver " + solver,
@@ -151,11 +210,12 @@ public final class ElasticOptions {
     }
     for (String name : fixed) {
       checkNamed(volume, "--fixed", name);
-      if (elastic.containsKey(name)) {
+      if (elastic.containsKey(name) || ofScene.containsKey(name)) {
         throw PalpateException.wrongUse(
             "a segment is elastic and fixed", "--fixed " + name, "leave one of them out");
       }
     }
+    findFills(volume);
     ElasticBody first = newBody(volume);
     ElasticBody[] made = {first};
     return Optional.of(
@@ -180,27 +240,63 @@ public final class ElasticOptions {
     }
   }
 
-  private ElasticBody newBody(SegmentedVolume volume) {
-    Map<String, ElasticMaterial> materials = new LinkedHashMap<>();
+  private void findFills(SegmentedVolume volume) {
+    fills.clear();
+    if (fill.isEmpty() && fillsHead && ElasticFill.OF_HEAD.fits(volume)) {
+      fills.put(ElasticFill.OF_HEAD, ElasticFill.OF_HEAD.voxels(volume));
+    }
+    fill.forEach(
+        (name, between) -> {
+          ElasticFill wanted = ElasticFill.parse(name, between);
+          fills.put(wanted, wanted.voxels(volume));
+        });
+  }
+
+  private boolean isFill(String name) {
+    return fills.keySet().stream().anyMatch(each -> each.name().equals(name));
+  }
+
+  /** Returns the materials by the names of segments and fills. */
+  private Map<String, ElasticMaterial> materials(SegmentedVolume volume) {
+    Map<String, ElasticMaterial> materials = new LinkedHashMap<>(ofScene);
     elastic.forEach(
         (name, text) -> {
-          checkNamed(volume, "--elastic", name);
+          if (!isFill(name)) {
+            checkNamed(volume, "--elastic", name);
+          }
           materials.put(name, material(name, text));
         });
-    List<ElasticSegment> soft = new ArrayList<>();
-    List<BitCube> still = new ArrayList<>();
-    for (Segment segment : volume.segments()) {
-      ElasticMaterial material = materials.get(segment.name());
-      if (material == null) {
-        still.add(segment.bits());
-      } else {
-        soft.add(new ElasticSegment(segment.bits(), material));
-      }
+    double poisson = materials.values().iterator().next().poisson();
+    fills
+        .keySet()
+        .forEach(
+            each ->
+                materials.computeIfAbsent(
+                    each.name(), name -> new ElasticMaterial(USUAL_FILL_PASCAL, poisson)));
+    return materials;
+  }
+
+  /**
+   * Returns the materials of the elastic segments of a volume, without those of fills, after {@link
+   * #bodies}; none if nothing is elastic.
+   */
+  public Map<String, ElasticMaterial> touchable(SegmentedVolume volume) {
+    if (!isWanted()) {
+      return Map.of();
     }
-    double edgeMm = latticeMm == null ? usualEdgeMm(volume, soft) : latticeMm;
+    Map<String, ElasticMaterial> touchable = materials(volume);
+    fills.keySet().forEach(each -> touchable.remove(each.name()));
+    return touchable;
+  }
+
+  private ElasticBody newBody(SegmentedVolume volume) {
+    Map<String, ElasticMaterial> materials = materials(volume);
+    List<ElasticSegment> soft = new ArrayList<>();
+    fills.forEach(
+        (each, voxels) -> soft.add(new ElasticSegment(voxels, materials.get(each.name()), false)));
     try {
-      ControlLattice lattice = new ControlLattice(volume.grid().metric(), soft, still, edgeMm);
-      return new ElasticBody(lattice, volume.grid().metric());
+      OptionalDouble edgeMm = LATTICE.checkGiven(latticeMm);
+      return ElasticPlan.of(volume, materials, soft, edgeMm).get();
     } catch (IllegalArgumentException e) {
       throw PalpateException.wrongUse(
           e.getMessage(),
@@ -211,41 +307,15 @@ public final class ElasticOptions {
   }
 
   private static ElasticMaterial material(String name, String text) {
-    String[] parts = text.split(",", -1);
-    boolean known =
-        parts[0].startsWith("young:")
-            && (parts.length == 1 || (parts.length == 2 && parts[1].startsWith("poisson:")));
-    double young = known ? number(parts[0]) : Double.NaN;
-    double poisson =
-        !known ? Double.NaN : parts.length == 1 ? ElasticMaterial.USUAL_POISSON : number(parts[1]);
-    try {
-      return new ElasticMaterial(young, poisson);
-    } catch (IllegalArgumentException e) {
-      throw PalpateException.wrongUse(
-          "the elastic material cannot be read",
-          "--elastic " + name + "=" + text,
-          "write for example "
-              + name
-              + "=young:20e3,poisson:0.4, with a modulus of 10 to 1e12 Pa and a ratio of 0 to 0.49",
-          e);
-    }
-  }
-
-  private static double number(String part) {
-    return NumberParser.number(part.substring(part.indexOf(':') + 1));
-  }
-
-  /** Returns the edge with which the usual number of cells covers the boxes of the segments. */
-  private static double usualEdgeMm(SegmentedVolume volume, List<ElasticSegment> soft) {
-    double mm3 = 0;
-    for (ElasticSegment segment : soft) {
-      IntBox box = segment.bits().bounds();
-      if (!box.isEmpty()) {
-        double voxels = (double) (box.highX - box.lowX + 1) * (box.highY - box.lowY + 1);
-        mm3 += voxels * (box.highZ - box.lowZ + 1);
-      }
-    }
-    mm3 *= volume.grid().spacingMm().x * volume.grid().spacingMm().y * volume.grid().spacingMm().z;
-    return Math.max(volume.grid().metric().shortestEdgeMm(), Math.cbrt(mm3 / USUAL_CELLS));
+    return ElasticMaterial.parse(text, NumberParser::number)
+        .orElseThrow(
+            () ->
+                PalpateException.wrongUse(
+                    "the elastic material cannot be read",
+                    "--elastic " + name + "=" + text,
+                    "write for example "
+                        + name
+                        + "=young:20e3,poisson:0.4, with a modulus of 10 to 1e12 Pa and a ratio of"
+                        + " 0 to 0.49"));
   }
 }

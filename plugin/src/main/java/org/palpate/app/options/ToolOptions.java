@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.BodyScene;
 import org.palpate.collision.CollisionDevice;
@@ -29,15 +30,10 @@ import picocli.CommandLine.ParseResult;
 /** The options that choose the tool and its clearance. */
 public final class ToolOptions {
   private static final List<String> OF_POINTS =
-      List.of(
-          "--solver",
-          "--collision",
-          "--border",
-          "--friction-form",
-          "--gravity",
-          "--elastic",
-          "--fixed",
-          "--lattice");
+      Stream.concat(
+              Stream.of("--solver", "--collision", "--border", "--friction-form", "--gravity"),
+              ElasticOptions.NAMES.stream())
+          .toList();
 
   private static final List<String> OF_RIGID_TOOLS =
       List.of("--rotational-stiffness", "--legs-every", "--legs-frames");

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.palpate.app.process.PalpateException;
+import org.palpate.io.scene.SceneReader;
+import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.phantom.FracturePhantom;
 import picocli.CommandLine.Option;
 
@@ -86,14 +88,27 @@ public final class VolumeOptions {
     return Optional.ofNullable(scene);
   }
 
-  /** Whether the bodies have poses of their own: in a scene file, or as a broken bone. */
-  public boolean isPlaced() {
-    return scene != null || isBrokenPhantom();
+  /**
+   * Whether the bodies have poses of their own: in a scene file without elastic bodies, or as a
+   * broken bone.
+   *
+   * @throws VolumeFormatException if the scene cannot be read
+   */
+  public boolean isPlaced() throws VolumeFormatException {
+    return scene == null ? isBrokenPhantom() : !SceneReader.read(scene).isElastic();
   }
 
   /** Whether the bodies are the fragments of a phantom, which belong where they rest. */
   public boolean isBrokenPhantom() {
     return scene == null && volume == null && FracturePhantom.accepts(phantom());
+  }
+
+  /** Whether the volume is the phantom of a head with the segments of its labels. */
+  boolean isHeadPhantom() {
+    return scene == null
+        && volume == null
+        && segments.isEmpty()
+        && phantom().matches("head(:[0-9]+)?");
   }
 
   /**

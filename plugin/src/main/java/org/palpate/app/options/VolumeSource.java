@@ -26,6 +26,7 @@ import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.label.ValueStatistics;
 import org.palpate.io.scene.BodyReader;
 import org.palpate.io.scene.PlacedVolume;
+import org.palpate.io.scene.SceneFile;
 import org.palpate.io.scene.SceneReader;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
@@ -48,6 +49,7 @@ public final class VolumeSource {
   private final Optional<Phantom> phantom;
   private final List<SegmentSpec> requested;
   private final Optional<PlacedVolume> placed;
+  private final boolean isElastic;
   private ScalarVolume greyValues;
 
   private VolumeSource(
@@ -57,11 +59,18 @@ public final class VolumeSource {
     this.phantom = phantom;
     this.requested = requested;
     placed = Optional.empty();
+    isElastic = false;
   }
 
-  /** Creates the source of placed bodies; its reader shows them where they stand, as labels. */
-  private VolumeSource(String name, PlacedVolume placed, List<SegmentSpec> requested) {
+  /**
+   * Creates the source of placed bodies; its reader shows them where they stand, as labels.
+   *
+   * @param isElastic whether some are elastic, so that all stand at rest
+   */
+  private VolumeSource(
+      String name, PlacedVolume placed, List<SegmentSpec> requested, boolean isElastic) {
     this.name = name;
+    this.isElastic = isElastic;
     this.placed = Optional.of(placed);
     reader =
         new SegmentsAsLabels(
@@ -80,8 +89,9 @@ public final class VolumeSource {
     Optional<Path> file = options.volume();
     if (options.scene().isPresent()) {
       Path scene = options.scene().get();
-      PlacedVolume bodies = BodyReader.read(SceneReader.read(scene), scene);
-      return new VolumeSource("scene " + scene, bodies, requested);
+      SceneFile read = SceneReader.read(scene);
+      PlacedVolume bodies = BodyReader.read(read, scene);
+      return new VolumeSource("scene " + scene, bodies, requested, read.isElastic());
     }
     if (file.isEmpty() && FracturePhantom.accepts(options.phantom())) {
       return ofFracture(parsed(FracturePhantom::parse, options.phantom()), requested);
@@ -141,7 +151,7 @@ public final class VolumeSource {
 
   private static VolumeSource ofFracture(FracturePhantom phantom, List<SegmentSpec> requested) {
     return new VolumeSource(
-        "phantom " + phantom.spec(), parsed(VolumeSource::broken, phantom), requested);
+        "phantom " + phantom.spec(), parsed(VolumeSource::broken, phantom), requested, false);
   }
 
   /** Returns the fragments of a bone, displaced; all but the first, the largest, are movable. */
@@ -191,10 +201,15 @@ public final class VolumeSource {
   }
 
   /**
-   * Returns the bodies of a scene and their placements; empty if this is no scene, or if {@code
-   * --segment} asked for other segments of what it shows.
+   * Returns the bodies of a scene and their placements; empty if this is no scene, if some of its
+   * bodies are elastic and so all stand at rest, or if {@code --segment} asked for other segments
+   * of what it shows.
    */
   public Optional<PlacedVolume> placed() {
+    return isElastic ? Optional.empty() : bodies();
+  }
+
+  private Optional<PlacedVolume> bodies() {
     return requested.isEmpty() ? placed : Optional.empty();
   }
 
@@ -214,10 +229,10 @@ public final class VolumeSource {
    *     intensities
    */
   public SegmentedVolume segments(PrintWriter err, boolean keepsGrey) throws VolumeFormatException {
-    if (placed().isPresent()) {
-      placed.get().notes().forEach(err::println);
+    if (bodies().isPresent()) {
+      bodies().get().notes().forEach(err::println);
       err.flush();
-      return placed.get().rest();
+      return bodies().get().rest();
     }
     if (!requested.isEmpty()) {
       SegmentedVolume found = keepsGrey ? readWithGreyValues() : read(requested);

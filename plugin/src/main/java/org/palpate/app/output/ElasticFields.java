@@ -14,6 +14,7 @@ public final class ElasticFields {
     UpdateCounters counts = body.counters();
     Map<String, Object> fields = new LinkedHashMap<>();
     fields.put("hexes", body.hexahedra());
+    fields.put("untouchable_voxels", body.untouchableVoxels());
     fields.put("updates", counts.updates());
     fields.put("skipped", counts.skipped());
     fields.put("update_ms", times(counts));

@@ -113,7 +113,7 @@ public record TouchOptions(
         "Friction", Prefs.get(PREFIX + "friction", ForceSettings.DEFAULT_FRICTION), 2);
     // In a macro without materials there are none, whatever a dialog chose before.
     String materials = Macro.getOptions() == null ? Prefs.get(PREFIX + "materials", "") : "";
-    dialog.addStringField("Materials (bone=stiffness:0.8,friction:0.3; ...)", materials, 24);
+    dialog.addStringField("Materials (bone=friction:0.3; skin=young:20e3; ...)", materials, 24);
   }
 
   private static void addDevice(GenericDialog dialog) {
@@ -211,6 +211,10 @@ public record TouchOptions(
   }
 
   private void check() throws TouchRefusedException {
+    if (!materials.elastic().isEmpty() && !solver.keepsGuarantee()) {
+      throw new TouchRefusedException(
+          "Elastic segments (young:...) need the solver smooth or guarded.");
+    }
     if (!labels && !(lower <= upper)) {
       throw new TouchRefusedException(
           "The lower threshold " + lower + " is above the upper threshold " + upper + ".");

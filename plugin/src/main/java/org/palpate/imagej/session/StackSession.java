@@ -13,6 +13,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.palpate.elastic.PublishedShape;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
@@ -66,12 +67,15 @@ public final class StackSession implements AutoCloseable {
   private final TouchSession session;
   private final StackSynchronizer synchronizer;
   private final Optional<SessionView> view;
+
+  /** The shape of elastic segments, if there are any and no view reads it. */
+  private final Optional<PublishedShape> shape;
+
   private final LandmarkTable landmarks;
   private final StrokeHistory strokes;
   private final Queue<ViewKeys.Action> actions = new ConcurrentLinkedQueue<>();
   private final CountDownLatch forceOn = new CountDownLatch(1);
   private final CountDownLatch forceOff = new CountDownLatch(1);
-  private final Vec3 latestPoint = new Vec3();
   private volatile Vec3 pointGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
   private volatile boolean stopRequested;
   private volatile Thread runner;
@@ -111,6 +115,7 @@ public final class StackSession implements AutoCloseable {
             SessionSettings.standard()
                 .withDefaultStiffness(device.defaultNewtonPerMm())
                 .withLoop(loop)
+                .withElastic(options.materials().bodies(scene.volume()))
                 .withRecorder(recorder));
     synchronizer =
         new StackSynchronizer(volume, pixels, ranges, options.followsThreshold(), scene, changes());
@@ -119,6 +124,7 @@ public final class StackSession implements AutoCloseable {
         options.view() && GraphicsDriver.hasDisplay()
             ? Optional.of(newView(device))
             : Optional.empty();
+    shape = view.isPresent() ? Optional.empty() : session.shape();
     landmarks =
         new LandmarkTable(
             image, geometry, all -> view.ifPresent(shown -> shown.showLandmarks(all)));
@@ -170,6 +176,10 @@ public final class StackSession implements AutoCloseable {
       session.stop();
       forceOff.countDown();
     }
+    if (session.endedByTrouble()) {
+      throw new TouchRefusedException(
+          "The session ended with zero force: " + session.elasticTrouble().orElseThrow() + ".");
+    }
     return session.stop();
   }
 
@@ -220,7 +230,10 @@ public final class StackSession implements AutoCloseable {
 
   private Vec3 takeUpdates() {
     session.takeUpdates();
-    return new Vec3().set(session.properties().touch().interactionPoint(latestPoint));
+    Vec3 atRest = new Vec3();
+    return shape.isPresent()
+        ? shape.get().materialPoint(atRest)
+        : session.properties().touch().interactionPoint(atRest);
   }
 
   private void runQueuedActions() {

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.label.SegmentBuilder;
@@ -49,7 +50,7 @@ public final class BodyReader {
    *
    * @param sceneFile the scene file, to which the names of volumes are relative
    * @throws VolumeFormatException if a volume or a segment cannot be read, a body has no voxel, is
-   *     a mesh or elastic, or stands on another grid
+   *     a mesh, stands on another grid, or does not rest beside elastic bodies
    */
   public static PlacedVolume read(SceneFile scene, Path sceneFile) throws VolumeFormatException {
     return new BodyReader(scene, sceneFile).read();
@@ -88,8 +89,8 @@ public final class BodyReader {
       throw refusal(
           n, "mesh", "is a mesh, which cannot be a body yet", "convert it to a label volume");
     }
-    if (body.mobility() == Mobility.ELASTIC) {
-      throw refusal(n, "mobility", "is elastic, which is not possible yet", "write fixed");
+    if (scene.isElastic()) {
+      requireAtRest(n);
     }
     String text = body.segment().orElse("nonzero");
     try {
@@ -101,6 +102,18 @@ public final class BodyReader {
           "segment",
           "is not understood: " + text,
           "write >=1500, 300..900, label:7, name:Mandible or nonzero");
+    }
+  }
+
+  /** Refuses what does not stand at rest beside elastic bodies, which share a lattice with it. */
+  private void requireAtRest(int n) throws VolumeFormatException {
+    SceneBody body = scene.bodies().get(n);
+    if (body.mobility() == Mobility.MOVABLE) {
+      throw refusal(
+          n, "mobility", "is movable, and another body is elastic", "write fixed or elastic");
+    }
+    if (!body.pose().sameBits(new Pose())) {
+      throw refusal(n, "pose", "moves a body of a scene with elastic bodies", "leave it out");
     }
   }
 

@@ -2,6 +2,7 @@ package org.palpate.io.scene;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
@@ -46,6 +47,17 @@ public record PlacedVolume(
       placements.add(new Placement(placements.isEmpty() ? Mobility.FIXED : Mobility.MOVABLE, pose));
     }
     return new PlacedVolume(fragments.segments(), placements, world, List.of(), List.of());
+  }
+
+  /** Returns segments as fixed bodies that stand where they rest. */
+  public static PlacedVolume atRest(SegmentedVolume segments, CoordinateSystem world) {
+    Placement fixed = new Placement(Mobility.FIXED, new Pose());
+    return new PlacedVolume(
+        segments,
+        Collections.nCopies(segments.segments().size(), fixed),
+        world,
+        List.of(),
+        List.of());
   }
 
   /**

@@ -46,6 +46,20 @@ public record SceneBody(
         OptionalDouble.empty());
   }
 
+  /** Returns this body as an elastic one. */
+  public SceneBody elastic(double youngPascal, double ratio) {
+    return new SceneBody(
+        name,
+        source,
+        isMesh,
+        segment,
+        Mobility.ELASTIC,
+        pose,
+        material,
+        OptionalDouble.of(youngPascal),
+        OptionalDouble.of(ratio));
+  }
+
   /** Returns this body at another pose, with another name of the same file. */
   public SceneBody at(String newSource, Pose newPose) {
     return new SceneBody(

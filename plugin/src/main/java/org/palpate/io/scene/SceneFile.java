@@ -3,6 +3,7 @@ package org.palpate.io.scene;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.palpate.body.Mobility;
 
 /**
  * The content of a scene file.
@@ -26,6 +27,11 @@ public record SceneFile(
   public SceneFile {
     bodies = List.copyOf(bodies);
     protect = List.copyOf(protect);
+  }
+
+  /** Whether a body is elastic. */
+  public boolean isElastic() {
+    return bodies.stream().anyMatch(body -> body.mobility() == Mobility.ELASTIC);
   }
 
   /** Returns the keys of this scene that are read but have no effect yet. */

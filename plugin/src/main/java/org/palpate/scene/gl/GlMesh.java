@@ -5,6 +5,7 @@ import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
 import java.nio.ByteBuffer;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.Deformation;
 import org.palpate.scene.Matrix4;
 import org.palpate.scene.surface.SurfaceBrick;
 
@@ -82,19 +83,26 @@ final class GlMesh {
     return brick.triangleCount();
   }
 
+  /** Whether some of the brick is displaced. */
+  boolean isMovedBy(Deformation deformation) {
+    return deformation.moves(low, high);
+  }
+
   /**
-   * Whether the bounding box lies completely outside one plane of the view frustum.
+   * Whether the bounding box, grown by a margin, lies completely outside one plane of the view
+   * frustum.
    *
    * @param toClip transform from grid mm to clip coordinates
+   * @param marginMm at least the longest displacement of a vertex, mm
    */
-  boolean isOutside(Matrix4 toClip) {
+  boolean isOutside(Matrix4 toClip, double marginMm) {
     for (int plane = 0; plane < 6; plane++) {
       int row = plane >> 1;
       double sign = (plane & 1) == 0 ? 1 : -1;
       double best = toClip.at(3, 3) + sign * toClip.at(row, 3);
       for (int axis = 0; axis < 3; axis++) {
         double factor = toClip.at(3, axis) + sign * toClip.at(row, axis);
-        best += factor * (factor > 0 ? high.get(axis) : low.get(axis));
+        best += factor * (factor > 0 ? high.get(axis) + marginMm : low.get(axis) - marginMm);
       }
       if (best < 0) {
         return true;

@@ -8,7 +8,9 @@ import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.Deformation;
 import org.palpate.scene.Matrix4;
 import org.palpate.scene.SceneObject;
 import org.palpate.scene.SceneState;
@@ -23,7 +25,12 @@ final class ObjectPainter {
   private final GlProgram program;
   private final TintTexture tint;
   private final boolean cullsOutsideView;
+  private final DeformationTexture texture;
   private final Map<SceneObject, List<Map<Integer, GlMesh>>> meshes = new HashMap<>();
+
+  /** The deformation of the picture that is being drawn. */
+  private Optional<Deformation> deformation = Optional.empty();
+
   private long drawnTriangles;
   private long allTriangles;
   private long culledMeshes;
@@ -31,10 +38,12 @@ final class ObjectPainter {
   /**
    * Compiles the program.
    *
+   * @param texture the deformation of each picture
    * @param cullsOutsideView whether bricks outside the view are not drawn
    */
-  ObjectPainter(GL3 gl, boolean cullsOutsideView) {
+  ObjectPainter(GL3 gl, boolean cullsOutsideView, DeformationTexture texture) {
     this.cullsOutsideView = cullsOutsideView;
+    this.texture = texture;
     program = new GlProgram(gl, Shaders.MESH_VERTEX, Shaders.MESH_FRAGMENT);
     tint = new TintTexture(gl);
   }
@@ -67,6 +76,7 @@ final class ObjectPainter {
     program.use(gl);
     program.set(gl, "projection", projection);
     setClip(gl, state, toEye);
+    deformation = texture.use(gl, program, state.deformation());
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glDepthFunc(GL.GL_LESS);
     gl.glDepthMask(true);
@@ -143,10 +153,12 @@ final class ObjectPainter {
     program.set(gl, "opacity", object.opacity());
     tint.set(gl, program, object.tint());
     gl.glFrontFace(object.pose().isMirrored() ? GL.GL_CW : GL.GL_CCW);
+    double marginMm = deformation.map(Deformation::longestMm).orElse(0.0);
     for (GlMesh mesh : uploaded.values()) {
-      if (cullsOutsideView && mesh.isOutside(toClip)) {
+      if (cullsOutsideView && mesh.isOutside(toClip, marginMm)) {
         culledMeshes++;
       } else {
+        deformation.ifPresent(moving -> program.set(gl, "deforms", mesh.isMovedBy(moving) ? 1 : 0));
         mesh.draw(gl);
         drawnTriangles += mesh.triangleCount();
       }

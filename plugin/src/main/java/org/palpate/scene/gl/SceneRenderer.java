@@ -36,6 +36,7 @@ public final class SceneRenderer {
   private LandmarkPainter landmarks;
   private OverlayPainter overlay;
   private SlicePainter slices;
+  private DeformationTexture deformation;
   private int[] emptyArray;
   private long staticReused;
   private double textScale = 1;
@@ -63,11 +64,12 @@ public final class SceneRenderer {
   public void init(GL3 gl) {
     background = new GlProgram(gl, Shaders.SCREEN_VERTEX, Shaders.BACKGROUND_FRAGMENT);
     present = new GlProgram(gl, Shaders.SCREEN_VERTEX, Shaders.PRESENT_FRAGMENT);
-    objects = new ObjectPainter(gl, cullsOutsideView);
+    deformation = new DeformationTexture(gl);
+    objects = new ObjectPainter(gl, cullsOutsideView, deformation);
     marks = new MarkPainter(gl);
     landmarks = new LandmarkPainter(gl);
     overlay = new OverlayPainter(gl);
-    slices = new SlicePainter(gl);
+    slices = new SlicePainter(gl, deformation);
     composed = new GlFramebuffer();
     emptyArray = new int[1];
     gl.glGenVertexArrays(1, emptyArray, 0);
@@ -175,7 +177,7 @@ public final class SceneRenderer {
     gl.glEnable(GL.GL_STENCIL_TEST);
     gl.glStencilOp(GL.GL_KEEP, GL.GL_KEEP, GL.GL_REPLACE);
     gl.glStencilFunc(GL.GL_ALWAYS, GlFramebuffer.SLICE, GlFramebuffer.STENCIL_MASK);
-    state.look().slices().ifPresent(planes -> slices.draw(gl, planes, toEye, projection));
+    slices.draw(gl, state, toEye, projection);
     gl.glStencilFunc(GL.GL_ALWAYS, GlFramebuffer.NO_SLICE, GlFramebuffer.STENCIL_MASK);
     objects.draw(gl, state, toEye, projection);
     gl.glDisable(GL.GL_STENCIL_TEST);
@@ -258,6 +260,7 @@ public final class SceneRenderer {
     landmarks.dispose(gl);
     overlay.dispose(gl);
     slices.dispose(gl);
+    deformation.dispose(gl);
     composed.dispose(gl);
     for (GlFramebuffer target : staticPictures) {
       target.dispose(gl);

@@ -30,25 +30,75 @@ final class Shaders {
       vec3 shown(vec3 c) { return pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2)); }
       """;
 
-  static final String MESH_VERTEX =
+  /**
+   * The displacement of a point in grid mm by the lattice of {@link DeformationTexture}. Positions
+   * are those of {@code DeformationMap}: affine on the Kuhn tetrahedra of each cell. The gradient
+   * comes from differences over a cell, so that normals do not jump at a tetrahedron's face.
+   */
+  static final String DISPLACEMENT =
       """
-      layout(location = 0) in vec3 position;
-      layout(location = 1) in vec4 normalAndVisibility;
-      uniform mat4 toEye;
-      uniform mat4 projection;
-      out vec3 eyePosition;
-      out vec3 eyeNormal;
-      out float visibility;
-      out vec3 gridPosition;
-      void main() {
-        gridPosition = position;
-        vec4 p = toEye * vec4(position, 1);
-        eyePosition = p.xyz;
-        eyeNormal = mat3(toEye) * normalAndVisibility.xyz;
-        visibility = normalAndVisibility.w;
-        gl_Position = projection * p;
+      uniform bool deforms;
+      uniform sampler3D displacements;
+      uniform vec3 latticeOrigin;
+      uniform vec3 latticeCell;
+      uniform vec3 latticeCells;
+      vec3 displacement(vec3 position) {
+        vec3 at = clamp((position - latticeOrigin) / latticeCell, vec3(0), latticeCells);
+        vec3 first = min(floor(at), latticeCells - 1.0);
+        vec3 f = at - first;
+        ivec3 cell = ivec3(first);
+        ivec3 longest = f.x >= f.y && f.x >= f.z ? ivec3(1, 0, 0)
+            : f.y >= f.z ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
+        ivec3 shortest = f.z <= f.x && f.z <= f.y ? ivec3(0, 0, 1)
+            : f.y <= f.x ? ivec3(0, 1, 0) : ivec3(1, 0, 0);
+        float high = max(f.x, max(f.y, f.z));
+        float low = min(f.x, min(f.y, f.z));
+        float middle = f.x + f.y + f.z - high - low;
+        return (1.0 - high) * texelFetch(displacements, cell, 0).xyz
+            + (high - middle) * texelFetch(displacements, cell + longest, 0).xyz
+            + (middle - low) * texelFetch(displacements, cell + 1 - shortest, 0).xyz
+            + low * texelFetch(displacements, cell + 1, 0).xyz;
+      }
+      vec3 stretched(vec3 position, vec3 axis) {
+        vec3 aside = 0.5 * latticeCell * axis;
+        vec3 difference = displacement(position + aside) - displacement(position - aside);
+        return axis + difference / dot(latticeCell, axis);
+      }
+      // The normal times the cofactors of the deformation gradient.
+      vec3 deformedNormal(vec3 position, vec3 normal) {
+        vec3 x = stretched(position, vec3(1, 0, 0));
+        vec3 y = stretched(position, vec3(0, 1, 0));
+        vec3 z = stretched(position, vec3(0, 0, 1));
+        return normal.x * cross(y, z) + normal.y * cross(z, x) + normal.z * cross(x, y);
       }
       """;
+
+  static final String MESH_VERTEX =
+      DISPLACEMENT
+          + """
+          layout(location = 0) in vec3 position;
+          layout(location = 1) in vec4 normalAndVisibility;
+          uniform mat4 toEye;
+          uniform mat4 projection;
+          out vec3 eyePosition;
+          out vec3 eyeNormal;
+          out float visibility;
+          out vec3 gridPosition;
+          void main() {
+            gridPosition = position;
+            vec3 present = position;
+            vec3 normal = normalAndVisibility.xyz;
+            if (deforms) {
+              present += displacement(position);
+              normal = deformedNormal(position, normal);
+            }
+            vec4 p = toEye * vec4(present, 1);
+            eyePosition = p.xyz;
+            eyeNormal = mat3(toEye) * normal;
+            visibility = normalAndVisibility.w;
+            gl_Position = projection * p;
+          }
+          """;
 
   static final String MESH_FRAGMENT =
       LIGHT
@@ -211,17 +261,19 @@ final class Shaders {
       """;
 
   static final String SLICE_VERTEX =
-      """
-      layout(location = 0) in vec3 position;
-      layout(location = 1) in vec2 texture;
-      uniform mat4 toEye;
-      uniform mat4 projection;
-      out vec2 at;
-      void main() {
-        at = texture;
-        gl_Position = projection * toEye * vec4(position, 1);
-      }
-      """;
+      DISPLACEMENT
+          + """
+          layout(location = 0) in vec3 position;
+          layout(location = 1) in vec2 texture;
+          uniform mat4 toEye;
+          uniform mat4 projection;
+          out vec2 at;
+          void main() {
+            vec3 present = deforms ? position + displacement(position) : position;
+            at = texture;
+            gl_Position = projection * toEye * vec4(present, 1);
+          }
+          """;
 
   static final String SLICE_FRAGMENT =
       """

@@ -7,43 +7,74 @@ import com.jogamp.opengl.GL3;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
+import java.util.Optional;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.Deformation;
 import org.palpate.scene.Matrix4;
+import org.palpate.scene.SceneState;
 import org.palpate.scene.SlicePlanes;
 
 /** Draws up to three planes of grey values. */
 final class SlicePainter {
   private static final int[][] CORNERS = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
 
+  /** The floats of a vertex: its position and its place in the texture. */
+  private static final int FLOATS = 5;
+
+  /** The pieces of a plane for each cell of a deformation. */
+  private static final int PIECES_PER_CELL = 2;
+
   private final GlProgram program;
+  private final DeformationTexture texture;
   private final StreamBuffer buffer;
   private final int[] textures = new int[3];
   private final int[] shown = {-1, -1, -1};
   private SlicePlanes.Grey source;
 
-  /** Compiles the program. */
-  SlicePainter(GL3 gl) {
+  /**
+   * Compiles the program.
+   *
+   * @param texture the deformation of each picture
+   */
+  SlicePainter(GL3 gl, DeformationTexture texture) {
+    this.texture = texture;
     program = new GlProgram(gl, Shaders.SLICE_VERTEX, Shaders.SLICE_FRAGMENT);
     buffer = new StreamBuffer(gl, 3, 2);
     gl.glGenTextures(3, textures, 0);
   }
 
-  /** Draws the planes. Uploads a plane only if it changed. */
-  void draw(GL3 gl, SlicePlanes slices, Matrix4 toEye, Matrix4 projection) {
+  /** Draws the planes of a picture, if it has any, as they are deformed. */
+  void draw(GL3 gl, SceneState state, Matrix4 toEye, Matrix4 projection) {
+    state
+        .look()
+        .slices()
+        .ifPresent(slices -> draw(gl, slices, state.deformation(), toEye, projection));
+  }
+
+  /** Draws planes. Uploads a plane only if it changed. */
+  private void draw(
+      GL3 gl,
+      SlicePlanes slices,
+      Optional<Deformation> deformation,
+      Matrix4 toEye,
+      Matrix4 projection) {
     if (source != slices.grey()) {
       source = slices.grey();
       Arrays.fill(shown, -1);
     }
     program.use(gl);
-    program.set(gl, "toEye", toEye);
+    program.set(gl, "toEye", toEye.times(Matrix4.of(slices.pose())));
     program.set(gl, "projection", projection);
     program.set(gl, "slice", 0);
+    Optional<Deformation> drawn = texture.use(gl, program, deformation);
+    program.set(gl, "deforms", drawn.isPresent() ? 1 : 0);
     gl.glActiveTexture(GL.GL_TEXTURE0);
     for (int axis = 0; axis < 3; axis++) {
       if (slices.plane(axis) >= 0) {
         gl.glBindTexture(GL.GL_TEXTURE_2D, textures[axis]);
         upload(gl, slices, axis);
-        buffer.draw(gl, corners(slices, axis), CORNERS.length);
+        FloatBuffer vertices = vertices(slices, axis, drawn);
+        buffer.draw(gl, vertices, vertices.limit() / FLOATS);
       }
     }
   }
@@ -88,21 +119,34 @@ final class SlicePainter {
     return source.value(voxel[0], voxel[1], voxel[2]);
   }
 
-  private FloatBuffer corners(SlicePlanes slices, int axis) {
-    FloatBuffer floats = Buffers.newDirectFloatBuffer(5 * CORNERS.length);
+  /** Returns a plane in grid mm: one piece, or small ones that follow a deformation. */
+  private FloatBuffer vertices(SlicePlanes slices, int axis, Optional<Deformation> deformation) {
+    int across = (axis + 1) % 3;
+    int up = (axis + 2) % 3;
+    int columns = pieces(slices, across, deformation);
+    int rows = pieces(slices, up, deformation);
+    FloatBuffer floats = Buffers.newDirectFloatBuffer(FLOATS * CORNERS.length * columns * rows);
     Vec3 spacing = slices.spacingMm();
     Vec3 at = new Vec3();
-    int u = (axis + 1) % 3;
-    int v = (axis + 2) % 3;
-    for (int[] corner : CORNERS) {
-      at.set(axis, (slices.plane(axis) + 0.5) * spacing.get(axis));
-      at.set(u, corner[0] * source.size(u) * spacing.get(u));
-      at.set(v, corner[1] * source.size(v) * spacing.get(v));
-      slices.pose().transform(at, at);
-      floats.put((float) at.x).put((float) at.y).put((float) at.z);
-      floats.put(corner[0]).put(corner[1]);
+    at.set(axis, (slices.plane(axis) + 0.5) * spacing.get(axis));
+    for (int piece = 0; piece < columns * rows; piece++) {
+      for (int[] corner : CORNERS) {
+        double u = (piece % columns + corner[0]) / (double) columns;
+        double v = (piece / columns + corner[1]) / (double) rows;
+        at.set(across, u * source.size(across) * spacing.get(across));
+        at.set(up, v * source.size(up) * spacing.get(up));
+        floats.put((float) at.x).put((float) at.y).put((float) at.z);
+        floats.put((float) u).put((float) v);
+      }
     }
     return floats.flip();
+  }
+
+  private int pieces(SlicePlanes slices, int axis, Optional<Deformation> deformation) {
+    double lengthMm = source.size(axis) * slices.spacingMm().get(axis);
+    return deformation
+        .map(moving -> (int) Math.ceil(PIECES_PER_CELL * lengthMm / moving.cellMm().get(axis)))
+        .orElse(1);
   }
 
   /** Releases the textures and the program. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.host.MaterialOverride;
 import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.volume.BitCube;
@@ -24,6 +25,17 @@ class StackMaterialsTest {
   }
 
   @Test
+  void aSegmentMayBeElasticWithOrWithoutAnotherMaterial() throws TouchRefusedException {
+    StackMaterials read =
+        StackMaterials.parse("skin=young:20e3, friction:0.3,poisson:0.3; fat=young:1e4");
+    assertEquals(
+        Map.of("skin", new ElasticMaterial(20e3, 0.3), "fat", new ElasticMaterial(1e4, 0.4)),
+        read.elastic());
+    assertEquals(
+        Map.of("skin", material("friction:0.3"), "fat", MaterialOverride.NONE), read.choices());
+  }
+
+  @Test
   void aNameMayContainAnEqualsSign() throws TouchRefusedException {
     assertEquals(
         Map.of("CT = 3", material("friction:0")),
@@ -38,7 +50,15 @@ class StackMaterialsTest {
   @Test
   void refusesWrongMaterials() {
     for (String text :
-        List.of("bone", "=friction:1", "bone=", "bone=hardness:1", "bone=friction:-1", "a=b=c")) {
+        List.of(
+            "bone",
+            "=friction:1",
+            "bone=",
+            "bone=hardness:1",
+            "bone=friction:-1",
+            "a=b=c",
+            "a=poisson:0.3",
+            "a=young:1")) {
       assertTrue(refusal(text).contains("is not a material: write for example"), text);
     }
     assertTrue(refusal("a=friction:1;a=friction:2").contains("two materials for the segment"));

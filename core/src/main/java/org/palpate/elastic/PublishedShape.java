@@ -1,0 +1,94 @@
+package org.palpate.elastic;
+
+import org.palpate.elastic.lattice.LatticeLayout;
+import org.palpate.geometry.Vec3;
+import org.palpate.sync.Accumulator;
+import org.palpate.sync.PositionProperty;
+
+/**
+ * The shape of an elastic body for one reader of the published frames, for example a scene. It is
+ * that of the newest field under the force of the last frame that the reader took.
+ *
+ * <p>The haptic thread calls {@link #setFrame}, the thread of the updates {@link #offer}, and the
+ * reader the other methods. No thread waits for another.
+ */
+public final class PublishedShape {
+  private final ElasticContact contact;
+  private final LatticeLayout layout;
+  private final FieldExchange fields;
+  private final DeformationMap map;
+  private final PositionProperty point;
+  private final PositionProperty forceNewton;
+  private final Vec3 scratch = new Vec3();
+
+  /**
+   * Makes the properties of a shape.
+   *
+   * @param accumulator that of the reader, before its first publication
+   */
+  PublishedShape(ElasticContact contact, LatticeLayout layout, Accumulator accumulator) {
+    this.contact = contact;
+    this.layout = layout;
+    fields = new FieldExchange(layout);
+    map = new DeformationMap(layout, fields.front());
+    point = accumulator.position("material point");
+    forceNewton = accumulator.position("force on the material");
+  }
+
+  /** Sets what the last frame left; the publication of the frame must follow. Haptic thread. */
+  public void setFrame() {
+    point.set(contact.load().point);
+    forceNewton.set(contact.load().forceNewton);
+  }
+
+  /** Hands a copy of a proved field over. Thread of the updates. */
+  void offer(DeformationField field) {
+    fields.back().set(field);
+    fields.publish();
+  }
+
+  /**
+   * Takes the newest field, and the force of the frame that the reader took last.
+   *
+   * @return whether the shape differs from the last one
+   */
+  public boolean take() {
+    boolean differs = fields.hasNew() || forceNewton.isDirty();
+    if (differs) {
+      fields.take();
+      map.use(fields.front());
+      forceNewton.read(scratch);
+      map.setForce(scratch.x, scratch.y, scratch.z);
+    }
+    return differs;
+  }
+
+  /** Returns the layout of the lattice. Any thread. */
+  public LatticeLayout layout() {
+    return layout;
+  }
+
+  /** Writes the interaction point of the last frame, material coordinates. */
+  public Vec3 materialPoint(Vec3 dest) {
+    return point.read(dest);
+  }
+
+  /** Writes the present position of a material point; {@code dest} may be the same vector. */
+  public Vec3 present(Vec3 material, Vec3 dest) {
+    return map.forward(material, dest);
+  }
+
+  /**
+   * Writes the displacement of every node, mm along the axes of the grid.
+   *
+   * @param dest three numbers for each node, in the order of their numbers
+   */
+  public void displacementsMm(float[] dest) {
+    for (int node = 0; node < layout.nodeCount(); node++) {
+      for (int axis = 0; axis < 3; axis++) {
+        double cells = map.displacement(node, axis);
+        dest[3 * node + axis] = (float) (cells * layout.edgeMm(axis));
+      }
+    }
+  }
+}

@@ -1,0 +1,114 @@
+package org.palpate.scene;
+
+import org.palpate.elastic.PublishedShape;
+import org.palpate.elastic.lattice.LatticeLayout;
+import org.palpate.geometry.Vec3;
+
+/**
+ * The displacement of everything that is drawn in one picture: a vector at each node of a lattice,
+ * affine between them on the Kuhn tetrahedra of each cell, and none outside the lattice.
+ *
+ * <p>Immutable by convention: its array is read-only. Millimetres along the axes of the grid.
+ */
+public final class Deformation {
+  /** A node that is displaced by less than this counts as one that stands still, mm. */
+  private static final double STILL_MM = 1e-3;
+
+  private final int[] nodes;
+  private final Vec3 originMm;
+  private final Vec3 cellMm;
+  private final float[] displacementsMm;
+  private final Vec3 lowMm = new Vec3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
+  private final Vec3 highMm = new Vec3(-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE);
+  private double longestMm;
+
+  /**
+   * Creates a deformation.
+   *
+   * @param nodes the number of nodes along each axis, at least 2
+   * @param originMm the first node, grid mm
+   * @param cellMm the edges of a cell, mm
+   * @param displacementsMm x, y, z of each node's displacement, mm; the nodes along x follow one
+   *     another. The array belongs to the deformation from now on.
+   */
+  public Deformation(int[] nodes, Vec3 originMm, Vec3 cellMm, float[] displacementsMm) {
+    this.nodes = nodes.clone();
+    this.originMm = originMm;
+    this.cellMm = cellMm;
+    this.displacementsMm = displacementsMm;
+    for (int node = 0; node < displacementsMm.length / 3; node++) {
+      include(node);
+    }
+  }
+
+  /** Returns the present deformation of a shape. The reader of the shape calls it. */
+  public static Deformation of(PublishedShape shape) {
+    LatticeLayout layout = shape.layout();
+    int[] nodes = new int[3];
+    Vec3 origin = new Vec3();
+    Vec3 cell = new Vec3();
+    for (int axis = 0; axis < 3; axis++) {
+      nodes[axis] = layout.cells(axis) + 1;
+      cell.set(axis, layout.edgeMm(axis));
+      double voxelMm = layout.edgeMm(axis) / layout.voxelsPerCell(axis);
+      origin.set(axis, layout.originVoxel(axis) * voxelMm);
+    }
+    float[] displacements = new float[3 * layout.nodeCount()];
+    shape.displacementsMm(displacements);
+    return new Deformation(nodes, origin, cell, displacements);
+  }
+
+  private void include(int node) {
+    double square = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      double mm = displacementsMm[3 * node + axis];
+      square += mm * mm;
+    }
+    longestMm = Math.max(longestMm, Math.sqrt(square));
+    if (square < STILL_MM * STILL_MM) {
+      return;
+    }
+    int rest = node;
+    for (int axis = 0; axis < 3; axis++) {
+      double edge = cellMm.get(axis);
+      double at = originMm.get(axis) + rest % nodes[axis] * edge;
+      rest /= nodes[axis];
+      lowMm.set(axis, Math.min(lowMm.get(axis), at - edge));
+      highMm.set(axis, Math.max(highMm.get(axis), at + edge));
+    }
+  }
+
+  /** Returns the number of nodes along an axis. */
+  public int nodes(int axis) {
+    return nodes[axis];
+  }
+
+  /** Returns the first node, grid mm; read-only. */
+  public Vec3 originMm() {
+    return originMm;
+  }
+
+  /** Returns the edges of a cell, mm; read-only. */
+  public Vec3 cellMm() {
+    return cellMm;
+  }
+
+  /** Returns x, y, z of each node's displacement, mm, in the order of the constructor. */
+  public float[] displacementsMm() {
+    return displacementsMm;
+  }
+
+  /** Returns the length of the longest displacement, mm. */
+  public double longestMm() {
+    return longestMm;
+  }
+
+  /** Whether some of a box in grid mm may be displaced. */
+  public boolean moves(Vec3 boxLowMm, Vec3 boxHighMm) {
+    boolean meets = true;
+    for (int axis = 0; axis < 3; axis++) {
+      meets &= boxLowMm.get(axis) <= highMm.get(axis) && boxHighMm.get(axis) >= lowMm.get(axis);
+    }
+    return meets;
+  }
+}
