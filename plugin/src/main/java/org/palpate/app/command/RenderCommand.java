@@ -242,9 +242,7 @@ public final class RenderCommand implements Callable<Integer> {
             ? new SceneLoader(model, segments, greys, threads)
             : SceneLoader.ofPlaced(model, segments, poses, threads)) {
       awaitSurfaces(loader, source);
-      if (gaps) {
-        GapColours.show(loader, segments, poses);
-      }
+      showGaps(loader, segments, poses);
       report.put("surface_ms", millisSince(started));
       report.put("triangles", triangles(model));
       if (surfaceOnly) {
@@ -262,6 +260,12 @@ public final class RenderCommand implements Callable<Integer> {
     report.putVolume(source, segments.segments());
     report.write();
     return 0;
+  }
+
+  private void showGaps(SceneLoader loader, SegmentedVolume segments, List<RigidTransform> poses) {
+    if (gaps) {
+      GapColours.show(loader, segments, poses);
+    }
   }
 
   /** Returns the surfaces where the bodies stand, still in millimetres of the grid at rest. */
