@@ -6,9 +6,10 @@ import org.palpate.volume.BitCube;
 /**
  * Judges whether legs touch solid voxels: the CPU, or a device that judges many legs at once.
  *
- * <p>Invariant: {@link LegVerdict#FREE} and {@link LegVerdict#HIT} are exact on every device.
- * Verification skips a leg that is free, and casts every other one. So a device changes no bit of
- * an answer, and the guarantee rests on this invariant.
+ * <p>Invariant: {@link LegVerdict#FREE} and {@link LegVerdict#HIT} are exact on every device, and
+ * {@link LegBatch#emptyAround} is never too large. Verification skips a leg that is free or within
+ * an empty cube, and casts every other one. So a device changes no bit of an answer, and the
+ * guarantee rests on this invariant.
  *
  * <p>One thread at a time uses a device; {@link #failure} and {@link #close} are for any thread.
  */
@@ -32,7 +33,7 @@ public interface CollisionDevice extends AutoCloseable {
    */
   Optional<String> failure();
 
-  /** Returns the number of batches that the device has judged. */
+  /** Returns the number of batches that the device has judged, each in one launch. */
   long batches();
 
   /** Frees the device's memory unless a call hangs in it. It judges nothing afterwards. */

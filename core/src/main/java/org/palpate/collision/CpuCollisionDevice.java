@@ -50,8 +50,7 @@ final class CpuCollisionDevice implements CollisionDevice {
   private static final class Legs implements LegBatch {
     private final BitCube bits;
     private final PointSet points;
-    private final AffineMap from = new AffineMap();
-    private final AffineMap to = new AffineMap();
+    private final MotionGroup motions = new MotionGroup();
     private final ExactRayCaster caster = new ExactRayCaster();
     private final Ray ray = new Ray();
     private final RayHit hit = new RayHit();
@@ -67,20 +66,35 @@ final class CpuCollisionDevice implements CollisionDevice {
     }
 
     @Override
-    public boolean judge(AffineMap newFrom, AffineMap newTo) {
-      from.set(newFrom);
-      to.set(newTo);
+    public int motionsAtOnce() {
+      return 1;
+    }
+
+    @Override
+    public boolean judge(MotionGroup newMotions) {
+      motions.set(newMotions);
       return true;
     }
 
     @Override
-    public LegVerdict verdict(int point) {
+    public LegVerdict verdict(int motion, int point) {
+      AffineMap from = motions.from();
+      AffineMap to = motions.to(motion);
       double x = points.x(point);
       double y = points.y(point);
       double z = points.z(point);
       ray.from(from.x(x, y, z), from.y(x, y, z), from.z(x, y, z));
       ray.to(to.x(x, y, z), to.y(x, y, z), to.z(x, y, z));
       return caster.cast(bits, ray, hit) ? LegVerdict.HIT : LegVerdict.FREE;
+    }
+
+    @Override
+    public double emptyAround(int point) {
+      AffineMap from = motions.from();
+      double x = points.x(point);
+      double y = points.y(point);
+      double z = points.z(point);
+      return EmptyCube.around(bits, from.x(x, y, z), from.y(x, y, z), from.z(x, y, z));
     }
   }
 }

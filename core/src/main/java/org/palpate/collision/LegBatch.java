@@ -1,31 +1,41 @@
 package org.palpate.collision;
 
-import org.palpate.geometry.AffineMap;
-
 /**
- * Judges the legs of all points of a set in one motion. A leg is the segment between the images of
- * a point under two maps; see {@link AffineMap} for their bits. One thread at a time; allocates
- * nothing.
+ * Judges the legs of all points of a set in some motions at once. A leg is the segment between the
+ * images of a point under the two maps of a motion; see {@link org.palpate.geometry.AffineMap} for
+ * their bits. One thread at a time; allocates nothing.
  */
 public interface LegBatch {
   /** The {@link #crossover} of a device that is never faster. */
   long NEVER = Long.MAX_VALUE;
 
   /**
-   * Returns the number of legs from which this batch is faster than judging each by itself, as far
-   * as was measured.
+   * Returns the number of legs of a motion from which this batch is faster than judging each by
+   * itself, as far as was measured.
    */
   long crossover();
 
   /**
-   * Judges the leg of each point.
+   * Returns the number of motions that take little longer together than one alone, as far as was
+   * measured: from 1 to {@link MotionGroup#CAPACITY}.
+   */
+  int motionsAtOnce();
+
+  /**
+   * Judges the leg of each point in each motion. Motions are between grid coordinates of the
+   * voxels.
    *
-   * @param from the map to the grid coordinates of the voxels at the start of the motion
-   * @param to the map at its end
    * @return whether there are verdicts; false if the device has failed
    */
-  boolean judge(AffineMap from, AffineMap to);
+  boolean judge(MotionGroup motions);
 
-  /** Returns the verdict on the leg of a point by the last call of {@link #judge}. */
-  LegVerdict verdict(int point);
+  /** Returns the verdict on the leg of a point in a motion by the last call of {@link #judge}. */
+  LegVerdict verdict(int motion, int point);
+
+  /**
+   * Returns half the edge, voxels, of a closed cube that touches no solid voxel. It lies around the
+   * point where the motions of the last call of {@link #judge} start. At least 0; a device need not
+   * find the largest.
+   */
+  double emptyAround(int point);
 }

@@ -176,6 +176,22 @@ public final class AffineMap {
     return (Math.abs(offset) + turned) * (1 + 1e-12);
   }
 
+  /** Whether another map has the same bits, so that it gives the same images. */
+  public boolean sameBits(AffineMap o) {
+    return sameRow(mXX, mXY, mXZ, offsetX, o.mXX, o.mXY, o.mXZ, o.offsetX)
+        && sameRow(mYX, mYY, mYZ, offsetY, o.mYX, o.mYY, o.mYZ, o.offsetY)
+        && sameRow(mZX, mZY, mZZ, offsetZ, o.mZX, o.mZY, o.mZZ, o.offsetZ);
+  }
+
+  private static boolean sameRow(
+      double ax, double ay, double az, double a, double bx, double by, double bz, double b) {
+    return sameBits(ax, bx) && sameBits(ay, by) && sameBits(az, bz) && sameBits(a, b);
+  }
+
+  private static boolean sameBits(double a, double b) {
+    return Double.doubleToRawLongBits(a) == Double.doubleToRawLongBits(b);
+  }
+
   /** Returns the sum of the absolute components of the offsets of this map and another. */
   public double sumOfOffsets(AffineMap o) {
     return Math.abs(offsetX)

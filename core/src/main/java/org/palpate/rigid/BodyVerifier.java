@@ -9,7 +9,6 @@ import org.palpate.geometry.Vec3;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
-import org.palpate.rigid.MoverVerifier.EditOutcome;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.SphereTree;
 import org.palpate.statistics.SkipCounters;
@@ -31,7 +30,8 @@ import org.palpate.volume.BitCube;
  *   <li>A point or a leaf, until its odometer has used up the empty cube that was found around it.
  *       Each committed motion adds the longest motion of any point along an axis.
  *   <li>A leg whose bounding box is empty.
- *   <li>A leg that {@link LegScreen} finds to be free. Here the device is believed.
+ *   <li>A leg that {@link LegScreen} finds to be free, and the empty cube that it finds around the
+ *       leg's start. Here the device is believed.
  * </ul>
  *
  * <p>Work is counted in tested points. Points that odometers and boxes skip count too. Belongs to
@@ -56,6 +56,9 @@ final class BodyVerifier {
   final Mover solid;
 
   final ClearanceLevels levels;
+
+  /** Finds free legs of the highest level. */
+  final LegScreen screen;
 
   /** The maps from the points' frame to the body's grid at the committed and the proposed poses. */
   final AffineMap from = new AffineMap();
@@ -99,7 +102,6 @@ final class BodyVerifier {
   private final IntBox edited = new IntBox();
   private final IntBox changed = new IntBox();
   private final Vec3 position = new Vec3();
-  private final LegScreen screen;
   private final EnclosureCheck enclosure;
   private long editsSeen;
   private long tested;
@@ -144,17 +146,12 @@ final class BodyVerifier {
     return enclosure;
   }
 
-  /**
-   * Returns the number of points that were tested, or would have been without odometers and boxes.
-   */
+  /** Returns the number of tested points, with those that odometers and boxes skipped. */
   long tested() {
     return tested;
   }
 
-  /**
-   * Adds the work that was skipped. A point that was still within its empty cube counts as {@link
-   * SkipKind#NEIGHBOURS}.
-   */
+  /** Adds skipped work. A point within its empty cube counts as {@link SkipKind#NEIGHBOURS}. */
   void addSkips(SkipCounters dest) {
     caster.addSkips(dest);
     dest.add(SkipKind.NEIGHBOURS, tested - looked);
@@ -229,11 +226,11 @@ final class BodyVerifier {
   }
 
   /** Applies edits of the body. Points that now touch their level keep a lower one. */
-  EditOutcome takeEdits() {
+  Mover.EditOutcome takeEdits() {
     edited.clear();
     long edits = levels.body.edits();
     if (edits == editsSeen) {
-      return EditOutcome.NONE;
+      return Mover.EditOutcome.NONE;
     }
     for (long edit = Math.max(editsSeen, levels.body.oldestEdit() - 1); edit < edits; edit++) {
       edited.include(levels.body.change(edit));
@@ -242,7 +239,7 @@ final class BodyVerifier {
     levels.takeEdits();
     resetOdometer();
     if (edited.isEmpty()) {
-      return EditOutcome.FREE;
+      return Mover.EditOutcome.FREE;
     }
     changed.set(edited).grow(levels.reachVoxels() + 1);
     boolean free = true;
@@ -254,7 +251,7 @@ final class BodyVerifier {
         level[n] = (byte) Math.max(0, now);
       }
     }
-    return free ? EditOutcome.FREE : EditOutcome.COLLIDING;
+    return free ? Mover.EditOutcome.FREE : Mover.EditOutcome.COLLIDING;
   }
 
   private boolean isInChange(int n) {
@@ -278,6 +275,13 @@ final class BodyVerifier {
     levels.toCells(to, highest, cellsTo);
     roundingCells = LEAST_ROUNDING_CELLS + rounding();
     travel = cellsFrom.longestMotionTo(cellsTo, tool.radiusMm()) + rounding();
+  }
+
+  /** Announces the proposal to the device; see {@link MoverVerifier#announce}. */
+  void announce(boolean first) {
+    if (isPresent()) {
+      screen.announce(cellsFrom, cellsTo, first);
+    }
   }
 
   /** Returns a bound of the rounding of a coordinate and of a motion, cells. */
@@ -315,7 +319,7 @@ final class BodyVerifier {
       return isTreeFree(firstOnly, hits);
     }
     long before = looked;
-    screen.begin(cellsFrom, cellsTo);
+    screen.begin(cellsFrom, cellsTo, levels.body.edits());
     boolean free = isTreeFree(firstOnly, hits);
     screen.end(looked - before, free || !(firstOnly || hits.isFull()));
     return free;
@@ -422,6 +426,7 @@ final class BodyVerifier {
       return;
     }
     if (screen.isFree(n)) {
+      freeUntil[n] = odometer + screen.emptyAround(n) - roundingCells;
       return;
     }
     double x = cellsFrom.x(a, b, c);
@@ -442,7 +447,7 @@ final class BodyVerifier {
     cast(n, highest, ray.from(x, y, z).to(toX, toY, toZ), hits);
   }
 
-  /** Returns half the edge of an empty cube around a point, cells; less than 0 if there is none. */
+  /** Returns half the edge of an empty cube around a point, cells; below 0 if there is none. */
   private double emptyAround(BitCube cube, double x, double y, double z) {
     double near = EmptyBox.around(cube, x, y, z);
     if (near >= 2) {

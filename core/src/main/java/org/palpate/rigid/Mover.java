@@ -152,4 +152,16 @@ final class Mover {
     }
     motionsSeen = body.motions();
   }
+
+  /** The effect of edits of the bodies on a mover, the mildest first. */
+  enum EditOutcome {
+    /** There was no edit. */
+    NONE,
+
+    /** No point touches a voxel. */
+    FREE,
+
+    /** A point touches a voxel, or a solid encloses one: the mover must be placed anew. */
+    COLLIDING
+  }
 }

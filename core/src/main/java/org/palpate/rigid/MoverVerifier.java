@@ -171,10 +171,6 @@ final class MoverVerifier {
     return number % pairs.length;
   }
 
-  private boolean carriesPoints(int number) {
-    return moves(pair(number).points);
-  }
-
   /** Whether a mover belongs to the group. */
   private boolean moves(Mover one) {
     return one.carrier == mover;
@@ -264,42 +260,30 @@ final class MoverVerifier {
     return moves(pair.solid) ? pair.solid.bodyCandidate() : pair.solid.bodyPose();
   }
 
-  /** The effect of edits of the bodies on a mover, the mildest first. */
-  enum EditOutcome {
-    /** There was no edit. */
-    NONE,
-
-    /** No point touches a voxel. */
-    FREE,
-
-    /** A point touches a voxel, or a solid encloses one: the mover must be placed anew. */
-    COLLIDING
-  }
-
   /** Applies the edits of all pairs since the last call, and returns the gravest outcome. */
-  EditOutcome takeEdits() {
-    EditOutcome outcome = EditOutcome.NONE;
+  Mover.EditOutcome takeEdits() {
+    Mover.EditOutcome outcome = Mover.EditOutcome.NONE;
     for (BodyVerifier pair : pairs) {
-      EditOutcome ofPair = isPresent(pair) ? takeEdits(pair) : EditOutcome.NONE;
+      Mover.EditOutcome ofPair = isPresent(pair) ? takeEdits(pair) : Mover.EditOutcome.NONE;
       outcome = ofPair.compareTo(outcome) > 0 ? ofPair : outcome;
     }
     return outcome;
   }
 
-  private static EditOutcome takeEdits(BodyVerifier pair) {
+  private static Mover.EditOutcome takeEdits(BodyVerifier pair) {
     EnclosureCheck enclosure = pair.enclosure();
     boolean enclosedNothing = !enclosure.isPending() && pair.reducedCount() == 0;
-    EditOutcome outcome = pair.takeEdits();
-    if (outcome != EditOutcome.FREE) {
+    Mover.EditOutcome outcome = pair.takeEdits();
+    if (outcome != Mover.EditOutcome.FREE) {
       return outcome;
     }
     if (enclosedNothing && enclosure.enclosesEdited()) {
-      return EditOutcome.COLLIDING;
+      return Mover.EditOutcome.COLLIDING;
     }
     if (enclosure.isPending() || pair.reducedCount() > 0) {
       enclosure.begin();
     }
-    return EditOutcome.FREE;
+    return Mover.EditOutcome.FREE;
   }
 
   /** Proposes a motion from the committed pose to another, while the others stand still. */
@@ -313,6 +297,26 @@ final class MoverVerifier {
       if (pair.isPresent()) {
         pair.propose(poseOfPoints(pair), poseOfVoxels(pair));
       }
+    }
+  }
+
+  /** Whether a device takes announcements; see {@link #announce}. */
+  boolean takesAnnouncements() {
+    boolean takes = false;
+    for (int n = 0; n < count && !takes; n++) {
+      takes = pair(numbers[n]).screen.takesAnnouncements();
+    }
+    return takes;
+  }
+
+  /**
+   * Announces the present proposal to devices, so that they judge it in the launch for another one.
+   *
+   * @param first whether to forget those that were announced before
+   */
+  void announce(boolean first) {
+    for (int n = 0; n < count; n++) {
+      pair(numbers[n]).announce(first);
     }
   }
 
@@ -491,6 +495,6 @@ final class MoverVerifier {
    * the surface if the group carries the points, else -1.
    */
   int pushSign(int number) {
-    return carriesPoints(number) ? 1 : -1;
+    return moves(pair(number).points) ? 1 : -1;
   }
 }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
-import org.palpate.rigid.MoverVerifier.EditOutcome;
+import org.palpate.rigid.Mover.EditOutcome;
 import org.palpate.rigid.tool.RigidTool;
 
 /**

@@ -2,7 +2,7 @@ package org.palpate.rigid;
 
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
-import org.palpate.rigid.MoverVerifier.EditOutcome;
+import org.palpate.rigid.Mover.EditOutcome;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.statistics.SkipCounters;
 import org.palpate.statistics.SkipKind;

@@ -21,9 +21,6 @@ final class RigidStepper {
   /** The most contacts that are added after a proposal whose legs touch a solid. */
   private static final int MOST_NEW_CONTACTS = 10;
 
-  /** The most contacts that the next step begins with. */
-  private static final int MOST_KEPT_CONTACTS = 40;
-
   /** The distance beyond which a target is replaced by a nearer one, edges, against rounding. */
   private static final double FARTHEST_TARGET_EDGES = 1000;
 
@@ -57,10 +54,7 @@ final class RigidStepper {
   private final Vec3 push = new Vec3();
   private final Vec3 own = new Vec3();
   private final double[] metric = new double[6];
-  private final int[] keptBody = new int[MOST_KEPT_CONTACTS];
-  private final int[] keptPoint = new int[MOST_KEPT_CONTACTS];
-  private int kept;
-  private int keptActive;
+  private final KeptContacts kept = new KeptContacts();
   private double depthMm;
   private ToolMotion motion;
   private Pose target;
@@ -82,8 +76,7 @@ final class RigidStepper {
 
   /** Removes all contacts, after the tool was placed anew. */
   void reset() {
-    kept = 0;
-    keptActive = 0;
+    kept.clear();
     depthMm = 0;
   }
 
@@ -99,7 +92,7 @@ final class RigidStepper {
 
   /** Whether the next step begins with contacts. */
   boolean hasContacts() {
-    return kept > 0;
+    return kept.count() > 0;
   }
 
   /**
@@ -136,6 +129,7 @@ final class RigidStepper {
     if (isBlockedAtContacts()) {
       return false;
     }
+    announceHalves(longest, 0.2 * longest);
     for (double fraction = longest; fraction > 0.2 * longest; fraction /= 2) {
       proposeTwist(fraction);
       double shifted = displacement.length() * fraction;
@@ -165,8 +159,8 @@ final class RigidStepper {
   private boolean isBlockedAtContacts() {
     verifier.propose(target);
     hits.clear();
-    for (int n = 0; n < kept; n++) {
-      if (!verifier.isPointFree(keptBody[n], keptPoint[n], hits)) {
+    for (int n = 0; n < kept.count(); n++) {
+      if (!verifier.isPointFree(kept.body[n], kept.point[n], hits)) {
         return true;
       }
     }
@@ -184,6 +178,16 @@ final class RigidStepper {
       displace(fraction);
     }
     verifier.propose(candidate);
+  }
+
+  /** Announces a fraction of the twist and its halves, so that a device judges them together. */
+  private void announceHalves(double longest, double least) {
+    if (verifier.takesAnnouncements()) {
+      for (double fraction = longest; fraction > least; fraction /= 2) {
+        proposeTwist(fraction);
+        verifier.announce(fraction == longest);
+      }
+    }
   }
 
   private void displace(double fraction) {
@@ -284,9 +288,9 @@ final class RigidStepper {
 
   private void begin(double riseMm) {
     contacts.begin(verifier.pose(), depthMm);
-    for (int n = 0; n < kept; n++) {
-      int contact = addSurface(keptBody[n], keptPoint[n], riseMm);
-      if (contact >= 0 && n < keptActive) {
+    for (int n = 0; n < kept.count(); n++) {
+      int contact = addSurface(kept.body[n], kept.point[n], riseMm);
+      if (contact >= 0 && n < kept.active()) {
         addRollingContact(contact, riseMm);
       }
     }
@@ -446,6 +450,7 @@ final class RigidStepper {
 
   /** Commits a shorter part of the last proposal if one is free; returns it, or 0. */
   private double committedPart(double fraction) {
+    announceHalves(0.5 * fraction, SMALLEST_FRACTION * fraction);
     for (double part = 0.5 * fraction; part > SMALLEST_FRACTION * fraction; part /= 2) {
       proposeStep(part);
       if (isFree(true)) {
@@ -458,35 +463,23 @@ final class RigidStepper {
 
   /** Keeps active contacts first, then those that are near. */
   private void keepContacts() {
-    kept = 0;
+    kept.clear();
     motion.contacts.clear();
     for (int c = 0; c < contacts.count(); c++) {
       double multiplier = contacts.multiplier(c);
       if (multiplier >= 0) {
-        keep(c);
+        kept.add(contacts.body[c], contacts.point[c]);
         contacts.normal(c, position);
         verifier.ownPosition(contacts.body[c], contacts.point[c], own);
         motion.contacts.add(verifier.other(contacts.body[c]), own, position, multiplier);
       }
     }
-    keptActive = kept;
+    kept.endActive();
     motion.contacts.normalizeShares();
     for (int c = 0; c < contacts.count(); c++) {
       if (contacts.isNear(c)) {
-        keep(c);
+        kept.add(contacts.body[c], contacts.point[c]);
       }
-    }
-  }
-
-  private void keep(int contact) {
-    for (int n = 0; n < kept; n++) {
-      if (keptPoint[n] == contacts.point[contact] && keptBody[n] == contacts.body[contact]) {
-        return;
-      }
-    }
-    if (kept < MOST_KEPT_CONTACTS) {
-      keptBody[kept] = contacts.body[contact];
-      keptPoint[kept++] = contacts.point[contact];
     }
   }
 }

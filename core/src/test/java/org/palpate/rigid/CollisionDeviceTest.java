@@ -29,6 +29,7 @@ class CollisionDeviceTest {
   @Test
   void posesAndWorkAreThoseOfTheCpuWhateverIsEdited() {
     long batches = 0;
+    long motions = 0;
     for (int round = 0; round < 16; round++) {
       BodyScene scene = ToolScenes.clutter(random, 1 + round % 2);
       RigidTool tool = ToolScenes.tool(random);
@@ -40,8 +41,10 @@ class CollisionDeviceTest {
               : RigidSettings.of(MAX_STEP_MM, Clearance.POINTS);
       compare(scene, tool, plain, on(device, plain, round % 4 != 0));
       batches += device.batches();
+      motions += device.motions();
     }
     assertTrue(batches > 5_000, "batches " + batches);
+    assertTrue(motions > 1.2 * batches, "motions " + motions + " in batches " + batches);
   }
 
   private static RigidSettings on(CollisionDevice device, RigidSettings plain, boolean skips) {

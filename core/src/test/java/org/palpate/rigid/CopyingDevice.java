@@ -6,7 +6,7 @@ import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.DeviceVoxels;
 import org.palpate.collision.LegBatch;
 import org.palpate.collision.LegVerdict;
-import org.palpate.geometry.AffineMap;
+import org.palpate.collision.MotionGroup;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.PointSet;
 import org.palpate.volume.BitCube;
@@ -23,6 +23,7 @@ final class CopyingDevice implements CollisionDevice {
   private final boolean lies;
 
   private long batches;
+  private long motions;
 
   CopyingDevice(SplittableRandom random, long crossover, boolean lies) {
     this.random = random;
@@ -33,6 +34,11 @@ final class CopyingDevice implements CollisionDevice {
   @Override
   public long batches() {
     return batches;
+  }
+
+  /** Returns the number of motions that the batches judged. */
+  long motions() {
+    return motions;
   }
 
   @Override
@@ -87,17 +93,28 @@ final class CopyingDevice implements CollisionDevice {
     }
 
     @Override
-    public boolean judge(AffineMap from, AffineMap to) {
-      batches++;
-      return random.nextInt(16) != 0 && exact.judge(from, to);
+    public int motionsAtOnce() {
+      return MotionGroup.CAPACITY;
     }
 
     @Override
-    public LegVerdict verdict(int point) {
+    public boolean judge(MotionGroup group) {
+      batches++;
+      motions += group.count();
+      return random.nextInt(16) != 0 && exact.judge(group);
+    }
+
+    @Override
+    public LegVerdict verdict(int motion, int point) {
       if (lies) {
         return LegVerdict.FREE;
       }
-      return random.nextInt(8) == 0 ? LegVerdict.DOUBT : exact.verdict(point);
+      return random.nextInt(8) == 0 ? LegVerdict.DOUBT : exact.verdict(motion, point);
+    }
+
+    @Override
+    public double emptyAround(int point) {
+      return random.nextInt(8) == 0 ? 0 : exact.emptyAround(point);
     }
   }
 }

@@ -17,7 +17,7 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
-import org.palpate.rigid.MoverVerifier.EditOutcome;
+import org.palpate.rigid.Mover.EditOutcome;
 import org.palpate.rigid.tool.BoxShape;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;

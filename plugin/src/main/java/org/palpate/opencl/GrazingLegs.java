@@ -1,25 +1,26 @@
 package org.palpate.opencl;
 
 import java.util.SplittableRandom;
+import org.palpate.collision.MotionGroup;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 
 /**
- * Points and motions whose legs graze the corners, edges and faces of voxels to within rounding. A
- * verdict on such a leg depends on every bit of its ends and on the error bound of the test. Each
- * point grazes in one of the motions, and has an ordinary leg in the others.
+ * Points and groups of motions whose legs graze the corners, edges and faces of voxels to within
+ * rounding. A verdict on such a leg depends on every bit of its ends and on the error bound of the
+ * test. Each motion of a group is half as long as the one before. A point grazes in one motion of
+ * one group and in the longer ones, and has ordinary legs in the other groups.
  */
 final class GrazingLegs extends PointArrays {
-  /** The number of motions. */
-  static final int MOTIONS = 4;
+  /** The number of groups. */
+  static final int GROUPS = 4;
 
   private static final double LONGEST_VOXELS = 2;
 
   private final SplittableRandom random;
   private final int size;
-  private final AffineMap[] from = new AffineMap[MOTIONS];
-  private final AffineMap[] to = new AffineMap[MOTIONS];
+  private final MotionGroup[] groups = new MotionGroup[GROUPS];
 
   /**
    * Makes points and motions.
@@ -30,39 +31,50 @@ final class GrazingLegs extends PointArrays {
     super(count);
     this.random = random;
     this.size = size;
-    for (int motion = 0; motion < MOTIONS; motion++) {
-      makeMotion(motion);
+    for (int group = 0; group < GROUPS; group++) {
+      makeGroup(group);
     }
   }
 
   /**
-   * Makes one motion and its points. Every second one also turns between world and grid, and every
+   * Makes one group and its points. Every second one also turns between world and grid, and every
    * fourth lies far from the origin of the world.
    */
-  private void makeMotion(int motion) {
+  private void makeGroup(int group) {
     Pose pose = new Pose();
-    if (motion % 2 == 1) {
+    if (group % 2 == 1) {
       pose.rotation.setRotationVector(vector(2));
-      pose.translation.set(vector(motion % 4 == 1 ? size : 0));
+      pose.translation.set(vector(group % 4 == 1 ? size : 0));
     }
-    from[motion] = new AffineMap().set(pose);
     AffineMap inverse = new AffineMap().setInverse(pose);
     Vec3 displacement = displacement();
-    to[motion] = new AffineMap().set(from[motion]);
-    to[motion].offsetX += displacement.x;
-    to[motion].offsetY += displacement.y;
-    to[motion].offsetZ += displacement.z;
-    for (int n = motion; n < x.length; n += MOTIONS) {
-      Vec3 start = inverse.transform(grazingStart(displacement), new Vec3());
+    groups[group] = halves(new AffineMap().set(pose), displacement);
+    for (int n = group; n < x.length; n += GROUPS) {
+      Vec3 whole = displacement.mul(1.0 / (1 << n / GROUPS % MotionGroup.CAPACITY), new Vec3());
+      Vec3 start = inverse.transform(grazingStart(whole), new Vec3());
       x[n] = disturbed(start.x);
       y[n] = disturbed(start.y);
       z[n] = disturbed(start.z);
     }
   }
 
+  /** Returns a motion by a displacement, by its half, its quarter and so on. */
+  private static MotionGroup halves(AffineMap from, Vec3 displacement) {
+    MotionGroup group = new MotionGroup();
+    group.begin(from);
+    for (int n = 0; n < MotionGroup.CAPACITY; n++) {
+      AffineMap to = new AffineMap().set(from);
+      to.offsetX += displacement.x / (1 << n);
+      to.offsetY += displacement.y / (1 << n);
+      to.offsetZ += displacement.z / (1 << n);
+      group.add(to);
+    }
+    return group;
+  }
+
   /**
-   * Returns the displacement of all points in a motion, voxels: any one, a short one, or one within
-   * a grid plane.
+   * Returns the longest displacement of all points in a group, voxels: any one, a short one, or one
+   * within a grid plane.
    */
   private Vec3 displacement() {
     Vec3 displacement = vector(LONGEST_VOXELS);
@@ -114,13 +126,8 @@ final class GrazingLegs extends PointArrays {
     return reach * random.nextDouble(-1, 1);
   }
 
-  /** Returns the map at the start of a motion; not to be written. */
-  AffineMap from(int motion) {
-    return from[motion];
-  }
-
-  /** Returns the map at the end of a motion; not to be written. */
-  AffineMap to(int motion) {
-    return to[motion];
+  /** Returns a group; not to be written. */
+  MotionGroup group(int number) {
+    return groups[number];
   }
 }

@@ -3,7 +3,7 @@ package org.palpate.opencl;
 import java.util.SplittableRandom;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.LegBatch;
-import org.palpate.collision.LegVerdict;
+import org.palpate.collision.MotionGroup;
 import org.palpate.volume.BitCube;
 
 /**
@@ -48,12 +48,12 @@ final class HostileSelfTest {
     BitCube bits = isolatedVoxels();
     OpenClLegs batch = device.newBatch(bits, legs);
     LegBatch exact = CollisionDevice.CPU.keep(bits).newBatch(legs);
-    for (int motion = 0; motion < GrazingLegs.MOTIONS; motion++) {
-      batch.judge(legs.from(motion), legs.to(motion), firstNanos);
-      exact.judge(legs.from(motion), legs.to(motion));
-      for (int n = 0; n < POINTS; n++) {
-        LegVerdict verdict = batch.verdict(n);
-        if (verdict != LegVerdict.DOUBT && verdict != exact.verdict(n)) {
+    for (int group = 0; group < GrazingLegs.GROUPS; group++) {
+      MotionGroup motions = legs.group(group);
+      batch.judge(motions, firstNanos);
+      exact.judge(motions);
+      for (int n = 0; n < POINTS * motions.count(); n++) {
+        if (!batch.isRight(n / POINTS, n % POINTS, exact)) {
           throw new IllegalStateException("its arithmetic is not exact, so it cannot be used");
         }
       }

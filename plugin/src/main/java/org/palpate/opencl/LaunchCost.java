@@ -5,20 +5,26 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.LegBatch;
 import org.palpate.collision.LegVerdict;
+import org.palpate.collision.MotionGroup;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.PointSet;
+import org.palpate.opencl.OpenClDevice.Choice;
 
 /**
  * Measures on the machine at hand from how many legs a batch is faster than the CPU: the median
  * time of a batch, from sending the maps to the last verdict, over the CPU's time for a leg. A
- * device whose median comes near the deadline is not used.
+ * device whose median comes near the deadline is not used. Several motions share a launch if they
+ * take less than twice the time of one.
  */
 final class LaunchCost implements OpenClDevice.Chooser {
   /** The batches before the measured ones. Drivers compile kernels at the first of them. */
   private static final int WARM_UP_BATCHES = 5;
 
   private static final int MEASURED_BATCHES = 31;
+
+  /** The most time of a launch for several motions, as a multiple of that for one. */
+  private static final double MOST_FOR_SEVERAL = 2;
 
   private static final int LEGS = 2_000;
   private static final int WARM_UP_ROUNDS = 30;
@@ -43,8 +49,24 @@ final class LaunchCost implements OpenClDevice.Chooser {
   }
 
   @Override
-  public long crossover(OpenClLegs batch, PointSet points, long firstNanos) {
-    return crossover(batchNanos(batch, firstNanos), points.count());
+  public Choice choose(OpenClLegs batch, PointSet points, long firstNanos) {
+    double one = batchNanos(batch, 1, firstNanos);
+    long crossover = crossover(one, points.count());
+    int most = MotionGroup.CAPACITY;
+    return new Choice(
+        crossover,
+        crossover == LegBatch.NEVER ? 1 : motionsAtOnce(one, batchNanos(batch, most, firstNanos)));
+  }
+
+  /**
+   * Returns the number of motions that a launch should judge.
+   *
+   * @param oneNanos the median time of a launch for one motion
+   * @param severalNanos that of a launch for {@link MotionGroup#CAPACITY} motions
+   */
+  int motionsAtOnce(double oneNanos, double severalNanos) {
+    boolean pays = severalNanos < MOST_FOR_SEVERAL * oneNanos && severalNanos <= mostNanos;
+    return pays ? MotionGroup.CAPACITY : 1;
   }
 
   /**
@@ -58,26 +80,33 @@ final class LaunchCost implements OpenClDevice.Chooser {
     return legs <= points && batchNanos <= mostNanos ? (long) legs : LegBatch.NEVER;
   }
 
-  /** Returns the median time of a batch whose legs are short and lie amid the voxels, ns. */
-  static double batchNanos(OpenClLegs batch, long firstNanos) {
+  /**
+   * Returns the median time of a launch whose legs are short and lie amid the voxels, ns.
+   *
+   * @param motions the number of motions that it judges
+   */
+  static double batchNanos(OpenClLegs batch, int motions, long firstNanos) {
     IntBox box = batch.voxels().bounds();
-    AffineMap from = new AffineMap();
-    AffineMap to = new AffineMap();
+    AffineMap map = new AffineMap();
     if (!box.isEmpty()) {
-      from.offsetX = (box.lowX + box.highX) / 2.0;
-      from.offsetY = (box.lowY + box.highY) / 2.0;
-      from.offsetZ = (box.lowZ + box.highZ) / 2.0;
+      map.offsetX = (box.lowX + box.highX) / 2.0;
+      map.offsetY = (box.lowY + box.highY) / 2.0;
+      map.offsetZ = (box.lowZ + box.highZ) / 2.0;
     }
-    to.set(from);
-    to.offsetX += 0.3;
-    to.offsetY -= 0.2;
-    return medianNanos(WARM_UP_BATCHES, MEASURED_BATCHES, () -> batch.judge(from, to, firstNanos));
+    MotionGroup group = new MotionGroup();
+    group.begin(map);
+    for (int n = 0; n < motions; n++) {
+      map.offsetX += 0.3;
+      map.offsetY -= 0.2;
+      group.add(map);
+    }
+    return medianNanos(WARM_UP_BATCHES, MEASURED_BATCHES, () -> batch.judge(group, firstNanos));
   }
 
   private static double measureCpu() {
     NearBall ball = new NearBall(LEGS);
     LegBatch batch = CollisionDevice.CPU.keep(ball.voxels()).newBatch(ball);
-    batch.judge(ball.from(), ball.to());
+    batch.judge(ball.motions(1));
     AtomicLong hits = new AtomicLong(); // read below, so that no judging can be left out
     double nanos =
         medianNanos(WARM_UP_ROUNDS, MEASURED_ROUNDS, () -> hits.addAndGet(countHits(batch)));
@@ -90,7 +119,7 @@ final class LaunchCost implements OpenClDevice.Chooser {
   private static long countHits(LegBatch batch) {
     long hits = 0;
     for (int n = 0; n < LEGS; n++) {
-      hits += batch.verdict(n) == LegVerdict.HIT ? 1 : 0;
+      hits += batch.verdict(0, n) == LegVerdict.HIT ? 1 : 0;
     }
     return hits;
   }

@@ -3,8 +3,8 @@ package org.palpate.opencl;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import org.palpate.collision.LegBatch;
+import org.palpate.collision.MotionGroup;
 
 /** Measures and describes from how many points a device is faster than the CPU. */
 public final class LaunchExplanation {
@@ -20,24 +20,37 @@ public final class LaunchExplanation {
         String.format(
             Locale.ROOT, "the CPU takes %.0f ns for a leg near a surface", cost.nanosPerLeg()));
     for (int points : POINTS) {
-      NearBall ball = new NearBall(points);
-      Optional<Double> nanos =
-          device.attempt(
-              () ->
-                  LaunchCost.batchNanos(
-                      device.newBatch(ball.voxels(), ball), OpenClDevice.FIRST_DEADLINE_NANOS));
-      lines.add(nanos.map(each -> line(points, each, cost)).orElse("the device has failed"));
+      lines.add(device.attempt(() -> line(device, points, cost)).orElse("the device has failed"));
     }
     return lines;
   }
 
-  private static String line(int points, double batchNanos, LaunchCost cost) {
-    long legs = cost.crossover(batchNanos, points);
+  private static String line(OpenClDevice device, int points, LaunchCost cost) {
+    NearBall ball = new NearBall(points);
+    OpenClLegs batch = device.newBatch(ball.voxels(), ball);
+    double one = LaunchCost.batchNanos(batch, 1, OpenClDevice.FIRST_DEADLINE_NANOS);
+    double all =
+        LaunchCost.batchNanos(batch, MotionGroup.CAPACITY, OpenClDevice.FIRST_DEADLINE_NANOS);
+    return line(points, one, all, cost);
+  }
+
+  private static String line(int points, double oneNanos, double allNanos, LaunchCost cost) {
+    long legs = cost.crossover(oneNanos, points);
     String from =
         legs == LegBatch.NEVER
             ? "never used"
-            : String.format(Locale.ROOT, "used from %,d legs in a motion on", legs);
+            : String.format(
+                Locale.ROOT,
+                "used from %,d legs in a motion on, %d motions at once",
+                legs,
+                cost.motionsAtOnce(oneNanos, allNanos));
     return String.format(
-        Locale.ROOT, "%,9d points: %,8.0f us for a batch: %s", points, batchNanos / 1e3, from);
+        Locale.ROOT,
+        "%,9d points: %,8.0f us for a motion, %,8.0f us for %d: %s",
+        points,
+        oneNanos / 1e3,
+        allNanos / 1e3,
+        MotionGroup.CAPACITY,
+        from);
   }
 }

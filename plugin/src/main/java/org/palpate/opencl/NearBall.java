@@ -1,11 +1,12 @@
 package org.palpate.opencl;
 
 import java.util.SplittableRandom;
+import org.palpate.collision.MotionGroup;
 import org.palpate.geometry.AffineMap;
 import org.palpate.volume.BitCube;
 
 /**
- * Points close above a ball of voxels, and a short motion of them, for measurements of time. No leg
+ * Points close above a ball of voxels, and short motions of them, for measurements of time. No leg
  * of these points would be culled. Grid coordinates.
  */
 final class NearBall extends PointArrays {
@@ -15,8 +16,6 @@ final class NearBall extends PointArrays {
   private static final long SEED = 1;
 
   private final BitCube voxels = new BitCube(SIZE, SIZE, SIZE);
-  private final AffineMap from = new AffineMap();
-  private final AffineMap to = new AffineMap();
 
   /** Makes a number of points. */
   NearBall(int count) {
@@ -32,11 +31,6 @@ final class NearBall extends PointArrays {
       y[n] = height * around * Math.sin(angle);
       z[n] = height * up;
     }
-    from.offsetX = from.offsetY = from.offsetZ = SIZE / 2.0;
-    to.set(from);
-    to.offsetX += 0.31;
-    to.offsetY -= 0.23;
-    to.offsetZ += 0.17;
   }
 
   private void fillBall() {
@@ -59,13 +53,18 @@ final class NearBall extends PointArrays {
     return voxels;
   }
 
-  /** Returns the map at the start of the motion. */
-  AffineMap from() {
-    return from;
-  }
-
-  /** Returns the map at its end. */
-  AffineMap to() {
-    return to;
+  /** Returns motions of all points, each half as long as the one before. */
+  MotionGroup motions(int count) {
+    AffineMap map = new AffineMap();
+    map.offsetX = map.offsetY = map.offsetZ = SIZE / 2.0;
+    MotionGroup group = new MotionGroup();
+    group.begin(map);
+    for (int n = 0; n < count; n++) {
+      map.offsetX = SIZE / 2.0 + 0.31 / (1 << n);
+      map.offsetY = SIZE / 2.0 - 0.23 / (1 << n);
+      map.offsetZ = SIZE / 2.0 + 0.17 / (1 << n);
+      group.add(map);
+    }
+    return group;
   }
 }

@@ -31,17 +31,25 @@ public final class OpenClDevice implements CollisionDevice {
   /** Keeps the memory of devices that were given up, which the driver may still write to. */
   private static final List<ClDriver> GIVEN_UP = Collections.synchronizedList(new ArrayList<>());
 
-  /** Finds the number of legs from which a batch is faster than the CPU. */
+  /**
+   * When a batch is used.
+   *
+   * @param crossover the number of legs from which it is faster than the CPU
+   * @param motionsAtOnce the number of motions that it judges in one launch
+   */
+  record Choice(long crossover, int motionsAtOnce) {}
+
+  /** Finds out when a batch is faster than the CPU. */
   @FunctionalInterface
   interface Chooser {
     /**
-     * Returns the number of legs from which a batch is faster than the CPU. The batch must be ready
-     * afterwards: whatever a driver does at the first launch is done.
+     * Decides when to use a batch. It must be ready afterwards: whatever a driver does at the first
+     * launch is done.
      *
      * @param batch not used before
      * @param firstNanos the time within which its first launch must end
      */
-    long crossover(OpenClLegs batch, PointSet points, long firstNanos);
+    Choice choose(OpenClLegs batch, PointSet points, long firstNanos);
   }
 
   private enum State {
@@ -104,9 +112,9 @@ public final class OpenClDevice implements CollisionDevice {
     return new OpenClLegs(this, driver, new OpenClVoxels(this, driver, voxels), points);
   }
 
-  /** Sets the number of legs from which a batch is used, and returns the batch. */
+  /** Decides when to use a batch, and returns the batch. */
   OpenClLegs chosen(OpenClLegs batch, PointSet points) {
-    batch.setCrossover(chooser.crossover(batch, points, FIRST_DEADLINE_NANOS));
+    batch.setChoice(chooser.choose(batch, points, FIRST_DEADLINE_NANOS));
     return batch;
   }
 

@@ -5,14 +5,16 @@ import java.util.concurrent.locks.LockSupport;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.LegBatch;
 import org.palpate.collision.LegVerdict;
+import org.palpate.collision.MotionGroup;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.PointSet;
+import org.palpate.opencl.OpenClDevice.Choice;
 import org.palpate.volume.BitCube;
 
 /**
- * Judges the legs of points on an OpenCL device. Points and voxels stay there; a motion sends two
- * maps and fetches a byte for each point. In each motion the CPU casts some of the legs again, in
- * turn, and gives up a device whose verdict is wrong.
+ * Judges the legs of points on an OpenCL device. Points and voxels stay there; a launch sends the
+ * maps of some motions and fetches a byte for each point and motion. In each motion the CPU casts
+ * some of the legs again, in turn, and gives up a device whose answer is wrong.
  */
 final class OpenClLegs implements LegBatch {
   /** The size of a map: three rows of a matrix, each with its component of the offset. */
@@ -24,6 +26,12 @@ final class OpenClLegs implements LegBatch {
   /** The pause between two polls afterwards, ns. A device that is the CPU needs the core. */
   private static final long PAUSE_NANOS = 10_000;
 
+  /** The bits of an answer that hold the verdict; the others hold the number of empty cubes. */
+  private static final int VERDICT_BITS = 2;
+
+  /** Half the edge of an empty cube, by the number of cubes that are empty, voxels. */
+  private static final double[] HALVES = {0, 0.25, 0.5, 1, 2, 4};
+
   /** The number of legs of a motion that the CPU casts again. */
   private static final int AUDITED_LEGS = 16;
 
@@ -32,10 +40,10 @@ final class OpenClLegs implements LegBatch {
   private final OpenClVoxels voxels;
   private final LegBatch exact;
   private final int count;
-  private final ClMemory maps;
+  private final ClMemory motions;
   private final ClMemory verdicts;
   private final long kernel;
-  private long crossover;
+  private Choice choice = new Choice(0, MotionGroup.CAPACITY);
   private int nextAudited;
 
   OpenClLegs(OpenClDevice device, ClDriver driver, OpenClVoxels voxels, PointSet points) {
@@ -45,8 +53,8 @@ final class OpenClLegs implements LegBatch {
     exact = CollisionDevice.CPU.keep(voxels.bits()).newBatch(points);
     count = points.count();
     ClMemory coordinates = driver.allocate(24L * count);
-    maps = driver.allocate(2 * MAP_BYTES);
-    verdicts = driver.allocate(count);
+    motions = driver.allocate(Double.BYTES + (1 + MotionGroup.CAPACITY) * MAP_BYTES);
+    verdicts = driver.allocate((long) MotionGroup.CAPACITY * count);
     kernel =
         driver.kernel(
             "judge",
@@ -56,7 +64,7 @@ final class OpenClLegs implements LegBatch {
             voxels.bits().bricksZ(),
             coordinates,
             count,
-            maps,
+            motions,
             verdicts);
     for (int n = 0; n < count; n++) {
       coordinates.host().putDouble(8 * n, points.x(n));
@@ -70,23 +78,28 @@ final class OpenClLegs implements LegBatch {
     return voxels.bits();
   }
 
-  void setCrossover(long legs) {
-    crossover = legs;
+  void setChoice(Choice newChoice) {
+    choice = newChoice;
   }
 
   @Override
   public long crossover() {
-    return crossover;
+    return choice.crossover();
   }
 
   @Override
-  public boolean judge(AffineMap from, AffineMap to) {
+  public int motionsAtOnce() {
+    return choice.motionsAtOnce();
+  }
+
+  @Override
+  public boolean judge(MotionGroup group) {
     if (!device.begin()) {
       return false;
     }
     try {
-      judge(from, to, device.deadlineNanos());
-      audit(from, to);
+      judge(group, device.deadlineNanos());
+      audit(group);
       device.countBatch();
       return true;
     } catch (RuntimeException | LinkageError | OutOfMemoryError e) {
@@ -97,31 +110,42 @@ final class OpenClLegs implements LegBatch {
     }
   }
 
-  private void audit(AffineMap from, AffineMap to) {
-    exact.judge(from, to);
-    for (int n = 0; n < AUDITED_LEGS; n++) {
-      nextAudited = nextAudited + 1 < count ? nextAudited + 1 : 0;
-      LegVerdict verdict = verdict(nextAudited);
-      if (verdict != LegVerdict.DOUBT && verdict != exact.verdict(nextAudited)) {
-        throw new IllegalStateException("its verdict on a leg is wrong");
+  private void audit(MotionGroup group) {
+    exact.judge(group);
+    for (int motion = 0; motion < group.count(); motion++) {
+      for (int n = 0; n < AUDITED_LEGS; n++) {
+        nextAudited = nextAudited + 1 < count ? nextAudited + 1 : 0;
+        if (!isRight(motion, nextAudited, exact)) {
+          throw new IllegalStateException("it was wrong about a leg");
+        }
       }
     }
   }
 
+  /** Whether an answer is that of the CPU, or leaves a leg to it. */
+  boolean isRight(int motion, int point, LegBatch truth) {
+    LegVerdict verdict = verdict(motion, point);
+    return (verdict == LegVerdict.DOUBT || verdict == truth.verdict(motion, point))
+        && emptyAround(point) <= truth.emptyAround(point);
+  }
+
   /** Judges within a time, ns; throws if the device fails or takes longer. */
-  void judge(AffineMap from, AffineMap to, long withinNanos) {
+  void judge(MotionGroup group, long withinNanos) {
     long start = System.nanoTime();
-    launch(from, to);
-    fetch(count, start + withinNanos);
+    launch(group);
+    fetch(group.count() * count, start + withinNanos);
   }
 
   /** Begins to send changed voxels and maps, and to judge. */
-  void launch(AffineMap from, AffineMap to) {
+  void launch(MotionGroup group) {
     voxels.send();
-    put(from, maps.host(), 0);
-    put(to, maps.host(), MAP_BYTES);
-    driver.write(maps, 2 * MAP_BYTES);
-    driver.launch(kernel, count);
+    motions.host().putDouble(0, group.count());
+    put(group.from(), motions.host(), Double.BYTES);
+    for (int motion = 0; motion < group.count(); motion++) {
+      put(group.to(motion), motions.host(), Double.BYTES + (1 + motion) * MAP_BYTES);
+    }
+    driver.write(motions, Double.BYTES + (1 + group.count()) * MAP_BYTES);
+    driver.launch(kernel, group.count() * count);
   }
 
   /**
@@ -158,11 +182,17 @@ final class OpenClLegs implements LegBatch {
   }
 
   @Override
-  public LegVerdict verdict(int point) {
-    return switch (verdicts.host().get(point)) {
+  public LegVerdict verdict(int motion, int point) {
+    int answer = verdicts.host().get(motion * count + point);
+    return switch (answer & (1 << VERDICT_BITS) - 1) {
       case 0 -> LegVerdict.FREE;
       case 1 -> LegVerdict.HIT;
       default -> LegVerdict.DOUBT;
     };
+  }
+
+  @Override
+  public double emptyAround(int point) {
+    return HALVES[verdicts.host().get(point) >> VERDICT_BITS];
   }
 }

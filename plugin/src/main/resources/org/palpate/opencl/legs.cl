@@ -21,6 +21,10 @@
 // Coordinates beyond it do not fit into an int.
 #define FARTHEST 0x1p29
 
+// The cubes of org.palpate.collision.EmptyCube: half the edge of the smallest, and their number.
+#define SMALLEST_REACH 0.25
+#define MOST_CUBES 5
+
 typedef struct {
   __global const ulong* bricks;
   int bricksX;
@@ -138,21 +142,59 @@ double3 image(__global const double* map, double x, double y, double z) {
       component(map, x, y, z), component(map + 4, x, y, z), component(map + 8, x, y, z));
 }
 
-// Judges the leg of each point between its images under two maps.
-// points: all x, then all y, then all z. maps: from, then to, in rows.
+// Whether a closed cube around a point touches no solid voxel. reach: half of its edge.
+int isCubeEmpty(Cube cube, double3 p, double reach) {
+  double3 least = p - reach;
+  double3 most = p + reach;
+  int3 low = (int3) (lowestCell(least.x), lowestCell(least.y), lowestCell(least.z));
+  int3 high = (int3) ((int) floor(most.x), (int) floor(most.y), (int) floor(most.z));
+  for (int z = low.z >> 2; z <= high.z >> 2; z++) {
+    for (int y = low.y >> 2; y <= high.y >> 2; y++) {
+      for (int x = low.x >> 2; x <= high.x >> 2; x++) {
+        int3 corner = (int3) (x << 2, y << 2, z << 2);
+        ulong solids = brickAt(cube, x, y, z);
+        if ((solids & layers(max(low - corner, 0), min(high - corner, 3))) != 0) {
+          return 0;
+        }
+      }
+    }
+  }
+  return 1;
+}
+
+// Returns the number of doublings, from SMALLEST_REACH on, whose cubes around a point are empty.
+int emptyCubes(Cube cube, double3 p) {
+  double reach = SMALLEST_REACH;
+  int cubes = 0;
+  while (cubes < MOST_CUBES && isNear(p) && isCubeEmpty(cube, p, reach)) {
+    reach *= 2;
+    cubes++;
+  }
+  return cubes;
+}
+
+// Judges the leg of each point in each motion: between the images under two maps.
+// points: all x, then all y, then all z. motions: their number, the map at the start of all, then
+// the map at the end of each, in rows. verdicts: those of all points in the first motion, then in
+// the second, and so on. Those of the first also hold the empty cubes around the start.
 __kernel void judge(
     __global const ulong* bricks, int bricksX, int bricksY, int bricksZ,
     __global const double* points, int count,
-    __global const double* maps, __global uchar* verdicts) {
-  int point = get_global_id(0);
-  if (point >= count) {
+    __global const double* motions, __global uchar* verdicts) {
+  int id = get_global_id(0);
+  if (id >= (int) motions[0] * count) {
     return;
   }
+  int motion = id / count;
+  int point = id - motion * count;
   Cube cube = {bricks, bricksX, bricksY, bricksZ};
   double x = points[point];
   double y = points[count + point];
   double z = points[2 * count + point];
-  verdicts[point] = (uchar) judgeLeg(cube, image(maps, x, y, z), image(maps + 12, x, y, z));
+  double3 start = image(motions + 1, x, y, z);
+  int verdict = judgeLeg(cube, start, image(motions + 13 + 12 * motion, x, y, z));
+  int cubes = motion == 0 ? emptyCubes(cube, start) : 0;
+  verdicts[id] = (uchar) (verdict | cubes << 2);
 }
 
 // Replaces bricks. changes: their number, then pairs of index and word.

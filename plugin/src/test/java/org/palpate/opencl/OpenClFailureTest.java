@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -132,11 +133,11 @@ class OpenClFailureTest {
   void aKernelThatTakesTooLongIsGivenUpAndTheCpuGoesOn() {
     String slow =
         OpenClOnCpu.sourceWith(
-            "  int point = get_global_id(0);",
+            "  int id = get_global_id(0);",
             """
-              int point = get_global_id(0);
+              int id = get_global_id(0);
               volatile int work = 0;
-              while (point < 64 && work < 20000000) {
+              while (id < 64 && work < 20000000) {
                 work++;
               }
             """);
@@ -150,17 +151,26 @@ class OpenClFailureTest {
 
   @Test
   void aDeviceWhoseVerdictsTurnWrongIsGivenUp() {
+    assertGivenUp(driver -> driver.lies = true);
+  }
+
+  @Test
+  void aDeviceThatCallsFullSpaceEmptyIsGivenUp() {
+    assertGivenUp(driver -> driver.liesAboutCubes = true);
+  }
+
+  private static void assertGivenUp(Consumer<SimulatedDriver> fault) {
     SimulatedDriver simulated = new SimulatedDriver();
     OpenClDevice device = OpenClOnCpu.device(simulated, OpenClOnCpu.PATIENT_NANOS);
     NearBall ball = new NearBall(400);
     LegBatch batch = device.keep(ball.voxels()).newBatch(ball);
-    assertTrue(batch.judge(ball.from(), ball.to()));
-    simulated.lies = true;
+    assertTrue(batch.judge(ball.motions(1)));
+    fault.accept(simulated);
     int motions = 0;
-    while (batch.judge(ball.from(), ball.to())) {
+    while (batch.judge(ball.motions(1))) {
       motions++;
     }
-    assertEquals("its verdict on a leg is wrong", device.failure().orElseThrow());
+    assertEquals("it was wrong about a leg", device.failure().orElseThrow());
     assertTrue(motions < 400 / 16, "motions " + motions);
   }
 

@@ -3,7 +3,9 @@ package org.palpate.opencl;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.List;
+import org.palpate.collision.MotionGroup;
 import org.palpate.geometry.PointSet;
+import org.palpate.opencl.OpenClDevice.Choice;
 
 /** Opens an OpenCL device for tests, as a rule PoCL, which needs no GPU. */
 final class OpenClOnCpu {
@@ -33,8 +35,8 @@ final class OpenClOnCpu {
     return new OpenClDevice(driver, deadlineNanos, OpenClOnCpu::always);
   }
 
-  private static long always(OpenClLegs batch, PointSet points, long firstNanos) {
-    return 0;
+  private static Choice always(OpenClLegs batch, PointSet points, long firstNanos) {
+    return new Choice(0, MotionGroup.CAPACITY);
   }
 
   /** Returns the kernels with one piece of text replaced, which must be there. */

@@ -7,6 +7,7 @@ import java.util.List;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.LegBatch;
 import org.palpate.collision.LegVerdict;
+import org.palpate.collision.MotionGroup;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.PointSet;
 import org.palpate.volume.BitCube;
@@ -26,6 +27,9 @@ final class SimulatedDriver implements ClDriver {
 
   /** Whether every leg is called free from now on. */
   boolean lies;
+
+  /** Whether the largest cubes are called empty from now on. */
+  boolean liesAboutCubes;
 
   @Override
   public String name() {
@@ -84,10 +88,22 @@ final class SimulatedDriver implements ClDriver {
     }
     Points points = new Points(memory(bound.get(5)), (Integer) bound.get(6));
     LegBatch exact = CollisionDevice.CPU.keep(bits).newBatch(points);
-    exact.judge(map(memory(bound.get(7)), 0), map(memory(bound.get(7)), 96));
-    for (int n = 0; n < points.count(); n++) {
-      memory(bound.get(8)).put(n, (byte) (lies || exact.verdict(n) == LegVerdict.FREE ? 0 : 1));
+    MotionGroup group = group(memory(bound.get(7)));
+    exact.judge(group);
+    for (int n = 0; n < points.count() * group.count(); n++) {
+      boolean free =
+          lies || exact.verdict(n / points.count(), n % points.count()) == LegVerdict.FREE;
+      memory(bound.get(8)).put(n, (byte) ((free ? 0 : 1) | (liesAboutCubes ? 5 << 2 : 0)));
     }
+  }
+
+  private static MotionGroup group(ByteBuffer rows) {
+    MotionGroup group = new MotionGroup();
+    group.begin(map(rows, 8));
+    for (int motion = 0; motion < rows.getDouble(0); motion++) {
+      group.add(map(rows, 8 + 96 * (1 + motion)));
+    }
+    return group;
   }
 
   private static AffineMap map(ByteBuffer rows, int at) {

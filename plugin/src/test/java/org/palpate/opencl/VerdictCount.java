@@ -5,7 +5,7 @@ import java.util.SplittableRandom;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.LegBatch;
 import org.palpate.collision.LegVerdict;
-import org.palpate.geometry.AffineMap;
+import org.palpate.collision.MotionGroup;
 import org.palpate.geometry.PointSet;
 import org.palpate.volume.BitCube;
 
@@ -20,6 +20,8 @@ final class VerdictCount {
   long doubt;
   long falseFree;
   long falseHit;
+  long cubes;
+  long falseCubes;
 
   /** Judges legs that graze voxels until there are so many. */
   void addHostile(OpenClDevice device, SplittableRandom random, long most) {
@@ -31,18 +33,22 @@ final class VerdictCount {
       GrazingLegs points = new GrazingLegs(random, SIZE, POINTS);
       OpenClLegs batch = device.newBatch(bits, points);
       LegBatch exact = CollisionDevice.CPU.keep(bits).newBatch(points);
-      for (int motion = 0; motion < GrazingLegs.MOTIONS && legs < most; motion++) {
-        add(batch, exact, points, points.from(motion), points.to(motion));
+      for (int group = 0; group < GrazingLegs.GROUPS && legs < most; group++) {
+        add(batch, exact, points, points.group(group));
       }
     }
   }
 
-  /** Judges one motion. */
-  void add(OpenClLegs batch, LegBatch exact, PointSet points, AffineMap from, AffineMap to) {
-    batch.judge(from, to, OpenClOnCpu.PATIENT_NANOS);
-    exact.judge(from, to);
+  /** Judges the motions of a group in one launch. */
+  void add(OpenClLegs batch, LegBatch exact, PointSet points, MotionGroup group) {
+    batch.judge(group, OpenClOnCpu.PATIENT_NANOS);
+    exact.judge(group);
     for (int n = 0; n < points.count(); n++) {
-      count(batch.verdict(n), exact.verdict(n));
+      for (int motion = 0; motion < group.count(); motion++) {
+        count(batch.verdict(motion, n), exact.verdict(motion, n));
+      }
+      cubes++;
+      falseCubes += batch.emptyAround(n) == exact.emptyAround(n) ? 0 : 1;
     }
   }
 
@@ -80,12 +86,15 @@ final class VerdictCount {
   public String toString() {
     return String.format(
         Locale.ROOT,
-        "%,d legs: %,d free, %,d hit, %,d in doubt; %,d falsely free, %,d falsely hit",
+        "%,d legs: %,d free, %,d hit, %,d in doubt; %,d falsely free, %,d falsely hit; %,d of %,d"
+            + " cubes wrong",
         legs,
         free,
         hit,
         doubt,
         falseFree,
-        falseHit);
+        falseHit,
+        falseCubes,
+        cubes);
   }
 }

@@ -92,7 +92,7 @@ class ArchitectureTest {
                   "benchmarks.surface",
                   "benchmarks.sync")),
           Map.entry("benchmarks.elastic", List.of("benchmarks.rigid", "frame", "volume.phantom")),
-          Map.entry("benchmarks.gpu", List.of("benchmarks.report", "opencl")),
+          Map.entry("benchmarks.gpu", List.of("benchmarks.report", "benchmarks.rigid", "opencl")),
           Map.entry("benchmarks.input", List.of("device", "io", "raycast")),
           Map.entry(
               "benchmarks.jitter",

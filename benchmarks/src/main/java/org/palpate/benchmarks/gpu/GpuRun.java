@@ -8,33 +8,41 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.palpate.benchmarks.report.MachineSummary;
 import org.palpate.benchmarks.report.Progress;
 import org.palpate.benchmarks.report.StudyTable;
+import org.palpate.benchmarks.rigid.LaunchCount;
 import org.palpate.collision.LegBatch;
 import org.palpate.opencl.OpenClCatalog;
 import org.palpate.opencl.OpenClException;
 import org.palpate.opencl.OpenClLegsVariants;
 
 /**
- * Times the judging of legs that nothing culls on one and two threads of the CPU and on every
- * OpenCL device, against their number.
+ * Counts the launches that sliding tools need, and times the judging of legs that nothing culls: on
+ * one and two threads of the CPU and on every OpenCL device, against their number.
  */
 public final class GpuRun {
   private static final int[] POINTS = {100, 1_000, 10_000, 100_000, 1_000_000};
+  private static final int QUICK_POINTS = 100_000;
 
   /** The number of legs that all frames of a row judge together, within the bounds below. */
   private static final double LEGS = 1e8;
 
-  private static final double QUICK_LEGS = 5e6;
+  private static final double QUICK_LEGS = 1e7;
+
+  /** Fewer frames would have no percentile of 99.9. */
   private static final int LEAST_FRAMES = 1_000;
-  private static final int QUICK_LEAST_FRAMES = 30;
+
   private static final int MOST_FRAMES = 20_000;
+  private static final int SLIDE_FRAMES = 2_000;
+  private static final int QUICK_SLIDE_FRAMES = 200;
 
   private final boolean quick;
   private final PrintWriter out;
   private final Consumer<String> progress;
   private final List<PartTime> times = new ArrayList<>();
+  private final List<LaunchCount> launches = new ArrayList<>();
 
   /** Hits are summed so that no judging can be left out. */
   private long hits;
@@ -49,7 +57,7 @@ public final class GpuRun {
    * Measures, prints, and writes a table.
    *
    * @param folder the output folder, created if missing
-   * @param quick whether to run fewer frames
+   * @param quick whether to run fewer frames, of at most 100,000 points
    * @param out receives the times
    * @param progress receives progress lines
    * @return the number of GPUs that were measured
@@ -59,6 +67,8 @@ public final class GpuRun {
     Files.createDirectories(folder);
     out.println(MachineSummary.line(MachineSummary.facts()));
     GpuRun run = new GpuRun(quick, out, Progress.to(progress));
+    run.countLaunches();
+    StudyTable.GPU_LAUNCHES.write(folder, run.launches, GpuRun::cells);
     run.measureCpu();
     long gpus = run.measureDevices();
     StudyTable.GPU.write(folder, run.times, PartTime::cells);
@@ -67,9 +77,50 @@ public final class GpuRun {
     return gpus;
   }
 
+  private void countLaunches() {
+    for (int n = 0; n < LaunchCount.conditions(); n++) {
+      LaunchCount count = LaunchCount.of(n, quick ? QUICK_SLIDE_FRAMES : SLIDE_FRAMES);
+      progress.accept(count.condition());
+      launches.add(count);
+      out.println(
+          String.format(
+              Locale.ROOT,
+              "%-34s %4.2f motions a frame, %,7d / %,7d / %,7d legs left; launches a frame: alone"
+                  + " %4.2f, together %4.2f, from %s legs on %s",
+              count.condition(),
+              count.motions(),
+              count.legsP50(),
+              count.legsP99(),
+              count.legsMost(),
+              count.alone(),
+              count.together(),
+              LaunchCount.COSTS,
+              count.above()));
+      out.flush();
+    }
+  }
+
+  private static List<Object> cells(LaunchCount count) {
+    List<Object> cells = new ArrayList<>();
+    cells.add(count.condition());
+    cells.add((long) count.points());
+    cells.add(count.motions());
+    cells.add(count.legsP50());
+    cells.add(count.legsP99());
+    cells.add(count.legsMost());
+    cells.add(count.alone());
+    cells.add(count.together());
+    cells.addAll(count.above());
+    return cells;
+  }
+
+  private int[] points() {
+    return quick ? IntStream.of(POINTS).filter(n -> n <= QUICK_POINTS).toArray() : POINTS;
+  }
+
   private int frames(int points) {
-    int least = quick ? QUICK_LEAST_FRAMES : LEAST_FRAMES;
-    return (int) Math.max(least, Math.min(MOST_FRAMES, (quick ? QUICK_LEGS : LEGS) / points));
+    double wanted = (quick ? QUICK_LEGS : LEGS) / points;
+    return (int) Math.max(LEAST_FRAMES, Math.min(MOST_FRAMES, wanted));
   }
 
   private void measure(String device, int points, String part, Runnable run) {
@@ -92,7 +143,7 @@ public final class GpuRun {
   }
 
   private void measureCpu() {
-    for (int points : POINTS) {
+    for (int points : points()) {
       progress.accept("CPU, " + points + " points");
       LegBatch all = OpenClLegsVariants.onCpu(points);
       measure("cpu 1 thread", points, "whole", () -> hits += TwoThreads.hits(all, points));
@@ -103,7 +154,11 @@ public final class GpuRun {
         measure("cpu 2 threads", points, "whole", () -> hits += two.judge());
       }
     }
-    if (hits == 0) {
+    requireHits(hits);
+  }
+
+  private static void requireHits(long count) {
+    if (count == 0) {
       throw new IllegalStateException("no leg near the ball touches it");
     }
   }
@@ -126,13 +181,16 @@ public final class GpuRun {
   }
 
   private void measureDevice(OpenClCatalog.Entry device) throws OpenClException {
-    for (int points : POINTS) {
+    for (int points : points()) {
       progress.accept(device.name() + ", " + points + " points");
       try (OpenClLegsVariants legs = new OpenClLegsVariants(device.name(), points)) {
         measure(device.name(), points, "round trip", legs::roundTrip);
         measure(device.name(), points, "launch", legs::launch);
         measure(device.name(), points, "transfer", legs::transfer);
+        measure(device.name(), points, "reading", legs::read);
         measure(device.name(), points, "whole", legs::whole);
+        measure(device.name(), points, "5 motions", legs::wholeOfSeveral);
+        requireHits(legs.notFree());
       }
     }
   }

@@ -60,7 +60,7 @@ final class TwoThreads implements AutoCloseable {
   static long hits(LegBatch batch, int points) {
     long hits = 0;
     for (int n = 0; n < points; n++) {
-      hits += batch.verdict(n) == LegVerdict.HIT ? 1 : 0;
+      hits += batch.verdict(0, n) == LegVerdict.HIT ? 1 : 0;
     }
     return hits;
   }

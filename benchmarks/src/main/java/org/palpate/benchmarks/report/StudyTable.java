@@ -31,6 +31,11 @@ public enum StudyTable {
   ELASTIC("elastic.csv", Columns.FIGURES),
   /** Times of judging legs by device and number. */
   GPU("gpu.csv", "device,points,part,frames,least_us,p50_us,p99_us,p99_9_us,max_us"),
+  /** Launches of a device that sliding tools need. */
+  GPU_LAUNCHES(
+      "gpu-launches.csv",
+      "condition,points,motions,legs_p50,legs_p99,legs_most,launches_alone,launches_together,"
+          + "launches_from_100,launches_from_1000,launches_from_10000"),
   /** Largest stable stiffness of the model and of the theory. */
   STABILITY_THEORY(
       "stability-theory.csv",

@@ -2,6 +2,8 @@ package org.palpate.benchmarks.rigid;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.palpate.collision.CollisionDevice;
+import org.palpate.rigid.RigidSettings;
 import org.palpate.rigid.tool.RigidTool;
 
 /**
@@ -83,10 +85,21 @@ record TimedCondition(
 
   /** Makes scene and tool, and presses the tool onto the surface. */
   Pressed pressed() {
+    return pressed(CollisionDevice.CPU);
+  }
+
+  /** Does the same with a device that judges legs. */
+  Pressed pressed(CollisionDevice judge) {
     SurfaceScene scene = SurfaceScene.of(surface, EDGE);
     RigidTool tool = kind == Kind.PLATE ? MeasuredTools.plate(points) : MeasuredTools.cube(points);
     PressAndSlide device = new PressAndSlide(scene, kind != Kind.CUBE);
-    ToolRun run = new ToolRun(scene.bodies(), tool, clearance);
+    RigidSettings plain = clearance.settings(scene.bodies(), tool);
+    ToolRun run =
+        new ToolRun(
+            scene.bodies(),
+            tool,
+            new RigidSettings(
+                plain.maxStepMm(), plain.clearances(), plain.greys(), plain.skips(), judge));
     device.press(run);
     return new Pressed(run, device);
   }
