@@ -166,7 +166,10 @@ public final class ContactScene {
     return voxels;
   }
 
-  /** Returns the grid of the volume, which converts between world and grid coordinates. */
+  /**
+   * Returns the grid of the volume, which converts between world and grid coordinates. Positions of
+   * the point and the tool are published in it, although bodies may have grids of their own.
+   */
   public VoxelGrid grid() {
     return volume.grid();
   }
@@ -223,10 +226,12 @@ public final class ContactScene {
 
   /** Returns the region and surface points that a simulated hand presses, world mm. */
   public HandTarget handTarget() {
-    return HandTargetFinder.of(
-        placements.isEmpty()
-            ? volume
-            : PosedBits.resample(volume, placements.stream().map(Placement::pose).toList()));
+    if (placements.isEmpty()) {
+      return HandTargetFinder.of(volume);
+    }
+    List<Pose> poses = placements.stream().map(Placement::pose).toList();
+    VoxelGrid around = PosedBits.gridAround(PosedBits.of(volume, poses), grid());
+    return HandTargetFinder.of(PosedBits.resample(volume, poses, around));
   }
 
   /** Returns the source of the grey values, if there is one. */
@@ -251,7 +256,7 @@ public final class ContactScene {
       int index = bodies.size();
       Placement placement = placements.isEmpty() ? AT_REST : placements.get(index);
       Mobility mobility = movable.contains(index) ? Mobility.MOVABLE : placement.mobility();
-      Body body = new Body(segment.name(), segment.bits(), grid(), mobility);
+      Body body = new Body(segment.name(), segment.bits(), volume.grid(index), mobility);
       if (!placements.isEmpty()) {
         body.setPose(placement.pose());
       }

@@ -21,7 +21,7 @@ import org.palpate.volume.VoxelGrid;
  * synchronization thread moves them.
  */
 final class DrawnSolids {
-  private final VoxelGrid grid;
+  private final SegmentedVolume rest;
   private volatile List<Segment> segments;
   private final List<RigidTransform> starts;
   private volatile List<RigidTransform> poses;
@@ -33,7 +33,7 @@ final class DrawnSolids {
    * @param poses the pose of each segment, from rest to present, world mm; none if all are at rest
    */
   DrawnSolids(SegmentedVolume volume, List<RigidTransform> poses) {
-    grid = volume.grid();
+    rest = volume;
     starts = List.copyOf(poses);
     this.poses = starts;
     segments = volume.segments();
@@ -116,9 +116,18 @@ final class DrawnSolids {
       this.solids = solids;
     }
 
-    /** Returns the grid of the segments at rest. */
-    VoxelGrid grid() {
-      return solids.grid;
+    /** Returns the longest voxel edge of all segments, mm. */
+    double longestEdgeMm() {
+      double longest = longestEdgeMm(solids.rest.grid());
+      for (VoxelGrid own : solids.rest.grids()) {
+        longest = Math.max(longest, longestEdgeMm(own));
+      }
+      return longest;
+    }
+
+    private static double longestEdgeMm(VoxelGrid grid) {
+      Vec3 spacing = grid.spacingMm();
+      return Math.max(spacing.x, Math.max(spacing.y, spacing.z));
     }
 
     /** Takes the segments as they are drawn now. */
@@ -138,14 +147,14 @@ final class DrawnSolids {
     /**
      * Returns the name of the first segment that the ray between two points meets.
      *
-     * @param fromGrid the start in coordinates of the grid at rest
+     * @param fromGrid the start in coordinates of the volume's grid
      * @param toGrid the end, likewise
      */
     Optional<String> firstName(Vec3 fromGrid, Vec3 toGrid) {
       int first =
           first(
-              solids.grid.gridToWorld(fromGrid, new Vec3()),
-              solids.grid.gridToWorld(toGrid, new Vec3()));
+              solids.rest.grid().gridToWorld(fromGrid, new Vec3()),
+              solids.rest.grid().gridToWorld(toGrid, new Vec3()));
       return first < 0 ? Optional.empty() : Optional.of(segments.get(first).name());
     }
 
@@ -169,13 +178,16 @@ final class DrawnSolids {
     /**
      * Reports the solid voxels around a point.
      *
-     * @param reachX the number of voxels along x on either side of the point's voxel
-     * @param reachY the same along y
-     * @param reachZ the same along z
+     * @param reachMm how far they may lie from the point's voxel along an axis
+     * @param most the most voxels on either side of the point's voxel
      */
-    void around(Vec3 pointMm, int reachX, int reachY, int reachZ, VoxelSink sink) {
+    void around(Vec3 pointMm, double reachMm, int most, VoxelSink sink) {
       for (int n = 0; n < segments.size(); n++) {
         BitCube bits = segments.get(n).bits();
+        Vec3 spacing = solids.rest.grid(n).spacingMm();
+        int reachX = (int) Math.min(most, reachMm / spacing.x);
+        int reachY = (int) Math.min(most, reachMm / spacing.y);
+        int reachZ = (int) Math.min(most, reachMm / spacing.z);
         toGrid(n, pointMm, from);
         int i = (int) Math.floor(from.x);
         int j = (int) Math.floor(from.y);
@@ -193,15 +205,13 @@ final class DrawnSolids {
     }
 
     private void toGrid(int segment, Vec3 mm, Vec3 dest) {
-      if (poses.isEmpty()) {
-        solids.grid.worldToGrid(mm, dest);
-      } else {
-        solids.grid.worldToGrid(poses.get(segment).inverseTransform(mm, dest), dest);
-      }
+      Vec3 rest = poses.isEmpty() ? mm : poses.get(segment).inverseTransform(mm, dest);
+      solids.rest.grid(segment).worldToGrid(rest, dest);
     }
 
     private Vec3 centreMm(int segment, int i, int j, int k) {
-      Vec3 centre = solids.grid.gridToWorld(new Vec3(i + 0.5, j + 0.5, k + 0.5), new Vec3());
+      Vec3 centre = new Vec3(i + 0.5, j + 0.5, k + 0.5);
+      solids.rest.grid(segment).gridToWorld(centre, centre);
       return poses.isEmpty() ? centre : poses.get(segment).transform(centre, centre);
     }
   }

@@ -31,7 +31,7 @@ final class MouseTouch implements PointerListener {
   private static final double NORMAL_VOXELS = 3;
 
   /** Largest radius of that ball along an axis with short voxel edges, voxels. */
-  private static final double MAX_NORMAL_REACH = 12;
+  private static final int MAX_NORMAL_REACH = 12;
 
   /** The least cosine between the line of sight and the direction of a press. */
   private static final double LEAST_INWARD = 0.1;
@@ -67,8 +67,7 @@ final class MouseTouch implements PointerListener {
     this.solids = new DrawnSolids.Probe(solids);
     this.mouse = mouse;
     this.hints = hints;
-    Vec3 spacing = this.solids.grid().spacingMm();
-    voxelMm = Math.max(spacing.x, Math.max(spacing.y, spacing.z));
+    voxelMm = this.solids.longestEdgeMm();
     radiusMm = mouse.specification().workspaceRadiusMm();
   }
 
@@ -125,7 +124,7 @@ final class MouseTouch implements PointerListener {
   /** Returns the centre of a solid voxel next to a drawn point, world mm: the nearest one. */
   private Optional<Vec3> solidNear(Vec3 drawnMm) {
     List<Vec3> centres = new ArrayList<>();
-    solids.around(drawnMm, DRAWN_VOXELS, DRAWN_VOXELS, DRAWN_VOXELS, centres::add);
+    solids.around(drawnMm, Double.POSITIVE_INFINITY, DRAWN_VOXELS, centres::add);
     return centres.stream().min(Comparator.comparingDouble(centre -> distance(centre, drawnMm)));
   }
 
@@ -136,14 +135,8 @@ final class MouseTouch implements PointerListener {
   private Vec3 inward(Vec3 eyeMm, Vec3 faceMm) {
     Vec3 sight = unit(faceMm.sub(eyeMm, new Vec3()));
     Vec3 sum = new Vec3();
-    Vec3 spacing = solids.grid().spacingMm();
-    double reach = NORMAL_VOXELS * voxelMm;
-    solids.around(
-        faceMm,
-        (int) Math.min(MAX_NORMAL_REACH, reach / spacing.x),
-        (int) Math.min(MAX_NORMAL_REACH, reach / spacing.y),
-        (int) Math.min(MAX_NORMAL_REACH, reach / spacing.z),
-        centre -> addIfNear(centre, faceMm, sum));
+    double reachMm = NORMAL_VOXELS * voxelMm;
+    solids.around(faceMm, reachMm, MAX_NORMAL_REACH, centre -> addIfNear(centre, faceMm, sum));
     boolean isClear = sum.length() > 0 && sum.dot(sight) >= LEAST_INWARD * sum.length();
     return isClear ? unit(sum) : sight;
   }

@@ -87,9 +87,9 @@ final class SessionOverlay {
 
   /** Shows for each segment the volume that was removed or added. Synchronization thread. */
   void removed(ChangedVoxels changed, SegmentedVolume volume) {
-    Vec3 spacing = volume.grid().spacingMm();
     StringBuilder text = new StringBuilder();
     for (int n = 0; n < volume.segments().size(); n++) {
+      Vec3 spacing = volume.grid(n).spacingMm();
       double mm3 = changed.removed(n) * spacing.x * spacing.y * spacing.z;
       if (mm3 != 0) {
         text.append(mm3 > 0 ? "   removed " : "   added ").append(volume.segments().get(n).name());

@@ -18,6 +18,7 @@ import org.palpate.force.HapticEffect;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
@@ -29,6 +30,8 @@ import org.palpate.rigid.RigidSettings;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.scene.ToolMarks;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.fracture.PosedBits;
 
 /**
  * A rigid tool among the segments of a contact scene, each of which is a body. Builds its frames.
@@ -109,6 +112,13 @@ public final class ToolScene {
   /** Returns the bodies, in the order of the segments. */
   public BodyScene bodies() {
     return bodies;
+  }
+
+  /** Returns the bodies where they stand, as segments of the grid of the volume. */
+  public SegmentedVolume present() {
+    List<Pose> poses =
+        IntStream.range(0, bodies.count()).mapToObj(n -> bodies.body(n).pose()).toList();
+    return PosedBits.resample(scene.volume(), poses, scene.grid());
   }
 
   /** Whether a body can move. */

@@ -39,7 +39,7 @@ public final class SceneLoader implements AutoCloseable {
 
   private final SceneModel model;
   private final SurfaceBuilder builder;
-  private final VoxelGrid grid;
+  private final SegmentedVolume volume;
 
   /** Whether the segments stand at poses, so that those at rest do not darken each other. */
   private final boolean isPlaced;
@@ -95,16 +95,18 @@ public final class SceneLoader implements AutoCloseable {
       boolean waitsForPicture) {
     this.model = model;
     this.greys = List.copyOf(greys);
-    grid = volume.grid();
+    this.volume = volume;
     isPlaced = !poses.isEmpty();
     builder = new SurfaceBuilder(threads);
     List<Segment> segments = volume.segments();
     segments.forEach(segment -> cubes.add(segment.bits()));
     occlusions = newOcclusions();
-    Vec3 spacing = grid.spacingMm();
-    model.addDetail(Math.max(spacing.x, Math.max(spacing.y, spacing.z)));
+    addDetail(volume.grid());
     for (int n = 0; n < segments.size(); n++) {
-      add(segments.get(n), isPlaced ? gridMmToWorld(poses.get(n)) : grid.gridMmToWorld());
+      addDetail(volume.grid(n));
+      add(
+          segments.get(n),
+          isPlaced ? gridMmToWorld(n, poses.get(n)) : volume.grid(n).gridMmToWorld());
     }
     if (!isPlaced) {
       makeEnclosingTranslucent();
@@ -131,8 +133,13 @@ public final class SceneLoader implements AutoCloseable {
     return new SceneLoader(model, volume, greys, poses, threads, true);
   }
 
-  private RigidTransform gridMmToWorld(RigidTransform restToPresent) {
-    return restToPresent.multiply(grid.gridMmToWorld());
+  private void addDetail(VoxelGrid grid) {
+    Vec3 spacing = grid.spacingMm();
+    model.addDetail(Math.max(spacing.x, Math.max(spacing.y, spacing.z)));
+  }
+
+  private RigidTransform gridMmToWorld(int segment, RigidTransform restToPresent) {
+    return restToPresent.multiply(volume.grid(segment).gridMmToWorld());
   }
 
   /**
@@ -142,7 +149,7 @@ public final class SceneLoader implements AutoCloseable {
    * @param restToPresent its pose, world mm
    */
   public void move(int segment, RigidTransform restToPresent) {
-    model.setPose(objects.get(segment), gridMmToWorld(restToPresent));
+    model.setPose(objects.get(segment), gridMmToWorld(segment, restToPresent));
   }
 
   /**
@@ -152,7 +159,7 @@ public final class SceneLoader implements AutoCloseable {
    * @param restToPresent the pose of the copy, world mm
    */
   public void showGhost(int segment, Optional<RigidTransform> restToPresent) {
-    model.setGhost(objects.get(segment), restToPresent.map(this::gridMmToWorld));
+    model.setGhost(objects.get(segment), restToPresent.map(pose -> gridMmToWorld(segment, pose)));
   }
 
   /** Colours a part of a segment's surface by a measured value, or no more. */
@@ -200,6 +207,8 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   private void add(Segment segment, RigidTransform pose) {
+    int number = sources.size();
+    VoxelGrid grid = volume.grid(number);
     IntBox box = segment.bits().bounds();
     Vec3 spacing = grid.spacingMm();
     Vec3 low = new Vec3();
@@ -212,7 +221,6 @@ public final class SceneLoader implements AutoCloseable {
     high.set(high.x * spacing.x, high.y * spacing.y, high.z * spacing.z);
     objects.add(model.add(segment.name(), segment.rgb(), pose, low, high));
     coarse.add(List.of(CoarseVolume.of(segment.bits(), 1), CoarseVolume.of(segment.bits(), 2)));
-    int number = sources.size();
     Optional<GreyRange> grey = number < greys.size() ? greys.get(number) : Optional.empty();
     sources.add(
         grey.map(values -> SurfaceSource.ofGrey(segment.bits(), values, spacing))
@@ -296,9 +304,9 @@ public final class SceneLoader implements AutoCloseable {
     List<SurfaceJob> started = new ArrayList<>();
     started.add(rebuild(segment, 0, voxels, SurfaceBuilder.EDITED));
     for (int level = 1; level < SceneObject.LEVELS; level++) {
-      CoarseVolume volume = coarse(segment, level);
-      volume.update(voxels);
-      IntBox box = volume.toCoarse(voxels, new IntBox());
+      CoarseVolume copy = coarse(segment, level);
+      copy.update(voxels);
+      IntBox box = copy.toCoarse(voxels, new IntBox());
       started.add(rebuild(segment, level, box, SurfaceBuilder.COARSE));
     }
     return started;
@@ -322,6 +330,7 @@ public final class SceneLoader implements AutoCloseable {
    * @param grey the grey values that its finest surface follows; if empty, it follows the voxels
    */
   public synchronized void replace(int segment, BitCube bits, Optional<GreyRange> grey) {
+    VoxelGrid grid = volume.grid(segment);
     Vec3 spacing = grid.spacingMm();
     cubes.set(segment, bits);
     occlusions = newOcclusions();

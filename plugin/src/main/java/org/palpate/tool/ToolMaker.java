@@ -103,7 +103,7 @@ public final class ToolMaker {
   private Optional<TriangleMesh> readMesh() throws VolumeFormatException {
     if (request.spec() instanceof ToolSpec.MeshFile mesh) {
       files.add(mesh.file());
-      return Optional.of(MeshFiles.read(mesh.file()));
+      return Optional.of(MeshFiles.read(mesh.file(), world));
     }
     return Optional.empty();
   }

@@ -79,11 +79,11 @@ class DrawnSolidsTest {
   @Test
   void voxelsAroundAPointHaveTheirCentresWhereTheyAreDrawn() {
     List<Vec3> centres = new ArrayList<>();
-    probe.around(new Vec3(-5, 5, 26), 1, 1, 1, centres::add);
+    probe.around(new Vec3(-5, 5, 26), 1, 1, centres::add);
     assertEquals(1, centres.size());
     assertEquals(0, centres.get(0).sub(new Vec3(-5.5, 5.5, 25.5), new Vec3()).length(), 1e-12);
     centres.clear();
-    probe.around(new Vec3(5.5, 5.5, 5.5), 1, 1, 1, centres::add);
+    probe.around(new Vec3(5.5, 5.5, 5.5), 1, 1, centres::add);
     assertEquals(List.of(), centres, "nothing is drawn at the rest position");
   }
 

@@ -84,6 +84,7 @@ class ArchitectureTest {
                   "benchmarks.accuracy",
                   "benchmarks.carve",
                   "benchmarks.elastic",
+                  "benchmarks.fracture",
                   "benchmarks.gpu",
                   "benchmarks.nearest",
                   "benchmarks.rigid",
@@ -93,6 +94,7 @@ class ArchitectureTest {
                   "benchmarks.sync")),
           Map.entry("benchmarks.elastic", List.of("benchmarks.rigid", "frame", "volume.phantom")),
           Map.entry("benchmarks.gpu", List.of("benchmarks.report", "benchmarks.rigid", "opencl")),
+          Map.entry("benchmarks.fracture", List.of("benchmarks.rigid", "reduction")),
           Map.entry("benchmarks.input", List.of("device", "io", "raycast")),
           Map.entry(
               "benchmarks.jitter",
@@ -165,7 +167,9 @@ class ArchitectureTest {
           Map.entry("imagej", List.of("imagej.session")),
           Map.entry("imagej.annotation", List.of("imagej.stack", "io.table")),
           Map.entry("imagej.dialog", List.of("imagej.stack")),
-          Map.entry("imagej.session", List.of("imagej.annotation", "imagej.dialog", "realtime")),
+          Map.entry(
+              "imagej.session",
+              List.of("host.placing", "imagej.annotation", "imagej.dialog", "realtime")),
           Map.entry("imagej.stack", List.of("host", "io")),
           Map.entry(
               "io",
@@ -190,7 +194,7 @@ class ArchitectureTest {
           Map.entry("io.raw", List.of("io.format")),
           Map.entry("io.table", List.of("body", "edit", "elastic", "io.file")),
           Map.entry("io.resample", List.of("io")),
-          Map.entry("io.scene", List.of("body", "io", "io.table")),
+          Map.entry("io.scene", List.of("body", "io", "io.mesh", "io.table")),
           Map.entry("io.tiff", List.of("io.codec", "io.format")),
           Map.entry("io.volume", List.of("io.file", "volume")),
           Map.entry("loop", List.of("frame")),

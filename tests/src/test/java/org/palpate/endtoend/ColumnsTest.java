@@ -135,6 +135,14 @@ class ColumnsTest {
     Set<String> keys =
         keys(report, moved, common, "Reports of bodies that move", "Reports of a tool");
     keys.addAll(keys(report, fracture, common, "Reports of fragments", "Reports of `info`"));
+    Path fine = trajectory.resolveSibling("fine.nrrd");
+    Object[] resample = {"info", "--volume", fragments, "--resample", "x2", "--export", fine};
+    CommandRun.of(resample).mustSucceed();
+    Path two = trajectory.resolveSibling("two.json");
+    Files.writeString(two, Files.readString(scene).replaceFirst("fragments.nrrd", "fine.nrrd"));
+    Object[] replay = {"replay", "--scene", two, "--trajectory", trajectory};
+    String own = "Reports of bodies with grids of their own";
+    keys.addAll(keys(report, replay, common, own, "Reports of a tool"));
     return keys;
   }
 

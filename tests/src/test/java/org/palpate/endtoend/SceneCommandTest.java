@@ -341,16 +341,15 @@ class SceneCommandTest {
   }
 
   @Test
-  void keysThatHaveNoEffectYetAreNamedInANote() throws IOException {
-    String text = Files.readString(scene).replace("\"version\"", "\"device\": {}, \"version\"");
+  void aSimulatedHandNeedsNoMappingAndIgnoresThatOfTheScene() throws IOException {
+    String mapping = "\"device\": {\"scale\": 2, \"axes\": \"view\", \"offset_mm\": [1, 2, 3]}, ";
+    String text = Files.readString(scene).replace("\"version\"", mapping + "\"version\"");
     Path file = Files.writeString(folder.resolve("keys.json"), text);
-    Path trajectory = Files.writeString(folder.resolve("t.csv"), "t_ms,x,y,z\n0,1,2,3\n");
-    String note = "The scene has keys that are not used yet: device.";
-    CommandRun replay = CommandRun.of("replay", "--scene", file, "--trajectory", trajectory);
-    assertTrue(replay.mustSucceed().err().contains(note), replay.err());
-    assertTrue(CommandRun.of("info", "--scene", file).mustSucceed().out().contains(note));
-    CommandRun plain = CommandRun.of("replay", "--scene", scene, "--trajectory", trajectory);
-    assertFalse(plain.mustSucceed().err().contains("not used yet"), plain.err());
+    CommandRun.of("touch", "--scene", file, "--headless", "--seconds", 0.3).mustSucceed();
+    CommandRun axes =
+        CommandRun.of(
+            "touch", "--scene", file, "--headless", "--seconds", 0.3, "--axes", "patient");
+    axes.mustSucceed();
   }
 
   /**
@@ -415,7 +414,7 @@ class SceneCommandTest {
     String refusal =
         CommandRun.of("replay", "--scene", file, "--trajectory", folder.resolve("press.csv"))
             .mustRefuse();
-    assertTrue(refusal.contains("margins are for bodies that are fixed"), refusal);
+    assertTrue(refusal.contains("margins are for bodies of one grid that are fixed"), refusal);
   }
 
   @Test

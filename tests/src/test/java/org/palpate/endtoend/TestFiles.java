@@ -8,6 +8,9 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.ToIntFunction;
 import org.junit.jupiter.api.Assumptions;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+import org.palpate.testing.RandomGeometry;
 
 /** Makes small test files, and finds real scans. */
 final class TestFiles {
@@ -28,12 +31,21 @@ final class TestFiles {
 
   /** Returns the bytes of such a file. */
   static byte[] nrrdBytes(int edge, ToIntFunction<int[]> value) {
+    return nrrdBytes(
+        edge,
+        "space: left-posterior-superior\n"
+            + "space directions: (1,0,0) (0,1,0) (0,0,2)\nspace origin: (-10,-20,30)",
+        value);
+  }
+
+  /** Returns the bytes of an NRRD file, x fastest, whose header places it in a world. */
+  static byte[] nrrdBytes(int edge, String place, ToIntFunction<int[]> value) {
     byte[] header =
         ("NRRD0004\ntype: uint8\ndimension: 3\nsizes: "
                 + (edge + " " + edge + " " + edge)
-                + "\nspace: left-posterior-superior\n"
-                + "space directions: (1,0,0) (0,1,0) (0,0,2)\nspace origin: (-10,-20,30)\n"
-                + "encoding: raw\n\n")
+                + "\n"
+                + place
+                + "\nencoding: raw\n\n")
             .getBytes(StandardCharsets.US_ASCII);
     byte[] bytes = java.util.Arrays.copyOf(header, header.length + edge * edge * edge);
     int at = header.length;
@@ -45,6 +57,27 @@ final class TestFiles {
       }
     }
     return bytes;
+  }
+
+  /** Writes a trajectory of pushes, turns and jumps about a centre, through a span in mm. */
+  static Path toolTrajectory(
+      Path file, SplittableRandom random, int frames, Vec3 centre, double spanMm)
+      throws IOException {
+    StringBuilder text = new StringBuilder("t_ms,x,y,z,qz,qw,qx,qy\n");
+    Vec3 at = new Vec3(0, 0, 0.4 * spanMm);
+    Quaternion q = new Quaternion();
+    Quaternion turn = new Quaternion();
+    for (int frame = 0; frame < frames; frame++) {
+      boolean jumps = frame % 60 == 59;
+      at.add(RandomGeometry.vector(random, jumps ? spanMm / 3 : 0.5), at);
+      at.mul(0.98, at);
+      turn.setRotationVector(RandomGeometry.vector(random, jumps ? 2 : 0.03)).multiply(q, q);
+      q.normalize();
+      text.append(frame).append(',').append(at.x + centre.x).append(',').append(at.y + centre.y);
+      text.append(',').append(at.z + centre.z).append(',').append(q.z).append(',').append(q.w);
+      text.append(',').append(q.x).append(',').append(q.y).append('\n');
+    }
+    return Files.writeString(file, text);
   }
 
   /** Writes a seeded random trajectory through a cube, with some long steps; the edge is in mm. */

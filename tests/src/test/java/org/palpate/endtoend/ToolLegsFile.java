@@ -9,6 +9,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 import org.palpate.raycast.Ray;
@@ -25,6 +28,7 @@ final class ToolLegsFile {
   private static final double TOLERANCE_VOXELS = 1e-9;
 
   private final SegmentedVolume volume;
+  private final List<Pose> poses;
   private final RigidTool tool;
   private final int every;
   private final FilteredOracle oracle = new FilteredOracle();
@@ -37,7 +41,17 @@ final class ToolLegsFile {
   private long releases;
 
   ToolLegsFile(SegmentedVolume volume, RigidTool tool, int every) {
+    this(volume, Collections.nCopies(volume.segments().size(), new Pose()), tool, every);
+  }
+
+  /**
+   * Creates a judge of legs among bodies that stand still.
+   *
+   * @param poses the pose of each body, from rest to present, world mm
+   */
+  ToolLegsFile(SegmentedVolume volume, List<Pose> poses, RigidTool tool, int every) {
     this.volume = volume;
+    this.poses = poses;
     this.tool = tool;
     this.every = every;
     last = new double[volume.segments().size()][tool.count()][];
@@ -79,7 +93,7 @@ final class ToolLegsFile {
     q.set(frame[17], frame[18], frame[19], frame[20]);
     for (int body = 0; body < last.length; body++) {
       for (int point = 0; point < tool.count(); point += every) {
-        position(frame, point);
+        position(frame, body, point);
         double[] at = last[body][point];
         last[body][point] = at == null ? new double[] {p.x, p.y, p.z, Double.NaN} : at;
         String where = "frame " + number + " body " + body + " point " + point;
@@ -88,10 +102,10 @@ final class ToolLegsFile {
     }
   }
 
-  private void position(double[] frame, int point) {
+  private void position(double[] frame, int body, int point) {
     q.rotate(tool.point(point, p), p);
     p.set(p.x + frame[5], p.y + frame[6], p.z + frame[7]);
-    volume.grid().worldToGrid(p, p);
+    volume.grid(body).worldToGrid(poses.get(body).inverseTransform(p, p), p);
   }
 
   private static void assertNear(double[] at, double x, double y, double z, String where) {

@@ -16,7 +16,6 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.label.SegmentBuilder;
@@ -43,31 +42,8 @@ class ToolReplayTest {
     return folder.resolve(name);
   }
 
-  /** Writes a trajectory of pushes, turns and jumps about a centre. */
   private Path trajectory(int frames, Vec3 centre) throws IOException {
-    StringBuilder text = new StringBuilder("t_ms,x,y,z,qz,qw,qx,qy\n");
-    Vec3 at = new Vec3(0, 0, 0.4 * SPAN_MM);
-    Quaternion q = new Quaternion();
-    Quaternion turn = new Quaternion();
-    for (int frame = 0; frame < frames; frame++) {
-      boolean jumps = frame % 60 == 59;
-      double step = jumps ? SPAN_MM / 3 : 0.5;
-      at.add(vector(step), at);
-      at.mul(0.98, at);
-      turn.setRotationVector(vector(jumps ? 2 : 0.03)).multiply(q, q);
-      q.normalize();
-      text.append(frame).append(',').append(at.x + centre.x).append(',').append(at.y + centre.y);
-      text.append(',').append(at.z + centre.z).append(',').append(q.z).append(',').append(q.w);
-      text.append(',').append(q.x).append(',').append(q.y).append('\n');
-    }
-    return Files.writeString(file("t.csv"), text);
-  }
-
-  private Vec3 vector(double size) {
-    return new Vec3(
-        size * random.nextDouble(-1, 1),
-        size * random.nextDouble(-1, 1),
-        size * random.nextDouble(-1, 1));
+    return TestFiles.toolTrajectory(file("t.csv"), random, frames, centre, SPAN_MM);
   }
 
   private CommandRun replay(Object... arguments) {

@@ -7,15 +7,15 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Voxelizes a closed mesh: a voxel is solid if its centre lies in the solid of the mesh or if the
- * surface passes through the voxel. So the voxels contain the whole solid, parts that are thinner
- * than a voxel too.
+ * Voxelizes a closed mesh in one of two ways. For a tool, a voxel is solid if its centre lies in
+ * the solid of the mesh or if the surface passes through the voxel. So the voxels contain the whole
+ * solid, parts that are thinner than a voxel too. For a body, see {@link #voxelizeBody}.
  *
  * <p>The centre lies inside if the winding number of the mesh about it is not 0. It is counted
  * along rays parallel to z. {@link TriangleRay} decides in exact arithmetic which triangles a ray
  * meets, so no ray slips between two triangles and none counts one twice. One thread.
  */
-final class MeshVoxelizer {
+public final class MeshVoxelizer {
   /** Pieces of the surface have edges of at most this, voxel edges. */
   private static final double PIECE_EDGES = 0.3;
 
@@ -41,11 +41,34 @@ final class MeshVoxelizer {
    * @param edgeMm the edge of a voxel, mm
    */
   MeshVoxelizer(TriangleMesh mesh, double edgeMm) {
+    this(mesh, edgeMm, mesh.low());
+  }
+
+  private MeshVoxelizer(TriangleMesh mesh, double edgeMm, Vec3 low) {
     this.mesh = mesh;
     this.edgeMm = edgeMm;
-    Vec3 size = mesh.high().sub(mesh.low(), new Vec3());
-    corner = mesh.low().sub(new Vec3(edgeMm, edgeMm, edgeMm), new Vec3());
+    Vec3 size = mesh.high().sub(low, new Vec3());
+    corner = low.sub(new Vec3(edgeMm, edgeMm, edgeMm), new Vec3());
     bits = new BitCube(voxels(size.x), voxels(size.y), voxels(size.z));
+  }
+
+  /**
+   * Returns a voxelizer whose voxels have their corners at multiples of their edge. Meshes with
+   * disjoint solids then share no voxel by its centre.
+   *
+   * @param edgeMm the edge of a voxel, mm
+   * @throws IllegalArgumentException if the mesh is not closed
+   */
+  public static MeshVoxelizer onMultiples(TriangleMesh mesh, double edgeMm) {
+    if (!mesh.isClosed()) {
+      throw new IllegalArgumentException("the mesh is not closed");
+    }
+    Vec3 low = mesh.low();
+    low.set(
+        Math.floor(low.x / edgeMm) * edgeMm,
+        Math.floor(low.y / edgeMm) * edgeMm,
+        Math.floor(low.z / edgeMm) * edgeMm);
+    return new MeshVoxelizer(mesh, edgeMm, low);
   }
 
   private int voxels(double lengthMm) {
@@ -55,10 +78,48 @@ final class MeshVoxelizer {
   /** Returns the voxels that contain the solid of the mesh. */
   VoxelSolid voxelize() {
     fillInside();
+    fillSurface();
+    return solid();
+  }
+
+  /**
+   * Returns the voxels of a body: those whose centres lie in the solid of the mesh. Where a part is
+   * too thin for that, it also takes the voxels that the surface passes through, so that no part is
+   * lost. No point of the solid lies farther than the diagonal of a voxel from these voxels.
+   */
+  public VoxelSolid voxelizeBody() {
+    fillInside();
+    BitCube inside = bits.copy();
+    fillSurface();
+    VoxelSolid solid = solid();
+    solid.forEachSolid(
+        (i, j, k) -> {
+          if (!inside.get(i, j, k) && hasNear(inside, i, j, k)) {
+            bits.clear(i, j, k);
+          }
+        });
+    return solid;
+  }
+
+  /** Whether one of the 26 voxels around a voxel is solid. */
+  private static boolean hasNear(BitCube solid, int i, int j, int k) {
+    for (int n = 0; n < 27; n++) {
+      if (solid.get(i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Fills the voxels that the surface passes through. */
+  private void fillSurface() {
     PiecewiseSurface pieces = new PiecewiseSurface(PIECE_EDGES * edgeMm);
     for (int n = 0; n < mesh.triangleCount(); n++) {
       pieces.cut(mesh.corner(n, 0, a), mesh.corner(n, 1, b), mesh.corner(n, 2, c), this::fillPiece);
     }
+  }
+
+  private VoxelSolid solid() {
     RigidTransform gridMmToWorld =
         new RigidTransform(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), corner);
     Vec3 spacing = new Vec3(edgeMm, edgeMm, edgeMm);

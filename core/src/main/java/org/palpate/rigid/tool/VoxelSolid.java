@@ -8,12 +8,13 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * A solid of voxels from which a tool is made. The caller keeps the bits and does not change them.
+ * A solid of voxels, of which a tool or a body is made. The caller keeps the bits and does not
+ * change them.
  *
  * @param bits the voxels
  * @param grid their grid, in the world
  */
-record VoxelSolid(BitCube bits, VoxelGrid grid) {
+public record VoxelSolid(BitCube bits, VoxelGrid grid) {
   /** The largest number of parts into which the shortest edge of a voxel is cut. */
   static final int MOST_PARTS = 8;
 

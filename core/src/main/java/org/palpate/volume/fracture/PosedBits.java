@@ -5,6 +5,7 @@ import java.util.List;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
@@ -19,24 +20,94 @@ import org.palpate.volume.VoxelGrid;
  * @param pose the pose, from rest to present, world mm
  */
 public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
+  /** The most voxels of a grid around bodies, unless the grid that it extends has more. */
+  private static final double MOST_VOXELS = 1 << 26;
 
   /**
-   * Returns the segments of a volume at poses, on the same grid; see {@link #resample(List,
+   * Returns the segments of a volume at poses, each on its own grid.
+   *
+   * @param poses the pose of each segment, from rest to present, world mm
+   */
+  public static List<PosedBits> of(SegmentedVolume rest, List<Pose> poses) {
+    List<PosedBits> bodies = new ArrayList<>();
+    for (int n = 0; n < poses.size(); n++) {
+      bodies.add(new PosedBits(rest.segments().get(n).bits(), rest.grid(n), poses.get(n)));
+    }
+    return bodies;
+  }
+
+  /**
+   * Returns the segments of a volume at poses, all on one grid; see {@link #resample(List,
    * VoxelGrid)}.
    *
    * @param poses the pose of each segment, from rest to present, world mm
    */
-  public static SegmentedVolume resample(SegmentedVolume rest, List<Pose> poses) {
-    List<PosedBits> bodies = new ArrayList<>();
-    for (int n = 0; n < poses.size(); n++) {
-      bodies.add(new PosedBits(rest.segments().get(n).bits(), rest.grid(), poses.get(n)));
-    }
-    List<BitCube> cubes = resample(bodies, rest.grid());
+  public static SegmentedVolume resample(SegmentedVolume rest, List<Pose> poses, VoxelGrid target) {
+    List<BitCube> cubes = resample(of(rest, poses), target);
     List<Segment> segments = new ArrayList<>();
     for (Segment segment : rest.segments()) {
       segments.add(new Segment(segment.name(), cubes.get(segments.size()), segment.rgb()));
     }
-    return new SegmentedVolume(rest.grid(), segments);
+    return new SegmentedVolume(target, segments);
+  }
+
+  /**
+   * Returns a grid that holds the centres of all voxels of the bodies. It is the given one if that
+   * does. Otherwise it has the same axes and more voxels, which are larger if there were too many.
+   */
+  public static VoxelGrid gridAround(List<PosedBits> bodies, VoxelGrid like) {
+    if (bodies.stream().allMatch(body -> body.voxelsOutside(like) == 0)) {
+      return like;
+    }
+    Vec3 low = new Vec3();
+    Vec3 high = new Vec3(like.sizeX(), like.sizeY(), like.sizeZ());
+    bodies.forEach(body -> body.include(like, low, high));
+    low.set(Math.floor(low.x), Math.floor(low.y), Math.floor(low.z));
+    Vec3 size = high.sub(low, new Vec3());
+    double scale = 1;
+    while (voxels(size, scale) > Math.max(MOST_VOXELS, (double) like.voxelCount())) {
+      scale *= 2;
+    }
+    RigidTransform axes = like.gridMmToWorld();
+    return new VoxelGrid(
+        (int) Math.ceil(size.x / scale),
+        (int) Math.ceil(size.y / scale),
+        (int) Math.ceil(size.z / scale),
+        like.spacingMm().mul(scale, new Vec3()),
+        new RigidTransform(
+            axes.axisX(), axes.axisY(), axes.axisZ(), like.gridToWorld(low, new Vec3())));
+  }
+
+  private static double voxels(Vec3 size, double scale) {
+    return Math.ceil(size.x / scale) * Math.ceil(size.y / scale) * Math.ceil(size.z / scale);
+  }
+
+  /** Returns the number of voxels whose centres lie outside a grid. */
+  public long voxelsOutside(VoxelGrid target) {
+    AffineMap toTarget = new PosedBits(bits, target, new Pose()).gridFrom(grid, pose);
+    IntBox box = bits.bounds();
+    Vec3 p = new Vec3();
+    long outside = 0;
+    for (int k = box.lowZ; k <= box.highZ; k++) {
+      for (int j = box.lowY; j <= box.highY; j++) {
+        for (int i = box.lowX; i <= box.highX; i++) {
+          toTarget.transform(p.set(i + 0.5, j + 0.5, k + 0.5), p);
+          if (bits.get(i, j, k) && !isInside(p, target)) {
+            outside++;
+          }
+        }
+      }
+    }
+    return outside;
+  }
+
+  private static boolean isInside(Vec3 p, VoxelGrid target) {
+    return p.x >= 0
+        && p.x < target.sizeX()
+        && p.y >= 0
+        && p.y < target.sizeY()
+        && p.z >= 0
+        && p.z < target.sizeZ();
   }
 
   /**
@@ -80,8 +151,21 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
     }
     Vec3 low = new Vec3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
     Vec3 high = new Vec3(-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE);
+    include(target, low, high);
+    box.lowX = clamped(low.x - 1, target.sizeX());
+    box.lowY = clamped(low.y - 1, target.sizeY());
+    box.lowZ = clamped(low.z - 1, target.sizeZ());
+    box.highX = clamped(high.x + 1, target.sizeX());
+    box.highY = clamped(high.y + 1, target.sizeY());
+    box.highZ = clamped(high.z + 1, target.sizeZ());
+    return box;
+  }
+
+  /** Extends a box in coordinates of a grid so that it holds the voxels of this body. */
+  private void include(VoxelGrid target, Vec3 low, Vec3 high) {
+    IntBox solid = bits.bounds();
     Vec3 p = new Vec3();
-    for (int corner = 0; corner < 8; corner++) {
+    for (int corner = 0; corner < 8 && !solid.isEmpty(); corner++) {
       p.set(
           (corner & 1) == 0 ? solid.lowX : solid.highX + 1.0,
           (corner & 2) == 0 ? solid.lowY : solid.highY + 1.0,
@@ -92,13 +176,6 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
         high.set(axis, Math.max(high.get(axis), p.get(axis)));
       }
     }
-    box.lowX = clamped(low.x - 1, target.sizeX());
-    box.lowY = clamped(low.y - 1, target.sizeY());
-    box.lowZ = clamped(low.z - 1, target.sizeZ());
-    box.highX = clamped(high.x + 1, target.sizeX());
-    box.highY = clamped(high.y + 1, target.sizeY());
-    box.highZ = clamped(high.z + 1, target.sizeZ());
-    return box;
   }
 
   private static int clamped(double coordinate, int size) {

@@ -123,10 +123,7 @@ class MeshVoxelizerTest {
   @Test
   void theVoxelsContainTheWholeSolidHoweverThin() {
     for (int round = 0; round < 10; round++) {
-      Quaternion turn = new Quaternion();
-      turn.setRotationVector(RandomGeometry.vector(random, 3));
-      TriangleMesh blade =
-          TestMeshes.turned(TestMeshes.box(8, 3, 0.05), turn, RandomGeometry.vector(random, 5));
+      TriangleMesh blade = blade();
       RigidTool tool = ToolSampler.ofClosedMesh(blade, 0.7, 0);
       Vec3 reference = tool.referenceMm(new Vec3());
       for (int n = 0; n < 2000; n++) {
@@ -135,6 +132,73 @@ class MeshVoxelizerTest {
         assertTrue(tool.solid().contains(p.x, p.y, p.z), "at " + p);
       }
     }
+  }
+
+  @Test
+  void aBodyTakesTheVoxelsWhoseCentresLieInsideAndLosesNoThinPart() {
+    for (int round = 0; round < 30; round++) {
+      TriangleMesh mesh = round % 5 == 4 ? blade() : randomMesh(round);
+      double edge = random.nextDouble(0.4, 0.9);
+      VoxelSolid body = MeshVoxelizer.onMultiples(mesh, edge).voxelizeBody();
+      MeshVoxelizer centres = MeshVoxelizer.onMultiples(mesh, edge);
+      centres.fillInside();
+      BitCube whole = MeshVoxelizer.onMultiples(mesh, edge).voxelize().bits();
+      Vec3 corner = body.grid().gridToWorld(new Vec3(), new Vec3());
+      assertEquals(0, Math.IEEEremainder(corner.x, edge), 1e-9);
+      BitCube bits = body.bits();
+      for (int n = 0; n < bits.sizeX() * bits.sizeY() * bits.sizeZ(); n++) {
+        int i = n % bits.sizeX();
+        int j = n / bits.sizeX() % bits.sizeY();
+        int k = n / bits.sizeX() / bits.sizeY();
+        Vec3 centre = body.grid().gridToWorld(new Vec3(i + 0.5, j + 0.5, k + 0.5), new Vec3());
+        boolean inside = windingNumber(mesh, centre) != 0;
+        boolean alone = !anyAround(centres.bits(), i, j, k);
+        assertEquals(inside || (alone && whole.get(i, j, k)), bits.get(i, j, k), "at " + centre);
+      }
+      assertTrue(bits.solidCount() > 5);
+    }
+  }
+
+  private static boolean anyAround(BitCube bits, int i, int j, int k) {
+    boolean found = false;
+    for (int dz = -1; dz <= 1; dz++) {
+      for (int dy = -1; dy <= 1; dy++) {
+        for (int dx = -1; dx <= 1; dx++) {
+          found |= bits.get(i + dx, j + dy, k + dz);
+        }
+      }
+    }
+    return found;
+  }
+
+  private TriangleMesh blade() {
+    Quaternion turn = new Quaternion();
+    turn.setRotationVector(RandomGeometry.vector(random, 3));
+    return TestMeshes.turned(TestMeshes.box(8, 3, 0.05), turn, RandomGeometry.vector(random, 5));
+  }
+
+  @Test
+  void halvesOfABoxThatShareAFaceShareNoVoxel() {
+    double edge = 0.7;
+    TriangleMesh left = TestMeshes.box(4, 3, 5);
+    TriangleMesh right = TestMeshes.turned(left, new Quaternion(), new Vec3(4, 0, 0));
+    VoxelSolid one = MeshVoxelizer.onMultiples(left, edge).voxelizeBody();
+    VoxelSolid other = MeshVoxelizer.onMultiples(right, edge).voxelizeBody();
+    Vec3 p = new Vec3();
+    one.forEachSolid(
+        (i, j, k) -> {
+          one.grid().gridToWorld(p.set(i + 0.5, j + 0.5, k + 0.5), p);
+          other.grid().worldToGrid(p, p);
+          assertEquals(
+              false,
+              other
+                  .bits()
+                  .get((int) Math.floor(p.x), (int) Math.floor(p.y), (int) Math.floor(p.z)));
+        });
+    TriangleMesh both = TestMeshes.box(8, 3, 5);
+    assertEquals(
+        MeshVoxelizer.onMultiples(both, edge).voxelizeBody().bits().solidCount(),
+        one.bits().solidCount() + other.bits().solidCount());
   }
 
   /** Returns a random point of a box that may be turned: the first vertex and three edges. */

@@ -1,6 +1,8 @@
 package org.palpate.volume.fracture;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -19,12 +21,11 @@ class PosedBitsTest {
 
   @Test
   void agreesWithAskingEveryBodyAboutEveryVoxelCentre() {
-    VoxelGrid grid = new VoxelGrid(12, 9, 7, new Vec3(1, 0.8, 1.7), RigidTransform.identity());
     VoxelGrid target = VoxelGrid.ofUnitVoxels(16, 14, 18);
     for (int round = 0; round < 20; round++) {
       List<PosedBits> bodies = new ArrayList<>();
       for (int n = 0; n < 3; n++) {
-        bodies.add(new PosedBits(scattered(12, 9, 7), grid, pose()));
+        bodies.add(body(n));
       }
       List<BitCube> found = PosedBits.resample(bodies, target);
       for (int v = 0; v < 16 * 14 * 18; v++) {
@@ -37,6 +38,76 @@ class PosedBitsTest {
         }
       }
     }
+  }
+
+  /** Returns a body on a grid of its own. */
+  private PosedBits body(int n) {
+    Vec3 spacing = new Vec3(1 + 0.3 * n, 0.8, 1.7 - 0.2 * n);
+    RigidTransform axes =
+        n < 2
+            ? RigidTransform.identity()
+            : new RigidTransform(
+                new Vec3(0.8, 0.6, 0),
+                new Vec3(0.6, -0.8, 0),
+                new Vec3(0, 0, 1),
+                new Vec3(1, 2, 3));
+    return new PosedBits(scattered(12, 9, 7), new VoxelGrid(12, 9, 7, spacing, axes), pose());
+  }
+
+  @Test
+  void aGridAroundBodiesHoldsTheCentresOfAllVoxels() {
+    RigidTransform axes =
+        new RigidTransform(
+            new Vec3(0, 1, 0), new Vec3(-0.6, 0, 0.8), new Vec3(0.8, 0, 0.6), new Vec3(4, -3, 2));
+    VoxelGrid like = new VoxelGrid(10, 11, 12, new Vec3(1.5, 0.5, 1), axes);
+    for (int round = 0; round < 20; round++) {
+      List<PosedBits> bodies = List.of(body(0), body(1), body(2));
+      VoxelGrid around = PosedBits.gridAround(bodies, like);
+      long outside = 0;
+      for (PosedBits body : bodies) {
+        assertEquals(0, body.voxelsOutside(around));
+        outside += body.voxelsOutside(like);
+        assertEquals(outside(body, like), body.voxelsOutside(like));
+      }
+      if (outside == 0) {
+        assertSame(like, around);
+      }
+      Vec3 corner = around.worldToGrid(like.gridToWorld(new Vec3(), new Vec3()), new Vec3());
+      for (int axis = 0; axis < 3; axis++) {
+        assertEquals(Math.rint(corner.get(axis)), corner.get(axis), 1e-9, "voxels lie on voxels");
+        assertTrue(corner.get(axis) > -1e-9);
+      }
+      assertSame(around, PosedBits.gridAround(bodies, around));
+    }
+  }
+
+  /** Counts the voxels of a body whose centres lie outside a grid, one by one. */
+  private static long outside(PosedBits body, VoxelGrid grid) {
+    long outside = 0;
+    for (int v = 0; v < 12 * 9 * 7; v++) {
+      int k = v / 108;
+      Vec3 p = new Vec3(v % 12 + 0.5, v / 12 % 9 + 0.5, k + 0.5);
+      if (body.bits().get((int) p.x, (int) p.y, (int) p.z)) {
+        body.pose().transform(body.grid().gridToWorld(p, p), p);
+        grid.worldToGrid(p, p);
+        outside +=
+            grid.contains((int) Math.floor(p.x), (int) Math.floor(p.y), (int) Math.floor(p.z))
+                ? 0
+                : 1;
+      }
+    }
+    return outside;
+  }
+
+  @Test
+  void aGridAroundBodiesThatLieFarApartHasLargerVoxels() {
+    PosedBits near = body(0);
+    Pose far = new Pose();
+    far.translation.set(1e5, -2e5, 3e5);
+    PosedBits other = new PosedBits(near.bits(), near.grid(), far);
+    VoxelGrid around = PosedBits.gridAround(List.of(near, other), near.grid());
+    assertTrue(around.voxelCount() <= 1 << 26);
+    assertEquals(0, near.voxelsOutside(around) + other.voxelsOutside(around));
   }
 
   private static int nearestBody(List<PosedBits> bodies, VoxelGrid target, int i, int j, int k) {
@@ -72,7 +143,7 @@ class PosedBitsTest {
                 List.of(new PosedBits(phantom.bone(), phantom.grid(), pose)), phantom.grid())
             .get(0);
     long sum =
-        PosedBits.resample(fragments.segments(), List.of(pose, pose, pose, pose))
+        PosedBits.resample(fragments.segments(), List.of(pose, pose, pose, pose), fragments.grid())
             .segments()
             .stream()
             .mapToLong(segment -> segment.bits().solidCount())

@@ -25,7 +25,8 @@ import org.palpate.volume.SegmentedVolume;
 
 /**
  * Writes bodies as a label volume, and their poses as a scene file or as transforms. If poses are
- * written, the volume holds the bodies at rest; otherwise it holds them at their present poses.
+ * written, the volume holds the bodies at rest, and the scene file names it. Otherwise it holds
+ * them at their present poses, as it always does if they have grids of their own.
  */
 final class FragmentExport {
   private final Path labels;
@@ -36,7 +37,7 @@ final class FragmentExport {
    * Creates an export.
    *
    * @param labels the label volume, or null if none is written
-   * @param scene the scene file, which names the label volume
+   * @param scene the scene file, which names the label volume, or the files of the bodies
    * @param transforms the folder of the transform files
    */
   FragmentExport(Path labels, Optional<Path> scene, Optional<Path> transforms) {
@@ -54,10 +55,11 @@ final class FragmentExport {
    * Checks the targets before any work is done.
    *
    * @param inputs files that must not be replaced
+   * @param haveFiles whether the bodies come from files that a scene can name
    * @return the files whose names are known already
    */
-  List<Path> checked(List<Path> inputs) {
-    if (scene.isPresent() && labels == null) {
+  List<Path> checked(List<Path> inputs, boolean haveFiles) {
+    if (scene.isPresent() && labels == null && !haveFiles) {
       throw PalpateException.wrongUse(
           "the bodies of the scene have no volume",
           "--save-scene " + scene.get(),
@@ -65,6 +67,26 @@ final class FragmentExport {
     }
     transforms.ifPresent(folder -> OutputPaths.checkedFolder("--save-transforms", folder));
     return scene.map(file -> OutputPaths.checked("--save-scene", file, inputs)).stream().toList();
+  }
+
+  /**
+   * Refuses a scene file that would name files without the cuts of a session.
+   *
+   * @throws PalpateException exit code 2, if the cut voxels would not be in a volume at rest
+   */
+  void requireCutVoxels(PlacedVolume bodies) {
+    if (scene.isPresent() && !writesRest(bodies)) {
+      throw PalpateException.wrongUse(
+          "the saved scene would name files without the cuts",
+          "--save-scene " + scene.get(),
+          bodies.rest().hasOneGrid()
+              ? "add --export FILE"
+              : "leave it out, or take all bodies from one volume");
+    }
+  }
+
+  private boolean writesRest(PlacedVolume bodies) {
+    return labels != null && writesPoses() && bodies.rest().hasOneGrid();
   }
 
   /** Writes everything that was asked for, and returns a line for each file or folder. */
@@ -80,9 +102,12 @@ final class FragmentExport {
   List<String> write(PlacedVolume bodies, Map<String, ElasticMaterial> elastic) throws IOException {
     List<String> lines = new ArrayList<>();
     if (labels != null) {
-      SegmentedVolume written = writesPoses() ? bodies.rest() : bodies.present();
+      SegmentedVolume written = writesRest(bodies) ? bodies.rest() : bodies.present();
       String format = VolumeWriter.write(new SegmentsAsLabels(written, bodies.world()), labels);
       lines.add(format + ": " + labels);
+      if (!writesRest(bodies)) {
+        lines.addAll(bodies.cutOff());
+      }
     }
     if (scene.isPresent()) {
       writeScene(bodies, elastic, scene.get());
@@ -102,28 +127,47 @@ final class FragmentExport {
   }
 
   private void writeScene(PlacedVolume bodies, Map<String, ElasticMaterial> elastic, Path file) {
-    Path folder = file.toAbsolutePath().normalize().getParent();
-    Path volume = folder.relativize(labels.toAbsolutePath().normalize());
-    List<SceneBody> written = new ArrayList<>();
-    for (Segment segment : bodies.rest().segments()) {
-      Placement placement = bodies.placements().get(written.size());
-      SceneBody body =
-          SceneBody.ofVolume(
-              segment.name(),
-              volume.toString().replace('\\', '/'),
-              "label:" + (written.size() + 1),
-              placement.mobility(),
-              placement.pose());
-      ElasticMaterial material = elastic.get(segment.name());
-      written.add(
-          material == null ? body : body.elastic(material.youngPascal(), material.poisson()));
-    }
     try (AtomicFile target = new AtomicFile(file)) {
-      SceneWriter.write(SceneFile.ofBodies(written), target.stream());
+      SceneWriter.write(withElasticity(written(bodies, file), elastic), target.stream());
       target.commit();
     } catch (IOException e) {
       throw OutputPaths.failed(file, e);
     }
+  }
+
+  private static SceneFile withElasticity(SceneFile scene, Map<String, ElasticMaterial> elastic) {
+    List<SceneBody> bodies = new ArrayList<>();
+    for (SceneBody body : scene.bodies()) {
+      ElasticMaterial material = elastic.get(body.name());
+      bodies.add(
+          material == null ? body : body.elastic(material.youngPascal(), material.poisson()));
+    }
+    return scene.with(bodies, scene.tool());
+  }
+
+  private SceneFile written(PlacedVolume bodies, Path file) {
+    if (!writesRest(bodies)) {
+      return bodies.origin().orElseThrow().at(bodies.poses(), file);
+    }
+    Path folder = file.toAbsolutePath().normalize().getParent();
+    Path relative = folder.relativize(labels.toAbsolutePath().normalize());
+    String volume = relative.toString().replace('\\', '/');
+    return bodies
+        .origin()
+        .map(opened -> opened.asLabels(bodies.poses(), volume, file))
+        .orElseGet(() -> SceneFile.ofBodies(fragments(bodies, volume)));
+  }
+
+  private static List<SceneBody> fragments(PlacedVolume bodies, String volume) {
+    List<SceneBody> written = new ArrayList<>();
+    for (Segment segment : bodies.rest().segments()) {
+      Placement placement = bodies.placements().get(written.size());
+      String label = "label:" + (written.size() + 1);
+      written.add(
+          SceneBody.ofVolume(
+              segment.name(), volume, label, placement.mobility(), placement.pose()));
+    }
+    return written;
   }
 
   private static void writeTransforms(PlacedVolume bodies, Path folder) {

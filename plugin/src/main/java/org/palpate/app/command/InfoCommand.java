@@ -94,6 +94,7 @@ public final class InfoCommand implements Callable<Integer> {
     ValueStatistics.Summary found = statistics.summary();
     printValues(found);
     List<Segment> segments = segments(source, found);
+    source.placed().ifPresent(bodies -> printOwnGrids(bodies.rest()));
     printSegments(segments);
     Optional<FractureReport> readings = source.placed().map(FractureReport::new);
     readings.ifPresent(read -> read.lines().forEach(words -> line("reading", words)));
@@ -135,7 +136,8 @@ public final class InfoCommand implements Callable<Integer> {
           source.name(),
           "add --fracture or --split, or choose --scene or --phantom fracture");
     }
-    List<Path> targets = new ArrayList<>(fragmentExport().checked(source.files()));
+    boolean haveFiles = source.isScene() && !fragments.isWanted();
+    List<Path> targets = new ArrayList<>(fragmentExport().checked(source.files(), haveFiles));
     if (export != null) {
       OutputPaths.checked("--export", export, source.files());
       VolumeWriter.checkName(export);
@@ -230,6 +232,27 @@ public final class InfoCommand implements Callable<Integer> {
               segment.name(),
               segment.bits().solidCount(),
               segment.bits().bounds()));
+    }
+  }
+
+  /** Prints the grid of each body that has one of its own. */
+  private void printOwnGrids(SegmentedVolume bodies) {
+    for (int n = 0; n < bodies.segments().size(); n++) {
+      VoxelGrid own = bodies.grid(n);
+      if (!own.equals(bodies.grid())) {
+        Vec3 spacing = own.spacingMm();
+        line(
+            "own grid",
+            String.format(
+                Locale.ROOT,
+                "%s: %d x %d x %d voxels of %s mm, %,d of them solid",
+                bodies.segments().get(n).name(),
+                own.sizeX(),
+                own.sizeY(),
+                own.sizeZ(),
+                triple(spacing.x, spacing.y, spacing.z),
+                bodies.segments().get(n).bits().solidCount()));
+      }
     }
   }
 

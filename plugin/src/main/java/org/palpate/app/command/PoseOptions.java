@@ -14,7 +14,8 @@ final class PoseOptions {
       description = {
         "Writes a scene file: the bodies of --scene or --phantom fracture where they stand at the"
             + " end, segments with their elasticity, or the fragments of --fracture, displaced."
-            + " --export then writes their voxels at rest."
+            + " With --export it names that file, which then holds their voxels at rest, unless"
+            + " they have several grids."
       })
   private Path savedScene;
 

@@ -26,6 +26,7 @@ import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VirtualDisplay;
 import org.palpate.body.Placement;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
@@ -211,7 +212,7 @@ public final class RenderCommand implements Callable<Integer> {
     List<Path> inputs = new ArrayList<>(source.files());
     Optional.ofNullable(trajectory).ifPresent(inputs::add);
     if (tool.isRigid() && trajectory != null) {
-      made = Optional.of(tool.make(source.header()));
+      made = Optional.of(tool.make(source));
       inputs.addAll(made.get().files());
     }
     OutputPaths.checked("--out", outFile, inputs);
@@ -248,7 +249,7 @@ public final class RenderCommand implements Callable<Integer> {
       if (surfaceOnly) {
         export
             .write(
-                placed(loader.weldedSurfaces(), source, segments.grid()),
+                placed(loader.weldedSurfaces(), source, segments),
                 segments,
                 source.header().coordinateSystem())
             .forEach(spec.commandLine().getOut()::println);
@@ -268,12 +269,14 @@ public final class RenderCommand implements Callable<Integer> {
     }
   }
 
-  /** Returns the surfaces where the bodies stand, still in millimetres of the grid at rest. */
+  /** Returns the surfaces where the bodies stand, in millimetres of the volume's grid. */
   private static List<WeldedSurface> placed(
-      List<WeldedSurface> surfaces, VolumeSource source, VoxelGrid grid) {
+      List<WeldedSurface> surfaces, VolumeSource source, SegmentedVolume rest) {
+    RigidTransform gridMmToWorld = rest.grid().gridMmToWorld();
     List<WeldedSurface> placed = new ArrayList<>(surfaces);
     for (int n = 0; n < source.placements().size(); n++) {
-      placed.set(n, surfaces.get(n).moved(source.placements().get(n).pose(), grid.gridMmToWorld()));
+      Pose pose = source.placements().get(n).pose();
+      placed.set(n, surfaces.get(n).moved(pose, rest.grid(n).gridMmToWorld(), gridMmToWorld));
     }
     return placed;
   }

@@ -267,7 +267,7 @@ public final class ReplayCommand implements Callable<Integer> {
       putTime(new ReplayTiming(scene, trajectory, world).run(repeat), report);
     }
     ProtectedFields.put(report, scene, frame -> trajectory.timeMs((int) frame) / MS_PER_SECOND);
-    finish(report, edited);
+    finish(report, edited, segments);
     return failures.exitCode();
   }
 
@@ -310,7 +310,7 @@ public final class ReplayCommand implements Callable<Integer> {
     checkToolOptions();
     ToolTables.LegSelection selection = ToolTables.LegSelection.parse(legsEvery, legsFrames);
     VolumeSource source = VolumeSource.open(volume);
-    MadeTool made = tool.make(source.header());
+    MadeTool made = tool.make(source);
     List<Path> inputs = new ArrayList<>(source.files());
     addTables(inputs);
     inputs.addAll(made.files());
@@ -349,8 +349,8 @@ public final class ReplayCommand implements Callable<Integer> {
       report.put("collision_device", device.fields());
       ProtectedFields.put(
           report, scene.contactScene(), frame -> trajectory.timeMs((int) frame) / MS_PER_SECOND);
+      finish(report, edited, segments.hasOneGrid() ? segments : scene.present());
     }
-    finish(report, edited);
     return failures.exitCode();
   }
 
@@ -381,7 +381,7 @@ public final class ReplayCommand implements Callable<Integer> {
     return editsFile == null
         ? EditSchedule.NONE
         : EditsCsv.read(
-            editsFile, segments.segments().stream().map(Segment::name).toList(), segments.grid());
+            editsFile, segments.segments().stream().map(Segment::name).toList(), segments.grids());
   }
 
   /** The sample points of a body that moves cover only the voxels that it has at the start. */
@@ -402,11 +402,11 @@ public final class ReplayCommand implements Callable<Integer> {
     return contact.cuts() || editsFile != null;
   }
 
-  private void finish(Report report, EditedVolume edited) {
+  private void finish(Report report, EditedVolume edited, SegmentedVolume left) {
     if (changesVoxels()) {
       report.put("carved", edited.carvedMm3()).put("added", edited.addedMm3());
     }
-    edited.write(failures);
+    edited.write(left, failures);
     report.write();
   }
 

@@ -3,15 +3,13 @@ package org.palpate.app.command;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.io.file.AtomicFile;
-import org.palpate.io.scene.SceneBody;
-import org.palpate.io.scene.SceneFile;
+import org.palpate.io.scene.OpenedScene;
 import org.palpate.io.scene.SceneReader;
 import org.palpate.io.scene.SceneWriter;
 import org.palpate.io.volume.VolumeFormatException;
@@ -25,8 +23,7 @@ final class SceneAutosave {
   /** The time between two saves, if a body has moved meanwhile. */
   static final long PERIOD_NANOS = 10_000_000_000L;
 
-  private final SceneFile scene;
-  private final Path sceneFile;
+  private final OpenedScene scene;
   private final Path target;
   private final Supplier<List<RigidTransform>> poses;
   private List<RigidTransform> saved = List.of();
@@ -36,19 +33,13 @@ final class SceneAutosave {
    * Prepares to save; the first save comes after a period.
    *
    * @param scene the scene of the session
-   * @param sceneFile its file, to which the names of volumes are relative
    * @param target the file to write
    * @param poses gives the present pose of each body, from rest to present, world mm
    * @param nowNanos the present time
    */
   SceneAutosave(
-      SceneFile scene,
-      Path sceneFile,
-      Path target,
-      Supplier<List<RigidTransform>> poses,
-      long nowNanos) {
+      OpenedScene scene, Path target, Supplier<List<RigidTransform>> poses, long nowNanos) {
     this.scene = scene;
-    this.sceneFile = sceneFile;
     this.target = target;
     this.poses = poses;
     lastNanos = nowNanos;
@@ -74,8 +65,7 @@ final class SceneAutosave {
     }
     return Optional.of(
         new SceneAutosave(
-            SceneReader.read(scene.get()),
-            scene.get(),
+            new OpenedScene(SceneReader.read(scene.get()), scene.get()),
             beside(end.get(), number),
             poses,
             System.nanoTime()));
@@ -112,7 +102,8 @@ final class SceneAutosave {
     List<RigidTransform> present = poses.get();
     if (!isSaved(present)) {
       try (AtomicFile file = new AtomicFile(target)) {
-        SceneWriter.write(present(present), file.stream());
+        List<Pose> restToPresent = present.stream().map(pose -> new Pose().set(pose)).toList();
+        SceneWriter.write(scene.at(restToPresent, target), file.stream());
         file.commit();
       }
       saved = present;
@@ -125,24 +116,6 @@ final class SceneAutosave {
       same = present.get(n).sameBits(saved.get(n));
     }
     return same;
-  }
-
-  private SceneFile present(List<RigidTransform> present) {
-    List<SceneBody> bodies = new ArrayList<>();
-    for (SceneBody body : scene.bodies()) {
-      Pose pose = new Pose().set(present.get(bodies.size()));
-      bodies.add(body.at(seenFromTarget(body.source()), pose));
-    }
-    return scene.with(
-        bodies,
-        scene.tool().map(tool -> tool.isFile() ? tool.with(seenFromTarget(tool.spec())) : tool));
-  }
-
-  /** Returns the name of a file, which is relative to the scene file, relative to the target. */
-  private String seenFromTarget(String name) {
-    Path file = sceneFile.toAbsolutePath().resolveSibling(name).normalize();
-    Path folder = target.toAbsolutePath().normalize().getParent();
-    return folder.relativize(file).toString().replace('\\', '/');
   }
 
   /**

@@ -18,6 +18,7 @@ import org.palpate.app.options.DeviceChoice;
 import org.palpate.app.options.ElasticOptions;
 import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.LinkOptions;
+import org.palpate.app.options.MappingOptions;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
@@ -48,7 +49,6 @@ import org.palpate.host.TouchSession;
 import org.palpate.host.ViewOptions;
 import org.palpate.host.placing.FaceFitting;
 import org.palpate.io.scene.PlacedVolume;
-import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopSettings;
@@ -101,6 +101,7 @@ public final class TouchCommand implements Callable<Integer> {
   @Mixin private FeelOptions feel;
   @Mixin private BrushOptions brushOptions;
   @Mixin private CollisionDeviceOptions collisionDevice;
+  @Mixin private MappingOptions mapping;
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
@@ -118,25 +119,6 @@ public final class TouchCommand implements Callable<Integer> {
         "Default: ${DEFAULT-VALUE}."
       })
   private String device;
-
-  @Option(
-      names = "--fit-each-axis",
-      description = {
-        "Stretches the workspace of a real device over the segments along each axis separately;"
-            + " shapes then lose their proportions."
-      })
-  private boolean fitEachAxis;
-
-  @Option(
-      names = "--axes",
-      paramLabel = "patient|view",
-      defaultValue = "patient",
-      description = {
-        "What the hand's right, up and towards are with a real device: patient (the person faces"
-            + " the patient) or view (those of the picture, also after the view was turned).",
-        "Default: ${DEFAULT-VALUE}."
-      })
-  private DeviceAxes axes;
 
   @Option(
       names = "--rate",
@@ -170,12 +152,6 @@ public final class TouchCommand implements Callable<Integer> {
               + " --collision-device opencl it also measures when that device pays.")
   private boolean explain;
 
-  /** The axes of a real device. */
-  enum DeviceAxes {
-    PATIENT,
-    VIEW
-  }
-
   private PrintWriter out;
   private Optional<SessionLink> link = Optional.empty();
   private WriteFailures failures;
@@ -195,6 +171,7 @@ public final class TouchCommand implements Callable<Integer> {
     failures = new WriteFailures(spec.commandLine().getErr());
     RATE.check(rateHz);
     NumberRange.seconds().checkGiven(seconds);
+    mapping.takeFrom(volume);
     checkOptionCombination();
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
@@ -258,18 +235,21 @@ public final class TouchCommand implements Callable<Integer> {
 
   private int touchOnce(VolumeSource source) throws IOException {
     ContactSettings settings = contact.settings();
-    DeviceChoice choice = choice(source);
+    DeviceChoice choice =
+        mapping.applyTo(DeviceChoice.parse(device), source.header().coordinateSystem());
     List<Path> inputs = new ArrayList<>(source.files());
     inputs.addAll(choice.files());
     inputs.addAll(feel.files());
-    Optional<MadeTool> made =
-        tool.isRigid() ? Optional.of(tool.make(source.header())) : Optional.empty();
+    Optional<MadeTool> made = tool.isRigid() ? Optional.of(tool.make(source)) : Optional.empty();
     made.ifPresent(each -> inputs.addAll(each.files()));
     Report report = new Report("touch", output.report(), inputs);
     List<Path> recorded = SessionRecording.checked(record.file(), inputs);
     Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
     FragmentExport bodies = savedPoses.export(exportFile, source, elastic.isWanted());
-    List<Path> targets = new ArrayList<>(bodies.checked(inputs));
+    List<Path> targets = new ArrayList<>(bodies.checked(inputs, source.isScene()));
+    if (changesVoxels()) {
+      source.placed().ifPresent(bodies::requireCutVoxels);
+    }
     export.ifPresent(targets::add);
     output.report().ifPresent(targets::add);
     targets.addAll(recorded);
@@ -330,17 +310,6 @@ public final class TouchCommand implements Callable<Integer> {
     }
   }
 
-  private DeviceChoice choice(VolumeSource source) {
-    boolean ofView = axes == DeviceAxes.VIEW;
-    if (ofView && source.header().coordinateSystem() == CoordinateSystem.LAS) {
-      throw PalpateException.wrongUse(
-          "the file's axes are left-handed, so the picture has none for a hand",
-          "--axes view",
-          "leave it out");
-    }
-    return DeviceChoice.parse(device).withFit(fitEachAxis, ofView);
-  }
-
   /** Opens the device; the mouse may take a simulated hand over if there is a window. */
   private HapticDevice open(
       DeviceChoice choice,
@@ -350,7 +319,8 @@ public final class TouchCommand implements Callable<Integer> {
       long periodNanos)
       throws IOException {
     HapticDevice opened =
-        choice.device().isSimulated() && volume.isBrokenPhantom() && source.placed().isPresent()
+        choice.device().isSimulated()
+                && source.placed().filter(PlacedVolume::isDisplaced).isPresent()
             ? scene.reducingHand(choice.device().seed(), periodNanos)
             : choice.open(target, source.header().coordinateSystem(), periodNanos, tool.isRigid());
     return hasWindow() && choice.device().isSimulated()
@@ -363,7 +333,7 @@ public final class TouchCommand implements Callable<Integer> {
     surface.check();
     WindowNeeds needs = new WindowNeeds(headless);
     needs.check(spec.commandLine().getParseResult());
-    needs.check("--axes view", axes == DeviceAxes.VIEW);
+    needs.check("--axes view", mapping.asksForView());
     needs.check("--device mouse", device.equals("mouse"));
   }
 
@@ -478,7 +448,7 @@ public final class TouchCommand implements Callable<Integer> {
                 ? Optional.empty()
                 : SliceOptions.threshold(source)
                     .map(start -> new ViewOptions.Threshold(scene, start, thresholdRefusal())),
-            axes == DeviceAxes.VIEW,
+            mapping.followsView(),
             surface.clip()));
   }
 }

@@ -275,11 +275,11 @@ public final class ContactOptions {
       named(segments, "--material ", name, name);
     }
     if (!settings.protectedMm().isEmpty()
-        && !source.placements().stream().allMatch(Placement::isAtRest)) {
+        && !(segments.hasOneGrid() && source.placements().stream().allMatch(Placement::isAtRest))) {
       throw PalpateException.wrongUse(
-          "margins are for bodies that are fixed where they rest",
+          "margins are for bodies of one grid that are fixed where they rest",
           "--protect",
-          "leave it out, or make all bodies of the scene fixed, without poses");
+          "leave it out, or make all bodies of the scene fixed, without poses, from one volume");
     }
     for (Map.Entry<String, Double> margin : settings.protectedMm().entrySet()) {
       named(segments, "--protect ", margin.getKey(), margin.getKey());

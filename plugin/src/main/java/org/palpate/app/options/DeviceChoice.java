@@ -3,6 +3,8 @@ package org.palpate.app.options;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Function;
 import org.palpate.app.process.PalpateException;
@@ -15,6 +17,7 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.DeviceName;
+import org.palpate.io.scene.SceneDevice;
 import org.palpate.io.volume.CoordinateSystem;
 
 /**
@@ -24,8 +27,10 @@ import org.palpate.io.volume.CoordinateSystem;
  * @param fitEachAxis whether the workspace of a real device is stretched over the box of the
  *     segments along each axis separately
  * @param axesOfView whether the axes of a real device are those of the view
+ * @param mapping scale and position of the workspace of a real device, as a scene gives them
  */
-public record DeviceChoice(DeviceName device, boolean fitEachAxis, boolean axesOfView) {
+public record DeviceChoice(
+    DeviceName device, boolean fitEachAxis, boolean axesOfView, Optional<SceneDevice> mapping) {
   private static final String FORMS =
       "write simulated[:SEED], replay:T.csv, hid[:SERIAL], openhaptics[:NAME],"
           + " forcedimension[:SERIAL], virtuose:HOST or mouse";
@@ -47,7 +52,7 @@ public record DeviceChoice(DeviceName device, boolean fitEachAxis, boolean axesO
     if (device.isSimulated()) {
       checkSeed(device);
     }
-    return new DeviceChoice(device, false, false);
+    return new DeviceChoice(device, false, false, Optional.empty());
   }
 
   private static void checkSeed(DeviceName device) {
@@ -76,7 +81,12 @@ public record DeviceChoice(DeviceName device, boolean fitEachAxis, boolean axesO
           (fit ? "--fit-each-axis" : "--axes view") + " --device " + device,
           "leave it out, or choose hid, openhaptics, forcedimension or virtuose");
     }
-    return new DeviceChoice(device, fit, view);
+    return new DeviceChoice(device, fit, view, mapping);
+  }
+
+  /** Returns a copy with the mapping of a scene, which only a real device uses. */
+  DeviceChoice mappedAs(Optional<SceneDevice> ofScene) {
+    return new DeviceChoice(device, fitEachAxis, axesOfView, ofScene);
   }
 
   /** Returns the files that the device reads, which no output may replace. */
@@ -112,11 +122,22 @@ public record DeviceChoice(DeviceName device, boolean fitEachAxis, boolean axesO
     }
   }
 
-  private Workspace workspace(
-      DeviceSpecification reach, HandTarget target, CoordinateSystem world) {
-    return fitEachAxis
-        ? Workspace.fitEachAxis(reach, axes(world), target.lowMm(), target.highMm())
-        : Workspace.fit(reach, axes(world), target.lowMm(), target.highMm());
+  /**
+   * Returns the workspace of a real device: fitted to the target, except for what a scene gives.
+   */
+  Workspace workspace(DeviceSpecification reach, HandTarget target, CoordinateSystem world) {
+    Workspace fitted =
+        fitEachAxis
+            ? Workspace.fitEachAxis(reach, axes(world), target.lowMm(), target.highMm())
+            : Workspace.fit(reach, axes(world), target.lowMm(), target.highMm());
+    RigidTransform t = fitted.deviceToWorld();
+    Vec3 middle = mapping.flatMap(SceneDevice::offsetMm).orElse(t.origin());
+    OptionalDouble scale = mapping.map(SceneDevice::scale).orElse(OptionalDouble.empty());
+    return new Workspace(
+        new RigidTransform(t.axisX(), t.axisY(), t.axisZ(), new Vec3().set(middle)),
+        scale.isPresent() && !fitEachAxis
+            ? new Vec3(scale.getAsDouble(), scale.getAsDouble(), scale.getAsDouble())
+            : fitted.scale());
   }
 
   /**

@@ -14,6 +14,7 @@ import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Option;
 
 /** The option of effects. */
@@ -150,7 +151,8 @@ public final class EffectOptions {
   static SegmentDistance distance(
       SegmentedVolume segments, String option, String text, String name, double reachMm) {
     Segment segment = ContactOptions.named(segments, option, text, name);
-    double voxels = SegmentDistance.voxelsFor(segment.bits(), segments.grid(), reachMm);
+    VoxelGrid grid = segments.gridOf(segment);
+    double voxels = SegmentDistance.voxelsFor(segment.bits(), grid, reachMm);
     if (voxels > SegmentDistance.MOST_VOXELS) {
       throw PalpateException.wrongUse(
           "the segment and its margin fill a box of "
@@ -160,6 +162,6 @@ public final class EffectOptions {
           option + text,
           "choose a smaller margin or a smaller segment");
     }
-    return new SegmentDistance(segment.bits(), segments.grid(), reachMm);
+    return new SegmentDistance(segment.bits(), grid, reachMm);
   }
 }

@@ -18,7 +18,6 @@ import org.palpate.io.file.NumberParser;
 import org.palpate.io.scene.SceneReader;
 import org.palpate.io.scene.SceneTool;
 import org.palpate.io.volume.VolumeFormatException;
-import org.palpate.io.volume.VolumeHeader;
 import org.palpate.rigid.RigidScene;
 import org.palpate.tool.MadeTool;
 import org.palpate.tool.ToolMaker;
@@ -233,14 +232,13 @@ public final class ToolOptions {
   }
 
   /**
-   * Returns the tool of a scene, in the world of its volume.
+   * Returns the tool of a scene, in the world of its volume and for its smallest voxels.
    *
    * @throws VolumeFormatException if an option is wrong, a file cannot be read, or nothing would be
    *     left of the tool
    */
-  public MadeTool make(VolumeHeader header) throws VolumeFormatException {
-    double edgeMm = header.grid().metric().shortestEdgeMm();
-    return ToolMaker.make(request(), edgeMm, header.coordinateSystem());
+  public MadeTool make(VolumeSource source) throws VolumeFormatException {
+    return ToolMaker.make(request(), source.shortestEdgeMm(), source.header().coordinateSystem());
   }
 
   /**

@@ -74,7 +74,7 @@ public final class VolumeSource {
     this.placed = Optional.of(placed);
     reader =
         new SegmentsAsLabels(
-            name, placed.present(), placed.world(), placed.files(), placed.notes());
+            name, placed.present(), placed.world(), placed.files(), placed.exportNotes());
     phantom = Optional.empty();
     this.requested = requested;
   }
@@ -211,6 +211,18 @@ public final class VolumeSource {
 
   private Optional<PlacedVolume> bodies() {
     return requested.isEmpty() ? placed : Optional.empty();
+  }
+
+  /** Whether the bodies come from files that a scene names. */
+  public boolean isScene() {
+    return placed.flatMap(PlacedVolume::origin).isPresent();
+  }
+
+  /** Returns the shortest voxel edge of the volume and of all bodies, mm. */
+  double shortestEdgeMm() {
+    return placed()
+        .map(bodies -> bodies.rest().shortestEdgeMm())
+        .orElseGet(() -> header().grid().metric().shortestEdgeMm());
   }
 
   /** Returns the SHA-256 of the files, or of the phantom's values. */

@@ -73,10 +73,10 @@ public final class EditedVolume {
 
   /** Returns the volume of the voxels that a function of two bricks finds, mm^3. */
   private Map<String, Object> differenceMm3(LongBinaryOperator found) {
-    Vec3 spacing = volume.grid().spacingMm();
     Map<String, Object> differences = new LinkedHashMap<>();
     for (int n = 0; n < before.size(); n++) {
       Segment segment = volume.segments().get(n);
+      Vec3 spacing = volume.grid(n).spacingMm();
       long voxels = count(before.get(n), segment.bits(), found);
       differences.put(segment.name(), voxels * (spacing.x * spacing.y * spacing.z));
     }
@@ -98,7 +98,16 @@ public final class EditedVolume {
 
   /** Writes the segments as they are now if the user asked for it; a failure is reported. */
   public void write(WriteFailures failures) {
-    SegmentsAsLabels labels = new SegmentsAsLabels(volume, coordinateSystem);
+    write(volume, failures);
+  }
+
+  /**
+   * Writes segments if the user asked for it; a failure is reported.
+   *
+   * @param left the segments as the session or the replay left them, on one grid
+   */
+  public void write(SegmentedVolume left, WriteFailures failures) {
+    SegmentsAsLabels labels = new SegmentsAsLabels(left, coordinateSystem);
     export.ifPresent(target -> failures.attempt(target, () -> VolumeWriter.write(labels, target)));
   }
 }

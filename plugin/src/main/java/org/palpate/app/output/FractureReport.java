@@ -19,14 +19,8 @@ public final class FractureReport {
 
   /** Reads the bodies of a scene where they stand. */
   public FractureReport(PlacedVolume bodies) {
-    List<PosedBits> fragments = new ArrayList<>();
     names = bodies.rest().segments().stream().map(Segment::name).toList();
-    for (Segment segment : bodies.rest().segments()) {
-      fragments.add(
-          new PosedBits(
-              segment.bits(), bodies.rest().grid(), bodies.poses().get(fragments.size())));
-    }
-    readings = FractureReadings.read(fragments);
+    readings = FractureReadings.read(PosedBits.of(bodies.rest(), bodies.poses()));
   }
 
   /** Returns a line for each pair that faces each other, and one for the whole. */

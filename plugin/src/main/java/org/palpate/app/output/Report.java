@@ -13,10 +13,13 @@ import org.palpate.app.options.VolumeSource;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VersionProvider;
 import org.palpate.geometry.IntBox;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.AtomicFile;
+import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.table.ReportJson;
 import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -62,14 +65,42 @@ public final class Report {
   /** Adds the properties of the volume. Reads it once for its checksum. */
   public void putVolume(VolumeSource source, List<Segment> segments) throws IOException {
     VoxelGrid grid = source.header().grid();
-    Vec3 spacing = grid.spacingMm();
     put("volume", source.name());
     put("sizes", List.of(grid.sizeX(), grid.sizeY(), grid.sizeZ()));
-    put("spacing_mm", List.of(spacing.x, spacing.y, spacing.z));
+    put("spacing_mm", numbers(grid.spacingMm()));
     put("sha256", source.sha256());
     List<Object> entries = new ArrayList<>();
     segments.forEach(segment -> entries.add(entry(segment)));
     put("segments", entries);
+    source
+        .placed()
+        .map(PlacedVolume::rest)
+        .filter(bodies -> !bodies.hasOneGrid())
+        .ifPresent(bodies -> put("bodies", grids(bodies)));
+  }
+
+  /** Returns the grid of each body, in which legs are written. */
+  private static List<Object> grids(SegmentedVolume bodies) {
+    List<Object> entries = new ArrayList<>();
+    for (Segment body : bodies.segments()) {
+      VoxelGrid grid = bodies.grid(entries.size());
+      RigidTransform toWorld = grid.gridMmToWorld();
+      Map<String, Object> entry = new LinkedHashMap<>();
+      entry.put("name", body.name());
+      entry.put("sizes", List.of(grid.sizeX(), grid.sizeY(), grid.sizeZ()));
+      entry.put("spacing_mm", numbers(grid.spacingMm()));
+      entry.put("origin_mm", numbers(toWorld.origin()));
+      entry.put(
+          "axes",
+          List.of(numbers(toWorld.axisX()), numbers(toWorld.axisY()), numbers(toWorld.axisZ())));
+      entry.put("voxels", body.bits().solidCount());
+      entries.add(entry);
+    }
+    return entries;
+  }
+
+  private static List<Double> numbers(Vec3 v) {
+    return List.of(v.x, v.y, v.z);
   }
 
   private static Map<String, Object> entry(Segment segment) {

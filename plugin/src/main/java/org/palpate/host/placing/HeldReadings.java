@@ -69,7 +69,7 @@ public final class HeldReadings {
   }
 
   private PosedBits posed(int n, List<RigidTransform> poses) {
-    return new PosedBits(segment(n).bits(), rest.grid(), new Pose().set(poses.get(n)));
+    return new PosedBits(segment(n).bits(), rest.grid(n), new Pose().set(poses.get(n)));
   }
 
   private Segment segment(int n) {

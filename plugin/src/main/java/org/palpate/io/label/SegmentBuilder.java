@@ -41,7 +41,8 @@ public final class SegmentBuilder implements SliceSink {
     dispatch = integer ? LabelLookup.of(specs, layers) : Optional.empty();
   }
 
-  private static int paletteColour(int index) {
+  /** Returns the colour of a segment for which none is chosen, 0xRRGGBB. */
+  public static int paletteColour(int index) {
     return PALETTE[index % PALETTE.length];
   }
 

@@ -43,6 +43,7 @@ public final class SegmentsAsLabels implements VolumeReader {
    * @param name the source as messages name it
    * @param files the files from which the segments were made
    * @param notes what the user should know, a sentence each
+   * @throws IllegalArgumentException if the segments have several grids
    */
   public SegmentsAsLabels(
       String name,
@@ -50,6 +51,9 @@ public final class SegmentsAsLabels implements VolumeReader {
       CoordinateSystem coordinateSystem,
       List<Path> files,
       List<String> notes) {
+    if (!volume.hasOneGrid()) {
+      throw new IllegalArgumentException("labels need one grid");
+    }
     this.name = name;
     this.files = List.copyOf(files);
     this.volume = volume;

@@ -4,29 +4,34 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
 import org.palpate.geometry.Pose;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.fracture.Fragments;
 import org.palpate.volume.fracture.PosedBits;
 
 /**
- * Bodies that share a grid at rest, and their placements.
+ * Bodies at rest, each on its own grid, and their placements.
  *
- * @param rest a segment for each body, where it rests
+ * @param rest a segment for each body, where it rests; its grid is that of the first volume
  * @param placements the placement of each body, in the same order
  * @param world the directions of the world axes
  * @param files the files that hold the bodies, which no output may replace
  * @param notes what the user should know, a sentence each
+ * @param origin the scene file that names them; empty for fragments that no file names
  */
 public record PlacedVolume(
     SegmentedVolume rest,
     List<Placement> placements,
     CoordinateSystem world,
     List<Path> files,
-    List<String> notes) {
+    List<String> notes,
+    Optional<OpenedScene> origin) {
 
   /** Copies the lists. */
   public PlacedVolume {
@@ -46,7 +51,8 @@ public record PlacedVolume(
     for (Pose pose : poses) {
       placements.add(new Placement(placements.isEmpty() ? Mobility.FIXED : Mobility.MOVABLE, pose));
     }
-    return new PlacedVolume(fragments.segments(), placements, world, List.of(), List.of());
+    return new PlacedVolume(
+        fragments.segments(), placements, world, List.of(), List.of(), Optional.empty());
   }
 
   /** Returns segments as fixed bodies that stand where they rest. */
@@ -57,7 +63,8 @@ public record PlacedVolume(
         Collections.nCopies(segments.segments().size(), fixed),
         world,
         List.of(),
-        List.of());
+        List.of(),
+        Optional.empty());
   }
 
   /**
@@ -70,7 +77,15 @@ public record PlacedVolume(
     for (Placement placement : placements) {
       moved.add(new Placement(placement.mobility(), poses.get(moved.size())));
     }
-    return new PlacedVolume(rest, moved, world, files, notes);
+    return new PlacedVolume(rest, moved, world, files, notes, origin);
+  }
+
+  /** Whether a body that can move is not where it rests. */
+  public boolean isDisplaced() {
+    return placements.stream()
+        .anyMatch(
+            placement ->
+                placement.mobility() == Mobility.MOVABLE && !placement.pose().sameBits(new Pose()));
   }
 
   /** Returns the poses, from rest to present, world mm. */
@@ -78,8 +93,35 @@ public record PlacedVolume(
     return placements.stream().map(Placement::pose).toList();
   }
 
-  /** Returns the placed bodies as segments of the same grid; see {@link PosedBits#resample}. */
+  /**
+   * Returns the placed bodies as segments of the grid of the first volume; see {@link
+   * PosedBits#resample}. What lies outside that grid is missing.
+   */
   public SegmentedVolume present() {
-    return PosedBits.resample(rest, poses());
+    return PosedBits.resample(rest, poses(), rest.grid());
+  }
+
+  /** Returns all notes, those of {@link #cutOff} too. */
+  public List<String> exportNotes() {
+    return Stream.concat(notes.stream(), cutOff().stream()).toList();
+  }
+
+  /** Returns a note for each body of which {@link #present} has not all. */
+  public List<String> cutOff() {
+    List<String> all = new ArrayList<>();
+    List<PosedBits> bodies = PosedBits.of(rest, poses());
+    for (int n = 0; n < bodies.size(); n++) {
+      long outside = bodies.get(n).voxelsOutside(rest.grid());
+      if (outside > 0) {
+        all.add(
+            NumberText.count((double) outside)
+                + " of "
+                + NumberText.count((double) bodies.get(n).bits().solidCount())
+                + " voxels of "
+                + rest.segments().get(n).name()
+                + " lie outside the grid of the first volume, so an export leaves them out.");
+      }
+    }
+    return all;
   }
 }

@@ -60,6 +60,20 @@ public record SceneBody(
         OptionalDouble.of(ratio));
   }
 
+  /** Returns this body as a label of a volume, with the same mobility, pose and material. */
+  SceneBody asLabel(String volume, int label) {
+    return new SceneBody(
+        name,
+        volume,
+        false,
+        Optional.of("label:" + label),
+        mobility,
+        pose,
+        material,
+        youngPa,
+        poisson);
+  }
+
   /** Returns this body at another pose, with another name of the same file. */
   public SceneBody at(String newSource, Pose newPose) {
     return new SceneBody(

@@ -34,11 +34,6 @@ public record SceneFile(
     return bodies.stream().anyMatch(body -> body.mobility() == Mobility.ELASTIC);
   }
 
-  /** Returns the keys of this scene that are read but have no effect yet. */
-  List<String> unusedKeys() {
-    return device.isPresent() ? List.of("device") : List.of();
-  }
-
   /** Returns a scene of bodies and a point tool. */
   public static SceneFile ofBodies(List<SceneBody> bodies) {
     return new SceneFile(

@@ -170,9 +170,11 @@ public final class SceneReader {
       return Optional.empty();
     }
     JsonFields fields = new JsonFields(file, "device", top.value("device"), DEVICE);
-    return Optional.of(
-        new SceneDevice(
-            fields.positive("scale"), fields.optionalText("axes"), fields.vector("offset_mm")));
+    Optional<String> axes = fields.optionalText("axes");
+    if (!Set.of(SceneDevice.PATIENT, SceneDevice.VIEW).containsAll(axes.stream().toList())) {
+      throw fields.refusal(fields.key("axes"), "must be patient or view");
+    }
+    return Optional.of(new SceneDevice(fields.positive("scale"), axes, fields.vector("offset_mm")));
   }
 
   private static List<String> protect(JsonFields top) throws VolumeFormatException {

@@ -22,14 +22,14 @@ public final class EditsCsv implements CsvLines.Rows {
 
   private final CsvLines lines;
   private final List<String> segments;
-  private final VoxelGrid grid;
+  private final List<VoxelGrid> grids;
   private final List<VoxelChange> changes = new ArrayList<>();
   private int[] columns = {};
 
-  private EditsCsv(Path file, List<String> segments, VoxelGrid grid) {
+  private EditsCsv(Path file, List<String> segments, List<VoxelGrid> grids) {
     lines = new CsvLines(file);
     this.segments = segments;
-    this.grid = grid;
+    this.grids = grids;
   }
 
   /** Returns a writer of rows, which has written the header; see {@link #add}. */
@@ -49,12 +49,12 @@ public final class EditsCsv implements CsvLines.Rows {
    * Reads a file to its end.
    *
    * @param segments names of the segments, in the order of their indices
-   * @param grid the grid in which the voxels lie
+   * @param grids the grid of each segment, in which its voxels lie
    * @throws CsvFormatException if the file is missing or not understood; the message names the line
    */
-  public static EditSchedule read(Path file, List<String> segments, VoxelGrid grid)
+  public static EditSchedule read(Path file, List<String> segments, List<VoxelGrid> grids)
       throws IOException {
-    EditsCsv reader = new EditsCsv(file, segments, grid);
+    EditsCsv reader = new EditsCsv(file, segments, grids);
     reader.lines.read(HEADER, reader);
     return new EditSchedule(reader.changes);
   }
@@ -80,6 +80,7 @@ public final class EditsCsv implements CsvLines.Rows {
           "the body of segment " + name + " is not " + cell(words, 1), "name it " + name);
     }
     long frame = number(words, 0, Long.MAX_VALUE);
+    VoxelGrid grid = grids.get(segment);
     int i = (int) number(words, 3, grid.sizeX() - 1L);
     int j = (int) number(words, 4, grid.sizeY() - 1L);
     int k = (int) number(words, 5, grid.sizeZ() - 1L);

@@ -56,30 +56,43 @@ public final class WeldedSurface {
   }
 
   /**
-   * Returns this surface as its body moves it, in the same frame of the vertices.
+   * Returns this surface as its body moves it, in another frame of the vertices.
    *
    * @param motion the pose of the body, from rest to present, world mm
-   * @param gridMmToWorld from the frame of the vertices to the world at rest
+   * @param ownMmToWorld from the present frame of the vertices to the world at rest
+   * @param gridMmToWorld from the new frame of the vertices to the world
    */
-  public WeldedSurface moved(Pose motion, RigidTransform gridMmToWorld) {
+  public WeldedSurface moved(
+      Pose motion, RigidTransform ownMmToWorld, RigidTransform gridMmToWorld) {
     float[] positions = positionsMm.clone();
     short[] turned = normals.clone();
     Vec3 v = new Vec3();
     for (int n = 0; n < vertexCount(); n++) {
       v.set(positions[3 * n], positions[3 * n + 1], positions[3 * n + 2]);
-      motion.transform(gridMmToWorld.transform(v, v), v);
+      motion.transform(ownMmToWorld.transform(v, v), v);
       gridMmToWorld.inverseTransform(v, v);
       for (int axis = 0; axis < 3; axis++) {
         positions[3 * n + axis] = (float) v.get(axis);
       }
       v.set(turned[4 * n], turned[4 * n + 1], turned[4 * n + 2]);
-      motion.rotation.rotate(gridMmToWorld.rotate(v, v), v);
+      motion.rotation.rotate(ownMmToWorld.rotate(v, v), v);
       gridMmToWorld.inverseRotate(v, v);
       for (int axis = 0; axis < 3; axis++) {
         turned[4 * n + axis] = (short) Math.rint(v.get(axis));
       }
     }
-    return new WeldedSurface(positions, turned, triangles);
+    boolean mirrors = ownMmToWorld.isMirrored() != gridMmToWorld.isMirrored();
+    return new WeldedSurface(positions, turned, mirrors ? turnedOver() : triangles);
+  }
+
+  /** Returns the triangles with their corners in the opposite order. */
+  private int[] turnedOver() {
+    int[] over = triangles.clone();
+    for (int n = 0; n < over.length; n += 3) {
+      over[n + 1] = triangles[n + 2];
+      over[n + 2] = triangles[n + 1];
+    }
+    return over;
   }
 
   /** Returns x, y, z of each vertex in grid mm. */

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.scene.OpenedScene;
 import org.palpate.io.scene.SceneFile;
 import org.palpate.io.scene.SceneReader;
 
@@ -41,8 +42,7 @@ class SceneAutosaveTest {
     saved = folder.resolve("end.autosave.json");
     autosave =
         new SceneAutosave(
-            SceneReader.read(scene),
-            scene,
+            new OpenedScene(SceneReader.read(scene), scene),
             saved,
             () -> List.of(pose.transform(RigidTransform.identity())),
             0);

@@ -17,6 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.rigid.tool.TriangleMesh;
 
@@ -132,6 +134,30 @@ class MeshFilesTest {
   }
 
   @Test
+  void axesThatACommentNamesAreTurnedIntoTheWorld() throws Exception {
+    byte[] ply =
+        ascii(new String(textPly(), StandardCharsets.ISO_8859_1).replace("a box", "SPACE=RAS"));
+    for (Path ras :
+        new Path[] {
+          file("r.stl", binaryStl("made by hand; SPACE=RAS")),
+          file("rt.stl", ascii(textStl().replace("of mine", "SPACE=RAS"))),
+          file("r.obj", ascii(obj().replace("# a box", "# SPACE=RAS"))),
+          file("r.ply", ply)
+        }) {
+      assertEquals(CoordinateSystem.RAS, MeshFiles.axes(ras), ras.toString());
+      TriangleMesh turned = MeshFiles.read(ras, CoordinateSystem.LPS);
+      assertTrue(turned.isClosed());
+      assertTrue(turned.low().sameBits(new Vec3(-2, -3, 0)), turned.low().toString());
+      assertTrue(turned.high().sub(new Vec3(0, 0, 5), new Vec3()).length() == 0);
+      assertIsBox(MeshFiles.read(ras, CoordinateSystem.RAS));
+      assertIsBox(MeshFiles.read(ras, CoordinateSystem.UNKNOWN));
+    }
+    Path unnamed = file("u.stl", binaryStl("SPACE=RASTER"));
+    assertEquals(CoordinateSystem.UNKNOWN, MeshFiles.axes(unnamed));
+    assertIsBox(MeshFiles.read(unnamed, CoordinateSystem.LPS));
+  }
+
+  @Test
   void readsTheSameBoxInEveryFormat() throws Exception {
     assertIsBox(file("a.stl", binaryStl("made by hand")));
     assertIsBox(file("solid.stl", binaryStl("solid by its name, but binary")));
@@ -145,8 +171,11 @@ class MeshFilesTest {
 
   private static void assertIsBox(Path file) throws VolumeFormatException {
     assertTrue(MeshFiles.accepts(file));
-    TriangleMesh mesh = MeshFiles.read(file);
-    assertTrue(mesh.isClosed(), file.toString());
+    assertIsBox(MeshFiles.read(file));
+  }
+
+  private static void assertIsBox(TriangleMesh mesh) {
+    assertTrue(mesh.isClosed());
     assertEquals(12, mesh.triangleCount());
     assertEquals(62, mesh.areaMm2(), 1e-9);
     assertEquals(2, mesh.high().x);

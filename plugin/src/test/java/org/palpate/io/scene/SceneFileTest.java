@@ -117,6 +117,7 @@ class SceneFileTest {
             + " bodies[0].pose.origin|{'bodies':[{'name':'a','volume':'v','pose':{'origin':1}}]}",
         "there is no key tool.size|{'bodies':[B],'tool':{'spec':'point','size':1}}",
         "there is no key device.x|{'bodies':[B],'device':{'x':1}}",
+        "device.axes must be patient or view|{'bodies':[B],'device':{'axes':'up'}}",
         "bodies must have|{'bodies':[]}",
         "bodies must have|{}",
         "bodies must be an array|{'bodies':{}}",

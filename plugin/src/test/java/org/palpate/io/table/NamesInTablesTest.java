@@ -32,7 +32,7 @@ class NamesInTablesTest {
     BitCube other = new BitCube(4, 4, 4);
     BitCube bits = new BitCube(4, 4, 4);
     VoxelGrid grid = VoxelGrid.ofUnitVoxels(4, 4, 4);
-    EditSchedule edits = EditsCsv.read(file, List.of("jaw", NAME), grid);
+    EditSchedule edits = EditsCsv.read(file, List.of("jaw", NAME), List.of(grid, grid));
     EditQueue queue = new EditQueue(grid, 2);
     edits.offerUpTo(0, queue);
     VoxelWriter writer =
