@@ -44,9 +44,37 @@ final class ImagejProbeOpening {
     facts.accept("opened segments", call("segments"));
     IJ.runMacro("run(\"Stop Touching\");");
     await("the end", () -> call("isTouching").equals("false"));
+    place();
+    IJ.selectWindow(image.getTitle());
     IJ.saveAs(image, "Tiff", folder.resolve("saved.tif").toString());
     image.changes = false;
     image.close();
+  }
+
+  /** Places a label by macro lines, and reads the stack that the session leaves. */
+  private void place() {
+    IJ.runMacro("run(\"Place Fragments...\", \"fixed=0 device=simulated time=0\");");
+    await("the placing", () -> call("isTouching").equals("true"));
+    facts.accept("moved", placing("move\", \"upper jaw\", \"0,0,40,1,0,0,0"));
+    facts.accept("not moved", placing("move\", \"lower jaw\", \"0,0,40,1,0,0,0"));
+    await("the pose", () -> placing("pose\", \"upper jaw").startsWith("0.0,0.0,40.0,"));
+    IJ.runMacro("run(\"Stop Touching\");");
+    await("the end", () -> call("isTouching").equals("false"));
+    ImagePlus placed = IJ.getImage();
+    facts.accept("placed", words(placed));
+    long voxels = 0;
+    for (int k = 0; k < placed.getStackSize(); k++) {
+      for (int v = 0; v < placed.getWidth() * placed.getHeight(); v++) {
+        voxels += placed.getStack().getProcessor(k + 1).get(v) > 0 ? 1 : 0;
+      }
+    }
+    facts.accept("placed voxels", voxels);
+    placed.changes = false;
+    placed.close();
+  }
+
+  private static String placing(String words) {
+    return IJ.runMacro("return call(\"org.palpate.imagej.PlaceFragments." + words + "\");");
   }
 
   private static String call(String function) {

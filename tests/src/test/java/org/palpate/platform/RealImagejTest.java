@@ -84,6 +84,10 @@ class RealImagejTest {
             .contains("volume=[" + folder.resolve("two labels.nrrd") + "] time=[]"),
         seen.of("recorded opening"));
     assertEquals("lower jaw\t32\nupper jaw\t32", seen.of("opened segments").strip());
+    assertEquals("", seen.of("moved"));
+    assertEquals("No fragment lower jaw can move.", seen.of("not moved"));
+    assertEquals("placed-" + expected, seen.of("placed"));
+    assertEquals("32", seen.of("placed voxels"), "the other fragment has left the stack");
     VolumeReader saved = VolumeFiles.open(folder.resolve("saved.tif"), ReadOptions.defaults());
     VolumeReader labels =
         VolumeFiles.open(folder.resolve("two labels.nrrd"), ReadOptions.defaults());
@@ -166,9 +170,9 @@ class RealImagejTest {
 
   private static void checkMenu(RealImagej.Seen seen) {
     assertEquals(
-        "[Open Volume..., Touch Volume..., Stop Touching, Landmarks..., Correct Segment..., -,"
-            + " Record Trajectory..., Replay Trajectory..., -, Palpate Devices...,"
-            + " Measure Jitter..., About Palpate...]",
+        "[Open Volume..., Touch Volume..., Place Fragments..., Stop Touching, Landmarks...,"
+            + " Correct Segment..., -, Record Trajectory..., Replay Trajectory..., -, Palpate"
+            + " Devices..., Measure Jitter..., About Palpate...]",
         seen.of("menu"));
   }
 

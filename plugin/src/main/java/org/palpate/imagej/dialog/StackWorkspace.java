@@ -17,7 +17,7 @@ import org.palpate.geometry.Vec3;
  */
 public record StackWorkspace(Kind kind, double scale) {
   /** The ways of fitting the workspace to the box of all segments. */
-  enum Kind {
+  public enum Kind {
     /** One scale: shapes keep their proportions, and the whole box is in reach. */
     FIT("fit"),
     /** One scale for each axis: the whole workspace is used along every axis. */

@@ -80,7 +80,7 @@ public record TouchOptions(
     addSegment(dialog, lower, upper);
     addContact(dialog);
     if (live) {
-      addDevice(dialog);
+      addDevice(dialog, PREFIX, SIMULATED);
     }
     HelpText.addTo(dialog);
     dialog.showDialog();
@@ -116,20 +116,36 @@ public record TouchOptions(
     dialog.addStringField("Materials (bone=friction:0.3; skin=young:20e3; ...)", materials, 24);
   }
 
-  private static void addDevice(GenericDialog dialog) {
-    dialog.addStringField("Device", Prefs.get(PREFIX + "device", SIMULATED), 24);
+  /**
+   * Adds the fields of the device and of the session.
+   *
+   * @param prefix of the preferences that keep them
+   * @param usual the device before one was chosen
+   */
+  static void addDevice(GenericDialog dialog, String prefix, String usual) {
+    dialog.addStringField("Device", Prefs.get(prefix + "device", usual), 24);
     dialog.addChoice(
         "Workspace of a real device",
         StackWorkspace.Kind.words(),
-        Prefs.get(PREFIX + "workspace", StackWorkspace.Kind.FIT.toString()));
+        Prefs.get(prefix + "workspace", StackWorkspace.Kind.FIT.toString()));
     dialog.addNumericField(
         "Scale (where by scale)",
-        Prefs.get(PREFIX + "scale", 1),
+        Prefs.get(prefix + "scale", 1),
         3,
         8,
         "mm of scan per mm of hand");
-    dialog.addNumericField("Time (0: until Escape)", Prefs.get(PREFIX + "seconds", 0), 1, 8, "s");
-    dialog.addCheckbox("View in 3-D", Prefs.get(PREFIX + "view", true));
+    dialog.addNumericField("Time (0: until Escape)", Prefs.get(prefix + "seconds", 0), 1, 8, "s");
+    dialog.addCheckbox("View in 3-D", Prefs.get(prefix + "view", true));
+  }
+
+  /** Keeps the fields that {@link #addDevice} added. */
+  static void keepDevice(
+      String prefix, String device, StackWorkspace workspace, double seconds, boolean view) {
+    Prefs.set(prefix + "device", device);
+    Prefs.set(prefix + "workspace", workspace.kind().toString());
+    Prefs.set(prefix + "scale", workspace.scale());
+    Prefs.set(prefix + "seconds", seconds);
+    Prefs.set(prefix + "view", view);
   }
 
   /**
@@ -176,7 +192,8 @@ public record TouchOptions(
         view);
   }
 
-  private static StackWorkspace workspace(String words, double scale) throws TouchRefusedException {
+  /** Returns the workspace that the fields choose. */
+  static StackWorkspace workspace(String words, double scale) throws TouchRefusedException {
     if (!(scale > 0) || Double.isInfinite(scale)) {
       throw new TouchRefusedException(
           "The scale must be a positive number of mm of scan per mm of hand.");
@@ -238,11 +255,7 @@ public record TouchOptions(
     Prefs.set(PREFIX + "friction", friction);
     Prefs.set(PREFIX + "materials", materials.text());
     if (live) {
-      Prefs.set(PREFIX + "device", device);
-      Prefs.set(PREFIX + "workspace", workspace.kind().toString());
-      Prefs.set(PREFIX + "scale", workspace.scale());
-      Prefs.set(PREFIX + "seconds", seconds);
-      Prefs.set(PREFIX + "view", view);
+      keepDevice(PREFIX, device, workspace, seconds, view);
     }
   }
 
@@ -258,16 +271,25 @@ public record TouchOptions(
   }
 
   /**
+   * Returns a segment for each value of a label stack.
+   *
+   * @throws TouchRefusedException if the image has no valid labels
+   */
+  static List<SegmentRange> labelRanges(StackVolume volume) throws TouchRefusedException {
+    LabelTable table = volume.labelTable();
+    return StackSegments.labels(volume).stream()
+        .map(value -> SegmentRange.label(value, volume.image(), table))
+        .toList();
+  }
+
+  /**
    * Returns the range of raw values of each segment of a stack.
    *
    * @throws TouchRefusedException if the image has no valid labels
    */
   public List<SegmentRange> ranges(StackVolume volume) throws TouchRefusedException {
     if (labels) {
-      LabelTable table = volume.labelTable();
-      return StackSegments.labels(volume).stream()
-          .map(value -> SegmentRange.label(value, volume.image(), table))
-          .toList();
+      return labelRanges(volume);
     }
     Calibration values = volume.image().getCalibration();
     double a = values.getRawValue(lower);

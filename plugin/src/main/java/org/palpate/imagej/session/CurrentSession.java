@@ -1,5 +1,6 @@
 package org.palpate.imagej.session;
 
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import org.palpate.imagej.stack.TouchRefusedException;
 
@@ -75,14 +76,34 @@ public final class CurrentSession {
   /**
    * Returns the running session.
    *
-   * @throws TouchRefusedException if none runs
+   * @throws TouchRefusedException if none runs, or fragments are being placed
    */
   public static StackSession current() throws TouchRefusedException {
-    StackSessionRunner run = CURRENT.get();
-    if (run == null) {
-      throw new TouchRefusedException(
-          "No volume is being touched: start with Plugins > Palpate > Touch Volume...");
-    }
-    return run.session();
+    return current(StackSession.class)
+        .orElseThrow(
+            () ->
+                new TouchRefusedException(
+                    "No volume is being touched: start with Plugins > Palpate > Touch Volume..."));
+  }
+
+  /**
+   * Returns the session that places fragments.
+   *
+   * @throws TouchRefusedException if none runs
+   */
+  public static PlacingSession placing() throws TouchRefusedException {
+    return current(PlacingSession.class)
+        .orElseThrow(
+            () ->
+                new TouchRefusedException(
+                    "No fragments are being placed: start with Plugins > Palpate > Place"
+                        + " Fragments..."));
+  }
+
+  private static <T extends HandSession> Optional<T> current(Class<T> kind) {
+    return Optional.ofNullable(CURRENT.get())
+        .map(StackSessionRunner::session)
+        .filter(kind::isInstance)
+        .map(kind::cast);
   }
 }

@@ -5,14 +5,9 @@ import ij.IJ;
 import ij.ImagePlus;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import org.palpate.elastic.PublishedShape;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
@@ -34,7 +29,6 @@ import org.palpate.imagej.stack.StackVolume;
 import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopSettings;
-import org.palpate.loop.LoopStatus;
 import org.palpate.realtime.RealtimeThread;
 import org.palpate.recording.SampleRecorder;
 import org.palpate.scene.WorldAxes;
@@ -43,25 +37,17 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
-/**
- * A stack that is being touched, until the user presses Escape or calls "Stop Touching", the time
- * or the device ends, or the image or the 3-D window closes.
- *
- * <p>The session's own thread calls {@link #run}. Other threads may meanwhile call {@link
- * #touchedPointGrid}, and add landmarks and brush strokes.
- */
-public final class StackSession implements AutoCloseable {
-  private static final double RATE_HZ = 1000;
-  private static final long STATUS_NANOS = 500_000_000;
-  private static final long FORCE_WAIT_SECONDS = 60;
+/** A stack that is being touched. Other threads may add landmarks and brush strokes. */
+public final class StackSession extends HandSession {
+  /** Frames a second. */
+  static final double RATE_HZ = 1000;
+
   private static final long UNDO_WAIT_SECONDS = 1;
-  private static final double NANOS_PER_SECOND = 1e9;
 
   private final ImagePlus image;
   private final StackGeometry geometry;
   private final List<SegmentRange> ranges;
   private final List<Segment> segments;
-  private final double seconds;
   private final RealtimeThread realtime = StackRealtime.thread();
   private final LandmarkButton button;
   private final TouchSession session;
@@ -73,12 +59,6 @@ public final class StackSession implements AutoCloseable {
 
   private final LandmarkTable landmarks;
   private final StrokeHistory strokes;
-  private final Queue<ViewKeys.Action> actions = new ConcurrentLinkedQueue<>();
-  private final CountDownLatch forceOn = new CountDownLatch(1);
-  private final CountDownLatch forceOff = new CountDownLatch(1);
-  private volatile Vec3 pointGrid = new Vec3(Double.NaN, Double.NaN, Double.NaN);
-  private volatile boolean stopRequested;
-  private volatile Thread runner;
 
   /**
    * Builds the segments, opens the device and prepares the session.
@@ -88,10 +68,10 @@ public final class StackSession implements AutoCloseable {
    */
   StackSession(StackVolume volume, TouchOptions options, Optional<SampleRecorder> recorder)
       throws TouchRefusedException {
+    super(StackGeometry.of(volume.image()), options.seconds());
     image = volume.image();
     geometry = StackGeometry.of(image);
     ranges = options.ranges(volume);
-    seconds = options.seconds();
     IJ.showStatus("Palpate: making segments...");
     PixelSnapshot pixels = new PixelSnapshot(volume);
     segments =
@@ -141,7 +121,7 @@ public final class StackSession implements AutoCloseable {
         new SegmentedVolume(geometry.grid(), drawn),
         WorldAxes.UNKNOWN,
         device.device(),
-        new ViewKeys(this, actions::add));
+        new ViewKeys(this));
   }
 
   private void requireVoxels(TouchOptions options) throws TouchRefusedException {
@@ -156,79 +136,43 @@ public final class StackSession implements AutoCloseable {
     }
   }
 
-  /**
-   * Runs the session until it ends and zero force was sent. On the session's own thread.
-   *
-   * @throws TouchRefusedException if the size or type of the stack changed; the session has ended
-   *     then
-   */
+  @Override
   LoopEnd run() throws TouchRefusedException {
-    IJ.resetEscape();
-    session.start();
-    view.ifPresent(SessionView::start);
     StrokeUndo undo = new StrokeUndo(image, this::undoIfLast);
     Executer.addCommandListener(undo);
+    LoopEnd end;
     try {
-      superviseUntilEnd();
+      end = super.run();
     } finally {
       Executer.removeCommandListener(undo);
-      forceOn.countDown();
-      session.stop();
-      forceOff.countDown();
     }
     if (session.endedByTrouble()) {
       throw new TouchRefusedException(
           "The session ended with zero force: " + session.elasticTrouble().orElseThrow() + ".");
     }
-    return session.stop();
+    return end;
   }
 
-  private void superviseUntilEnd() throws TouchRefusedException {
-    runner = Thread.currentThread();
-    long startNanos = 0;
-    long statusNanos = System.nanoTime();
-    while (!session.supervise() && !isOver(startNanos)) {
-      if (startNanos == 0 && session.status().frames() > 0) {
-        startNanos = System.nanoTime();
-      }
-      if (startNanos != 0) {
-        updatePoint();
-      }
-      for (int n = button.pollPresses(); n > 0; n--) {
-        actions.add(this::addLandmarkHere);
-      }
-      runQueuedActions();
-      synchronizer.applyChanges();
-      if (System.nanoTime() - statusNanos >= STATUS_NANOS) {
-        statusNanos = System.nanoTime();
-        showStatus();
-      }
-      LockSupport.parkNanos(this, TouchSession.SUPERVISION_PERIOD_NANOS);
+  @Override
+  TouchSession session() {
+    return session;
+  }
+
+  @Override
+  public Optional<SessionView> view() {
+    return view;
+  }
+
+  @Override
+  void tick() throws TouchRefusedException {
+    for (int n = button.pollPresses(); n > 0; n--) {
+      queue(this::addLandmarkHere);
     }
+    synchronizer.applyChanges();
   }
 
-  /** Wakes the session's thread before its next tick, because the stack was updated. Any thread. */
-  private void wake() {
-    LockSupport.unpark(runner);
-  }
-
-  private boolean isOver(long startNanos) {
-    boolean timeIsOver =
-        seconds > 0
-            && startNanos != 0
-            && System.nanoTime() - startNanos >= seconds * NANOS_PER_SECOND;
-    return timeIsOver || stopRequested || synchronizer.isClosed() || IJ.escapePressed();
-  }
-
-  private void updatePoint() {
-    Vec3 now = view.map(SessionView::proxyGrid).orElseGet(this::takeUpdates);
-    if (now.isFinite()) {
-      pointGrid = now;
-      forceOn.countDown();
-    }
-  }
-
-  private Vec3 takeUpdates() {
+  @Override
+  Vec3 takeUpdates() {
     session.takeUpdates();
     Vec3 atRest = new Vec3();
     return shape.isPresent()
@@ -236,14 +180,9 @@ public final class StackSession implements AutoCloseable {
         : session.properties().touch().interactionPoint(atRest);
   }
 
-  private void runQueuedActions() {
-    for (ViewKeys.Action action = actions.poll(); action != null; action = actions.poll()) {
-      try {
-        action.run();
-      } catch (TouchRefusedException e) {
-        IJ.showStatus("Palpate: " + e.getMessage());
-      }
-    }
+  @Override
+  boolean isImageClosed() {
+    return synchronizer.isClosed();
   }
 
   private StackSynchronizer.Listener changes() {
@@ -265,65 +204,9 @@ public final class StackSession implements AutoCloseable {
     };
   }
 
-  private void showStatus() {
-    LoopStatus status = session.status();
-    Vec3 at = geometry.gridToCalibrated(pointGrid, new Vec3());
-    IJ.showStatus(
-        String.format(
-            Locale.ROOT,
-            "Palpate: (%.2f, %.2f, %.2f) %s, %s, %.2f N; Escape ends",
-            at.x,
-            at.y,
-            at.z,
-            geometry.unit(),
-            status.contact() ? "contact" : "free",
-            status.forceNewton()));
-  }
-
-  /** Waits until the force is on or the session has ended. */
-  void awaitForce() {
-    try {
-      if (!forceOn.await(FORCE_WAIT_SECONDS, TimeUnit.SECONDS)) {
-        requestStop();
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      requestStop();
-    }
-  }
-
   /** Adds the next landmark at the interaction point. */
   void addLandmarkHere() throws TouchRefusedException {
     landmarks.add(landmarks.nextName(), touchedPointGrid());
-  }
-
-  /** Waits until zero force was sent for good; returns whether it was. Any thread. */
-  boolean awaitZeroForce(long millis) {
-    try {
-      return forceOff.await(millis, TimeUnit.MILLISECONDS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return false;
-    }
-  }
-
-  /** Requests the end of the session. Any thread. */
-  void requestStop() {
-    stopRequested = true;
-    wake();
-  }
-
-  /**
-   * Returns the interaction point in grid coordinates. Any thread.
-   *
-   * @throws TouchRefusedException before the first frame
-   */
-  public Vec3 touchedPointGrid() throws TouchRefusedException {
-    Vec3 now = pointGrid;
-    if (!now.isFinite()) {
-      throw new TouchRefusedException("The first frame has not run yet: try again in a moment.");
-    }
-    return new Vec3().set(now);
   }
 
   /** Returns the landmarks. */
@@ -361,7 +244,7 @@ public final class StackSession implements AutoCloseable {
    */
   boolean undoIfLast() {
     CompletableFuture<Boolean> undone = new CompletableFuture<>();
-    actions.add(
+    queue(
         () -> {
           try {
             synchronizer.applyChanges(); // sees what was changed up to now
@@ -399,22 +282,10 @@ public final class StackSession implements AutoCloseable {
     return synchronizer.solidCount(segment);
   }
 
-  /** Returns the present state of the haptic loop. Any thread. */
-  public LoopStatus status() {
-    return session.status();
-  }
-
-  /** Returns the 3-D view, if there is one. */
-  public Optional<SessionView> view() {
-    return view;
-  }
-
   @Override
   public void close() {
     synchronizer.close();
-    view.ifPresent(SessionView::close);
-    session.close();
-    forceOff.countDown();
+    super.close();
     realtime.close();
   }
 }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.palpate.host.SessionWorker;
 import org.palpate.host.TrajectoryRecording;
 import org.palpate.imagej.dialog.ErrorDialogs;
+import org.palpate.imagej.dialog.PlaceOptions;
 import org.palpate.imagej.dialog.TouchOptions;
 import org.palpate.imagej.stack.StackVolume;
 import org.palpate.imagej.stack.TouchRefusedException;
@@ -18,13 +19,14 @@ import org.palpate.loop.LoopEnd;
  * returns and macros can continue.
  */
 public final class StackSessionRunner {
-  private static final String TITLE = "Touch Volume";
-
-  private final StackSession session;
+  private final String title;
+  private final HandSession session;
   private final Optional<TrajectoryRecording> recording;
   private final SessionWorker worker;
 
-  private StackSessionRunner(StackSession session, Optional<TrajectoryRecording> recording) {
+  private StackSessionRunner(
+      String title, HandSession session, Optional<TrajectoryRecording> recording) {
+    this.title = title;
     this.session = session;
     this.recording = recording;
     worker = new SessionWorker(this::work, session::requestStop);
@@ -40,12 +42,36 @@ public final class StackSessionRunner {
   public static void begin(
       StackVolume volume, TouchOptions options, Optional<TrajectoryRecording> recording)
       throws TouchRefusedException {
+    begin(
+        "Touch Volume",
+        () -> new StackSession(volume, options, recording.map(TrajectoryRecording::recorder)),
+        recording);
+  }
+
+  /**
+   * Starts to place the fragments of a label stack, and waits until the force is on.
+   *
+   * @throws TouchRefusedException if the session cannot start
+   */
+  public static void begin(StackVolume volume, PlaceOptions options) throws TouchRefusedException {
+    begin("Place Fragments", () -> new PlacingSession(volume, options), Optional.empty());
+  }
+
+  /** Prepares a session. */
+  @FunctionalInterface
+  private interface Preparation {
+    HandSession prepare() throws TouchRefusedException;
+  }
+
+  private static void begin(
+      String title, Preparation preparation, Optional<TrajectoryRecording> recording)
+      throws TouchRefusedException {
     boolean started = false;
-    StackSession session = null;
+    HandSession session = null;
     try {
       CurrentSession.requireNoneRunning();
-      session = new StackSession(volume, options, recording.map(TrajectoryRecording::recorder));
-      StackSessionRunner run = new StackSessionRunner(session, recording);
+      session = preparation.prepare();
+      StackSessionRunner run = new StackSessionRunner(title, session, recording);
       CurrentSession.begin(run);
       started = true;
       run.worker.start();
@@ -60,7 +86,7 @@ public final class StackSessionRunner {
     }
   }
 
-  StackSession session() {
+  HandSession session() {
     return session;
   }
 
@@ -74,17 +100,18 @@ public final class StackSessionRunner {
       report(touch());
     } catch (TouchRefusedException | RuntimeException e) {
       if (!SessionWorker.isProcessEnding()) {
-        ErrorDialogs.show(TITLE, e);
+        ErrorDialogs.show(title, e);
       }
     } catch (OutOfMemoryError e) {
-      ErrorDialogs.showOutOfMemory(TITLE);
+      ErrorDialogs.showOutOfMemory(title);
     }
   }
 
   /** Runs the session and closes everything, so that another session may start. */
   private LoopEnd touch() throws TouchRefusedException {
-    try (StackSession touched = session) {
+    try (HandSession touched = session) {
       LoopEnd end = touched.run();
+      touched.finish();
       if (recording.isPresent()) {
         finish(recording.get());
       }

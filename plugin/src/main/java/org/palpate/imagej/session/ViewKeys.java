@@ -1,7 +1,6 @@
 package org.palpate.imagej.session;
 
 import ij.IJ;
-import java.util.function.Consumer;
 import org.palpate.host.SessionView;
 import org.palpate.imagej.annotation.StrokeHistory;
 import org.palpate.imagej.stack.TouchRefusedException;
@@ -20,11 +19,9 @@ final class ViewKeys implements SessionView.Listener {
   }
 
   private final StackSession session;
-  private final Consumer<Action> queue;
 
-  ViewKeys(StackSession session, Consumer<Action> queue) {
+  ViewKeys(StackSession session) {
     this.session = session;
-    this.queue = queue;
   }
 
   @Override
@@ -37,7 +34,7 @@ final class ViewKeys implements SessionView.Listener {
   }
 
   private void onKey(SceneWindow window, char key, String help, Action action) {
-    window.input().onKey(key, help, () -> queue.accept(action));
+    window.input().onKey(key, help, () -> session.queue(action));
   }
 
   private static double radiusMm() {
