@@ -16,6 +16,7 @@ import org.palpate.app.process.VirtualDisplay;
 import org.palpate.benchmarks.accuracy.AccuracyRun;
 import org.palpate.benchmarks.carve.CarveRun;
 import org.palpate.benchmarks.elastic.ElasticRun;
+import org.palpate.benchmarks.fracture.FractureRun;
 import org.palpate.benchmarks.gpu.GpuRun;
 import org.palpate.benchmarks.nearest.NearestRun;
 import org.palpate.benchmarks.rigid.RigidRun;
@@ -56,6 +57,7 @@ import picocli.CommandLine.Spec;
       "  palpate bench --carve --quick --out figures",
       "  palpate bench --carve --frames 20000000 --seed 8",
       "  palpate bench --elastic --quick --out figures",
+      "  palpate bench --fracture --quick --out figures",
       "  palpate bench --gpu --quick --out figures",
       "  palpate bench --stress --frames 20000000 --seed 7",
       "  palpate bench --skips --scale --stability --quick"
@@ -68,6 +70,7 @@ public final class BenchCommand implements Callable<Integer> {
   private static final long CARVED_FRAMES = 100_000_000;
   private static final long QUICK_CARVED_FRAMES = 1_000_000;
   private static final long DEFAULT_SEED = 7;
+  private static final String SEEDED = "--stress, --rigid, --carve, --elastic or --fracture";
   private static final String DEFAULT_SOLVER = "guarded";
 
   /** One in this many frames of --stress is a whole frame, with device, edits and force. */
@@ -118,6 +121,14 @@ public final class BenchCommand implements Callable<Integer> {
   private boolean elastic;
 
   @Option(
+      names = "--fracture",
+      description = {
+        "Broken tubes and jaws that a simulated hand puts together: distance and angle from the",
+        "truth. The jaw is that of CThead in the folder of -Dpalpate.data (../shared/data)."
+      })
+  private boolean fracture;
+
+  @Option(
       names = "--gpu",
       description = {
         "Legs of a tool's points judged by the CPU on one and two threads and by every OpenCL",
@@ -147,8 +158,8 @@ public final class BenchCommand implements Callable<Integer> {
       names = "--seed",
       paramLabel = "S",
       description =
-          "With --stress, --rigid, --carve or --elastic: seed of the attack, or of hands and scenes"
-              + " (7).")
+          "With --stress, --rigid, --carve, --elastic or --fracture: seed of the attack, or of"
+              + " hands and scenes (7).")
   private Long seed;
 
   @Option(
@@ -262,6 +273,7 @@ public final class BenchCommand implements Callable<Integer> {
     addIf(rigid, StudyDuration.RIGID, others);
     addIf(carve, StudyDuration.CARVE, others);
     addIf(elastic, StudyDuration.ELASTIC, others);
+    addIf(fracture, StudyDuration.FRACTURE, others);
     addIf(gpu, StudyDuration.GPU, others);
     addIf(sync, StudyDuration.SYNC, others);
     addIf(surfaces, StudyDuration.SURFACES, others);
@@ -316,7 +328,7 @@ public final class BenchCommand implements Callable<Integer> {
 
   /** Whether a study was chosen that takes a seed. */
   private boolean hasSeed() {
-    return stress || rigid || carve || elastic;
+    return stress || rigid || carve || elastic || fracture;
   }
 
   private Path table1Data() {
@@ -358,6 +370,11 @@ public final class BenchCommand implements Callable<Integer> {
       report.put(
           "elastic_targets_missed", ElasticRun.run(folder, quick, seed(), out(), progress()));
     }
+    if (fracture) {
+      report.put(
+          "fracture_targets_missed",
+          FractureRun.run(DATA, folder, quick, seed(), out(), progress()));
+    }
     if (gpu) {
       report.put("gpus_measured", GpuRun.run(folder, quick, out(), progress()));
     }
@@ -374,7 +391,7 @@ public final class BenchCommand implements Callable<Integer> {
     FRAMES.checkGiven(frames);
     if (!stress) {
       refuse("--frames", carve ? null : frames, "--stress or --carve");
-      refuse("--seed", hasSeed() ? null : seed, "--stress, --rigid, --carve or --elastic");
+      refuse("--seed", hasSeed() ? null : seed, SEEDED);
       refuse("--solver", solver, "--stress");
       return null;
     }

@@ -17,6 +17,7 @@ enum StudyDuration {
   RIGID(2340, 140),
   CARVE(Double.NaN, 60),
   ELASTIC(Double.NaN, 110),
+  FRACTURE(Double.NaN, 90),
   GPU(Double.NaN, 90),
   SYNC(83, 22),
   SURFACES(38, 38);

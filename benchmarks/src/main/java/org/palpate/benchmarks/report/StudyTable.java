@@ -29,6 +29,8 @@ public enum StudyTable {
   CARVE("carve.csv", Columns.FIGURES),
   /** Figures of elastic segments. */
   ELASTIC("elastic.csv", Columns.FIGURES),
+  /** Figures of broken bones that a simulated hand puts together. */
+  FRACTURE("fracture.csv", Columns.FIGURES),
   /** Times of judging legs by device and number. */
   GPU("gpu.csv", "device,points,part,frames,least_us,p50_us,p99_us,p99_9_us,max_us"),
   /** Launches of a device that sliding tools need. */

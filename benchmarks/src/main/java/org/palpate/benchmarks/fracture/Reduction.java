@@ -1,0 +1,94 @@
+package org.palpate.benchmarks.fracture;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.device.GuidedHand;
+import org.palpate.device.Tremor;
+import org.palpate.edit.EditQueue;
+import org.palpate.force.ForceSettings;
+import org.palpate.fracture.Residual;
+import org.palpate.frame.FrameSettings;
+import org.palpate.frame.ToolFrame;
+import org.palpate.frame.ToolFramePublisher;
+import org.palpate.geometry.Pose;
+import org.palpate.reduction.ReductionPlan;
+import org.palpate.rigid.Clearance;
+import org.palpate.rigid.RigidCoupling;
+import org.palpate.rigid.RigidScene;
+import org.palpate.rigid.RigidSettings;
+import org.palpate.rigid.RigidSolver;
+import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.volume.fracture.PosedBits;
+
+/**
+ * The result of a simulated hand that knows the truth, trembles, and puts the fragments of a bone
+ * back one by one.
+ *
+ * @param residuals for each fragment but the largest, its motion from where it belongs
+ * @param taken the number of fragments that the hand took hold of
+ * @param frames the number of frames at 1 kHz
+ */
+record Reduction(List<Residual> residuals, int taken, long frames) {
+  private static final long FRAME_NANOS = 1_000_000;
+  private static final double FRAMES_PER_SECOND = 1_000;
+
+  /** Frames after the last stop of the hand, in which its tremor has ended. */
+  private static final int LAST_FRAMES = 500;
+
+  private static final double REACH_MM = 100;
+  private static final double MAX_STEP_MM = 8;
+  private static final double STIFFNESS_NEWTON_PER_MM = 0.5;
+  private static final double FRICTION = 0.2;
+
+  /**
+   * Lets the hand put the fragments of a bone back.
+   *
+   * @param seed chooses the phases of its tremor
+   */
+  static Reduction of(BrokenBone bone, Contact contact, long seed) {
+    BodyScene bodies = bone.bodies();
+    List<Pose> truth = Collections.nCopies(bodies.count(), new Pose());
+    GuidedHand hand =
+        new GuidedHand(
+            ReductionPlan.of(bone.bodies(), truth, bodies),
+            new Tremor(0.3, Math.toRadians(1), 8, seed),
+            REACH_MM,
+            FRAME_NANOS);
+    ToolFrame frame = frame(hand, bodies, contact);
+    long frames = Math.round(FRAMES_PER_SECOND * hand.durationSeconds()) + LAST_FRAMES;
+    int taken = 0;
+    int before = -1;
+    for (long n = 0; n < frames; n++) {
+      frame.run(n * FRAME_NANOS);
+      taken += frame.heldBody() >= 0 && before < 0 ? 1 : 0;
+      before = frame.heldBody();
+    }
+    List<Residual> residuals = new ArrayList<>();
+    for (int n = 1; n < bodies.count(); n++) {
+      Body body = bodies.body(n);
+      PosedBits left = new PosedBits(body.bits(), body.grid(), body.pose());
+      residuals.add(Residual.fromRest(left, bodies.body(0).pose()));
+    }
+    return new Reduction(residuals, taken, frames);
+  }
+
+  private static ToolFrame frame(GuidedHand hand, BodyScene bodies, Contact contact) {
+    RigidTool point = ToolSampler.point();
+    RigidScene scene =
+        new RigidScene(
+            bodies, point, contact.shapes(bodies), RigidSettings.of(MAX_STEP_MM, Clearance.POINTS));
+    ForceSettings force = ForceSettings.of(STIFFNESS_NEWTON_PER_MM, FRICTION);
+    return new ToolFrame(
+        hand,
+        bodies,
+        new RigidSolver(scene),
+        RigidCoupling.of(point, STIFFNESS_NEWTON_PER_MM),
+        FrameSettings.live(hand.specification(), force),
+        EditQueue.ofBodies(bodies.grids()),
+        ToolFramePublisher.NONE);
+  }
+}

@@ -1,0 +1,24 @@
+package org.palpate.benchmarks.fracture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.palpate.volume.fracture.FractureSpec;
+import org.palpate.volume.phantom.FracturePhantom;
+
+/** A hand with tremor that knows the truth puts the fragments of a bone back, touch by touch. */
+class ReductionTest {
+  @ParameterizedTest
+  @CsvSource({"96, 3:1:1", "160, 4:11:1"})
+  void everyFragmentIsTakenLedHomeAndPutDownThere(int edge, String spec) {
+    FractureSpec fracture = FractureSpec.parse(spec);
+    WholeBone bone = new WholeBone("arch", new FracturePhantom(edge, fracture).bone());
+    Reduction reduction = Reduction.of(BrokenBone.of(bone, fracture), Contact.KERF, 1);
+    assertEquals(fracture.parts() - 1, reduction.taken(), reduction.toString());
+    assertEquals(fracture.parts() - 1, reduction.residuals().size());
+    assertTrue(
+        reduction.residuals().stream().allMatch(ReductionStudy::isInPlace), reduction.toString());
+  }
+}
