@@ -193,6 +193,14 @@ class SeveralGridsTest {
   }
 
   @Test
+  void facesAreNotComparedOnSeveralGrids() {
+    List<Object> fit = new ArrayList<>(List.of("touch", "--scene", scene, "--headless"));
+    fit.addAll(List.of("--seconds", 0.3, "--guide", "fit"));
+    String refusal = CommandRun.of(fit.toArray()).mustRefuse();
+    assertTrue(refusal.contains("fracture faces are compared on one grid"), refusal);
+  }
+
+  @Test
   void voxelsOutsideTheFirstGridAreNamed() throws IOException {
     String text = Files.readString(scene).replace("[-11, -13.5, 1.5]", "[-11, -13.5, 40]");
     Path far = Files.writeString(file("far.json"), text);

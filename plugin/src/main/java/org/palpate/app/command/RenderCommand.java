@@ -26,7 +26,6 @@ import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VirtualDisplay;
 import org.palpate.body.Placement;
-import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
@@ -44,7 +43,6 @@ import org.palpate.scene.Stereo;
 import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.surface.GreyRange;
-import org.palpate.scene.surface.WeldedSurface;
 import org.palpate.scene.window.GraphicsDriver;
 import org.palpate.scene.window.GraphicsException;
 import org.palpate.scene.window.OffscreenRenderer;
@@ -249,7 +247,7 @@ public final class RenderCommand implements Callable<Integer> {
       if (surfaceOnly) {
         export
             .write(
-                placed(loader.weldedSurfaces(), source, segments),
+                SurfaceExport.placed(loader.weldedSurfaces(), source.placements(), segments),
                 segments,
                 source.header().coordinateSystem())
             .forEach(spec.commandLine().getOut()::println);
@@ -265,20 +263,9 @@ public final class RenderCommand implements Callable<Integer> {
 
   private void showGaps(SceneLoader loader, SegmentedVolume segments, List<RigidTransform> poses) {
     if (gaps) {
+      SurfaceOptions.requireOneGrid(segments);
       GapColours.show(loader, segments, poses);
     }
-  }
-
-  /** Returns the surfaces where the bodies stand, in millimetres of the volume's grid. */
-  private static List<WeldedSurface> placed(
-      List<WeldedSurface> surfaces, VolumeSource source, SegmentedVolume rest) {
-    RigidTransform gridMmToWorld = rest.grid().gridMmToWorld();
-    List<WeldedSurface> placed = new ArrayList<>(surfaces);
-    for (int n = 0; n < source.placements().size(); n++) {
-      Pose pose = source.placements().get(n).pose();
-      placed.set(n, surfaces.get(n).moved(pose, rest.grid(n).gridMmToWorld(), gridMmToWorld));
-    }
-    return placed;
   }
 
   /** Rejects options that would otherwise be ignored silently. */

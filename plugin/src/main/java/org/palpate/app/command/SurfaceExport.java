@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.palpate.app.options.OutputPaths;
+import org.palpate.body.Placement;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.file.AtomicFile;
@@ -66,6 +68,18 @@ final class SurfaceExport {
   private static Path materialsBeside(Path obj) {
     String name = obj.getFileName().toString();
     return obj.resolveSibling(name.substring(0, name.length() - ".obj".length()) + ".mtl");
+  }
+
+  /** Returns the surfaces where the bodies stand, in millimetres of the volume's grid. */
+  static List<WeldedSurface> placed(
+      List<WeldedSurface> surfaces, List<Placement> placements, SegmentedVolume rest) {
+    RigidTransform gridMmToWorld = rest.grid().gridMmToWorld();
+    List<WeldedSurface> placed = new ArrayList<>(surfaces);
+    for (int n = 0; n < placements.size(); n++) {
+      Pose pose = placements.get(n).pose();
+      placed.set(n, surfaces.get(n).moved(pose, rest.grid(n).gridMmToWorld(), gridMmToWorld));
+    }
+    return placed;
   }
 
   /**

@@ -246,7 +246,8 @@ public final class TouchCommand implements Callable<Integer> {
     List<Path> recorded = SessionRecording.checked(record.file(), inputs);
     Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
     FragmentExport bodies = savedPoses.export(exportFile, source, elastic.isWanted());
-    List<Path> targets = new ArrayList<>(bodies.checked(inputs, source.isScene()));
+    List<Path> targets =
+        new ArrayList<>(bodies.checked(inputs, source.isScene() && !elastic.isWanted()));
     if (changesVoxels()) {
       source.placed().ifPresent(bodies::requireCutVoxels);
     }

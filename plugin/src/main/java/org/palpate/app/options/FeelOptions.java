@@ -134,9 +134,15 @@ public final class FeelOptions {
   /**
    * Returns what finds the fits of the fragments in a scene; empty without a guide to a fit.
    *
-   * @throws PalpateException exit code 2, if the gap is wrong
+   * @throws PalpateException exit code 2, if the gap is wrong, or the fragments have several grids
    */
   public Optional<FaceFit> faceFit(SegmentedVolume fragments) {
+    if (fit().isPresent() && !fragments.hasOneGrid()) {
+      throw PalpateException.wrongUse(
+          "fracture faces are compared on one grid, and the bodies have several",
+          "--guide fit",
+          "take all bodies of the scene from one volume, or leave the guide out");
+    }
     List<BitCube> cubes = fragments.segments().stream().map(Segment::bits).toList();
     return fit().map(text -> new FaceFit(fragments.grid(), cubes, gapMm(text)));
   }

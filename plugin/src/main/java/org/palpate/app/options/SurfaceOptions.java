@@ -16,6 +16,7 @@ import org.palpate.scene.ClipPlane;
 import org.palpate.scene.ClipPlane.Direction;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.volume.ScalarVolume;
+import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Option;
 
@@ -153,5 +154,19 @@ public final class SurfaceOptions {
               : Optional.empty());
     }
     return ranges;
+  }
+
+  /**
+   * Refuses a gap map of bodies that have several grids.
+   *
+   * @throws PalpateException exit code 2, if they have
+   */
+  public static void requireOneGrid(SegmentedVolume fragments) {
+    if (!fragments.hasOneGrid()) {
+      throw PalpateException.wrongUse(
+          "gaps are measured on one grid, and the bodies have several",
+          "--gaps",
+          "take all bodies of the scene from one volume");
+    }
   }
 }

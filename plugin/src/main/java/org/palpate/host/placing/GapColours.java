@@ -45,8 +45,11 @@ public final class GapColours {
     return new GapMap(fragments.grid(), fragments.segments().stream().map(Segment::bits).toList());
   }
 
-  /** Adds the key that shows or hides the colours. */
+  /** Adds the key that shows or hides the colours, which need fragments of one grid. */
   public void addTo(WindowInput input) {
+    if (!fragments.hasOneGrid()) {
+      return;
+    }
     input.onKey('g', "gap map: distance to the facing fracture face", () -> isWanted = !isWanted);
   }
 
