@@ -27,13 +27,11 @@ import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VirtualDisplay;
 import org.palpate.body.Placement;
 import org.palpate.geometry.RigidTransform;
-import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.placing.GapColours;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
-import org.palpate.scene.MovableSlices;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.SceneObject;
@@ -228,10 +226,9 @@ public final class RenderCommand implements Callable<Integer> {
       OutputPaths.checkDistinct(targets);
     }
     SceneModel model = new SceneModel(axes(source.header().coordinateSystem()), theme);
-    Optional<MovableSlices.Start> planes = slices.start(source);
     showMarks(model, source, segments);
     surface.clip().ifPresent(model::clip);
-    showSlices(model, segments.grid(), planes);
+    SliceOptions.show(model, segments.grid(), slices.start(source));
     List<Optional<GreyRange>> greys = surface.greys(source, true);
     long started = System.nanoTime();
     int threads = Runtime.getRuntime().availableProcessors();
@@ -378,19 +375,6 @@ public final class RenderCommand implements Callable<Integer> {
         LastContactMarks.show(trajectory, scene, elastic.bodies(segments, contact.solver()), model);
       }
     }
-  }
-
-  private static void showSlices(
-      SceneModel model, VoxelGrid grid, Optional<MovableSlices.Start> start) {
-    start.ifPresent(
-        planes -> {
-          MovableSlices shown = new MovableSlices(model, planes);
-          model
-              .state()
-              .marks()
-              .map(marks -> model.axes().toSceneOrBack(marks.point(), new Vec3()))
-              .ifPresent(world -> shown.follow(grid.worldToGrid(world, world)));
-        });
   }
 
   private StandardView chosenView(SceneState state) {

@@ -3,12 +3,14 @@ package org.palpate.app.options;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.app.process.PalpateException;
+import org.palpate.geometry.Vec3;
 import org.palpate.host.LiveThreshold;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.scene.GreySlices;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.MovableSlices.Mode;
+import org.palpate.scene.SceneModel;
 import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Option;
 
@@ -89,5 +91,18 @@ public final class SliceOptions {
 
   private PalpateException wrong(String remedy) {
     return PalpateException.wrongUse("the slices cannot be shown", "--slices " + slices, remedy);
+  }
+
+  /** Shows planes in a picture; those of the interaction point go through its mark. */
+  public static void show(SceneModel model, VoxelGrid grid, Optional<MovableSlices.Start> start) {
+    start.ifPresent(
+        planes -> {
+          MovableSlices shown = new MovableSlices(model, planes);
+          model
+              .state()
+              .marks()
+              .map(marks -> model.axes().toSceneOrBack(marks.point(), new Vec3()))
+              .ifPresent(world -> shown.follow(grid.worldToGrid(world, world)));
+        });
   }
 }
