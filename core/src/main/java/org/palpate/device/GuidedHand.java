@@ -24,8 +24,10 @@ public final class GuidedHand implements HapticDevice {
   /** The mean angular speed between two stops. */
   public static final double RAD_PER_SECOND = 1;
 
-  /** The fraction of the visible error that one sample corrects. */
-  private static final double CORRECTION = 0.005;
+  /** The fraction of the visible error that the hand corrects in a millisecond. */
+  private static final double CORRECTION_PER_MS = 0.005;
+
+  private static final double NANOS_PER_MS = 1e6;
 
   /** The time in which the tremor dies away at a steady stop. */
   private static final double CALMING_SECONDS = 0.3;
@@ -34,6 +36,7 @@ public final class GuidedHand implements HapticDevice {
   private final List<HandStop> stops;
   private final Tremor tremor;
   private final long intervalNanos;
+  private final double correction;
   private final Pose pose = new Pose();
   private final Pose.Scratch scratch = new Pose.Scratch();
   private final Quaternion quaternion = new Quaternion();
@@ -71,6 +74,7 @@ public final class GuidedHand implements HapticDevice {
     corrected.set(stops.get(0).pose());
     this.tremor = tremor;
     this.intervalNanos = intervalNanos;
+    correction = Math.min(1, CORRECTION_PER_MS * (intervalNanos / NANOS_PER_MS));
     specification =
         new DeviceSpecification(
             "simulated",
@@ -129,7 +133,7 @@ public final class GuidedHand implements HapticDevice {
     aim.goal().translation.sub(shake, error.translation);
     error.transform(corrected.translation, shake).sub(corrected.translation, shake);
     error.rotation.rotationVector(twist);
-    corrected.displace(shake, twist, CORRECTION, quaternion, corrected);
+    corrected.displace(shake, twist, correction, quaternion, corrected);
   }
 
   private double travelSeconds(Pose from, Pose to) {

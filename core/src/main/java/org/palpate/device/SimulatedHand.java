@@ -14,10 +14,10 @@ final class SimulatedHand {
   private static final int MAX_STROKES = 16;
   private static final double NANOS_PER_MS = 1e6;
 
-  /** Least mean speed of tearing away and tunnelling, voxels a sample. */
+  /** Least mean speed of tearing away and tunnelling, voxels a millisecond. */
   private static final double MIN_TEAR_SPEED = 5;
 
-  /** Largest mean speed of tearing away and tunnelling, voxels a sample. */
+  /** Largest mean speed of tearing away and tunnelling, voxels a millisecond. */
   private static final double MAX_TEAR_SPEED = 50;
 
   /** Height at which the hand hovers above the surface. */
@@ -213,7 +213,7 @@ final class SimulatedHand {
     double y = end.y - from.y;
     double z = end.z - from.z;
     double voxels = Math.sqrt(x * x + y * y + z * z) / target.voxelMm();
-    addStroke(end, (int) (voxels / between(MIN_TEAR_SPEED, MAX_TEAR_SPEED)));
+    addStroke(end, samplesFor(voxels / between(MIN_TEAR_SPEED, MAX_TEAR_SPEED)));
   }
 
   private void addStroke(Vec3 end, int sampleCount) {

@@ -129,6 +129,23 @@ public final class Trajectory {
     return timesMs[sample];
   }
 
+  /**
+   * Returns the median time between two samples, ms, of those between which time passes; a
+   * millisecond if there are none. Allocates.
+   */
+  public double usualStepMs() {
+    double[] steps = new double[Math.max(0, size - 1)];
+    int count = 0;
+    for (int n = 1; n < size; n++) {
+      double step = timesMs[n] - timesMs[n - 1];
+      if (step > 0 && step < Double.POSITIVE_INFINITY) {
+        steps[count++] = step;
+      }
+    }
+    Arrays.sort(steps, 0, count);
+    return count == 0 ? 1 : steps[count / 2];
+  }
+
   /** Writes the position of a sample into {@code dest}. */
   public Vec3 position(int sample, Vec3 dest) {
     int at = sample * DOUBLES_PER_POSITION;

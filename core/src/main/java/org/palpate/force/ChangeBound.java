@@ -8,8 +8,8 @@ import org.palpate.geometry.Vec3;
  */
 final class ChangeBound {
   /**
-   * The least motion of the hand that counts, in shortest voxel edges. A change of the force
-   * therefore arrives at a hand at rest too.
+   * The least motion of the hand that counts in a frame of a millisecond, in shortest voxel edges;
+   * see {@link FramePart}. A change of the force therefore arrives at a hand at rest too.
    */
   static final double MIN_MOTION_EDGES = 0.05;
 

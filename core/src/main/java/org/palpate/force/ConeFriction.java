@@ -22,11 +22,15 @@ final class ConeFriction {
   /** Sliding friction divided by static friction, if a user gives only one of them. */
   static final double SLIDING_FRACTION = 0.75;
 
-  /** A sliding point that moves less than this in a frame sticks; in shortest voxel edges. */
+  /**
+   * A sliding point that moves less than this in a frame of a millisecond sticks; in shortest voxel
+   * edges, see {@link FramePart}.
+   */
   static final double STOP_EDGES = 1e-4;
 
   private final GridMetric metric;
   private final double stopMm;
+  private double framePart = 1;
   private final Vec3 anchor = new Vec3();
   private final Vec3 lastDevice = new Vec3();
   private final Vec3 lastPoint = new Vec3();
@@ -38,6 +42,11 @@ final class ConeFriction {
   ConeFriction(GridMetric metric) {
     this.metric = metric;
     stopMm = STOP_EDGES * metric.shortestEdgeMm();
+  }
+
+  /** Begins a frame. */
+  void advance(long elapsedNanos) {
+    framePart = FramePart.ofNanos(elapsedNanos);
   }
 
   /** Whether the point slides instead of sticking to its anchor. */
@@ -96,7 +105,7 @@ final class ConeFriction {
     double staticNewton = material.staticFriction() * pressing;
     double movedMm =
         metric.distance(lastPoint.x, lastPoint.y, lastPoint.z, position.x, position.y, position.z);
-    sliding = newton > staticNewton || (sliding && movedMm > stopMm);
+    sliding = newton > staticNewton || (sliding && movedMm > framePart * stopMm);
     double maxNewton = sliding ? material.slidingFriction() * pressing : staticNewton;
     if (newton > maxNewton) {
       pull.mul(maxNewton / newton, pull);

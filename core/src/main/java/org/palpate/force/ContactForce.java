@@ -111,6 +111,9 @@ public final class ContactForce {
    */
   public void compute(
       InteractionPoint point, Vec3 device, Vec3 hand, long elapsedNanos, Vec3 forceNewton) {
+    material.advance(elapsedNanos);
+    rateLimit.advance(elapsedNanos);
+    coneFriction.advance(elapsedNanos);
     computeStretch(point, device, forceNewton);
     updateMaterial(point, device, hand, forceNewton.length());
     forceNewton.mul(material.stiffnessNewtonPerMm(), forceNewton);

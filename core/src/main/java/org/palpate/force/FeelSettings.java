@@ -7,7 +7,7 @@ import java.util.Optional;
  * Settings of what the hand feels beside plain contact. Immutable.
  *
  * @param effects guides and effects, in the order in which their forces add up
- * @param mass the mass of an interaction point, with gravity along the world's axes
+ * @param mass the mass of the interaction point or tool, with gravity along the world's axes
  * @param materials materials that follow from grey values
  */
 public record FeelSettings(

@@ -17,6 +17,7 @@ final class ForceRateLimit {
   static final double STIFFNESS_FACTOR = 1.5;
 
   private final double minMotionMm;
+  private double framePart = 1;
   private final Vec3 lastForceNewton = new Vec3();
   private boolean begun;
 
@@ -29,6 +30,11 @@ final class ForceRateLimit {
     begun = false;
   }
 
+  /** Begins a frame: its part of the least motion counts. */
+  void advance(long elapsedNanos) {
+    framePart = FramePart.ofNanos(elapsedNanos);
+  }
+
   /**
    * Limits the change of {@code forceNewton} in place.
    *
@@ -37,7 +43,7 @@ final class ForceRateLimit {
   void limit(Vec3 forceNewton, double stiffnessNewtonPerMm, double motionMm) {
     if (begun) {
       double stiffness = STIFFNESS_FACTOR * stiffnessNewtonPerMm;
-      double maxChange = ChangeBound.ofMotion(stiffness, motionMm, minMotionMm);
+      double maxChange = ChangeBound.ofMotion(stiffness, motionMm, framePart * minMotionMm);
       ChangeBound.apply(lastForceNewton, maxChange, forceNewton);
     }
     begun = true;

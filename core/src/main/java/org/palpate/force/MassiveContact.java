@@ -138,6 +138,7 @@ public final class MassiveContact {
   public void move(InteractionPoint contact, Vec3 deviceGrid, long elapsedNanos, Vec3 dest) {
     toMillimetres(deviceGrid, device);
     toMillimetres(contact.position, point);
+    material.advance(elapsedNanos);
     double seconds = Math.min(MAX_STEP_SECONDS, Math.max(0, elapsedNanos) / NANOS_PER_SECOND);
     if (seconds > 0) {
       proposeStep(contact, seconds);

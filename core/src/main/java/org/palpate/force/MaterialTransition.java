@@ -14,6 +14,7 @@ import org.palpate.proxy.InteractionPoint;
  */
 final class MaterialTransition {
   private final double minMotionMm;
+  private double framePart = 1;
   private double stiffness;
   private double staticFriction;
   private double slidingFriction;
@@ -44,6 +45,11 @@ final class MaterialTransition {
 
   double dampingNewtonSecondPerMm() {
     return damping;
+  }
+
+  /** Begins a frame: its part of the least motion counts. */
+  void advance(long elapsedNanos) {
+    framePart = FramePart.ofNanos(elapsedNanos);
   }
 
   /** Lets the next frame take its material without transition. */
@@ -137,7 +143,7 @@ final class MaterialTransition {
       return;
     }
     double stiffer = Math.max(stiffness, wanted[0]);
-    double maxChange = ChangeBound.ofMotion(stiffer, motionMm, minMotionMm);
+    double maxChange = ChangeBound.ofMotion(stiffer, motionMm, framePart * minMotionMm);
     double change = changeNewton(stretchMm, stiffer);
     if (change <= maxChange) {
       setWanted();

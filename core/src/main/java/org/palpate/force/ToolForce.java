@@ -46,6 +46,7 @@ public final class ToolForce {
   private GreyMaterials greys;
 
   private boolean known;
+  private boolean limitsRate = true;
   private long frictionSkipped;
 
   /**
@@ -76,6 +77,11 @@ public final class ToolForce {
    */
   public void use(GreyMaterials materials) {
     greys = materials;
+  }
+
+  /** Chooses whether the change of the coupling force is bounded; it is at first. */
+  public void limitRate(boolean limits) {
+    limitsRate = limits;
   }
 
   /** Forgets what the hand feels, after the tool was placed anew. */
@@ -110,7 +116,10 @@ public final class ToolForce {
   public void compute(
       ToolMotion tool, Pose device, long elapsedNanos, Vec3 forceNewton, Vec3 torqueNewtonMm) {
     measureMotion(device);
-    rateLimit.limit(tool.pose(), device, forceNewton, torqueNewtonMm);
+    material.advance(elapsedNanos);
+    friction.advance(elapsedNanos);
+    double framePart = limitsRate ? FramePart.ofNanos(elapsedNanos) : Double.POSITIVE_INFINITY;
+    rateLimit.limit(tool.pose(), device, framePart, forceNewton, torqueNewtonMm);
     updateMaterial(tool, forceNewton.length());
     double general = coupling.stiffnessNewtonPerMm();
     double factor = general > 0 ? material.stiffnessNewtonPerMm() / general : 1;

@@ -18,6 +18,7 @@ import org.palpate.rigid.ToolContacts;
  */
 final class ToolFriction {
   private final double stopMm;
+  private double framePart = 1;
   private final double[] positionX = new double[ToolContacts.MOST];
   private final double[] positionY = new double[ToolContacts.MOST];
   private final double[] positionZ = new double[ToolContacts.MOST];
@@ -39,6 +40,11 @@ final class ToolFriction {
       stretch[n] = new Vec3();
       lastStretch[n] = new Vec3();
     }
+  }
+
+  /** Begins a frame. */
+  void advance(long elapsedNanos) {
+    framePart = FramePart.ofNanos(elapsedNanos);
   }
 
   /** Forgets all anchors; the next contacts begin with new ones. */
@@ -87,7 +93,7 @@ final class ToolFriction {
       to.transform(local, moved).sub(position, moved);
       int old = nearestOld();
       stretch[n].set(0, 0, 0);
-      sliding[n] = old >= 0 && wasSliding[old] && moved.length() > stopMm;
+      sliding[n] = old >= 0 && wasSliding[old] && moved.length() > framePart * stopMm;
       if (old >= 0) {
         lastStretch[old].sub(moved, stretch[n]);
         contacts.normal(n, normal);

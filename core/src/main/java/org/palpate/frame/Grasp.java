@@ -5,6 +5,7 @@ import org.palpate.edit.PlacementLog;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.GreyMaterials;
 import org.palpate.force.ToolForce;
+import org.palpate.force.ToolProposal;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
@@ -47,6 +48,10 @@ final class Grasp {
   private final Vec3 moment = new Vec3();
   private final Quaternion turn = new Quaternion();
   private Grip grip;
+
+  /** Null if the tool follows the device itself. */
+  private ToolProposal proposal;
+
   private int held = NO_BODY;
 
   /** For each body whether it is held or moves along with the one that is. */
@@ -116,10 +121,33 @@ final class Grasp {
     return attachment;
   }
 
-  /** Returns the pose that what is held is to reach for a device pose. */
-  Pose target(Pose device) {
+  /** Lets something propose where the tool goes; before the first frame. */
+  void use(ToolProposal newProposal) {
+    proposal = newProposal;
+    tool.force.limitRate(newProposal.jumps());
+  }
+
+  /** Begins anew with what is held, because it was placed without a path. */
+  void restart(ToolMotion motion) {
+    grip.force.reset();
+    if (proposal != null) {
+      proposal.reset(motion.pose());
+    }
+  }
+
+  /** Returns the pose to which the coupling holds what is held, in a frame that has followed. */
+  Pose coupled(Pose device) {
+    return held == NO_BODY && proposal != null ? device : grip.solver.target();
+  }
+
+  /**
+   * Returns the pose that what is held is to reach for a device pose.
+   *
+   * @param elapsedNanos time since the last frame that followed
+   */
+  Pose target(Pose device, ToolMotion motion, long elapsedNanos) {
     if (held == NO_BODY) {
-      return device;
+      return proposal == null ? device : proposal.propose(device, motion, elapsedNanos);
     }
     device.multiply(attachment, target);
     target.rotation.normalize();
@@ -209,7 +237,9 @@ final class Grasp {
     held = NO_BODY;
     grip = tool;
     tool.force.takeOver();
-    return tool.solver.place(target, motion);
+    boolean isFree = tool.solver.place(target, motion);
+    restart(motion);
+    return isFree;
   }
 
   private void notePlacements() {

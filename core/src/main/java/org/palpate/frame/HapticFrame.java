@@ -49,6 +49,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   final FrameCounters counters = new FrameCounters();
 
   private final HapticDevice device;
+  private final long reportIntervalNanos;
   private final FrameSettings settings;
   private final ForceLimiter forceLimiter;
   private final ForceLimiter torqueLimiter;
@@ -73,6 +74,11 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   private long sinceForceNanos;
   private long unreachableNanos;
   private NearestApproach[] approaches = {};
+
+  /** Receives what frames did; null if nobody asks. */
+  private FrameObserver observer;
+
+  private final FrameRecord record = new FrameRecord();
   private volatile List<HapticEffect> requestedEffects = List.of();
 
   /**
@@ -82,6 +88,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
    */
   HapticFrame(HapticDevice device, FrameSettings settings) {
     this.device = device;
+    reportIntervalNanos = device.specification().reportIntervalNanos();
     this.settings = settings;
     forceLimiter = new ForceLimiter(settings.maxForceNewton(), settings.slewNewtonPerMs());
     torqueLimiter = new ForceLimiter(settings.maxTorqueNewtonMm(), settings.slewNewtonMmPerMs());
@@ -120,12 +127,12 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     if (followed) {
       follow();
       computeForce();
-      limitForce();
     }
     writeForce();
     countFrame();
     publish(counters.lastFrame());
     noteApproaches();
+    showObserver();
     return outcome();
   }
 
@@ -188,9 +195,10 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
 
   private void computeForce() {
     computeForce(sinceForceNanos);
-    sinceForceNanos = 0;
     forceNewton.mul(ramp.factor(), forceNewton);
     torqueNewtonMm.mul(ramp.factor(), torqueNewtonMm);
+    limitForce(Math.min(sinceForceNanos, Math.max(elapsedNanos, reportIntervalNanos)));
+    sinceForceNanos = 0;
   }
 
   /**
@@ -242,11 +250,16 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     return torqueNewtonMm.sub(effects.lastTorqueNewtonMm(), contactTorque);
   }
 
-  /** Limits force and torque; a device without torque gets none. */
-  private void limitForce() {
-    forceLimiter.clamp(forceNewton, elapsedNanos);
+  /**
+   * Limits force and torque; a device without torque gets none.
+   *
+   * @param nanos the time that counts for the slew: that of the frame, or the device's report
+   *     interval if there are several frames in one
+   */
+  private void limitForce(long nanos) {
+    forceLimiter.clamp(forceNewton, nanos);
     if (givesTorque) {
-      torqueLimiter.clamp(torqueNewtonMm, elapsedNanos);
+      torqueLimiter.clamp(torqueNewtonMm, nanos);
     } else {
       torqueNewtonMm.set(0, 0, 0);
     }
@@ -296,6 +309,27 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   /** Notes where the tool is at the end of a frame. */
   abstract void note(long frame, NearestApproach dest);
 
+  private void showObserver() {
+    if (observer == null || !followed) {
+      return;
+    }
+    record.timeNanos = sample.timeNanos;
+    record.relocated = sample.relocated;
+    record.freed = freed;
+    record.forceNewton.set(forceNewton);
+    record.pressingNewton = pressingNewton();
+    describe(record);
+    observer.accept(record);
+  }
+
+  /** Writes positions, contacts and what is held. */
+  abstract void describe(FrameRecord dest);
+
+  /** Whether somebody asks what frames did. */
+  final boolean isObserved() {
+    return observer != null;
+  }
+
   private FrameOutcome outcome() {
     return unreachableNanos > settings.silenceNanos()
         ? FrameOutcome.DEVICE_GONE
@@ -324,6 +358,11 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   /** Notes how near the tool comes to segments. Call it before the first frame. */
   public void watch(List<NearestApproach> segments) {
     approaches = segments.toArray(new NearestApproach[0]);
+  }
+
+  /** Sets who receives what frames did. Call it before the first frame. */
+  public void observe(FrameObserver newObserver) {
+    observer = newObserver;
   }
 
   /**

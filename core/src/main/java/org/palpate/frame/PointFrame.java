@@ -188,7 +188,7 @@ public final class PointFrame extends HapticFrame {
     } else {
       elastic.follow(solver, scene, point, stiffnessNewtonPerMm());
     }
-    if (contactForce.settings().distinguishesObjects()) {
+    if (contactForce.settings().distinguishesObjects() || isObserved()) {
       touchedObject.find(scene, followed, point);
     }
   }
@@ -321,6 +321,13 @@ public final class PointFrame extends HapticFrame {
   void describe(HandState dest) {
     toMillimetres(deviceGrid, dest.device.translation);
     toMillimetres(presentPosition(), dest.tool.translation);
+  }
+
+  @Override
+  void describe(FrameRecord dest) {
+    toMillimetres(deviceGrid, dest.deviceMm);
+    toMillimetres(presentPosition(), dest.tool.translation);
+    dest.take(point);
   }
 
   private void toMillimetres(Vec3 grid, Vec3 dest) {

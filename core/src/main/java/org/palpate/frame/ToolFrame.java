@@ -4,7 +4,6 @@ import java.util.ArrayDeque;
 import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.palpate.body.BodyEvent;
 import org.palpate.body.BodyGroups;
 import org.palpate.body.BodyListener;
@@ -21,6 +20,7 @@ import org.palpate.edit.VoxelWriter;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.GreyMaterials;
 import org.palpate.force.HandState;
+import org.palpate.force.ToolProposal;
 import org.palpate.force.guide.NearestApproach;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
@@ -68,8 +68,7 @@ public final class ToolFrame extends HapticFrame {
   private final AtomicReference<HoldRequest> holdRequest = new AtomicReference<>(HoldRequest.NONE);
   private volatile int heldBody = Grasp.NO_BODY;
 
-  /** For each body the pose that was requested last, until a frame takes it; else null. */
-  private final AtomicReferenceArray<Pose> requestedPoses;
+  private final PoseRequests requestedPoses;
 
   private volatile int pressedBody = Grasp.NO_BODY;
   private volatile BodyGroups groups;
@@ -118,7 +117,7 @@ public final class ToolFrame extends HapticFrame {
     voxels.follow(place);
     grasp = new Grasp(bodies, solver, coupling, settings.force(), placements);
     requestedForce = settings.force();
-    requestedPoses = new AtomicReferenceArray<>(bodies.count());
+    requestedPoses = new PoseRequests(bodies.count());
     groups = BodyGroups.none(bodies.count());
     bodyReport = new BodyReport(bodies, grasp);
     solver.addSkips(skippedBeforeUse);
@@ -147,18 +146,7 @@ public final class ToolFrame extends HapticFrame {
     while (!repetitions.isEmpty()) {
       repetitions.remove().run();
     }
-    applyPoses();
-  }
-
-  private void applyPoses() {
-    for (int n = 0; n < requestedPoses.length(); n++) {
-      if (requestedPoses.get(n) != null) {
-        Pose goal = requestedPoses.getAndSet(n, null);
-        if (!grasp.moves(n)) {
-          solver.bodies().setGoal(n, goal);
-        }
-      }
-    }
+    requestedPoses.apply(grasp, solver.bodies());
   }
 
   private void takeButton() {
@@ -230,7 +218,7 @@ public final class ToolFrame extends HapticFrame {
     if (place.isPlaced() && solver.wasBodyMoved()) {
       solver.bodies().clearGoals();
       solver.place(motion.pose(), motion);
-      grasp.force().reset();
+      grasp.restart(motion);
       setFree();
       bodyReport.reportMotions(BodyEvent.PLACED);
     }
@@ -255,6 +243,11 @@ public final class ToolFrame extends HapticFrame {
     grasp.use(materials);
   }
 
+  /** Lets something propose where the tool goes. Call it before the first frame. */
+  public void use(ToolProposal proposal) {
+    grasp.use(proposal);
+  }
+
   /** Without a new sample bodies move all the same, and may push the tool, once it has a place. */
   @Override
   void rest() {
@@ -263,7 +256,7 @@ public final class ToolFrame extends HapticFrame {
     }
     grasp.solver().rest(motion);
     if (motion.freed()) {
-      grasp.force().reset();
+      grasp.restart(motion);
       setFree();
     }
   }
@@ -277,12 +270,13 @@ public final class ToolFrame extends HapticFrame {
       letGo();
       startsAtDevice = solver.place(devicePose, motion);
       place.place();
+      grasp.restart(motion);
     } else if (carver != null && grasp.held() == Grasp.NO_BODY) {
       carver.carve(devicePose, pressingNewton(), sinceForceNanos());
     }
-    grasp.solver().follow(grasp.target(devicePose), motion);
+    grasp.solver().follow(grasp.target(devicePose, motion, sinceForceNanos()), motion);
     if (jumped || !startsAtDevice || motion.freed()) {
-      grasp.force().reset();
+      grasp.restart(motion);
       setFree();
     }
   }
@@ -299,7 +293,7 @@ public final class ToolFrame extends HapticFrame {
 
   @Override
   void computeForce(long sinceLastNanos) {
-    Pose target = grasp.solver().target();
+    Pose target = grasp.coupled(devicePose);
     grasp.force().compute(motion, target, sinceLastNanos, forceNewton, torqueNewtonMm);
     addEffects(sinceLastNanos);
     grasp.moveTorque(motion.pose(), devicePose, forceNewton, torqueNewtonMm);
@@ -307,10 +301,17 @@ public final class ToolFrame extends HapticFrame {
 
   @Override
   void describe(HandState dest) {
-    dest.device.set(grasp.solver().target());
+    dest.device.set(grasp.coupled(devicePose));
     dest.tool.set(motion.pose());
     dest.isRigid = true;
     dest.heldBody = grasp.held();
+  }
+
+  @Override
+  void describe(FrameRecord dest) {
+    dest.deviceMm.set(devicePose.translation);
+    dest.heldBody = grasp.held();
+    dest.take(motion);
   }
 
   @Override
@@ -365,7 +366,7 @@ public final class ToolFrame extends HapticFrame {
    */
   public void requestPose(int body, Pose restToPresent) {
     solver.bodies().requireGoal(body, restToPresent);
-    requestedPoses.set(body, new Pose().set(restToPresent));
+    requestedPoses.request(body, restToPresent);
   }
 
   /** Sets who receives where bodies are put. Call it before the first frame. */

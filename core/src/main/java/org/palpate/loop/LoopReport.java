@@ -10,6 +10,7 @@ import org.palpate.frame.FrameStatistics;
  * @param frames number of frames that returned
  * @param lateFrames frames that began more than half a period after their deadline
  * @param periodMicros time from the beginning of a frame to that of the next
+ * @param latenessMicros time from the deadline of a frame to its beginning
  * @param workMicros time from the beginning of a frame to its end
  * @param granted the requests that the system granted the thread
  * @param statistics statistics of the frames
@@ -20,6 +21,7 @@ public record LoopReport(
     long frames,
     long lateFrames,
     Quantiles periodMicros,
+    Quantiles latenessMicros,
     Quantiles workMicros,
     ThreadSetup.Granted granted,
     FrameStatistics statistics) {}

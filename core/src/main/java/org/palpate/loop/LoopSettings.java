@@ -49,8 +49,13 @@ public record LoopSettings(
     return new LoopSettings(periodNanos, clock, newPacer, newThreadSetup, warmUp, hangNanos);
   }
 
-  /** Returns these settings with a warm-up. */
+  /** Returns these settings with a warm-up, after which the pacer takes a rest that is due. */
   public LoopSettings withWarmUp(Runnable newWarmUp) {
-    return new LoopSettings(periodNanos, clock, pacer, threadSetup, newWarmUp, hangNanos);
+    Runnable rested =
+        () -> {
+          newWarmUp.run();
+          pacer.awaitUntil(clock.nanoTime());
+        };
+    return new LoopSettings(periodNanos, clock, pacer, threadSetup, rested, hangNanos);
   }
 }

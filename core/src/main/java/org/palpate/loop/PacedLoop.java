@@ -17,6 +17,7 @@ final class PacedLoop {
   private final HapticFrame frame;
   private final LoopSettings settings;
   private final DurationRecorder period = new DurationRecorder();
+  private final DurationRecorder lateness = new DurationRecorder();
   private final DurationRecorder work = new DurationRecorder();
   private final AtomicLong lateFrames = new AtomicLong();
   private final AtomicLong latenessNanos = new AtomicLong();
@@ -55,7 +56,7 @@ final class PacedLoop {
     return LoopEnd.Cause.STOPPED;
   }
 
-  private void recordStart(long start, long lateness) {
+  private void recordStart(long start, long lateNanos) {
     if (started) {
       period.record(start - lastStartNanos.getPlain());
       lastStartNanos.lazySet(start);
@@ -64,8 +65,9 @@ final class PacedLoop {
       lastStartNanos.set(start);
       started = true;
     }
-    latenessNanos.lazySet(Math.max(0, lateness));
-    if (lateness > settings.periodNanos() / 2) {
+    lateness.record(lateNanos);
+    latenessNanos.lazySet(Math.max(0, lateNanos));
+    if (lateNanos > settings.periodNanos() / 2) {
       lateFrames.lazySet(lateFrames.getPlain() + 1);
     }
   }
@@ -110,6 +112,7 @@ final class PacedLoop {
         count,
         lateFrames.get(),
         period.quantiles(),
+        lateness.quantiles(),
         work.quantiles(),
         granted,
         frame.statistics());

@@ -15,7 +15,11 @@ import org.palpate.frame.HapticFrame;
  * </pre>
  */
 public final class WarmUp implements Runnable {
-  private static final long SIMULATED_PERIOD_NANOS = 1_000_000;
+  /**
+   * The time between two frames of the rehearsal. At any rate of the session it is that for which
+   * the least number of frames shows every gesture.
+   */
+  public static final long PERIOD_NANOS = 1_000_000;
 
   private final HapticFrame rehearsal;
   private final int minFrames;
@@ -27,7 +31,8 @@ public final class WarmUp implements Runnable {
   /**
    * Makes a warm-up.
    *
-   * @param rehearsal a frame over a simulated device; it reads the session's scene and has no edits
+   * @param rehearsal a frame over a simulated device with {@link #PERIOD_NANOS}; it reads the
+   *     session's scene and has no edits
    * @param minFrames the least number of frames, so that the hand makes every gesture
    * @param budgetNanos the longest time to take
    */
@@ -45,7 +50,7 @@ public final class WarmUp implements Runnable {
 
   private void rehearse() {
     if (!gone) {
-      gone = rehearsal.run(frames++ * SIMULATED_PERIOD_NANOS) == FrameOutcome.DEVICE_GONE;
+      gone = rehearsal.run(frames++ * PERIOD_NANOS) == FrameOutcome.DEVICE_GONE;
     }
   }
 }

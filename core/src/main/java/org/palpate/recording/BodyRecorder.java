@@ -10,8 +10,8 @@ import org.palpate.geometry.Pose;
  * newest pose and counts it.
  */
 public final class BodyRecorder {
-  /** The number of events: over a second in which eight bodies move in every frame. */
-  static final int CAPACITY = 1 << 14;
+  /** The number of events: most of a second in which eight bodies move in every frame at 10 kHz. */
+  static final int CAPACITY = 1 << 16;
 
   private static final int BODY = 1;
   private static final int POSE = 2;

@@ -10,8 +10,8 @@ import org.palpate.device.DeviceState;
  * and counts it.
  */
 public final class SampleRecorder {
-  /** The usual capacity: some eight seconds at 1 kHz. */
-  public static final int DEFAULT_CAPACITY = 8192;
+  /** The usual capacity: six seconds at 10 kHz, 5 MB. */
+  public static final int DEFAULT_CAPACITY = 1 << 16;
 
   private static final int TIME = 0;
   private static final int POSE = 1;

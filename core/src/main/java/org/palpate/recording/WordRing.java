@@ -75,22 +75,32 @@ final class WordRing {
     words[at] = word;
   }
 
+  /** Sets three words of the claimed entry, bit for bit. Writer. */
+  void set(int at, Vec3 vector) {
+    for (int axis = 0; axis < 3; axis++) {
+      words[at + axis] = Double.doubleToRawLongBits(vector.get(axis));
+    }
+  }
+
   /** Sets {@link #WORDS_A_POSE} words of the claimed entry, bit for bit. Writer. */
   void set(int at, Vec3 position, Quaternion orientation) {
-    for (int axis = 0; axis < 3; axis++) {
-      words[at + axis] = Double.doubleToRawLongBits(position.get(axis));
-    }
+    set(at, position);
     words[at + 3] = Double.doubleToRawLongBits(orientation.w);
     words[at + 4] = Double.doubleToRawLongBits(orientation.x);
     words[at + 5] = Double.doubleToRawLongBits(orientation.y);
     words[at + 6] = Double.doubleToRawLongBits(orientation.z);
   }
 
+  /** Reads three words, bit for bit. Reader. */
+  void get(int at, Vec3 dest) {
+    for (int axis = 0; axis < 3; axis++) {
+      dest.set(axis, number(at + axis));
+    }
+  }
+
   /** Reads {@link #WORDS_A_POSE} words, bit for bit. Reader. */
   void get(int at, Vec3 destPosition, Quaternion destOrientation) {
-    for (int axis = 0; axis < 3; axis++) {
-      destPosition.set(axis, number(at + axis));
-    }
+    get(at, destPosition);
     destOrientation.set(number(at + 3), number(at + 4), number(at + 5), number(at + 6));
   }
 

@@ -1,9 +1,9 @@
 /**
- * Records the samples of a device, edits, poses of bodies and updates of elastic segments without
- * delaying the haptic thread, and writes samples as a trajectory.
+ * Records the samples of a device, edits, poses of bodies, updates of elastic segments and frames
+ * without delaying the haptic thread, and writes samples as a trajectory.
  *
- * <p>Uses {@code body}, {@code device} and {@code elastic}. The haptic thread puts samples into a
- * ring buffer, and a thread of its own writes them into a file. Positions are those of the device;
- * times are milliseconds from the first sample.
+ * <p>Uses {@code body}, {@code device}, {@code elastic} and {@code frame}. The haptic thread puts
+ * samples into a ring buffer, and a thread of its own writes them into a file. Positions are those
+ * of the device; times are milliseconds from the first sample.
  */
 package org.palpate.recording;

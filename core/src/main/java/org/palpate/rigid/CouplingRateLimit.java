@@ -27,7 +27,7 @@ public final class CouplingRateLimit {
   /**
    * Creates a limit for a tool.
    *
-   * @param leastMm the change that is always allowed in a frame, mm
+   * @param leastMm the change that is always allowed in a frame of a millisecond, mm
    */
   public CouplingRateLimit(RigidTool tool, double leastMm) {
     squaredRadiusMm2 = tool.rmsRadiusMm() * tool.rmsRadiusMm();
@@ -42,16 +42,19 @@ public final class CouplingRateLimit {
   /**
    * Writes the displacement and rotation from the device to the tool that the hand is to feel.
    *
+   * @param framePart the part of the least change that the frame gets, in (0, 1], or infinity for
+   *     no bound
    * @param displacementMm written, world mm
    * @param rotationVector written, world axes, rad
    * @return the length, mm, by which the hand is behind; a rotation counts as above
    */
-  public double limit(Pose tool, Pose device, Vec3 displacementMm, Vec3 rotationVector) {
+  public double limit(
+      Pose tool, Pose device, double framePart, Vec3 displacementMm, Vec3 rotationVector) {
     device.differenceTo(tool, displacementMm, rotationVector, scratch);
     double lateMm = 0;
     if (known) {
       lastDevice.differenceTo(device, motion, turn, scratch);
-      double mostMm = Math.max(leastMm, lengthMm(motion, turn));
+      double mostMm = Math.max(framePart * leastMm, lengthMm(motion, turn));
       lateMm = approach(displacementMm, rotationVector, mostMm);
     }
     displacement.set(displacementMm);

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
@@ -81,6 +83,22 @@ class GuidedHandTest {
     }
     assertEquals(0, seen.translation.sub(goal.translation, new Vec3()).length(), 1e-6);
     assertEquals(1, Math.abs(seen.rotation.dot(goal.rotation)), 1e-9);
+  }
+
+  /** Each look corrects by a fraction, so that the rest falls to 1/e within 200 ms. */
+  @ParameterizedTest
+  @ValueSource(ints = {1000, 5000, 10_000})
+  void correctsAsFastAtEveryRate(int hertz) {
+    Pose goal = new Pose().set(new Vec3(3, 0, 0), new Quaternion());
+    Pose seen = new Pose();
+    HandStop aimed =
+        new HandStop(new Pose(), 9, 10, true, Optional.of(new HandStop.Aim(() -> seen, goal)));
+    GuidedHand hand = new GuidedHand(List.of(aimed), Tremor.NONE, 100, 1000 * MS / hertz);
+    for (int n = 0; n < hertz / 5; n++) {
+      hand.read(state);
+      seen.set(state.positionMm, state.orientation);
+    }
+    assertEquals(3 * (1 - Math.exp(-1)), seen.translation.x, 0.02);
   }
 
   @Test

@@ -57,15 +57,15 @@ class RigidCouplingTest {
     Pose device = new Pose();
     Pose pose = new Pose();
     pose.translation.set(0, 0, 1);
-    assertEquals(0, limit.limit(pose, device, force, torque));
+    assertEquals(0, limit.limit(pose, device, 1, force, torque));
     pose.translation.z = 3;
-    assertEquals(1.98, limit.limit(pose, device, force, torque), 1e-12);
+    assertEquals(1.98, limit.limit(pose, device, 1, force, torque), 1e-12);
     assertEquals(1.02, force.z, 1e-12);
     device.translation.x = 0.5;
-    limit.limit(pose, device, force, torque);
+    limit.limit(pose, device, 1, force, torque);
     assertEquals(0.5, force.sub(new Vec3(0, 0, 1.02), new Vec3()).length(), 1e-12);
     for (int frame = 0; frame < 200; frame++) {
-      limit.limit(pose, device, force, torque);
+      limit.limit(pose, device, 1, force, torque);
     }
     assertEquals(3, force.z, 1e-12);
     assertEquals(-0.5, force.x, 1e-12);

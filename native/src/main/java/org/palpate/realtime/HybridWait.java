@@ -10,11 +10,15 @@ import org.palpate.realtime.os.Throttling;
  *
  * <p>A gap between two clock readings of the spin shows that the thread lost its processor. A gap
  * about as long as the kernel's forced rest of real-time threads counts as throttling.
+ *
+ * <p>If frames leave less time for sleep than the kernel asks of a real-time thread, as at 10 kHz,
+ * the wait sleeps in some of them instead of spinning; see {@link RestBudget}.
  */
 public final class HybridWait implements DeadlineWait {
   private final PreciseSleep sleep;
   private final long windowNanos;
   private final long throttlingGapNanos;
+  private final RestBudget rest;
   private final LongSupplier clock;
   private long longestGapNanos;
   private long throttled;
@@ -27,15 +31,19 @@ public final class HybridWait implements DeadlineWait {
     this.sleep = sleep;
     this.windowNanos = windowNanos;
     this.throttlingGapNanos = throttling.gapNanos();
+    rest = new RestBudget(throttling);
     this.clock = clock;
   }
 
+  /** Waits; sleeps past the deadline if the thread has hardly slept for long. */
   @Override
   public void awaitUntil(long deadlineNanos) {
     long before = clock.getAsLong();
-    if (before < deadlineNanos - windowNanos && !Thread.currentThread().isInterrupted()) {
-      sleep.until(deadlineNanos - windowNanos);
+    long wake = Math.max(deadlineNanos - windowNanos, rest.wakeNanos(before, deadlineNanos));
+    if (before < wake && !Thread.currentThread().isInterrupted()) {
+      sleep.until(wake);
       before = clock.getAsLong();
+      rest.slept(before);
     }
     while (before < deadlineNanos && !Thread.currentThread().isInterrupted()) {
       Thread.onSpinWait();

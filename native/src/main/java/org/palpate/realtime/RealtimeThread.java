@@ -18,8 +18,9 @@ import org.palpate.realtime.os.Throttling;
  * the loop, because the wait measures its spin window in the thread after the set-up.
  *
  * <pre>
- *   RealtimeThread thread = RealtimeThread.recommended();
- *   LoopSettings settings = LoopSettings.ofRate(1000).with(thread, thread);
+ *   LoopSettings plain = LoopSettings.ofRate(1000);
+ *   RealtimeThread thread = RealtimeThread.recommended(plain.periodNanos());
+ *   LoopSettings settings = plain.with(thread, thread);
  * </pre>
  *
  * <p>{@link #setUp} and {@link #awaitUntil} are for the haptic thread; any thread may call the
@@ -34,30 +35,38 @@ public final class RealtimeThread implements ThreadSetup, Pacer, AutoCloseable {
 
   private final RealtimeRequest request;
   private final WaitKind waiting;
+  private final long periodNanos;
   private final Throttling throttling;
   private volatile List<RequestOutcome> outcomes = List.of();
   private volatile DeadlineWait wait = new ParkWait();
 
-  /** Creates a thread set-up with the given requests and the given kind of wait. */
-  public RealtimeThread(RealtimeRequest request, WaitKind waiting) {
+  /**
+   * Creates a thread set-up with the given requests and the given kind of wait.
+   *
+   * @param periodNanos time between two frames, by which the wait chooses its spin
+   */
+  public RealtimeThread(RealtimeRequest request, WaitKind waiting, long periodNanos) {
     this.request = request;
     this.waiting = waiting;
+    this.periodNanos = periodNanos;
     throttling = Throttling.read(Path.of("/"));
   }
 
   /**
    * Returns the set-up that the jitter laboratory recommends: a FIFO thread on a processor of its
    * own that sleeps and then spins.
+   *
+   * @param periodNanos time between two frames
    */
-  public static RealtimeThread recommended() {
-    return new RealtimeThread(RealtimeRequest.recommended(), WaitKind.HYBRID);
+  public static RealtimeThread recommended(long periodNanos) {
+    return new RealtimeThread(RealtimeRequest.recommended(), WaitKind.HYBRID, periodNanos);
   }
 
   /** Sends the requests, measures the wait and runs it until it is compiled: half a second. */
   @Override
   public Granted setUp() {
     outcomes = OperatingSystem.apply(request);
-    DeadlineWait made = waiting.create();
+    DeadlineWait made = waiting.create(periodNanos);
     for (int i = 0; i < WARM_UP_WAITS; i++) {
       made.awaitUntil(System.nanoTime() + WARM_UP_WAIT_NANOS);
     }

@@ -15,21 +15,22 @@ final class SpinWindow {
 
   private static final int SLEEPS = 200;
   // About the length of a frame: an idle processor enters deeper sleep states the longer it rests.
-  private static final long SLEEP_NANOS = 900_000;
+  private static final double SLEEP_OVER_PERIOD = 0.9;
   private static final double COVERED_PERCENTILE = 99;
   private static final long LARGEST_NANOS = 10_000_000_000L;
 
   private SpinWindow() {}
 
-  /** Measures for about a fifth of a second; returns at most {@link #MAX_NANOS}. */
-  static long measureNanos(PreciseSleep sleep) {
-    return measureNanos(sleep, System::nanoTime);
+  /** Measures for about 200 periods; returns at most {@link #MAX_NANOS}. */
+  static long measureNanos(PreciseSleep sleep, long periodNanos) {
+    return measureNanos(sleep, periodNanos, System::nanoTime);
   }
 
-  static long measureNanos(PreciseSleep sleep, LongSupplier clock) {
+  static long measureNanos(PreciseSleep sleep, long periodNanos, LongSupplier clock) {
+    long sleepNanos = (long) (SLEEP_OVER_PERIOD * periodNanos);
     Histogram lateness = new Histogram(LARGEST_NANOS, 3);
     for (int i = 0; i < SLEEPS; i++) {
-      long due = clock.getAsLong() + SLEEP_NANOS;
+      long due = clock.getAsLong() + sleepNanos;
       sleep.until(due);
       lateness.recordValue(Math.min(LARGEST_NANOS, Math.max(0, clock.getAsLong() - due)));
     }

@@ -20,21 +20,24 @@ public enum WaitKind {
 
   /**
    * Creates the wait. Call it in the thread that will wait, under its final scheduling, because
-   * {@link #HYBRID} measures the lateness of that thread's wake-ups for a fifth of a second.
+   * {@link #HYBRID} measures the lateness of that thread's wake-ups for 200 periods.
+   *
+   * @param periodNanos time between two deadlines
    */
-  public DeadlineWait create() {
+  public DeadlineWait create(long periodNanos) {
     return switch (this) {
       case PARK -> new ParkWait();
       case SLEEP -> new SleepWait();
       case ABSOLUTE -> new AbsoluteWait(OperatingSystem.sleep());
-      case HYBRID -> hybrid();
+      case HYBRID -> hybrid(periodNanos);
       case SPIN -> new SpinWait();
     };
   }
 
-  private static HybridWait hybrid() {
+  private static HybridWait hybrid(long periodNanos) {
     PreciseSleep sleep = OperatingSystem.sleep();
-    return new HybridWait(sleep, SpinWindow.measureNanos(sleep), Throttling.read(Path.of("/")));
+    long windowNanos = SpinWindow.measureNanos(sleep, periodNanos);
+    return new HybridWait(sleep, windowNanos, Throttling.read(Path.of("/")));
   }
 
   /** Whether the thread sleeps in every frame that ends in time. */

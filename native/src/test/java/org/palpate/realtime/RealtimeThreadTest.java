@@ -11,9 +11,11 @@ import org.palpate.realtime.os.RealtimeRequest;
 import org.palpate.realtime.os.SchedulingClass;
 
 class RealtimeThreadTest {
+  private static final long MILLISECOND = 1_000_000;
+
   @Test
   void reportsDefaultsIfNothingWasRequested() throws InterruptedException {
-    Granted granted = setUp(new RealtimeThread(RealtimeRequest.none(), WaitKind.PARK));
+    Granted granted = setUp(new RealtimeThread(RealtimeRequest.none(), WaitKind.PARK, MILLISECOND));
     assertEquals("default", granted.schedulingClass());
     assertEquals("any", granted.affinity());
     assertFalse(granted.memoryLocked());
@@ -22,7 +24,7 @@ class RealtimeThreadTest {
   @Test
   void reportsTheClassEitherAsGrantedOrAsDenied() throws InterruptedException {
     RealtimeRequest request = new RealtimeRequest(SchedulingClass.FIFO, false, false, false, true);
-    Granted granted = setUp(new RealtimeThread(request, WaitKind.HYBRID));
+    Granted granted = setUp(new RealtimeThread(request, WaitKind.HYBRID, MILLISECOND));
     boolean refused = granted.refusals().stream().anyMatch(line -> line.startsWith("class:"));
     assertEquals(refused, granted.schedulingClass().equals("default"), granted.toString());
   }
@@ -30,7 +32,7 @@ class RealtimeThreadTest {
   @Test
   void everyKindOfWaitEndsAfterTheDeadline() throws InterruptedException {
     for (WaitKind kind : WaitKind.values()) {
-      try (DeadlineWait wait = kind.create()) {
+      try (DeadlineWait wait = kind.create(MILLISECOND)) {
         long deadline = System.nanoTime() + 2_000_000;
         wait.awaitUntil(deadline);
         assertTrue(System.nanoTime() >= deadline, kind.toString());

@@ -35,6 +35,7 @@ class SpinWindowTest {
 
   private long measure(LongUnaryOperator lateNanos) {
     sleeps = 0;
-    return SpinWindow.measureNanos(due -> now = due + lateNanos.applyAsLong(sleeps++), () -> now);
+    return SpinWindow.measureNanos(
+        due -> now = due + lateNanos.applyAsLong(sleeps++), 1_000_000, () -> now);
   }
 }

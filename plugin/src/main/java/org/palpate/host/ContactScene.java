@@ -1,6 +1,7 @@
 package org.palpate.host;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -32,6 +33,7 @@ import org.palpate.force.MassiveContact;
 import org.palpate.force.Material;
 import org.palpate.force.guide.NearestApproach;
 import org.palpate.force.guide.SegmentDistance;
+import org.palpate.force.needle.NeedleTissue;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.GridDevice;
@@ -247,8 +249,7 @@ public final class ContactScene {
   /**
    * Returns new bodies, one for each segment in their order, which share the segments' voxels.
    *
-   * @param movable the indices of those that can move; the others are placed and can move as the
-   *     scene says
+   * @param movable the indices of those that can move; the others can move as the scene says
    */
   public BodyScene newBodies(Set<Integer> movable) {
     List<Body> bodies = new ArrayList<>();
@@ -256,13 +257,36 @@ public final class ContactScene {
       int index = bodies.size();
       Placement placement = placements.isEmpty() ? AT_REST : placements.get(index);
       Mobility mobility = movable.contains(index) ? Mobility.MOVABLE : placement.mobility();
-      Body body = new Body(segment.name(), segment.bits(), volume.grid(index), mobility);
+      VoxelGrid own = volume.grid(index);
+      Body body = new Body(segment.name(), solids(segment, own), own, mobility);
       if (!placements.isEmpty()) {
         body.setPose(placement.pose());
       }
       bodies.add(body);
     }
     return new BodyScene(bodies);
+  }
+
+  /** Returns the voxels that stop a tool: none of a segment that a needle may enter. */
+  private BitCube solids(Segment segment, VoxelGrid own) {
+    return material(segment).isPenetrable()
+        ? new BitCube(own.sizeX(), own.sizeY(), own.sizeZ())
+        : segment.bits();
+  }
+
+  private MaterialOverride material(Segment segment) {
+    return settings.materials().getOrDefault(segment.name(), MaterialOverride.NONE);
+  }
+
+  /** Returns the segments that a needle may enter, by their names; none without a needle. */
+  public Map<String, NeedleTissue> tissues() {
+    Map<String, NeedleTissue> found = new LinkedHashMap<>();
+    for (Segment segment : volume.segments()) {
+      material(segment)
+          .tissue(segment.bits())
+          .ifPresent(tissue -> found.put(segment.name(), tissue));
+    }
+    return found;
   }
 
   /** Returns the placement of each segment; empty if all stand at rest. */
@@ -348,8 +372,7 @@ public final class ContactScene {
     return volume.segments().stream().noneMatch(segment -> chosen.containsKey(segment.name()))
         ? List.of()
         : Stream.concat(
-                volume.segments().stream()
-                    .map(segment -> chosen.getOrDefault(segment.name(), MaterialOverride.NONE)),
+                volume.segments().stream().map(this::material),
                 kept.stream().map(margins -> MaterialOverride.NONE))
             .map(choice -> choice.over(general, form))
             .toList();
@@ -427,11 +450,7 @@ public final class ContactScene {
   }
 
   private double cutNewton(Segment segment) {
-    return settings
-        .materials()
-        .getOrDefault(segment.name(), MaterialOverride.NONE)
-        .cutNewton()
-        .orElse(0);
+    return material(segment).cutNewton();
   }
 
   /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */

@@ -1,25 +1,25 @@
 package org.palpate.host;
 
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.force.FrictionForm;
 import org.palpate.force.Material;
+import org.palpate.force.needle.NeedleTissue;
+import org.palpate.volume.BitCube;
 
 /**
- * Overrides parts of the general material for one segment. An empty value keeps the general one.
+ * Overrides parts of the general material for one segment. What is missing keeps the general value.
  *
- * @param stiffnessNewtonPerMm force per distance, N per mm of scan
- * @param friction static friction coefficient; also the kinetic one if that is not given
- * @param slidingFriction kinetic friction coefficient, at most the static one
- * @param dampingNewtonSecondPerMm force per speed, N s/mm
- * @param cutNewton the force below which a cutting tool meets a hard wall, N
+ * @param values the numbers by their keys, in the units of {@link #KEYS}
  */
-public record MaterialOverride(
-    OptionalDouble stiffnessNewtonPerMm,
-    OptionalDouble friction,
-    OptionalDouble slidingFriction,
-    OptionalDouble dampingNewtonSecondPerMm,
-    OptionalDouble cutNewton) {
+public record MaterialOverride(Map<String, Double> values) {
+  /** The keys: N/mm, two coefficients of friction, N s/mm, three forces in N, and N/mm. */
+  private static final List<String> KEYS =
+      List.of("stiffness", "friction", "sliding", "damping", "cut", "puncture", "cutting", "shaft");
+
   /** The smallest stiffness other than 0, N/mm. */
   public static final double LEAST_STIFFNESS = 1e-6;
 
@@ -32,35 +32,37 @@ public record MaterialOverride(
   private static final double MOST_DAMPING = 1e6;
 
   /** Overrides nothing. */
-  public static final MaterialOverride NONE =
-      new MaterialOverride(
-          OptionalDouble.empty(),
-          OptionalDouble.empty(),
-          OptionalDouble.empty(),
-          OptionalDouble.empty(),
-          OptionalDouble.empty());
+  public static final MaterialOverride NONE = new MaterialOverride(Map.of());
+
+  /** Copies the map. */
+  public MaterialOverride {
+    values = Map.copyOf(values);
+  }
 
   /**
-   * Parses any of the five as in {@code
-   * stiffness:0.8,friction:0.3,sliding:0.2,damping:0.001,cut:0.5}, each at most once.
+   * Parses any of the keys as in {@code stiffness:0.8,friction:0.3,sliding:0.2}, each at most once.
    *
-   * <p>Returns empty if the text has another form, a number is out of its range, or sliding exceeds
-   * friction. A stiffness of 0 is allowed: the user does not feel such a segment.
+   * <p>Returns empty if the text has another form, a number is out of its range, sliding exceeds
+   * friction, or a needle is to cut or rub without a puncture. A stiffness of 0 is allowed: the
+   * user does not feel such a segment.
    */
   public static Optional<MaterialOverride> parse(String text) {
-    MaterialOverride override = NONE;
+    Map<String, Double> read = new HashMap<>();
     for (String part : text.split(",", -1)) {
       int colon = part.indexOf(':');
       String name = colon < 0 ? "" : part.substring(0, colon);
       OptionalDouble value = number(part.substring(colon + 1), name);
-      MaterialOverride next = value.isEmpty() ? override : override.with(name, value);
-      if (next.equals(override)) {
+      boolean isNew = KEYS.contains(name) && value.isPresent() && !read.containsKey(name);
+      if (!isNew) {
         return Optional.empty();
       }
-      override = next;
+      read.put(name, value.getAsDouble());
     }
-    double atRest = override.friction.orElse(Double.POSITIVE_INFINITY);
-    return override.slidingFriction.orElse(0) > atRest ? Optional.empty() : Optional.of(override);
+    double atRest = read.getOrDefault("friction", Double.POSITIVE_INFINITY);
+    boolean ofNeedle = read.containsKey("cutting") || read.containsKey("shaft");
+    boolean isRefused =
+        read.getOrDefault("sliding", 0.0) > atRest || (ofNeedle && !read.containsKey("puncture"));
+    return isRefused ? Optional.empty() : Optional.of(new MaterialOverride(read));
   }
 
   private static OptionalDouble number(String text, String name) {
@@ -89,41 +91,42 @@ public record MaterialOverride(
     };
   }
 
-  /**
-   * Returns a copy with one more value; this object if the name is unknown or already has a value.
-   */
-  private MaterialOverride with(String name, OptionalDouble value) {
-    if (name.equals("stiffness") && stiffnessNewtonPerMm.isEmpty()) {
-      return new MaterialOverride(
-          value, friction, slidingFriction, dampingNewtonSecondPerMm, cutNewton);
-    }
-    if (name.equals("friction") && friction.isEmpty()) {
-      return new MaterialOverride(
-          stiffnessNewtonPerMm, value, slidingFriction, dampingNewtonSecondPerMm, cutNewton);
-    }
-    if (name.equals("sliding") && slidingFriction.isEmpty()) {
-      return new MaterialOverride(
-          stiffnessNewtonPerMm, friction, value, dampingNewtonSecondPerMm, cutNewton);
-    }
-    if (name.equals("damping") && dampingNewtonSecondPerMm.isEmpty()) {
-      return new MaterialOverride(
-          stiffnessNewtonPerMm, friction, slidingFriction, value, cutNewton);
-    }
-    if (name.equals("cut") && cutNewton.isEmpty()) {
-      return new MaterialOverride(
-          stiffnessNewtonPerMm, friction, slidingFriction, dampingNewtonSecondPerMm, value);
-    }
-    return this;
+  private OptionalDouble value(String key) {
+    Double value = values.get(key);
+    return value == null ? OptionalDouble.empty() : OptionalDouble.of(value);
+  }
+
+  /** Returns the force below which a cutting tool meets a hard wall, N. */
+  public double cutNewton() {
+    return values.getOrDefault("cut", 0.0);
+  }
+
+  /** Returns the segment as a tissue that a needle may enter; empty if it may not. */
+  Optional<NeedleTissue> tissue(BitCube bits) {
+    return isPenetrable()
+        ? Optional.of(
+            new NeedleTissue(
+                bits,
+                values.get("puncture"),
+                values.getOrDefault("cutting", 0.0),
+                values.getOrDefault("shaft", 0.0)))
+        : Optional.empty();
+  }
+
+  /** Whether a needle may enter the segment. */
+  public boolean isPenetrable() {
+    return values.containsKey("puncture");
   }
 
   /** Returns the material of the segment over a general material. */
   Material over(Material general, FrictionForm form) {
-    double atRest = friction.orElse(Math.max(general.staticFriction(), slidingFriction.orElse(0)));
-    double sliding = slidingFriction.orElse(form.slidingFraction() * atRest);
+    double atRest =
+        value("friction").orElse(Math.max(general.staticFriction(), value("sliding").orElse(0)));
+    double sliding = value("sliding").orElse(form.slidingFraction() * atRest);
     return new Material(
-        stiffnessNewtonPerMm.orElse(general.stiffnessNewtonPerMm()),
+        value("stiffness").orElse(general.stiffnessNewtonPerMm()),
         atRest,
         sliding,
-        dampingNewtonSecondPerMm.orElse(general.dampingNewtonSecondPerMm()));
+        value("damping").orElse(general.dampingNewtonSecondPerMm()));
   }
 }

@@ -11,16 +11,19 @@ import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 /**
- * A mouse as a haptic device without force. With each sample its pose covers a fiftieth of the way
- * to the pointer, so it moves and turns smoothly. A new press makes it jump. Any thread moves the
- * pointer; the haptic thread reads the device.
+ * A mouse as a haptic device without force. In each millisecond its pose covers a fiftieth of the
+ * way to the pointer, so it moves and turns smoothly. A new press makes it jump. Any thread moves
+ * the pointer; the haptic thread reads the device.
  */
 public final class MouseDevice implements HapticDevice {
-  /** Part of the remaining distance to the pointer that one sample covers. */
-  private static final double APPROACH_FRACTION_PER_SAMPLE = 0.02;
+  /** Part of the remaining distance to the pointer that is covered in a millisecond. */
+  private static final double APPROACH_PER_MS = 0.02;
+
+  private static final double NANOS_PER_MS = 1e6;
 
   private final DeviceSpecification specification;
   private final long intervalNanos;
+  private final double approach;
   private final Pose pose = new Pose();
   private final Pose.Scratch scratch = new Pose.Scratch();
   private volatile Motion motion;
@@ -47,6 +50,7 @@ public final class MouseDevice implements HapticDevice {
    */
   public MouseDevice(HandTarget region, long intervalNanos) {
     this.intervalNanos = intervalNanos;
+    approach = Math.min(1, APPROACH_PER_MS * (intervalNanos / NANOS_PER_MS));
     Vec3 start = beside(region);
     pose.translation.set(start);
     motion = new Motion(0, start, new Pose().set(pose));
@@ -122,7 +126,7 @@ public final class MouseDevice implements HapticDevice {
       jumpsMade = now.jumps;
       pose.translation.set(now.from);
     } else {
-      pose.interpolate(now.target, APPROACH_FRACTION_PER_SAMPLE, scratch, pose);
+      pose.interpolate(now.target, approach, scratch, pose);
     }
     state.positionMm.set(pose.translation);
     state.orientation.set(pose.rotation);

@@ -15,6 +15,7 @@ import org.palpate.elastic.SynchronousUpdates;
 import org.palpate.force.ForceRamp;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.MassiveContact;
+import org.palpate.frame.FrameObserver;
 import org.palpate.frame.FramePublisher;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
@@ -32,11 +33,14 @@ import org.palpate.statistics.WorkPercentiles;
  * the same input gives the same bits. One thread.
  *
  * <p>Time is the trajectory's, and every sample is followed. In raw mode samples are treated as in
- * a live session: frames come a millisecond apart, invalid positions and backward times keep the
- * last sample, and silences are detected.
+ * a live session: frames come a millisecond apart, or less if the samples do. Invalid positions and
+ * backward times keep the last sample, and silences are detected.
  */
 public final class ReplayRun {
   private static final double NANOS_PER_MS = 1e6;
+
+  /** Samples that usually come more often than this are those of a rate above 1 kHz. */
+  private static final double SHORT_STEP_MS = 0.75;
 
   private final ContactScene scene;
   private final Trajectory trajectory;
@@ -44,6 +48,7 @@ public final class ReplayRun {
   private final boolean raw;
   private final EditSchedule edits;
   private final Optional<Elastic> elastic;
+  private final Optional<FrameObserver> observer;
 
   /** Makes elastic segments at rest, and what updates them before each frame. */
   private record Elastic(Supplier<ElasticBody> bodies, Function<ElasticBody, Runnable> updates) {}
@@ -73,9 +78,11 @@ public final class ReplayRun {
       boolean world,
       boolean raw,
       EditSchedule edits,
-      Optional<Elastic> elastic) {
+      Optional<Elastic> elastic,
+      Optional<FrameObserver> observer) {
     this.edits = edits;
     this.elastic = elastic;
+    this.observer = observer;
     this.scene = scene;
     this.trajectory = trajectory;
     this.world = world;
@@ -84,32 +91,34 @@ public final class ReplayRun {
 
   /** Returns a replay of a trajectory in world mm. */
   public static ReplayRun inWorld(ContactScene scene, Trajectory trajectory) {
-    return new ReplayRun(scene, trajectory, true, false, EditSchedule.NONE, Optional.empty());
+    return new ReplayRun(
+        scene, trajectory, true, false, EditSchedule.NONE, Optional.empty(), Optional.empty());
   }
 
   /** Returns a replay of a trajectory in grid coordinates. */
   public static ReplayRun inGrid(ContactScene scene, Trajectory trajectory) {
-    return new ReplayRun(scene, trajectory, false, false, EditSchedule.NONE, Optional.empty());
+    return new ReplayRun(
+        scene, trajectory, false, false, EditSchedule.NONE, Optional.empty(), Optional.empty());
   }
 
   /** Returns this replay in raw mode, which treats samples as a live session does. */
   public ReplayRun inRawMode() {
-    return new ReplayRun(scene, trajectory, world, true, edits, elastic);
+    return new ReplayRun(scene, trajectory, world, true, edits, elastic, observer);
   }
 
   /** Returns this replay with recorded changes of voxels; it uses up the schedule. */
   public ReplayRun withEdits(EditSchedule recorded) {
-    return new ReplayRun(scene, trajectory, world, raw, recorded, elastic);
+    return new ReplayRun(scene, trajectory, world, raw, recorded, elastic, observer);
   }
 
   /**
    * Returns this replay with elastic segments, which are updated every {@link
-   * SynchronousUpdates#FRAMES} frames.
+   * SynchronousUpdates#FRAMES} frames of a millisecond.
    *
    * @param bodies makes a body at rest for each run
    */
   public ReplayRun withElastic(Supplier<ElasticBody> bodies) {
-    return with(new Elastic(bodies, body -> new SynchronousUpdates(body)::beforeFrame));
+    return with(new Elastic(bodies, this::updates));
   }
 
   /**
@@ -121,8 +130,17 @@ public final class ReplayRun {
     return with(new Elastic(bodies, body -> new RecordedUpdates(body, recorded)::beforeFrame));
   }
 
+  private Runnable updates(ElasticBody body) {
+    return new SynchronousUpdates(body, frameMs(trajectory))::beforeFrame;
+  }
+
   private ReplayRun with(Elastic segments) {
-    return new ReplayRun(scene, trajectory, world, raw, edits, Optional.of(segments));
+    return new ReplayRun(scene, trajectory, world, raw, edits, Optional.of(segments), observer);
+  }
+
+  /** Returns this replay with somebody who receives what frames did, if given. */
+  public ReplayRun withObserver(Optional<FrameObserver> newObserver) {
+    return new ReplayRun(scene, trajectory, world, raw, edits, elastic, newObserver);
   }
 
   /**
@@ -146,16 +164,18 @@ public final class ReplayRun {
     ForceSettings contact = scene.force(scene.defaultStiffnessNewtonPerMm());
     PointFrame frame =
         scene.newFrame(gridDevice, frameSettings(scene, contact, raw), FramePublisher.NONE);
+    observer.ifPresent(frame::observe);
     Optional<ElasticBody> body = elastic.map(segments -> segments.bodies().get());
     body.ifPresent(made -> frame.deform(made.contact()));
     Runnable updates = elastic.map(e -> e.updates().apply(body.orElseThrow())).orElse(() -> {});
     Vec3 point = new Vec3();
     Vec3 force = new Vec3();
     long[] work = new long[trajectory.size()];
+    long rawFrameNanos = rawFrameNanos(trajectory, raw);
     for (int n = 0; n < work.length; n++) {
       edits.offerUpTo(n, scene.edits());
       updates.run();
-      frame.run(frameNanos(trajectory, n, raw));
+      frame.run(frameNanos(trajectory, n, rawFrameNanos));
       work[n] = frame.followed() ? frame.work() : 0;
       toTrajectory(frame, point, force);
       sink.accept(n, device.lastPosition(), point, force, frame.point(), frame.wasFreed());
@@ -170,10 +190,25 @@ public final class ReplayRun {
     queue.applyTo(frame.voxels(), Integer.MAX_VALUE);
   }
 
-  /** Returns the time at which the frame of a sample begins. */
-  static long frameNanos(Trajectory trajectory, int sample, boolean raw) {
-    return raw
-        ? sample * TrajectoryDevice.FRAME_NANOS
+  /** Returns the time between two frames of a live session with such samples, ms, at most 1. */
+  private static double frameMs(Trajectory trajectory) {
+    double stepMs = trajectory.usualStepMs();
+    return stepMs < SHORT_STEP_MS ? stepMs : TrajectoryDevice.FRAME_NANOS / NANOS_PER_MS;
+  }
+
+  /** Returns the time between two frames in raw mode, ns; 0 without it. */
+  static long rawFrameNanos(Trajectory trajectory, boolean raw) {
+    return raw ? Math.max(1, Math.round(frameMs(trajectory) * NANOS_PER_MS)) : 0;
+  }
+
+  /**
+   * Returns the time at which the frame of a sample begins.
+   *
+   * @param rawFrameNanos as {@link #rawFrameNanos} returned it
+   */
+  static long frameNanos(Trajectory trajectory, int sample, long rawFrameNanos) {
+    return rawFrameNanos > 0
+        ? sample * rawFrameNanos
         : Math.round(trajectory.timeMs(sample) * NANOS_PER_MS);
   }
 

@@ -3,6 +3,7 @@ package org.palpate.host;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -11,6 +12,7 @@ import org.palpate.device.DeviceState;
 import org.palpate.device.Trajectory;
 import org.palpate.edit.EditSchedule;
 import org.palpate.force.ToolForce;
+import org.palpate.frame.FrameObserver;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.FrameStatistics;
 import org.palpate.frame.ToolFrame;
@@ -35,6 +37,7 @@ public final class ToolReplay {
   private final boolean raw;
   private final EditSchedule edits;
   private final List<BodyPose> poses;
+  private final Optional<FrameObserver> observer;
 
   /** Receives the result of each frame. */
   @FunctionalInterface
@@ -77,7 +80,7 @@ public final class ToolReplay {
    * @param raw whether samples are treated as in a live session
    */
   public ToolReplay(ToolScene scene, Trajectory trajectory, boolean raw) {
-    this(scene, trajectory, raw, EditSchedule.NONE, List.of());
+    this(scene, trajectory, raw, EditSchedule.NONE, List.of(), Optional.empty());
   }
 
   /**
@@ -87,13 +90,16 @@ public final class ToolReplay {
    * @param edits recorded changes of voxels; the replay uses up the schedule
    * @param poses the poses that bodies approach, or what a recorded session did to them, in the
    *     order of their frames
+   * @param observer receives what frames did, if given
    */
   public ToolReplay(
       ToolScene scene,
       Trajectory trajectory,
       boolean raw,
       EditSchedule edits,
-      List<BodyPose> poses) {
+      List<BodyPose> poses,
+      Optional<FrameObserver> observer) {
+    this.observer = observer;
     this.edits = edits;
     this.poses = poses;
     this.scene = scene;
@@ -152,7 +158,9 @@ public final class ToolReplay {
             .withTorque(Double.POSITIVE_INFINITY);
     ToolFrame frame =
         scene.newFrame(device, settings, scene.coupling(newtonPerMm), ToolFramePublisher.NONE);
+    observer.ifPresent(frame::observe);
     long[] work = new long[trajectory.size()];
+    long rawFrameNanos = ReplayRun.rawFrameNanos(trajectory, raw);
     int first = 0;
     long motions = 0;
     long elsewhere = 0;
@@ -160,7 +168,7 @@ public final class ToolReplay {
     for (int n = 0; n < work.length; n++) {
       edits.offerUpTo(n, scene.edits());
       int end = repeatUpTo(n, first, frame);
-      frame.run(ReplayRun.frameNanos(trajectory, n, raw));
+      frame.run(ReplayRun.frameNanos(trajectory, n, rawFrameNanos));
       elsewhere += countElsewhere(poses.subList(first, end));
       first = end;
       work[n] = frame.followed() ? frame.work() : 0;

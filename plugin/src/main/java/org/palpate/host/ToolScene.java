@@ -1,6 +1,7 @@
 package org.palpate.host;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
@@ -15,6 +16,9 @@ import org.palpate.force.EffectSite;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.FrictionForm;
 import org.palpate.force.HapticEffect;
+import org.palpate.force.MassiveTool;
+import org.palpate.force.needle.NeedleTissue;
+import org.palpate.force.needle.NeedleTrack;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
@@ -50,6 +54,12 @@ public final class ToolScene {
   private final OptionalDouble rotationalStiffness;
   private final RigidSolver solver;
   private final EditQueue edits;
+
+  /** Written by the thread that makes a frame. */
+  private volatile Optional<NeedleTrack> needle = Optional.empty();
+
+  /** Written by the thread that makes a frame. */
+  private volatile Optional<MassiveTool> mass = Optional.empty();
 
   /** Creates a scene in which no body moves. */
   public ToolScene(
@@ -236,7 +246,47 @@ public final class ToolScene {
     made.watch(scene.approaches());
     made.requestEffects(newEffects(frame, coupling));
     scene.settings().feel().materials().ifPresent(made::use);
+    needle = newNeedle(coupling);
+    needle.ifPresent(made::use);
+    mass = newMass(frame, coupling);
+    mass.ifPresent(made::use);
     return made;
+  }
+
+  private Optional<MassiveTool> newMass(FrameSettings frame, RigidCoupling coupling) {
+    double friction = frame.force().general().slidingFriction();
+    return scene
+        .settings()
+        .feel()
+        .mass()
+        .map(held -> new MassiveTool(tool, coupling, friction, held));
+  }
+
+  /** Returns the mass of the tool in the last frame that was made; empty without one. */
+  public Optional<MassiveTool> mass() {
+    return mass;
+  }
+
+  /** Returns the track of a needle outside of all tissue; empty if nothing is penetrable. */
+  private Optional<NeedleTrack> newNeedle(RigidCoupling coupling) {
+    List<NeedleTissue> tissues = List.copyOf(scene.tissues().values());
+    if (tissues.isEmpty()) {
+      return Optional.empty();
+    }
+    double low = IntStream.range(0, tool.count()).mapToDouble(tool::z).min().orElse(0);
+    double high = IntStream.range(0, tool.count()).mapToDouble(tool::z).max().orElse(0);
+    return Optional.of(
+        new NeedleTrack(
+            tissues,
+            scene.grid(),
+            new Vec3(0, 0, low),
+            high - low,
+            coupling.stiffnessNewtonPerMm()));
+  }
+
+  /** Returns the needle of the last frame that was made; empty without one. */
+  public Optional<NeedleTrack> needle() {
+    return needle;
   }
 
   private List<HapticEffect> newEffects(FrameSettings frame, RigidCoupling coupling) {
@@ -256,6 +306,8 @@ public final class ToolScene {
         new ToolFrame(worldDevice, bodies, solver, coupling, frame, none, ToolFramePublisher.NONE);
     made.requestEffects(newEffects(frame, coupling));
     scene.settings().feel().materials().ifPresent(made::use);
+    newNeedle(coupling).ifPresent(made::use);
+    newMass(frame, coupling).ifPresent(made::use);
     return made;
   }
 }

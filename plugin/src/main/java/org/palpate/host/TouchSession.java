@@ -16,6 +16,7 @@ import org.palpate.elastic.ElasticBody;
 import org.palpate.elastic.ElasticThread;
 import org.palpate.elastic.PublishedShape;
 import org.palpate.force.MassiveContact;
+import org.palpate.frame.FrameObserver;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.GridDevice;
 import org.palpate.frame.HapticFrame;
@@ -58,10 +59,7 @@ import org.palpate.volume.VoxelGrid;
  * One thread creates, supervises and closes a session; any thread may call {@link #stop}.
  */
 public final class TouchSession implements AutoCloseable {
-  /**
-   * The least number of warm-up frames before the force is switched on, so that it runs compiled
-   * code.
-   */
+  /** The least number of warm-up frames, so that the force begins with compiled code. */
   private static final int WARM_UP_MIN_FRAMES = 10_000;
 
   private static final long WARM_UP_NANOS = 1_000_000_000L;
@@ -74,6 +72,7 @@ public final class TouchSession implements AutoCloseable {
   public static final long SUPERVISION_PERIOD_NANOS = SynchronizationThread.PERIOD_NANOS;
 
   private final HapticDevice device;
+  private HapticFrame frame;
   private final HapticLoop loop;
   private final ContactTuning tuning;
   private final TouchProperties properties = new TouchProperties(new Accumulator());
@@ -163,8 +162,7 @@ public final class TouchSession implements AutoCloseable {
                         recorder.offer(frame.sampleOfChanges(), body, event, pose, inHand)));
     tuning = ContactTuning.ofTool(frame, frameSettings.force(), specification);
     HapticDevice hand =
-        SimulatedDevice.withOrientation(
-            WARM_UP_SEED, scene.handTarget(), settings.loop().periodNanos());
+        SimulatedDevice.withOrientation(WARM_UP_SEED, scene.handTarget(), WarmUp.PERIOD_NANOS);
     Runnable warmUp = warmUp(scene.newWarmUpFrame(hand, frameSettings, coupling));
     loop = newLoop(frame, settings, warmUp);
     held = Optional.of(new HeldTool(scene, frame, publisher));
@@ -181,6 +179,7 @@ public final class TouchSession implements AutoCloseable {
   }
 
   private HapticLoop newLoop(HapticFrame frame, SessionSettings settings, Runnable warmUp) {
+    this.frame = frame;
     EditRecorder recorder = settings.editRecorder().orElse(null);
     frame
         .voxels()
@@ -199,7 +198,7 @@ public final class TouchSession implements AutoCloseable {
   private static Runnable warmUp(
       ContactScene scene, FrameSettings frameSettings, SessionSettings settings) {
     HandTarget target = scene.handTarget();
-    HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, settings.loop().periodNanos());
+    HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, WarmUp.PERIOD_NANOS);
     return warmUp(
         settings
             .elastic()
@@ -249,8 +248,7 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /**
-   * Returns the voxels that frames change from the start on, for one reader. Call it once, before
-   * {@link #start}.
+   * Returns the voxels that frames change, for one reader. Call it once, before {@link #start}.
    *
    * @throws IllegalStateException if it was called before or the session has started
    */
@@ -267,6 +265,11 @@ public final class TouchSession implements AutoCloseable {
   public Optional<PublishedShape> shape() {
     shape = elastic.map(body -> body.publish(properties.accumulator())).orElse(null);
     return Optional.ofNullable(shape);
+  }
+
+  /** Sets who receives what frames did, on the haptic thread. Call it before {@link #start}. */
+  public void observe(FrameObserver observer) {
+    frame.observe(observer);
   }
 
   /** Whether the tool cuts. */
@@ -340,10 +343,7 @@ public final class TouchSession implements AutoCloseable {
     return offer(HistoryEdit.undo());
   }
 
-  /**
-   * Redoes the edit, cut or placement that was undone last. Otherwise it is like {@link #undo}. Any
-   * thread.
-   */
+  /** Redoes what was undone last; otherwise it is like {@link #undo}. Any thread. */
   public boolean redo() {
     return offer(HistoryEdit.redo());
   }

@@ -14,7 +14,7 @@ import org.palpate.geometry.Vec3;
  * clock.
  */
 final class TrajectoryDevice implements HapticDevice {
-  /** Time between two frames if the trajectory's own times are not used. */
+  /** The usual time between two frames. */
   static final long FRAME_NANOS = 1_000_000;
 
   private static final DeviceSpecification SPECIFICATION =
@@ -29,18 +29,20 @@ final class TrajectoryDevice implements HapticDevice {
           Double.POSITIVE_INFINITY);
 
   private final Trajectory trajectory;
-  private final boolean ownTimes;
+  private final boolean raw;
   private final Vec3 lastPosition = new Vec3();
+  private long lastNanos;
   private int next;
 
   /**
    * Creates a device at the first sample.
    *
-   * @param ownTimes whether samples carry the trajectory's times; otherwise they are equidistant
+   * @param raw whether samples carry the trajectory's times as they are; otherwise each time is at
+   *     least a nanosecond after the last one, so that every sample is new
    */
-  TrajectoryDevice(Trajectory trajectory, boolean ownTimes) {
+  TrajectoryDevice(Trajectory trajectory, boolean raw) {
     this.trajectory = trajectory;
-    this.ownTimes = ownTimes;
+    this.raw = raw;
   }
 
   @Override
@@ -54,9 +56,10 @@ final class TrajectoryDevice implements HapticDevice {
       return ReadStatus.DISCONNECTED;
     }
     trajectory.read(next, state);
-    if (!ownTimes) {
-      state.timeNanos = next * FRAME_NANOS;
+    if (!raw && next > 0) {
+      state.timeNanos = Math.max(state.timeNanos, lastNanos + 1);
     }
+    lastNanos = state.timeNanos;
     lastPosition.set(state.positionMm);
     next++;
     return ReadStatus.FRESH;

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HandTarget;
 import org.palpate.geometry.Quaternion;
@@ -34,6 +36,19 @@ class MouseDeviceTest {
     assertEquals(0.02, state.orientation.angle(), 1e-12);
     read(1);
     assertEquals(0.02 + 0.02 * 0.98, state.orientation.angle(), 1e-12);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1000, 5000, 10_000})
+  void isAsFastAtEveryRate(int hertz) {
+    MouseDevice fast = new MouseDevice(REGION, 1_000_000_000 / hertz);
+    fast.read(state);
+    double from = state.positionMm.x;
+    fast.moveTo(new Vec3(from + 10, state.positionMm.y, state.positionMm.z));
+    for (int n = 0; n < hertz / 20; n++) {
+      fast.read(state);
+    }
+    assertEquals(10 * (1 - Math.exp(-1)), state.positionMm.x - from, 0.05, "after 50 ms");
   }
 
   @Test

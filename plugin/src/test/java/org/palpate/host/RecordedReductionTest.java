@@ -119,7 +119,8 @@ class RecordedReductionTest {
             TrajectoryFile.read(folder.resolve("t.csv"), true),
             false,
             EditSchedule.NONE,
-            poses);
+            poses,
+            Optional.empty());
     replay.run(
         (number, frame) -> {
           List<Pose> replayed = poses(frame, scene.bodies());

@@ -52,8 +52,9 @@ class ArchitectureTest {
                   "io.scene",
                   "opencl",
                   "tool")),
-          Map.entry("app.output", List.of("app.options", "host.placing")),
+          Map.entry("app.output", List.of("app.options", "assess", "host.placing")),
           Map.entry("app.process", List.of("display", "io.file", "io.volume")),
+          Map.entry("assess", List.of("frame")),
           Map.entry(
               "benchmarks",
               List.of(
@@ -147,6 +148,7 @@ class ArchitectureTest {
           Map.entry("force", List.of("proxy", "rigid")),
           Map.entry("force.effect", List.of("force.guide")),
           Map.entry("force.guide", List.of("force")),
+          Map.entry("force.needle", List.of("force")),
           Map.entry("frame", List.of("carve", "device", "elastic", "force.guide")),
           Map.entry("fracture", List.of("volume.fracture")),
           Map.entry("fracture.fit", List.of("force.guide", "fracture")),
@@ -155,6 +157,7 @@ class ArchitectureTest {
               "host",
               List.of(
                   "device.jni",
+                  "force.needle",
                   "io.table",
                   "loop",
                   "proxy.reference",
@@ -207,7 +210,7 @@ class ArchitectureTest {
           Map.entry("raycast", List.of("statistics", "volume")),
           Map.entry("realtime", List.of("loop", "realtime.os")),
           Map.entry("realtime.os", List.of()),
-          Map.entry("recording", List.of("body", "device", "elastic")),
+          Map.entry("recording", List.of("frame")),
           Map.entry("reduction", List.of("body", "device", "rigid.tool")),
           Map.entry("rigid", List.of("body", "proxy.smooth.field", "rigid.tool")),
           Map.entry("rigid.tool", List.of("volume")),

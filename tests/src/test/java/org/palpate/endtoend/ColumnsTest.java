@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -86,7 +87,8 @@ class ColumnsTest {
             report,
             replay(trajectory, "--tool", "sphere:2", "--mass", 0.1),
             common,
-            "Reports of a tool"));
+            "Reports of a tool",
+            "Reports of a point with mass"));
     seen.addAll(
         keys(
             report,
@@ -99,6 +101,9 @@ class ColumnsTest {
             replay(trajectory, "--protect", "sphere:1"),
             common,
             "Reports with protected segments"));
+    Object[] needle =
+        replay(trajectory, "--tool", "needle:1,9", "--material", "sphere=puncture:0.1");
+    seen.addAll(keys(report, needle, common, "Reports of a needle", "Reports of a tool"));
     seen.addAll(
         keys(report, replay(trajectory, "--mass", 0.1), common, "Reports of a point with mass"));
     seen.addAll(keys(report, touch(), common, "Reports of `touch`"));
@@ -115,6 +120,23 @@ class ColumnsTest {
     missing.removeAll(seen);
     missing.removeAll(NEED_DISPLAY);
     assertEquals(Set.of(), missing, "explained but never written");
+  }
+
+  @Test
+  void everyKeyAndColumnOfAnAssessmentIsExplainedAndWritten() throws IOException {
+    Path trajectory = TestFiles.trajectory(folder.resolve("t.csv"), 30, 16, 1);
+    Path training = folder.resolve("training");
+    CommandRun.of(replay(trajectory, "--protect", "sphere:1", "--assess", training)).mustSucceed();
+    Set<String> written = leaves(training.resolve("assessment.json"));
+    written.removeAll(explained("Reports with protected segments"));
+    Set<String> explained = new TreeSet<>(explained("Assessment"));
+    explained.removeIf(key -> key.startsWith("holds."));
+    explained.add("holds"); // a point holds nothing
+    assertEquals(explained, written);
+    for (String table : List.of("Segments", "Course", "Tremor", "Holds")) {
+      Path file = training.resolve(table.toLowerCase(Locale.ROOT) + ".csv");
+      assertEquals(explained(table + " of an assessment"), header(file));
+    }
   }
 
   private static Set<String> keysOfScenes(Path trajectory, Path report, String[] common)

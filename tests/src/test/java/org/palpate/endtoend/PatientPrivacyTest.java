@@ -61,7 +61,8 @@ class PatientPrivacyTest {
               report));
     }
     Path record = folder.resolve("t.csv");
-    List<Object> touch = List.of("touch", "--headless", "--seconds", "0.3");
+    List<Object> touch =
+        List.of("touch", "--headless", "--seconds", "0.3", "--assess", folder.resolve("training"));
     require(
         secret,
         run(exitCode, touch, volume, "--record", record, "--report", folder.resolve("touch.json")));

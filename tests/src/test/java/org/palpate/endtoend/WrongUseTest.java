@@ -80,7 +80,7 @@ class WrongUseTest {
         "touch --mass 0.1 --gravity 0,0,-981",
         "touch --mass 0.1 --gravity 0,0,NaN",
         "replay --trajectory t.csv --mass 0.1 --elastic skin=young:1e4",
-        "touch --tool sphere:2 --mass 0.1 --gravity 0,0,-9.81",
+        "touch --tool sphere:2 --gravity 0,0,-9.81",
         "touch --rate 0",
         "touch --seconds -1",
         "touch --device banana",

@@ -64,7 +64,7 @@ public final class HingeGuide implements HapticEffect {
       angle = 0;
       known = true;
     }
-    approach(nearestAngle(hand.device), hand.device);
+    approach(nearestAngle(hand.device), hand.device, PositionGuide.leastStepMm(hand));
     turnFirst(angle);
     hand.device.differenceTo(turned, offset, rotation, scratch);
     spring.pull(offset, forceNewton);
@@ -77,10 +77,10 @@ public final class HingeGuide implements HapticEffect {
    * Turns towards an angle. If the nearest pose jumps, as it does when the hand crosses the axis,
    * the guide follows as a {@link PositionGuide} does.
    */
-  private void approach(double wanted, Pose at) {
+  private void approach(double wanted, Pose at, double leastStepMm) {
     last.differenceTo(at, offset, rotation, scratch);
     double motionMm = Math.sqrt(offset.dot(offset) + squaredLeverMm2 * rotation.dot(rotation));
-    double mostMm = Math.max(PositionGuide.LEAST_STEP_MM, 2 * motionMm);
+    double mostMm = Math.max(leastStepMm, 2 * motionMm);
     double squaredArmMm2 = from.dot(from) + squaredLeverMm2;
     double step = wanted - angle;
     step -= FULL_TURN * Math.rint(step / FULL_TURN);

@@ -1,5 +1,6 @@
 package org.palpate.force.guide;
 
+import org.palpate.force.FramePart;
 import org.palpate.force.HandState;
 import org.palpate.force.HapticEffect;
 import org.palpate.geometry.Vec3;
@@ -10,12 +11,12 @@ import org.palpate.geometry.Vec3;
  *
  * <p>The nearest position may jump, for example from one limb of a bent path to the other. The
  * anchor to which the guide pulls then approaches it: in a frame by twice the motion of the hand,
- * or by {@link #LEAST_STEP_MM}.
+ * or by {@link #LEAST_STEP_MM} in a millisecond.
  *
  * <p>Reference: Rosenberg, Virtual fixtures, 1993. Haptic thread; allocates nothing.
  */
 public final class PositionGuide implements HapticEffect {
-  /** The motion of the anchor that is always allowed in a frame, mm. */
+  /** The motion of the anchor that is always allowed in a frame of a millisecond, mm. */
   static final double LEAST_STEP_MM = 0.02;
 
   private final GuideShape shape;
@@ -32,6 +33,11 @@ public final class PositionGuide implements HapticEffect {
     this.spring = spring;
   }
 
+  /** Returns the motion that is always allowed in a frame, mm. */
+  static double leastStepMm(HandState hand) {
+    return LEAST_STEP_MM * FramePart.ofSeconds(hand.seconds);
+  }
+
   @Override
   public void reset() {
     known = false;
@@ -42,7 +48,7 @@ public final class PositionGuide implements HapticEffect {
     Vec3 at = hand.device.translation;
     shape.nearest(at, nearest);
     if (known) {
-      double mostMm = Math.max(LEAST_STEP_MM, 2 * at.sub(lastHand, offset).length());
+      double mostMm = Math.max(leastStepMm(hand), 2 * at.sub(lastHand, offset).length());
       double stepMm = nearest.sub(anchor, offset).length();
       offset.mul(stepMm > mostMm ? mostMm / stepMm : 1, offset).add(anchor, anchor);
     } else {

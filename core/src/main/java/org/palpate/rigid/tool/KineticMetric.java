@@ -66,6 +66,46 @@ public final class KineticMetric {
     return rmsRadiusMm;
   }
 
+  /** Returns w.J w of an angular speed in the tool's axes: twice its energy for unit mass. */
+  public double squaredSpin(Vec3 spin) {
+    double x = l00 * spin.x + l10 * spin.y + l20 * spin.z;
+    double y = l11 * spin.y + l21 * spin.z;
+    double z = l22 * spin.z;
+    return x * x + y * y + z * z;
+  }
+
+  /** Writes J w, in the tool's axes; {@code dest} may be {@code spin}. */
+  public Vec3 inertiaTimes(Vec3 spin, Vec3 dest) {
+    return dest.set(
+        (yy + zz) * spin.x - xy * spin.y - xz * spin.z,
+        (xx + zz) * spin.y - xy * spin.x - yz * spin.z,
+        (xx + yy) * spin.z - xz * spin.x - yz * spin.y);
+  }
+
+  /**
+   * Writes the solution x of (m J + s I) x = b, in the tool's axes; {@code dest} may be {@code b}.
+   *
+   * @param m the factor of the inertia, at least 0
+   * @param s added to the diagonal, at least 0; not both are 0
+   */
+  public Vec3 solve(double m, double s, Vec3 b, Vec3 dest) {
+    double a00 = m * (yy + zz) + s;
+    double a11 = m * (xx + zz) + s;
+    double a22 = m * (xx + yy) + s;
+    double c00 = Math.sqrt(a00);
+    double c10 = -m * xy / c00;
+    double c20 = -m * xz / c00;
+    double c11 = Math.sqrt(a11 - c10 * c10);
+    double c21 = (-m * yz - c20 * c10) / c11;
+    double c22 = Math.sqrt(a22 - c20 * c20 - c21 * c21);
+    double u = b.x / c00;
+    double v = (b.y - c10 * u) / c11;
+    double w = (b.z - c20 * u - c21 * v) / c22;
+    double z = w / c22;
+    double y = (v - c21 * z) / c11;
+    return dest.set((u - c10 * y - c20 * z) / c00, y, z);
+  }
+
   /** Returns the squared distance between two poses, mm^2; exactly 0 for the same bits. */
   public double squaredDistance(Pose a, Pose b) {
     double dx = b.translation.x - a.translation.x;

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.force.EffectPlan;
 import org.palpate.force.EffectSite;
 import org.palpate.force.HandState;
@@ -58,6 +60,23 @@ class GuidesTest {
   private Vec3 randomVector(double largest) {
     return new Vec3(
         between(-largest, largest), between(-largest, largest), between(-largest, largest));
+  }
+
+  /** The hand crosses the middle between two limbs, and then rests. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1000, 5000, 10_000})
+  void aJumpOfTheNearestPositionArrivesInTheSameTimeAtEveryRate(double hertz) {
+    List<Vec3> bent = List.of(new Vec3(0, 0, 0), new Vec3(50, 0, 0), new Vec3(50, 2, 0));
+    List<Vec3> limbs = new ArrayList<>(bent);
+    limbs.add(new Vec3(0, 2, 0));
+    HapticEffect path = Guides.path(limbs, STRONG).make(WORLD);
+    hand.seconds = 1 / hertz;
+    assertEquals(-0.99 * STIFFNESS, feel(path, 10, 0.99, 0).y, 1e-12);
+    int frames = 0;
+    for (double y = 0; y < 0.98 * STIFFNESS; frames++) {
+      y = feel(path, 10, 1.01, 0).y;
+    }
+    assertEquals(2 / PositionGuide.LEAST_STEP_MM, frames * 1000 / hertz, 3, "ms");
   }
 
   @Test

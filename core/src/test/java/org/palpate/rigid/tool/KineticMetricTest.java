@@ -56,6 +56,34 @@ class KineticMetricTest {
   }
 
   @Test
+  void aSpinHasTheEnergyOfTheMatterUpToWhatRodsNeed() {
+    double added = 2 * (0.01 * Math.pow(metric.rmsRadiusMm(), 2) + 1e-3);
+    for (int n = 0; n < 100; n++) {
+      Vec3 spin = RandomGeometry.pose(random, 3).translation;
+      double sum = added * spin.dot(spin);
+      for (double[] m : matter) {
+        Vec3 speed = spin.cross(new Vec3(m[0], m[1], m[2]), new Vec3());
+        sum += speed.dot(speed) / matter.length;
+      }
+      assertEquals(sum, metric.squaredSpin(spin), 1e-9 * sum);
+      assertEquals(sum, spin.dot(metric.inertiaTimes(spin, new Vec3())), 1e-9 * sum);
+    }
+  }
+
+  @Test
+  void aSolvedSpinHasTheGivenMoment() {
+    for (int n = 0; n < 100; n++) {
+      Vec3 moment = RandomGeometry.pose(random, 3).translation;
+      double m = random.nextDouble();
+      double s = random.nextDouble();
+      Vec3 spin = metric.solve(m, s, moment, new Vec3());
+      Vec3 back = metric.inertiaTimes(spin, new Vec3()).mul(m, new Vec3());
+      back.add(spin.mul(s, new Vec3()), back);
+      assertEquals(0, back.sub(moment, new Vec3()).length(), 1e-9 * moment.length());
+    }
+  }
+
+  @Test
   void theDistanceOfAPoseToItselfIsNothing() {
     Pose a = RandomGeometry.pose(random, 3);
     assertEquals(0, metric.squaredDistance(a, a));

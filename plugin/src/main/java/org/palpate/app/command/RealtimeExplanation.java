@@ -3,6 +3,7 @@ package org.palpate.app.command;
 import java.io.PrintWriter;
 import java.lang.management.ManagementFactory;
 import java.util.Map;
+import org.palpate.loop.LoopSettings;
 import org.palpate.realtime.RealtimeThread;
 import org.palpate.realtime.RecommendedJvm;
 import org.palpate.realtime.os.OperatingSystem;
@@ -25,7 +26,7 @@ final class RealtimeExplanation {
     RecommendedJvm.explain(release, ManagementFactory.getRuntimeMXBean().getInputArguments())
         .forEach(line -> out.println("  " + line));
     out.println("The haptic thread");
-    try (RealtimeThread realtime = RealtimeThread.recommended()) {
+    try (RealtimeThread realtime = RealtimeThread.recommended(LoopSettings.DEFAULT_PERIOD_NANOS)) {
       Thread thread = new Thread(realtime::setUp, "palpate-explain");
       thread.start();
       join(thread);

@@ -12,6 +12,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
+import org.palpate.app.options.AssessOptions;
 import org.palpate.app.options.ChosenCollisionDevice;
 import org.palpate.app.options.CollisionDeviceOptions;
 import org.palpate.app.options.ContactOptions;
@@ -27,20 +28,18 @@ import org.palpate.app.output.EditedVolume;
 import org.palpate.app.output.ElasticFields;
 import org.palpate.app.output.FaultFields;
 import org.palpate.app.output.MassFields;
+import org.palpate.app.output.NeedleFields;
 import org.palpate.app.output.ProtectedFields;
 import org.palpate.app.output.ReplayTables;
 import org.palpate.app.output.Report;
+import org.palpate.app.output.SessionAssessment;
 import org.palpate.app.output.ToolReport;
 import org.palpate.app.output.ToolTables;
 import org.palpate.app.output.WorkFields;
 import org.palpate.app.output.WriteFailures;
 import org.palpate.app.process.PalpateException;
-import org.palpate.body.Body;
-import org.palpate.body.BodyScene;
-import org.palpate.body.Mobility;
 import org.palpate.device.Trajectory;
 import org.palpate.edit.EditSchedule;
-import org.palpate.edit.VoxelChange;
 import org.palpate.frame.FrameStatistics;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ReplayRun;
@@ -77,6 +76,7 @@ import picocli.CommandLine.Spec;
       "  palpate replay --tool sphere:3 --trajectory t.csv --edits t.edits.csv --export cut.nrrd",
       "  palpate replay --tool sphere:4 --trajectory t.csv --poses poses.csv --legs legs.csv",
       "  palpate replay --tool sphere:4 --trajectory t.csv --collision-device opencl",
+      "  palpate replay --tool sphere:4 --trajectory t.csv --assess training",
       "  palpate replay --phantom block:64 --elastic block=young:20e3 --fixed base \\",
       "    --trajectory t.csv --out frames.csv --legs legs.csv",
       "  palpate replay --phantom sphere:192 --coordinates grid --trajectory t.csv --repeat 12 \\",
@@ -107,6 +107,7 @@ public final class ReplayCommand implements Callable<Integer> {
   @Mixin private ToolOptions tool;
   @Mixin private ElasticOptions elastic;
   @Mixin private FeelOptions feel;
+  @Mixin private AssessOptions assess;
   @Mixin private CollisionDeviceOptions collisionDevice;
   @Mixin private OutputOptions output;
 
@@ -202,6 +203,7 @@ public final class ReplayCommand implements Callable<Integer> {
   private boolean rawDevice;
 
   private WriteFailures failures;
+  private Optional<SessionAssessment> assessment = Optional.empty();
 
   @Override
   public Integer call() throws IOException {
@@ -210,6 +212,7 @@ public final class ReplayCommand implements Callable<Integer> {
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     contact.takeFrom(volume, spec.commandLine().getParseResult());
+    contact.checkNeedle(tool.isNeedle(), spec.commandLine().getParseResult());
     contact.settings();
     elastic.check(volume, tool);
     requireRepeatable();
@@ -252,10 +255,13 @@ public final class ReplayCommand implements Callable<Integer> {
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
     ContactScene scene =
-        contact.scene(source, segments, feel.settings(source, segments, tool.massOfPoint()));
+        contact.scene(source, segments, feel.settings(source, segments, tool.massOfHeld()));
     ReplayRun plain =
         world ? ReplayRun.inWorld(scene, trajectory) : ReplayRun.inGrid(scene, trajectory);
-    ReplayRun replay = deformed(plain.withEdits(edits), segments);
+    assessment = assessment(scene, false);
+    ReplayRun observed =
+        plain.withEdits(edits).withObserver(assessment.map(SessionAssessment::replayed));
+    ReplayRun replay = deformed(observed, segments);
     ReplayRun.Result result = run(rawDevice ? replay.inRawMode() : replay, trajectory, tables);
     print(result.statistics());
     if (report.isWanted()) {
@@ -330,12 +336,20 @@ public final class ReplayCommand implements Callable<Integer> {
     try (ChosenCollisionDevice device = collisionDevice.open(spec.commandLine().getErr())) {
       ToolScene scene =
           tool.scene(
-              contact.scene(source, segments, feel.settings(source, segments, Optional.empty())),
+              contact.scene(source, segments, feel.settings(source, segments, tool.massOfHeld())),
               made,
               ToolReplay.movable(poses),
               device.device());
-      requireNothingAddedToMovable(scene.bodies(), edits);
-      ToolReplay replay = new ToolReplay(scene, trajectory, rawDevice, edits, poses);
+      EditedVolume.requireNothingAddedToMovable(scene.bodies(), edits, editsFile);
+      assessment = assessment(scene.contactScene(), true);
+      ToolReplay replay =
+          new ToolReplay(
+              scene,
+              trajectory,
+              rawDevice,
+              edits,
+              poses,
+              assessment.map(SessionAssessment::replayed));
       ToolReplay.Result result = run(replay, scene, trajectory, tables, selection);
       ToolReport measured = new ToolReport(made, tool.massKg());
       measured.print(result, spec.commandLine().getOut());
@@ -347,11 +361,17 @@ public final class ReplayCommand implements Callable<Integer> {
         putTime(new ToolReplay(scene, trajectory, rawDevice).time(repeat), report);
       }
       report.put("collision_device", device.fields());
+      NeedleFields.put(report, scene);
+      MassFields.put(report, scene);
       ProtectedFields.put(
           report, scene.contactScene(), frame -> trajectory.timeMs((int) frame) / MS_PER_SECOND);
       finish(report, edited, segments.hasOneGrid() ? segments : scene.present());
     }
     return failures.exitCode();
+  }
+
+  private Optional<SessionAssessment> assessment(ContactScene scene, boolean isRigid) {
+    return assess.folder().map(folder -> new SessionAssessment(folder, scene, isRigid));
   }
 
   private void addTables(List<Path> inputs) {
@@ -370,9 +390,12 @@ public final class ReplayCommand implements Callable<Integer> {
 
   private Optional<Path> checkedExport(List<Path> inputs) throws VolumeFormatException {
     Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
+    assess.check(inputs);
     OutputPaths.checkDistinct(
-        Stream.of(exportFile, framesFile, legsFile, output.report().orElse(null))
-            .filter(Objects::nonNull)
+        Stream.concat(
+                Stream.of(exportFile, framesFile, legsFile, output.report().orElse(null))
+                    .filter(Objects::nonNull),
+                assess.targets().stream())
             .toList());
     return export;
   }
@@ -382,20 +405,6 @@ public final class ReplayCommand implements Callable<Integer> {
         ? EditSchedule.NONE
         : EditsCsv.read(
             editsFile, segments.segments().stream().map(Segment::name).toList(), segments.grids());
-  }
-
-  /** The sample points of a body that moves cover only the voxels that it has at the start. */
-  private void requireNothingAddedToMovable(BodyScene bodies, EditSchedule edits) {
-    for (VoxelChange change : edits.changes()) {
-      Body body = bodies.body(change.segment());
-      boolean isNew = change.solid() && !body.bits().get(change.i(), change.j(), change.k());
-      if (isNew && body.mobility() == Mobility.MOVABLE) {
-        throw PalpateException.wrongUse(
-            "a body that moves gains a voxel: " + body.name(),
-            editsFile + " frame " + change.frame(),
-            "add voxels to bodies that stand still only");
-      }
-    }
   }
 
   private boolean changesVoxels() {
@@ -408,6 +417,7 @@ public final class ReplayCommand implements Callable<Integer> {
     }
     edited.write(left, failures);
     report.write();
+    assessment.ifPresent(files -> files.write(report.fields(), failures));
   }
 
   private List<BodyPose> readPoses(SegmentedVolume segments) throws IOException {

@@ -9,6 +9,8 @@ import org.palpate.app.options.ChosenCollisionDevice;
 import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.ToolOptions;
 import org.palpate.app.options.VolumeSource;
+import org.palpate.app.output.MassFields;
+import org.palpate.app.output.NeedleFields;
 import org.palpate.app.output.ProtectedFields;
 import org.palpate.app.output.Report;
 import org.palpate.app.output.ToolReport;
@@ -131,9 +133,17 @@ final class SessionScene {
 
   /** Returns notes for the user, a sentence each. */
   List<String> notes(DeviceSpecification device) {
-    return rigid.isPresent() && !device.hasOrientation()
-        ? List.of("The device has no orientation, so the tool is held upright.")
-        : List.of();
+    List<String> notes = new ArrayList<>();
+    if (rigid.isPresent() && !device.hasOrientation()) {
+      notes.add("The device has no orientation, so the tool is held upright.");
+    }
+    if (!scene.tissues().isEmpty()) {
+      notes.add(
+          "The needle may enter "
+              + String.join(", ", scene.tissues().keySet())
+              + "; it enters nothing else.");
+    }
+    return notes;
   }
 
   /** Returns readings of the fragment in hand for a view; empty if no body can be taken. */
@@ -183,6 +193,8 @@ final class SessionScene {
           .put("tool", toolReport.get().tool(measured.mostReducedPoints()))
           .put("collision_device", judge.fields())
           .put("faults", measured.toolFaults());
+      NeedleFields.put(report, rigid.orElseThrow());
+      MassFields.put(report, rigid.orElseThrow());
     } else {
       report
           .put("solver", scene.settings().solver().toString())

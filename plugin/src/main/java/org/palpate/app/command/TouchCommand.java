@@ -10,11 +10,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
+import org.palpate.app.options.AssessOptions;
 import org.palpate.app.options.BrushOptions;
 import org.palpate.app.options.ChosenCollisionDevice;
 import org.palpate.app.options.CollisionDeviceOptions;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.DeviceChoice;
+import org.palpate.app.options.DeviceOptions;
 import org.palpate.app.options.ElasticOptions;
 import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.LinkOptions;
@@ -31,6 +33,7 @@ import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.EditedVolume;
 import org.palpate.app.output.FractureReport;
 import org.palpate.app.output.Report;
+import org.palpate.app.output.SessionAssessment;
 import org.palpate.app.output.ToolReport;
 import org.palpate.app.output.WriteFailures;
 import org.palpate.app.process.PalpateException;
@@ -82,6 +85,7 @@ import picocli.CommandLine.Spec;
       "  palpate touch --tool sphere:4 --seconds 10 --headless --report r.json",
       "  palpate touch --tool sphere:3 --carve 40 --seconds 10 --headless --export drilled.nrrd",
       "  palpate touch --brush 3,range:300..900 --volume scan.nrrd --segment soft=300..900",
+      "  palpate touch --seconds 60 --protect nerve:1 --assess training",
       "  palpate touch --device mouse",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --slices point",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --igtl 18944",
@@ -89,10 +93,6 @@ import picocli.CommandLine.Spec;
       "  palpate touch --explain --collision-device opencl"
     })
 public final class TouchCommand implements Callable<Integer> {
-  /** Below the smallest rate a frame would count as one that does not return. */
-  private static final NumberRange RATE =
-      new NumberRange("--rate", "the rate", 10, 100_000, "Hz", "1000");
-
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
   @Mixin private ContactOptions contact;
@@ -108,24 +108,8 @@ public final class TouchCommand implements Callable<Integer> {
   @Mixin private LinkOptions linkOptions;
   @Mixin private PoseOptions savedPoses;
   @Mixin private RecordOptions record;
-
-  @Option(
-      names = "--device",
-      paramLabel = "NAME[:ID]",
-      defaultValue = "simulated",
-      description = {
-        "The device: simulated[:SEED], replay:T.csv, hid[:SERIAL], openhaptics[:NAME],"
-            + " forcedimension[:SERIAL], virtuose:HOST, or mouse (in the window).",
-        "Default: ${DEFAULT-VALUE}."
-      })
-  private String device;
-
-  @Option(
-      names = "--rate",
-      paramLabel = "HZ",
-      defaultValue = "1000",
-      description = "Frames per second, 10 to 100,000. Default: ${DEFAULT-VALUE}.")
-  private double rateHz;
+  @Mixin private DeviceOptions device;
+  @Mixin private AssessOptions assess;
 
   @Option(names = "--seconds", paramLabel = "S", description = "Ends after S seconds.")
   private Double seconds;
@@ -157,6 +141,7 @@ public final class TouchCommand implements Callable<Integer> {
   private WriteFailures failures;
   private Optional<SessionView> shownView = Optional.empty();
   private Optional<SceneAutosave> autosave = Optional.empty();
+  private Optional<SessionAssessment> assessment = Optional.empty();
   private ChosenCollisionDevice judge;
 
   @Override
@@ -169,13 +154,14 @@ public final class TouchCommand implements Callable<Integer> {
       return 0;
     }
     failures = new WriteFailures(spec.commandLine().getErr());
-    RATE.check(rateHz);
+    device.check();
     NumberRange.seconds().checkGiven(seconds);
     mapping.takeFrom(volume);
     checkOptionCombination();
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     contact.takeFrom(volume, spec.commandLine().getParseResult());
+    contact.checkNeedle(tool.isNeedle(), spec.commandLine().getParseResult());
     elastic.check(volume, tool);
     record.check(elastic.isWanted());
     tool.checkOthers(spec.commandLine().getParseResult());
@@ -235,15 +221,13 @@ public final class TouchCommand implements Callable<Integer> {
 
   private int touchOnce(VolumeSource source) throws IOException {
     ContactSettings settings = contact.settings();
-    DeviceChoice choice =
-        mapping.applyTo(DeviceChoice.parse(device), source.header().coordinateSystem());
+    DeviceChoice choice = mapping.applyTo(device.choice(), source.header().coordinateSystem());
     List<Path> inputs = new ArrayList<>(source.files());
     inputs.addAll(choice.files());
     inputs.addAll(feel.files());
     Optional<MadeTool> made = tool.isRigid() ? Optional.of(tool.make(source)) : Optional.empty();
     made.ifPresent(each -> inputs.addAll(each.files()));
     Report report = new Report("touch", output.report(), inputs);
-    List<Path> recorded = SessionRecording.checked(record.file(), inputs);
     Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
     FragmentExport bodies = savedPoses.export(exportFile, source, elastic.isWanted());
     List<Path> targets =
@@ -252,23 +236,24 @@ public final class TouchCommand implements Callable<Integer> {
       source.placed().ifPresent(bodies::requireCutVoxels);
     }
     export.ifPresent(targets::add);
-    output.report().ifPresent(targets::add);
-    targets.addAll(recorded);
-    OutputPaths.checkDistinct(targets);
+    targets.addAll(SessionRecording.checked(record.file(), inputs));
+    checkTargets(targets, inputs);
     printStart(source, choice, made.map(ToolReport::line).orElse("solver " + settings.solver()));
     made.ifPresent(each -> each.notes().forEach(out::println));
     SegmentedVolume segments =
         source.segments(
             spec.commandLine().getErr(), contact.followsGrey(source) || feel.needsGrey());
     ContactScene contactScene =
-        contact.scene(source, segments, feel.settings(source, segments, tool.massOfPoint()));
+        contact.scene(source, segments, feel.settings(source, segments, tool.massOfHeld()));
     SessionScene scene = SessionScene.of(contactScene, tool, made, judge.device());
+    assessment = assessment(contactScene, made.isPresent());
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
     HandTarget target = scene.handTarget();
-    LoopSettings loop = LoopSettings.ofRate(rateHz);
+    LoopSettings loop = device.loop();
     try (HapticDevice opened = open(choice, source, scene, target, loop.periodNanos())) {
       scene.notes(opened.specification()).forEach(out::println);
+      device.notes(opened.specification()).forEach(out::println);
       SceneAutosave.note(savedPoses.scene()).ifPresent(out::println);
       Optional<ViewOptions> view = view(source, scene.contactScene());
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
@@ -278,11 +263,11 @@ public final class TouchCommand implements Callable<Integer> {
       measured.print(out);
       if (report.isWanted()) {
         report.putVolume(source, segments.segments());
-        measured.putInto(report);
-        scene.putInto(report, measured, judge);
-        if (changesVoxels()) {
-          report.put("carved", edited.carvedMm3()).put("added", edited.addedMm3());
-        }
+      }
+      measured.putInto(report);
+      scene.putInto(report, measured, judge);
+      if (changesVoxels()) {
+        report.put("carved", edited.carvedMm3()).put("added", edited.addedMm3());
       }
       if (source.placed().isPresent() || bodies.writesPoses()) {
         finish(source, scene, bodies, report);
@@ -290,8 +275,21 @@ public final class TouchCommand implements Callable<Integer> {
         edited.write(failures);
         report.write();
       }
+      assessment.ifPresent(files -> files.write(report.fields(), failures));
       return Math.max(measured.exitCode(), failures.exitCode());
     }
+  }
+
+  private void checkTargets(List<Path> first, List<Path> inputs) {
+    List<Path> targets = new ArrayList<>(first);
+    output.report().ifPresent(targets::add);
+    assess.check(inputs);
+    targets.addAll(assess.targets());
+    OutputPaths.checkDistinct(targets);
+  }
+
+  private Optional<SessionAssessment> assessment(ContactScene scene, boolean isRigid) {
+    return assess.folder().map(folder -> new SessionAssessment(folder, scene, isRigid));
   }
 
   /** Prints, reports and writes what the session left of placed or elastic bodies. */
@@ -335,7 +333,7 @@ public final class TouchCommand implements Callable<Integer> {
     WindowNeeds needs = new WindowNeeds(headless);
     needs.check(spec.commandLine().getParseResult());
     needs.check("--axes view", mapping.asksForView());
-    needs.check("--device mouse", device.equals("mouse"));
+    needs.check("--device mouse", device.isMouse());
   }
 
   private void printStart(VolumeSource source, DeviceChoice choice, String held) {
@@ -360,7 +358,7 @@ public final class TouchCommand implements Callable<Integer> {
       throws IOException {
     try (SessionRecording recording =
             new SessionRecording(record, scene.volume().segments(), failures);
-        RealtimeThread realtime = RealtimeThread.recommended();
+        RealtimeThread realtime = RealtimeThread.recommended(loop.periodNanos());
         TouchSession session =
             scene.newSession(
                 opened,
@@ -372,6 +370,7 @@ public final class TouchCommand implements Callable<Integer> {
                     .withEditRecorder(recording.editRecorder())
                     .withBodyRecorder(recording.bodyRecorder())
                     .withFieldRecorder(recording.fieldRecorder()))) {
+      assessment.ifPresent(files -> session.observe(files.live()));
       Supplier<List<RigidTransform>> poses =
           () -> shownView.map(SessionView::bodyPoses).orElseGet(session::bodyPoses);
       autosave = SceneAutosave.of(volume.scene(), savedPoses.scene(), poses);
@@ -382,6 +381,7 @@ public final class TouchCommand implements Callable<Integer> {
           () -> {
             recording.check();
             judge.reportFailure();
+            assessment.ifPresent(SessionAssessment::drain);
             painter.ifPresent(SessionBrush::tick);
             fitting.ifPresent(thread -> thread.see(poses.get()));
             autosave.ifPresent(

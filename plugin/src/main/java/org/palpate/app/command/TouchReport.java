@@ -162,6 +162,7 @@ final class TouchReport {
         .put("frames", loop.frames())
         .put("late_frames", loop.lateFrames())
         .put("period_us", quantiles(loop.periodMicros()))
+        .put("lateness_us", quantiles(loop.latenessMicros()))
         .put("work_us", quantiles(loop.workMicros()))
         .put("contact_frames", counts.contactFrames())
         .put("freed", counts.freed())

@@ -107,13 +107,18 @@ public final class ContactOptions {
       defaultValue = "equation4")
   private String frictionForm;
 
+  /** Options that move or change segments, or move the needle. */
+  private static final List<String> NOT_WITH_NEEDLES =
+      List.of("--carve", "--brush", "--edits", "--poses", "--scene", "--mass");
+
   @Option(
       names = "--material",
       paramLabel = "NAME=WHAT",
       description = {
         "Material of one segment, if it differs from the others; may be repeated. WHAT is any of"
-            + " stiffness:N/MM, friction:MU, sliding:MU, damping:N*S/MM and cut:N (the force below"
-            + " which --carve cuts nothing), separated by commas, as"
+            + " stiffness:N/MM, friction:MU, sliding:MU, damping:N*S/MM, cut:N (the force below"
+            + " which --carve cuts nothing), and for a needle puncture:N (it may enter), cutting:N"
+            + " and shaft:N/MM, separated by commas, as"
             + " in --material bone=stiffness:0.8,friction:0.3 --material"
             + " skin=stiffness:0.2,damping:0.002. If segments share a voxel, the first of them"
             + " counts."
@@ -243,8 +248,43 @@ public final class ContactOptions {
                                     + "=stiffness:0.8,friction:0.3,damping:0, with a stiffness of"
                                     + " 0 or from 0.000001 to 1,000,000 N/mm, friction from 0 to"
                                     + " 100, sliding at most friction, damping from 0 to"
-                                    + " 1,000,000 N s/mm, and cut from 0 to 1,000,000 N"))));
+                                    + " 1,000,000 N s/mm, cut, puncture, cutting and shaft from 0"
+                                    + " to 1,000,000, the last two only with puncture"))));
     return choices;
+  }
+
+  /**
+   * Refuses segments that a needle may enter, unless there is a needle and nothing changes them.
+   *
+   * @param isNeedle whether the tool is a needle
+   * @throws PalpateException exit code 2, if something does not fit
+   */
+  public void checkNeedle(boolean isNeedle, ParseResult given) {
+    Optional<String> name =
+        materials().entrySet().stream()
+            .filter(entry -> entry.getValue().isPenetrable())
+            .map(Map.Entry::getKey)
+            .findFirst();
+    if (name.isEmpty()) {
+      return;
+    }
+    String option = "--material " + name.get() + "=" + materials.get(name.get());
+    if (!isNeedle) {
+      throw PalpateException.wrongUse(
+          "only a needle enters a segment", option, "add --tool needle:R,L, or leave puncture out");
+    }
+    for (String other : NOT_WITH_NEEDLES) {
+      if (given.hasMatchedOption(other)) {
+        throw PalpateException.wrongUse(
+            "a needle in tissue has no mass, and tissue neither moves nor changes",
+            other + " with " + option,
+            "leave one of them out");
+      }
+    }
+    if (settings().protectedMm().containsKey(name.get())) {
+      throw PalpateException.wrongUse(
+          "what is protected cannot be entered", option, "leave puncture or --protect out");
+    }
   }
 
   private FrictionForm frictionForm() {

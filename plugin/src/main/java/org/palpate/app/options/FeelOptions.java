@@ -173,7 +173,7 @@ public final class FeelOptions {
   /**
    * Returns what the hand feels beside plain contact.
    *
-   * @param mass the mass of an interaction point
+   * @param mass the mass of the interaction point or tool
    * @throws IOException if a file cannot be read
    * @throws PalpateException exit code 2, if an option is wrong
    */

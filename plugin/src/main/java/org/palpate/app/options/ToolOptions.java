@@ -19,6 +19,7 @@ import org.palpate.io.scene.SceneReader;
 import org.palpate.io.scene.SceneTool;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.rigid.RigidScene;
+import org.palpate.rigid.tool.RodShape;
 import org.palpate.tool.MadeTool;
 import org.palpate.tool.ToolMaker;
 import org.palpate.tool.ToolRequest;
@@ -30,7 +31,7 @@ import picocli.CommandLine.ParseResult;
 public final class ToolOptions {
   private static final List<String> OF_POINTS =
       Stream.concat(
-              Stream.of("--solver", "--collision", "--border", "--friction-form", "--gravity"),
+              Stream.of("--solver", "--collision", "--border", "--friction-form"),
               ElasticOptions.NAMES.stream())
           .toList();
 
@@ -87,16 +88,15 @@ public final class ToolOptions {
       names = "--mass",
       paramLabel = "KG",
       description =
-          "Mass of an interaction point, which the hand then feels. With a rigid tool the report"
-              + " states it, and nothing else depends on it yet.")
+          "Mass of an interaction point or a rigid tool, which the hand then feels. A tool has"
+              + " inertia against turning too.")
   private Double mass;
 
   @Option(
       names = "--gravity",
       paramLabel = "X,Y,Z",
       description =
-          "Gravity on the mass of an interaction point, m/s^2 along the world's axes, as in"
-              + " 0,0,-9.81. Default: none.")
+          "Gravity on the mass, m/s^2 along the world's axes, as in" + " 0,0,-9.81. Default: none.")
   private String gravity;
 
   private static final double MOST_GRAVITY = 100;
@@ -142,6 +142,14 @@ public final class ToolOptions {
     return isAmongPlacedBodies || !(request().spec() instanceof ToolSpec.Point);
   }
 
+  /** Whether the tool is a needle, which may enter tissue. */
+  public boolean isNeedle() throws VolumeFormatException {
+    return request().spec() instanceof ToolSpec.Shape rod
+        && rod.shape() instanceof RodShape needle
+        && needle.roundLow()
+        && !needle.roundHigh();
+  }
+
   /**
    * Returns the torque per angle, N mm/rad; empty for the default.
    *
@@ -162,11 +170,11 @@ public final class ToolOptions {
   }
 
   /**
-   * Returns the mass of an interaction point with gravity, if it has a mass.
+   * Returns the mass of the interaction point or tool with gravity, if it has a mass.
    *
    * @throws PalpateException exit code 2, if a number is out of range or gravity has no mass
    */
-  public Optional<MassSettings> massOfPoint() {
+  public Optional<MassSettings> massOfHeld() {
     OptionalDouble kg = massKg();
     Vec3 acceleration = gravityMmPerSecond2();
     if (gravity != null && kg.isEmpty()) {
@@ -179,12 +187,12 @@ public final class ToolOptions {
   }
 
   /**
-   * Returns plain contact with the mass of an interaction point, if it has one.
+   * Returns plain contact with the mass of the interaction point or tool, if it has one.
    *
-   * @throws PalpateException exit code 2, as {@link #massOfPoint}
+   * @throws PalpateException exit code 2, as {@link #massOfHeld}
    */
   public FeelSettings feel() {
-    return new FeelSettings(List.of(), massOfPoint(), Optional.empty());
+    return new FeelSettings(List.of(), massOfHeld(), Optional.empty());
   }
 
   private Vec3 gravityMmPerSecond2() {
@@ -219,7 +227,7 @@ public final class ToolOptions {
    */
   public void checkOthers(ParseResult given, boolean rigid) throws VolumeFormatException {
     rotationalStiffness();
-    massOfPoint();
+    massOfHeld();
     List<String> unfit = rigid ? OF_POINTS : OF_RIGID_TOOLS;
     for (String option : unfit) {
       if (given.hasMatchedOption(option)) {

@@ -8,6 +8,11 @@ import java.util.Optional;
 import java.util.function.LongBinaryOperator;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.process.PalpateException;
+import org.palpate.body.Body;
+import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
+import org.palpate.edit.EditSchedule;
+import org.palpate.edit.VoxelChange;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.VolumeWriter;
 import org.palpate.io.label.SegmentsAsLabels;
@@ -59,6 +64,26 @@ public final class EditedVolume {
     }
     VolumeWriter.checkName(file);
     return Optional.of(OutputPaths.checked("--export", file, inputs));
+  }
+
+  /**
+   * Refuses edits that add voxels to bodies that move. Their sample points cover only the voxels
+   * that they have at the start.
+   *
+   * @throws PalpateException exit code 2, if there is such an edit
+   */
+  public static void requireNothingAddedToMovable(
+      BodyScene bodies, EditSchedule edits, Path editsFile) {
+    for (VoxelChange change : edits.changes()) {
+      Body body = bodies.body(change.segment());
+      boolean isNew = change.solid() && !body.bits().get(change.i(), change.j(), change.k());
+      if (isNew && body.mobility() == Mobility.MOVABLE) {
+        throw PalpateException.wrongUse(
+            "a body that moves gains a voxel: " + body.name(),
+            editsFile + " frame " + change.frame(),
+            "add voxels to bodies that stand still only");
+      }
+    }
   }
 
   /** Returns the volume that is missing now, by the name of the segment, mm^3. */

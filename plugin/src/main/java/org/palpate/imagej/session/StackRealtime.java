@@ -1,5 +1,6 @@
 package org.palpate.imagej.session;
 
+import org.palpate.loop.LoopSettings;
 import org.palpate.realtime.RealtimeThread;
 import org.palpate.realtime.WaitKind;
 import org.palpate.realtime.os.RealtimeRequest;
@@ -15,6 +16,6 @@ public final class StackRealtime {
    */
   public static RealtimeThread thread() {
     RealtimeRequest request = new RealtimeRequest(SchedulingClass.FIFO, true, false, true, true);
-    return new RealtimeThread(request, WaitKind.HYBRID);
+    return new RealtimeThread(request, WaitKind.HYBRID, LoopSettings.DEFAULT_PERIOD_NANOS);
   }
 }

@@ -65,7 +65,7 @@ public final class ExperimentLoop implements Runnable {
 
   private void measure() {
     recordRequests(OperatingSystem.apply(request()));
-    try (DeadlineWait wait = task.waiting().create();
+    try (DeadlineWait wait = task.waiting().create(task.periodNanos());
         ThreadCounters counters = new ThreadCounters()) {
       recordWarmUp(warmUp(wait, counters));
       pace(wait, counters, new Samples(PACED_WARM_UP_FRAMES));
