@@ -224,9 +224,6 @@ final class BinaryWindow {
    * the second. Returns false if there is none in the window.
    */
   private boolean findSeed(SeedCell seed) {
-    if (cuts.length == 0) {
-      return setSeed(seed.x(), seed.y(), seed.z());
-    }
     seedCell[0] = seed.x();
     seedCell[1] = seed.y();
     seedCell[2] = seed.z();

@@ -36,20 +36,20 @@ interface BrickSource {
   void forget();
 
   /**
-   * The voxels of a scene. Bricks outside the scene's bounds are known to be empty without a look
-   * at its objects.
+   * The voxels of a scene. Bricks outside the bounds of the scene are empty, so they are not looked
+   * up in its objects.
    */
   final class BoundedVoxels implements BrickSource {
     private final IntBox bounds = new IntBox();
 
-    /** The scene whose bounds are known; null until a brick is read after {@link #forget}. */
-    private CollisionScene known;
+    /** Whether the bounds were read since {@link #forget}. */
+    private boolean isKnown;
 
     @Override
     public long brick(CollisionScene scene, int x, int y, int z) {
-      if (known == null) {
-        known = scene;
+      if (!isKnown) {
         scene.bounds(bounds);
+        isKnown = true;
       }
       boolean inBounds =
           x >= bounds.lowX >> 2
@@ -63,7 +63,7 @@ interface BrickSource {
 
     @Override
     public void forget() {
-      known = null;
+      isKnown = false;
     }
   }
 }

@@ -56,7 +56,7 @@ final class ThinSlices implements BrickSource {
   /** For each tile and each cell between the two slices, the solid columns. */
   private final char[] tiles = new char[CacheKeys.SLOTS * MAX_CELLS];
 
-  /** For each column of a tile, the distance to the outline of the solid slice, pixels. */
+  /** For each column of a tile, the distance to the outline of the solid slice, in voxel edges. */
   private final double[] inside = new double[COLUMNS];
 
   /** The same for the slice where the column is empty. */
@@ -99,8 +99,8 @@ final class ThinSlices implements BrickSource {
   }
 
   /**
-   * Returns the cells of a grid that are no voxels: one cut after the other, each of what the last
-   * one made.
+   * Returns the thin slices of a grid with at least one cut. The first cut divides the voxels, and
+   * the second divides the cells of the first.
    */
   static ThinSlices of(ThinGrid grid, Vec3 edges) {
     BrickSource source = new BrickSource.BoundedVoxels();
@@ -153,7 +153,7 @@ final class ThinSlices implements BrickSource {
     return slot;
   }
 
-  /** Returns the cells of a brick whose occupancy differs from their bit, in a brick's order. */
+  /** Returns the cells of a brick whose occupancy differs from their bit, a bit each. */
   long corrected(int slot) {
     return corrected[slot];
   }
@@ -285,17 +285,20 @@ final class ThinSlices implements BrickSource {
     }
   }
 
-  /** Measures the outlines of the slices on either side of two, for the columns that they bend. */
+  /** Measures the outlines before the solid slice and behind the empty one, for some columns. */
   private void measureBeyond(int u, int v, int solidSlice, int step, int columns) {
     Arrays.fill(before, ShapeInterpolation.UNKNOWN);
     Arrays.fill(behind, ShapeInterpolation.UNKNOWN);
+    if (columns == 0) {
+      return;
+    }
     int slice = solidSlice - step;
-    int solidBefore = columns == 0 ? 0 : columns & pixels(slices.brick(u, v, slice >> 2), slice);
+    int solidBefore = columns & pixels(slices.brick(u, v, slice >> 2), slice);
     if (solidBefore != 0) {
       outline.measure(u, v, slice, false, solidBefore, before);
     }
     slice = solidSlice + 2 * step;
-    int emptyBehind = columns == 0 ? 0 : columns & ~pixels(slices.brick(u, v, slice >> 2), slice);
+    int emptyBehind = columns & ~pixels(slices.brick(u, v, slice >> 2), slice);
     if (emptyBehind != 0) {
       outline.measure(u, v, slice, true, emptyBehind, behind);
     }
