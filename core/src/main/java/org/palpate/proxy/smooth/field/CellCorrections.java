@@ -23,7 +23,7 @@ final class CellCorrections {
   private final ThinSlices thin;
   private final BinaryWindow window;
 
-  /** For each cell along x what it adds to the three packed sums of its row. */
+  /** For each cell along x, the packed taps with which it adds to the three sums of its row. */
   private final long[] weights;
 
   /** The packed sums of each row, y fastest. */
@@ -43,7 +43,11 @@ final class CellCorrections {
     this.weights = weights;
   }
 
-  /** Returns for each offset the cells of a brick that lie in a window along an axis. */
+  /**
+   * Returns for each offset of a brick the cells that lie in a window along an axis, a bit each.
+   *
+   * @param stride the distance of neighbouring cells along the axis in a brick's word, bits
+   */
   private static long[] masks(int stride) {
     long[] masks = new long[MASKS];
     for (int n = 0; n < MASKS; n++) {

@@ -14,8 +14,8 @@ import org.palpate.geometry.Vec3;
 public final class IsoLevel {
   /**
    * The offset as a fraction of half a voxel's diagonal. Voxels stand out of the surface that they
-   * sample by at most that half, and the isosurface runs just beyond. Only those of very long
-   * voxels may stand out of it, because the smoothing does not reach that far.
+   * sample by at most that half, and the isosurface runs just beyond. Only very long voxels may
+   * stand out of it, because the smoothing does not reach that far.
    */
   private static final double OFFSET_FRACTION = 1.12;
 

@@ -25,12 +25,12 @@ public final class OccupancyField {
   private static final int COEFFICIENTS = 27;
 
   /**
-   * The greatest offset at which the isosurface still describes the surface better than voxels that
-   * stand out of it.
+   * The greatest offset of the isosurface, in standard deviations of the smoothing. Farther out, the
+   * flat field would harm the force more than voxels that stand out of the isosurface.
    */
   private static final double MAX_DEVIATIONS_OF_BITS = 1.93;
 
-  /** The same with grey values, from which the surface is known better. */
+  /** The same for grey values, whose smoothing is narrower. */
   private static final double MAX_DEVIATIONS_OF_GREY = 1.7;
 
   private final BrickSource cells;

@@ -60,7 +60,7 @@ final class ShapeInterpolation {
   }
 
   /**
-   * Returns those of some columns on whose height the outlines before and behind have a say.
+   * Returns the columns whose height depends on the outlines before and behind as well.
    *
    * @param inside the distances to the outline of the solid slice, shortest voxel edges
    * @param outside the distances to that of the next one

@@ -62,7 +62,7 @@ final class SliceOutline {
     mostRounded = edges.halfDiagonal() + ROUNDING;
   }
 
-  /** Returns how many pixels of an edge are searched, or looked at on a straight line. */
+  /** Returns the most pixels that a search reads to one side of a pixel, given their edge. */
   private int pixels(double edge) {
     int searched = (int) Math.ceil((reach + 1) / edge) - 1;
     int lookedAt = (int) ((reach - 1) / edge + 0.5);
@@ -177,9 +177,8 @@ final class SliceOutline {
 
   /**
    * Returns the distance from pixel (u,v) to the outline on the far side: along the straight line
-   * that leads away from the nearest pixel of a kind. Of pixels that are equally near, that of the
-   * fewest rows away counts, then that of low v, then that of high u. Call {@link #coverAll}
-   * before.
+   * that leads away from the nearest pixel of a kind. Among equally near pixels, it takes the one the
+   * fewest rows away, then the one of low v, then the one of high u. Call {@link #coverAll} before.
    *
    * @param solid the kind of pixels outside; one of them is within reach
    */

@@ -20,18 +20,18 @@ record ThinGrid(List<AxisCut> cuts) {
   static final ThinGrid WHOLE = new ThinGrid(List.of());
 
   /**
-   * Edges up to this length, in shortest edges, count as equal if the field is made from bits, and
-   * no voxel is cut that has no longer one.
+   * If the field is made from bits, voxels without an edge longer than this are not cut. Lengths are
+   * in shortest edges.
    */
   private static final double MAX_EQUAL_OF_BITS = 1.05;
 
   /**
-   * Edges up to this length are not cut beside a longer one if the field is made from bits. Cells
-   * between the cuts are rounded to bits, which costs more than it gains.
+   * If the field is made from bits, a second edge up to this length is not cut. The cells of the
+   * first cut are rounded to bits, which would cost more than the second cut gains.
    */
   private static final double MAX_SECOND_OF_BITS = 1.45;
 
-  /** Edges up to this length count as equal if the field is made from grey values. */
+  /** If the field is made from grey values, an edge up to this length is not cut. */
   private static final double MAX_EQUAL_OF_GREY = 1.15;
 
   /** Returns the grid for the bits of voxels with these edges, in shortest edges. */
