@@ -41,7 +41,7 @@ final class SceneLegJudge {
   private final Ray ray = new Ray();
   private int hand;
 
-  /** The pose of each body that moves along in the frame of the one that is held; null else. */
+  /** For each body that moves along, its pose in the frame of the held one; null for the others. */
   private final Pose[] inHand;
 
   private final Pose takenAt = new Pose();
@@ -154,9 +154,9 @@ final class SceneLegJudge {
   }
 
   private void setCarried(Pose ofHand) {
+    boolean isAtStart = ofHand.sameBits(takenAt);
     for (int n = 0; n < tool; n++) {
       if (inHand[n] != null) {
-        boolean isAtStart = ofHand.sameBits(takenAt);
         ReferencePose.glued(ofHand, inHand[n], points);
         next[n].set(isAtStart ? joined[n] : references[n].toRest(points, rest));
       }

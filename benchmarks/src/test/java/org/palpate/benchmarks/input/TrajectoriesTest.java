@@ -84,6 +84,7 @@ class TrajectoriesTest {
     Trajectory hand = Trajectories.free(ball, EDGE, 1, 0.12, FRAMES, SEED);
     for (int frame = 0; frame < FRAMES; frame++) {
       assertTrue(height(hand, frame) > 1 - 1e-9, "frame=" + frame);
+      assertTrue(frame == 0 || step(hand, frame) < 0.5 + 1e-9, "frame=" + frame);
     }
     assertEquals(1, height(hand, FRAMES - 1), 1e-9);
   }
@@ -100,6 +101,9 @@ class TrajectoriesTest {
       if (step(hand, frame) > 0.5 + 1e-9) {
         elsewhere++;
         assertEquals(6, height, 1e-9);
+        assertEquals(5.5, height(hand, frame - 1), 1e-9, "it went all the way out before");
+      } else {
+        assertEquals(0.5, step(hand, frame), 1e-9, "frame=" + frame);
       }
     }
     assertTrue(Math.abs(36 * turns - FRAMES) <= 36, "18 frames in, 18 out: " + turns);

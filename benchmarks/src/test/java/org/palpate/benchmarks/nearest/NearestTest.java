@@ -119,7 +119,10 @@ class NearestTest {
       assertEquals(3, ball.truth().signedDistance(hand.get(0)), 1e-9);
       double last = 3.1;
       boolean arrived = false;
+      Vec3 before = new Vec3().set(hand.get(0));
       for (Vec3 at : hand) {
+        assertTrue(at.sub(before, before).length() < 0.3 + 1e-9, "no step is longer than the speed");
+        before.set(at);
         double height = ball.truth().signedDistance(at);
         arrived |= height <= -depth + 1e-9;
         assertTrue(arrived ? Math.abs(height + depth) < 1e-9 : height < last, "height=" + height);
