@@ -109,23 +109,27 @@ class FrameAllocationTest {
   @Test
   void aHundredThousandWarmFramesOfARigidToolAllocateNothing() {
     prepareEdits(2.6);
+    ToolFrame frame = toolFrame(roughFloor());
+    frame.carve(CarveSettings.ofRate(5));
+    assertARoundAllocatesNothing(frame);
+    assertTrue(frame.statistics().maxTorqueNewtonMm() > 0);
+  }
+
+  /** Returns a frame of a capsule that a hand moves into the floor. */
+  private ToolFrame toolFrame(ForceSettings force) {
     BodyScene bodies =
         new BodyScene(List.of(new Body("floor", floor.bits, Floor.GRID, Mobility.FIXED)));
     RigidTool tool = ToolSampler.ofShape(RodShape.capsule(1, 4), 0.7);
     HandTarget target = HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1);
     SimulatedDevice hand = SimulatedDevice.withOrientation(7, target, ManualClock.MS);
-    ToolFrame frame =
-        new ToolFrame(
-            new MeasuringDevice(new RecordingDevice(hand, recorder)),
-            bodies,
-            new RigidSolver(bodies, tool, RigidSettings.ofWholeBodies(8, bodies, tool)),
-            RigidCoupling.of(tool, 0.5),
-            FrameSettings.live(hand.specification(), roughFloor()),
-            floor.edits,
-            ToolFramePublisher.NONE);
-    frame.carve(CarveSettings.ofRate(5));
-    assertARoundAllocatesNothing(frame);
-    assertTrue(frame.statistics().maxTorqueNewtonMm() > 0);
+    return new ToolFrame(
+        new MeasuringDevice(new RecordingDevice(hand, recorder)),
+        bodies,
+        new RigidSolver(bodies, tool, RigidSettings.ofWholeBodies(8, bodies, tool)),
+        RigidCoupling.of(tool, 0.5),
+        FrameSettings.live(hand.specification(), force),
+        floor.edits,
+        ToolFramePublisher.NONE);
   }
 
   /** Also measures some updates of elastic segments, which come between two frames. */
@@ -191,20 +195,7 @@ class FrameAllocationTest {
   @Test
   void aHundredThousandWarmFramesOfARigidToolWithGuidesAndEffectsAllocateNothing() {
     prepareEdits(2.6);
-    BodyScene bodies =
-        new BodyScene(List.of(new Body("floor", floor.bits, Floor.GRID, Mobility.FIXED)));
-    RigidTool tool = ToolSampler.ofShape(RodShape.capsule(1, 4), 0.7);
-    HandTarget target = HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1);
-    SimulatedDevice hand = SimulatedDevice.withOrientation(7, target, ManualClock.MS);
-    ToolFrame frame =
-        new ToolFrame(
-            new MeasuringDevice(new RecordingDevice(hand, recorder)),
-            bodies,
-            new RigidSolver(bodies, tool, RigidSettings.ofWholeBodies(8, bodies, tool)),
-            RigidCoupling.of(tool, 0.5),
-            FrameSettings.live(hand.specification(), Floor.settings().force()),
-            floor.edits,
-            ToolFramePublisher.NONE);
+    ToolFrame frame = toolFrame(Floor.settings().force());
     frame.requestEffects(everyEffect(2));
     frame.use(new GreyMaterials(greyValues(), GreyMaterials.CT));
     assertARoundAllocatesNothing(frame);

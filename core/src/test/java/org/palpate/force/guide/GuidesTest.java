@@ -19,6 +19,7 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 
 class GuidesTest {
@@ -53,13 +54,8 @@ class GuidesTest {
     return force;
   }
 
-  private double between(double low, double high) {
-    return low + (high - low) * ((random.nextLong() >>> 11) * 0x1p-53);
-  }
-
   private Vec3 randomVector(double largest) {
-    return new Vec3(
-        between(-largest, largest), between(-largest, largest), between(-largest, largest));
+    return RandomGeometry.vector(random, largest);
   }
 
   /** The hand crosses the middle between two limbs, and then rests. */
