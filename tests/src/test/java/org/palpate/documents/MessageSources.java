@@ -70,6 +70,8 @@ final class MessageSources {
           Map.entry("VolumeFormatException/4", THREE),
           Map.entry("CsvFormatException/3", THREE),
           Map.entry("CsvFormatException/4", new Parts(0, 1, 3)),
+          Map.entry("CaptureFormatException/2", new Parts(1, -1, -1)),
+          Map.entry("WrongChoiceException/1", SENTENCE),
           Map.entry("GraphicsException/3", new Parts(0, -1, 1)),
           Map.entry("TouchRefusedException/1", SENTENCE),
           Map.entry("DeviceException/1", SENTENCE),
