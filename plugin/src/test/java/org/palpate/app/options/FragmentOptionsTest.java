@@ -34,7 +34,7 @@ class FragmentOptionsTest {
     for (int n = 0; n < ends.length; n += 2) {
       for (int i = ends[n]; i <= ends[n + 1]; i++) {
         for (int at = 0; at < 64; at++) {
-          bits.set(i, 4 + at % 8, 4 + at / 8, true);
+          bits.set(i, 4 + at % 8, 4 + at / 8);
         }
       }
     }
@@ -126,9 +126,9 @@ class FragmentOptionsTest {
   @Test
   void componentsThatShareAnEdgeAreOneUnlessFacesAreAskedFor() {
     BitCube bits = new BitCube(24, 16, 16);
-    bits.set(3, 3, 3, true);
-    bits.set(4, 4, 3, true);
-    bits.set(5, 5, 4, true);
+    bits.set(3, 3, 3);
+    bits.set(4, 4, 3);
+    bits.set(5, 5, 4);
     List<Segment> chain = List.of(new Segment("bone", bits, 0));
     assertEquals(List.of(1L, 1L, 1L), sizes(make(chain, "--split=components:1:6")));
     assertEquals(List.of(3L), sizes(make(chain, "--split=components:1:26")));

@@ -73,7 +73,7 @@ class ProtectionTest {
 
   private static Segment oneVoxel(VoxelGrid grid, int at) {
     BitCube bits = new BitCube(grid.sizeX(), grid.sizeY(), grid.sizeZ());
-    bits.set(at, at, at, true);
+    bits.set(at, at, at);
     return new Segment("nerve", bits, 0xFFFFFF);
   }
 
