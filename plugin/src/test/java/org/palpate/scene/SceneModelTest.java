@@ -1,6 +1,7 @@
 package org.palpate.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -150,5 +151,103 @@ class SceneModelTest {
     assertEquals(-12, corner.x, "RAS runs to the right, the scene to the left");
     assertEquals(-24, corner.y);
     assertEquals(36, corner.z);
+  }
+
+  @Test
+  void theBallAroundTheSceneHoldsEveryBox() {
+    assertEquals("(-1.0, -2.0, 3.0)", model.state().middle().toString());
+    assertEquals(Math.sqrt(1 + 4 + 9), model.state().radiusMm(), 1e-12);
+    RigidTransform far = RigidTransform.identity();
+    far.origin().set(10, 0, 0);
+    SceneObject other = model.add("other", 0, far, new Vec3(), new Vec3(2, 4, 6));
+    assertEquals(-6, model.state().middle().x);
+    assertEquals(Math.sqrt(36 + 4 + 9), model.state().radiusMm(), 1e-12);
+    model.includeGrid(other, new Vec3(12, 4, 6));
+    assertEquals(-11, model.state().middle().x, "the box grew to the whole grid");
+  }
+
+  @Test
+  void aBoxEnclosesAnotherIfNoSideStandsOut() {
+    assertTrue(bone.encloses(box(new Vec3(), new Vec3(2, 4, 6))));
+    assertTrue(bone.encloses(box(new Vec3(1, 1, 1), new Vec3(1, 1, 1))));
+    for (int axis = 0; axis < 3; axis++) {
+      Vec3 low = new Vec3();
+      low.set(axis, -0.1);
+      assertFalse(bone.encloses(box(low, new Vec3(2, 4, 6))), "axis " + axis);
+      Vec3 high = new Vec3(2, 4, 6);
+      high.set(axis, high.get(axis) + 0.1);
+      assertFalse(bone.encloses(box(new Vec3(), high)), "axis " + axis);
+    }
+  }
+
+  private SceneObject box(Vec3 low, Vec3 high) {
+    return model.add("box", 0, RigidTransform.identity(), low, high);
+  }
+
+  @Test
+  void theFinestCompleteLevelIsKnown() {
+    assertEquals(-1, bone.finestComplete());
+    bone.setComplete(2);
+    assertEquals(2, bone.finestComplete());
+    bone.setComplete(0);
+    assertEquals(0, bone.finestComplete());
+    assertTrue(bone.isComplete(2) && !bone.isComplete(1));
+    assertEquals(0, bone.triangleCount(0));
+  }
+
+  @Test
+  void theCameraSeesEverythingFromEachSideAndTurnsUpsideDown() {
+    for (StandardView view : StandardView.values()) {
+      model.look(view, 1.5);
+      Vec3 towardsEye = view.towardsEye();
+      assertEquals(0, towardsEye.sub(model.camera().back(), towardsEye).length(), 1e-12);
+    }
+    Vec3 up = new Vec3().set(model.camera().up());
+    model.setUpsideDown(true);
+    assertTrue(up.sameBits(model.camera().up()), "only the next look turns");
+    model.look(StandardView.OBLIQUE, 1.5);
+    assertEquals(-1, up.dot(model.camera().up()), 1e-12);
+  }
+
+  @Test
+  void aMovingCameraIsSaidToMove() {
+    model.onChange(redraws::incrementAndGet);
+    long revision = model.state().staticRevision();
+    model.moveCamera(camera -> camera.zoom(2), true);
+    assertTrue(model.state().moving());
+    assertTrue(model.state().staticRevision() > revision);
+    model.moveCamera(camera -> camera, false);
+    assertFalse(model.state().moving());
+    assertEquals(2, redraws.get());
+  }
+
+  @Test
+  void marksAndTextLeaveTheSurfacesAsTheyAre() {
+    model.onChange(redraws::incrementAndGet);
+    long revision = model.state().staticRevision();
+    TouchMarks marks =
+        new TouchMarks(new Vec3(1, 2, 3), new Vec3(), new Vec3(), false, List.of());
+    model.setMarks(Optional.of(marks));
+    model.setOverlay(List.of("one"));
+    model.setHelp(List.of("two"));
+    model.setLandmarks(List.of(new NamedPoint("tip", new Vec3(1, 2, 3))));
+    SceneState state = model.state();
+    assertEquals(revision, state.staticRevision());
+    assertEquals(4, redraws.get());
+    assertEquals(Optional.of(marks), state.marks());
+    assertEquals(List.of("one"), state.overlay());
+    assertEquals(List.of("two"), state.help());
+    assertEquals("(-1.0, -2.0, 3.0)", state.landmarks().get(0).position().toString());
+  }
+
+  @Test
+  void theLargestDetailCountsAndARequestRedrawsWithoutAChange() {
+    model.addDetail(2);
+    model.addDetail(1);
+    assertEquals(2, model.state().detailMm());
+    model.onChange(redraws::incrementAndGet);
+    model.requestRedraw();
+    model.surfaceChanged();
+    assertEquals(2, redraws.get());
   }
 }
