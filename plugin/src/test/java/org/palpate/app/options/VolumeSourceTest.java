@@ -84,14 +84,17 @@ class VolumeSourceTest {
         dimension: 3
         sizes: 4 1 1
         encoding: ascii
+        Segment0_ID:=S0
         Segment0_Name:=Left Jaw
         Segment0_LabelValue:=1
         Segment0_Layer:=0
         Segment0_Color:=1 0 0.5
+        Segment1_ID:=S1
         Segment1_Name:=Left Jaw
         Segment1_LabelValue:=3
         Segment1_Layer:=0
         Segment1_Color:=0 1 0
+        Segment2_ID:=S2
         Segment2_Name:=Tooth
         Segment2_LabelValue:=4
         Segment2_Layer:=0
