@@ -87,15 +87,15 @@ class DicomValuesTest {
         new DicomElements()
             .text(DicomTag.MODALITY, "CS", "SEG")
             .text(DicomTag.SERIES_UID, "UI", "1.2")
-            .shorts(DicomTag.ROWS, 513)
             .tag(0x0020_9165, 0x0062_000B)
+            .shorts(DicomTag.ROWS, 513)
             .toBytes();
     assertArrayEquals(
         new byte[] {
           8, 0, 0x60, 0, 'C', 'S', 4, 0, 'S', 'E', 'G', ' ',
           0x20, 0, 0x0e, 0, 'U', 'I', 4, 0, '1', '.', '2', 0,
-          0x28, 0, 0x10, 0, 'U', 'S', 2, 0, 1, 2,
-          0x20, 0, 0x65, (byte) 0x91, 'A', 'T', 4, 0, 0x62, 0, 0x0b, 0
+          0x20, 0, 0x65, (byte) 0x91, 'A', 'T', 4, 0, 0x62, 0, 0x0b, 0,
+          0x28, 0, 0x10, 0, 'U', 'S', 2, 0, 1, 2
         },
         written);
   }
