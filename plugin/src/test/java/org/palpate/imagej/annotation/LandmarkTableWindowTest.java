@@ -55,7 +55,7 @@ class LandmarkTableWindowTest {
 
   private void show(List<NamedPoint> all) {
     seen.clear();
-    all.forEach(point -> seen.add(point.name() + " " + point.worldMm()));
+    all.forEach(point -> seen.add(point.name() + " " + point.position()));
   }
 
   @Test
