@@ -142,12 +142,10 @@ class WatchdogTest {
   @ParameterizedTest
   @CsvSource({"0, 20", "1, 20", "6, 20", "7, 21", "50, 150"})
   void aSlowDeviceMayBeSilentForThreeReports(long intervalMs, long silenceMs) {
-    DeviceSpecification device =
-        new DeviceSpecification("test", "", 3, 0.5, 50, intervalMs * MS);
+    DeviceSpecification device = new DeviceSpecification("test", "", 3, 0.5, 50, intervalMs * MS);
     assertEquals(silenceMs * MS, Watchdog.silenceNanosFor(device));
     assertEquals(
-        silenceMs * MS,
-        FrameSettings.live(device, ForceSettings.of(0.5, 0.2)).silenceNanos());
+        silenceMs * MS, FrameSettings.live(device, ForceSettings.of(0.5, 0.2)).silenceNanos());
   }
 
   @Test

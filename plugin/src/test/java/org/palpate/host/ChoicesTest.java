@@ -20,7 +20,14 @@ import org.palpate.force.Material;
 class ChoicesTest {
   @ParameterizedTest
   @ValueSource(
-      strings = {"exact", "gridplanes", "sampled:1", "sampled:0.001", "sampled:1000", "sampled:0.25"})
+      strings = {
+        "exact",
+        "gridplanes",
+        "sampled:1",
+        "sampled:0.001",
+        "sampled:1000",
+        "sampled:0.25"
+      })
   void aCollisionMethodIsWrittenAsItIsRead(String text) {
     assertEquals(text, CollisionChoice.parse(text).orElseThrow().toString());
   }
@@ -28,8 +35,16 @@ class ChoicesTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "", "Exact", "sampled", "sampled:", "sampled:0", "sampled:0.0009", "sampled:1000.5",
-        "sampled:NaN", "sampled:-1", "gridplanes:1"
+        "",
+        "Exact",
+        "sampled",
+        "sampled:",
+        "sampled:0",
+        "sampled:0.0009",
+        "sampled:1000.5",
+        "sampled:NaN",
+        "sampled:-1",
+        "gridplanes:1"
       })
   void anotherCollisionMethodIsNotRead(String text) {
     assertEquals(Optional.empty(), CollisionChoice.parse(text));
@@ -114,8 +129,7 @@ class ChoicesTest {
     assertEquals(0.5, damped.stiffnessNewtonPerMm());
     Material rough = material("friction:0.9").over(general, FrictionForm.EQUATION_4);
     assertEquals(0.9, rough.staticFriction());
-    assertEquals(
-        0.9 * FrictionForm.EQUATION_4.slidingFraction(), rough.slidingFriction(), 1e-15);
+    assertEquals(0.9 * FrictionForm.EQUATION_4.slidingFraction(), rough.slidingFriction(), 1e-15);
     Material slides = material("sliding:0.6").over(general, FrictionForm.CONE);
     assertEquals(0.6, slides.slidingFriction());
     assertEquals(0.6, slides.staticFriction(), "static friction is never less");

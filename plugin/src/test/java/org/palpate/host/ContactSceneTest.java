@@ -49,10 +49,8 @@ class ContactSceneTest {
   /** Returns two boxes in voxels of 1 x 1 x depth mm: "bone" below, "skin" above. */
   private static SegmentedVolume volume(double depthMm) {
     VoxelGrid grid =
-        new VoxelGrid(
-            SIZE, SIZE, SIZE, new Vec3(1, 1, depthMm), RigidTransform.identity());
-    return new SegmentedVolume(
-        grid, List.of(box("bone", 2, 5), box("skin", 6, 9)));
+        new VoxelGrid(SIZE, SIZE, SIZE, new Vec3(1, 1, depthMm), RigidTransform.identity());
+    return new SegmentedVolume(grid, List.of(box("bone", 2, 5), box("skin", 6, 9)));
   }
 
   private static Segment box(String name, int lowK, int highK) {
@@ -120,8 +118,7 @@ class ContactSceneTest {
     assertEquals(0.3, plain.friction());
     assertEquals(List.of(), plain.materials());
     MaterialOverride soft = MaterialOverride.parse("stiffness:0.1").orElseThrow();
-    ForceSettings two =
-        scene(settings().stiffness(0.9).materials(Map.of("skin", soft))).force(0.7);
+    ForceSettings two = scene(settings().stiffness(0.9).materials(Map.of("skin", soft))).force(0.7);
     assertEquals(0.9, two.stiffnessNewtonPerMm(), "the settings count before the device");
     assertEquals(2, two.materials().size());
     assertEquals(0.9, two.materials().get(0).stiffnessNewtonPerMm());
@@ -137,9 +134,7 @@ class ContactSceneTest {
     assertEquals(3, scene(settings()).liveFrame(DEVICE, 0.5).maxForceNewton());
     assertEquals(
         1.5,
-        scene(settings().maxForce(OptionalDouble.of(1.5)))
-            .liveFrame(DEVICE, 0.5)
-            .maxForceNewton());
+        scene(settings().maxForce(OptionalDouble.of(1.5))).liveFrame(DEVICE, 0.5).maxForceNewton());
   }
 
   @Test
@@ -161,38 +156,35 @@ class ContactSceneTest {
   @Test
   void bodiesStandWhereTheirPlacementsSay() {
     Pose moved = new Pose();
-    moved.translation.set(5, 0, 0);
+    moved.translation.set(3, 0, 0);
     ContactScene placed =
         new ContactScene(
             volume,
             List.of(
-                new Placement(Mobility.FIXED, new Pose()),
-                new Placement(Mobility.MOVABLE, moved)),
+                new Placement(Mobility.FIXED, new Pose()), new Placement(Mobility.MOVABLE, moved)),
             ContactSettings.standard(),
             Optional.empty());
     BodyScene bodies = placed.newBodies();
     assertEquals(Mobility.FIXED, bodies.body(0).mobility());
     assertEquals(Mobility.MOVABLE, bodies.body(1).mobility());
-    assertEquals(5, bodies.body(1).pose().translation.x);
+    assertEquals(3, bodies.body(1).pose().translation.x);
     assertSame(volume.segments().get(1).bits(), bodies.body(1).bits());
     assertEquals(Mobility.MOVABLE, placed.newBodies(Set.of(0)).body(0).mobility());
     BodyScene atRest = scene(settings()).newBodies(Set.of(1));
     assertEquals(Mobility.FIXED, atRest.body(0).mobility());
     assertEquals(Mobility.MOVABLE, atRest.body(1).mobility());
-    assertEquals(17, placed.handTarget().highMm().x, 1e-9, "the hand finds the moved body");
+    assertEquals(15, placed.handTarget().highMm().x, 1e-9, "the hand finds the moved body");
     assertEquals(12, scene(settings()).handTarget().highMm().x, 1e-9);
   }
 
   @Test
   void greyValuesAreQueuedOnlyIfThereAreAny() {
     IllegalStateException refusal =
-        assertThrows(
-            IllegalStateException.class, () -> scene(settings()).offerGrey(surface(500)));
+        assertThrows(IllegalStateException.class, () -> scene(settings()).offerGrey(surface(500)));
     assertEquals(
         "the scene has no grey values; create it with a GreyIsosurface", refusal.getMessage());
     GreyIsosurface first = surface(500);
-    ContactScene grey =
-        new ContactScene(volume, ContactSettings.standard(), Optional.of(first));
+    ContactScene grey = new ContactScene(volume, ContactSettings.standard(), Optional.of(first));
     assertSame(first, grey.grey().orElseThrow());
     assertTrue(grey.offerGrey(surface(600)));
     assertSame(first, grey.grey().orElseThrow(), "the haptic thread takes it later");

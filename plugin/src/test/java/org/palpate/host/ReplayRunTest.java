@@ -77,11 +77,11 @@ class ReplayRunTest {
             .run(
                 (frame, device, point, force, state, freed) -> {
                   assertTrue(point.z > 8 - 1e-9, "frame " + frame + " at " + point);
-                  if (device.z < 8) {
+                  if (device.z < 8 - 0.01) {
                     assertTrue(state.contact, "frame " + frame);
                     assertEquals(0.5 * 2 * (point.z - device.z), force.z, 1e-6, "frame " + frame);
-                  } else {
-                    assertEquals(0, force.length(), 1e-12, "frame " + frame);
+                  } else if (device.z > 8 + 0.01) {
+                    assertEquals(0, force.length(), "frame " + frame);
                   }
                 });
     assertEquals(80, result.statistics().frames());
@@ -140,15 +140,16 @@ class ReplayRunTest {
   void rawModeKeepsTheLastSampleInsteadOfABadOne() throws IOException {
     Trajectory path = new Trajectory();
     path.add(0, 4, 8, 12);
-    path.add(1, Double.NaN, 8, 12);
+    path.add(1, 4.5, 8, 12);
+    path.add(2, Double.NaN, 8, 12);
     path.add(0.5, 9, 8, 12);
-    path.add(2, 5, 8, 12);
+    path.add(3, 5, 8, 12);
     List<Double> x = new ArrayList<>();
     ReplayRun.Result result =
         ReplayRun.inGrid(floor(), path)
             .inRawMode()
             .run((frame, device, point, force, state, freed) -> x.add(point.x));
-    assertEquals(List.of(4.0, 4.0, 4.0, 5.0), x);
+    assertEquals(List.of(4.0, 4.5, 4.5, 4.5, 5.0), x);
     assertEquals(1, result.statistics().faults().notFinite());
     assertEquals(1, result.statistics().faults().badTimes());
   }

@@ -52,8 +52,7 @@ class MessageWriterTest {
     writer.setTime(Instant.ofEpochSecond(1, 500_000_000));
     Message recorded;
     try {
-      recorded =
-          new MessageReader(new ByteArrayInputStream(Recorded.TRANSFORM_V1), 1 << 20).read();
+      recorded = new MessageReader(new ByteArrayInputStream(Recorded.TRANSFORM_V1), 1 << 20).read();
       writer.transform("Probe", ReceivedTransform.parse(recorded).pose());
     } catch (IOException e) {
       throw new IllegalStateException(e);
@@ -151,15 +150,13 @@ class MessageWriterTest {
       writer.transform("a", pose);
       assertEquals(
           "a transform is no rigid motion; send one without scale, shear and reflection",
-          assertThrows(
-                  LinkProtocolException.class, () -> ReceivedTransform.parse(written().read()))
+          assertThrows(LinkProtocolException.class, () -> ReceivedTransform.parse(written().read()))
               .getMessage());
     }
     writer.sensor("a", 0, 1);
     assertEquals(
         "a transform has 18 bytes instead of 48",
-        assertThrows(
-                LinkProtocolException.class, () -> ReceivedTransform.parse(written().read()))
+        assertThrows(LinkProtocolException.class, () -> ReceivedTransform.parse(written().read()))
             .getMessage());
   }
 }

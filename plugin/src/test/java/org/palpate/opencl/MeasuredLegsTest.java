@@ -47,7 +47,8 @@ class MeasuredLegsTest {
   }
 
   private static String rounded(Vec3 v) {
-    return new Vec3(Math.rint(v.x * 1e6) / 1e6, Math.rint(v.y * 1e6) / 1e6, Math.rint(v.z * 1e6) / 1e6)
+    return new Vec3(
+            Math.rint(v.x * 1e6) / 1e6, Math.rint(v.y * 1e6) / 1e6, Math.rint(v.z * 1e6) / 1e6)
         .toString();
   }
 

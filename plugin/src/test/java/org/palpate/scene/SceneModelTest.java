@@ -225,8 +225,7 @@ class SceneModelTest {
   void marksAndTextLeaveTheSurfacesAsTheyAre() {
     model.onChange(redraws::incrementAndGet);
     long revision = model.state().staticRevision();
-    TouchMarks marks =
-        new TouchMarks(new Vec3(1, 2, 3), new Vec3(), new Vec3(), false, List.of());
+    TouchMarks marks = new TouchMarks(new Vec3(1, 2, 3), new Vec3(), new Vec3(), false, List.of());
     model.setMarks(Optional.of(marks));
     model.setOverlay(List.of("one"));
     model.setHelp(List.of("two"));

@@ -121,7 +121,8 @@ class NearestTest {
       boolean arrived = false;
       Vec3 before = new Vec3().set(hand.get(0));
       for (Vec3 at : hand) {
-        assertTrue(at.sub(before, before).length() < 0.3 + 1e-9, "no step is longer than the speed");
+        assertTrue(
+            at.sub(before, before).length() < 0.3 + 1e-9, "no step is longer than the speed");
         before.set(at);
         double height = ball.truth().signedDistance(at);
         arrived |= height <= -depth + 1e-9;

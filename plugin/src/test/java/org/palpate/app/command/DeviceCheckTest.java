@@ -48,8 +48,7 @@ class DeviceCheckTest {
 
   @Test
   void aCaptureIsAnInputAndIsNotCaptured() {
-    assertEquals(
-        List.of(Path.of("a.hid")), check("capture:a.hid", Optional.empty()).inputs());
+    assertEquals(List.of(Path.of("a.hid")), check("capture:a.hid", Optional.empty()).inputs());
     assertEquals(List.of(), check("hid:7", Optional.of(Path.of("b.hid"))).inputs());
     refuses(
         "no device is captured: --capture b.hid: add --check hid, or leave it out",
@@ -80,7 +79,8 @@ class DeviceCheckTest {
 
   @Test
   void optionsOfAWindowNeedOne() {
-    CommandLine command = new CommandLine(new TouchCommand());
+    CommandLine command =
+        new CommandLine(new TouchCommand()).setCaseInsensitiveEnumValuesAllowed(true);
     for (String option : List.of("--slices=middle", "--surface=bits", "--upside-down")) {
       ParseResult given = command.parseArgs(option);
       new WindowNeeds(false).check(given);

@@ -43,8 +43,7 @@ class FragmentExportTest {
     return new PlacedVolume(
         new SegmentedVolume(
             VoxelGrid.ofUnitVoxels(16, 8, 8), List.of(cube("base", 1), cube("part", 4))),
-        List.of(
-            new Placement(Mobility.FIXED, new Pose()), new Placement(Mobility.MOVABLE, moved)),
+        List.of(new Placement(Mobility.FIXED, new Pose()), new Placement(Mobility.MOVABLE, moved)),
         world,
         List.of(),
         List.of());
@@ -68,8 +67,7 @@ class FragmentExportTest {
     FragmentExport export = new FragmentExport(file, Optional.empty(), Optional.empty());
     assertFalse(export.writesPoses());
     assertEquals(List.of(), export.checked(List.of()));
-    assertEquals(
-        List.of("NRRD, gzip: " + file), export.write(bodies(CoordinateSystem.LPS)));
+    assertEquals(List.of("NRRD, gzip: " + file), export.write(bodies(CoordinateSystem.LPS)));
     assertEquals(1, labels(file).value(1, 2, 2));
     assertEquals(0, labels(file).value(4, 2, 2));
     assertEquals(2, labels(file).value(9, 2, 2));
@@ -90,8 +88,11 @@ class FragmentExportTest {
     PlacedVolume again = BodyReader.read(read, scene);
     assertEquals(Mobility.MOVABLE, again.placements().get(1).mobility());
     assertTrue(
-        again.placements().get(1).pose().sameBits(
-            bodies(CoordinateSystem.LPS).placements().get(1).pose()));
+        again
+            .placements()
+            .get(1)
+            .pose()
+            .sameBits(bodies(CoordinateSystem.LPS).placements().get(1).pose()));
     assertEquals(8, again.rest().segments().get(1).bits().solidCount());
   }
 
@@ -100,8 +101,7 @@ class FragmentExportTest {
     Path poses = folder.resolve("poses");
     FragmentExport export = new FragmentExport(null, Optional.empty(), Optional.of(poses));
     assertEquals(List.of(), export.checked(List.of()));
-    assertEquals(
-        List.of("transforms: " + poses), export.write(bodies(CoordinateSystem.RAS)));
+    assertEquals(List.of("transforms: " + poses), export.write(bodies(CoordinateSystem.RAS)));
     String part = Files.readString(poses.resolve("part.tfm"));
     assertTrue(part.contains("Parameters: 1.0 0.0 0.0 0.0 1.0 0.0 0.0 0.0 1.0 -5.0 "), part);
     assertTrue(Files.exists(poses.resolve("base.tfm")));
@@ -146,8 +146,7 @@ class FragmentExportTest {
 
   @Test
   void posesAreForVolumesThatHaveThem() throws IOException {
-    PoseOptions options =
-        CommandLine.populateCommand(new PoseOptions(), "--save-scene=s.json");
+    PoseOptions options = CommandLine.populateCommand(new PoseOptions(), "--save-scene=s.json");
     assertEquals(Optional.of(Path.of("s.json")), options.scene());
     VolumeSource plain = source("--phantom=sphere:16");
     assertEquals(

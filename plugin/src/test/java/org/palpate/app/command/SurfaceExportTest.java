@@ -96,7 +96,9 @@ class SurfaceExportTest {
         targets.stream().map(file -> file.getFileName().toString()).toList());
     List<String> lines = export.write(surfaces(), volume, CoordinateSystem.UNKNOWN);
     assertTrue(
-        lines.get(0).endsWith(" triangles of segment left bone, in mm, axes not named by the volume"),
+        lines
+            .get(0)
+            .endsWith(" triangles of segment left bone, in mm, axes not named by the volume"),
         lines.get(0));
     assertEquals("not written: segment none has no surface", lines.get(2));
     assertTrue(Files.exists(targets.get(1)));
@@ -108,8 +110,7 @@ class SurfaceExportTest {
   void anObjFileHasItsMaterialsBesideIt() throws IOException {
     Path file = folder.resolve("b.OBJ");
     SurfaceExport export = new SurfaceExport(file, false);
-    assertEquals(
-        List.of(file, folder.resolve("b.mtl")), export.targets(volume.segments()));
+    assertEquals(List.of(file, folder.resolve("b.mtl")), export.targets(volume.segments()));
     export.write(surfaces(), volume, CoordinateSystem.RAS);
     assertTrue(Files.readString(file).contains("mtllib b.mtl"));
     assertTrue(Files.readString(folder.resolve("b.mtl")).contains("newmtl "));
@@ -117,8 +118,7 @@ class SurfaceExportTest {
 
   @ParameterizedTest
   @CsvSource({"LPS, 25.5", "RAS, 25.5", "LAS, -25.5"})
-  void aWorldThatNoFileCanNameIsTurned(CoordinateSystem world, double middleY)
-      throws IOException {
+  void aWorldThatNoFileCanNameIsTurned(CoordinateSystem world, double middleY) throws IOException {
     Path file = folder.resolve("b.stl");
     new SurfaceExport(file, false).write(surfaces(), volume, world);
     TriangleMesh mesh = MeshFiles.read(file);

@@ -45,8 +45,7 @@ class BrushOptionsTest {
     assertFalse(none.isGiven());
     VolumeSource source = Given.source("--phantom=sphere:16");
     ContactScene scene =
-        new ContactScene(
-            Given.segments(source), Given.options(new ContactOptions()).settings());
+        new ContactScene(Given.segments(source), Given.options(new ContactOptions()).settings());
     assertEquals(Optional.empty(), none.brush(source, scene, Optional.empty()));
   }
 
@@ -99,8 +98,7 @@ class BrushOptionsTest {
 
   @Test
   void eachPartOfTheTextArrives() throws IOException {
-    BrushOptions options =
-        options("--brush=2,segment:high,range:100..600,refuse", "--paint=erase");
+    BrushOptions options = options("--brush=2,segment:high,range:100..600,refuse", "--paint=erase");
     Brush brush = brush(options, Optional.empty(), "--protect=low:1:0");
     assertTrue(options.isGiven());
     assertEquals(1, brush.segment());

@@ -55,7 +55,7 @@ class ContactOptionsTest {
                 "--max-force=3.5",
                 "--carve=12",
                 "--protect=nerve:1.5",
-                "--protect=a:b",
+                "--protect=vein:2:3",
                 "--friction-form=cone")
             .settings();
     assertEquals(OptionalDouble.of(0.75), settings.stiffnessNewtonPerMm());
@@ -64,6 +64,7 @@ class ContactOptionsTest {
     assertEquals(OptionalDouble.of(3.5), settings.maxForceNewton());
     assertEquals(OptionalDouble.of(12), settings.carveMm3PerNewtonSecond());
     assertEquals(FrictionForm.CONE, settings.frictionForm());
+    assertEquals(Map.of("nerve", 1.5, "vein", 2.0), settings.protectedMm());
   }
 
   @ParameterizedTest
@@ -81,7 +82,13 @@ class ContactOptionsTest {
     "--carve, the rate, 1e-6, 1e6, 0.000001, 'mm^3 per N s', 1"
   })
   void aNumberIsRefusedJustBeyondItsRange(
-      String option, String quantity, double low, double high, String from, String unit, String eg) {
+      String option,
+      String quantity,
+      double low,
+      double high,
+      String from,
+      String unit,
+      String eg) {
     options(option + "=" + low).settings();
     options(option + "=" + high).settings();
     String to = high == 100 ? "100" : "1,000,000";

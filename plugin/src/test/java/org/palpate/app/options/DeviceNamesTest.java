@@ -62,8 +62,7 @@ class DeviceNamesTest {
     "simulated:1.5, the seed is not a whole number"
   })
   void anotherTextIsRefusedWithTheForms(String text, String what) {
-    Given.refuses(
-        what + ": --device " + text + ": " + FORMS, () -> DeviceChoice.parse(text));
+    Given.refuses(what + ": --device " + text + ": " + FORMS, () -> DeviceChoice.parse(text));
   }
 
   @Test

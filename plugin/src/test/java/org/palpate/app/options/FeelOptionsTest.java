@@ -37,9 +37,7 @@ class FeelOptionsTest {
 
   private static List<EffectPlan> plans(String... arguments) throws IOException {
     VolumeSource source = Given.source("--phantom=sphere:16");
-    return options(arguments)
-        .settings(source, Given.segments(source), Optional.empty())
-        .effects();
+    return options(arguments).settings(source, Given.segments(source), Optional.empty()).effects();
   }
 
   /** Returns the pull of a guide on a hand at a position. */
@@ -177,21 +175,24 @@ class FeelOptionsTest {
     Path file = Files.writeString(folder.resolve("p.csv"), "z,note,y,x\n0,a,0,0\n0,b,0,9\n");
     List<EffectPlan> plans = plans("--guide=path:" + file, "--guide-stiffness=0.5");
     assertEquals("(0.0, -1.0, 0.0)", pull(plans.get(0), 4, 2, 0).toString());
-    assertEquals(
-        List.of(file), options("--guide=path:" + file, "--guide=align:0,0,1").files());
+    assertEquals(List.of(file), options("--guide=path:" + file, "--guide=align:0,0,1").files());
   }
 
   @Test
   void aPathNeedsTwoToAThousandPositions() throws IOException {
     Path one = Files.writeString(folder.resolve("one.csv"), "x,y,z\n1,2,3\n");
     Given.refuses(
-        "a path has 2 to 1,000 positions and this one has 1: " + one + ": leave out rows, or add"
+        "a path has 2 to 1,000 positions and this one has 1: "
+            + one
+            + ": leave out rows, or add"
             + " some",
         () -> plans("--guide=path:" + one));
     Path many =
         Files.writeString(folder.resolve("many.csv"), "x,y,z\n" + "1,2,3\n4,5,6\n".repeat(501));
     Given.refuses(
-        "a path has 2 to 1,000 positions and this one has 1,002: " + many + ": leave out rows, or"
+        "a path has 2 to 1,000 positions and this one has 1,002: "
+            + many
+            + ": leave out rows, or"
             + " add some",
         () -> plans("--guide=path:" + many));
     Path missing = folder.resolve("none.csv");

@@ -28,7 +28,9 @@ class FragmentOptionsTest {
     return options(arguments).make(segments, GRID, "scan.nrrd");
   }
 
-  /** Returns a segment of boxes, each given by its first and last voxel along x; 8 high and deep. */
+  /**
+   * Returns a segment of boxes, each given by its first and last voxel along x; 8 high and deep.
+   */
   private static Segment bars(int... ends) {
     BitCube bits = new BitCube(24, 16, 16);
     for (int n = 0; n < ends.length; n += 2) {
@@ -80,7 +82,14 @@ class FragmentOptionsTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"halves", "components:", "components:1:7", "components:-5", "plane:1,2,3", "plane:"})
+      strings = {
+        "halves",
+        "components:",
+        "components:1:7",
+        "components:-5",
+        "plane:1,2,3",
+        "plane:"
+      })
   void aSplitOfAnotherFormIsRefused(String text) {
     Given.refuses(
         "the split is not understood: --split "
@@ -142,8 +151,7 @@ class FragmentOptionsTest {
   @Test
   void aPlaneDividesTheVoxelsByTheirCentres() {
     Segment bar = bars(2, 11);
-    assertEquals(
-        List.of(384L, 256L), sizes(make(List.of(bar), "--split=plane:8,0,0,1,0,0")));
+    assertEquals(List.of(384L, 256L), sizes(make(List.of(bar), "--split=plane:8,0,0,1,0,0")));
     Given.refuses(
         "the plane does not cut the segment: all voxels lie on one side: choose a point inside",
         () -> make(List.of(bar), "--split=plane:1.9,0,0,1,0,0"));

@@ -20,7 +20,8 @@ final class Given {
 
   /** Returns options after parsing arguments into them. */
   static <T> T options(T options, String... arguments) {
-    return CommandLine.populateCommand(options, arguments);
+    new CommandLine(options).setCaseInsensitiveEnumValuesAllowed(true).parseArgs(arguments);
+    return options;
   }
 
   /** Opens the volume that arguments name. */

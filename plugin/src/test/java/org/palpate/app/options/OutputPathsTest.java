@@ -54,8 +54,7 @@ class OutputPathsTest {
     for (Path target : List.of(input, link, around)) {
       Given.refuses(
           "the target is an input: --out " + target + ": name another file",
-          () ->
-              OutputPaths.checked("--out", target, List.of(folder.resolve("missing"), input)));
+          () -> OutputPaths.checked("--out", target, List.of(folder.resolve("missing"), input)));
     }
   }
 
@@ -88,8 +87,7 @@ class OutputPathsTest {
 
   private static List<String> words(String... names) {
     BitCube none = new BitCube(4, 4, 4);
-    return OutputPaths.fileWords(
-        Stream.of(names).map(name -> new Segment(name, none, 0)).toList());
+    return OutputPaths.fileWords(Stream.of(names).map(name -> new Segment(name, none, 0)).toList());
   }
 
   @Test

@@ -51,9 +51,7 @@ class ProtectionTest {
         protection
             .guidance(oneVoxel(grid, 8), grid)
             .orElseThrow()
-            .make(
-                new EffectSite(
-                    RigidTransform.identity(), 0.5, 0, 10, List.of(new Vec3())));
+            .make(new EffectSite(RigidTransform.identity(), 0.5, 0, 10, List.of(new Vec3())));
     assertEquals(0, pushAt(push, 8.5 + 5.6).length(), "beyond margin and guidance");
     Vec3 near = pushAt(push, 8.5 + 4);
     assertTrue(near.x > 0.1 && near.y == 0 && near.z == 0, near.toString());

@@ -60,7 +60,7 @@ class ReshapeOptionsTest {
   @Test
   void theBoxComesFirstThenTheVoxelsThenTheMirror() throws IOException {
     VolumeReader shaped =
-        options("--crop=0..1,0..0,0..0", "--mirror=1,0,0,1,0,0")
+        options("--crop=0..1,0..0,0..0", "--mirror=0.5,0,0,1,0,0")
             .applyTo(volume(), Optional.of("0.5,1,1"), true);
     ScalarVolume values = values(shaped);
     assertEquals(4, values.grid().sizeX(), "two voxels of 1 mm are four of 0.5 mm");
@@ -77,8 +77,10 @@ class ReshapeOptionsTest {
 
   @Test
   void labelsAreNotInterpolatedAndGreyValuesAre() throws IOException {
-    VolumeReader labels = options("--crop=0..3,0..0,0..0").applyTo(volume(), Optional.of("2,1,1"), true);
-    VolumeReader greys = options("--crop=0..3,0..0,0..0").applyTo(volume(), Optional.of("2,1,1"), false);
+    VolumeReader labels =
+        options("--crop=0..3,0..0,0..0").applyTo(volume(), Optional.of("2,1,1"), true);
+    VolumeReader greys =
+        options("--crop=0..3,0..0,0..0").applyTo(volume(), Optional.of("2,1,1"), false);
     assertEquals(2, values(labels).value(0, 0, 0), "of the voxel that holds the centre");
     assertEquals(2, values(greys).value(0, 0, 0), "the mean 1.5 is rounded to an integer");
     assertEquals(4, values(labels).value(1, 0, 0));
@@ -86,7 +88,14 @@ class ReshapeOptionsTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"0..4,0..2,0..1", "2..1,0..2,0..1", "0..3,0..2", "a..3,0..2,0..1", "0-3,0-2,0-1", ""})
+      strings = {
+        "0..4,0..2,0..1",
+        "2..1,0..2,0..1",
+        "0..3,0..2",
+        "a..3,0..2,0..1",
+        "0-3,0-2,0-1",
+        ""
+      })
   void aBoxThatLeavesTheVolumeIsRefusedWithItsSize(String box) {
     VolumeFormatException refusal =
         assertThrows(

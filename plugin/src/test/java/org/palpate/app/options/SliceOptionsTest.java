@@ -40,8 +40,7 @@ class SliceOptionsTest {
     "middle, FIXED, 8, 8, 8",
     "point, AT_POINT, 8, 8, 8"
   })
-  void planesStandWhereTheTextSays(String text, Mode mode, int i, int j, int k)
-      throws IOException {
+  void planesStandWhereTheTextSays(String text, Mode mode, int i, int j, int k) throws IOException {
     SliceOptions options = options("--slices=" + text);
     MovableSlices.Start start = options.start(grey("--segment=s=>=500")).orElseThrow();
     assertEquals(mode, start.mode());

@@ -194,8 +194,7 @@ class VolumeSourceTest {
     assertEquals(OptionalDouble.of(2), labels("--segment=a=>=2").threshold());
     assertEquals(OptionalDouble.empty(), labels("--segment=a=2..5").threshold());
     assertEquals(OptionalDouble.empty(), labels("--segment=a=-inf..5").threshold());
-    assertEquals(
-        OptionalDouble.empty(), labels("--segment=a=>=2", "--segment=b=>=3").threshold());
+    assertEquals(OptionalDouble.empty(), labels("--segment=a=>=2", "--segment=b=>=3").threshold());
     assertEquals(
         OptionalDouble.of(3),
         labels("--segment=a=label:1", "--segment=b=3..5", "--segment=c=>=1").firstThreshold());

@@ -57,8 +57,7 @@ class EditedVolumeTest {
   @Test
   void removedAndAddedVolumesAreThoseOfTheirVoxels() {
     SegmentedVolume volume = volume();
-    EditedVolume edited =
-        new EditedVolume(volume, CoordinateSystem.LPS, Optional.empty(), true);
+    EditedVolume edited = new EditedVolume(volume, CoordinateSystem.LPS, Optional.empty(), true);
     assertEquals(Map.of("a", 0.0, "b", 0.0), edited.carvedMm3());
     BitCube bits = volume.segments().get(0).bits();
     int removed = 0;
@@ -86,8 +85,7 @@ class EditedVolumeTest {
 
   @Test
   void withoutACopyNothingIsMeasured() {
-    EditedVolume edited =
-        new EditedVolume(volume(), CoordinateSystem.LPS, Optional.empty(), false);
+    EditedVolume edited = new EditedVolume(volume(), CoordinateSystem.LPS, Optional.empty(), false);
     assertEquals(Map.of(), edited.carvedMm3());
     edited.write(failures);
     assertEquals(0, failures.exitCode());
@@ -113,8 +111,7 @@ class EditedVolumeTest {
   void anExportHoldsTheVoxelsAsTheyAreNow() throws IOException {
     SegmentedVolume volume = volume();
     Path target = folder.resolve("e.nrrd");
-    EditedVolume edited =
-        new EditedVolume(volume, CoordinateSystem.LPS, Optional.of(target), true);
+    EditedVolume edited = new EditedVolume(volume, CoordinateSystem.LPS, Optional.of(target), true);
     BitCube bits = volume.segments().get(1).bits();
     bits.set(3, 4, 5);
     bits.clear(6, 7, 8);
@@ -128,7 +125,7 @@ class EditedVolumeTest {
       int j = at / SIZE % SIZE;
       int k = at / SIZE / SIZE;
       boolean first = volume.segments().get(0).bits().get(i, j, k);
-      int expected = first ? 1 : bits.get(i, j, k) ? 2 : 0;
+      int expected = bits.get(i, j, k) ? 2 : first ? 1 : 0;
       assertEquals(expected, labels.value(i, j, k), i + "," + j + "," + k + " seed=" + SEED);
     }
   }

@@ -53,7 +53,8 @@ class ReportTest {
     assertTrue(report.isWanted());
     report.put("z", 1L).put("a", List.of("x")).write();
     String text = Files.readString(file);
-    assertTrue(text.endsWith("  \"command\" : \"info\",\n  \"z\" : 1,\n  \"a\" : [ \"x\" ]\n}\n"), text);
+    assertTrue(
+        text.endsWith("  \"command\" : \"info\",\n  \"z\" : 1,\n  \"a\" : [ \"x\" ]\n}\n"), text);
   }
 
   @Test
@@ -61,11 +62,9 @@ class ReportTest {
     Path input = Files.writeString(folder.resolve("in.csv"), "");
     PalpateException refusal =
         assertThrows(
-            PalpateException.class,
-            () -> new Report("info", Optional.of(input), List.of(input)));
+            PalpateException.class, () -> new Report("info", Optional.of(input), List.of(input)));
     assertEquals(
-        "the target is an input: --report " + input + ": name another file",
-        refusal.getMessage());
+        "the target is an input: --report " + input + ": name another file", refusal.getMessage());
     assertEquals(PalpateException.WRONG_USE, refusal.exitCode());
   }
 
@@ -84,8 +83,7 @@ class ReportTest {
   @Test
   void theVolumeIsDescribedWithItsSegments() throws IOException {
     VolumeSource source =
-        VolumeSource.open(
-            CommandLine.populateCommand(new VolumeOptions(), "--phantom=block:16"));
+        VolumeSource.open(CommandLine.populateCommand(new VolumeOptions(), "--phantom=block:16"));
     SegmentedVolume volume = source.segments(new PrintWriter(new StringWriter()), false);
     List<Segment> segments =
         List.of(volume.segments().get(0), new Segment("none", new BitCube(16, 16, 16), 0));

@@ -21,7 +21,8 @@ class PaintedStrokesTest {
   private static final SegmentRange BRIGHT =
       SegmentRange.threshold("bright", 100, 255, SegmentColour.BONE);
 
-  private final ImagePlus image = Stacks.of(8, SIZE, SIZE, SIZE, (i, j, k) -> 90 + (i + j + k) % 20);
+  private final ImagePlus image =
+      Stacks.of(8, SIZE, SIZE, SIZE, (i, j, k) -> 90 + (i + j + k) % 20);
   private final StackVolume volume = volume(image);
   private final StrokeHistory history = new StrokeHistory(volume, SPACING);
 

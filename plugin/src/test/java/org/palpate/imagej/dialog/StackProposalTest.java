@@ -54,7 +54,8 @@ class StackProposalTest {
 
   @Test
   void hounsfieldUnitsAreRecognizedByTheirCalibration() throws TouchRefusedException {
-    ImagePlus image = Stacks.of(16, 30, 30, 8, (i, j, k) -> 32768 + (i < 10 ? -1000 : 40 * (i - 10)) + j % 5);
+    ImagePlus image =
+        Stacks.of(16, 30, 30, 8, (i, j, k) -> 32768 + (i < 10 ? -1000 : 40 * (i - 10)) + j % 5);
     image.getCalibration().setSigned16BitCalibration();
     StackProposal found = proposal(image);
     assertEquals(250, found.lower());

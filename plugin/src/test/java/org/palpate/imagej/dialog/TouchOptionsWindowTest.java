@@ -71,8 +71,10 @@ class TouchOptionsWindowTest {
             },
             "Run$_palpate");
     Macro.setOptions(thread, macro);
+    thread.setDaemon(true);
     thread.start();
-    thread.join();
+    thread.join(60_000);
+    assertFalse(thread.isAlive(), "the dialog waits for a person: " + macro);
     if (refused.get() != null) {
       throw refused.get();
     }
@@ -84,8 +86,8 @@ class TouchOptionsWindowTest {
     TouchOptions options =
         ask(
             "segment=jaw colour=sky lower=20 upper=40 solver=guarded stiffness=0.75 friction=0.4"
-                + " materials=[jaw=damping:0.001] device=replay:t.csv workspace=[by scale] scale=2.5"
-                + " time=7 view",
+                + " materials=[jaw=damping:0.001] device=replay:t.csv workspace=[by scale]"
+                + " scale=2.5 time=7 view",
             true);
     assertEquals("jaw", options.name());
     assertEquals(SegmentColour.SKY, options.colour());
@@ -121,7 +123,7 @@ class TouchOptionsWindowTest {
   @Test
   void theLastChoicesAreRememberedExceptMaterials() throws Exception {
     ask("segment=jaw colour=red lower=20 upper=40 solver=dot materials=[a=friction:1]", true);
-    TouchOptions next = ask("", true);
+    TouchOptions next = ask("again", true);
     assertEquals("jaw", next.name());
     assertEquals(SegmentColour.RED, next.colour());
     assertEquals(SolverKind.DOT, next.solver());
@@ -142,12 +144,12 @@ class TouchOptionsWindowTest {
         "solver=fast|There is no solver \"fast\": choose one of dot, paper, guarded, smooth, none.",
         "colour=pink|There is no colour \"pink\": choose one of bone, sky, orange, green, purple,"
             + " yellow, blue, red.",
-        "workspace=[by hand]|There is no workspace \"by hand\": choose one of fit, fit each axis, by"
-            + " scale."
+        "workspace=[by hand]|There is no workspace \"by hand\": choose one of fit, fit each axis,"
+            + " by scale."
       })
   void aWrongFieldIsRefusedInAFullSentence(String macro, String sentence) {
     try {
-      ask("segment=a lower=1 upper=9 " + macro, true);
+      ask(macro + " segment=a lower=1 upper=9", true);
       throw new AssertionError("accepted " + macro);
     } catch (Exception e) {
       assertEquals(sentence, e.getMessage());
@@ -165,8 +167,9 @@ class TouchOptionsWindowTest {
 
   @Test
   void aThresholdIsOneSegmentOfRawValues() throws Exception {
-    image.getCalibration().setFunction(
-        ij.measure.Calibration.STRAIGHT_LINE, new double[] {100, -2}, "HU");
+    image
+        .getCalibration()
+        .setFunction(ij.measure.Calibration.STRAIGHT_LINE, new double[] {100, -2}, "HU");
     TouchOptions options = ask("segment=a colour=blue lower=40 upper=80", true);
     SegmentRange range = options.ranges(StackVolume.shownIn(image)).get(0);
     assertEquals(new SegmentRange("a", 10, 30, SegmentColour.BLUE.rgb()), range);

@@ -119,8 +119,7 @@ class StackSessionTest {
             () ->
                 StackSessionRunner.begin(
                     volume,
-                    ChosenOptions.floor(
-                        "simulated", 100, Map.of("jaw", MaterialOverride.NONE)),
+                    ChosenOptions.floor("simulated", 100, Map.of("jaw", MaterialOverride.NONE)),
                     Optional.empty())));
     assertFalse(CurrentSession.isRunning());
   }

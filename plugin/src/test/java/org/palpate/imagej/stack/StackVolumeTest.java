@@ -79,11 +79,7 @@ class StackVolumeTest {
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "8, 200, 200",
-    "16, 65535, 65535",
-    "32, -0.75, -0.75"
-  })
+  @CsvSource({"8, 200, 200", "16, 65535, 65535", "32, -0.75, -0.75"})
   void eachPixelTypeHasItsOwnValues(int bits, float written, float read)
       throws TouchRefusedException {
     ImagePlus image = Stacks.of(bits, 3, 2, 2, (i, j, k) -> i == 2 && j == 1 ? written : 0);
@@ -96,7 +92,8 @@ class StackVolumeTest {
   @Test
   void labelsAreWholeNumbersFromZeroAndNotTooMany() throws TouchRefusedException {
     assertEquals(Set.of(1, 300), labels(Stacks.of(16, 4, 1, 2, (i, j, k) -> i == 3 ? 300 : k)));
-    assertEquals(256, labels(Stacks.of(16, 16, 17, 2, (i, j, k) -> Math.min(256, 16 * j + i))).size());
+    assertEquals(
+        256, labels(Stacks.of(16, 16, 17, 2, (i, j, k) -> Math.min(256, 16 * j + i))).size());
     refusesLabels(
         Stacks.of(16, 16, 17, 2, (i, j, k) -> Math.min(257, 16 * j + i)),
         "There are more than 256 values: these are grey values, not labels. Use a threshold"
@@ -117,8 +114,7 @@ class StackVolumeTest {
   }
 
   private static void refusesLabels(ImagePlus image, String line) {
-    assertEquals(
-        line, assertThrows(TouchRefusedException.class, () -> labels(image)).getMessage());
+    assertEquals(line, assertThrows(TouchRefusedException.class, () -> labels(image)).getMessage());
   }
 
   @Test

@@ -71,7 +71,7 @@ class ByteDecodersTest {
       }
       out.write(code(text, table), width);
       table.put(longer, free++);
-      if (free == (1 << width) - 1 && width < 12) {
+      if (free == 1 << width) {
         width++;
       }
       text = longer.substring(longer.length() - 1);
@@ -87,7 +87,7 @@ class ByteDecodersTest {
     if (!text.isEmpty()) {
       out.write(code(text, table), width);
       free++;
-      width = free == (1 << width) - 1 && width < 12 ? width + 1 : width;
+      width = free == 1 << width ? width + 1 : width;
     }
     if (ends) {
       out.write(257, width);
@@ -207,8 +207,7 @@ class ByteDecodersTest {
   }
 
   private static HexInputStream hex(String text) {
-    return new HexInputStream(
-        new ByteArrayInputStream(text.getBytes(StandardCharsets.US_ASCII)));
+    return new HexInputStream(new ByteArrayInputStream(text.getBytes(StandardCharsets.US_ASCII)));
   }
 
   @Test

@@ -48,11 +48,9 @@ class DicomValuesTest {
     set.put(DicomTag.POSITION, bytes("1\\ -2.5 \\3e1"));
     assertArrayEquals(new double[] {1, -2.5, 30}, set.decimals(DicomTag.POSITION));
     assertArrayEquals(new double[] {1, -2.5, 30}, set.decimals(DicomTag.POSITION, 3));
-    assertArrayEquals(
-        new double[] {Double.NaN, Double.NaN}, set.decimals(DicomTag.POSITION, 2));
+    assertArrayEquals(new double[] {Double.NaN, Double.NaN}, set.decimals(DicomTag.POSITION, 2));
     set.put(DicomTag.POSITION, bytes("1\\\\x"));
-    assertArrayEquals(
-        new double[] {1, Double.NaN, Double.NaN}, set.decimals(DicomTag.POSITION));
+    assertArrayEquals(new double[] {1, Double.NaN, Double.NaN}, set.decimals(DicomTag.POSITION));
     assertArrayEquals(new double[0], set.decimals(DicomTag.ORIENTATION));
     assertNull(set.decimals(DicomTag.ORIENTATION, 6));
   }
@@ -92,10 +90,52 @@ class DicomValuesTest {
             .toBytes();
     assertArrayEquals(
         new byte[] {
-          8, 0, 0x60, 0, 'C', 'S', 4, 0, 'S', 'E', 'G', ' ',
-          0x20, 0, 0x0e, 0, 'U', 'I', 4, 0, '1', '.', '2', 0,
-          0x20, 0, 0x65, (byte) 0x91, 'A', 'T', 4, 0, 0x62, 0, 0x0b, 0,
-          0x28, 0, 0x10, 0, 'U', 'S', 2, 0, 1, 2
+          8,
+          0,
+          0x60,
+          0,
+          'C',
+          'S',
+          4,
+          0,
+          'S',
+          'E',
+          'G',
+          ' ',
+          0x20,
+          0,
+          0x0e,
+          0,
+          'U',
+          'I',
+          4,
+          0,
+          '1',
+          '.',
+          '2',
+          0,
+          0x20,
+          0,
+          0x65,
+          (byte) 0x91,
+          'A',
+          'T',
+          4,
+          0,
+          0x62,
+          0,
+          0x0b,
+          0,
+          0x28,
+          0,
+          0x10,
+          0,
+          'U',
+          'S',
+          2,
+          0,
+          1,
+          2
         },
         written);
   }
@@ -109,10 +149,52 @@ class DicomValuesTest {
             .toBytes();
     assertArrayEquals(
         new byte[] {
-          0x62, 0, 2, 0, 'S', 'Q', 0, 0, 20, 0, 0, 0,
-          (byte) 0xfe, (byte) 0xff, 0, (byte) 0xe0, 12, 0, 0, 0,
-          0x28, 0, 3, 1, 'U', 'L', 4, 0, 2, 1, 0, 0,
-          (byte) 0xe0, 0x7f, 0x10, 0, 'O', 'W', 0, 0, 2, 0, 0, 0, 1, 2
+          0x62,
+          0,
+          2,
+          0,
+          'S',
+          'Q',
+          0,
+          0,
+          20,
+          0,
+          0,
+          0,
+          (byte) 0xfe,
+          (byte) 0xff,
+          0,
+          (byte) 0xe0,
+          12,
+          0,
+          0,
+          0,
+          0x28,
+          0,
+          3,
+          1,
+          'U',
+          'L',
+          4,
+          0,
+          2,
+          1,
+          0,
+          0,
+          (byte) 0xe0,
+          0x7f,
+          0x10,
+          0,
+          'O',
+          'W',
+          0,
+          0,
+          2,
+          0,
+          0,
+          0,
+          1,
+          2
         },
         written);
   }

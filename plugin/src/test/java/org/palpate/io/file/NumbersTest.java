@@ -29,7 +29,8 @@ class NumbersTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "1d", "1f", "0x1p3", "1,5", "1e", "e5", ".", "--1", "1 2", "nan", "x"})
+  @ValueSource(
+      strings = {"", "1d", "1f", "0x1p3", "1,5", "1e", "e5", ".", "--1", "1 2", "nan", "x"})
   void whatNoHeaderMeansIsNotANumber(String text) {
     assertEquals(Double.NaN, NumberParser.number(text));
   }

@@ -33,12 +33,7 @@ class BinaryDataTest {
 
   private static BinaryData data(BinaryData.Start start, long byteCount, Path... files) {
     return new BinaryData(
-        List.of(files),
-        start,
-        VoxelType.UINT8,
-        ByteOrder.LITTLE_ENDIAN,
-        Scaling.NONE,
-        byteCount);
+        List.of(files), start, VoxelType.UINT8, ByteOrder.LITTLE_ENDIAN, Scaling.NONE, byteCount);
   }
 
   private static String read(BinaryData data, int count) throws IOException {
@@ -93,16 +88,14 @@ class BinaryDataTest {
     BinaryData.Start start = new BinaryData.Start(1, false, false);
     assertEquals("[1, 2, 3, 4]", read(data(start, 4, a, b), 4));
     VolumeFormatException odd =
-        assertThrows(
-            VolumeFormatException.class, () -> data(start, 5, a, b).requireFileLengths());
+        assertThrows(VolumeFormatException.class, () -> data(start, 5, a, b).requireFileLengths());
     assertEquals(
         "5 bytes of data cannot be split evenly over 2 files: "
             + a
             + ": correct the sizes or the list of files",
         odd.getMessage());
     VolumeFormatException tooShort =
-        assertThrows(
-            VolumeFormatException.class, () -> data(start, 6, a, b).requireFileLengths());
+        assertThrows(VolumeFormatException.class, () -> data(start, 6, a, b).requireFileLengths());
     assertEquals(
         "the header promises 3 bytes of data but the file has 2: "
             + b
@@ -148,8 +141,7 @@ class BinaryDataTest {
     assertEquals("[1, 2]", Arrays.toString(two.readNBytes(2)));
     assertEquals(255, two.read());
     assertEquals(
-        "a data file is too short",
-        assertThrows(EOFException.class, two::read).getMessage());
+        "a data file is too short", assertThrows(EOFException.class, two::read).getMessage());
     two.close();
   }
 

@@ -50,8 +50,7 @@ class BinarySampleStreamTest {
 
   @ParameterizedTest
   @MethodSource("typesAndOrders")
-  void everyTypeIsReadToTheBitInBothByteOrders(VoxelType type, ByteOrder order)
-      throws IOException {
+  void everyTypeIsReadToTheBitInBothByteOrders(VoxelType type, ByteOrder order) throws IOException {
     SplittableRandom random = new SplittableRandom(SEED);
     int count = (1 << 16) / type.bytes() + 700; // more than one buffer
     byte[] bytes = new byte[count * type.bytes()];
@@ -107,8 +106,7 @@ class BinarySampleStreamTest {
 
   private static void read(byte[] bytes, VoxelType type, Scaling scaling, VoxelSlice slice)
       throws IOException {
-    new BinarySampleStream(
-            new ByteArrayInputStream(bytes), type, ByteOrder.LITTLE_ENDIAN, scaling)
+    new BinarySampleStream(new ByteArrayInputStream(bytes), type, ByteOrder.LITTLE_ENDIAN, scaling)
         .read(slice, 0, bytes.length / type.bytes());
   }
 
@@ -148,7 +146,8 @@ class BinarySampleStreamTest {
     for (int n = 0; n < 4999; n++) {
       int at = 4 * (n + 1);
       double grey =
-          0.299 * (bytes[at] & 0xff) + 0.587 * (bytes[at + 1] & 0xff)
+          0.299 * (bytes[at] & 0xff)
+              + 0.587 * (bytes[at + 1] & 0xff)
               + 0.114 * (bytes[at + 2] & 0xff);
       assertEquals(grey, slice.integers()[n], 0.5 + 1e-9, "n=" + n + " seed=" + SEED);
     }

@@ -75,6 +75,7 @@ class HeaderPartsTest {
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
+      quoteCharacter = '"',
       value = {
         "s%d%d.raw 1 2 1|the pattern 's%d%d.raw' needs exactly one number like %03d",
         "s%s.raw 1 2 1|the pattern 's%s.raw' needs exactly one number like %03d",
@@ -116,13 +117,12 @@ class HeaderPartsTest {
             + " the volume in the tool that wrote it",
         refusal(() -> Grids.of(new int[] {100_000, 100_000, 4}, unit, new Vec3(), FILE)));
     assertEquals(
-        "the spacing along axis y is 0.0 mm: scan.nrrd: give the file spacings from 1e-12 to 1e12 mm"
-            + " in the tool that wrote it",
+        "the spacing along axis y is 0.0 mm: scan.nrrd: give the file spacings from 1e-12 to 1e12"
+            + " mm in the tool that wrote it",
         refusal(() -> Grids.ofSpacing(new int[] {1, 1, 1}, new Vec3(1, 0, 1), FILE)));
     assertEquals(
         "the origin (0.0, NaN, 0.0) is not finite: scan.nrrd: export the file again with an origin",
-        refusal(
-            () -> Grids.of(new int[] {1, 1, 1}, unit, new Vec3(0, Double.NaN, 0), FILE)));
+        refusal(() -> Grids.of(new int[] {1, 1, 1}, unit, new Vec3(0, Double.NaN, 0), FILE)));
     Vec3[] sheared = {new Vec3(1, 0, 0), new Vec3(1, 1, 0), new Vec3(0, 0, 1)};
     assertEquals(
         "the axes are not at right angles (45.0, 90.0, 90.0 degrees): scan.nrrd: resample it onto a"
@@ -170,8 +170,7 @@ class HeaderPartsTest {
   })
   void aScalingWidensTheRangeOfItsType(
       VoxelType type, double slope, double intercept, double low, double high, boolean integer) {
-    assertEquals(
-        new ValueRange(low, high, integer), new Scaling(slope, intercept).range(type));
+    assertEquals(new ValueRange(low, high, integer), new Scaling(slope, intercept).range(type));
   }
 
   @Test

@@ -41,7 +41,8 @@ class InputFilesTest {
   @Test
   void whatCannotBeReadIsSaidWithItsName() {
     Path none = folder.resolve("none");
-    assertEquals("no such file: " + none + ": check the path", refusal(() -> InputFiles.length(none)));
+    assertEquals(
+        "no such file: " + none + ": check the path", refusal(() -> InputFiles.length(none)));
     assertEquals(
         "not a regular file: " + folder + ": name a file",
         refusal(() -> InputFiles.length(folder)));
@@ -67,8 +68,7 @@ class InputFilesTest {
     Path below = Files.createDirectory(folder.resolve("sub"));
     Files.createFile(folder.resolve("a.raw"));
     Files.createFile(below.resolve("b.raw"));
-    assertEquals(
-        folder.resolve("a.raw").toRealPath(), InputFiles.resolveBeside(header, "a.raw"));
+    assertEquals(folder.resolve("a.raw").toRealPath(), InputFiles.resolveBeside(header, "a.raw"));
     assertEquals(
         below.resolve("b.raw").toRealPath(), InputFiles.resolveBeside(header, "sub/b.raw"));
     assertEquals(

@@ -113,7 +113,8 @@ class StreamVolumeReaderTest {
         assertThrows(
             VolumeFormatException.class,
             () -> reader(new byte[17], NonSpatialAxis.NONE, done).read((k, slice) -> {}));
-    assertEquals("the data end after 2 of 4 slices: v.raw: copy the file again", refusal.getMessage());
+    assertEquals(
+        "the data end after 2 of 4 slices: v.raw: copy the file again", refusal.getMessage());
     assertEquals(List.of("1 of 4", "2 of 4"), done);
   }
 

@@ -82,8 +82,7 @@ class TextSampleStreamTest {
     assertEquals(
         "a number has more than 64 characters",
         assertThrows(
-                IOException.class,
-                () -> stream("0".repeat(65), VoxelType.INT32).read(slice, 0, 1))
+                IOException.class, () -> stream("0".repeat(65), VoxelType.INT32).read(slice, 0, 1))
             .getMessage());
   }
 }

@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -164,8 +164,7 @@ class SegmentBuilderTest {
                 () -> SegmentBuilder.read(named, List.of(SegmentSpec.parse("j=name:Nose"))))
             .getMessage());
     assertTrue(
-        assertThrows(
-                VolumeFormatException.class, () -> SegmentBuilder.read(plain, List.of(jaw)))
+        assertThrows(VolumeFormatException.class, () -> SegmentBuilder.read(plain, List.of(jaw)))
             .getMessage()
             .startsWith("the volume names no label: --segment j=name:Jaw: "));
   }

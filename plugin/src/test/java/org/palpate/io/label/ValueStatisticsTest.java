@@ -69,7 +69,9 @@ class ValueStatisticsTest {
     }
     assertEquals(List.of(), summary(VoxelType.FLOAT32, (i, j) -> i / 5 + 0.5).labels());
     assertEquals(
-        List.of(), summary(VoxelType.INT16, (i, j) -> i / 5 - 1).labels(), "a label is no number below 0");
+        List.of(),
+        summary(VoxelType.INT16, (i, j) -> i / 5 - 1).labels(),
+        "a label is no number below 0");
   }
 
   @Test
@@ -85,11 +87,9 @@ class ValueStatisticsTest {
     Values varied = (i, j) -> (i * 7 + j) % 3;
     assertEquals(List.of(), summary(VoxelType.UINT8, varied).labels());
     assertEquals(
-        List.of(1L, 2L),
-        summary(VoxelType.UINT8, Optional.of(LabelTable.EMPTY), varied).labels());
+        List.of(1L, 2L), summary(VoxelType.UINT8, Optional.of(LabelTable.EMPTY), varied).labels());
     LabelTable both = table(1, 2);
-    assertEquals(
-        List.of(1L, 2L), summary(VoxelType.UINT8, Optional.of(both), varied).labels());
+    assertEquals(List.of(1L, 2L), summary(VoxelType.UINT8, Optional.of(both), varied).labels());
     assertEquals(
         List.of(),
         summary(VoxelType.UINT8, Optional.of(table(1)), varied).labels(),
@@ -111,7 +111,10 @@ class ValueStatisticsTest {
   @Test
   void tooManyValuesAreIntensities() {
     assertEquals(
-        200, summary(VoxelType.INT32, Optional.of(LabelTable.EMPTY), (i, j) -> 20 * j + i + 1).labels().size());
+        200,
+        summary(VoxelType.INT32, Optional.of(LabelTable.EMPTY), (i, j) -> 20 * j + i + 1)
+            .labels()
+            .size());
     double[] many = new double[1100];
     for (int n = 0; n < many.length; n++) {
       many[n] = n + 1;

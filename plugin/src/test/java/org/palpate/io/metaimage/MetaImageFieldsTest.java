@@ -78,8 +78,7 @@ class MetaImageFieldsTest {
 
   private String refusal(byte[] data, String... fields) throws IOException {
     Path file = write(data, fields);
-    String said =
-        assertThrows(VolumeFormatException.class, () -> open(file)).getMessage();
+    String said = assertThrows(VolumeFormatException.class, () -> open(file)).getMessage();
     assertTrue(said.contains(": " + file + ": "), said);
     return said.substring(0, said.indexOf(": " + file));
   }
@@ -178,15 +177,11 @@ class MetaImageFieldsTest {
     "Position, Rotation, ElementSize",
     "Origin, Orientation, ElementSpacing"
   })
-  void thePositionHasSeveralNames(String offset, String matrix, String spacing)
-      throws IOException {
+  void thePositionHasSeveralNames(String offset, String matrix, String spacing) throws IOException {
     VolumeReader reader =
         open(
             write(
-                DATA,
-                offset + "=10 20 30",
-                matrix + "=0 1 0 -1 0 0 0 0 1",
-                spacing + "=0.5 2 3"));
+                DATA, offset + "=10 20 30", matrix + "=0 1 0 -1 0 0 0 0 1", spacing + "=0.5 2 3"));
     Vec3 at = reader.header().grid().gridToWorld(new Vec3(1.5, 1.5, 1.5), new Vec3());
     assertEquals("(8.0, 20.5, 33.0)", at.toString());
     assertEquals("(0.5, 2.0, 3.0)", reader.header().grid().spacingMm().toString());
@@ -195,8 +190,7 @@ class MetaImageFieldsTest {
   @Test
   void aNegativeSpacingRunsBackwardAndIsNoted() throws IOException {
     VolumeReader reader = open(write(DATA, "ElementSpacing=1 -2 1"));
-    assertEquals(
-        -2, reader.header().grid().gridToWorld(new Vec3(0.5, 1.5, 0.5), new Vec3()).y);
+    assertEquals(-2, reader.header().grid().gridToWorld(new Vec3(0.5, 1.5, 0.5), new Vec3()).y);
     assertEquals(
         List.of("the spacing along y is stated as -2: that axis runs backward"),
         reader.header().notes());
@@ -236,14 +230,15 @@ class MetaImageFieldsTest {
     assertEquals(1, GreyVolumes.read(reader).value(0, 0, 0));
     assertEquals(
         List.of(
-            "the values are the stored ones, as in ITK: the header's intensity function, 2 times the"
-                + " value plus 0, is not applied"),
+            "the values are the stored ones, as in ITK: the header's intensity function, 2 times"
+                + " the value plus 0, is not applied"),
         reader.header().notes());
   }
 
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
+      quoteCharacter = '"',
       value = {
         "NDims=5|the NDims is '5', not 2, 3 or 4",
         "NDims=|the header has no 'NDims'",
@@ -295,7 +290,8 @@ class MetaImageFieldsTest {
     byte[] start = "Comment = x\n".getBytes(StandardCharsets.US_ASCII);
     assertTrue(MetaImageReader.accepts(start, Path.of("v.bin")));
     assertTrue(MetaImageReader.accepts(new byte[0], Path.of("v.MHD")));
-    assertFalse(MetaImageReader.accepts("NRRD0004".getBytes(StandardCharsets.US_ASCII), Path.of("v")));
+    assertFalse(
+        MetaImageReader.accepts("NRRD0004".getBytes(StandardCharsets.US_ASCII), Path.of("v")));
     assertFalse(MetaImageReader.accepts(new byte[8], Path.of("v.raw")));
   }
 }

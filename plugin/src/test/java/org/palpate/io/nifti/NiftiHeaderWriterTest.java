@@ -41,8 +41,7 @@ class NiftiHeaderWriterTest {
     byte[] bytes = NiftiHeaderWriter.of(written, written.type());
     VoxelGrid grid = written.grid();
     int data = (int) (grid.voxelCount() * written.type().bytes());
-    Path file =
-        Files.write(folder.resolve("v.nii"), Arrays.copyOf(bytes, bytes.length + data));
+    Path file = Files.write(folder.resolve("v.nii"), Arrays.copyOf(bytes, bytes.length + data));
     return NiftiReader.open(file, ReadOptions.defaults()).header();
   }
 
@@ -51,8 +50,7 @@ class NiftiHeaderWriterTest {
   void everyTypeIsReadBack(VoxelType type) throws IOException {
     VolumeHeader read =
         readBack(
-            header(
-                VoxelGrid.ofUnitVoxels(3, 4, 5), type, CoordinateSystem.RAS, Optional.empty()));
+            header(VoxelGrid.ofUnitVoxels(3, 4, 5), type, CoordinateSystem.RAS, Optional.empty()));
     assertEquals(type, read.type());
     assertEquals(5, read.grid().sizeZ());
     assertEquals("NIfTI-1", read.format());
@@ -64,8 +62,7 @@ class NiftiHeaderWriterTest {
   void voxelsKeepTheirPlaceInThePatient(CoordinateSystem world) throws IOException {
     SplittableRandom random = new SplittableRandom(SEED);
     for (int round = 0; round < 20; round++) {
-      RigidTransform pose =
-          RandomGeometry.pose(random, 100).transform(RigidTransform.identity());
+      RigidTransform pose = RandomGeometry.pose(random, 100).transform(RigidTransform.identity());
       VoxelGrid grid = new VoxelGrid(7, 8, 9, new Vec3(0.5, 1, 2), pose);
       VolumeHeader read = readBack(header(grid, VoxelType.INT16, world, Optional.empty()));
       assertEquals(CoordinateSystem.RAS, read.coordinateSystem(), "the format names its axes");
@@ -130,9 +127,7 @@ class NiftiHeaderWriterTest {
     VolumeHeader read = readBack(header);
     Vec3 at = new Vec3(99.5, 99.5, 99.5);
     Vec3 moved =
-        read.grid()
-            .gridToWorld(at, new Vec3())
-            .sub(fine.gridToWorld(at, new Vec3()), new Vec3());
+        read.grid().gridToWorld(at, new Vec3()).sub(fine.gridToWorld(at, new Vec3()), new Vec3());
     assertTrue(moved.length() < 1e-9, moved.toString());
   }
 }

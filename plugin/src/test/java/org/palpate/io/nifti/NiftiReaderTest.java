@@ -49,8 +49,7 @@ class NiftiReaderTest {
 
   private String refusal(NiftiFile file, int dataBytes) throws IOException {
     Path written = file.write(path(), new byte[dataBytes]);
-    VolumeFormatException refusal =
-        assertThrows(VolumeFormatException.class, () -> open(written));
+    VolumeFormatException refusal = assertThrows(VolumeFormatException.class, () -> open(written));
     assertTrue(refusal.getMessage().contains(": " + written + ": "), refusal.getMessage());
     return refusal.getMessage().substring(0, refusal.getMessage().indexOf(": " + written));
   }
@@ -161,7 +160,8 @@ class NiftiReaderTest {
 
   @Test
   void aHandednessOfZeroMeansARightHand() throws IOException {
-    NiftiFile file = NiftiFile.first().dim(3, 3, 4, 5).pixdim(0, 1, 1, 2).qform(1, 0, 0, 0, 0, 0, 0);
+    NiftiFile file =
+        NiftiFile.first().dim(3, 3, 4, 5).pixdim(0, 1, 1, 2).qform(1, 0, 0, 0, 0, 0, 0);
     assertEquals("(1.0, 1.0, 2.0)", centre(file, 1, 1, 1).toString());
   }
 
@@ -180,14 +180,15 @@ class NiftiReaderTest {
 
   @Test
   void twoPositionsThatDisagreeAreNoted() throws IOException {
-    NiftiFile same = NiftiFile.first().dim(3, 3, 4, 5).sform(1, IDENTITY).qform(1, 0, 0, 0, 0, 0, 0);
+    NiftiFile same =
+        NiftiFile.first().dim(3, 3, 4, 5).sform(1, IDENTITY).qform(1, 0, 0, 0, 0, 0, 0);
     assertEquals(List.of(), open(same.write(path(), new byte[60])).header().notes());
     NiftiFile moved =
         NiftiFile.first().dim(3, 3, 4, 5).sform(1, IDENTITY).qform(1, 0, 0, 0, 0, 0, 0.25);
     assertEquals(
         List.of(
-            "the file states two positions that differ by up to 0.25 mm: its matrix (sform) is used,"
-                + " not its quaternion (qform)"),
+            "the file states two positions that differ by up to 0.25 mm: its matrix (sform) is"
+                + " used, not its quaternion (qform)"),
         open(moved.write(path(), new byte[60])).header().notes());
     NiftiFile stretched =
         NiftiFile.first()
@@ -272,8 +273,7 @@ class NiftiReaderTest {
   @Test
   void aTimeStepIsChosen() throws IOException {
     Path file = NiftiFile.first().dim(4, 2, 1, 1, 3).write(path(), new byte[] {1, 2, 3, 4, 5, 6});
-    VolumeFormatException refusal =
-        assertThrows(VolumeFormatException.class, () -> open(file));
+    VolumeFormatException refusal = assertThrows(VolumeFormatException.class, () -> open(file));
     assertTrue(refusal.getMessage().startsWith("the file has 3 time steps or components: "));
     VolumeReader reader = NiftiReader.open(file, ReadOptions.defaults().withTimeStep(1));
     assertEquals(4, GreyVolumes.read(reader).value(1, 0, 0));
@@ -338,8 +338,7 @@ class NiftiReaderTest {
 
   @Test
   void aPairNeedsBothFiles() throws IOException {
-    Path header =
-        NiftiFile.first().magic("ni1\0").offset(0).writePair(folder.resolve("p.hdr"));
+    Path header = NiftiFile.first().magic("ni1\0").offset(0).writePair(folder.resolve("p.hdr"));
     assertEquals(
         "the second file of the pair, p.img, is missing: "
             + header

@@ -252,9 +252,7 @@ class NrrdFieldsTest {
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
-      value = {
-        "mm|1", "cm|10", "m|1000", "um|0.001", "microns|0.001", "nm|0.000001", "'???'|1"
-      })
+      value = {"mm|1", "cm|10", "m|1000", "um|0.001", "microns|0.001", "nm|0.000001", "'???'|1"})
   void aUnitOfLengthIsConverted(String unit, double mm) throws IOException {
     String quoted = "\"" + unit + "\"";
     VolumeReader ofSpace =
@@ -304,8 +302,7 @@ class NrrdFieldsTest {
     assertTrue(
         assertThrows(VolumeFormatException.class, () -> open(file)).getMessage().startsWith(what));
     VolumeReader second = NrrdReader.open(file, ReadOptions.defaults().withTimeStep(1));
-    assertEquals(
-        kinds.startsWith("stub") ? "2 4 6 8 10 12" : "7 8 9 10 11 12", values(second));
+    assertEquals(kinds.startsWith("stub") ? "2 4 6 8 10 12" : "7 8 9 10 11 12", values(second));
   }
 
   @ParameterizedTest
@@ -313,24 +310,22 @@ class NrrdFieldsTest {
       delimiter = '|',
       value = {
         "vector|the voxels are vectors of 3 numbers (kind vector), not the values of a scan",
-        "3-gradient|the voxels are vectors of 3 numbers (kind 3-gradient), not the values of a scan",
+        "3-gradient|the voxels are vectors of 3 numbers (kind 3-gradient), not the values of a"
+            + " scan",
         "3d-matrix|the voxels are vectors of 3 numbers (kind 3d-matrix), not the values of a scan",
         "hsv-color|the voxels are colours of 3 numbers (kind hsv-color), not the values of a scan"
       })
   void numbersThatAreNoValuesAreRefused(String kind, String what) throws IOException {
     assertEquals(
         what,
-        refusal(
-            DATA, "dimension:4", "sizes:3 2 2 1", "kinds:" + kind + " domain domain domain"));
+        refusal(DATA, "dimension:4", "sizes:3 2 2 1", "kinds:" + kind + " domain domain domain"));
   }
 
   @Test
   void coloursAreReadAsLuminance() throws IOException {
     byte[] data = {10, 20, 30, (byte) 255, (byte) 255, (byte) 255};
     VolumeReader reader =
-        open(
-            write(
-                data, "dimension:4", "sizes:3 2 1 1", "kinds:RGB-color domain domain domain"));
+        open(write(data, "dimension:4", "sizes:3 2 1 1", "kinds:RGB-color domain domain domain"));
     assertEquals("18 255", values(reader));
     assertEquals(
         "the voxels are colours of signed 8 bit",
@@ -437,8 +432,7 @@ class NrrdFieldsTest {
             VoxelType.UINT8,
             ValueRange.of(VoxelType.UINT8),
             world,
-            Optional.of(
-                new LabelTable(Map.of(3L, new Label("two\nlines", 0x336699)))),
+            Optional.of(new LabelTable(Map.of(3L, new Label("two\nlines", 0x336699)))),
             List.of());
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     bytes.write(NrrdHeaderWriter.of(written, VoxelType.UINT8));
@@ -454,7 +448,6 @@ class NrrdFieldsTest {
             .sub(written.grid().gridToWorld(new Vec3(1.5, 1.5, 1.5), new Vec3()), new Vec3());
     assertEquals(0, apart.length(), 1e-12);
     assertEquals(
-        new Label("two lines", 0x336699),
-        read.header().labels().orElseThrow().labels().get(3L));
+        new Label("two lines", 0x336699), read.header().labels().orElseThrow().labels().get(3L));
   }
 }

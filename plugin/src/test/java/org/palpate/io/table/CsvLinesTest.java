@@ -78,8 +78,7 @@ class CsvLinesTest {
 
   private static void refuses(String line, Path file) {
     CsvFormatException refusal =
-        assertThrows(
-            CsvFormatException.class, () -> new CsvLines(file).read("a,b", new Kept()));
+        assertThrows(CsvFormatException.class, () -> new CsvLines(file).read("a,b", new Kept()));
     assertEquals(String.format(line, file), refusal.getMessage());
   }
 
@@ -117,8 +116,7 @@ class CsvLinesTest {
     Files.writeString(file, "a,b\n1,nan\n");
     assertEquals(
         "b is nan: " + file + " line 2: correct the row",
-        assertThrows(
-                CsvFormatException.class, () -> NumbersCsvReader.read(file, List.of("a", "b")))
+        assertThrows(CsvFormatException.class, () -> NumbersCsvReader.read(file, List.of("a", "b")))
             .getMessage());
   }
 }

@@ -41,7 +41,11 @@ class PosesCsvTest {
         poses[event.ordinal()] = pose(random);
         inHand[event.ordinal()] = pose(random);
         PosesCsv.add(
-            rows, 10L * event.ordinal(), "part", event, poses[event.ordinal()],
+            rows,
+            10L * event.ordinal(),
+            "part",
+            event,
+            poses[event.ordinal()],
             inHand[event.ordinal()]);
       }
     }

@@ -88,8 +88,7 @@ class TableWritersTest {
   @ParameterizedTest
   @ValueSource(strings = {"a,b", "say \"no\"", "two\nlines", "two\rlines"})
   void aCellThatWouldBreakItsRowIsQuoted(String text) throws IOException {
-    String row =
-        written(stream -> new CsvWriter(stream, "n,t").cell(1).cell(text).cell(0.5).end());
+    String row = written(stream -> new CsvWriter(stream, "n,t").cell(1).cell(text).cell(0.5).end());
     assertEquals("n,t\n1,\"" + text.replace("\"", "\"\"") + "\",0.5\n", row);
   }
 

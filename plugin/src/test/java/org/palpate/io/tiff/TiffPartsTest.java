@@ -71,7 +71,13 @@ class TiffPartsTest {
 
   @ParameterizedTest
   @CsvSource({
-    "1, 1, true", "1, 3, true", "2, 1, true", "2, 3, false", "4, 1, true", "4, 2, false", "8, 1, true"
+    "1, 1, true",
+    "1, 3, true",
+    "2, 1, true",
+    "2, 3, false",
+    "4, 1, true",
+    "4, 2, false",
+    "8, 1, true"
   })
   void whatAHorizontalPredictorTookAwayIsAdded(int size, int stride, boolean big) {
     ByteOrder order = big ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
@@ -165,8 +171,7 @@ class TiffPartsTest {
     assertEquals(1, odd.images());
     assertEquals(1 << 15, odd.channels());
     assertEquals(Scaling.NONE, odd.scaling(), "not linear");
-    assertEquals(
-        Scaling.NONE, ImagejDescription.of("ImageJ=1\ncf=0\nc0=1\nc1=0\n").scaling());
+    assertEquals(Scaling.NONE, ImagejDescription.of("ImageJ=1\ncf=0\nc0=1\nc1=0\n").scaling());
   }
 
   private static String ome(String pixels, String inner) {
@@ -188,9 +193,7 @@ class TiffPartsTest {
     OmeXml xml =
         OmeXml.of(
                 ome(
-                    "DimensionOrder=\""
-                        + order
-                        + "\" SizeZ=\"3\" SizeC=\"2\" SizeT=\"2\"",
+                    "DimensionOrder=\"" + order + "\" SizeZ=\"3\" SizeC=\"2\" SizeT=\"2\"",
                     "<TiffData/>"))
             .orElseThrow();
     PlaneTable table = xml.planes(12);
@@ -262,7 +265,8 @@ class TiffPartsTest {
     assertEquals("0 2 4", pages(table, 0));
     assertEquals("1 3 5", pages(table, 1));
     assertEquals("6 8 10", pages(table, 2));
-    assertEquals("2 times of 3 slices in 2 channels (step = 2 x time + channel)", table.description());
+    assertEquals(
+        "2 times of 3 slices in 2 channels (step = 2 x time + channel)", table.description());
     assertEquals("4 times of 3 slices", new PlaneTable(3, 1, 4).description());
   }
 }

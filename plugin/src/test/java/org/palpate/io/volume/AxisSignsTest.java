@@ -32,8 +32,7 @@ class AxisSignsTest {
     VoxelGrid grid = VoxelGrid.ofUnitVoxels(2, 3, 4);
     assertTrue(AxisSigns.between(CoordinateSystem.UNKNOWN, CoordinateSystem.RAS).isEmpty());
     assertTrue(AxisSigns.between(CoordinateSystem.LPS, CoordinateSystem.UNKNOWN).isEmpty());
-    assertTrue(
-        AxisSigns.convert(grid, CoordinateSystem.LPS, CoordinateSystem.UNKNOWN).isEmpty());
+    assertTrue(AxisSigns.convert(grid, CoordinateSystem.LPS, CoordinateSystem.UNKNOWN).isEmpty());
   }
 
   @Test

@@ -42,7 +42,14 @@ class WindowKeysTest {
 
   @ParameterizedTest
   @CsvSource({
-    "f, FRONT", "b, BACK", "l, LEFT", "r, RIGHT", "t, HEAD", "u, FOOT", "o, OBLIQUE", "F, FRONT"
+    "f, FRONT",
+    "b, BACK",
+    "l, LEFT",
+    "r, RIGHT",
+    "t, HEAD",
+    "u, FOOT",
+    "o, OBLIQUE",
+    "F, FRONT"
   })
   void aKeyShowsItsView(char key, StandardView view) {
     press('8', 0); // any other key before
@@ -147,8 +154,7 @@ class WindowKeysTest {
         new GreySlices(
             ScalarVolume.of(VoxelGrid.ofUnitVoxels(10, 10, 10), ScalarVolume.Storage.UINT8));
     MovableSlices slices =
-        new MovableSlices(
-            model, new MovableSlices.Start(grey, MovableSlices.Mode.OFF, 5, 5, 5));
+        new MovableSlices(model, new MovableSlices.Start(grey, MovableSlices.Mode.OFF, 5, 5, 5));
     SliceKeys.add(
         input,
         slices,

@@ -27,8 +27,7 @@ class WindowMouseTest {
 
   private final SceneModel model = new SceneModel(WorldAxes.RAS, Theme.DARK);
   private LegendArea area = LegendArea.NONE;
-  private final WindowInput input =
-      new WindowInput(model, () -> 400, () -> HEIGHT, () -> area);
+  private final WindowInput input = new WindowInput(model, () -> 400, () -> HEIGHT, () -> area);
   private final List<String> heard = new ArrayList<>();
   private Optional<PickedPoint> underMouse = Optional.empty();
   private boolean touches = true;
@@ -69,8 +68,7 @@ class WindowMouseTest {
   }
 
   private void wheel(float steps) {
-    input.mouseWheelMoved(
-        event(MouseEvent.EVENT_MOUSE_WHEEL_MOVED, 0, 0, 0, (short) 0, steps));
+    input.mouseWheelMoved(event(MouseEvent.EVENT_MOUSE_WHEEL_MOVED, 0, 0, 0, (short) 0, steps));
   }
 
   private void draw() {
@@ -93,8 +91,7 @@ class WindowMouseTest {
     assertTrue(model.state().moving());
     assertTrue(sameView(before.orbit(Math.PI / 4, 0), model.camera()));
     drag(150, 80, LEFT);
-    assertTrue(
-        sameView(before.orbit(Math.PI / 4, 0).orbit(0, 0.1 * Math.PI), model.camera()));
+    assertTrue(sameView(before.orbit(Math.PI / 4, 0).orbit(0, 0.1 * Math.PI), model.camera()));
     release(LEFT);
     assertFalse(model.state().moving());
     Camera released = model.camera();

@@ -25,8 +25,8 @@ public final class OccupancyField {
   private static final int COEFFICIENTS = 27;
 
   /**
-   * The greatest offset of the isosurface, in standard deviations of the smoothing. Farther out, the
-   * flat field would harm the force more than voxels that stand out of the isosurface.
+   * The greatest offset of the isosurface, in standard deviations of the smoothing. Farther out,
+   * the flat field would harm the force more than voxels that stand out of the isosurface.
    */
   private static final double MAX_DEVIATIONS_OF_BITS = 1.93;
 

@@ -177,8 +177,9 @@ final class SliceOutline {
 
   /**
    * Returns the distance from pixel (u,v) to the outline on the far side: along the straight line
-   * that leads away from the nearest pixel of a kind. Among equally near pixels, it takes the one the
-   * fewest rows away, then the one of low v, then the one of high u. Call {@link #coverAll} before.
+   * that leads away from the nearest pixel of a kind. Among equally near pixels, it takes the one
+   * the fewest rows away, then the one of low v, then the one of high u. Call {@link #coverAll}
+   * before.
    *
    * @param solid the kind of pixels outside; one of them is within reach
    */

@@ -20,8 +20,8 @@ record ThinGrid(List<AxisCut> cuts) {
   static final ThinGrid WHOLE = new ThinGrid(List.of());
 
   /**
-   * If the field is made from bits, voxels without an edge longer than this are not cut. Lengths are
-   * in shortest edges.
+   * If the field is made from bits, voxels without an edge longer than this are not cut. Lengths
+   * are in shortest edges.
    */
   private static final double MAX_EQUAL_OF_BITS = 1.05;
 
