@@ -12,7 +12,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.geometry.Vec3;
 import org.palpate.igtl.ReceivedImage;
-import org.palpate.igtl.ReceivedImage.Type;
 import org.palpate.io.GreyVolumes;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.volume.ScalarVolume;
@@ -21,7 +20,7 @@ class ReceivedVolumeTest {
   private static final Vec3 CENTRE = new Vec3(10, 20, 30);
 
   /** Returns an image of 3 x 2 x 2 voxels whose values are 1 to 12. */
-  private static ReceivedImage image(Type type, Vec3 stepX, Vec3 stepY, Vec3 stepZ) {
+  private static ReceivedImage image(ReceivedImage.Type type, Vec3 stepX, Vec3 stepY, Vec3 stepZ) {
     ByteBuffer values = ByteBuffer.allocate(12 * 8).order(ByteOrder.LITTLE_ENDIAN);
     for (int n = 1; n <= 12; n++) {
       switch (type) {
@@ -35,13 +34,13 @@ class ReceivedVolumeTest {
     return new ReceivedImage("ct", 3, 2, 2, stepX, stepY, stepZ, CENTRE, type, values);
   }
 
-  private static ReceivedImage image(Type type) {
+  private static ReceivedImage image(ReceivedImage.Type type) {
     return image(type, new Vec3(0, 0.5, 0), new Vec3(-2, 0, 0), new Vec3(0, 0, 3));
   }
 
   @ParameterizedTest
-  @EnumSource(Type.class)
-  void everyTypeIsReadAsFromAFile(Type type) throws IOException {
+  @EnumSource(ReceivedImage.Type.class)
+  void everyTypeIsReadAsFromAFile(ReceivedImage.Type type) throws IOException {
     ReceivedVolume volume = ReceivedVolume.of(image(type)).orElseThrow();
     assertEquals(type.name(), volume.header().type().name());
     ScalarVolume values = GreyVolumes.read(volume);
@@ -52,7 +51,7 @@ class ReceivedVolumeTest {
 
   @Test
   void voxelsLieWhereTheMessageSays() {
-    ReceivedVolume volume = ReceivedVolume.of(image(Type.UINT8)).orElseThrow();
+    ReceivedVolume volume = ReceivedVolume.of(image(ReceivedImage.Type.UINT8)).orElseThrow();
     assertEquals(CoordinateSystem.RAS, volume.header().coordinateSystem());
     assertEquals("(0.5, 2.0, 3.0)", volume.header().grid().spacingMm().toString());
     Vec3 last = volume.header().grid().gridToWorld(new Vec3(2.5, 1.5, 1.5), new Vec3());
@@ -65,8 +64,11 @@ class ReceivedVolumeTest {
   void axesThatAreNotAtRightAnglesMakeNoVolume() {
     Vec3 x = new Vec3(1, 0, 0);
     Vec3 z = new Vec3(0, 0, 1);
-    assertTrue(ReceivedVolume.of(image(Type.UINT8, x, new Vec3(0.1, 1, 0), z)).isEmpty());
-    assertTrue(ReceivedVolume.of(image(Type.UINT8, x, new Vec3(0, 1e-13, 0), z)).isEmpty());
-    assertTrue(ReceivedVolume.of(image(Type.UINT8, x, new Vec3(0, -1, 0), z)).isPresent());
+    assertTrue(
+        ReceivedVolume.of(image(ReceivedImage.Type.UINT8, x, new Vec3(0.1, 1, 0), z)).isEmpty());
+    assertTrue(
+        ReceivedVolume.of(image(ReceivedImage.Type.UINT8, x, new Vec3(0, 1e-13, 0), z)).isEmpty());
+    assertTrue(
+        ReceivedVolume.of(image(ReceivedImage.Type.UINT8, x, new Vec3(0, -1, 0), z)).isPresent());
   }
 }

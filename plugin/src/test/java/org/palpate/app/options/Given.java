@@ -46,7 +46,10 @@ final class Given {
 
   /** Writes a volume of unit voxels as text. */
   static Path nrrd(Path file, String type, String sizes, String values) throws IOException {
-    String header = "NRRD0004\ntype: %s\ndimension: 3\nsizes: %s\nencoding: ascii\n\n%s\n";
-    return Files.writeString(file, String.format(header, type, sizes, values));
+    return Files.writeString(
+        file,
+        String.format(
+            "NRRD0004\ntype: %s\ndimension: 3\nsizes: %s\nencoding: ascii\n\n%s\n",
+            type, sizes, values));
   }
 }

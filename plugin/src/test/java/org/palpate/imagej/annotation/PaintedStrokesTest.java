@@ -62,9 +62,10 @@ class PaintedStrokesTest {
       float[] expected = before.clone();
       int count = 0;
       for (int n = 0; n < expected.length; n++) {
+        int k = n / (SIZE * SIZE);
         double x = (n % SIZE + 0.5 - centre.x) * SPACING.x;
         double y = (n / SIZE % SIZE + 0.5 - centre.y) * SPACING.y;
-        double z = (n / SIZE / SIZE + 0.5 - centre.z) * SPACING.z;
+        double z = (k + 0.5 - centre.z) * SPACING.z;
         if (x * x + y * y + z * z <= radius * radius && BRIGHT.contains(before[n]) != add) {
           expected[n] = add ? 100 : 0;
           count++;

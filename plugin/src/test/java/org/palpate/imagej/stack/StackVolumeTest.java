@@ -181,10 +181,11 @@ class StackVolumeTest {
 
   @Test
   void coloursRepeatAndAreFoundByTheirWords() {
-    for (SegmentColour colour : SegmentColour.values()) {
-      assertEquals(colour, SegmentColour.parse(colour.toString()).orElseThrow());
-      assertEquals(colour, SegmentColour.byNumber(colour.ordinal()));
-      assertEquals(colour, SegmentColour.byNumber(colour.ordinal() - 8));
+    SegmentColour[] colours = SegmentColour.values();
+    for (int n = 0; n < colours.length; n++) {
+      assertEquals(colours[n], SegmentColour.parse(colours[n].toString()).orElseThrow());
+      assertEquals(colours[n], SegmentColour.byNumber(n));
+      assertEquals(colours[n], SegmentColour.byNumber(n - 8));
     }
     assertEquals(List.of("bone", "sky"), List.of(SegmentColour.words()).subList(0, 2));
     assertTrue(SegmentColour.parse("Bone").isEmpty());

@@ -107,7 +107,7 @@ class ByteDecodersTest {
 
     void write(int value, int width) {
       for (int bit = width - 1; bit >= 0; bit--) {
-        bits = bits << 1 | value >> bit & 1;
+        bits = (bits << 1) | ((value >> bit) & 1);
         if (++count == 8) {
           out.write(bits);
           count = 0;
@@ -119,7 +119,7 @@ class ByteDecodersTest {
       ByteArrayOutputStream all = new ByteArrayOutputStream();
       all.writeBytes(out.toByteArray());
       if (count > 0) {
-        all.write(bits << 8 - count);
+        all.write(bits << (8 - count));
       }
       return all.toByteArray();
     }

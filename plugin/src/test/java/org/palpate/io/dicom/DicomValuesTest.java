@@ -243,7 +243,7 @@ class DicomValuesTest {
   private static void assertReads(byte[] all, DicomBytes bytes) throws IOException {
     assertEquals(all.length, bytes.length());
     for (int place : new int[] {0, 29_998, 100, 8190, 8192, 20_000, 3}) {
-      int expected = (all[place] & 0xff) << 8 | all[place + 1] & 0xff;
+      int expected = ((all[place] & 0xff) << 8) | (all[place + 1] & 0xff);
       assertEquals(
           (short) expected, bytes.at(place, 2, ByteOrder.BIG_ENDIAN).getShort(), "at " + place);
       assertEquals(

@@ -37,8 +37,17 @@ class SegmentBuilderTest {
   private final SplittableRandom random = new SplittableRandom(SEED);
 
   /** A volume in memory. */
-  private record Values(double[] values, boolean integer, Optional<LabelTable> labels)
-      implements VolumeReader {
+  private static final class Values implements VolumeReader {
+    private final double[] values;
+    private final boolean integer;
+    private final Optional<LabelTable> labels;
+
+    Values(double[] values, boolean integer, Optional<LabelTable> labels) {
+      this.values = values;
+      this.integer = integer;
+      this.labels = labels;
+    }
+
     @Override
     public VolumeHeader header() {
       VoxelType type = integer ? VoxelType.INT32 : VoxelType.FLOAT64;

@@ -55,7 +55,7 @@ class ValueStatisticsTest {
   @Test
   void regionsOfWholeNumbersAreLabels() {
     for (VoxelType type : List.of(VoxelType.UINT8, VoxelType.INT32, VoxelType.FLOAT32)) {
-      ValueStatistics.Summary found = summary(type, (i, j) -> i / 5);
+      ValueStatistics.Summary found = summary(type, (i, j) -> Math.floorDiv(i, 5));
       assertEquals(List.of(1L, 2L, 3L), found.labels(), "" + type);
       assertEquals(0, found.low());
       assertEquals(3, found.high());
@@ -67,10 +67,11 @@ class ValueStatisticsTest {
     for (VoxelType type : List.of(VoxelType.UINT8, VoxelType.INT32, VoxelType.FLOAT32)) {
       assertEquals(List.of(), summary(type, (i, j) -> (i * 7 + j) % 11).labels(), "" + type);
     }
-    assertEquals(List.of(), summary(VoxelType.FLOAT32, (i, j) -> i / 5 + 0.5).labels());
+    assertEquals(
+        List.of(), summary(VoxelType.FLOAT32, (i, j) -> Math.floorDiv(i, 5) + 0.5).labels());
     assertEquals(
         List.of(),
-        summary(VoxelType.INT16, (i, j) -> i / 5 - 1).labels(),
+        summary(VoxelType.INT16, (i, j) -> Math.floorDiv(i, 5) - 1).labels(),
         "a label is no number below 0");
   }
 

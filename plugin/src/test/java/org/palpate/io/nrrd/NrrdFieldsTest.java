@@ -198,8 +198,16 @@ class NrrdFieldsTest {
     Path listed = folder.resolve("l.nhdr");
     Files.writeString(
         listed,
-        "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 3 2 2\nencoding: raw\n"
-            + "datafile: LIST\na1.raw\na2.raw\n");
+        """
+        NRRD0004
+        type: uint8
+        dimension: 3
+        sizes: 3 2 2
+        encoding: raw
+        datafile: LIST
+        a1.raw
+        a2.raw
+        """);
     assertEquals(VALUES, values(open(listed)));
   }
 

@@ -52,10 +52,12 @@ class EditsCsvTest {
             new VoxelChange(5, 0, 2, 1, 0, false),
             new VoxelChange(5, 0, 3, 1, 0, true)),
         read(
-            "k,j,i,solid,note,segment,body,frame\n"
-                + "0,1,2,0,a,bone,bone,5\n"
-                + "0,1,3,1,b,bone,bone,5\n"
-                + "1,1,1,1,c,bone,bone,1\n"));
+            """
+            k,j,i,solid,note,segment,body,frame
+            0,1,2,0,a,bone,bone,5
+            0,1,3,1,b,bone,bone,5
+            1,1,1,1,c,bone,bone,1
+            """));
   }
 
   @ParameterizedTest

@@ -33,26 +33,22 @@ class PosesCsvTest {
   void aRecordedTableKeepsEveryEventAndEveryBit() throws IOException {
     SplittableRandom random = new SplittableRandom(3);
     Path file = folder.resolve("p.csv");
-    Pose[] poses = new Pose[BodyEvent.values().length];
-    Pose[] inHand = new Pose[poses.length];
+    BodyEvent[] events = BodyEvent.values();
+    Pose[] poses = new Pose[events.length];
+    Pose[] inHand = new Pose[events.length];
     try (OutputStream stream = Files.newOutputStream(file)) {
       CsvWriter rows = PosesCsv.writer(stream);
-      for (BodyEvent event : BodyEvent.values()) {
-        poses[event.ordinal()] = pose(random);
-        inHand[event.ordinal()] = pose(random);
-        PosesCsv.add(
-            rows,
-            10L * event.ordinal(),
-            "part",
-            event,
-            poses[event.ordinal()],
-            inHand[event.ordinal()]);
+      for (int n = 0; n < events.length; n++) {
+        poses[n] = pose(random);
+        inHand[n] = pose(random);
+        PosesCsv.add(rows, 10L * n, "part", events[n], poses[n], inHand[n]);
       }
     }
     List<BodyPose> read = PosesCsv.read(file, BODIES);
     assertEquals(poses.length, read.size());
-    for (BodyPose row : read) {
-      int n = row.event().ordinal();
+    for (int n = 0; n < events.length; n++) {
+      BodyPose row = read.get(n);
+      assertEquals(events[n], row.event());
       assertEquals(10L * n, row.frame());
       assertEquals(1, row.body());
       assertTrue(row.restToPresent().sameBits(poses[n]), row.event() + " " + row.restToPresent());

@@ -140,8 +140,22 @@ class TiffPartsTest {
   void aDescriptionOfImagejHasItsValues() {
     ImagejDescription found =
         ImagejDescription.of(
-            "ImageJ=1.54p\nimages=12\nchannels=2\nslices=3\nframes=2\nunit=micron\nspacing=-2.5\n"
-                + "xorigin=4\nzorigin=x\ncf=0\nc0=-32768.0\nc1=1.0\nno value\n=7\n");
+            """
+            ImageJ=1.54p
+            images=12
+            channels=2
+            slices=3
+            frames=2
+            unit=micron
+            spacing=-2.5
+            xorigin=4
+            zorigin=x
+            cf=0
+            c0=-32768.0
+            c1=1.0
+            no value
+            =7
+            """);
     assertTrue(found.isImagej());
     assertEquals(12, found.images());
     assertEquals(2, found.channels());
