@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
@@ -23,6 +24,10 @@ class ClipPlaneTest {
   private void addCube() {
     model.add("a", 0, RigidTransform.identity(), new Vec3(), new Vec3(10, 10, 10));
     model.onChange(redraws::incrementAndGet);
+  }
+
+  private void clip(Direction direction) {
+    model.clip(new ClipPlane.Start(direction, OptionalDouble.empty()));
   }
 
   private static TouchMarks marks(double x) {
@@ -63,8 +68,7 @@ class ClipPlaneTest {
   void beforeAPointIsKnownThePlaneCutsTheMiddle() {
     addCube();
     assertFalse(model.state().clip().isPresent());
-    model.clip(Direction.X);
-    model.clip(Direction.X);
+    clip(Direction.X);
     assertEquals(1, redraws.get());
     assertEquals("(5.0, 5.0, 5.0)", model.state().clip().orElseThrow().point().toString());
     model.clipNext();
@@ -80,7 +84,7 @@ class ClipPlaneTest {
     addCube();
     model.setMarks(Optional.of(marks(2)));
     assertFalse(model.state().clip().isPresent());
-    model.clip(Direction.Z);
+    clip(Direction.Z);
     long revision = model.state().staticRevision();
     model.setMarks(Optional.of(marks(3)));
     assertEquals(3, model.state().clip().orElseThrow().point().x);
