@@ -56,7 +56,8 @@ class BrushOptionsTest {
     Given.refuses(
         "the brush cannot be read: --brush "
             + brush
-            + ": write a radius from 0 to 1,000 mm or tool first, as in --brush 3,refuse",
+            + ": begin with a radius above 0 and up to 1,000 mm, or with tool, as in --brush"
+            + " 3,refuse",
         () -> options("--brush=" + brush).check(true, false));
     options("--brush=1000").check(false, false);
   }

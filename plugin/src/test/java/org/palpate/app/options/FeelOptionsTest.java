@@ -99,8 +99,8 @@ class FeelOptionsTest {
         "the radius must be positive: --guide sphere:1,2,3,0: write sphere:X,Y,Z,R");
     refuses(
         "rail:1,2,3",
-        "there is no such guide: --guide rail:1,2,3: choose axis, plane, sphere, hinge, path, away"
-            + " or align");
+        "there is no such guide: --guide rail:1,2,3: choose axis, plane, sphere, hinge, path, away,"
+            + " align or fit");
     refuses("path:", "the path has no file: --guide path:: write path:FILE.csv");
     refuses("path: ", "the path has no file: --guide path: : write path:FILE.csv");
     refuses("path:a\0b", "the path is no file name: --guide path:a\0b: write path:FILE.csv");
