@@ -152,10 +152,11 @@ class FragmentExportTest {
     assertEquals(
         "the volume has no bodies with poses: phantom sphere:16: choose --scene or --phantom"
             + " fracture",
-        assertThrows(PalpateException.class, () -> options.export(null, plain)).getMessage());
-    assertTrue(options.export(null, source("--phantom=fracture:64:2")).writesPoses());
+        assertThrows(PalpateException.class, () -> options.export(null, plain, false))
+            .getMessage());
+    assertTrue(options.export(null, source("--phantom=fracture:64:2"), false).writesPoses());
     PoseOptions none = CommandLine.populateCommand(new PoseOptions());
-    assertFalse(none.export(null, plain).writesPoses());
+    assertFalse(none.export(null, plain, false).writesPoses());
   }
 
   private static VolumeSource source(String argument) throws IOException {

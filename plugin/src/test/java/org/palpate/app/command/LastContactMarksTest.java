@@ -10,6 +10,7 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,7 +20,9 @@ import org.palpate.geometry.Vec3;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.SolverKind;
+import org.palpate.scene.SceneModel;
 import org.palpate.scene.StandardView;
+import org.palpate.scene.Theme;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
 import org.palpate.volume.BitCube;
@@ -50,7 +53,9 @@ class LastContactMarksTest {
       rows.append(n).append(',').append(4 + 0.1 * n).append(",8,").append(heights[n]).append('\n');
     }
     Path file = Files.writeString(folder.resolve("t.csv"), rows);
-    return LastContactMarks.of(file, floor(), axes);
+    SceneModel model = new SceneModel(axes, Theme.DARK);
+    LastContactMarks.show(file, floor(), Optional.empty(), model);
+    return model.state().marks().orElseThrow();
   }
 
   @Test

@@ -27,19 +27,16 @@ class ElasticOptionsTest {
         .bodies(Given.segments(Given.source("--phantom=block:16")), SolverKind.SMOOTH);
   }
 
-  private static void check(boolean hasWindow, String tool, String volume, String... arguments) {
+  private static void check(String tool, String volume, String... arguments) throws IOException {
     options(arguments)
-        .check(
-            Given.options(new VolumeOptions(), volume),
-            Given.options(new ToolOptions(), tool),
-            hasWindow);
+        .check(Given.options(new VolumeOptions(), volume), Given.options(new ToolOptions(), tool));
   }
 
   @Test
   void withoutTheOptionNothingIsElastic() throws IOException {
     assertFalse(options().isWanted());
     assertTrue(bodies().isEmpty());
-    check(true, "--mass=1", "--phantom=fracture:64:2");
+    check("--mass=1", "--phantom=fracture:64:2");
   }
 
   @Test
@@ -129,24 +126,21 @@ class ElasticOptionsTest {
   }
 
   @Test
-  void whatDoesNotGoTogetherIsRefused() {
+  void whatDoesNotGoTogetherIsRefused() throws IOException {
     String tool = "--tool=point";
     String volume = "--phantom=block:16";
-    check(false, tool, volume, SOFT);
-    Given.refuses(
-        "elastic segments are not drawn yet: --elastic: add --headless",
-        () -> check(true, tool, volume, SOFT));
+    check(tool, volume, SOFT);
     Given.refuses(
         "a point with mass touches rigid segments alone: --elastic with --mass: leave one of them"
             + " out",
-        () -> check(false, "--mass=0.1", volume, SOFT));
+        () -> check("--mass=0.1", volume, SOFT));
     Given.refuses(
         "elastic segments are those of one volume: --elastic: give a volume, not a scene",
-        () -> check(false, tool, "--phantom=fracture:64:2", SOFT));
+        () -> check(tool, "--phantom=fracture:64:2", SOFT));
     Given.refuses(
         "the edge of a cell must be a number from 0.000001 to 1,000,000 mm: --lattice 0: try"
             + " --lattice 1",
-        () -> check(false, tool, volume, "--lattice=0"));
+        () -> check(tool, volume, "--lattice=0"));
   }
 
   @Test

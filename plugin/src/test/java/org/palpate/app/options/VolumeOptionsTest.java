@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.io.volume.VolumeFormatException;
 
 class VolumeOptionsTest {
   private static VolumeOptions options(String... arguments) {
@@ -19,7 +20,7 @@ class VolumeOptionsTest {
   }
 
   @Test
-  void withoutOptionsTheVolumeIsAHead() {
+  void withoutOptionsTheVolumeIsAHead() throws VolumeFormatException {
     VolumeOptions none = options();
     assertEquals(Optional.empty(), none.volume());
     assertEquals("head:256", none.phantom());
@@ -99,14 +100,14 @@ class VolumeOptionsTest {
 
   @ParameterizedTest
   @CsvSource({
-    "--scene=s.json, true, false",
     "--phantom=fracture, true, true",
     "--phantom=fracture:64:2, true, true",
     "--phantom=fractured, false, false",
     "--volume=v.nrrd, false, false",
     "--phantom=sphere:16, false, false"
   })
-  void bodiesHavePosesInASceneAndInABrokenBone(String option, boolean placed, boolean broken) {
+  void bodiesOfABrokenBoneHavePoses(String option, boolean placed, boolean broken)
+      throws VolumeFormatException {
     assertEquals(placed, options(option).isPlaced());
     assertEquals(broken, options(option).isBrokenPhantom());
   }

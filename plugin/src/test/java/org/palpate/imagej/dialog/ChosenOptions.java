@@ -22,7 +22,7 @@ public final class ChosenOptions {
         SolverKind.SMOOTH,
         0,
         0.2,
-        new StackMaterials("", materials),
+        new StackMaterials("", materials, Map.of()),
         device,
         new StackWorkspace(StackWorkspace.Kind.FIT, 1),
         0,
