@@ -47,7 +47,6 @@ import org.palpate.scene.window.OffscreenRenderer;
 import org.palpate.scene.window.Picture;
 import org.palpate.tool.MadeTool;
 import org.palpate.volume.SegmentedVolume;
-import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;

@@ -46,7 +46,8 @@ class FragmentExportTest {
         List.of(new Placement(Mobility.FIXED, new Pose()), new Placement(Mobility.MOVABLE, moved)),
         world,
         List.of(),
-        List.of());
+        List.of(),
+        Optional.empty());
   }
 
   private static Segment cube(String name, int low) {
@@ -66,7 +67,7 @@ class FragmentExportTest {
     Path file = folder.resolve("l.nrrd");
     FragmentExport export = new FragmentExport(file, Optional.empty(), Optional.empty());
     assertFalse(export.writesPoses());
-    assertEquals(List.of(), export.checked(List.of()));
+    assertEquals(List.of(), export.checked(List.of(), false));
     assertEquals(List.of("NRRD, gzip: " + file), export.write(bodies(CoordinateSystem.LPS)));
     assertEquals(1, labels(file).value(1, 2, 2));
     assertEquals(0, labels(file).value(4, 2, 2));
@@ -80,7 +81,7 @@ class FragmentExportTest {
     Path scene = folder.resolve("s.json");
     FragmentExport export = new FragmentExport(volume, Optional.of(scene), Optional.empty());
     assertTrue(export.writesPoses());
-    assertEquals(List.of(scene), export.checked(List.of()));
+    assertEquals(List.of(scene), export.checked(List.of(), false));
     assertEquals(2, export.write(bodies(CoordinateSystem.LPS)).size());
     assertEquals(2, labels(volume).value(4, 2, 2), "at rest");
     SceneFile read = SceneReader.read(scene);
@@ -100,7 +101,7 @@ class FragmentExportTest {
   void transformsAreFilesOfTheirBodies() throws IOException {
     Path poses = folder.resolve("poses");
     FragmentExport export = new FragmentExport(null, Optional.empty(), Optional.of(poses));
-    assertEquals(List.of(), export.checked(List.of()));
+    assertEquals(List.of(), export.checked(List.of(), false));
     assertEquals(List.of("transforms: " + poses), export.write(bodies(CoordinateSystem.RAS)));
     String part = Files.readString(poses.resolve("part.tfm"));
     assertTrue(part.contains("Parameters: 1.0 0.0 0.0 0.0 1.0 0.0 0.0 0.0 1.0 -5.0 "), part);
@@ -117,7 +118,7 @@ class FragmentExportTest {
             PalpateException.class,
             () ->
                 new FragmentExport(null, Optional.of(Path.of("s.json")), Optional.empty())
-                    .checked(List.of()));
+                    .checked(List.of(), false));
     assertEquals(
         "the bodies of the scene have no volume: --save-scene s.json: add --export FILE",
         refusal.getMessage());
@@ -131,7 +132,7 @@ class FragmentExportTest {
                 PalpateException.class,
                 () ->
                     new FragmentExport(null, Optional.empty(), Optional.of(file))
-                        .checked(List.of()))
+                        .checked(List.of(), false))
             .getMessage()
             .startsWith("the target is not a folder: --save-transforms "));
     assertTrue(
@@ -139,7 +140,7 @@ class FragmentExportTest {
                 PalpateException.class,
                 () ->
                     new FragmentExport(file, Optional.of(file), Optional.empty())
-                        .checked(List.of(file)))
+                        .checked(List.of(file), false))
             .getMessage()
             .startsWith("the target is an input: --save-scene "));
   }

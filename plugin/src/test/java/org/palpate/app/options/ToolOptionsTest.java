@@ -60,15 +60,15 @@ class ToolOptionsTest {
 
   @Test
   void aPointMayHaveAMassAndGravity() {
-    assertEquals(Optional.empty(), options().massOfPoint());
-    MassSettings mass = options("--mass=0.05", "--gravity=0,-9.81,1").massOfPoint().orElseThrow();
+    assertEquals(Optional.empty(), options().massOfHeld());
+    MassSettings mass = options("--mass=0.05", "--gravity=0,-9.81,1").massOfHeld().orElseThrow();
     assertEquals(0.05, mass.kg());
     assertEquals("(0.0, -9810.0, 1000.0)", mass.gravityMmPerSecond2().toString());
     assertEquals(
         Optional.of(mass).toString(),
         options("--mass=0.05", "--gravity=0,-9.81,1").feel().mass().toString());
     assertEquals(List.of(), options("--mass=0.05").feel().effects());
-    assertEquals(0, options("--mass=0.05").massOfPoint().orElseThrow().gravityMmPerSecond2().y);
+    assertEquals(0, options("--mass=0.05").massOfHeld().orElseThrow().gravityMmPerSecond2().y);
   }
 
   @ParameterizedTest
@@ -78,15 +78,15 @@ class ToolOptionsTest {
         "gravity must be three numbers, together at most 100 m/s^2: --gravity "
             + text
             + ": try --gravity 0,0,-9.81",
-        () -> options("--mass=1", "--gravity=" + text).massOfPoint());
-    assertTrue(options("--mass=1", "--gravity=0,0,-100").massOfPoint().isPresent());
+        () -> options("--mass=1", "--gravity=" + text).massOfHeld());
+    assertTrue(options("--mass=1", "--gravity=0,0,-100").massOfHeld().isPresent());
   }
 
   @Test
   void gravityNeedsAMass() {
     Given.refuses(
         "gravity needs a mass: --gravity 0,0,-9.81: add --mass 0.05",
-        () -> options("--gravity=0,0,-9.81").massOfPoint());
+        () -> options("--gravity=0,0,-9.81").massOfHeld());
   }
 
   @Test

@@ -23,7 +23,7 @@ class EditsCsvTest {
 
   private List<VoxelChange> read(String text) throws IOException {
     Path file = Files.writeString(folder.resolve("e.csv"), text);
-    return EditsCsv.read(file, SEGMENTS, GRID).changes();
+    return EditsCsv.read(file, SEGMENTS, List.of(GRID, GRID)).changes();
   }
 
   @Test
@@ -41,7 +41,7 @@ class EditsCsvTest {
         List.of(
             new VoxelChange(0, 1, 7, 5, 3, true),
             new VoxelChange(99_999_999_999L, 0, 0, 0, 0, false)),
-        EditsCsv.read(file, SEGMENTS, GRID).changes());
+        EditsCsv.read(file, SEGMENTS, List.of(GRID, GRID)).changes());
   }
 
   @Test
