@@ -206,12 +206,15 @@ class ReplayRunTest {
     assertEquals(7_500_000, state.timeNanos);
     assertEquals(ReadStatus.DISCONNECTED, own.read(state));
     assertEquals("(4.0, 5.0, 6.0)", own.lastPosition().toString());
-    TrajectoryDevice even = new TrajectoryDevice(path, false);
-    even.read(state);
-    assertEquals(0, state.timeNanos);
-    even.read(state);
-    assertEquals(TrajectoryDevice.FRAME_NANOS, state.timeNanos);
-    assertTrue(even.write(new Vec3(1, 1, 1), new Vec3()));
+    Trajectory standing = new Trajectory();
+    standing.add(5, 1, 2, 3);
+    standing.add(5, 4, 5, 6);
+    TrajectoryDevice ever = new TrajectoryDevice(standing, false);
+    ever.read(state);
+    assertEquals(5_000_000, state.timeNanos);
+    ever.read(state);
+    assertEquals(5_000_001, state.timeNanos, "a later sample is newer");
+    assertTrue(ever.write(new Vec3(1, 1, 1), new Vec3()));
   }
 
   @Test

@@ -195,7 +195,8 @@ class ContactOptionsTest {
             + text
             + ": write for example bone=stiffness:0.8,friction:0.3,damping:0, with a stiffness of 0"
             + " or from 0.000001 to 1,000,000 N/mm, friction from 0 to 100, sliding at most"
-            + " friction, damping from 0 to 1,000,000 N s/mm, and cut from 0 to 1,000,000 N",
+            + " friction, damping from 0 to 1,000,000 N s/mm, cut, puncture, cutting and shaft from"
+            + " 0 to 1,000,000, the last two only with puncture",
         () -> options("--material=bone=" + text).settings());
   }
 
@@ -211,8 +212,8 @@ class ContactOptionsTest {
         "the margin is wider than 64 mm, 64 voxels: --protect sphere:64.5: choose a smaller one",
         () -> scene(options("--protect=sphere:64.5:0"), "--phantom=sphere:16"));
     Given.refuses(
-        "margins are for bodies that are fixed where they rest: --protect: leave it out, or make"
-            + " all bodies of the scene fixed, without poses",
+        "margins are for bodies of one grid that are fixed where they rest: --protect: leave it"
+            + " out, or make all bodies of the scene fixed, without poses, from one volume",
         () -> scene(options("--protect=fragment1"), "--phantom=fracture:64:2"));
   }
 
