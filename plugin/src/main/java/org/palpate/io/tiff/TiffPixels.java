@@ -88,6 +88,9 @@ record TiffPixels(
     if (!isColour() && samples > 2) {
       return "a pixel has " + samples + " samples that are no colours";
     }
+    if (samples < 1) {
+      return "a pixel has " + samples + " samples";
+    }
     return isReadableNumber() ? "" : "the pixels are " + numberName() + ", which cannot be read";
   }
 

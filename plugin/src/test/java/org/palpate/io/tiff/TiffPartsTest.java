@@ -62,6 +62,13 @@ class TiffPartsTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(ints = {0, -1})
+  void aPixelWithoutSamplesCannotBeRead(int samples) {
+    TiffPixels pixels = new TiffPixels(samples, 8, 1, TiffPixels.BLACK_IS_ZERO, false, false);
+    assertEquals("a pixel has " + samples + " samples", pixels.fault());
+  }
+
   @Test
   void theBitsOfAByteAreReversed() {
     byte[] bytes = {0b00000001, 0b01101000, -1, 0};
