@@ -19,8 +19,7 @@ import org.palpate.statistics.SkipKind;
  * taken back. A frame that lowers it by less than a fixed amount creeps, and at most {@link
  * #MOST_CREEPING_FRAMES} frames may creep. The others lower it by that amount, so there are
  * finitely many. Hence the tool comes to rest, bit for bit. While the device moves, the potential
- * may rise a little. A frame that ends too high, for example after a lift that led nowhere, first
- * takes back the steps after its lowest pose.
+ * may rise a little.
  *
  * <p>{@link WorkBudget} bounds the work. A frame that has spent it ends, and the next one goes on.
  * Haptic thread only; allocates nothing.
@@ -39,15 +38,9 @@ public final class RigidSolver {
   private static final double LEAST_FALL_EDGES = 1e-6;
 
   /**
-   * The most that steps may plan to raise the potential in a frame, edges; half of the device's
-   * motion if less.
+   * The most that the potential may rise in a frame, edges; half of the device's motion if less.
    */
   private static final double MOST_RISE_EDGES = 0.1;
-
-  /**
-   * The potential may rise by this factor more than planned, because steps are planned linearly.
-   */
-  private static final double RISE_BEYOND_PLAN = 1.25;
 
   /** The longest approach of a frame in contact, edges; 1.5 times the device's motion if more. */
   private static final double CATCH_UP_EDGES = 2;
@@ -90,13 +83,6 @@ public final class RigidSolver {
   private int creepingFrames;
   private int liftBackoff = 1;
   private int liftWait;
-
-  /** The number of steps to the lowest pose of this frame. */
-  private int lowestSteps;
-
-  private double lowestMm;
-  private double lowestPathMm;
-  private double lowestDepthMm;
   private long work;
   private long rests;
 
@@ -363,16 +349,12 @@ public final class RigidSolver {
     double pushedMm = motion.pathMm;
     double before = potentialMm();
     double riseMm = Math.min(MOST_RISE_EDGES * edgeMm, 0.5 * motionMm);
-    lowestMm = Double.POSITIVE_INFINITY;
     approach(motion, first ? Double.POSITIVE_INFINITY : motionMm, riseMm);
-    boolean arrived = verifier.pose().sameBits(target);
-    if (!arrived && !isLowEnough(before - potentialMm(), moved, riseMm)) {
-      takeBackToLowest(motion);
-    }
     double fallMm = before - potentialMm();
+    boolean arrived = verifier.pose().sameBits(target);
     boolean isKept = motion.hasFollowed() && (arrived || isAcceptable(fallMm, moved, riseMm));
     if (!isKept && motion.hasFollowed()) {
-      takeBack(motion, motion.pushes, pushedMm, depthBefore);
+      takeBack(motion, pushedMm, depthBefore);
     } else if (motion.hasFollowed()) {
       verifier.raiseLevels(LEVELS_PER_FRAME);
     }
@@ -399,38 +381,21 @@ public final class RigidSolver {
     return stepper.distanceMm() + ContactConstraints.DEPTH_COST * stepper.depthMm();
   }
 
-  private boolean isLowEnough(double fallMm, boolean moved, double riseMm) {
-    return fallMm >= (moved ? -RISE_BEYOND_PLAN * riseMm : LEAST_FALL_EDGES * edgeMm);
-  }
-
   /** Whether a frame that lowers the potential by some mm is kept. */
   private boolean isAcceptable(double fallMm, boolean moved, double riseMm) {
-    boolean creeps = !moved && fallMm < CREEP_EDGES * edgeMm;
-    return (!creeps || creepingFrames++ < MOST_CREEPING_FRAMES)
-        && isLowEnough(fallMm, moved, riseMm);
-  }
-
-  /** Notes the present pose if it is lower than all others of this frame at which steps ended. */
-  private void noteLowest(ToolMotion motion, double presentMm) {
-    if (motion.hasFollowed() && presentMm < lowestMm) {
-      lowestMm = presentMm;
-      lowestSteps = motion.steps;
-      lowestPathMm = motion.pathMm;
-      lowestDepthMm = stepper.depthMm();
+    if (moved) {
+      return fallMm >= -riseMm;
     }
-  }
-
-  /** Takes back the steps after the lowest pose that was noted. */
-  private void takeBackToLowest(ToolMotion motion) {
-    if (lowestMm < potentialMm()) {
-      takeBack(motion, lowestSteps, lowestPathMm, lowestDepthMm);
+    if (fallMm >= CREEP_EDGES * edgeMm) {
+      return true;
     }
+    return creepingFrames++ < MOST_CREEPING_FRAMES && fallMm >= LEAST_FALL_EDGES * edgeMm;
   }
 
-  private void takeBack(ToolMotion motion, int steps, double pathMm, double depthMm) {
-    verifier.takeBack(motion.path[steps]);
-    motion.withdraw(steps, pathMm);
-    stepper.setDepthMm(depthMm);
+  private void takeBack(ToolMotion motion, double pushedMm, double depthBefore) {
+    verifier.takeBack(motion.path[motion.pushes]);
+    motion.withdraw(pushedMm);
+    stepper.setDepthMm(depthBefore);
   }
 
   /**
@@ -456,7 +421,6 @@ public final class RigidSolver {
         return;
       }
       double last = potentialMm();
-      noteLowest(motion, last);
       if (stepper.stepStraight(mostMm, pathLeftMm)) {
         continue;
       }

@@ -134,15 +134,10 @@ public final class ToolMotion {
     pushes = steps;
   }
 
-  /**
-   * Withdraws the last steps. The tool must stand where the steps that are kept end.
-   *
-   * @param kept the number of steps that are kept, at least the pushes
-   * @param keptPathMm a bound of the longest path of a point in them, mm
-   */
-  void withdraw(int kept, double keptPathMm) {
-    steps = kept;
-    pathMm = keptPathMm;
+  /** Withdraws the steps that followed the device; the tool must stand at the pose before them. */
+  void withdraw(double pathMmBefore) {
+    steps = pushes;
+    pathMm = pathMmBefore;
   }
 
   void add(Pose pose, double lengthMm) {
