@@ -89,6 +89,11 @@ class NumericOptionsTest {
               "--rotational-stiffness",
               1e-6,
               1e6),
+          Ranged.real(
+              "render --out x.png --trajectory t.csv --elastic skull=young:1e4",
+              "--lattice",
+              1e-6,
+              1e6),
           Ranged.real("render --out x.png", "--zoom", 0.01, 1000),
           new Ranged("render --out x.png", "--opacity", "bone=", 0, 1, false),
           Ranged.real("devices --watch hid", "--seconds", 0.001, 1e8),
