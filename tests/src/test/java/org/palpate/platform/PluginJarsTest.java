@@ -109,7 +109,7 @@ class PluginJarsTest {
               .filter(line -> line.startsWith("Plugins>Palpate") && line.contains("org."))
               .map(line -> line.substring(line.lastIndexOf(' ') + 1))
               .toList();
-      assertEquals(10, commands.size());
+      assertEquals(11, commands.size());
       for (String command : commands) {
         assertTrue(names.contains(command.replace('.', '/') + ".class"), command);
       }
