@@ -12,7 +12,8 @@ import org.palpate.geometry.Vec3;
  *
  * <p>A new fit may lie elsewhere, or there may be none any more. The offset along which the guide
  * pulls then changes in a frame by at most twice the motion of the hand, or by {@link
- * PositionGuide#LEAST_STEP_MM}. So the force has no step. Haptic thread; allocates nothing.
+ * PositionGuide#LEAST_STEP_MM} in a millisecond. So the force has no step. Haptic thread; allocates
+ * nothing.
  *
  * <p>Reference: Olsson et al., Haptics-assisted virtual surgery planning, 2013, for the attraction.
  */
@@ -65,7 +66,7 @@ public final class FitGuide implements HapticEffect {
     if (fit != null && hand.heldBody >= 0 && fit.body() == hand.heldBody) {
       setWanted(fit, hand.device);
     }
-    follow(hand.device);
+    follow(hand.device, PositionGuide.leastStepMm(hand));
     double length = Math.sqrt(squaredLength(offset));
     if (length > 0) {
       double factor = spring.newton(length) / length;
@@ -92,11 +93,11 @@ public final class FitGuide implements HapticEffect {
   }
 
   /** Moves the offset towards the wanted one. */
-  private void follow(Pose at) {
+  private void follow(Pose at, double leastStepMm) {
     last.differenceTo(at, displacement, rotation, scratch);
     double motionMm =
         Math.sqrt(displacement.dot(displacement) + leverMm * leverMm * rotation.dot(rotation));
-    double mostMm = Math.max(PositionGuide.LEAST_STEP_MM, 2 * motionMm);
+    double mostMm = Math.max(leastStepMm, 2 * motionMm);
     for (int n = 0; n < FREEDOMS; n++) {
       way[n] = wanted[n] - offset[n];
     }

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.force.EffectSite;
 import org.palpate.force.HandState;
 import org.palpate.force.HapticEffect;
@@ -22,6 +24,8 @@ class FitGuideTest {
   private static final GuideStrength STRONG =
       new GuideStrength(
           OptionalDouble.of(STIFFNESS), OptionalDouble.of(1000), Double.POSITIVE_INFINITY);
+
+  private static final double MOST_NEWTON_A_MS = STIFFNESS * PositionGuide.LEAST_STEP_MM;
 
   private final FitExchange exchange = new FitExchange();
   private final HapticEffect guide =
@@ -82,7 +86,7 @@ class FitGuideTest {
 
   @Test
   void aFitThatAppearsJumpsOrEndsMakesNoStepOfTheForce() {
-    double mostNewton = STIFFNESS * PositionGuide.LEAST_STEP_MM + 1e-12;
+    double mostNewton = MOST_NEWTON_A_MS + 1e-12;
     Vec3 last = new Vec3();
     double largest = 0;
     for (int n = 0; n < 2000; n++) {
@@ -98,6 +102,16 @@ class FitGuideTest {
       last.set(force);
     }
     assertTrue(largest > 0.2, "it pulled by " + largest + " N");
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1000, 5000, 10_000})
+  void theForceGrowsAsFastAtEveryRate(double hertz) {
+    hand.seconds = 1 / hertz;
+    exchange.offer(fitAt(3, new Vec3(100, 0, 0)));
+    feel(1);
+    double pull = Math.hypot(force.length(), torque.length() / LEVER);
+    assertEquals(MOST_NEWTON_A_MS, pull * hertz / 1000, 1e-12);
   }
 
   @Test
