@@ -101,10 +101,8 @@ public final class FieldRecorder {
     if (from == WordRing.FULL) {
       return;
     }
-    for (int axis = 0; axis < 3; axis++) {
-      updates.set(from + axis, Double.doubleToRawLongBits(point.get(axis)));
-      updates.set(from + 3 + axis, Double.doubleToRawLongBits(forceNewton.get(axis)));
-    }
+    updates.set(from, point);
+    updates.set(from + 3, forceNewton);
     updates.publish();
   }
 
@@ -153,11 +151,9 @@ public final class FieldRecorder {
   }
 
   private Vec3 vector(int from) {
-    return new Vec3(number(from), number(from + 1), number(from + 2));
-  }
-
-  private double number(int at) {
-    return Double.longBitsToDouble(updates.get(at));
+    Vec3 vector = new Vec3();
+    updates.get(from, vector);
+    return vector;
   }
 
   /** Reads the cells that belong to the update that is read. */
