@@ -193,6 +193,8 @@ final class OpenClLegs implements LegBatch {
 
   @Override
   public double emptyAround(int point) {
-    return HALVES[verdicts.host().get(point) >> VERDICT_BITS];
+    int cubes = verdicts.host().get(point) >> VERDICT_BITS;
+    // A number that the kernel never writes promises nothing.
+    return cubes >= 0 && cubes < HALVES.length ? HALVES[cubes] : 0;
   }
 }

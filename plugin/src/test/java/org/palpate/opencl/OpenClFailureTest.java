@@ -17,6 +17,7 @@ import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.LegBatch;
+import org.palpate.collision.LegVerdict;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
@@ -157,6 +158,20 @@ class OpenClFailureTest {
   @Test
   void aDeviceThatCallsFullSpaceEmptyIsGivenUp() {
     assertGivenUp(driver -> driver.liesAboutCubes = true);
+  }
+
+  @Test
+  void anAnswerThatTheKernelNeverGivesPromisesNothing() {
+    SimulatedDriver simulated = new SimulatedDriver();
+    OpenClDevice device = OpenClOnCpu.device(simulated, OpenClOnCpu.PATIENT_NANOS);
+    NearBall ball = new NearBall(400);
+    LegBatch batch = device.keep(ball.voxels()).newBatch(ball);
+    simulated.talksNonsense = true;
+    assertTrue(batch.judge(ball.motions(1)));
+    for (int n = 0; n < ball.count(); n++) {
+      assertEquals(LegVerdict.DOUBT, batch.verdict(0, n));
+      assertEquals(0, batch.emptyAround(n));
+    }
   }
 
   private static void assertGivenUp(Consumer<SimulatedDriver> fault) {

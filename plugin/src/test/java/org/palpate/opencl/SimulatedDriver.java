@@ -17,6 +17,9 @@ import org.palpate.volume.BitCube;
  * both kernels in Java. So failures can be tested on every machine.
  */
 final class SimulatedDriver implements ClDriver {
+  /** Answers that the kernel never writes: no verdict, and more or fewer cubes than there are. */
+  private static final int[] NONSENSE = {0xff, 0x7f, 0x83, 6 << 2 | 3};
+
   private final List<ClMemory> hosts = new ArrayList<>();
   private final List<ByteBuffer> memories = new ArrayList<>();
   private final List<List<Object>> kernels = new ArrayList<>();
@@ -30,6 +33,9 @@ final class SimulatedDriver implements ClDriver {
 
   /** Whether the largest cubes are called empty from now on. */
   boolean liesAboutCubes;
+
+  /** Whether every byte of an answer is one that the kernel never writes, from now on. */
+  boolean talksNonsense;
 
   @Override
   public String name() {
@@ -93,7 +99,8 @@ final class SimulatedDriver implements ClDriver {
     for (int n = 0; n < points.count() * group.count(); n++) {
       boolean free =
           lies || exact.verdict(n / points.count(), n % points.count()) == LegVerdict.FREE;
-      memory(bound.get(8)).put(n, (byte) ((free ? 0 : 1) | (liesAboutCubes ? 5 << 2 : 0)));
+      int answer = (free ? 0 : 1) | (liesAboutCubes ? 5 << 2 : 0);
+      memory(bound.get(8)).put(n, (byte) (talksNonsense ? NONSENSE[n % NONSENSE.length] : answer));
     }
   }
 
