@@ -20,8 +20,8 @@ import org.palpate.proxy.InteractionPoint;
  * it. Friction shortens the step along the surface, to zero at most, and damping the step into it.
  * An {@link EnergyObserver} takes what surplus is left.
  *
- * <p>If device and point rest, and two steps in a row are shorter than {@link #REST_MM}, the body
- * rests too, bit for bit.
+ * <p>If device and point rest, and two steps in a row are shorter than {@link
+ * MassSettings#REST_MM}, the body rests too, bit for bit.
  *
  * <p>References: Colgate, Stanley and Brown 1995 (virtual coupling); Brown and Colgate 1998 (mass).
  * Device, point and target in grid coordinates; inside, grid millimetres, mm/s and N. Haptic
@@ -31,20 +31,8 @@ public final class MassiveContact {
   /** The stiffness of the spring to the point over that of the stiffest material. */
   static final double CONTACT_STIFFNESS_FACTOR = 4;
 
-  /** A step shorter than this counts as rest, mm. */
-  static final double REST_MM = 1e-9;
-
-  /** The drag of the body, as a fraction of the critical damping of its spring to the device. */
-  static final double DAMPING_RATIO = 0.2;
-
-  private static final double MAX_STEP_SECONDS = 0.005;
-  private static final double NANOS_PER_SECOND = 1e9;
-
-  /** A mass in N s^2/mm for each kg. */
-  private static final double UNITS_PER_KG = 1e-3;
-
   private final GridMetric metric;
-  private final double kg;
+  private final MassSettings held;
   private final double mass;
   private final Vec3 weightNewton;
   private final MaterialTransition material;
@@ -77,9 +65,9 @@ public final class MassiveContact {
   public MassiveContact(GridMetric metric, ForceSettings settings, MassSettings held) {
     this.metric = metric;
     this.settings = settings;
-    kg = held.kg();
-    mass = kg * UNITS_PER_KG;
-    weightNewton = held.gravityMmPerSecond2().mul(mass, new Vec3());
+    this.held = held;
+    mass = held.newtonSecond2PerMm();
+    weightNewton = held.weightNewton();
     material = new MaterialTransition(metric.shortestEdgeMm(), settings.general());
     couple();
   }
@@ -139,11 +127,11 @@ public final class MassiveContact {
     toMillimetres(deviceGrid, device);
     toMillimetres(contact.position, point);
     material.advance(elapsedNanos);
-    double seconds = Math.min(MAX_STEP_SECONDS, Math.max(0, elapsedNanos) / NANOS_PER_SECOND);
+    double seconds = MassSettings.stepSeconds(elapsedNanos);
     if (seconds > 0) {
       proposeStep(contact, seconds);
       double stepMm = step.length();
-      if (stepMm < REST_MM && lastStepMm < REST_MM && areAtRest()) {
+      if (stepMm < MassSettings.REST_MM && lastStepMm < MassSettings.REST_MM && areAtRest()) {
         step.set(0, 0, 0);
       }
       lastStepMm = stepMm;
@@ -172,7 +160,7 @@ public final class MassiveContact {
   /** Writes the step of the body, mm. */
   private void proposeStep(InteractionPoint contact, double seconds) {
     double inertia = mass / (seconds * seconds);
-    double drag = 2 * DAMPING_RATIO * Math.sqrt(couplingStiffness * mass) / seconds;
+    double drag = held.dragNewtonSecondPerMm(couplingStiffness) / seconds;
     double whole = inertia + drag + couplingStiffness;
     // Without the spring to the point, this step leads to the least energy.
     velocity.mul(inertia * seconds, step);
@@ -251,7 +239,7 @@ public final class MassiveContact {
 
   /** Returns the mass, kg. */
   public double kg() {
-    return kg;
+    return held.kg();
   }
 
   /** Returns the surplus of energy that no motion has paid yet, mJ. */

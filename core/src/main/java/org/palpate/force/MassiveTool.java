@@ -18,26 +18,14 @@ import org.palpate.rigid.tool.RigidTool;
  * friction takes speed, to zero at most. An {@link EnergyObserver} takes what surplus the solids
  * make. Gyroscopic moments are left out, as is usual at the speed of a hand.
  *
- * <p>If device and tool rest, and two steps in a row are shorter than {@link #REST_MM}, the tool
- * rests too, bit for bit.
+ * <p>If device and tool rest, and two steps in a row are shorter than {@link MassSettings#REST_MM},
+ * the tool rests too, bit for bit.
  *
  * <p>References: Colgate, Stanley and Brown 1995 (virtual coupling); Moreau 1988 (time stepping
  * with inelastic contact). World mm, mm/s, rad/s and N. Haptic thread; allocates nothing.
  */
 public final class MassiveTool implements ToolProposal {
-  /** A step shorter than this counts as rest, mm. */
-  static final double REST_MM = 1e-9;
-
-  /** The drag, as a fraction of the critical damping of the coupling. */
-  static final double DAMPING_RATIO = 0.2;
-
-  private static final double MAX_STEP_SECONDS = 0.005;
-  private static final double NANOS_PER_SECOND = 1e9;
-
-  /** A mass in N s^2/mm for each kg. */
-  private static final double UNITS_PER_KG = 1e-3;
-
-  private final double kg;
+  private final MassSettings held;
   private final double mass;
   private final Vec3 weightNewton;
   private final double stiffness;
@@ -71,9 +59,9 @@ public final class MassiveTool implements ToolProposal {
    * @param held the mass, with gravity along the world's axes
    */
   public MassiveTool(RigidTool tool, RigidCoupling coupling, double friction, MassSettings held) {
-    kg = held.kg();
-    mass = kg * UNITS_PER_KG;
-    weightNewton = held.gravityMmPerSecond2().mul(mass, new Vec3());
+    this.held = held;
+    mass = held.newtonSecond2PerMm();
+    weightNewton = held.weightNewton();
     stiffness = coupling.stiffnessNewtonPerMm();
     turnStiffness = coupling.rotationalStiffness();
     this.friction = friction;
@@ -94,7 +82,7 @@ public final class MassiveTool implements ToolProposal {
   @Override
   public Pose propose(Pose device, ToolMotion motion, long elapsedNanos) {
     Pose tool = motion.pose();
-    double seconds = Math.min(MAX_STEP_SECONDS, Math.max(0, elapsedNanos) / NANOS_PER_SECOND);
+    double seconds = MassSettings.stepSeconds(elapsedNanos);
     if (!begun) {
       begin(tool, device);
     } else if (lastSeconds > 0) {
@@ -190,7 +178,7 @@ public final class MassiveTool implements ToolProposal {
   private void computeStep(Pose tool, Pose device, double seconds) {
     potential(tool, device);
     double heavy = mass / (seconds * seconds);
-    double drag = 2 * DAMPING_RATIO * Math.sqrt(stiffness * mass) / seconds;
+    double drag = held.dragNewtonSecondPerMm(stiffness) / seconds;
     velocity.mul(heavy * seconds, step);
     step.add(force, step).add(weightNewton, step).mul(1 / (heavy + drag + stiffness), step);
     double turnDrag = drag * radiusMm * radiusMm;
@@ -204,14 +192,14 @@ public final class MassiveTool implements ToolProposal {
 
   private boolean isShort() {
     double stepMm = step.length() + radiusMm * turn.length();
-    boolean isShort = stepMm < REST_MM && lastStepMm < REST_MM;
+    boolean isShort = stepMm < MassSettings.REST_MM && lastStepMm < MassSettings.REST_MM;
     lastStepMm = stepMm;
     return isShort;
   }
 
   /** Returns the mass, kg. */
   public double kg() {
-    return kg;
+    return held.kg();
   }
 
   /** Returns the surplus of energy that no motion has paid yet, mJ. */

@@ -51,9 +51,8 @@ class MassiveContactTest {
     MassiveContact body = body(kg, 0, new Vec3(0, 0, -9810));
     body.place(point.position);
     double omega = Math.sqrt(COUPLING * 1e3 / kg);
-    double decay = MassiveContact.DAMPING_RATIO * omega;
-    double swing =
-        omega * Math.sqrt(1 - MassiveContact.DAMPING_RATIO * MassiveContact.DAMPING_RATIO);
+    double decay = MassSettings.DAMPING_RATIO * omega;
+    double swing = omega * Math.sqrt(1 - MassSettings.DAMPING_RATIO * MassSettings.DAMPING_RATIO);
     double sag = kg * 9.81 / COUPLING;
     long step = MS / 100;
     freeFrame(body, 0);
