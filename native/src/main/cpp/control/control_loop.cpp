@@ -2,7 +2,9 @@
 // Its lateness is due to the machine alone.
 //
 //   palpate-control --wait sleep|absolute|hybrid|spin --frames N --warm-up N --period NANOS
-//                   --priority 0|1..99 --cpu N|-1 --lock 0|1 --out FILE
+//                   --priority 0|1..99 --cpu N|-1 --lock 0|1
+//                   --rest MICROS --rest-period MICROS --out FILE
+// The kernel takes the processor from a real-time thread for the rest in each rest period.
 // FILE receives one record for each frame: six 64-bit integers in the machine's byte order.
 //
 //   due      deadline of the frame, ns of CLOCK_MONOTONIC
@@ -21,6 +23,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -36,7 +39,6 @@ constexpr int64_t kNanosPerSecond = 1000000000;
 constexpr int64_t kLeastWindowNanos = 20000;
 constexpr int64_t kMostWindowNanos = 400000;
 constexpr int kWindowSleeps = 200;
-constexpr int64_t kWindowSleepNanos = 900000;
 
 struct Record {
   int64_t due;
@@ -75,10 +77,10 @@ void spinUntil(int64_t moment) {
 }
 
 /** Returns a quarter more than the 99th percentile of the lateness of this thread's wake-ups. */
-int64_t measureWindow() {
+int64_t measureWindow(int64_t period) {
   std::vector<int64_t> late;
   for (int i = 0; i < kWindowSleeps; i++) {
-    int64_t due = nanos() + kWindowSleepNanos;
+    int64_t due = nanos() + period * 9 / 10;
     sleepUntil(due);
     late.push_back(nanos() - due);
   }
@@ -87,29 +89,73 @@ int64_t measureWindow() {
   return std::clamp(covered + covered / 4, kLeastWindowNanos, kMostWindowNanos);
 }
 
+/**
+ * The sleep that a real-time thread owes the kernel, by the rule of RestBudget in Java: a debt of
+ * 50 us is paid in a frame that has room for it, and one of 2 ms in any frame.
+ */
+class RestBudget {
+ public:
+  RestBudget(int64_t restMicros, int64_t periodMicros)
+      : fraction_(std::min(1.0, 1.2 * restMicros / periodMicros)),
+        mostOwed_(fraction_ * periodMicros * 1000) {}
+
+  /** Returns when a sleep is to end that begins now; the present time if none is due. */
+  int64_t wake(int64_t now, int64_t due) {
+    if (last_ != 0) {
+      owed_ = std::min(mostOwed_, owed_ + fraction_ * (now - last_));
+    }
+    last_ = now;
+    int64_t wake = now + static_cast<int64_t>(std::ceil(owed_));
+    return owed_ >= 50000 && (wake <= due || owed_ >= 2000000) ? wake : now;
+  }
+
+  void slept(int64_t now) {
+    owed_ = std::max(0.0, owed_ - (now - last_));
+    last_ = now;
+  }
+
+ private:
+  double fraction_;
+  double mostOwed_;
+  double owed_ = 0;
+  int64_t last_ = 0;
+};
+
 class Pacer {
  public:
-  explicit Pacer(const std::string& wait) : wait_(wait) {
+  Pacer(const std::string& wait, int64_t period, RestBudget rest) : wait_(wait), rest_(rest) {
     if (wait_ == "hybrid") {
-      windowNanos_ = measureWindow();
+      windowNanos_ = measureWindow(period);
     }
   }
 
   int64_t windowNanos() const { return windowNanos_; }
 
-  void awaitMoment(int64_t due) const {
+  void awaitMoment(int64_t due) {
     if (wait_ == "spin") {
       spinUntil(due);
     } else if (wait_ == "sleep") {
       sleepFor(due - nanos());
+    } else if (wait_ == "absolute") {
+      sleepUntil(due);
     } else {
-      sleepUntil(due - windowNanos_);
-      spinUntil(due);
+      sleepThenSpin(due);
     }
   }
 
  private:
+  void sleepThenSpin(int64_t due) {
+    int64_t now = nanos();
+    int64_t wake = std::max(due - windowNanos_, rest_.wake(now, due));
+    if (now < wake) {
+      sleepUntil(wake);
+      rest_.slept(nanos());
+    }
+    spinUntil(due);
+  }
+
   std::string wait_;
+  RestBudget rest_;
   int64_t windowNanos_ = 0;
 };
 
@@ -190,7 +236,7 @@ int64_t nextDue(int64_t due, int64_t began, int64_t period) {
   return due + (missed + 1) * period;
 }
 
-void run(const Pacer& pacer, int64_t warmUp, int64_t period, std::vector<Record>& records) {
+void run(Pacer& pacer, int64_t warmUp, int64_t period, std::vector<Record>& records) {
   Counters counters;
   int64_t due = nanos() + 5 * period;
   int64_t frames = static_cast<int64_t>(records.size());
@@ -232,14 +278,17 @@ int main(int count, char** words) {
     std::fprintf(
         stderr,
         "palpate-control: wrong use: arguments: --wait sleep|absolute|hybrid|spin --frames "
-        "N --warm-up N --period NANOS --priority P --cpu N --lock 0|1 --out FILE\n");
+        "N --warm-up N --period NANOS --priority P --cpu N --lock 0|1 --rest MICROS --rest-period "
+        "MICROS --out FILE\n");
     return 2;
   }
   std::vector<Record> records(number(options, "--frames", 1000), Record{});
   askKernel(options);
-  Pacer pacer(options["--wait"]);
+  int64_t period = number(options, "--period", 1000000);
+  RestBudget rest(number(options, "--rest", 0), number(options, "--rest-period", 1000000));
+  Pacer pacer(options["--wait"], period, rest);
   std::printf("spin_window_nanos %lld\n", static_cast<long long>(pacer.windowNanos()));
-  run(pacer, number(options, "--warm-up", 1000), number(options, "--period", 1000000), records);
+  run(pacer, number(options, "--warm-up", 1000), period, records);
   if (!write(options["--out"], records)) {
     std::fprintf(stderr, "palpate-control: cannot write: %s: %s\n", options["--out"].c_str(),
                  std::strerror(errno));

@@ -57,7 +57,7 @@ record ExperimentResult(
     long to = samples.end(samples.count() - 1);
     List<JvmEvent> measured =
         events.stream().filter(e -> e.startNanos() <= to && e.endNanos() >= from).toList();
-    DelayHistograms delays = DelayHistograms.of(samples, Experiment.PERIOD_NANOS);
+    DelayHistograms delays = DelayHistograms.of(samples, experiment.periodNanos());
     long typicalWork = delays.work().getValueAtPercentile(50);
     return new ExperimentResult(
         experiment,

@@ -41,6 +41,7 @@ import picocli.CommandLine.Spec;
       "  palpate jitter --quick --out jitter",
       "  palpate jitter --out jitter --table waits --table collectors",
       "  palpate jitter --out jitter --jdk /opt/jdk-25 --cells '.*zgc-hybrid-fifo.*' --seconds 60",
+      "  palpate jitter --out jitter --table rates --volume CThead.nrrd --segment 'bone=>=1500'",
       "  palpate jitter --out jitter --minutes 20",
       "  palpate jitter --out jitter --list"
     })
@@ -77,8 +78,8 @@ public final class JitterCommand implements Callable<Integer> {
       names = "--table",
       paramLabel = "NAME",
       description =
-          "Only this table; may be given again. One of: machine, simplest, waits,"
-              + " collectors, workloads, compilers, heaps, recommended.")
+          "Only this table; may be given again. One of: machine, recommended, rates, simplest,"
+              + " waits, collectors, workloads, compilers, heaps.")
   private List<String> tables = new ArrayList<>();
 
   @Option(

@@ -71,6 +71,7 @@ public final class ResultRows {
     row.put("neighbour", experiment -> experiment.load().label());
     row.put("jit", experiment -> experiment.isControl() ? "" : experiment.jit().label());
     row.put("heap_mb", experiment -> experiment.isControl() ? 0 : JvmCommand.heapMb(experiment));
+    row.put("rate_hz", Experiment::rateHz);
     row.put("seconds", Experiment::seconds);
     return row;
   }

@@ -36,6 +36,7 @@ class ExperimentResultTest {
           BackgroundLoad.NONE,
           JitMode.DEFAULT,
           0,
+          1_000,
           1,
           0);
 

@@ -12,6 +12,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import org.palpate.benchmarks.jitter.trace.ExperimentFolder;
 import org.palpate.realtime.os.OperatingSystem;
+import org.palpate.realtime.os.Throttling;
 
 /** The same loop in C++ as a control: compiled from the source in the jar. */
 final class ControlProgram {
@@ -79,19 +80,21 @@ final class ControlProgram {
   }
 
   /** Returns the command line of a control experiment. */
-  List<String> command(
-      Experiment experiment, ExperimentFolder folder, int frames, long periodNanos) {
+  List<String> command(Experiment experiment, ExperimentFolder folder, int frames) {
     boolean fifo = experiment.scheduling().isRealtime();
     OptionalInt cpu = fifo ? OperatingSystem.preferredProcessor() : OptionalInt.empty();
     List<String> command = new ArrayList<>(List.of(program.toString()));
     command.addAll(List.of("--wait", Experiment.lower(experiment.waiting())));
     command.addAll(List.of("--frames", Integer.toString(frames)));
     command.addAll(List.of("--warm-up", Integer.toString(WARM_UP_FRAMES)));
-    command.addAll(List.of("--period", Long.toString(periodNanos)));
+    command.addAll(List.of("--period", Long.toString(experiment.periodNanos())));
     command.addAll(
         List.of("--priority", Integer.toString(fifo ? OperatingSystem.DEFAULT_PRIORITY : 0)));
     command.addAll(List.of("--cpu", Integer.toString(cpu.orElse(-1))));
     command.addAll(List.of("--lock", fifo ? "1" : "0"));
+    Throttling throttling = Throttling.read(Path.of("/"));
+    command.addAll(List.of("--rest", Long.toString(throttling.restMicros())));
+    command.addAll(List.of("--rest-period", Long.toString(throttling.periodMicros())));
     command.addAll(List.of("--out", folder.samples().toString()));
     return command;
   }

@@ -16,6 +16,7 @@ import org.palpate.realtime.WaitKind;
  * @param load the background load in the JVM
  * @param jit the source of the JVM's machine code
  * @param heapMb the initial and maximal heap
+ * @param rateHz the number of deadlines in a second; a divisor of 10^9
  * @param seconds the measured time, after the warm-up
  * @param repeat a number from 0 that distinguishes intended repetitions
  */
@@ -28,18 +29,24 @@ public record Experiment(
     BackgroundLoad load,
     JitMode jit,
     int heapMb,
+    int rateHz,
     int seconds,
     int repeat) {
 
-  /** The time between two deadlines. */
-  public static final long PERIOD_NANOS = 1_000_000;
+  /** The rate of every table that does not compare rates. */
+  static final int DEFAULT_RATE_HZ = 1_000;
+
+  private static final long NANOS_PER_SECOND = 1_000_000_000;
 
   /** The name of the measured thread. */
   public static final String THREAD_NAME = "palpate-haptic";
 
-  /** Checks the duration. */
+  /** Checks rate and duration. */
   public Experiment {
     Objects.requireNonNull(waiting);
+    if (rateHz < 1 || NANOS_PER_SECOND % rateHz != 0) {
+      throw new IllegalArgumentException("rateHz must divide 10^9: rateHz=" + rateHz);
+    }
     if (seconds < 1) {
       throw new IllegalArgumentException("seconds must be at least 1: seconds=" + seconds);
     }
@@ -56,6 +63,7 @@ public record Experiment(
         BackgroundLoad.NONE,
         JitMode.DEFAULT,
         heapMb,
+        DEFAULT_RATE_HZ,
         seconds,
         0);
   }
@@ -71,6 +79,7 @@ public record Experiment(
         BackgroundLoad.NONE,
         JitMode.DEFAULT,
         0,
+        DEFAULT_RATE_HZ,
         seconds,
         repeat);
   }
@@ -82,40 +91,114 @@ public record Experiment(
 
   Experiment with(Collector other) {
     return new Experiment(
-        jdk, other, waiting, scheduling, workload, load, jit, heapMb, seconds, repeat);
+        jdk, other, waiting, scheduling, workload, load, jit, heapMb, rateHz, seconds, repeat);
   }
 
   Experiment with(WaitKind other, Scheduling otherScheduling) {
     return new Experiment(
-        jdk, collector, other, otherScheduling, workload, load, jit, heapMb, seconds, repeat);
+        jdk,
+        collector,
+        other,
+        otherScheduling,
+        workload,
+        load,
+        jit,
+        heapMb,
+        rateHz,
+        seconds,
+        repeat);
   }
 
   Experiment with(Workload other, BackgroundLoad otherLoad) {
     return new Experiment(
-        jdk, collector, waiting, scheduling, other, otherLoad, jit, heapMb, seconds, repeat);
+        jdk,
+        collector,
+        waiting,
+        scheduling,
+        other,
+        otherLoad,
+        jit,
+        heapMb,
+        rateHz,
+        seconds,
+        repeat);
   }
 
   Experiment with(JitMode other) {
     return new Experiment(
-        jdk, collector, waiting, scheduling, workload, load, other, heapMb, seconds, repeat);
+        jdk,
+        collector,
+        waiting,
+        scheduling,
+        workload,
+        load,
+        other,
+        heapMb,
+        rateHz,
+        seconds,
+        repeat);
   }
 
   Experiment withHeap(int otherHeapMb) {
     return new Experiment(
-        jdk, collector, waiting, scheduling, workload, load, jit, otherHeapMb, seconds, repeat);
+        jdk,
+        collector,
+        waiting,
+        scheduling,
+        workload,
+        load,
+        jit,
+        otherHeapMb,
+        rateHz,
+        seconds,
+        repeat);
   }
 
   Experiment withSeconds(int otherSeconds) {
     return new Experiment(
-        jdk, collector, waiting, scheduling, workload, load, jit, heapMb, otherSeconds, repeat);
+        jdk,
+        collector,
+        waiting,
+        scheduling,
+        workload,
+        load,
+        jit,
+        heapMb,
+        rateHz,
+        otherSeconds,
+        repeat);
   }
 
-  /** Returns a name that contains every setting and is valid as a folder name. */
+  Experiment withRate(int otherRateHz) {
+    return new Experiment(
+        jdk,
+        collector,
+        waiting,
+        scheduling,
+        workload,
+        load,
+        jit,
+        heapMb,
+        otherRateHz,
+        seconds,
+        repeat);
+  }
+
+  /** Returns the time between two deadlines, ns. */
+  public long periodNanos() {
+    return NANOS_PER_SECOND / rateHz;
+  }
+
+  /**
+   * Returns a name that contains every setting and is valid as a folder name. The rate is left out
+   * if it is 1 kHz.
+   */
   public String key() {
     String how = lower(waiting) + "-" + scheduling.label();
+    String rate = rateHz == DEFAULT_RATE_HZ ? "" : "-" + rateHz + "hz";
     String again = repeat == 0 ? "" : "-" + repeat;
     if (isControl()) {
-      return "cpp-" + how + "-" + seconds + "s" + again;
+      return "cpp-" + how + rate + "-" + seconds + "s" + again;
     }
     return String.join(
             "-",
@@ -125,7 +208,7 @@ public record Experiment(
             workload.label(),
             load.label(),
             jit.label(),
-            heapMb + "m",
+            heapMb + "m" + rate,
             seconds + "s")
         + again;
   }

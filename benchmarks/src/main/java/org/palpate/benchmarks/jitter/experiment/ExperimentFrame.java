@@ -8,8 +8,10 @@ interface ExperimentFrame extends Runnable, AutoCloseable {
   static ExperimentFrame of(ExperimentTask task) throws VolumeFormatException {
     return switch (task.workload()) {
       case EMPTY -> () -> {};
-      case FRAME -> new HapticExperimentFrame(ExperimentScene.read(task.scene()));
-      case FRAME_AND_VIEW -> new ViewedExperimentFrame(ExperimentScene.read(task.scene()));
+      case FRAME ->
+          new HapticExperimentFrame(ExperimentScene.read(task.scene()), task.periodNanos());
+      case FRAME_AND_VIEW ->
+          new ViewedExperimentFrame(ExperimentScene.read(task.scene()), task.periodNanos());
     };
   }
 

@@ -17,7 +17,6 @@ import org.palpate.scene.window.GraphicsDriver;
 /** Runs experiments one after the other, each in a fresh process. Belongs to one thread. */
 public final class ExperimentRunner {
 
-  private static final long NANOS_PER_SECOND = 1_000_000_000L;
   private static final int SECONDS_TO_SPARE = 60;
   private static final int PROBE_SECONDS = 30;
   private static final int TRAINING_FRAMES = 1000;
@@ -77,8 +76,7 @@ public final class ExperimentRunner {
       return Optional.of(e.getMessage());
     }
     int frames = frames(experiment);
-    watched(
-        control.command(experiment, folder, frames, Experiment.PERIOD_NANOS), experiment, folder);
+    watched(control.command(experiment, folder, frames), experiment, folder);
     folder.writeOutcome(outcomeOf(Files.readAllLines(folder.output())));
     return Optional.empty();
   }
@@ -126,13 +124,13 @@ public final class ExperimentRunner {
         experiment.workload(),
         experiment.load(),
         frames,
-        Experiment.PERIOD_NANOS,
+        experiment.periodNanos(),
         scene,
         training);
   }
 
   private static int frames(Experiment experiment) {
-    return Math.toIntExact(experiment.seconds() * NANOS_PER_SECOND / Experiment.PERIOD_NANOS);
+    return Math.multiplyExact(experiment.seconds(), experiment.rateHz());
   }
 
   private boolean takesFlags(Experiment experiment) throws IOException, InterruptedException {

@@ -12,6 +12,7 @@ public final class ExperimentTables {
       List.of(
           "machine",
           "recommended",
+          "rates",
           "simplest",
           "waits",
           "collectors",
@@ -20,6 +21,7 @@ public final class ExperimentTables {
           "heaps");
 
   private static final int LONG_FACTOR = 6;
+  private static final List<Integer> RATES_HZ = List.of(1_000, 5_000, 10_000);
 
   private final List<Jdk> jdks;
   private final int heapMb;
@@ -43,6 +45,7 @@ public final class ExperimentTables {
     return List.of(
         machine(),
         recommended(),
+        rates(),
         simplest(),
         waits(),
         collectors(),
@@ -206,6 +209,23 @@ public final class ExperimentTables {
     return new ExperimentTable(
         "recommended",
         "The recommended session against the same loop in C++, for longer.",
+        experiments);
+  }
+
+  private ExperimentTable rates() {
+    List<Experiment> experiments = new ArrayList<>();
+    for (int rateHz : RATES_HZ) {
+      experiments.add(
+          Experiment.control(WaitKind.HYBRID, Scheduling.FIFO, seconds, 0).withRate(rateHz));
+      for (Jdk jdk : jdks) {
+        Experiment session = recommendedExperiment(jdk).withRate(rateHz);
+        experiments.add(session.with(Workload.FRAME, BackgroundLoad.NONE));
+        experiments.add(session);
+      }
+    }
+    return new ExperimentTable(
+        "rates",
+        "The recommended session against the same loop in C++, at 1, 5 and 10 kHz.",
         experiments);
   }
 

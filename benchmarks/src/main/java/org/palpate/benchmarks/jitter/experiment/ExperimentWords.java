@@ -90,6 +90,7 @@ public final class ExperimentWords {
       settings.put("jit", words(experiment.jit().label()));
       settings.put("heap", JvmCommand.heapMb(experiment) + " MB");
     }
+    settings.put("rate", experiment.rateHz() + " Hz");
     settings.put("seconds", experiment.seconds() + " s");
     return settings;
   }

@@ -27,12 +27,16 @@ final class HapticExperimentFrame implements ExperimentFrame {
 
   private final PointFrame frame;
 
-  /** Creates a frame over all segments of a volume. */
-  HapticExperimentFrame(SegmentedVolume volume) {
+  /**
+   * Creates a frame over all segments of a volume.
+   *
+   * @param periodNanos the time between two samples of the hand
+   */
+  HapticExperimentFrame(SegmentedVolume volume, long periodNanos) {
     VoxelGrid grid = volume.grid();
     GridMetric metric = GridMetric.of(grid.spacingMm());
     HandTarget target = HandTargetFinder.of(volume);
-    HapticDevice device = new SimulatedDevice(SEED, target, Experiment.PERIOD_NANOS);
+    HapticDevice device = new SimulatedDevice(SEED, target, periodNanos);
     List<BitCube> cubes = volume.segments().stream().map(Segment::bits).toList();
     frame =
         new PointFrame(

@@ -58,6 +58,9 @@ public final class JvmCommand {
             .orElseThrow(
                 () -> new IllegalArgumentException("no such collector: " + experiment.key())));
     int heapMb = heapMb(experiment);
+    if (experiment.workload() != Workload.EMPTY) {
+      flags.add("-XX:-UsePerfData"); // as the launcher starts a session
+    }
     flags.addAll(List.of("-Xms" + heapMb + "m", "-Xmx" + heapMb + "m", "-XX:+AlwaysPreTouch"));
     return flags;
   }

@@ -33,10 +33,11 @@ final class ViewedExperimentFrame implements ExperimentFrame {
   /**
    * Makes the surfaces and starts to draw.
    *
+   * @param periodNanos the time between two samples of the hand
    * @throws IllegalStateException if this machine cannot draw
    */
-  ViewedExperimentFrame(SegmentedVolume volume) {
-    frame = new HapticExperimentFrame(volume);
+  ViewedExperimentFrame(SegmentedVolume volume, long periodNanos) {
+    frame = new HapticExperimentFrame(volume, periodNanos);
     try (SceneLoader loader = new SceneLoader(model, volume, 1)) {
       loader.await(PATIENCE_MILLIS);
       model.look(StandardView.FRONT, (double) WIDTH / HEIGHT);

@@ -22,6 +22,12 @@ class ExperimentWordsTest {
   }
 
   @Test
+  void namesRatesThatDiffer() {
+    Map<String, String> names = ExperimentWords.differences(List.of(FIFO, FIFO.withRate(10_000)));
+    assertEquals(List.of("C++, 1000 Hz", "C++, 10000 Hz"), List.copyOf(names.values()));
+  }
+
+  @Test
   void numbersARepetition() {
     Map<String, String> names = ExperimentWords.differences(List.of(FIFO, AGAIN));
     assertEquals(List.of("C++", "C++ (2)"), List.copyOf(names.values()));
@@ -29,6 +35,6 @@ class ExperimentWordsTest {
 
   @Test
   void namesEverySettingOfOne() {
-    assertEquals("C++, sleep, then spin, SCHED_FIFO, 10 s", ExperimentWords.all(FIFO));
+    assertEquals("C++, sleep, then spin, SCHED_FIFO, 1000 Hz, 10 s", ExperimentWords.all(FIFO));
   }
 }

@@ -1,6 +1,7 @@
 package org.palpate.benchmarks.jitter.experiment;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -45,6 +46,26 @@ class JvmCommandTest {
       experiments.addAll(table.experiments());
     }
     assertEquals(experiments.size(), keys.size());
+  }
+
+  @Test
+  void ratesComparesASessionWithTheControlAtEachRate() {
+    ExperimentTable rates =
+        new ExperimentTables(List.of(JDK_17), 512, 10)
+            .all().stream().filter(table -> table.name().equals("rates")).findFirst().orElseThrow();
+    for (long periodNanos : new long[] {1_000_000, 200_000, 100_000}) {
+      List<Experiment> atRate =
+          rates.experiments().stream().filter(e -> e.periodNanos() == periodNanos).toList();
+      assertEquals(1, atRate.stream().filter(Experiment::isControl).count());
+      assertEquals(2, atRate.stream().filter(e -> e.workload() == Workload.FRAME).count());
+    }
+  }
+
+  @Test
+  void aRateMustDivideASecondIntoWholeNanoseconds() {
+    Experiment experiment = Experiment.of(JDK_17, 512, 10);
+    assertThrows(IllegalArgumentException.class, () -> experiment.withRate(3_000));
+    assertThrows(IllegalArgumentException.class, () -> experiment.withRate(0));
   }
 
   @Test
