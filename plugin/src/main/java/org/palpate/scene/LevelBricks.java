@@ -2,8 +2,11 @@ package org.palpate.scene;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.palpate.scene.surface.SurfaceBrick;
+import org.palpate.scene.surface.SurfaceBuilder;
+import org.palpate.volume.BitCube;
 
 /**
  * The surface bricks of one level of detail. Any thread puts and reads; an older mesh never
@@ -11,23 +14,53 @@ import org.palpate.scene.surface.SurfaceBrick;
  */
 final class LevelBricks {
   private final Map<Integer, SurfaceBrick> shown = new ConcurrentHashMap<>();
-  private final Map<Integer, Long> started = new HashMap<>();
+  private final Map<Integer, Start> starts = new HashMap<>();
+
+  /**
+   * The start of the extraction that gave the newest mesh of a brick.
+   *
+   * @param order its order among all starts
+   * @param bits the voxels from which it was made
+   */
+  private record Start(long order, BitCube bits) {}
+
+  /** Returns the place where the bricks of a cube are kept. */
+  SurfaceBuilder.Store storeOf(BitCube bits) {
+    return new SurfaceBuilder.Store() {
+      @Override
+      public void accept(int brick, long started, SurfaceBrick mesh) {
+        put(brick, new Start(started, bits), mesh);
+      }
+
+      @Override
+      public Optional<SurfaceBrick> newest(int brick) {
+        return newestOf(brick, bits);
+      }
+    };
+  }
 
   /**
    * Stores the mesh of a brick, or removes it if {@code mesh} is null, unless a later one is
    * stored.
    */
-  synchronized void put(int brick, long startedAt, SurfaceBrick mesh) {
-    Long before = started.get(brick);
-    if (before != null && before > startedAt) {
+  private synchronized void put(int brick, Start start, SurfaceBrick mesh) {
+    Start before = starts.get(brick);
+    if (before != null && before.order > start.order) {
       return;
     }
-    started.put(brick, startedAt);
+    starts.put(brick, start);
     if (mesh == null) {
       shown.remove(brick);
     } else {
       shown.put(brick, mesh);
     }
+  }
+
+  private synchronized Optional<SurfaceBrick> newestOf(int brick, BitCube bits) {
+    Start start = starts.get(brick);
+    return start == null || start.bits != bits
+        ? Optional.empty()
+        : Optional.of(shown.getOrDefault(brick, SurfaceBrick.EMPTY));
   }
 
   /** Returns the bricks by their numbers. The map may change while it is read. */

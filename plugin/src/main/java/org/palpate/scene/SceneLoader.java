@@ -6,17 +6,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeoutException;
-import java.util.stream.IntStream;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.surface.AmbientOcclusion;
-import org.palpate.scene.surface.BrickLayout;
 import org.palpate.scene.surface.CoarseVolume;
 import org.palpate.scene.surface.DensityAmbientOcclusion;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.surface.SurfaceBuilder;
-import org.palpate.scene.surface.SurfaceExtractor;
 import org.palpate.scene.surface.SurfaceJob;
 import org.palpate.scene.surface.SurfaceSource;
 import org.palpate.scene.surface.WeldedSurface;
@@ -239,12 +236,13 @@ public final class SceneLoader implements AutoCloseable {
   /** Starts building all bricks of a level. */
   private SurfaceJob build(int number, int level) {
     SceneObject object = objects.get(number);
+    SurfaceSource source = source(number, level);
     int urgency = level == 0 ? SurfaceBuilder.FINE : SurfaceBuilder.COARSE;
     return builder.build(
-        source(number, level),
+        source,
         occlusionAt(number, level),
         urgency,
-        (brick, started, mesh) -> object.put(level, brick, started, mesh),
+        object.store(level, source.bits()),
         () -> markComplete(object, level));
   }
 
@@ -354,18 +352,9 @@ public final class SceneLoader implements AutoCloseable {
         source,
         occlusionAt(segment, level),
         urgency,
-        touchedBricks(source, voxels),
-        (brick, started, mesh) -> object.put(level, brick, started, mesh),
+        voxels,
+        object.store(level, source.bits()),
         model::surfaceChanged);
-  }
-
-  private static int[] touchedBricks(SurfaceSource source, IntBox voxels) {
-    BrickLayout layout = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE);
-    int reach = SurfaceExtractor.reach(source.smoothing());
-    IntBox box = layout.touchedBy(voxels, reach, new IntBox());
-    return IntStream.range(0, layout.count())
-        .filter(brick -> box.contains(layout.x(brick), layout.y(brick), layout.z(brick)))
-        .toArray();
   }
 
   /** Returns the finest surface of each segment; complete only after {@link #await}. */

@@ -5,6 +5,8 @@ import java.util.Map;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.surface.SurfaceBrick;
+import org.palpate.scene.surface.SurfaceBuilder;
+import org.palpate.volume.BitCube;
 
 /**
  * A segment as it is drawn. Any thread delivers surface bricks; {@link SceneModel} changes
@@ -76,9 +78,9 @@ public final class SceneObject {
     return levels.get(level).shown();
   }
 
-  /** Stores a brick's mesh, see {@link LevelBricks#put}. */
-  void put(int level, int brick, long started, SurfaceBrick mesh) {
-    levels.get(level).put(brick, started, mesh);
+  /** Returns the place where a level keeps the bricks of a cube. */
+  SurfaceBuilder.Store store(int level, BitCube bits) {
+    return levels.get(level).storeOf(bits);
   }
 
   /** Records that a level is complete. */

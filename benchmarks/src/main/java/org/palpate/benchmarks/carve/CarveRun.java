@@ -55,7 +55,7 @@ public final class CarveRun {
     progress.accept("times of cutting");
     print(new CarveTimes(frames).figures());
     progress.accept("surfaces while cutting");
-    print(new RemeshTimes(frames).figures());
+    print(RemeshTimes.figures(frames));
   }
 
   private void attack(long frames, long seed) {

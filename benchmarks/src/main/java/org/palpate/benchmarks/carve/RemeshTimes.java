@@ -23,6 +23,9 @@ import org.palpate.volume.SegmentedVolume;
 /**
  * Measures the time from a cut to the changed surface that is handed to the scene, while a burr
  * drills a thousand frames a second. Surfaces are built as the window of a session builds them.
+ *
+ * <p>A second of drilling comes first and has its own figure, because the program is not compiled
+ * yet. A session has built the surfaces of its volume before its user drills.
  */
 final class RemeshTimes {
   private static final long FRAME_NANOS = 1_000_000;
@@ -31,6 +34,7 @@ final class RemeshTimes {
   private static final long PATIENCE_NANOS = PATIENCE_MILLIS * 1_000_000;
   private static final double NANOS_PER_MS = 1e6;
   private static final double TARGET_MS = 33;
+  private static final int FIRST_FRAMES = 1_000;
 
   private final int frames;
   private final DrilledSlab slab = new DrilledSlab();
@@ -46,12 +50,24 @@ final class RemeshTimes {
   /** Cuts whose surface one job builds. */
   private record Batch(List<Long> nanos, SurfaceJob job) {}
 
-  RemeshTimes(int frames) {
+  private RemeshTimes(int frames) {
     this.frames = frames;
   }
 
-  /** Drills, and returns the figures. */
-  List<RigidFigure> figures() {
+  /** Drills twice, and returns the figures. */
+  static List<RigidFigure> figures(int frames) {
+    double[] first = new RemeshTimes(Math.min(frames, FIRST_FRAMES)).millis();
+    double[] sample = new RemeshTimes(frames).millis();
+    return List.of(
+        figure("cut to surface p99, first second", Quantile.of(first, 0.99), Double.NaN),
+        figure("cut to surface p50", Quantile.of(sample, 0.5), Double.NaN),
+        figure("cut to surface p99", Quantile.of(sample, 0.99), TARGET_MS),
+        figure("cut to surface, longest", DoubleStream.of(sample).max().orElse(0), Double.NaN),
+        RigidFigure.of("surface", DrilledSlab.NAME, "voxels removed", (double) sample.length, ""));
+  }
+
+  /** Drills, and returns the time of each cut to its surface, ms. */
+  private double[] millis() {
     SegmentedVolume volume =
         new SegmentedVolume(
             DrilledSlab.grid(), List.of(new Segment("bone", slab.bits(), 0xf0e0c0)));
@@ -64,12 +80,7 @@ final class RemeshTimes {
     } catch (TimeoutException e) {
       throw new IllegalStateException("the surfaces take more than a minute", e);
     }
-    double[] sample = millis.stream().mapToDouble(Double::doubleValue).toArray();
-    return List.of(
-        figure("cut to surface p50", Quantile.of(sample, 0.5), Double.NaN),
-        figure("cut to surface p99", Quantile.of(sample, 0.99), TARGET_MS),
-        figure("cut to surface, longest", DoubleStream.of(sample).max().orElse(0), Double.NaN),
-        RigidFigure.of("surface", DrilledSlab.NAME, "voxels removed", (double) sample.length, ""));
+    return millis.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
   private static RigidFigure figure(String name, double millis, double target) {

@@ -47,7 +47,7 @@ class CarveStudiesTest {
 
   @Test
   void everyCutReachesTheScene() {
-    List<RigidFigure> figures = new RemeshTimes(300).figures();
+    List<RigidFigure> figures = RemeshTimes.figures(300);
     assertTrue(value(figures, "voxels removed") > 100);
     assertTrue(value(figures, "cut to surface p50") > 0);
   }

@@ -1,28 +1,32 @@
 package org.palpate.scene.surface;
 
 import java.util.Arrays;
+import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 
 /**
- * A cube of up to 64 voxels an edge, cut out of a bit cube; each row along x is one word. Scratch
- * memory of one thread.
+ * A box of up to 64 voxels along each axis, cut out of a bit cube; each row along x is one word.
+ * Scratch memory of one thread.
  */
 final class BitRows {
   static final int MAX_EDGE = Long.SIZE;
 
   private final long[] rows = new long[MAX_EDGE * MAX_EDGE];
-  private int edge;
+  private int sizeY;
+  private int sizeZ;
 
-  /** Fills the rows with the voxels from (x,y,z) on; voxels outside the bit cube are empty. */
-  void load(BitCube bits, int x, int y, int z, int edgeVoxels) {
-    edge = edgeVoxels;
-    Arrays.fill(rows, 0, edge * edge, 0);
-    for (int bz = z >> 2; bz <= (z + edge - 1) >> 2; bz++) {
-      for (int by = y >> 2; by <= (y + edge - 1) >> 2; by++) {
-        for (int bx = x >> 2; bx <= (x + edge - 1) >> 2; bx++) {
+  /** Fills the rows with the voxels of a box; voxels outside the bit cube are empty. */
+  void load(BitCube bits, IntBox voxels) {
+    sizeY = voxels.highY - voxels.lowY + 1;
+    sizeZ = voxels.highZ - voxels.lowZ + 1;
+    Arrays.fill(rows, 0, sizeY * sizeZ, 0);
+    for (int bz = voxels.lowZ >> 2; bz <= voxels.highZ >> 2; bz++) {
+      for (int by = voxels.lowY >> 2; by <= voxels.highY >> 2; by++) {
+        for (int bx = voxels.lowX >> 2; bx <= voxels.highX >> 2; bx++) {
           long word = bits.brick(bx, by, bz);
           if (word != 0) {
-            scatter(word, (bx << 2) - x, (by << 2) - y, (bz << 2) - z);
+            scatter(
+                word, (bx << 2) - voxels.lowX, (by << 2) - voxels.lowY, (bz << 2) - voxels.lowZ);
           }
         }
       }
@@ -34,15 +38,15 @@ final class BitRows {
       long four = (word >>> (4 * row)) & 15;
       int toY = y + (row & 3);
       int toZ = z + (row >> 2);
-      if (four != 0 && toY >= 0 && toY < edge && toZ >= 0 && toZ < edge) {
-        rows[toZ * edge + toY] |= x >= 0 ? four << x : four >>> -x;
+      if (four != 0 && toY >= 0 && toY < sizeY && toZ >= 0 && toZ < sizeZ) {
+        rows[toZ * sizeY + toY] |= x >= 0 ? four << x : four >>> -x;
       }
     }
   }
 
   /**
    * Returns the cells of a row that have both solid and empty corners. Bit x is the cell between
-   * voxels x and x+1; bits from {@code edge - 1} on are undefined.
+   * voxels x and x+1; bits from the last voxel on are undefined.
    */
   long mixedCells(int y, int z) {
     long a = row(y, z);
@@ -68,6 +72,6 @@ final class BitRows {
   }
 
   private long row(int y, int z) {
-    return rows[z * edge + y];
+    return rows[z * sizeY + y];
   }
 }

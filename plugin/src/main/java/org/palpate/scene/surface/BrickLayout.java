@@ -1,5 +1,8 @@
 package org.palpate.scene.surface;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
 import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 
@@ -52,25 +55,56 @@ public record BrickLayout(int edge, int bricksX, int bricksY, int bricksZ) {
     return (z * bricksY + y) * bricksX + x;
   }
 
-  /**
-   * Writes the box of bricks whose triangles may change with the given voxels into {@code dest}, in
-   * bricks. It is empty if the voxels are.
-   *
-   * @param voxels a box around the changed voxels
-   * @param reachCells distance over which a voxel changes the surface, see {@link
-   *     SurfaceExtractor#reach}
-   */
-  public IntBox touchedBy(IntBox voxels, int reachCells, IntBox dest) {
-    if (voxels.isEmpty()) {
-      dest.clear();
-      return dest;
-    }
-    dest.lowX = Math.max(0, Math.floorDiv(voxels.lowX - reachCells, edge));
-    dest.lowY = Math.max(0, Math.floorDiv(voxels.lowY - reachCells, edge));
-    dest.lowZ = Math.max(0, Math.floorDiv(voxels.lowZ - reachCells, edge));
-    dest.highX = Math.min(bricksX - 1, (voxels.highX + 1 + reachCells) / edge);
-    dest.highY = Math.min(bricksY - 1, (voxels.highY + 1 + reachCells) / edge);
-    dest.highZ = Math.min(bricksZ - 1, (voxels.highZ + 1 + reachCells) / edge);
+  /** Writes the box of a brick's cells into {@code dest}; it may reach beyond the grid. */
+  IntBox cellsOf(int brick, IntBox dest) {
+    dest.lowX = edge * x(brick);
+    dest.lowY = edge * y(brick);
+    dest.lowZ = edge * z(brick);
+    dest.highX = dest.lowX + edge - 1;
+    dest.highY = dest.lowY + edge - 1;
+    dest.highZ = dest.lowZ + edge - 1;
     return dest;
+  }
+
+  /** Returns the bricks that have cells of a box within the grid. */
+  int[] bricksOf(IntBox cells) {
+    return IntStream.rangeClosed(cells.lowZ / edge, cells.highZ / edge)
+        .flatMap(
+            z ->
+                IntStream.rangeClosed(cells.lowY / edge, cells.highY / edge)
+                    .flatMap(
+                        y ->
+                            IntStream.rangeClosed(cells.lowX / edge, cells.highX / edge)
+                                .map(x -> brick(x, y, z))))
+        .toArray();
+  }
+
+  /** Divides a box of cells evenly into boxes of at most {@code most} cells along each axis. */
+  static List<IntBox> parts(IntBox cells, int most) {
+    if (cells.isEmpty()) {
+      return List.of();
+    }
+    List<IntBox> parts = new ArrayList<>();
+    int[] x = bounds(cells.lowX, cells.highX, most);
+    int[] y = bounds(cells.lowY, cells.highY, most);
+    int[] z = bounds(cells.lowZ, cells.highZ, most);
+    for (int c = 1; c < z.length; c++) {
+      for (int b = 1; b < y.length; b++) {
+        for (int a = 1; a < x.length; a++) {
+          IntBox part = new IntBox();
+          part.include(x[a - 1], y[b - 1], z[c - 1]);
+          part.include(x[a] - 1, y[b] - 1, z[c] - 1);
+          parts.add(part);
+        }
+      }
+    }
+    return parts;
+  }
+
+  /** Returns the first position of each part, and the one after the last part. */
+  private static int[] bounds(int low, int high, int most) {
+    int size = high - low + 1;
+    int count = (size + most - 1) / most;
+    return IntStream.rangeClosed(0, count).map(n -> low + n * size / count).toArray();
   }
 }

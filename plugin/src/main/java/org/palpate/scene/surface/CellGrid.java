@@ -9,33 +9,43 @@ final class CellGrid {
 
   final byte[] corners = new byte[MAX_EDGE * MAX_EDGE * MAX_EDGE];
   final int[] firstVertex = new int[MAX_EDGE * MAX_EDGE * MAX_EDGE];
-  int edge;
+  int sizeX;
+  int sizeY;
+  int sizeZ;
+
+  /** Sets the number of cells along each axis, at most {@link #MAX_EDGE}. */
+  void resize(int newSizeX, int newSizeY, int newSizeZ) {
+    sizeX = newSizeX;
+    sizeY = newSizeY;
+    sizeZ = newSizeZ;
+  }
 
   /** Returns the number of a cell. */
   int index(int x, int y, int z) {
-    return (z * edge + y) * edge + x;
+    return (z * sizeY + y) * sizeX + x;
   }
 
   /** Returns the position of a cell along x. */
   int x(int cell) {
-    return cell % edge;
+    return cell % sizeX;
   }
 
   /** Returns the position of a cell along y. */
   int y(int cell) {
-    return cell / edge % edge;
+    return cell / sizeX % sizeY;
   }
 
   /** Returns the position of a cell along z. */
   int z(int cell) {
-    return cell / edge / edge;
+    return cell / sizeX / sizeY;
   }
 
   /** Returns the cell beyond a face; -1 outside the padding. */
   int beyond(int cell, int face) {
     int position = face < 2 ? x(cell) : face < 4 ? y(cell) : z(cell);
+    int size = face < 2 ? sizeX : face < 4 ? sizeY : sizeZ;
     boolean high = (face & 1) != 0;
-    if (position == (high ? edge - 1 : 0)) {
+    if (position == (high ? size - 1 : 0)) {
       return -1;
     }
     int stride = stride(face >> 1);
@@ -44,7 +54,7 @@ final class CellGrid {
 
   /** Returns the difference between the numbers of two cells that are neighbours along an axis. */
   int stride(int axis) {
-    return axis == 0 ? 1 : axis == 1 ? edge : edge * edge;
+    return axis == 0 ? 1 : axis == 1 ? sizeX : sizeX * sizeY;
   }
 
   /** Returns the vertex of the sheet that crosses an edge of a cell. */

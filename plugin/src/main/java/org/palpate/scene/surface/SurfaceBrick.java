@@ -5,6 +5,10 @@ public final class SurfaceBrick {
   /** Value that stands for 1 in a normal's component and in the ambient light. */
   public static final int FULL_SCALE = Short.MAX_VALUE;
 
+  /** A brick without triangles. */
+  public static final SurfaceBrick EMPTY =
+      new SurfaceBrick(new float[0], new short[0], new int[0], new long[0]);
+
   private final float[] positionsMm;
   private final short[] normals;
   private final int[] triangles;

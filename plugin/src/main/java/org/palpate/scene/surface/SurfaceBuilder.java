@@ -3,12 +3,15 @@ package org.palpate.scene.surface;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.PriorityBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 
 /**
@@ -28,6 +31,15 @@ public final class SurfaceBuilder implements AutoCloseable {
     void accept(int brick, long started, SurfaceBrick mesh);
   }
 
+  /** Keeps the bricks of a source. Several threads of the builder call it at once. */
+  public interface Store extends Sink {
+    /**
+     * Returns the newest brick that was received, without triangles {@link SurfaceBrick#EMPTY};
+     * nothing if none of this source was received.
+     */
+    Optional<SurfaceBrick> newest(int brick);
+  }
+
   /** Urgency of a brick that was edited and is visible. */
   public static final int EDITED = 0;
 
@@ -42,7 +54,10 @@ public final class SurfaceBuilder implements AutoCloseable {
       ThreadLocal.withInitial(SurfaceExtractor::new);
   private final AtomicLong order = new AtomicLong();
   private final AtomicLong starts = new AtomicLong();
-  private final Map<WaitingBrick, Rebuild> waiting = new ConcurrentHashMap<>();
+  private final Map<WaitingEdits, Rebuild> waiting = new ConcurrentHashMap<>();
+
+  /** Held while edits are extracted: of two patches of a brick the second needs the first. */
+  private final Object patching = new Object();
 
   /**
    * Creates a builder.
@@ -91,51 +106,53 @@ public final class SurfaceBuilder implements AutoCloseable {
   }
 
   /**
-   * Extracts some bricks of a source again after an edit. A brick that already waits is not queued
-   * twice: it is extracted once for all its jobs, from the voxels at that time. So the queue stays
-   * short even if edits come faster than the extraction.
+   * Extracts the cells of a source that an edit touches again, and patches their bricks. Edits that
+   * come before the extraction has begun are extracted together, from the voxels at that time. So
+   * the queue stays short even if edits come faster than the extraction.
    *
+   * @param voxels a box around the edited voxels, copied
+   * @param store the bricks; those that it does not have yet are extracted as a whole
    * @return the job, which reports progress and failures
    */
   public SurfaceJob rebuild(
       SurfaceSource source,
       AmbientOcclusion occlusion,
       int urgency,
-      int[] bricks,
-      Sink sink,
+      IntBox voxels,
+      Store store,
       Runnable whenDone) {
-    SurfaceJob job = new SurfaceJob(bricks.length, whenDone);
-    for (int brick : bricks) {
-      WaitingBrick key = new WaitingBrick(source.bits(), urgency, brick);
-      Rebuild fresh = new Rebuild(key, () -> extract(source, occlusion, brick, sink));
-      Rebuild found =
-          waiting.compute(key, (same, old) -> old != null && old.join(job) ? old : fresh);
-      if (found == fresh) {
-        fresh.join(job);
-        threads.execute(new BrickTask(urgency, order.getAndIncrement(), fresh));
-      }
+    SurfaceJob job = new SurfaceJob(1, whenDone);
+    WaitingEdits key = new WaitingEdits(source.bits(), urgency);
+    Rebuild fresh = new Rebuild(key, edited -> patch(source, occlusion, edited, store));
+    Rebuild found =
+        waiting.compute(key, (same, old) -> old != null && old.join(job, voxels) ? old : fresh);
+    if (found == fresh) {
+      fresh.join(job, voxels);
+      threads.execute(new BrickTask(urgency, order.getAndIncrement(), fresh));
     }
     return job;
   }
 
-  /** A brick that waits to be extracted again. Cubes are equal only to themselves. */
-  private record WaitingBrick(BitCube bits, int urgency, int brick) {}
+  /** Edits that wait to be extracted. Cubes are equal only to themselves. */
+  private record WaitingEdits(BitCube bits, int urgency) {}
 
-  /** The extraction of a brick for every job that asked for it before it began. */
+  /** The extraction of edits for every job that asked for it before it began. */
   private final class Rebuild implements Runnable {
-    private final WaitingBrick key;
-    private final Runnable work;
+    private final WaitingEdits key;
+    private final Consumer<IntBox> work;
+    private final IntBox edited = new IntBox();
     private final List<SurfaceJob> jobs = new ArrayList<>();
     private boolean hasBegun;
 
-    Rebuild(WaitingBrick key, Runnable work) {
+    Rebuild(WaitingEdits key, Consumer<IntBox> work) {
       this.key = key;
       this.work = work;
     }
 
     /** Adds a job, unless the extraction has begun; returns whether it was added. */
-    synchronized boolean join(SurfaceJob job) {
+    synchronized boolean join(SurfaceJob job, IntBox voxels) {
       if (!hasBegun) {
+        edited.include(voxels);
         jobs.add(job);
       }
       return !hasBegun;
@@ -150,8 +167,42 @@ public final class SurfaceBuilder implements AutoCloseable {
       begin();
       waiting.remove(key, this);
       SurfaceJob first = jobs.get(0);
-      first.run(work);
+      first.run(() -> work.accept(edited));
       jobs.subList(1, jobs.size()).forEach(job -> job.endLike(first));
+    }
+  }
+
+  private void patch(SurfaceSource source, AmbientOcclusion occlusion, IntBox edited, Store store) {
+    IntBox touched = SurfaceExtractor.touchedCells(source, edited, new IntBox());
+    synchronized (patching) {
+      for (IntBox part : BrickLayout.parts(touched, SurfaceExtractor.BRICK_EDGE)) {
+        patchPart(source, occlusion, part, store);
+      }
+    }
+  }
+
+  private void patchPart(
+      SurfaceSource source, AmbientOcclusion occlusion, IntBox part, Store store) {
+    BrickLayout layout = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE);
+    List<Integer> known = new ArrayList<>();
+    for (int brick : layout.bricksOf(part)) {
+      if (store.newest(brick).isPresent()) {
+        known.add(brick);
+      } else {
+        extract(source, occlusion, brick, store);
+      }
+    }
+    if (!known.isEmpty()) {
+      long started = starts.getAndIncrement();
+      Optional<SurfaceBrick> mesh =
+          Optional.ofNullable(extractor.get().extract(source, occlusion, part));
+      BrickPatch patch = new BrickPatch(source.bits(), part, mesh.orElse(SurfaceBrick.EMPTY));
+      for (int brick : known) {
+        IntBox cells = layout.cellsOf(brick, new IntBox());
+        store
+            .newest(brick)
+            .ifPresent(old -> store.accept(brick, started, patch.appliedTo(old, cells)));
+      }
     }
   }
 

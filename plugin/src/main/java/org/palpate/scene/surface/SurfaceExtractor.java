@@ -1,5 +1,8 @@
 package org.palpate.scene.surface;
 
+import org.palpate.geometry.IntBox;
+import org.palpate.volume.BitCube;
+
 /**
  * Extracts the triangles of one brick at a time: dual surface nets with a vertex for each sheet of
  * each cell and a quad for each pair of neighbouring voxels of which one is solid.
@@ -37,6 +40,9 @@ public final class SurfaceExtractor {
   private final float[] crossing = new float[3];
   private SurfaceSource source;
   private int pad;
+  private int coreX;
+  private int coreY;
+  private int coreZ;
   private int lowX;
   private int lowY;
   private int lowZ;
@@ -60,8 +66,34 @@ public final class SurfaceExtractor {
   }
 
   /** Returns the distance in cells over which a voxel changes a vertex or a normal. */
-  public static int reach(int smoothing) {
+  private static int reach(int smoothing) {
     return 2 * smoothing + CELLS_FOR_NORMALS + 1;
+  }
+
+  /**
+   * Writes the cells whose triangles may change with the given voxels into {@code dest}. It is
+   * empty if the voxels are.
+   *
+   * @param voxels a box around the changed voxels
+   */
+  static IntBox touchedCells(SurfaceSource of, IntBox voxels, IntBox dest) {
+    BitCube bits = of.bits();
+    int reach = reach(of.smoothing());
+    dest.clear();
+    if (!voxels.isEmpty()) {
+      IntBox grown = new IntBox().set(voxels).grow(reach);
+      includeInGrid(bits, grown.lowX, grown.lowY, grown.lowZ, dest);
+      includeInGrid(bits, grown.highX + 1, grown.highY + 1, grown.highZ + 1, dest);
+    }
+    return dest;
+  }
+
+  /** Includes the cell of the grid that is nearest to (x,y,z). */
+  private static void includeInGrid(BitCube bits, int x, int y, int z, IntBox dest) {
+    dest.include(
+        Math.max(0, Math.min(bits.sizeX(), x)),
+        Math.max(0, Math.min(bits.sizeY(), y)),
+        Math.max(0, Math.min(bits.sizeZ(), z)));
   }
 
   /** Returns the layout of the bricks of a source. */
@@ -77,14 +109,17 @@ public final class SurfaceExtractor {
    * @param brick a brick number of the {@link #layout}
    */
   public SurfaceBrick extract(SurfaceSource from, AmbientOcclusion occlusion, int brick) {
-    BrickLayout layout = layout(from);
-    source = from;
-    pad = 2 * from.smoothing() + CELLS_FOR_NORMALS;
-    lowX = layout.x(brick) * brickEdge - pad;
-    lowY = layout.y(brick) * brickEdge - pad;
-    lowZ = layout.z(brick) * brickEdge - pad;
-    cells.edge = brickEdge + 2 * pad;
-    rows.load(from.bits(), lowX - 1, lowY - 1, lowZ - 1, cells.edge + 1);
+    return extract(from, occlusion, layout(from).cellsOf(brick, new IntBox()));
+  }
+
+  /**
+   * Returns the triangles that belong to the cells of a box, with the bits that they have in a
+   * brick; null if there are none.
+   *
+   * @param box at most {@link #BRICK_EDGE} cells along each axis
+   */
+  SurfaceBrick extract(SurfaceSource from, AmbientOcclusion occlusion, IntBox box) {
+    begin(from, box);
     if (!isCoreMixed()) {
       return null;
     }
@@ -98,10 +133,27 @@ public final class SurfaceExtractor {
             .assemble(new int[] {lowX, lowY, lowZ}, occlusion);
   }
 
+  /** Loads the voxels around a box of cells. */
+  private void begin(SurfaceSource from, IntBox box) {
+    source = from;
+    pad = 2 * from.smoothing() + CELLS_FOR_NORMALS;
+    coreX = box.highX - box.lowX + 1;
+    coreY = box.highY - box.lowY + 1;
+    coreZ = box.highZ - box.lowZ + 1;
+    lowX = box.lowX - pad;
+    lowY = box.lowY - pad;
+    lowZ = box.lowZ - pad;
+    cells.resize(coreX + 2 * pad, coreY + 2 * pad, coreZ + 2 * pad);
+    IntBox voxels = new IntBox();
+    voxels.include(lowX - 1, lowY - 1, lowZ - 1);
+    voxels.include(box.highX + pad, box.highY + pad, box.highZ + pad);
+    rows.load(from.bits(), voxels);
+  }
+
   private boolean isCoreMixed() {
-    long core = ((1L << brickEdge) - 1) << pad;
-    for (int z = pad; z < pad + brickEdge; z++) {
-      for (int y = pad; y < pad + brickEdge; y++) {
+    long core = ((1L << coreX) - 1) << pad;
+    for (int z = pad; z < pad + coreZ; z++) {
+      for (int y = pad; y < pad + coreY; y++) {
         if ((rows.mixedCells(y, z) & core) != 0) {
           return true;
         }
@@ -112,9 +164,9 @@ public final class SurfaceExtractor {
 
   private void findVertices() {
     vertices.clear();
-    long all = -1L >>> (Long.SIZE - cells.edge);
-    for (int z = 0; z < cells.edge; z++) {
-      for (int y = 0; y < cells.edge; y++) {
+    long all = -1L >>> (Long.SIZE - cells.sizeX);
+    for (int z = 0; z < cells.sizeZ; z++) {
+      for (int y = 0; y < cells.sizeY; y++) {
         for (long mixed = rows.mixedCells(y, z) & all; mixed != 0; mixed &= mixed - 1) {
           addVertices(Long.numberOfTrailingZeros(mixed), y, z);
         }
@@ -127,7 +179,7 @@ public final class SurfaceExtractor {
     int corners = rows.corners(x, y, z);
     cells.corners[cell] = (byte) corners;
     cells.firstVertex[cell] = vertices.count;
-    int depth = Math.max(depth(x), Math.max(depth(y), depth(z)));
+    int depth = Math.max(depth(x, coreX), Math.max(depth(y, coreY), depth(z, coreZ)));
     for (int sheet = 0; sheet < CellCaseTable.count(corners); sheet++) {
       int vertex = vertices.add(cell, sheet, depth);
       meanCrossing(x, y, z, corners, sheet);
@@ -135,9 +187,9 @@ public final class SurfaceExtractor {
     }
   }
 
-  /** Returns the distance of a cell outside the brick along one axis; 0 inside. */
-  private int depth(int position) {
-    return Math.max(0, Math.max(pad - position, position - (pad + brickEdge - 1)));
+  /** Returns the distance of a cell outside the core along one axis; 0 inside. */
+  private int depth(int position, int core) {
+    return Math.max(0, Math.max(pad - position, position - (pad + core - 1)));
   }
 
   private void meanCrossing(int x, int y, int z, int corners, int sheet) {
@@ -177,21 +229,18 @@ public final class SurfaceExtractor {
   private void findQuads() {
     quads.clear();
     int from = pad - CELLS_FOR_QUADS;
-    int to = pad + brickEdge + CELLS_FOR_QUADS;
-    long wanted = (-1L >>> (Long.SIZE - (to - from))) << from;
-    for (int z = from; z < to; z++) {
-      for (int y = from; y < to; y++) {
-        boolean core = isCore(y) && isCore(z);
+    int toY = pad + coreY + CELLS_FOR_QUADS;
+    int toZ = pad + coreZ + CELLS_FOR_QUADS;
+    long wanted = (-1L >>> (Long.SIZE - (coreX + 2 * CELLS_FOR_QUADS))) << from;
+    for (int z = from; z < toZ; z++) {
+      for (int y = from; y < toY; y++) {
+        boolean core = depth(y, coreY) == 0 && depth(z, coreZ) == 0;
         for (long mixed = rows.mixedCells(y, z) & wanted; mixed != 0; mixed &= mixed - 1) {
           int x = Long.numberOfTrailingZeros(mixed);
-          addQuads(cells.index(x, y, z), core && isCore(x));
+          addQuads(cells.index(x, y, z), core && depth(x, coreX) == 0);
         }
       }
     }
-  }
-
-  private boolean isCore(int position) {
-    return depth(position) == 0;
   }
 
   private void addQuads(int cell, boolean core) {

@@ -120,26 +120,19 @@ public final class WeldedSurface {
     return triangles.length / 3;
   }
 
-  /** Numbers vertices by their keys in a hash table with open addressing. */
+  /** Collects vertices and triangles, each vertex once. */
   private static final class Welder {
-    private static final long FREE = -1;
-
     private final float[] positions;
     private final short[] normals;
     private final int[] triangles;
-    private final long[] keys;
-    private final int[] numbers;
-    private int vertexCount;
+    private final VertexNumbers numbers;
     private int cornerCount;
 
     Welder(int vertices, int corners) {
       positions = new float[3 * vertices];
       normals = new short[4 * vertices];
       triangles = new int[corners];
-      int capacity = Integer.highestOneBit(Math.max(8, 2 * vertices)) << 1;
-      keys = new long[capacity];
-      numbers = new int[capacity];
-      Arrays.fill(keys, FREE);
+      numbers = new VertexNumbers(vertices);
     }
 
     void add(SurfaceBrick brick) {
@@ -153,25 +146,19 @@ public final class WeldedSurface {
     }
 
     private int number(SurfaceBrick brick, int vertex) {
-      long key = brick.cells()[vertex];
-      int slot = Long.hashCode(key * 0x9E3779B97F4A7C15L) & (keys.length - 1);
-      while (keys[slot] != key && keys[slot] != FREE) {
-        slot = (slot + 1) & (keys.length - 1);
+      int count = numbers.count();
+      int number = numbers.number(brick.cells()[vertex]);
+      if (number == count) {
+        System.arraycopy(brick.positionsMm(), 3 * vertex, positions, 3 * count, 3);
+        System.arraycopy(brick.normals(), 4 * vertex, normals, 4 * count, 4);
       }
-      if (keys[slot] == FREE) {
-        keys[slot] = key;
-        numbers[slot] = vertexCount;
-        System.arraycopy(brick.positionsMm(), 3 * vertex, positions, 3 * vertexCount, 3);
-        System.arraycopy(brick.normals(), 4 * vertex, normals, 4 * vertexCount, 4);
-        vertexCount++;
-      }
-      return numbers[slot];
+      return number;
     }
 
     WeldedSurface welded() {
       return new WeldedSurface(
-          Arrays.copyOf(positions, 3 * vertexCount),
-          Arrays.copyOf(normals, 4 * vertexCount),
+          Arrays.copyOf(positions, 3 * numbers.count()),
+          Arrays.copyOf(normals, 4 * numbers.count()),
           triangles);
     }
   }

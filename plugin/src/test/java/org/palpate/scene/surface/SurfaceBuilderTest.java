@@ -8,15 +8,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.IntBox;
+import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 class SurfaceBuilderTest {
@@ -30,32 +31,54 @@ class SurfaceBuilderTest {
     assertSameBricks(buildAll(source, 1), buildAll(source, 4));
   }
 
+  /** Compares with the plain way: every brick is extracted anew. */
   @Test
-  void rebuildingTheTouchedBricksGivesTheSurfaceOfAFullBuild() throws Exception {
+  void patchedBricksHaveTheBitsOfAFullBuild() throws Exception {
     BitCube bits = blobs();
-    SurfaceSource source = SurfaceSource.ofBits(bits, Shapes.UNIT);
-    Map<Integer, SurfaceBrick> bricks = buildAll(source, 2);
-    IntBox edited = new IntBox();
-    for (int i = 41; i < 47; i++) {
-      bits.set(i, 60, 55);
-      bits.clear(i, 30, 30);
-      edited.include(i, 60, 55);
-      edited.include(i, 30, 30);
+    Vec3 spacing = new Vec3(1, 0.75, 2);
+    AmbientOcclusion light = new DensityAmbientOcclusion(List.of(bits.copy()));
+    GreyEdgeCrossings.Values values = (i, j, k) -> (31 * i + 57 * j + 97 * k) % 64;
+    List<SurfaceSource> sources =
+        List.of(
+            SurfaceSource.ofBits(bits, spacing),
+            new SurfaceSource(bits, new GreyEdgeCrossings(values, 30, 100), spacing, 1));
+    for (SurfaceSource source : sources) {
+      MapStore store = new MapStore(buildAll(source, light, 2));
+      try (SurfaceBuilder builder = new SurfaceBuilder(2)) {
+        for (int n = 0; n < 12; n++) {
+          builder
+              .rebuild(source, light, SurfaceBuilder.EDITED, edit(bits), store, () -> {})
+              .await(PATIENCE_MS);
+          assertSameBricks(buildAll(source, light, 2), store.bricks());
+        }
+      }
     }
-    int[] touched = touched(source, edited);
-    assertTrue(touched.length < 27, "an edit of a corner touches few bricks: " + touched.length);
-    try (SurfaceBuilder builder = new SurfaceBuilder(2)) {
-      builder
-          .rebuild(
-              source,
-              AmbientOcclusion.NONE,
-              SurfaceBuilder.EDITED,
-              touched,
-              (brick, begun, mesh) -> put(bricks, brick, mesh),
-              () -> {})
-          .await(PATIENCE_MS);
+  }
+
+  /** Keeps the bricks of one source. */
+  private record MapStore(Map<Integer, SurfaceBrick> bricks) implements SurfaceBuilder.Store {
+    @Override
+    public void accept(int brick, long started, SurfaceBrick mesh) {
+      put(bricks, brick, mesh);
     }
-    assertSameBricks(buildAll(source, 1), bricks);
+
+    @Override
+    public Optional<SurfaceBrick> newest(int brick) {
+      return Optional.of(bricks.getOrDefault(brick, SurfaceBrick.EMPTY));
+    }
+  }
+
+  /** Gives bricks away, so that each rebuild extracts them as a whole. */
+  private record NoStore(SurfaceBuilder.Sink sink) implements SurfaceBuilder.Store {
+    @Override
+    public void accept(int brick, long started, SurfaceBrick mesh) {
+      sink.accept(brick, started, mesh);
+    }
+
+    @Override
+    public Optional<SurfaceBrick> newest(int brick) {
+      return Optional.empty();
+    }
   }
 
   @Test
@@ -113,8 +136,10 @@ class SurfaceBuilderTest {
 
   private static SurfaceJob rebuild(
       SurfaceBuilder builder, SurfaceSource source, SurfaceBuilder.Sink sink, Runnable whenDone) {
+    IntBox middle = new IntBox();
+    middle.include(10, 10, 10);
     return builder.rebuild(
-        source, AmbientOcclusion.NONE, SurfaceBuilder.EDITED, new int[] {0}, sink, whenDone);
+        source, AmbientOcclusion.NONE, SurfaceBuilder.EDITED, middle, new NoStore(sink), whenDone);
   }
 
   private static void awaitUnchecked(CountDownLatch latch) {
@@ -242,22 +267,19 @@ class SurfaceBuilderTest {
     return bits;
   }
 
-  private static int[] touched(SurfaceSource source, IntBox voxels) {
-    BrickLayout layout = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE);
-    IntBox box = layout.touchedBy(voxels, SurfaceExtractor.reach(source.smoothing()), new IntBox());
-    return IntStream.range(0, layout.count())
-        .filter(brick -> box.contains(layout.x(brick), layout.y(brick), layout.z(brick)))
-        .toArray();
-  }
-
   private static Map<Integer, SurfaceBrick> buildAll(SurfaceSource source, int threads)
       throws Exception {
+    return buildAll(source, AmbientOcclusion.NONE, threads);
+  }
+
+  private static Map<Integer, SurfaceBrick> buildAll(
+      SurfaceSource source, AmbientOcclusion light, int threads) throws Exception {
     Map<Integer, SurfaceBrick> bricks = new ConcurrentHashMap<>();
     try (SurfaceBuilder builder = new SurfaceBuilder(threads)) {
       SurfaceJob build =
           builder.build(
               source,
-              AmbientOcclusion.NONE,
+              light,
               SurfaceBuilder.FINE,
               (brick, begun, mesh) -> put(bricks, brick, mesh),
               () -> {});
