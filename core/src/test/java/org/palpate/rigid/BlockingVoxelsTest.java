@@ -73,11 +73,12 @@ class BlockingVoxelsTest {
       }
       BlockingVoxels blocking = new BlockingVoxels(scene, tool, verifier);
       BitCube bits = scene.body(0).bits();
+      List<int[]> touched = touchedCells(verifier.pair(0), tool);
       for (int k = 0; k < bits.sizeZ(); k++) {
         for (int j = 0; j < bits.sizeY(); j++) {
           for (int i = 0; i < bits.sizeX(); i++) {
             boolean expected =
-                naiveMeets(verifier.pair(0), tool, i, j, k)
+                naiveMeets(verifier.pair(0).levels, touched, i, j, k)
                     || naiveEncloses(verifier, tool, clearance, i, j, k);
             assertEquals(expected, blocking.meets(0, i, j, k), "seed " + Seeds.seed());
             met += expected ? 1 : 0;
@@ -88,7 +89,9 @@ class BlockingVoxelsTest {
     assertTrue(met > 100, "met " + met);
   }
 
-  private static boolean naiveMeets(BodyVerifier verifier, RigidTool tool, int i, int j, int k) {
+  /** Returns the cells that points of the tool touch: level, x, y, z. */
+  private static List<int[]> touchedCells(BodyVerifier verifier, RigidTool tool) {
+    List<int[]> touched = new ArrayList<>();
     for (int point = 0; point < tool.count(); point++) {
       int level = verifier.level(point);
       AffineMap map = verifier.levels.toCells(verifier.from, level, new AffineMap());
@@ -97,12 +100,26 @@ class BlockingVoxelsTest {
       for (int c = (int) Math.floor(p.z) - 1; c <= p.z; c++) {
         for (int b = (int) Math.floor(p.y) - 1; b <= p.y; b++) {
           for (int a = (int) Math.floor(p.x) - 1; a <= p.x; a++) {
-            if (ExactOracle.touches(rest, a, b, c)
-                && makesSolid(verifier.levels, level, a, b, c, i, j, k)) {
-              return true;
+            if (ExactOracle.touches(rest, a, b, c)) {
+              touched.add(new int[] {level, a, b, c});
             }
           }
         }
+      }
+    }
+    return touched;
+  }
+
+  private static boolean naiveMeets(
+      ClearanceLevels levels, List<int[]> touched, int i, int j, int k) {
+    for (int[] cell : touched) {
+      int level = cell[0];
+      boolean meets =
+          level == 0
+              ? cell[1] == i && cell[2] == j && cell[3] == k
+              : isSolidBy(levels.grown(level), cell[1], cell[2], cell[3], i, j, k);
+      if (meets) {
+        return true;
       }
     }
     return false;
@@ -117,16 +134,17 @@ class BlockingVoxelsTest {
     return clearance.growthMm() > 0 && tool.solid() != null && tool.solid().contains(p.x, p.y, p.z);
   }
 
-  private static boolean makesSolid(
-      ClearanceLevels levels, int level, int a, int b, int c, int i, int j, int k) {
-    if (level == 0) {
-      return a == i && b == j && c == k;
-    }
-    GrownSolids grown = levels.grown(level);
+  /** Whether a grown cell is solid if a voxel is: its distance is less than the growth. Exact. */
+  private static boolean isSolidBy(GrownSolids grown, int x, int y, int z, int i, int j, int k) {
     BigDecimal growth = new BigDecimal(grown.growthMm());
-    BigDecimal square =
-        squaredGap(grown, 0, a, i).add(squaredGap(grown, 1, b, j)).add(squaredGap(grown, 2, c, k));
-    return square.compareTo(growth.multiply(growth)) < 0;
+    BigDecimal reach = growth.multiply(growth);
+    BigDecimal square = squaredGap(grown, 0, x, i);
+    if (square.compareTo(reach) >= 0) {
+      return false;
+    }
+    square = square.add(squaredGap(grown, 1, y, j));
+    return square.compareTo(reach) < 0
+        && square.add(squaredGap(grown, 2, z, k)).compareTo(reach) < 0;
   }
 
   private static void moveTo(Pose pose, MoverVerifier verifier) {
@@ -224,18 +242,10 @@ class BlockingVoxelsTest {
       return;
     }
     BitCube bits = body.bits();
-    BigDecimal growth = new BigDecimal(grown.growthMm());
     for (int k = 0; k < bits.sizeZ(); k++) {
       for (int j = 0; j < bits.sizeY(); j++) {
         for (int i = 0; i < bits.sizeX(); i++) {
-          if (!bits.get(i, j, k)) {
-            continue;
-          }
-          BigDecimal square =
-              squaredGap(grown, 0, x, i)
-                  .add(squaredGap(grown, 1, y, j))
-                  .add(squaredGap(grown, 2, z, k));
-          if (square.compareTo(growth.multiply(growth)) < 0) {
+          if (bits.get(i, j, k) && isSolidBy(grown, x, y, z, i, j, k)) {
             all.add(b + ":" + i + "," + j + "," + k);
           }
         }

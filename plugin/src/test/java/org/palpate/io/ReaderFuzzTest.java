@@ -33,7 +33,7 @@ import org.palpate.volume.phantom.Phantom;
  */
 @Timeout(value = 30, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ReaderFuzzTest {
-  private static final int SECONDS = 10;
+  private static final int SECONDS = 5;
   private static final long LARGEST_SAMPLE = 25_000;
 
   /** Decompression multiplies by a thousand, and a byte can become a double. */

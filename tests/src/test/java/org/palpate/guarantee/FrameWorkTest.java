@@ -35,7 +35,7 @@ class FrameWorkTest {
   private static final int MAX_RATIO_OF_EDITED_ALONG_TWO_AXES = 100;
 
   private static final int CASES = 500;
-  private static final int JUMPS = 20_000;
+  private static final int JUMPS = 8_000;
 
   @ParameterizedTest
   @EnumSource

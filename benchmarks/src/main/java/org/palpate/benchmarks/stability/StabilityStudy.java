@@ -81,21 +81,36 @@ public final class StabilityStudy {
 
   /** Sweeps devices by name, mass, damping, grip and delay. */
   public List<MarginRow<Trial>> devices() {
+    List<MarginRow<Trial>> rows = new ArrayList<>();
+    for (Trial trial : deviceTrials()) {
+      progress.accept(
+          "devices: "
+              + trial.device().name()
+              + " grip="
+              + trial.grip().name()
+              + " delay="
+              + trial.sampling().delaySamples());
+      rows.add(MarginRow.of(trial));
+    }
+    return rows;
+  }
+
+  /** Returns the set-ups of {@link #devices}. */
+  List<Trial> deviceTrials() {
     double[] massFactors = quick ? new double[] {0.5, 2} : new double[] {0.5, 1, 2};
     double[] dampingFactors = quick ? new double[] {0.25, 1} : new double[] {0.25, 1, 4};
-    List<MarginRow<Trial>> rows = new ArrayList<>();
+    List<Trial> trials = new ArrayList<>();
     for (DeviceModel device : DeviceModel.KNOWN) {
       for (Grip grip : List.of(Grip.LIGHT, Grip.FIRM)) {
         for (int delay = 1; delay <= 2; delay++) {
-          progress.accept("devices: " + device.name() + " grip=" + grip.name() + " delay=" + delay);
           for (DeviceModel varied : varied(device, massFactors, dampingFactors)) {
             Sampling sampling = new Sampling(DEFAULT_SAMPLING.rateHz(), delay);
-            rows.add(MarginRow.of(new Trial(varied, grip, sampling, wall, GUARDED, true)));
+            trials.add(new Trial(varied, grip, sampling, wall, GUARDED, true));
           }
         }
       }
     }
-    return rows;
+    return trials;
   }
 
   /** Sweeps the length of a rod, and devices by name, mass, damping, grip and delay. */

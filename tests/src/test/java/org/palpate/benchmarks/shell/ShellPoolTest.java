@@ -16,18 +16,20 @@ import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.volume.BitCube;
 
 class ShellPoolTest {
+  private static final int ROUNDS = 50;
+
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 7})
   void everyRoundWorksOnEveryPointOnce(int threads) {
     try (ShellPool pool = new ShellPool(threads)) {
       for (int points : new int[] {0, 1, 63, 64, 65, 1000}) {
         int[] times = new int[points];
-        for (int round = 0; round < 200; round++) {
+        for (int round = 0; round < ROUNDS; round++) {
           int worked = pool.run(points, (thread, from, to) -> count(times, from, to));
           assertEquals(points, worked);
         }
-        assertEquals(200L * points, Arrays.stream(times).sum());
-        assertEquals(points == 0 ? 0 : 200, Arrays.stream(times).max().orElse(0));
+        assertEquals((long) ROUNDS * points, Arrays.stream(times).sum());
+        assertEquals(points == 0 ? 0 : ROUNDS, Arrays.stream(times).max().orElse(0));
       }
     }
   }
