@@ -23,7 +23,7 @@ final class MaterialTransition {
   /** The material that is approached: stiffness, static and sliding friction, and damping. */
   private final double[] wanted = new double[4];
 
-  /** Whether the tool was pressed against an object in the last frame. */
+  /** Whether the coupling was stretched in the last frame, so that a new material may be felt. */
   private boolean pressed;
 
   MaterialTransition(double shortestEdgeMm, Material first) {
@@ -78,6 +78,18 @@ final class MaterialTransition {
       }
     }
     pressed = stretchMm > 0 && contact;
+  }
+
+  /**
+   * Takes the general material while the tool touches nothing. A tool in hand may be stretched then
+   * too, as a needle in tissue or a tool with mass is.
+   *
+   * @param stretchMm length of the virtual coupling
+   * @param motionMm motion of the hand since the last frame
+   */
+  void release(ForceSettings settings, double stretchMm, double motionMm) {
+    approach(settings.general(), stretchMm, motionMm);
+    pressed = stretchMm > 0;
   }
 
   /**

@@ -16,9 +16,9 @@ import org.palpate.rigid.tool.RigidTool;
  * friction.
  *
  * <p>Stiffness, friction and damping are those of the body that carries most of the pressing force,
- * see {@link MaterialTransition}. Damping acts along the coupling force and, times the squared rms
- * radius of the tool, along the coupling torque. Friction acts at the contacts, see {@link
- * ToolFriction}. Haptic thread; allocates nothing.
+ * see {@link MaterialTransition}, and the general ones without contact. Damping acts along the
+ * coupling force and, times the squared rms radius of the tool, along the coupling torque. Friction
+ * acts at the contacts, see {@link ToolFriction}. Haptic thread; allocates nothing.
  */
 public final class ToolForce {
   private static final GridMetric WORLD = new GridMetric(1, 1, 1);
@@ -158,14 +158,18 @@ public final class ToolForce {
   private void updateMaterial(ToolMotion tool, double stretchMm) {
     int most = mostPressed(tool.contacts());
     double motionMm = rateLimit.lengthMm(motion, turn);
+    if (!tool.contact()) {
+      material.release(settings, stretchMm, motionMm);
+      return;
+    }
     if (greys != null) {
-      boolean touches = tool.contact() && most >= 0;
+      boolean touches = most >= 0;
       double grey = touches ? greyUnder(tool, most) : 0;
       material.follow(settings, greys, grey, touches, stretchMm, motionMm);
       return;
     }
     int body = most < 0 ? InteractionPoint.NO_OBJECT : tool.contacts().body(most);
-    material.follow(settings, body, tool.contact(), stretchMm, motionMm);
+    material.follow(settings, body, true, stretchMm, motionMm);
   }
 
   /** Returns the contact that carries the largest share, or -1. */

@@ -16,6 +16,8 @@ import org.palpate.body.Mobility;
 import org.palpate.device.ReadStatus;
 import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.FrictionForm;
+import org.palpate.force.Material;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
@@ -64,6 +66,10 @@ class NeedleTrackTest {
 
   /** Makes the frame of a thin rod, whose tip is TIP below its middle, above solids up to a z. */
   private void prepare(int solidUpTo) {
+    prepare(solidUpTo, ForceSettings.of(K, 0));
+  }
+
+  private void prepare(int solidUpTo, ForceSettings settings) {
     BodyScene bodies =
         new BodyScene(List.of(new Body("bone", layer(0, solidUpTo), GRID, Mobility.FIXED)));
     RigidTool rod = ToolSampler.ofShape(RodShape.capsule(0.5, 2 * TIP - 1), 1);
@@ -74,7 +80,7 @@ class NeedleTrackTest {
             bodies,
             new RigidSolver(bodies, rod, RigidSettings.of(8, Clearance.POINTS)),
             RigidCoupling.of(rod, K),
-            FrameSettings.live(device.specification(), ForceSettings.of(K, 0)),
+            FrameSettings.live(device.specification(), settings),
             EditQueue.ofBodies(bodies.grids()),
             ToolFramePublisher.NONE);
     frame.use(needle);
@@ -233,6 +239,20 @@ class NeedleTrackTest {
     assertEquals(6, tip().z, 0.2);
     assertEquals(K * (tip().z - 3), frame.forceNewton().z, 0.02);
     assertEquals(20.5, tip().x, 0.05, "on its track");
+  }
+
+  @Test
+  void aNeedleThatTouchedHardBoneFeelsTheGeneralStiffnessAfterwards() {
+    Material general = Material.of(K, 0, FrictionForm.CONE);
+    Material bone = Material.of(4 * K, 0, FrictionForm.CONE);
+    prepare(6, new ForceSettings(general, FrictionForm.CONE, true, List.of(bone)));
+    press(25, 5);
+    assertEquals(4 * K * (tip().z - 5), frame.forceNewton().z, 0.02, "it feels the bone");
+    press(5, 12);
+    rest(12);
+    assertFalse(frame.motion().contact());
+    assertEquals(K * (tip().z - 12), frame.forceNewton().z, 1e-9, "it feels the shaft alone");
+    assertEquals(-0.02 * 4 - 0.01 * (FAT - tip().z), frame.forceNewton().z, 1e-6);
   }
 
   @Test

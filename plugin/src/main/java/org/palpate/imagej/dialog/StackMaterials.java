@@ -36,7 +36,8 @@ public record StackMaterials(
   /**
    * Parses materials that are separated by semicolons; none if the text is blank.
    *
-   * @throws TouchRefusedException if the text has another form or names a segment twice
+   * @throws TouchRefusedException if the text has another form, names a segment twice, or lets a
+   *     needle enter one
    */
   static StackMaterials parse(String text) throws TouchRefusedException {
     Map<String, MaterialOverride> choices = new LinkedHashMap<>();
@@ -73,6 +74,13 @@ public record StackMaterials(
               + " or skin=young:20e3,poisson:0.4, with numbers of at least 0, sliding at most"
               + " friction, a modulus of 10 to 1e12 Pa, a ratio of 0 to 0.49, and semicolons"
               + " between segments.");
+    }
+    if (choice.get().isPenetrable()) {
+      throw new TouchRefusedException(
+          "\""
+              + part
+              + "\" lets a needle enter, and only palpate touch and replay have needles: leave"
+              + " puncture, cutting and shaft out.");
     }
     if (choices.put(name, choice.get()) != null) {
       throw new TouchRefusedException("There are two materials for the segment \"" + name + "\".");

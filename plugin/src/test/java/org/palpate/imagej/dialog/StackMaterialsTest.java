@@ -65,6 +65,11 @@ class StackMaterialsTest {
   }
 
   @Test
+  void refusesAMaterialThatOnlyANeedleHas() {
+    assertTrue(refusal("skin=puncture:1,shaft:0.1").contains("leave puncture, cutting and shaft"));
+  }
+
+  @Test
   void refusesAMaterialOfAnUnknownSegment() throws TouchRefusedException {
     List<Segment> segments = List.of(segment("bone"), segment("skin"));
     StackMaterials.parse("skin=friction:1").checkNamed(segments);
