@@ -16,6 +16,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.VolumeFiles;
+import org.palpate.io.label.SegmentBuilder;
+import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
 
 /** Cuts with the commands, and replays what was cut. */
 class CarveCommandTest {
@@ -110,6 +118,58 @@ class CarveCommandTest {
       assertTrue(line.contains("a pass would not begin where the last one did: "), line);
       assertTrue(line.contains("--repeat with " + changing.get(0) + ": "), line);
     }
+  }
+
+  @Test
+  void aDicomExportHasEachEditedSegmentWhole() throws IOException {
+    Path scan = folder.resolve("scan.nrrd");
+    CommandRun.of("info", "--phantom", "sphere:32:grey", "--export", scan).mustSucceed();
+    SegmentedVolume expected = segments(scan, "soft=>=200", "hard=>=700");
+    StringBuilder edits = new StringBuilder("frame,body,segment,i,j,k,solid\n");
+    for (int n = 6; n < 20; n++) {
+      for (Segment segment : expected.segments()) {
+        int k = segment.name().equals("soft") ? 16 : 17;
+        boolean solid = !segment.bits().get(n, 16, k);
+        setVoxel(segment.bits(), n, 16, k, solid);
+        edits.append(String.format("%d,%s,%2$s,%1$d,16,%d,", n, segment.name(), k));
+        edits.append(solid ? 1 : 0).append('\n');
+      }
+    }
+    Path export = folder.resolve("left.dcm");
+    List<Object> replay = new ArrayList<>(List.of("replay", "--volume", scan));
+    replay.addAll(List.of("--segment", "soft=>=200", "--segment", "hard=>=700"));
+    replay.addAll(List.of("--trajectory", Files.writeString(folder.resolve("t.csv"), press())));
+    replay.addAll(List.of("--edits", Files.writeString(folder.resolve("e.csv"), edits)));
+    replay.addAll(List.of("--export", export));
+    CommandRun.of(replay.toArray()).mustSucceed();
+    SegmentedVolume read = segments(export, "soft=name:soft", "hard=name:hard");
+    int firstSlice = (int) read.grid().gridToWorld(new Vec3(), new Vec3()).z;
+    for (int n = 0; n < 2; n++) {
+      BitCube left = read.segments().get(n).bits();
+      BitCube bits = expected.segments().get(n).bits();
+      for (int voxel = 0; voxel < 32 * 32 * 32; voxel++) {
+        int i = voxel % 32;
+        int j = voxel / 32 % 32;
+        int k = voxel / 32 / 32;
+        assertEquals(bits.get(i, j, k), left.get(i, j, k - firstSlice), i + " " + j + " " + k);
+      }
+    }
+  }
+
+  private static void setVoxel(BitCube bits, int i, int j, int k, boolean solid) {
+    if (solid) {
+      bits.set(i, j, k);
+    } else {
+      bits.clear(i, j, k);
+    }
+  }
+
+  private static SegmentedVolume segments(Path file, String... specs) throws IOException {
+    List<SegmentSpec> parsed = new ArrayList<>();
+    for (String spec : specs) {
+      parsed.add(SegmentSpec.parse(spec));
+    }
+    return SegmentBuilder.read(VolumeFiles.open(file, ReadOptions.defaults()), parsed);
   }
 
   @Test
