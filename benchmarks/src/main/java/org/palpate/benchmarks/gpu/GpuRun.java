@@ -17,12 +17,15 @@ import org.palpate.collision.LegBatch;
 import org.palpate.opencl.OpenClCatalog;
 import org.palpate.opencl.OpenClException;
 import org.palpate.opencl.OpenClLegsVariants;
+import org.palpate.volume.BitCube;
 
 /**
- * Counts the launches that sliding tools need, and times the judging of legs that nothing culls: on
- * one and two threads of the CPU and on every OpenCL device, against their number.
+ * Counts the launches that sliding tools need. Times the growth of solids by a clearance on the
+ * CPU, and the judging of legs that nothing culls: on one and two threads of the CPU and on every
+ * OpenCL device, against their number.
  */
 public final class GpuRun {
+  private static final String ONE_THREAD = "cpu 1 thread";
   private static final int[] POINTS = {100, 1_000, 10_000, 100_000, 1_000_000};
   private static final int QUICK_POINTS = 100_000;
 
@@ -35,6 +38,9 @@ public final class GpuRun {
   private static final int LEAST_FRAMES = 1_000;
 
   private static final int MOST_FRAMES = 20_000;
+  private static final int GROWN_HEAD = 256;
+  private static final int[] EDITED_EDGES = {1, 1 << BitCube.BRICK_SHIFT};
+  private static final int STARTS = 30;
   private static final int SLIDE_FRAMES = 2_000;
   private static final int QUICK_SLIDE_FRAMES = 200;
 
@@ -69,6 +75,7 @@ public final class GpuRun {
     GpuRun run = new GpuRun(quick, out, Progress.to(progress));
     run.countLaunches();
     StudyTable.GPU_LAUNCHES.write(folder, run.launches, GpuRun::cells);
+    run.measureGrowth();
     run.measureCpu();
     long gpus = run.measureDevices();
     StudyTable.GPU.write(folder, run.times, PartTime::cells);
@@ -124,7 +131,11 @@ public final class GpuRun {
   }
 
   private void measure(String device, int points, String part, Runnable run) {
-    PartTime time = PartTime.measure(device, points, part, frames(points), run);
+    measure(device, points, part, frames(points), run);
+  }
+
+  private void measure(String device, int points, String part, int frames, Runnable run) {
+    PartTime time = PartTime.measure(device, points, part, frames, run);
     times.add(time);
     out.println(
         String.format(
@@ -142,11 +153,23 @@ public final class GpuRun {
     out.flush();
   }
 
+  private void measureGrowth() {
+    progress.accept("growth by a clearance");
+    for (int edge : EDITED_EDGES) {
+      GrowthTimes growth = new GrowthTimes(GROWN_HEAD, edge);
+      if (edge == 1) {
+        measure(ONE_THREAD, growth.voxels(), "growth", STARTS, growth::growAll);
+      }
+      int voxels = edge * edge * edge;
+      measure(ONE_THREAD, voxels, "growth after an edit", MOST_FRAMES, growth::growAfterEdit);
+    }
+  }
+
   private void measureCpu() {
     for (int points : points()) {
       progress.accept("CPU, " + points + " points");
       LegBatch all = OpenClLegsVariants.onCpu(points);
-      measure("cpu 1 thread", points, "whole", () -> hits += TwoThreads.hits(all, points));
+      measure(ONE_THREAD, points, "whole", () -> hits += TwoThreads.hits(all, points));
       int half = points / 2;
       LegBatch first = OpenClLegsVariants.onCpu(half);
       LegBatch second = OpenClLegsVariants.onCpu(half);
