@@ -12,9 +12,10 @@ import org.palpate.volume.BitCube;
  * @param still the voxels that stand still; may be empty
  */
 record SoftScene(String name, BitCube soft, BitCube still, GridMetric metric) {
-  /** The air around a block, and the voxel above the floor, voxels. */
+  /** The width of the air at each side of a block, voxels. */
   static final int MARGIN = 16;
 
+  /** The lowest layer of a block; the floor lies below it. */
   static final int FLOOR = 8;
 
   /** Returns a block of the usual size, 64 x 64 x 40 voxels of 1 mm, on a floor. */

@@ -13,6 +13,7 @@ import org.palpate.body.Mobility;
 import org.palpate.elastic.ElasticBody;
 import org.palpate.elastic.ElasticPlan;
 import org.palpate.elastic.RecordedUpdate;
+import org.palpate.elastic.RecordedUpdates;
 import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.elastic.lattice.ElasticSegment;
 import org.palpate.host.ReplayRun;
@@ -144,16 +145,14 @@ public final class ElasticOptions {
                         "no segment is elastic",
                         "--fields " + fields,
                         "add --elastic NAME=young:PA, or leave it out"));
-    int cells = bodies.get().hexahedra();
-    for (RecordedUpdate update : recorded) {
-      for (RecordedUpdate.Refill refill : update.refills()) {
-        if (refill.cell() >= cells) {
-          throw PalpateException.wrongUse(
-              "there is no cell " + refill.cell() + " among " + cells,
-              fields.toString(),
-              "give the scene and --lattice of the session that recorded it");
-        }
-      }
+    try {
+      new RecordedUpdates(bodies.get(), recorded); // So that a wrong cell is found at once.
+    } catch (IllegalArgumentException e) {
+      throw PalpateException.wrongUse(
+          e.getMessage(),
+          fields.toString(),
+          "give the scene and --lattice of the session that recorded it",
+          e);
     }
     return replay.withElastic(bodies, recorded);
   }
