@@ -40,8 +40,20 @@ final class RoomProof {
   };
 
   private final ActiveCells cells;
+
+  /** The cells that could fold within reach; the one that could fold first is the first. */
   private final int[] near;
+
   private int nearCount;
+
+  /** For each of them a cone around no change in which it does not fold, N. */
+  private final double[] ownAlong;
+
+  private final double[] ownAcross;
+
+  /** Whether its cone was measured; otherwise it comes from a bound that is far shorter. */
+  private final boolean[] measured;
+
   private final double[] corners = new double[KuhnTetrahedra.ENTRIES];
   private final double[] slopes = new double[KuhnTetrahedra.ENTRIES];
   private final double[] none = new double[3];
@@ -53,8 +65,15 @@ final class RoomProof {
   private final double[] along2 = new double[64];
   private final double[] across2 = new double[64];
 
+  /** The cone that is being measured, N. */
   private double along;
+
   private double across;
+
+  /** The cone of the cell that is being measured, N. */
+  private double cellAlong;
+
+  private double cellAcross;
 
   /** The longest change of the force that a cone may hold, N. */
   private double reach;
@@ -62,6 +81,9 @@ final class RoomProof {
   RoomProof(ActiveCells cells) {
     this.cells = cells;
     near = new int[cells.count()];
+    ownAlong = new double[near.length];
+    ownAcross = new double[near.length];
+    measured = new boolean[near.length];
   }
 
   /**
@@ -99,13 +121,47 @@ final class RoomProof {
 
   /** Adds the cone around a place of the axis, if it is proved, and returns its size along it. */
   private double addCone(DeformationField field, double place) {
-    boolean proved = measure(field, place);
-    along = proved ? Math.min(along, reach - Math.abs(place)) : 0;
-    across = proved ? Math.min(across, reach - Math.abs(place)) : 0;
+    beginCone(field, place);
+    double away = Math.abs(place);
+    for (int n = 0; n < nearCount && along > 0; n++) {
+      if (!isOwnConeEnough(n, away) && !measured[n]) {
+        measureCell(field, near[n], none);
+        setOwn(n, cellAlong, cellAcross, true);
+      }
+      if (!isOwnConeEnough(n, away)) {
+        boolean proved = measureCell(field, near[n], change);
+        along = proved ? Math.min(along, cellAlong) : 0;
+        across = proved ? Math.min(across, cellAcross) : 0;
+      }
+    }
     if (along > 0 && across > 0) {
       field.room.add(place, along, across);
     }
     return along;
+  }
+
+  private void setOwn(int n, double alongNewton, double acrossNewton, boolean isMeasured) {
+    ownAlong[n] = alongNewton;
+    ownAcross[n] = acrossNewton;
+    measured[n] = isMeasured;
+  }
+
+  /**
+   * Whether the own cone of a cell holds the one that is being measured. It holds one of its own
+   * shape around a place, which is shorter by the distance of the place.
+   */
+  private boolean isOwnConeEnough(int n, double away) {
+    double rest = ownAlong[n] - away;
+    return rest >= along && ownAcross[n] * rest >= ownAlong[n] * across;
+  }
+
+  private void beginCone(DeformationField field, double place) {
+    double[] axis = field.room.axis();
+    for (int n = 0; n < 3; n++) {
+      change[n] = place * axis[n];
+    }
+    along = reach - Math.abs(place);
+    across = along;
   }
 
   /**
@@ -121,43 +177,66 @@ final class RoomProof {
       int first = cells.firstNode(cell);
       readCorners(field, first, none);
       double determinant = KuhnTetrahedra.leastDeterminant(corners);
-      double stretch = squaredFromFirst(corners, true);
-      double answers = squaredAnswers(field, first);
-      if (!(determinant >= LEAST_DETERMINANT && stretch <= MOST_SQUARED_LENGTH / 16)
+      double squared = mostSquared(corners);
+      double answers = mostSquaredAnswers(field, first);
+      if (!(determinant >= LEAST_DETERMINANT && squared <= MOST_SQUARED_LENGTH / 16)
           || !Double.isFinite(answers)) {
         return false;
       }
-      // Three edges of a tetrahedron are at most twice as long as all ways from corner 0 together.
-      double largest = 1 + 2 * Math.sqrt(stretch);
-      double room = USED_PART * determinant / (largest * largest);
       reach = Math.min(reach, MOST_CHANGE_CELLS / Math.sqrt(answers));
-      if (!(2 * Math.sqrt(answers) * reach <= room)) {
-        near[nearCount++] = cell;
+      double least = USED_PART * 2 * determinant / squared / Math.sqrt(answers);
+      if (!(least >= reach)) {
+        addNear(cell, least);
       }
     }
     return true;
   }
 
-  private double squaredAnswers(DeformationField field, int firstNode) {
+  /** Adds a cell to the list, in front if its cone may be the shortest. */
+  private void addNear(int cell, double leastNewton) {
+    boolean first = nearCount > 0 && leastNewton < ownAlong[0];
+    if (first) {
+      near[nearCount] = near[0];
+      setOwn(nearCount, ownAlong[0], ownAcross[0], false);
+    }
+    int n = first ? 0 : nearCount;
+    near[n] = cell;
+    setOwn(n, leastNewton, leastNewton, false);
+    nearCount++;
+  }
+
+  private double mostSquaredAnswers(DeformationField field, int firstNode) {
     double sum = 0;
     for (int axis = 0; axis < 3; axis++) {
       readSlopes(field, firstNode, axis);
-      sum += squaredFromFirst(slopes, false);
+      sum += mostSquared(slopes);
     }
     return sum;
   }
 
-  /** Returns the sum of squared differences from corner 0; of positions, beyond those at rest. */
-  private static double squaredFromFirst(double[] at, boolean beyondRest) {
+  /**
+   * Returns a bound of the sum over the squared edges of each tetrahedron of a cell. A tetrahedron
+   * has one edge along each axis, so the sum over the longest edges along each axis is one.
+   */
+  private static double mostSquared(double[] at) {
     double sum = 0;
-    for (int corner = 1; corner < LatticeLayout.CORNERS; corner++) {
-      for (int axis = 0; axis < 3; axis++) {
-        double rest = beyondRest ? corner >> axis & 1 : 0;
-        double difference = at[3 * corner + axis] - at[axis] - rest;
-        sum += difference * difference;
+    for (int axis = 0; axis < 3; axis++) {
+      double most = 0;
+      for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
+        if ((corner >> axis & 1) == 0) {
+          most = Math.max(most, squaredDistance(at, 3 * corner, 3 * (corner | 1 << axis)));
+        }
       }
+      sum += most;
     }
     return sum;
+  }
+
+  private static double squaredDistance(double[] at, int a, int b) {
+    double x = at[b] - at[a];
+    double y = at[b + 1] - at[a + 1];
+    double z = at[b + 2] - at[a + 2];
+    return x * x + y * y + z * z;
   }
 
   private void readCorners(DeformationField field, int firstNode, double[] changeNewton) {
@@ -181,23 +260,22 @@ final class RoomProof {
     }
   }
 
-  /** Measures the cone around a place of the axis. Returns false if a cell is not proved there. */
-  private boolean measure(DeformationField field, double place) {
-    double[] axis = field.room.axis();
-    for (int n = 0; n < 3; n++) {
-      change[n] = place * axis[n];
+  /**
+   * Measures the cone of a cell around a change of the force. Returns false, with no cone, if the
+   * cell is not proved there.
+   */
+  private boolean measureCell(DeformationField field, int cell, double[] changeNewton) {
+    int first = cells.firstNode(cell);
+    readCorners(field, first, changeNewton);
+    measureEdges(field, first);
+    cellAlong = Double.POSITIVE_INFINITY;
+    cellAcross = Double.POSITIVE_INFINITY;
+    boolean proved = measureTetrahedra();
+    if (!proved) {
+      cellAlong = 0;
+      cellAcross = 0;
     }
-    along = Double.POSITIVE_INFINITY;
-    across = Double.POSITIVE_INFINITY;
-    for (int n = 0; n < nearCount; n++) {
-      int first = cells.firstNode(near[n]);
-      readCorners(field, first, change);
-      measureEdges(field, first);
-      if (!measureTetrahedra()) {
-        return false;
-      }
-    }
-    return true;
+    return proved;
   }
 
   private void measureEdges(DeformationField field, int firstNode) {
@@ -245,8 +323,8 @@ final class RoomProof {
         return false;
       }
       double room = USED_PART * 2 * determinant / squared;
-      along = Math.min(along, room / Math.sqrt(sum(along2, b, c)));
-      across = Math.min(across, room / Math.sqrt(sum(across2, b, c)));
+      cellAlong = Math.min(cellAlong, room / Math.sqrt(sum(along2, b, c)));
+      cellAcross = Math.min(cellAcross, room / Math.sqrt(sum(across2, b, c)));
     }
     return true;
   }

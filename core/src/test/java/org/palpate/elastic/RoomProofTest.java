@@ -68,6 +68,73 @@ class RoomProofTest {
     assertTrue(moved > 15 && moved < 88, "clipped " + moved);
   }
 
+  /** The room must not shrink because cells are skipped: all cells together are the reference. */
+  @Test
+  void theRoomIsAsLargeAsAllCellsAllow() {
+    double reach = 2;
+    double[] change = new double[3];
+    for (int n = 0; n < 60; n++) {
+      randomField(0.02 + 0.05 * random.nextDouble(), Math.pow(10, -2 + 1.5 * random.nextDouble()));
+      if (!proof.prove(field, reach, 0)) {
+        continue;
+      }
+      double[] axis = field.room.axis();
+      double along = reach;
+      for (int cell = 0; cell < lattice.cells().count(); cell++) {
+        along = Math.min(along, naiveAlong(lattice.cells().firstNode(cell), axis));
+      }
+      for (double sign : new double[] {-1, 1}) {
+        for (int row = 0; row < 3; row++) {
+          change[row] = sign * 0.999 * along * axis[row];
+        }
+        assertFalse(field.room.clip(change), "field " + n + ", cone of " + along + " N");
+      }
+    }
+  }
+
+  /** Returns how far the force along an axis may change before a bound of a cell is used up. */
+  private double naiveAlong(int firstNode, double[] axis) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int[] order : KuhnTetrahedra.ORDERS) {
+      double[] corners = new double[KuhnTetrahedra.ENTRIES];
+      double squared = 0;
+      double answers = 0;
+      int last = 0;
+      for (int step = 0; step < 3; step++) {
+        int next = last | 1 << order[step];
+        for (int row = 0; row < 3; row++) {
+          double length = position(firstNode, next, row) - position(firstNode, last, row);
+          double answer = answer(firstNode, next, row, axis) - answer(firstNode, last, row, axis);
+          squared += length * length;
+          answers += answer * answer;
+        }
+        last = next;
+      }
+      for (int corner = 0; corner < 8; corner++) {
+        for (int row = 0; row < 3; row++) {
+          corners[3 * corner + row] = position(firstNode, corner, row);
+        }
+      }
+      double determinant = KuhnTetrahedra.determinant(corners, order);
+      least = Math.min(least, 0.9 * 2 * determinant / squared / Math.sqrt(answers));
+    }
+    return least;
+  }
+
+  private double position(int firstNode, int corner, int row) {
+    int node = firstNode + lattice.layout().cornerOffset(corner);
+    return (corner >> row & 1) + (double) field.values[DeformationField.STRIDE * node + row];
+  }
+
+  private double answer(int firstNode, int corner, int row, double[] axis) {
+    int at = DeformationField.STRIDE * (firstNode + lattice.layout().cornerOffset(corner)) + row;
+    double sum = 0;
+    for (int n = 0; n < 3; n++) {
+      sum += axis[n] * field.values[at + 3 + 3 * n];
+    }
+    return sum;
+  }
+
   /** Answers to forces across the axis are rounding alone, which large answers make visible. */
   @Test
   void noForceFoldsATetrahedronWhoseAnswersHaveOneDirection() {
