@@ -48,6 +48,11 @@ final class FieldUpdater {
   private final float[] displacement;
   private final float[] proved;
   private final float[][] answers = new float[3][];
+
+  /** The changes by the last update: those of the answers, and then that of the displacement. */
+  private final float[][] changes = new float[4][];
+
+  private final float[] before;
   private final float[] load;
   private final float[] residual;
   private final double[] force = new double[3];
@@ -81,8 +86,12 @@ final class FieldUpdater {
     proved = new float[size];
     load = new float[size];
     residual = new float[size];
+    before = new float[size];
     for (int axis = 0; axis < 3; axis++) {
       answers[axis] = new float[size];
+    }
+    for (int n = 0; n < changes.length; n++) {
+      changes[n] = new float[size];
     }
   }
 
@@ -150,12 +159,18 @@ final class FieldUpdater {
     publish();
   }
 
-  /** Moves the displacement along the answers by the change of the force. */
+  /**
+   * Moves the displacement along the answers by the change of the force. Without a force the shape
+   * at rest is the solution.
+   */
   private void predict(Vec3 next) {
+    if (next.length() == 0) {
+      Arrays.fill(displacement, 0);
+    }
     for (int axis = 0; axis < 3; axis++) {
       force[axis] = next.get(axis);
       float change = (float) (force[axis] - lastForce[axis]);
-      if (change != 0) {
+      if (change != 0 && next.length() > 0) {
         Vectors.add(change, answers[axis], displacement);
       }
       lastForce[axis] = force[axis];
@@ -170,7 +185,7 @@ final class FieldUpdater {
     double size = Math.max(LEAST_LOAD_NEWTON, Vectors.norm(load));
     stiffness.force(displacement, residual);
     subtractFromLoad();
-    solver.solve(residual, displacement, settings.residual() * size, DISPLACEMENT_STEPS);
+    solve(displacement, changes[3], settings.residual() * size, DISPLACEMENT_STEPS);
     counters.noteResidual(solver.residualNewton() / size);
   }
 
@@ -179,8 +194,23 @@ final class FieldUpdater {
     patch.addForce(axis, 1, load);
     stiffness.multiply(answers[axis], residual);
     subtractFromLoad();
-    double goal = ANSWER_RESIDUAL * Math.max(LEAST_LOAD_NEWTON, Vectors.norm(load));
-    solver.solve(residual, answers[axis], goal, ANSWER_STEPS);
+    double size = Vectors.norm(load);
+    if (Vectors.norm(residual) > size) { // The contact has gone elsewhere.
+      Arrays.fill(answers[axis], 0);
+      System.arraycopy(load, 0, residual, 0, load.length);
+    }
+    double goal = ANSWER_RESIDUAL * Math.max(LEAST_LOAD_NEWTON, size);
+    solve(answers[axis], changes[axis], goal, ANSWER_STEPS);
+  }
+
+  /** Solves for the residual, beginning along the last change: a contact that slides goes on. */
+  private void solve(float[] solution, float[] change, double goalNewton, int mostSteps) {
+    System.arraycopy(solution, 0, before, 0, before.length);
+    solver.descend(change, residual, solution);
+    solver.solve(residual, solution, goalNewton, mostSteps);
+    for (int n = 0; n < change.length; n++) {
+      change[n] = solution[n] - before[n];
+    }
   }
 
   private void subtractFromLoad() {

@@ -47,6 +47,31 @@ class ElasticContactTest {
   }
 
   @Test
+  void aShapeThatNothingPressesIsAtRestAfterOneUpdate() {
+    ElasticTouch touch = above(20e3, 0.5, 8, false);
+    touch.moveTo(48.3, 48.4, 44, 200);
+    assertTrue(largestDisplacement(touch) > 0.1);
+    touch.hand.set(48.3, 48.4, 60);
+    for (int n = 0; n < 5; n++) {
+      touch.runWithoutUpdate();
+    }
+    touch.body.updater().compute(touch.body.contact().load());
+    touch.runWithoutUpdate();
+    assertEquals(0, largestDisplacement(touch));
+  }
+
+  private static double largestDisplacement(ElasticTouch touch) {
+    double largest = 0;
+    for (int node = 0; node < touch.lattice.layout().nodeCount(); node++) {
+      for (int axis = 0; axis < 3; axis++) {
+        double displacement = touch.body.contact().map().displacement(node, axis);
+        largest = Math.max(largest, Math.abs(displacement));
+      }
+    }
+    return largest;
+  }
+
+  @Test
   void aStiffSegmentFeelsLikeARigidOne() {
     ElasticTouch touch = above(1e9, 0.5, 8, false);
     touch.moveTo(48.3, 48.4, 44, 400);

@@ -58,6 +58,22 @@ public final class ConjugateGradients {
     return step;
   }
 
+  /**
+   * Adds to a displacement the part of a direction that leaves the least energy.
+   *
+   * @param residual the force that is not balanced; holds what remains, N
+   * @param displacement changed in place, mm
+   */
+  public void descend(float[] direction, float[] residual, float[] displacement) {
+    stiffness.multiply(direction, q);
+    double curvature = Vectors.dot(direction, q);
+    if (curvature > 0) {
+      float part = (float) (Vectors.dot(direction, residual) / curvature);
+      Vectors.add(part, direction, displacement);
+      Vectors.add(-part, q, residual);
+    }
+  }
+
   /** Returns the length of the residual that the last solution left, N. */
   public double residualNewton() {
     return residualNorm;
