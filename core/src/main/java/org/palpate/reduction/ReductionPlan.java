@@ -68,10 +68,10 @@ public final class ReductionPlan {
   private static final int TRIES = 3;
 
   /** The distance of a fragment that was put aside, as a multiple of the radius of the ball. */
-  private static final double ASIDE = 2;
+  private static final double ASIDE = 3;
 
   /** The stops at which the hand puts a fragment aside. */
-  private static final int STOPS_ASIDE = 3;
+  private static final int STOPS_ASIDE = 4;
 
   /** The distance from its place to which a fragment goes back for another try, edges. */
   private static final double NEAR_EDGES = 8;
@@ -88,6 +88,9 @@ public final class ReductionPlan {
   private final Vec3 middle = new Vec3();
   private final List<HandStop> stops = new ArrayList<>();
   private double radiusMm;
+
+  /** A point at which the hand takes a fragment, and the direction from which it comes. */
+  private record Touch(Vec3 at, Vec3 outward, double score) {}
 
   private ReductionPlan(BodyScene bodies, BodyScene seen) {
     this.bodies = bodies;
@@ -211,8 +214,8 @@ public final class ReductionPlan {
     Pose start = new Pose().set(bodies.body(fragment).pose());
     Vec3 up = wayOut(fragment, start).direction();
     Vec3 away = wayOut(fragment, truth).direction();
-    Pose hand = touch(fragment, start, up);
-    Pose startToHand = inverse(start).multiply(hand, new Pose());
+    Touch touch = touch(fragment, start, up);
+    Pose startToHand = inverse(start).multiply(take(touch), new Pose());
     hold(lifted(start, up, liftMm()).multiply(startToHand, new Pose()), 0, false);
     lead(fragment, lifted(truth, away, liftMm()), startToHand, LOOK_SECONDS, 0);
     double nearMm = NEAR_EDGES * bodies.shortestEdgeMm();
@@ -223,8 +226,9 @@ public final class ReductionPlan {
     Pose aside = lifted(truth, away, ASIDE * radiusMm).multiply(startToHand, new Pose());
     hold(aside, PRESS_SECONDS, true);
     stops.add(letGo(aside, 1));
-    Vec3 outward = there.translation.sub(middle, new Vec3());
-    stops.add(free(outside(outward)));
+    Vec3 off = aside.rotation.rotate(touch.outward, new Vec3()).mul(liftMm(), new Vec3());
+    stops.add(free(off.add(aside.translation, off)));
+    stops.add(free(outside(there.translation.sub(middle, new Vec3()))));
     bodies.body(fragment).setPose(truth);
   }
 
@@ -260,16 +264,12 @@ public final class ReductionPlan {
   }
 
   /** Adds the stops that touch a fragment and take hold of it; returns the pose of the hand. */
-  private Pose touch(int fragment, Pose start, Vec3 preferred) {
-    Vec3 at = new Vec3();
-    Vec3 outward = new Vec3().set(preferred);
-    Vec3[] points = points(shapes.get(fragment).thinned(MOST_TOUCHES), start);
-    chooseTouch(fragment, points, preferred, at, outward);
-    Vec3 far = beyondBall(at, outward);
+  private Pose take(Touch touch) {
+    Vec3 far = beyondBall(touch.at, touch.outward);
     goAround(far);
     stops.add(free(far));
-    Vec3 pressed =
-        outward.mul(-PRESS_EDGES * bodies.shortestEdgeMm(), new Vec3()).add(at, new Vec3());
+    double depthMm = PRESS_EDGES * bodies.shortestEdgeMm();
+    Vec3 pressed = touch.outward.mul(-depthMm, new Vec3()).add(touch.at, new Vec3());
     Pose hand = new Pose().set(pressed, new Quaternion());
     stops.add(new HandStop(hand, 0, PRESS_SECONDS, true));
     hold(hand, PRESS_SECONDS, true);
@@ -277,51 +277,42 @@ public final class ReductionPlan {
   }
 
   /**
-   * Chooses a sample point that a free straight line from outside reaches, and the direction of the
-   * line. Of several it chooses the direction nearest to a preferred one. Lines away from the
-   * middle of the points come first, then all others. Without any it chooses the first point.
+   * Returns a sample point that a free straight line from outside reaches. Of several it takes the
+   * line that is nearest to a preferred direction. Lines away from the middle of the points come
+   * first, then all others. Without any it takes the first point.
    */
-  private void chooseTouch(int fragment, Vec3[] points, Vec3 preferred, Vec3 at, Vec3 outward) {
+  private Touch touch(int fragment, Pose start, Vec3 preferred) {
+    Vec3[] points = points(shapes.get(fragment).thinned(MOST_TOUCHES), start);
     Vec3 own = new Vec3();
     for (Vec3 point : points) {
       own.add(point, own);
     }
     own.mul(1.0 / points.length, own);
-    at.set(points[0]);
-    double best = Double.NEGATIVE_INFINITY;
+    Touch best = new Touch(points[0], preferred, Double.NEGATIVE_INFINITY);
     for (Vec3 point : points) {
       Vec3 direction = point.sub(own, new Vec3());
       direction.mul(1 / direction.length(), direction);
-      best = betterTouch(fragment, point, direction, preferred, best, at, outward);
+      best = better(fragment, best, new Touch(point, direction, direction.dot(preferred)));
     }
-    for (int n = 0; n < WayOut.DIRECTIONS && best == Double.NEGATIVE_INFINITY; n++) {
+    for (int n = 0; n < WayOut.DIRECTIONS && best.score == Double.NEGATIVE_INFINITY; n++) {
+      Vec3 direction = WayOut.direction(n);
       for (Vec3 point : points) {
-        best = betterTouch(fragment, point, WayOut.direction(n), preferred, best, at, outward);
+        best = better(fragment, best, new Touch(point, direction, direction.dot(preferred)));
       }
     }
+    return best;
   }
 
-  /** Takes a point and a direction if they serve and are better; returns the best score so far. */
-  private double betterTouch(
-      int fragment,
-      Vec3 point,
-      Vec3 direction,
-      Vec3 preferred,
-      double best,
-      Vec3 at,
-      Vec3 outward) {
-    double score = direction.dot(preferred);
+  /** Returns another touch if the hand can reach it and it has the higher score, else the best. */
+  private Touch better(int fragment, Touch best, Touch other) {
     double edgeMm = bodies.shortestEdgeMm();
-    Vec3 clear = direction.mul(CLEAR_EDGES * edgeMm, new Vec3()).add(point, new Vec3());
-    Vec3 deep = direction.mul(-DEEP_EDGES * edgeMm, new Vec3()).add(point, new Vec3());
-    if (!(score > best
-        && lines.isSolid(fragment, deep)
-        && lines.isFree(clear, beyondBall(point, direction)))) {
-      return best;
-    }
-    at.set(point);
-    outward.set(direction);
-    return score;
+    Vec3 clear = other.outward.mul(CLEAR_EDGES * edgeMm, new Vec3()).add(other.at, new Vec3());
+    Vec3 deep = other.outward.mul(-DEEP_EDGES * edgeMm, new Vec3()).add(other.at, new Vec3());
+    return other.score > best.score
+            && lines.isSolid(fragment, deep)
+            && lines.isFree(clear, beyondBall(other.at, other.outward))
+        ? other
+        : best;
   }
 
   /** Returns the point on a ray that leaves the ball around all bodies. */

@@ -31,7 +31,7 @@ final class WayOut {
   /** Shifts that are longer, shortest voxel edges, need only one of some points. */
   private static final double FAR_EDGES = 4;
 
-  private static final int FAR_STRIDE = 16;
+  private static final int FAR_STRIDE = 6;
 
   private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
@@ -77,7 +77,7 @@ final class WayOut {
       return any != 0;
     }
 
-    /** Returns how many points lie in the body after a shift, mm. */
+    /** Returns about how many points lie in the body after a shift, mm. */
     int count(Vec3 shift, boolean isFar) {
       Vec3 cells = worldToGrid.transformDirection(shift, new Vec3());
       int count = 0;
@@ -87,7 +87,7 @@ final class WayOut {
         int k = (int) Math.floor(p.z + cells.z);
         count += bits.get(i, j, k) ? 1 : 0;
       }
-      return count;
+      return isFar ? FAR_STRIDE * count : count;
     }
   }
 
