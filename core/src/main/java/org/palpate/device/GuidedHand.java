@@ -58,7 +58,7 @@ public final class GuidedHand implements HapticDevice {
   /** The pose of the present stop, with the corrections so far. */
   private final Pose corrected = new Pose();
 
-  /** That pose as it was when the hand arrived. */
+  /** The corrected pose as it was when the hand arrived. */
   private final Pose arrived = new Pose();
 
   /** The pose of the next stop, with these corrections. */

@@ -64,7 +64,7 @@ public final class ReductionPlan {
 
   private static final double SETTLE_SECONDS = 1.2;
 
-  /** How often the hand tries to bring a fragment home before it puts it aside. */
+  /** The number of times that the hand brings a fragment home before it puts it aside. */
   private static final int TRIES = 3;
 
   /** The distance of a fragment that was put aside, as a multiple of the radius of the ball. */

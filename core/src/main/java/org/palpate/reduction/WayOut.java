@@ -45,7 +45,7 @@ final class WayOut {
    * Another body, and the points of the fragment in the grid coordinates of that body: those near
    * its voxels, and some of all.
    */
-  private record Obstacle(BitCube bits, AffineMap worldToGrid, Vec3[] near, Vec3[] some) {
+  private record Obstacle(BitCube bits, AffineMap worldToGrid, List<Vec3> near, List<Vec3> some) {
 
     static Obstacle of(Body body, Vec3[] world) {
       AffineMap map = body.toolToGrid(new Pose(), new AffineMap());
@@ -60,7 +60,7 @@ final class WayOut {
           some.add(p);
         }
       }
-      return new Obstacle(body.bits(), map, near.toArray(new Vec3[0]), some.toArray(new Vec3[0]));
+      return new Obstacle(body.bits(), map, near, some);
     }
 
     /** Whether a brick around a point has voxels, as far as shifts that compare near points go. */
