@@ -113,7 +113,7 @@ class JudgesTest {
     assertTrue(keepOut.isFree(at(2.9, 1.5, 1.5)));
   }
 
-  /** Of many cells the nearest counts, in whatever order they come. */
+  /** The nearest of many cells counts, in whatever order they come. */
   @Test
   void aKeepOutOfManyCellsIsAsFarAsTheNearest() {
     BitCube bits = new BitCube(9, 9, 2);
