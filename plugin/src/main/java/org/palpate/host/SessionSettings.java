@@ -55,111 +55,88 @@ public record SessionSettings(
 
   /** Returns a copy with the stiffness that is used if the scene's settings give none, N/mm. */
   public SessionSettings withDefaultStiffness(double newtonPerMm) {
-    return new SessionSettings(
-        OptionalDouble.of(newtonPerMm),
-        loop,
-        recorder,
-        editRecorder,
-        bodyRecorder,
-        fieldRecorder,
-        elastic,
-        listener);
+    return copy(draft -> draft.defaultNewtonPerMm = OptionalDouble.of(newtonPerMm));
   }
 
   /** Returns a copy with another pace and thread setup. */
   public SessionSettings withLoop(LoopSettings newLoop) {
-    return new SessionSettings(
-        defaultNewtonPerMm,
-        newLoop,
-        recorder,
-        editRecorder,
-        bodyRecorder,
-        fieldRecorder,
-        elastic,
-        listener);
+    return copy(draft -> draft.loop = newLoop);
   }
 
   /** Returns a copy that records what the device sends, if a recorder is given. */
   public SessionSettings withRecorder(Optional<SampleRecorder> newRecorder) {
-    return new SessionSettings(
-        defaultNewtonPerMm,
-        loop,
-        newRecorder,
-        editRecorder,
-        bodyRecorder,
-        fieldRecorder,
-        elastic,
-        listener);
+    return copy(draft -> draft.recorder = newRecorder);
   }
 
   /** Returns a copy that records changes of voxels, if a recorder is given. */
   public SessionSettings withEditRecorder(Optional<EditRecorder> newRecorder) {
-    return new SessionSettings(
-        defaultNewtonPerMm,
-        loop,
-        recorder,
-        newRecorder,
-        bodyRecorder,
-        fieldRecorder,
-        elastic,
-        listener);
+    return copy(draft -> draft.editRecorder = newRecorder);
   }
 
   /** Returns a copy that records poses of bodies, if a recorder is given. */
   public SessionSettings withBodyRecorder(Optional<BodyRecorder> newRecorder) {
-    return new SessionSettings(
-        defaultNewtonPerMm,
-        loop,
-        recorder,
-        editRecorder,
-        newRecorder,
-        fieldRecorder,
-        elastic,
-        listener);
+    return copy(draft -> draft.bodyRecorder = newRecorder);
   }
 
   /** Returns a copy that records updates of elastic segments, if a recorder is given. */
   public SessionSettings withFieldRecorder(Optional<FieldRecorder> newRecorder) {
-    return new SessionSettings(
-        defaultNewtonPerMm,
-        loop,
-        recorder,
-        editRecorder,
-        bodyRecorder,
-        newRecorder,
-        elastic,
-        listener);
+    return copy(draft -> draft.fieldRecorder = newRecorder);
   }
 
   /** Returns a copy with elastic segments, if they are given. */
   public SessionSettings withElastic(Optional<Supplier<ElasticBody>> bodies) {
-    return new SessionSettings(
-        defaultNewtonPerMm,
-        loop,
-        recorder,
-        editRecorder,
-        bodyRecorder,
-        fieldRecorder,
-        bodies,
-        listener);
+    return copy(draft -> draft.elastic = bodies);
   }
 
   /** Returns a copy that reports the end of the loop, once, on the thread that ends it. */
   public SessionSettings withListener(Consumer<LoopEnd> newListener) {
-    return new SessionSettings(
-        defaultNewtonPerMm,
-        loop,
-        recorder,
-        editRecorder,
-        bodyRecorder,
-        fieldRecorder,
-        elastic,
-        newListener);
+    return copy(draft -> draft.listener = newListener);
   }
 
   /** Returns the stiffness if the scene's settings give none, N per mm of scan. */
   double defaultNewtonPerMm(ContactScene scene, DeviceSpecification device) {
     return defaultNewtonPerMm.orElseGet(
         () -> Math.min(scene.defaultStiffnessNewtonPerMm(), device.defaultStiffnessNewtonPerMm()));
+  }
+
+  private SessionSettings copy(Consumer<Draft> change) {
+    Draft draft = new Draft(this);
+    change.accept(draft);
+    return draft.settings();
+  }
+
+  /** The settings while one of them changes. */
+  private static final class Draft {
+    private OptionalDouble defaultNewtonPerMm;
+    private LoopSettings loop;
+    private Optional<SampleRecorder> recorder;
+    private Optional<EditRecorder> editRecorder;
+    private Optional<BodyRecorder> bodyRecorder;
+    private Optional<FieldRecorder> fieldRecorder;
+    private Optional<Supplier<ElasticBody>> elastic;
+    private Consumer<LoopEnd> listener;
+
+    Draft(SessionSettings from) {
+      defaultNewtonPerMm = from.defaultNewtonPerMm;
+      loop = from.loop;
+      recorder = from.recorder;
+      editRecorder = from.editRecorder;
+      bodyRecorder = from.bodyRecorder;
+      fieldRecorder = from.fieldRecorder;
+      elastic = from.elastic;
+      listener = from.listener;
+    }
+
+    SessionSettings settings() {
+      return new SessionSettings(
+          defaultNewtonPerMm,
+          loop,
+          recorder,
+          editRecorder,
+          bodyRecorder,
+          fieldRecorder,
+          elastic,
+          listener);
+    }
   }
 }

@@ -2,6 +2,7 @@ package org.palpate.benchmarks.jitter.experiment;
 
 import java.util.Locale;
 import java.util.Objects;
+import java.util.function.Consumer;
 import org.palpate.realtime.WaitKind;
 
 /**
@@ -90,98 +91,39 @@ public record Experiment(
   }
 
   Experiment with(Collector other) {
-    return new Experiment(
-        jdk, other, waiting, scheduling, workload, load, jit, heapMb, rateHz, seconds, repeat);
+    return copy(draft -> draft.collector = other);
   }
 
   Experiment with(WaitKind other, Scheduling otherScheduling) {
-    return new Experiment(
-        jdk,
-        collector,
-        other,
-        otherScheduling,
-        workload,
-        load,
-        jit,
-        heapMb,
-        rateHz,
-        seconds,
-        repeat);
+    return copy(
+        draft -> {
+          draft.waiting = other;
+          draft.scheduling = otherScheduling;
+        });
   }
 
   Experiment with(Workload other, BackgroundLoad otherLoad) {
-    return new Experiment(
-        jdk,
-        collector,
-        waiting,
-        scheduling,
-        other,
-        otherLoad,
-        jit,
-        heapMb,
-        rateHz,
-        seconds,
-        repeat);
+    return copy(
+        draft -> {
+          draft.workload = other;
+          draft.load = otherLoad;
+        });
   }
 
   Experiment with(JitMode other) {
-    return new Experiment(
-        jdk,
-        collector,
-        waiting,
-        scheduling,
-        workload,
-        load,
-        other,
-        heapMb,
-        rateHz,
-        seconds,
-        repeat);
+    return copy(draft -> draft.jit = other);
   }
 
   Experiment withHeap(int otherHeapMb) {
-    return new Experiment(
-        jdk,
-        collector,
-        waiting,
-        scheduling,
-        workload,
-        load,
-        jit,
-        otherHeapMb,
-        rateHz,
-        seconds,
-        repeat);
+    return copy(draft -> draft.heapMb = otherHeapMb);
   }
 
   Experiment withSeconds(int otherSeconds) {
-    return new Experiment(
-        jdk,
-        collector,
-        waiting,
-        scheduling,
-        workload,
-        load,
-        jit,
-        heapMb,
-        rateHz,
-        otherSeconds,
-        repeat);
+    return copy(draft -> draft.seconds = otherSeconds);
   }
 
   Experiment withRate(int otherRateHz) {
-    return new Experiment(
-        jdk,
-        collector,
-        waiting,
-        scheduling,
-        workload,
-        load,
-        jit,
-        heapMb,
-        otherRateHz,
-        seconds,
-        repeat);
+    return copy(draft -> draft.rateHz = otherRateHz);
   }
 
   /** Returns the time between two deadlines, ns. */
@@ -221,5 +163,55 @@ public record Experiment(
   /** Returns the name of a constant in lower case. */
   public static String lower(Enum<?> value) {
     return value.name().toLowerCase(Locale.ROOT);
+  }
+
+  private Experiment copy(Consumer<Draft> change) {
+    Draft draft = new Draft(this);
+    change.accept(draft);
+    return draft.experiment();
+  }
+
+  /** An experiment while one of its settings changes. */
+  private static final class Draft {
+    private final Jdk jdk;
+    private Collector collector;
+    private WaitKind waiting;
+    private Scheduling scheduling;
+    private Workload workload;
+    private BackgroundLoad load;
+    private JitMode jit;
+    private int heapMb;
+    private int rateHz;
+    private int seconds;
+    private final int repeat;
+
+    Draft(Experiment from) {
+      jdk = from.jdk;
+      collector = from.collector;
+      waiting = from.waiting;
+      scheduling = from.scheduling;
+      workload = from.workload;
+      load = from.load;
+      jit = from.jit;
+      heapMb = from.heapMb;
+      rateHz = from.rateHz;
+      seconds = from.seconds;
+      repeat = from.repeat;
+    }
+
+    Experiment experiment() {
+      return new Experiment(
+          jdk,
+          collector,
+          waiting,
+          scheduling,
+          workload,
+          load,
+          jit,
+          heapMb,
+          rateHz,
+          seconds,
+          repeat);
+    }
   }
 }
