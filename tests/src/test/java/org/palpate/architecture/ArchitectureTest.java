@@ -126,6 +126,7 @@ class ArchitectureTest {
               List.of(
                   "benchmarks.report",
                   "force.effect",
+                  "force.needle",
                   "loop",
                   "proxy.reference",
                   "proxy.smooth",

@@ -49,7 +49,7 @@ public enum StudyTable {
   /** Stability of rigid tools by device and length. */
   STABILITY_TOOLS(
       "stability-tools.csv",
-      "device,grip,rod_mm,rms_radius_mm,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
+      "device,grip,held,rod_mm,rms_radius_mm,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
           + Columns.MARGIN),
   /** Stability with guides, effects and mass. */
   STABILITY_FEEL(

@@ -16,7 +16,7 @@ import org.palpate.geometry.Vec3;
  */
 public record ClosedLoop(
     DeviceModel device, Grip grip, Sampling sampling, Vec3 touchMm, Vec3 inward) {
-  private static final double FRICTION = 0.2;
+  static final double FRICTION = 0.2;
   private static final double AWAY_MM = 2;
   private static final double AWAY_ALONE_MM = 0.05;
   private static final double DEPTH_ALONE_MM = 1;

@@ -71,7 +71,9 @@ public final class StabilityRun {
     reportTheory(folder, study.theory(), out);
     Map<String, Double> margins = reportDevices(folder, study.devices(), out);
     reportShapes(folder, study.shapes(), out);
-    reportTools(folder, study.tools(), out);
+    List<MarginRow<ToolTrial>> tools = new ArrayList<>(study.tools());
+    tools.addAll(study.heldTools());
+    reportTools(folder, tools, out);
     reportFeel(folder, study.feel(), out);
     reportCarving(folder, study.carving(), out);
     reportLongRuns(quick, out, progress);
@@ -145,19 +147,22 @@ public final class StabilityRun {
           own.stream().filter(row -> !row.atDefault().stable()).count(),
           own.size(),
           own.stream().mapToDouble(given::get).max().orElse(0),
-          own.stream().allMatch(row -> isPassive(row, given.get(row))) ? "passive" : "active");
+          own.stream().allMatch(row -> isPassive(row.trial(), given.get(row)))
+              ? "passive"
+              : "active");
     }
   }
 
   private static List<Object> feelCells(MarginRow<FeelTrial> row, double givenMillijoule) {
     List<Object> cells = new ArrayList<>(row.cells());
     cells.add(givenMillijoule);
-    cells.add(isPassive(row, givenMillijoule) ? "passive" : "active");
+    cells.add(isPassive(row.trial(), givenMillijoule) ? "passive" : "active");
     return cells;
   }
 
-  private static boolean isPassive(MarginRow<FeelTrial> row, double givenMillijoule) {
-    return !row.trial().feel().driven() && givenMillijoule <= PASSIVE_MILLIJOULE;
+  /** Whether a trial counts as passive that gave so much energy to the hand. */
+  static boolean isPassive(FeelTrial trial, double givenMillijoule) {
+    return !trial.feel().driven() && givenMillijoule <= PASSIVE_MILLIJOULE;
   }
 
   private static void reportCarving(Path folder, List<CarveTrial.Result> results, PrintWriter out)
@@ -184,8 +189,9 @@ public final class StabilityRun {
     ToolTrial trial = row.trial();
     return String.format(
         Locale.ROOT,
-        "rod of %.0f mm with %s, grip %s",
-        trial.lengthMm(),
+        "%s, %.0f mm, with %s, grip %s",
+        trial.held().name(),
+        trial.held().lengthMm(),
         trial.device().name(),
         trial.grip().name());
   }

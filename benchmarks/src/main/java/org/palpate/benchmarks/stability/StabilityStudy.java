@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import org.palpate.benchmarks.stability.ToolTrial.Held;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
 import org.palpate.proxy.exact.GuardedSolver;
 
@@ -79,15 +80,19 @@ public final class StabilityStudy {
     return rows;
   }
 
-  /** Sweeps devices by name, mass, damping, grip and delay. */
+  /** Sweeps devices by name, mass, damping, grip and delay at 1 kHz, and the rate above it. */
   public List<MarginRow<Trial>> devices() {
+    List<Trial> trials = new ArrayList<>(deviceTrials());
+    trials.addAll(fastTrials());
     List<MarginRow<Trial>> rows = new ArrayList<>();
-    for (Trial trial : deviceTrials()) {
+    for (Trial trial : trials) {
       progress.accept(
           "devices: "
               + trial.device().name()
               + " grip="
               + trial.grip().name()
+              + " rate="
+              + trial.sampling().rateHz()
               + " delay="
               + trial.sampling().delaySamples());
       rows.add(MarginRow.of(trial));
@@ -95,7 +100,20 @@ public final class StabilityStudy {
     return rows;
   }
 
-  /** Returns the set-ups of {@link #devices}. */
+  /** Returns set-ups above 1 kHz with the assumed mass and damping, one frame of delay. */
+  private List<Trial> fastTrials() {
+    List<Trial> trials = new ArrayList<>();
+    for (double rateHz : quick ? new double[] {10_000} : new double[] {5_000, 10_000}) {
+      for (DeviceModel device : DeviceModel.KNOWN) {
+        for (Grip grip : quick ? List.of(Grip.LIGHT) : List.of(Grip.LIGHT, Grip.FIRM)) {
+          trials.add(new Trial(device, grip, new Sampling(rateHz, 1), wall, GUARDED, true));
+        }
+      }
+    }
+    return trials;
+  }
+
+  /** Returns the set-ups of {@link #devices} at 1 kHz. */
   List<Trial> deviceTrials() {
     double[] massFactors = quick ? new double[] {0.5, 2} : new double[] {0.5, 1, 2};
     double[] dampingFactors = quick ? new double[] {0.25, 1} : new double[] {0.25, 1, 4};
@@ -126,9 +144,25 @@ public final class StabilityStudy {
           for (int delay = quick ? 2 : 1; delay <= 2; delay++) {
             Sampling sampling = new Sampling(DEFAULT_SAMPLING.rateHz(), delay);
             for (DeviceModel varied : varied(device, massFactors, dampingFactors)) {
-              rows.add(MarginRow.of(new ToolTrial(varied, grip, sampling, lengthMm)));
+              Held rod = Held.rod(lengthMm);
+              rows.add(MarginRow.of(new ToolTrial(varied, grip, sampling, rod)));
             }
           }
+        }
+      }
+    }
+    return rows;
+  }
+
+  /** Sweeps needles and rods with mass, with devices by name and both grips. */
+  public List<MarginRow<ToolTrial>> heldTools() {
+    List<Held> tools = List.of(Held.NEEDLE, Held.rod(20), Held.rod(20, 0.05), Held.rod(20, 0.3));
+    List<MarginRow<ToolTrial>> rows = new ArrayList<>();
+    for (Held tool : tools) {
+      for (DeviceModel device : quick ? DeviceModel.KNOWN.subList(0, 2) : DeviceModel.KNOWN) {
+        progress.accept("tools: " + device.name() + " " + tool.name());
+        for (Grip grip : quick ? List.of(Grip.LIGHT) : List.of(Grip.LIGHT, Grip.FIRM)) {
+          rows.add(MarginRow.of(new ToolTrial(device, grip, DEFAULT_SAMPLING, tool)));
         }
       }
     }

@@ -1,11 +1,18 @@
 package org.palpate.benchmarks.stability;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.palpate.benchmarks.stability.ClosedLoop.Outcome;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.edit.EditQueue;
+import org.palpate.force.MassSettings;
+import org.palpate.force.MassiveTool;
+import org.palpate.force.ToolProposal;
+import org.palpate.force.needle.NeedleTissue;
+import org.palpate.force.needle.NeedleTrack;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
@@ -23,25 +30,67 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * One set-up of the closed loop with a rod in six degrees of freedom. The rod is held aslant, so
- * that one end meets a flat wall first and the contact turns the hand.
+ * One set-up of the closed loop with a tool in six degrees of freedom. A rod is held aslant, so
+ * that one end meets a flat wall first and the contact turns the hand. A needle is pushed upright
+ * into tissue over bone.
  *
  * @param device the device; its largest torque is taken to be its force at the grip radius
  * @param grip the person
  * @param sampling rate and delay
- * @param lengthMm the distance between the centres of the rod's caps
+ * @param held the tool
  */
-public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, double lengthMm)
+public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, Held held)
     implements LoopTrial {
+  private static final double N_PER_MM = 1e-3;
   private static final double ROD_RADIUS_MM = 3;
   private static final double TILT_RAD = 0.15;
   private static final int EDGE = 128;
   private static final double COVER_RADIUS_MM = 0.5;
   private static final double MAX_STEP_MM = 8 * TouchedShape.VOXEL_MM;
 
+  private static final double NEEDLE_RADIUS_MM = 0.5;
+  private static final double NEEDLE_LENGTH_MM = 30;
+
+  /** The layers of voxels of the wall, of the tissue down to the bone, and of the bone. */
+  private static final int WALL_LAYERS = EDGE / 2;
+
+  private static final int TISSUE_LAYERS = 120;
+  private static final int BONE_LAYERS = 8;
+
+  private static final Body WALL = body("wall", WALL_LAYERS);
+  private static final Body BONE = body("bone", BONE_LAYERS);
+
+  /** Soft enough for the weakest device: puncture 0.5 N, cutting 0.1 N, shaft 0.02 N/mm. */
+  private static final NeedleTissue TISSUE =
+      new NeedleTissue(layers(BONE_LAYERS, TISSUE_LAYERS), 0.5, 0.1, 0.02);
+
+  /**
+   * What the hand holds.
+   *
+   * @param name the name in tables
+   * @param lengthMm the distance between the centres of the caps
+   * @param massKg its mass; empty without one
+   * @param isNeedle whether it enters tissue
+   */
+  public record Held(String name, double lengthMm, OptionalDouble massKg, boolean isNeedle) {
+    /** The needle. */
+    static final Held NEEDLE =
+        new Held("needle", NEEDLE_LENGTH_MM - 2 * NEEDLE_RADIUS_MM, OptionalDouble.empty(), true);
+
+    /** Returns a rod without mass. */
+    static Held rod(double lengthMm) {
+      return new Held("rod", lengthMm, OptionalDouble.empty(), false);
+    }
+
+    /** Returns a rod with mass, which has inertia against motion and turning. */
+    static Held rod(double lengthMm, double kg) {
+      return new Held("rod of " + kg + " kg", lengthMm, OptionalDouble.of(kg), false);
+    }
+  }
+
   @Override
   public List<Object> conditionCells() {
-    return List.of(lengthMm, rmsRadiusMm());
+    return List.of(held.name(), held.lengthMm(), rmsRadiusMm());
   }
 
   /** Runs the trial with a stiffness, N/m; the rotational stiffness is that of a session. */
@@ -50,53 +99,81 @@ public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, double
     ClosedLoop loop = new ClosedLoop(device, grip, sampling, touchMm(), new Vec3(0, 0, -1));
     Plant plant = loop.turningPlant(upright());
     FrameSettings settings = ClosedLoop.settings(plant.specification(), newtonPerM, true);
-    BodyScene wall = wall();
-    RigidTool rod = rod();
+    BodyScene bodies = new BodyScene(List.of(held.isNeedle() ? BONE : WALL));
+    RigidTool tool = tool();
+    RigidCoupling coupling = RigidCoupling.of(tool, newtonPerM * N_PER_MM);
     ToolFrame frame =
         new ToolFrame(
             plant,
-            wall,
-            new RigidSolver(wall, rod, RigidSettings.of(MAX_STEP_MM, Clearance.POINTS)),
-            RigidCoupling.of(rod, newtonPerM * 1e-3),
+            bodies,
+            new RigidSolver(bodies, tool, RigidSettings.of(MAX_STEP_MM, Clearance.POINTS)),
+            coupling,
             settings,
-            EditQueue.ofBodies(wall.grids()),
+            EditQueue.ofBodies(bodies.grids()),
             ToolFramePublisher.NONE);
+    proposal(tool, coupling).ifPresent(frame::use);
     return loop.run(plant, frame);
   }
 
-  /** Returns the root mean square distance of the rod's matter from its centre, mm. */
+  private Optional<ToolProposal> proposal(RigidTool tool, RigidCoupling coupling) {
+    if (held.isNeedle()) {
+      Vec3 tip = new Vec3(0, 0, -NEEDLE_LENGTH_MM / 2);
+      return Optional.of(
+          new NeedleTrack(
+              List.of(TISSUE),
+              BONE.grid(),
+              tip,
+              NEEDLE_LENGTH_MM,
+              coupling.stiffnessNewtonPerMm()));
+    }
+    return held.massKg().stream()
+        .mapToObj(kg -> new MassSettings(kg, new Vec3()))
+        .<ToolProposal>map(mass -> new MassiveTool(tool, coupling, ClosedLoop.FRICTION, mass))
+        .findFirst();
+  }
+
+  /** Returns the root mean square distance of the tool's matter from its centre, mm. */
   public double rmsRadiusMm() {
-    return rod().rmsRadiusMm();
+    return tool().rmsRadiusMm();
   }
 
-  private RigidTool rod() {
-    return ToolSampler.ofShape(RodShape.capsule(ROD_RADIUS_MM, lengthMm), COVER_RADIUS_MM);
+  private RigidTool tool() {
+    double radiusMm = held.isNeedle() ? NEEDLE_RADIUS_MM : ROD_RADIUS_MM;
+    return ToolSampler.ofShape(RodShape.capsule(radiusMm, held.lengthMm()), COVER_RADIUS_MM);
   }
 
-  /** Returns the orientation that lays the rod, which is along z, nearly flat on the wall. */
-  private static Quaternion upright() {
-    return new Quaternion().setRotationVector(new Vec3(0, Math.PI / 2 - TILT_RAD, 0));
+  /** Returns the orientation that lays a rod, which is along z, nearly flat on the wall. */
+  private Quaternion upright() {
+    double turnRad = held.isNeedle() ? 0 : Math.PI / 2 - TILT_RAD;
+    return new Quaternion().setRotationVector(new Vec3(0, turnRad, 0));
   }
 
-  /** Returns the rod's centre when its lower end meets the wall. */
+  /** Returns the centre when the lower end meets the wall or the tissue. */
   private Vec3 touchMm() {
-    double middleMm = EDGE / 2 * TouchedShape.VOXEL_MM;
-    double lowMm = 0.5 * lengthMm * Math.sin(TILT_RAD) + ROD_RADIUS_MM;
-    return new Vec3(middleMm, middleMm, middleMm + lowMm);
+    double voxelMm = TouchedShape.VOXEL_MM;
+    double lowMm =
+        held.isNeedle()
+            ? TISSUE_LAYERS * voxelMm + NEEDLE_LENGTH_MM / 2
+            : WALL_LAYERS * voxelMm + 0.5 * held.lengthMm() * Math.sin(TILT_RAD) + ROD_RADIUS_MM;
+    return new Vec3(EDGE / 2 * voxelMm, EDGE / 2 * voxelMm, lowMm);
   }
 
-  private static BodyScene wall() {
+  private static BitCube layers(int low, int high) {
     BitCube bits = new BitCube(EDGE, EDGE, EDGE);
-    for (int k = 0; k < EDGE / 2; k++) {
+    for (int k = low; k < high; k++) {
       for (int j = 0; j < EDGE; j++) {
         for (int i = 0; i < EDGE; i++) {
           bits.set(i, j, k);
         }
       }
     }
+    return bits;
+  }
+
+  private static Body body(String name, int layers) {
     double voxel = TouchedShape.VOXEL_MM;
     VoxelGrid grid =
         new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(voxel, voxel, voxel), RigidTransform.identity());
-    return new BodyScene(List.of(new Body("wall", bits, grid, Mobility.FIXED)));
+    return new Body(name, layers(0, layers), grid, Mobility.FIXED);
   }
 }

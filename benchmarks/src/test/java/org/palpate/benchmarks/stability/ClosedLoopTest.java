@@ -9,10 +9,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.benchmarks.report.StudyTable;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
+import org.palpate.benchmarks.stability.ToolTrial.Held;
 import org.palpate.device.DeviceState;
 import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Quaternion;
@@ -120,12 +123,37 @@ class ClosedLoopTest {
   void aFirmlyHeldRodRestsOnAWallAtTheDefaultStiffnessOfEveryDevice() {
     for (DeviceModel device : DeviceModel.KNOWN) {
       for (double lengthMm : new double[] {0, 60}) {
-        ToolTrial trial = new ToolTrial(device, Grip.FIRM, new Sampling(1000, 1), lengthMm);
+        ToolTrial trial =
+            new ToolTrial(device, Grip.FIRM, new Sampling(1000, 1), Held.rod(lengthMm));
         ClosedLoop.Outcome outcome = trial.run(500 * device.maxStiffnessNewtonPerMm());
         assertTrue(outcome.stable(), device.name() + " rod " + lengthMm + " " + outcome);
         assertTrue(outcome.riseNewtonPerMs() > 0, device.name() + " touches nothing");
       }
     }
+  }
+
+  @Test
+  void aNeedleRestsInTissueAtTheDefaultStiffnessOfEveryDevice() {
+    for (DeviceModel device : DeviceModel.KNOWN) {
+      ToolTrial trial = new ToolTrial(device, Grip.LIGHT, new Sampling(1000, 1), Held.NEEDLE);
+      ClosedLoop.Outcome outcome = trial.run(500 * device.maxStiffnessNewtonPerMm());
+      assertTrue(outcome.stable(), device.name() + " " + outcome);
+      assertTrue(outcome.riseNewtonPerMs() > 0, device.name() + " touches nothing");
+    }
+  }
+
+  @Test
+  void effectsArePassiveButForThoseThatTheDocumentsCallActive() {
+    DeviceModel touch = DeviceModel.KNOWN.get(0);
+    Set<String> active = new TreeSet<>();
+    for (FeelTrial.Feel feel : FeelTrial.feels()) {
+      FeelTrial trial = new FeelTrial(touch, Grip.LIGHT, new Sampling(1000, 1), feel);
+      if (!StabilityRun.isPassive(trial, trial.givenMillijoule(200))) {
+        active.add(feel.name().replaceFirst(" .*", ""));
+      }
+    }
+    assertTrue(Set.of("magnet", "texture", "vibration").containsAll(active), "active: " + active);
+    assertTrue(active.contains("vibration"), "it follows time");
   }
 
   @Test
@@ -202,7 +230,7 @@ class ClosedLoopTest {
             true);
     MarginRow<Trial> row =
         new MarginRow<>(trial, 200, 500, new ClosedLoop.Outcome(true, 0.01, 0.2, 0.03));
-    ToolTrial held = new ToolTrial(trial.device(), Grip.FIRM, trial.sampling(), 0);
+    ToolTrial held = new ToolTrial(trial.device(), Grip.FIRM, trial.sampling(), Held.rod(0));
     MarginRow<ToolTrial> tool = new MarginRow<>(held, 200, 300, row.atDefault());
     StudyTable.STABILITY_TOOLS.write(folder, List.of(tool), MarginRow::cells);
     assertTrue(

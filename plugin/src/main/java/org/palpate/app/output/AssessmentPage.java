@@ -55,6 +55,12 @@ final class AssessmentPage {
       <h1>Assessment of a session</h1>
       """;
 
+  /** The units of a report by the end of its keys. */
+  private static final Map<String, String> UNITS = Map.of("mm", "mm", "s", "s", "deg", "degrees");
+
+  /** The keys of a report that hold a volume for each segment. */
+  private static final List<String> VOLUMES = List.of("carved", "added");
+
   private final SessionAssessor assessor;
   private final AssessmentValues values;
   private final UnaryOperator<Vec3> world;
@@ -271,7 +277,7 @@ final class AssessmentPage {
     String peak = tremor.peakHertz().isEmpty() ? "" : peak(tremor.peakHertz().getAsDouble());
     note(
         "From 4 to 12 Hz the hand moved by "
-            + number(tremor.rmsMm().orElse(0), 4)
+            + number(tremor.rmsMm().orElse(0), 3)
             + " mm (root mean square)"
             + peak
             + ".");
@@ -329,12 +335,22 @@ final class AssessmentPage {
 
   private void addOutcome(String name, Object value) {
     if (value instanceof Map<?, ?> map) {
-      map.forEach((key, inner) -> addOutcome(name + " " + key, inner));
+      map.forEach((key, inner) -> addOutcome(name + " " + words(name, key.toString()), inner));
     } else if (value instanceof List<?> list && list.stream().allMatch(Map.class::isInstance)) {
       list.forEach(inner -> addOutcome(name, inner));
     } else {
       row(name, value instanceof Double number ? NumberText.thousandths(number) : value.toString());
     }
+  }
+
+  /** Returns a key of a report as words with the unit at the end, as in {@code nearest, mm}. */
+  private static String words(String parent, String key) {
+    if (VOLUMES.contains(parent)) {
+      return key + ", mm³"; // The key is the name of a segment.
+    }
+    int end = key.lastIndexOf('_');
+    String unit = end < 0 ? null : UNITS.get(key.substring(end + 1));
+    return unit == null ? key.replace('_', ' ') : key.substring(0, end) + ", " + unit;
   }
 
   private static String number(double value, int decimals) {
