@@ -37,20 +37,20 @@ class SmoothAccuracyTest {
   }
 
   @Test
-  void onASphereForcesAreWithinADegreeAndAHalf() {
+  void onASphereForcesAreWithinADegree() {
     for (double depth : new double[] {2, 5, 10}) {
       for (double speed : new double[] {0.05, 0.3, 2}) {
-        check(measure("sphere", depth, speed), 1.5, 6.5, 0.05, 0.03);
+        check(measure("sphere", depth, speed), 0.9, 3.5, 0.04, 0.02);
       }
     }
   }
 
   @Test
-  void onATorusForcesAreWithinTwoAndAHalfDegrees() {
+  void onATorusForcesAreWithinADegreeAndAQuarter() {
     for (double depth : new double[] {2, 5, 10}) {
       for (double speed : new double[] {0.05, 0.3, 2}) {
         boolean deep = depth == 10;
-        check(measure("torus", depth, speed), deep ? 3.3 : 2.5, deep ? 13 : 10, 0.11, 0.03);
+        check(measure("torus", depth, speed), deep ? 1.25 : 1, deep ? 7 : 5.2, 0.06, 0.02);
       }
     }
   }
@@ -83,16 +83,16 @@ class SmoothAccuracyTest {
   @ParameterizedTest
   @CsvSource({
     "1.2, plane, 0.4, 1, 0.02, 0.02",
-    "1.2, sphere, 0.9, 5.5, 0.04, 0.02",
-    "1.2, torus, 1, 5, 0.06, 0.02",
+    "1.2, sphere, 0.8, 3.7, 0.04, 0.02",
+    "1.2, torus, 0.9, 4.6, 0.06, 0.02",
     "1.4, plane, 0.3, 0.8, 0.02, 0.02",
-    "1.4, sphere, 0.9, 5.5, 0.04, 0.02",
-    "1.4, torus, 1, 5, 0.06, 0.02",
+    "1.4, sphere, 0.8, 3.6, 0.04, 0.02",
+    "1.4, torus, 0.9, 4.6, 0.06, 0.02",
     "2, plane, 0.3, 0.7, 0.02, 0.02",
-    "2, sphere, 1.1, 5.4, 0.06, 0.02",
+    "2, sphere, 1, 4.8, 0.06, 0.02",
     "2, torus, 1.2, 5, 0.07, 0.02",
     "3, plane, 0.4, 0.9, 0.02, 0.02",
-    "3, sphere, 1.3, 5.4, 0.07, 0.02",
+    "3, sphere, 1.2, 5.2, 0.07, 0.02",
     "3, torus, 2, 8.2, 0.13, 0.02",
     "5, plane, 0.7, 1.3, 0.03, 0.02",
     "5, sphere, 1.5, 6.5, 0.09, 0.02",

@@ -16,11 +16,17 @@ class FrameWorkTest {
   private static final int MAX_RATIO_TO_A_SLIDE = 20;
 
   /**
+   * The same for {@code smooth}. Most of its sliding frames find all voxels in its cache, so its
+   * ratios refer to the 99th percentile of a slide, a frame in which the cache moves on.
+   */
+  private static final int MAX_RATIO_OF_SMOOTH = 15;
+
+  /**
    * The same for {@code smooth} among alternating slices of long voxels. Half of the slices are
    * empty, so that its search for an outline reads them as far as it reaches: 24 pixels to each
    * side. After a jump none of these pixels is cached.
    */
-  private static final int MAX_RATIO_AMONG_SLICES = 30;
+  private static final int MAX_RATIO_AMONG_SLICES = 24;
 
   /** The same if an edit before each frame empties the cache. */
   private static final int MAX_RATIO_AMONG_EDITED_SLICES = 40;
@@ -29,10 +35,10 @@ class FrameWorkTest {
    * The same if voxels are long along two axes. The search of the second cut then reads cells that
    * the first one makes.
    */
-  private static final int MAX_RATIO_ALONG_TWO_AXES = 80;
+  private static final int MAX_RATIO_ALONG_TWO_AXES = 64;
 
   /** The same if an edit before each frame empties the cache. */
-  private static final int MAX_RATIO_OF_EDITED_ALONG_TWO_AXES = 100;
+  private static final int MAX_RATIO_OF_EDITED_ALONG_TWO_AXES = 80;
 
   private static final int CASES = 500;
   private static final int JUMPS = 8_000;
@@ -41,7 +47,8 @@ class FrameWorkTest {
   @EnumSource
   void noFrameNeedsMuchMoreWorkThanASlidingFrame(Attacked solver) {
     List<WorkStudy.Row> rows = rows(solver);
-    long sliding = median(rows, WorkStudy.SLIDING);
+    WorkStudy.Row slide = row(rows, WorkStudy.SLIDING);
+    long sliding = solver == Attacked.SMOOTH ? slide.p99() : slide.median();
     assertTrue(sliding > 10, "the words that a frame reads are counted: " + rows);
     for (WorkStudy.Row row : rows) {
       assertTrue(
@@ -66,7 +73,7 @@ class FrameWorkTest {
       case WorkStudy.EDITED_SLICES -> MAX_RATIO_AMONG_EDITED_SLICES;
       case WorkStudy.SLICES_ALONG_TWO_AXES -> MAX_RATIO_ALONG_TWO_AXES;
       case WorkStudy.EDITED_SLICES_ALONG_TWO_AXES -> MAX_RATIO_OF_EDITED_ALONG_TWO_AXES;
-      default -> MAX_RATIO_TO_A_SLIDE;
+      default -> MAX_RATIO_OF_SMOOTH;
     };
   }
 
@@ -74,7 +81,7 @@ class FrameWorkTest {
     return new WorkStudy(solver, Seeds.seed(), CASES, JUMPS).rows();
   }
 
-  private static long median(List<WorkStudy.Row> rows, String hand) {
-    return rows.stream().filter(row -> row.hand().equals(hand)).findFirst().orElseThrow().median();
+  private static WorkStudy.Row row(List<WorkStudy.Row> rows, String hand) {
+    return rows.stream().filter(row -> row.hand().equals(hand)).findFirst().orElseThrow();
   }
 }

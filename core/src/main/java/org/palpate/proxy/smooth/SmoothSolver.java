@@ -64,7 +64,7 @@ public final class SmoothSolver implements ProxySolver {
    * @param maxStepMm the longest path of the point in one frame, w_max, positive
    */
   public SmoothSolver(GridMetric metric, double maxStepMm) {
-    this(metric, maxStepMm, OccupancyField.ofBits(metric));
+    this(metric, maxStepMm, OccupancyField.ofBitsOverTerraces(metric));
   }
 
   /**

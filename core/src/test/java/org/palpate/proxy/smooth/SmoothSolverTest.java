@@ -191,7 +191,7 @@ class SmoothSolverTest {
 
   private int framesThatLowerThePotential(
       SmoothSolver solver, CollisionScene scene, GridMetric metric, String name) {
-    OccupancyField field = OccupancyField.ofBits(metric);
+    OccupancyField field = OccupancyField.ofBitsOverTerraces(metric);
     field.use(scene);
     Potential potential = new Potential(field, new EdgeUnits(metric));
     int frames = 0;

@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import java.util.Arrays;
+import java.util.List;
 import org.palpate.collision.CollisionScene;
 
 /**
@@ -28,7 +29,7 @@ final class BinaryCoefficientSource implements CoefficientSource {
   private final SmoothingKernel kernel;
   private final BinaryWindow window;
 
-  /** The occupancies of cells between 0 and 1; null if cells are voxels. */
+  /** The occupancies of cells less their bits. */
   private final CellCorrections corrections;
 
   private final double scale;
@@ -52,13 +53,14 @@ final class BinaryCoefficientSource implements CoefficientSource {
    * Creates a source over the cells of a window.
    *
    * @param kernel the smoothing of these cells
-   * @param thin the cells if they are thin slices, or null if they are voxels
+   * @param corrected the corrections of cells that are solid in part
    */
-  BinaryCoefficientSource(SmoothingKernel kernel, BinaryWindow window, ThinSlices thin) {
+  BinaryCoefficientSource(
+      SmoothingKernel kernel, BinaryWindow window, List<CellCorrections.Source> corrected) {
     this.kernel = kernel;
     this.window = window;
-    corrections = thin == null ? null : new CellCorrections(thin, window, weights());
-    int unit = thin == null ? 1 : ThinSlices.FRACTIONS;
+    corrections = new CellCorrections(corrected, window, weights());
+    int unit = ThinSlices.FRACTIONS;
     scale = kernel.scale() / unit;
     alongY = new AxisTaps(kernel, 1);
     alongZ = new AxisTaps(kernel, 2);
@@ -97,9 +99,7 @@ final class BinaryCoefficientSource implements CoefficientSource {
       return false;
     }
     window.floodFrom(seed);
-    if (corrections != null) {
-      corrections.read(scene);
-    }
+    corrections.read(scene);
     weigh(coefficients);
     return true;
   }
@@ -123,7 +123,7 @@ final class BinaryCoefficientSource implements CoefficientSource {
       long a = reached[BinaryWindow.WORDS * z];
       long b = reached[BinaryWindow.WORDS * z + 1];
       long c = reached[BinaryWindow.WORDS * z + 2];
-      if (corrections != null && corrections.anyInLayer(z)) {
+      if (corrections.anyInLayer(z)) {
         sumCorrectedLayer(z, ~a, ~b, ~c);
         once0 += alongY.weigh(rowsTwice, 0);
         once1 += alongY.weigh(rowsTwice, 1);
@@ -215,6 +215,7 @@ final class BinaryCoefficientSource implements CoefficientSource {
 
   @Override
   public void forget() {
+    corrections.forget();
     window.forget();
   }
 

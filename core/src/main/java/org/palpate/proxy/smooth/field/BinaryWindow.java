@@ -78,6 +78,11 @@ final class BinaryWindow {
     copy = new BrickCopy(source);
   }
 
+  /** Returns the copy from which voxels are loaded. */
+  BrickCopy copy() {
+    return copy;
+  }
+
   /** Forgets the copied bits. */
   void forget() {
     copy.forget();
@@ -173,7 +178,8 @@ final class BinaryWindow {
         || isReached(x + dx, y + dy, z + dz);
   }
 
-  private boolean isReached(int x, int y, int z) {
+  /** Whether a cell of the window, counted from its low end, counts as reached. */
+  boolean isReached(int x, int y, int z) {
     return isInside(x, y, z) && isSet(reached, x, y, z);
   }
 

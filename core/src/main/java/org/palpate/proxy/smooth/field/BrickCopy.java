@@ -19,12 +19,29 @@ final class BrickCopy {
   /** The cells that are left on an axis beside a window. */
   private static final int ROOM = EDGE - BinaryWindow.EDGE;
 
+  /**
+   * The bricks along each axis that another copy holds as well, by their offset, see {@link
+   * #masks}.
+   */
+  private static final long[] MASK_X = masks(1, BRICKS);
+
+  private static final long[] MASK_Y = masks(4, BRICKS);
+  private static final long[] MASK_Z = masks(16, BRICKS);
+
   private final BrickSource source;
+
+  /** The bricks, x fastest. */
+  private long[] bricks = new long[BRICKS * BRICKS * BRICKS];
+
+  /** The bricks of the copy before this one. */
+  private long[] bricksBefore = new long[BRICKS * BRICKS * BRICKS];
+
   private final long[] words = new long[EDGE * BRICKS];
   private int lowX;
   private int lowY;
   private int lowZ;
   private boolean valid;
+  private long reads;
 
   /** Creates a copy of the cells that a source gives. */
   BrickCopy(BrickSource source) {
@@ -40,12 +57,83 @@ final class BrickCopy {
   /** Makes the copy hold the window from (x,y,z) on, by reading other bricks if it must. */
   void cover(CollisionScene scene, int x, int y, int z) {
     if (!holds(x, y, z)) {
-      lowX = centred(x);
-      lowY = centred(y);
-      lowZ = centred(z);
+      int fromX = centred(x);
+      int fromY = centred(y);
+      int fromZ = centred(z);
+      int byX = (fromX - lowX) >> 2;
+      int byY = (fromY - lowY) >> 2;
+      int byZ = (fromZ - lowZ) >> 2;
+      long kept = valid ? overlap(byX, byY, byZ) : 0;
+      int offset = number(byX, byY, byZ);
+      lowX = fromX;
+      lowY = fromY;
+      lowZ = fromZ;
       valid = true;
-      read(scene);
+      reads++;
+      read(scene, kept, offset);
     }
+  }
+
+  /**
+   * Returns for each offset of 4x4x4 bits, from -3 on, those that lie in a window along an axis, a
+   * bit each.
+   *
+   * @param stride the distance of neighbours along the axis in a word, bits
+   * @param edge the edge of the window
+   */
+  static long[] masks(int stride, int edge) {
+    long[] masks = new long[edge + 3];
+    for (int n = 0; n < masks.length; n++) {
+      for (int bit = 0; bit < Long.SIZE; bit++) {
+        int at = n - 3 + (bit / stride & 3);
+        masks[n] |= at >= 0 && at < edge ? 1L << bit : 0;
+      }
+    }
+    return masks;
+  }
+
+  /** Returns the mask for an offset, or 0 if the window is too far away. */
+  static long mask(long[] masks, int offset) {
+    return offset >= -3 && offset + 3 < masks.length ? masks[offset + 3] : 0;
+  }
+
+  /**
+   * Returns the bricks of a copy, a bit each, that another copy holds as well.
+   *
+   * @param x how many bricks it begins beyond the other one, as y and z
+   */
+  static long overlap(int x, int y, int z) {
+    return mask(MASK_X, x) & mask(MASK_Y, y) & mask(MASK_Z, z);
+  }
+
+  /** Returns the number of the brick (x,y,z) of a copy, also if it lies outside. */
+  static int number(int x, int y, int z) {
+    return 16 * z + 4 * y + x;
+  }
+
+  /** Returns a brick of the copy. */
+  long brick(int number) {
+    return bricks[number];
+  }
+
+  /**
+   * Returns the brick beside one of the copy, from the source if the copy lacks it.
+   *
+   * @param step 1 or -1 along the axis
+   */
+  long beside(CollisionScene scene, int number, int axis, int step) {
+    int at = ((number >> (2 * axis)) & 3) + step;
+    return (at & 3) == at
+        ? bricks[number + (step << (2 * axis))]
+        : outside(scene, number, axis, step);
+  }
+
+  private long outside(CollisionScene scene, int number, int axis, int step) {
+    return source.brick(
+        scene,
+        (lowX >> 2) + (number & 3) + (axis == 0 ? step : 0),
+        (lowY >> 2) + (number >> 2 & 3) + (axis == 1 ? step : 0),
+        (lowZ >> 2) + (number >> 4) + (axis == 2 ? step : 0));
   }
 
   private boolean holds(int x, int y, int z) {
@@ -78,6 +166,11 @@ final class BrickCopy {
     return lowZ;
   }
 
+  /** Returns how often bits were read; it changes whenever the bits do. */
+  long reads() {
+    return reads;
+  }
+
   /** Returns the bits, not to be changed. */
   long[] words() {
     return words;
@@ -88,22 +181,37 @@ final class BrickCopy {
     return z * BRICKS + (y >> 2);
   }
 
-  private void read(CollisionScene scene) {
+  /**
+   * Reads the bricks and writes their rows.
+   *
+   * @param kept the bricks that the copy before held as well, a bit each
+   * @param offset how much greater their number was there
+   */
+  private void read(CollisionScene scene, long kept, int offset) {
+    long[] before = bricks;
+    bricks = bricksBefore;
+    bricksBefore = before;
+    for (int n = 0; n < bricks.length; n++) {
+      bricks[n] =
+          (kept >>> n & 1) != 0
+              ? before[n + offset]
+              : source.brick(
+                  scene, (lowX >> 2) + (n & 3), (lowY >> 2) + (n >> 2 & 3), (lowZ >> 2) + (n >> 4));
+    }
     for (int z = 0; z < BRICKS; z++) {
       for (int y = 0; y < BRICKS; y++) {
-        readRowOfBricks(scene, y, z);
+        writeRows(y, z);
       }
     }
   }
 
-  private void readRowOfBricks(CollisionScene scene, int y, int z) {
-    int brickX = lowX >> 2;
-    int brickY = (lowY >> 2) + y;
-    int brickZ = (lowZ >> 2) + z;
-    long a = source.brick(scene, brickX, brickY, brickZ);
-    long b = source.brick(scene, brickX + 1, brickY, brickZ);
-    long c = source.brick(scene, brickX + 2, brickY, brickZ);
-    long d = source.brick(scene, brickX + 3, brickY, brickZ);
+  /** Writes the rows of four bricks side by side along x. */
+  private void writeRows(int y, int z) {
+    int first = number(0, y, z);
+    long a = bricks[first];
+    long b = bricks[first + 1];
+    long c = bricks[first + 2];
+    long d = bricks[first + 3];
     boolean empty = (a | b | c | d) == 0;
     for (int layer = 0; layer < BRICK_EDGE; layer++) {
       words[(BRICK_EDGE * z + layer) * BRICKS + y] =

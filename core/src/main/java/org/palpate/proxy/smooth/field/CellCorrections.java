@@ -1,27 +1,27 @@
 package org.palpate.proxy.smooth.field;
 
 import java.util.Arrays;
+import java.util.List;
 import org.palpate.collision.CollisionScene;
 
 /**
  * Corrections of a window of bits: the occupancy of each cell less its bit, summed up over each row
- * along x. A column of a thin slice may end within a cell, which is then only partly solid.
- *
- * <p>A correction counts only if the seed reaches the cell or one beside it along the last cut.
- * Otherwise its empty part counts as solid, like empty cells that the seed does not reach.
+ * along x. A cell may be solid in part, see {@link ThinSlices} and {@link Terraces}.
  */
 final class CellCorrections {
   private static final int EDGE = BinaryWindow.EDGE;
 
-  /** The masks of a brick that begins up to three cells before a window, or in it. */
-  private static final int MASKS = EDGE + 3;
+  /** The cells of a brick that lie in a window along each axis, by its offset from the window. */
+  private static final long[] MASK_X = BrickCopy.masks(1, EDGE);
 
-  private static final long[] MASK_X = masks(1);
-  private static final long[] MASK_Y = masks(4);
-  private static final long[] MASK_Z = masks(16);
+  private static final long[] MASK_Y = BrickCopy.masks(4, EDGE);
+  private static final long[] MASK_Z = BrickCopy.masks(16, EDGE);
 
-  private final ThinSlices thin;
+  private final Source[] sources;
   private final BinaryWindow window;
+
+  /** The bits from which the window is loaded. */
+  private final BrickCopy copy;
 
   /** For each cell along x, the packed taps with which it adds to the three sums of its row. */
   private final long[] weights;
@@ -32,31 +32,74 @@ final class CellCorrections {
   /** The layers that hold a correction, a bit each. */
   private int layers;
 
-  /**
-   * Creates the corrections of thin slices.
-   *
-   * @param weights for each cell along x its packed taps
-   */
-  CellCorrections(ThinSlices thin, BinaryWindow window, long[] weights) {
-    this.thin = thin;
-    this.window = window;
-    this.weights = weights;
+  /** For each source, the bricks of the copy that hold a correction, a bit each. */
+  private final long[] correctedBricks;
+
+  /** The number of the copy to which those belong, and its first brick. */
+  private long knownReads;
+
+  private int knownX;
+  private int knownY;
+  private int knownZ;
+
+  /** Whether those bricks were found since {@link #forget}. */
+  private boolean isKnown;
+
+  /** Corrections of cells, in bricks of 4x4x4. */
+  interface Source {
+    /**
+     * Finds the corrections of a brick that comes into the copy.
+     *
+     * @param number the brick's number in the copy
+     * @param x its brick coordinates
+     * @return whether there is any
+     */
+    boolean find(CollisionScene scene, int number, int x, int y, int z);
+
+    /** Returns the slot of a brick of the copy that has corrections, for the next two methods. */
+    int slotOf(CollisionScene scene, int x, int y, int z);
+
+    /** Returns the cells of a brick whose occupancy differs from their bit, a bit each. */
+    long corrected(int slot);
+
+    /**
+     * Returns by how much the occupancy of a cell differs from its bit, in {@link
+     * ThinSlices#FRACTIONS}.
+     *
+     * @param bit the cell's place in the brick's word; a corrected one
+     */
+    int correction(int slot, int bit);
+
+    /**
+     * Whether a correction counts in a window where the seed does not reach all empty cells.
+     *
+     * @param x the corrected cell, counted from the low end of the window, as y and z
+     */
+    boolean counts(BinaryWindow window, int x, int y, int z);
+
+    /** Forgets all corrections. */
+    void forget();
   }
 
   /**
-   * Returns for each offset of a brick the cells that lie in a window along an axis, a bit each.
+   * Creates the sum of the corrections of some sources.
    *
-   * @param stride the distance of neighbouring cells along the axis in a brick's word, bits
+   * @param weights for each cell along x its packed taps
    */
-  private static long[] masks(int stride) {
-    long[] masks = new long[MASKS];
-    for (int n = 0; n < MASKS; n++) {
-      for (int bit = 0; bit < Long.SIZE; bit++) {
-        int at = n - 3 + (bit / stride & 3);
-        masks[n] |= at >= 0 && at < EDGE ? 1L << bit : 0;
-      }
+  CellCorrections(List<Source> sources, BinaryWindow window, long[] weights) {
+    this.sources = sources.toArray(new Source[0]);
+    this.window = window;
+    this.weights = weights;
+    copy = window.copy();
+    correctedBricks = new long[sources.size()];
+  }
+
+  /** Forgets all corrections. */
+  void forget() {
+    isKnown = false;
+    for (Source source : sources) {
+      source.forget();
     }
-    return masks;
   }
 
   /** Reads the corrections of the cells of the window as it was loaded last. */
@@ -65,33 +108,67 @@ final class CellCorrections {
       Arrays.fill(rows, 0);
       layers = 0;
     }
-    int lowX = window.lowX();
-    int lowY = window.lowY();
-    int lowZ = window.lowZ();
-    for (int z = lowZ & ~3; z < lowZ + EDGE; z += 4) {
-      for (int y = lowY & ~3; y < lowY + EDGE; y += 4) {
-        long inside = MASK_Y[y - lowY + 3] & MASK_Z[z - lowZ + 3];
-        for (int x = lowX & ~3; x < lowX + EDGE; x += 4) {
-          int slot = thin.slotOf(scene, x >> 2, y >> 2, z >> 2);
-          long cells = thin.corrected(slot) & inside & MASK_X[x - lowX + 3];
-          if (cells != 0) {
-            add(slot, cells, x - lowX, y - lowY, z - lowZ);
-          }
-        }
+    if (!isKnown || knownReads != copy.reads()) {
+      findCorrectedBricks(scene);
+    }
+    for (int n = 0; n < sources.length; n++) {
+      for (long left = correctedBricks[n]; left != 0; left &= left - 1) {
+        readBrick(scene, sources[n], Long.numberOfTrailingZeros(left));
       }
     }
   }
 
+  /**
+   * Finds the bricks of the copy that hold corrections, so that windows look at no others. Those of
+   * bricks that the copy before held are known.
+   */
+  private void findCorrectedBricks(CollisionScene scene) {
+    int x = copy.lowX() >> 2;
+    int y = copy.lowY() >> 2;
+    int z = copy.lowZ() >> 2;
+    long kept = isKnown ? BrickCopy.overlap(x - knownX, y - knownY, z - knownZ) : 0;
+    int offset = BrickCopy.number(x - knownX, y - knownY, z - knownZ);
+    for (int n = 0; n < sources.length; n++) {
+      long before = correctedBricks[n];
+      long found = kept & (offset >= 0 ? before >>> offset : before << -offset);
+      for (long left = ~kept; left != 0; left &= left - 1) {
+        int brick = Long.numberOfTrailingZeros(left);
+        boolean any =
+            sources[n].find(scene, brick, x + (brick & 3), y + (brick >> 2 & 3), z + (brick >> 4));
+        found |= any ? 1L << brick : 0;
+      }
+      correctedBricks[n] = found;
+    }
+    knownReads = copy.reads();
+    knownX = x;
+    knownY = y;
+    knownZ = z;
+    isKnown = true;
+  }
+
+  private void readBrick(CollisionScene scene, Source source, int brick) {
+    int x = copy.lowX() - window.lowX() + 4 * (brick & 3);
+    int y = copy.lowY() - window.lowY() + 4 * (brick >> 2 & 3);
+    int z = copy.lowZ() - window.lowZ() + 4 * (brick >> 4);
+    long inside = BrickCopy.mask(MASK_X, x) & BrickCopy.mask(MASK_Y, y) & BrickCopy.mask(MASK_Z, z);
+    if (inside != 0) {
+      int slot =
+          source.slotOf(
+              scene, knownX + (brick & 3), knownY + (brick >> 2 & 3), knownZ + (brick >> 4));
+      add(source, slot, source.corrected(slot) & inside, x, y, z);
+    }
+  }
+
   /** Adds the corrections of some cells of a brick that begins at a cell of the window. */
-  private void add(int slot, long cells, int brickX, int brickY, int brickZ) {
+  private void add(Source source, int slot, long cells, int brickX, int brickY, int brickZ) {
     boolean all = !window.anyUnreached();
     for (long left = cells; left != 0; left &= left - 1) {
       int bit = Long.numberOfTrailingZeros(left);
       int x = brickX + (bit & 3);
       int y = brickY + (bit >> 2 & 3);
       int z = brickZ + (bit >> 4);
-      if (all || window.isBesideReached(x, y, z, thin.axis())) {
-        rows[EDGE * z + y] += thin.correction(slot, bit) * weights[x];
+      if (all || source.counts(window, x, y, z)) {
+        rows[EDGE * z + y] += source.correction(slot, bit) * weights[x];
         layers |= 1 << z;
       }
     }

@@ -57,12 +57,17 @@ final class NearestPixels {
     }
   }
 
+  /** Returns the squared distance from which on some pixels are out of reach. */
+  static double endSquare(PixelEdges edges) {
+    return Math.min(edges.square(REACH + 1, 0), edges.square(0, REACH + 1));
+  }
+
   /**
    * Returns the steps up to the distance from which on some pixels are out of reach. Among steps of
    * equal distance, the one with fewer rows comes first.
    */
   private List<Integer> stepsInOrder() {
-    double endSquare = Math.min(edges.square(REACH + 1, 0), edges.square(0, REACH + 1));
+    double endSquare = endSquare(edges);
     List<Integer> inOrder = new ArrayList<>();
     for (int off = 0; off <= REACH; off++) {
       for (int along = 0; along <= REACH; along++) {

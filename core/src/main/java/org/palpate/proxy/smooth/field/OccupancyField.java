@@ -1,5 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
@@ -88,16 +90,37 @@ public final class OccupancyField {
 
   /** Returns a field that is made from the voxels' bits alone. */
   public static OccupancyField ofBits(GridMetric metric) {
+    return ofBits(metric, false);
+  }
+
+  /**
+   * Returns the same with wide terraces interpolated, see {@link Terraces}. It is made for a point
+   * that slides: an evaluation far from the last one looks for terraces all around. Voxels that are
+   * cut along two axes keep their terraces, whose cells would take too long to make.
+   */
+  public static OccupancyField ofBitsOverTerraces(GridMetric metric) {
+    return ofBits(metric, true);
+  }
+
+  private static OccupancyField ofBits(GridMetric metric, boolean interpolatesTerraces) {
     Vec3 edges = edges(metric);
     ThinGrid grid = ThinGrid.ofBits(edges);
     SmoothingKernel kernel = SmoothingKernel.forBits(grid.cellEdges(edges));
     ThinSlices thin = thin(grid, edges);
     BrickSource cells = cells(thin);
     BinaryWindow window = new BinaryWindow(grid, cells);
+    List<CellCorrections.Source> corrections = new ArrayList<>();
+    if (thin != null) {
+      corrections.add(thin);
+    }
+    if (interpolatesTerraces && grid.cuts().size() < 2) {
+      BrickSource voxels = thin == null ? new BrickSource.BoundedVoxels() : thin;
+      corrections.add(new Terraces(grid, voxels, window.copy(), edges));
+    }
     return new OccupancyField(
         grid,
         cells,
-        new BinaryCoefficientSource(kernel, window, thin),
+        new BinaryCoefficientSource(kernel, window, corrections),
         edges,
         MAX_DEVIATIONS_OF_BITS);
   }

@@ -1,5 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
+import org.palpate.geometry.Vec3;
+
 /**
  * The edges of the pixels of a slice, and the distances that they give, in shortest voxel edges.
  *
@@ -7,6 +9,15 @@ package org.palpate.proxy.smooth.field;
  * @param v the edge along v, at least 1
  */
 record PixelEdges(double u, double v) {
+  /**
+   * Returns the edges of the pixels of slices across an axis, given those of the cells: u is the
+   * first of the other axes, but z if x is the long axis, see {@link SliceBits}.
+   */
+  static PixelEdges across(int axis, Vec3 cellEdges) {
+    return new PixelEdges(
+        axis == 0 ? cellEdges.z : cellEdges.x, axis == 1 ? cellEdges.z : cellEdges.y);
+  }
+
   /**
    * Returns the squared distance between two pixels, given their offsets along u and v in pixels.
    */

@@ -1,5 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
+import java.util.Arrays;
+
 /**
  * Shape-based interpolation between two slices: where a column that is solid in one slice and empty
  * in the next crosses the surface.
@@ -16,17 +18,14 @@ package org.palpate.proxy.smooth.field;
  * <p>References: Raya and Udupa 1990; Herman, Zheng and Bucholtz 1992.
  */
 final class ShapeInterpolation {
-  /**
-   * The least length of a terrace whose bend counts, in pixels. On shorter ones outlines are too
-   * rough to show a bend, and a search for two more of them is not worth its time.
-   */
-  private static final double MIN_BENT_PIXELS = 4;
+  /** The columns of a tile. */
+  static final int COLUMNS = 16;
 
   /** The greatest bend, which moves the middle of a terrace by an eighth of the way. */
   private static final double MAX_BEND = 0.5;
 
   /** A distance that does not bend a surface. */
-  static final double UNKNOWN = 0;
+  private static final double UNKNOWN = 0;
 
   /** An outline that moves by less than this from slice to slice stands upright, pixels. */
   private static final double MIN_SHIFT = 0.25;
@@ -40,32 +39,68 @@ final class ShapeInterpolation {
   /** The least height: the middle of a slice keeps its bits. */
   private static final double MIN_HEIGHT_CELLS = 1e-6;
 
+  private final SliceBits slices;
   private final SliceOutline outline;
   private final double perVoxel;
   private final double reach;
+
+  /** For each column of a tile, the distance to the outline of the solid slice, in voxel edges. */
+  private final double[] inside = new double[COLUMNS];
+
+  /** The same for the slice where the column is empty. */
+  private final double[] outside = new double[COLUMNS];
+
+  /** The same for the slice before the solid one, where the column is solid there too. */
+  private final double[] before = new double[COLUMNS];
+
+  /** The same for the slice behind the empty one, where the column is empty there too. */
+  private final double[] behind = new double[COLUMNS];
 
   /** The least length of a terrace whose bend counts, in shortest voxel edges. */
   private final double minBent;
 
   /**
-   * Creates the interpolation.
+   * Creates the interpolation between the slices of some voxels.
    *
+   * @param edges the edges of a pixel
+   * @param reach of searches for the outline, in shortest voxel edges, see {@link SliceOutline}
    * @param perVoxel the height of a voxel, in cells
+   * @param minBentPixels the least length of a terrace whose bend counts
    */
-  ShapeInterpolation(SliceOutline outline, double perVoxel) {
-    this.outline = outline;
+  ShapeInterpolation(
+      SliceBits slices, PixelEdges edges, int reach, double perVoxel, double minBentPixels) {
+    this.slices = slices;
     this.perVoxel = perVoxel;
-    reach = outline.reach();
-    minBent = MIN_BENT_PIXELS * outline.longestPixelEdge();
+    this.reach = reach;
+    outline = new SliceOutline(slices, edges, reach);
+    minBent = minBentPixels * outline.longestPixelEdge();
   }
 
   /**
-   * Returns the columns whose height depends on the outlines before and behind as well.
+   * Writes how far columns of a tile are solid beyond the middle of a slice where they are solid,
+   * in cells: more than 0, and no more than to the middle of the next slice, where they are empty.
    *
-   * @param inside the distances to the outline of the solid slice, shortest voxel edges
-   * @param outside the distances to that of the next one
+   * @param brickU the brick coordinate of the tile along u
+   * @param step to the next slice: 1 or -1
+   * @param columns the columns, a bit each
+   * @param heights receives a height for each of them
    */
-  int bentColumns(int columns, double[] inside, double[] outside) {
+  void findHeights(
+      int brickU, int brickV, int solidSlice, int step, int columns, double[] heights) {
+    outline.measure(brickU, brickV, solidSlice, false, columns, inside);
+    outline.measure(brickU, brickV, solidSlice + step, true, columns, outside);
+    measureBeyond(brickU, brickV, solidSlice, step, bentColumns(columns));
+    for (int left = columns; left != 0; left &= left - 1) {
+      int column = Integer.numberOfTrailingZeros(left);
+      int u = 4 * brickU + (column & 3);
+      int v = 4 * brickV + (column >> 2);
+      double height = perVoxel * fraction(u, v, solidSlice, step, column);
+      heights[column] = Math.max(MIN_HEIGHT_CELLS, Math.min(perVoxel, height));
+    }
+  }
+
+  /** Returns the columns whose height depends on the outlines before and behind as well. */
+  private int bentColumns(int columns) {
     int bent = 0;
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
@@ -76,37 +111,39 @@ final class ShapeInterpolation {
     return bent;
   }
 
-  /**
-   * Returns how far column (u,v) is solid beyond the middle of a slice where it is solid, in cells:
-   * more than 0, and no more than to the middle of the next slice, where it is empty. Distances are
-   * in shortest voxel edges.
-   *
-   * @param step to the next slice: 1 or -1
-   * @param inside the distance to the outline of the solid slice
-   * @param outside the distance to that of the next one
-   * @param before the distance to that of the slice before the solid one, or {@link #UNKNOWN}
-   * @param behind the distance to that of the slice behind the next one, or {@link #UNKNOWN}
-   */
-  double heightCells(
-      int u,
-      int v,
-      int slice,
-      int step,
-      double inside,
-      double outside,
-      double before,
-      double behind) {
-    double fraction;
-    if (inside < reach && outside < reach) {
-      fraction = bent(inside, outside, before, behind);
-    } else if (inside < reach) {
-      fraction = endBeyond(u, v, slice, slice - step, false, inside);
-    } else if (outside < reach) {
-      fraction = 1 - endBeyond(u, v, slice + step, slice + 2 * step, true, outside);
-    } else {
-      fraction = FLAT_END;
+  /** Measures the outlines before the solid slice and behind the empty one, for some columns. */
+  private void measureBeyond(int brickU, int brickV, int solidSlice, int step, int columns) {
+    Arrays.fill(before, UNKNOWN);
+    Arrays.fill(behind, UNKNOWN);
+    if (columns == 0) {
+      return;
     }
-    return Math.max(MIN_HEIGHT_CELLS, Math.min(perVoxel, fraction * perVoxel));
+    int slice = solidSlice - step;
+    int solidBefore = columns & slices.pixels(brickU, brickV, slice);
+    if (solidBefore != 0) {
+      outline.measure(brickU, brickV, slice, false, solidBefore, before);
+    }
+    slice = solidSlice + 2 * step;
+    int emptyBehind = columns & ~slices.pixels(brickU, brickV, slice);
+    if (emptyBehind != 0) {
+      outline.measure(brickU, brickV, slice, true, emptyBehind, behind);
+    }
+  }
+
+  /** Returns the crossing of column (u,v) as a fraction of the way to the next slice. */
+  private double fraction(int u, int v, int slice, int step, int column) {
+    double a = inside[column];
+    double b = outside[column];
+    if (a < reach && b < reach) {
+      return bent(a, b, before[column], behind[column]);
+    }
+    if (a < reach) {
+      return endBeyond(u, v, slice, slice - step, false, a);
+    }
+    if (b < reach) {
+      return 1 - endBeyond(u, v, slice + step, slice + 2 * step, true, b);
+    }
+    return FLAT_END;
   }
 
   /**

@@ -18,6 +18,9 @@ final class SliceBits {
   /** The rows of a slice, and the bits of a row. */
   static final int EDGE = 64;
 
+  /** All pixels of a tile, the 4x4 pixels of a brick. */
+  static final int ALL_PIXELS = 0xFFFF;
+
   private static final int EDGE_MASK = EDGE - 1;
   private static final int LAYERS = 8;
   private static final int SLICE_MASK = 4 * LAYERS - 1;
@@ -56,6 +59,25 @@ final class SliceBits {
   /** Sets the scene, the same one since {@link #forget}. */
   void use(CollisionScene newScene) {
     scene = newScene;
+  }
+
+  /** Returns the pixels of a tile of slice w, a bit each; u fastest. */
+  int pixels(int u, int v, int w) {
+    return pixels(brick(u, v, w >> 2), w);
+  }
+
+  /** Returns the pixels of a slice, given the turned brick that holds it. */
+  static int pixels(long brick, int slice) {
+    return (int) (brick >>> (16 * (slice & 3))) & ALL_PIXELS;
+  }
+
+  /** Returns the place in the word of a brick of the source of a cell at (u,v,w) in it. */
+  int bitOf(int u, int v, int w) {
+    return switch (axis) {
+      case 0 -> u << 4 | v << 2 | w;
+      case 1 -> v << 4 | w << 2 | u;
+      default -> w << 4 | v << 2 | u;
+    };
   }
 
   /** Returns a brick of the source, turned so that its w is the long axis. */

@@ -14,6 +14,9 @@ package org.palpate.proxy.smooth.field;
 final class SliceOutline {
   private static final int NEAR_BRICKS = (NearestPixels.REACH + 3) / 4;
 
+  /** The most columns of a tile that are searched one by one, which takes less time then. */
+  private static final int FEW_COLUMNS = 4;
+
   /** The bit of the pixel from which is searched in a row that was turned. */
   private static final int MIDDLE = SliceBits.EDGE / 2;
 
@@ -36,6 +39,9 @@ final class SliceOutline {
   /** From this on squared distances count as out of reach. */
   private final double endSquare;
 
+  /** The same for pixels that {@link NearestPixels} would find. */
+  private final double endOfNear;
+
   /** The farthest that rounding moves a pixel on a straight line. */
   private final double mostRounded;
 
@@ -55,6 +61,7 @@ final class SliceOutline {
     this.edges = edges;
     this.reach = reach;
     nearest = new NearestPixels(bits, edges);
+    endOfNear = NearestPixels.endSquare(edges);
     endSquare = (reach + 1) * (reach + 1);
     reachU = pixels(edges.u());
     reachV = pixels(edges.v());
@@ -95,13 +102,30 @@ final class SliceOutline {
   void measure(int brickU, int brickV, int slice, boolean solid, int columns, double[] dest) {
     bits.cover(brickU, brickV, slice, NEAR_BRICKS);
     int found = 0;
-    if (isAnyWithin(0, 0, brickU, brickV, slice, solid)
+    if (Integer.bitCount(columns) <= FEW_COLUMNS) {
+      found = measureNear(brickU, brickV, slice, solid, columns, dest);
+    } else if (isAnyWithin(0, 0, brickU, brickV, slice, solid)
         || isAnyWithin(NearestPixels.REACH, NearestPixels.REACH, brickU, brickV, slice, solid)) {
       found = nearest.find(brickU, brickV, slice, solid, columns, dest);
     }
     if (found != columns) {
       measureFar(brickU, brickV, slice, solid, columns & ~found, dest);
     }
+  }
+
+  /** Measures columns whose outline is near, one by one; returns them. */
+  private int measureNear(
+      int brickU, int brickV, int slice, boolean solid, int columns, double[] dest) {
+    int found = 0;
+    for (int left = columns; left != 0; left &= left - 1) {
+      int column = Integer.numberOfTrailingZeros(left);
+      if (findNearest(
+          4 * brickU + (column & 3), 4 * brickV + (column >> 2), slice, solid, endOfNear)) {
+        dest[column] = edges.toOutline(nearestAlong, nearestOff);
+        found |= 1 << column;
+      }
+    }
+    return found;
   }
 
   private void measureFar(
@@ -136,7 +160,7 @@ final class SliceOutline {
    * @param solid whether the nearest solid or the nearest empty pixel is sought
    */
   double distance(int u, int v, int slice, boolean solid) {
-    boolean found = findNearest(u, v, slice, solid);
+    boolean found = findNearest(u, v, slice, solid, endSquare);
     return found ? Math.min(reach, edges.toOutline(nearestAlong, nearestOff)) : reach;
   }
 
@@ -144,11 +168,12 @@ final class SliceOutline {
    * Finds the nearest pixel of a kind. Among equally near pixels, it takes the one the fewest rows
    * away.
    *
-   * @return false if there is none within reach
+   * @param end the squared distance from which on pixels do not count
+   * @return false if there is none
    */
-  private boolean findNearest(int u, int v, int slice, boolean solid) {
+  private boolean findNearest(int u, int v, int slice, boolean solid, double end) {
     long flip = solid ? 0 : -1;
-    double best = endSquare;
+    double best = end;
     for (int off = 0; off <= reachV && edges.square(0, off) < best; off++) {
       long both = (bits.row(v + off, slice) ^ flip) | (bits.row(v - off, slice) ^ flip);
       int along = pixelsAlong(Long.rotateRight(both, u - MIDDLE));
@@ -159,7 +184,7 @@ final class SliceOutline {
         nearestOff = off;
       }
     }
-    return best < endSquare;
+    return best < end;
   }
 
   /** Returns how far from the middle of a row the nearest set bit is; over the reach if none. */
@@ -184,7 +209,7 @@ final class SliceOutline {
    * @param solid the kind of pixels outside; one of them is within reach
    */
   double distanceOpposite(int u, int v, int slice, boolean solid) {
-    boolean found = findNearest(u, v, slice, solid);
+    boolean found = findNearest(u, v, slice, solid, endSquare);
     assert found : "no pixel within reach of u=" + u + " v=" + v;
     long flip = solid ? 0 : -1;
     long rowBelow = Long.rotateRight(bits.row(v - nearestOff, slice) ^ flip, u - MIDDLE);

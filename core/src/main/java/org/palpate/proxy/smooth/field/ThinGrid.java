@@ -64,6 +64,11 @@ record ThinGrid(List<AxisCut> cuts) {
     return cuts.isEmpty();
   }
 
+  /** Whether voxels are cut along an axis. */
+  boolean isCut(int axis) {
+    return perVoxel(axis) != 1;
+  }
+
   /** Returns the cells for each voxel along an axis. */
   double perVoxel(int axis) {
     double perVoxel = 1;

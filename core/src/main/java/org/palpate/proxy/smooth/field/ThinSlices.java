@@ -1,6 +1,5 @@
 package org.palpate.proxy.smooth.field;
 
-import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
 
@@ -12,12 +11,14 @@ import org.palpate.geometry.Vec3;
  * AxisCut}. Tiles and bricks are cached only to save time. Coordinates (u,v,w) have the long axis
  * last. Cost: a search for the outline in two slices for each column that changes between them.
  */
-final class ThinSlices implements BrickSource {
-  /** All columns of a tile. */
-  private static final int ALL = 0xFFFF;
+final class ThinSlices implements BrickSource, CellCorrections.Source {
+  /**
+   * The least length of a terrace whose bend counts, in pixels. On shorter ones outlines are too
+   * rough to show a bend, and a search for two more of them is not worth its time.
+   */
+  private static final double MIN_BENT_PIXELS = 4;
 
-  /** The columns of a tile. */
-  static final int COLUMNS = 16;
+  private static final int COLUMNS = ShapeInterpolation.COLUMNS;
 
   /** The unit of corrections, as a fraction of a cell: 1 / 32. */
   static final int FRACTIONS = 32;
@@ -47,7 +48,6 @@ final class ThinSlices implements BrickSource {
   private final AxisCut cut;
   private final CellPairs pairs;
   private final SliceBits slices;
-  private final SliceOutline outline;
   private final ShapeInterpolation interpolation;
   private final CacheKeys brickKeys = new CacheKeys();
   private final long[] bricks = new long[CacheKeys.SLOTS];
@@ -55,18 +55,6 @@ final class ThinSlices implements BrickSource {
 
   /** For each tile and each cell between the two slices, the solid columns. */
   private final char[] tiles = new char[CacheKeys.SLOTS * MAX_CELLS];
-
-  /** For each column of a tile, the distance to the outline of the solid slice, in voxel edges. */
-  private final double[] inside = new double[COLUMNS];
-
-  /** The same for the slice where the column is empty. */
-  private final double[] outside = new double[COLUMNS];
-
-  /** The same for the slice before the solid one, where the column is solid there too. */
-  private final double[] before = new double[COLUMNS];
-
-  /** The same for the slice behind the empty one, where the column is empty there too. */
-  private final double[] behind = new double[COLUMNS];
 
   /** The heights of the columns beyond the middle of the solid slice, in cells. */
   private final double[] heights = new double[COLUMNS];
@@ -94,8 +82,10 @@ final class ThinSlices implements BrickSource {
     this.cut = cut;
     pairs = new CellPairs(cut);
     slices = new SliceBits(source, cut.axis());
-    outline = new SliceOutline(slices, pixelEdges(cut.axis(), edges), reach(cut, maxReachBricks));
-    interpolation = new ShapeInterpolation(outline, cut.perVoxel());
+    int reach = reach(cut, maxReachBricks);
+    interpolation =
+        new ShapeInterpolation(
+            slices, PixelEdges.across(cut.axis(), edges), reach, cut.perVoxel(), MIN_BENT_PIXELS);
   }
 
   /**
@@ -116,15 +106,6 @@ final class ThinSlices implements BrickSource {
     return slices;
   }
 
-  /** Returns the axis along which the cells were cut last. */
-  int axis() {
-    return cut.axis();
-  }
-
-  private static PixelEdges pixelEdges(int axis, Vec3 edges) {
-    return new PixelEdges(axis == 0 ? edges.z : edges.x, axis == 1 ? edges.z : edges.y);
-  }
-
   /** Returns the reach of searches for the outline of a cut's slices, in shortest voxel edges. */
   private static int reach(AxisCut cut, int maxBricks) {
     return 4 * Math.min(maxBricks, (int) Math.ceil(REACH_BRICKS_PER_CELL * cut.perVoxel()));
@@ -143,7 +124,8 @@ final class ThinSlices implements BrickSource {
   }
 
   /** Returns the slot that holds a brick and its corrections until another one is asked for. */
-  int slotOf(CollisionScene scene, int x, int y, int z) {
+  @Override
+  public int slotOf(CollisionScene scene, int x, int y, int z) {
     int slot = CacheKeys.slot(x, y, z);
     if (!brickKeys.holdsElseSet(slot, x, y, z)) {
       slices.use(scene);
@@ -153,18 +135,28 @@ final class ThinSlices implements BrickSource {
     return slot;
   }
 
-  /** Returns the cells of a brick whose occupancy differs from their bit, a bit each. */
-  long corrected(int slot) {
+  @Override
+  public boolean find(CollisionScene scene, int number, int x, int y, int z) {
+    return corrected[slotOf(scene, x, y, z)] != 0;
+  }
+
+  @Override
+  public long corrected(int slot) {
     return corrected[slot];
   }
 
-  /**
-   * Returns by how much the occupancy of a cell differs from its bit, in {@link #FRACTIONS}.
-   *
-   * @param bit the cell's place in the brick's word; a corrected one
-   */
-  int correction(int slot, int bit) {
+  @Override
+  public int correction(int slot, int bit) {
     return corrections[CELLS * slot + bit];
+  }
+
+  /**
+   * Whether the seed reaches the cell or one beside it along the last cut. Otherwise its empty part
+   * counts as solid, like empty cells that the seed does not reach.
+   */
+  @Override
+  public boolean counts(BinaryWindow window, int x, int y, int z) {
+    return window.isBesideReached(x, y, z, cut.axis());
   }
 
   private long make(int x, int y, int z, int slot) {
@@ -187,8 +179,8 @@ final class ThinSlices implements BrickSource {
     long brick = 0;
     for (int n = 0; n < 4; n++) {
       int pair = pairs.pair(slot, n);
-      int lower = pixels(pair >> 2 == lowW ? low : high, pair);
-      int upper = pixels((pair + 1) >> 2 == lowW ? low : high, pair + 1);
+      int lower = SliceBits.pixels(pair >> 2 == lowW ? low : high, pair);
+      int upper = SliceBits.pixels((pair + 1) >> 2 == lowW ? low : high, pair + 1);
       int columns = lower;
       if (lower != upper) {
         int tile = tileOf(u, v, pair, lower, upper);
@@ -206,25 +198,11 @@ final class ThinSlices implements BrickSource {
       int column = Integer.numberOfTrailingZeros(left);
       int correction = columnCorrections[COLUMNS * tile + column];
       if (correctedCells[COLUMNS * tile + column] == inPair && correction != 0) {
-        int bit = bitOf(column & 3, column >> 2, layer);
+        int bit = slices.bitOf(column & 3, column >> 2, layer);
         corrected[to] |= 1L << bit;
         corrections[CELLS * to + bit] = (byte) correction;
       }
     }
-  }
-
-  /** Returns the place in the word of a brick of a cell, given by its coordinates (u,v,w). */
-  private int bitOf(int u, int v, int w) {
-    return switch (cut.axis()) {
-      case 0 -> u << 4 | v << 2 | w;
-      case 1 -> v << 4 | w << 2 | u;
-      default -> w << 4 | v << 2 | u;
-    };
-  }
-
-  /** Returns the pixels of a slice, given the brick that holds it. */
-  private static int pixels(long brick, int slice) {
-    return (int) (brick >>> (COLUMNS * (slice & 3))) & ALL;
   }
 
   /** Returns the slot that holds a tile between two slices that differ there. */
@@ -257,22 +235,7 @@ final class ThinSlices implements BrickSource {
       return;
     }
     int solidSlice = step > 0 ? pair : pair + 1;
-    outline.measure(u, v, solidSlice, false, columns, inside);
-    outline.measure(u, v, solidSlice + step, true, columns, outside);
-    measureBeyond(u, v, solidSlice, step, interpolation.bentColumns(columns, inside, outside));
-    for (int left = columns; left != 0; left &= left - 1) {
-      int column = Integer.numberOfTrailingZeros(left);
-      heights[column] =
-          interpolation.heightCells(
-              4 * u + (column & 3),
-              4 * v + (column >> 2),
-              solidSlice,
-              step,
-              inside[column],
-              outside[column],
-              before[column],
-              behind[column]);
-    }
+    interpolation.findHeights(u, v, solidSlice, step, columns, heights);
     int first = cut.firstOfPair(pair);
     int cells = cut.firstOfPair(pair + 1) - first;
     for (int n = 0; n < cells; n++) {
@@ -282,25 +245,6 @@ final class ThinSlices implements BrickSource {
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
       noteCorrection(column, first, cells, solidSlice, step, slot);
-    }
-  }
-
-  /** Measures the outlines before the solid slice and behind the empty one, for some columns. */
-  private void measureBeyond(int u, int v, int solidSlice, int step, int columns) {
-    Arrays.fill(before, ShapeInterpolation.UNKNOWN);
-    Arrays.fill(behind, ShapeInterpolation.UNKNOWN);
-    if (columns == 0) {
-      return;
-    }
-    int slice = solidSlice - step;
-    int solidBefore = columns & pixels(slices.brick(u, v, slice >> 2), slice);
-    if (solidBefore != 0) {
-      outline.measure(u, v, slice, false, solidBefore, before);
-    }
-    slice = solidSlice + 2 * step;
-    int emptyBehind = columns & ~pixels(slices.brick(u, v, slice >> 2), slice);
-    if (emptyBehind != 0) {
-      outline.measure(u, v, slice, true, emptyBehind, behind);
     }
   }
 

@@ -21,6 +21,10 @@ final class NaiveOccupancyField {
   };
 
   private final Cells cells;
+
+  /** The corrections of cells on terraces; null if the field has none. */
+  private final NaiveTerraces terraces;
+
   private final int[][] boxes;
   private final VoxelOccupancy voxels;
 
@@ -37,26 +41,28 @@ final class NaiveOccupancyField {
     double of(int i, int j, int k, boolean isSolid);
   }
 
-  /** Creates the field of bits for the two box widths along each axis. */
-  NaiveOccupancyField(Cells cells, int[][] boxes) {
-    this(cells, boxes, (i, j, k, isSolid) -> isSolid ? 1 : 0);
+  /** Creates the field of the bits of cubes for the two box widths along each axis. */
+  NaiveOccupancyField(Cells cells, NaiveTerraces terraces, int[][] boxes) {
+    this(cells, terraces, boxes, (i, j, k, isSolid) -> isSolid ? 1 : 0, -1);
   }
 
   /**
    * Creates the field of thin slices. A cell that is solid in part counts as such if the seed
    * reaches it or a cell beside it along the axis of the last cut.
    */
-  NaiveOccupancyField(NaiveThinSlices slices, int[][] boxes) {
-    this(slices, boxes, (i, j, k, isSolid) -> slices.occupancy(i, j, k), slices.axis());
+  NaiveOccupancyField(NaiveThinSlices slices, NaiveTerraces terraces, int[][] boxes) {
+    this(slices, terraces, boxes, (i, j, k, isSolid) -> slices.occupancy(i, j, k), slices.axis());
   }
 
   /** Creates the field of voxels with any occupancy. */
   NaiveOccupancyField(Cells cells, int[][] boxes, VoxelOccupancy voxels) {
-    this(cells, boxes, voxels, -1);
+    this(cells, null, boxes, voxels, -1);
   }
 
-  private NaiveOccupancyField(Cells cells, int[][] boxes, VoxelOccupancy voxels, int cutAxis) {
+  private NaiveOccupancyField(
+      Cells cells, NaiveTerraces terraces, int[][] boxes, VoxelOccupancy voxels, int cutAxis) {
     this.cells = cells;
+    this.terraces = terraces;
     this.boxes = boxes;
     this.voxels = voxels;
     this.cutAxis = cutAxis;
@@ -70,7 +76,7 @@ final class NaiveOccupancyField {
     int[] low = {low(point.x), low(point.y), low(point.z)};
     Set<List<Integer>> free = new HashSet<>();
     addAllFree(low, free);
-    if (cutAxis >= 0 && free.size() == EDGE * EDGE * EDGE) {
+    if (terraces != null && free.size() == EDGE * EDGE * EDGE) {
       return 0; // without a solid cell nothing is read that counts in part
     }
     Set<List<Integer>> reached = flood(low, seeds);
@@ -100,7 +106,11 @@ final class NaiveOccupancyField {
     boolean isSolid = cells.isSolid(i, j, k);
     boolean isCutOff = !isSolid && !reached.contains(List.of(i, j, k));
     boolean isWhole = isSolid && cutAxis >= 0 && !allReached && !isBeside(i, j, k, reached);
-    return isCutOff || isWhole ? 1 : voxels.of(i, j, k, isSolid);
+    if (isCutOff || isWhole) {
+      return 1;
+    }
+    double onTerrace = terraces == null || isSolid ? 0 : terraces.correction(i, j, k);
+    return voxels.of(i, j, k, isSolid) + onTerrace;
   }
 
   private boolean isBeside(int i, int j, int k, Set<List<Integer>> reached) {

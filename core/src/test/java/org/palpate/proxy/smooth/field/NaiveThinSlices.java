@@ -17,6 +17,9 @@ final class NaiveThinSlices implements Cells {
   private final double perVoxel;
   private final int reach;
 
+  /** The least length of a terrace that is bent, pixels. */
+  private final double minBent;
+
   /** The edges of a pixel along u and v, in shortest voxel edges. */
   private final double edgeU;
 
@@ -31,11 +34,12 @@ final class NaiveThinSlices implements Cells {
   private int nearestV;
 
   /** Creates the thin slices of one cut through cells of some edges. */
-  private NaiveThinSlices(Cells cells, AxisCut cut, Vec3 edges, int maxReach) {
+  private NaiveThinSlices(Cells cells, AxisCut cut, Vec3 edges, int reach, double minBent) {
     this.cells = cells;
+    this.reach = reach;
+    this.minBent = minBent;
     axis = cut.axis();
     perVoxel = cut.perVoxel();
-    reach = Math.min(maxReach, 4 * (int) Math.ceil(2 * perVoxel));
     edgeU = edges.get(axis == 0 ? 2 : 0);
     edgeV = edges.get(axis == 1 ? 2 : 1);
   }
@@ -46,13 +50,17 @@ final class NaiveThinSlices implements Cells {
     NaiveThinSlices slices = null;
     double[] left = {edges.x, edges.y, edges.z};
     for (AxisCut cut : grid.cuts()) {
-      slices =
-          new NaiveThinSlices(
-              cells, cut, new Vec3(left[0], left[1], left[2]), slices == null ? 24 : 12);
+      int reach = Math.min(slices == null ? 24 : 12, 4 * (int) Math.ceil(2 * cut.perVoxel()));
+      slices = new NaiveThinSlices(cells, cut, new Vec3(left[0], left[1], left[2]), reach, 4);
       cells = slices;
       left[cut.axis()] /= cut.perVoxel();
     }
     return slices;
+  }
+
+  /** Returns the slices of cells that are not cut along an axis; terraces on them are not bent. */
+  static NaiveThinSlices ofWholeCells(Cells cells, int axis, Vec3 edges) {
+    return new NaiveThinSlices(cells, new AxisCut(axis, 1), edges, 16, Double.POSITIVE_INFINITY);
   }
 
   /** Returns the axis along which the cells were cut last. */
@@ -183,13 +191,14 @@ final class NaiveThinSlices implements Cells {
     return cell + 0.5 - (slice + 0.5) * perVoxel;
   }
 
-  private double height(int u, int v, int slice, int step) {
+  /** Returns how far a column is solid beyond the middle of a slice, in cells. */
+  double height(int u, int v, int slice, int step) {
     double inside = distance(u, v, slice, false);
     double outside = distance(u, v, slice + step, true);
     double fraction;
     if (inside < reach && outside < reach) {
       fraction =
-          inside + outside < 4 * Math.max(edgeU, edgeV)
+          inside + outside < minBent * Math.max(edgeU, edgeV)
               ? inside / (inside + outside)
               : bent(u, v, slice, step, inside, outside);
     } else if (inside < reach) {

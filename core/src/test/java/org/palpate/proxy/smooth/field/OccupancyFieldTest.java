@@ -42,6 +42,26 @@ class OccupancyFieldTest {
   }
 
   @Test
+  void equalsItsDefinitionOnWideTerraces() {
+    compare(gentleFaces(), UNIT, new int[][] {ISOTROPIC, ISOTROPIC, ISOTROPIC});
+    compareThin(gentleFaces(), new GridMetric(0.7, 0.7, 1.4));
+  }
+
+  @Test
+  void terracesShowHowAGentleSurfaceRuns() {
+    BitCube bits = new BitCube(60, 60, 40);
+    fill(bits, (i, j, k) -> k + 0.5 < 10 + (i + 0.5) / 12);
+    OccupancyField field = field(new CollisionScene(List.of(bits)), UNIT);
+    for (double x = 20; x < 40; x += 0.7) {
+      Vec3 point = new Vec3(x, 30, 10 + x / 12 + field.level().offsetEdges());
+      FieldSample sample = field.evaluate(cell(point), point);
+      assertTrue(sample.hasNormal());
+      assertEquals(-1 / Math.sqrt(145), sample.normal().x, 0.045, "at x=" + x);
+      assertEquals(0, sample.heightEdges(), 0.1, "at x=" + x);
+    }
+  }
+
+  @Test
   void longerVoxelsGetNarrowerBoxes() {
     GridMetric flat = new GridMetric(0.7, 0.98, 1.4);
     compareThin(randomBits(0.4), flat, new int[][] {ISOTROPIC, {4, 3}, ISOTROPIC});
@@ -90,9 +110,14 @@ class OccupancyFieldTest {
 
   @Test
   void answersDoNotDependOnEarlierEvaluations() {
-    CollisionScene scene = new CollisionScene(List.of(randomBits(0.3)));
+    answersDoNotDependOnEarlierEvaluations(randomBits(0.3));
+    answersDoNotDependOnEarlierEvaluations(gentleFaces());
+  }
+
+  private void answersDoNotDependOnEarlierEvaluations(BitCube bits) {
+    CollisionScene scene = new CollisionScene(List.of(bits));
     OccupancyField used = field(scene, UNIT);
-    for (int n = 0; n < 2000; n++) {
+    for (int n = 0; n < 1000; n++) {
       Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
       FieldSample fresh = field(scene, UNIT).evaluate(cell(point), point);
       FieldSample sample = used.evaluate(cell(point), point);
@@ -182,7 +207,9 @@ class OccupancyFieldTest {
   private void compare(BitCube bits, GridMetric metric, int[][] boxes) {
     CollisionScene scene = new CollisionScene(List.of(bits));
     OccupancyField field = field(scene, metric);
-    NaiveOccupancyField naive = new NaiveOccupancyField(scene::isSolid, boxes);
+    Vec3 edges = OccupancyField.edges(metric);
+    NaiveTerraces terraces = new NaiveTerraces(scene::isSolid, ThinGrid.WHOLE, edges);
+    NaiveOccupancyField naive = new NaiveOccupancyField(scene::isSolid, terraces, boxes);
     for (int n = 0; n < 60; n++) {
       Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
       int[] seed = {near(point.x), near(point.y), near(point.z)};
@@ -204,8 +231,9 @@ class OccupancyFieldTest {
     OccupancyField field = field(scene, metric);
     Vec3 edges = OccupancyField.edges(metric);
     ThinGrid grid = ThinGrid.ofBits(edges);
+    NaiveThinSlices slices = NaiveThinSlices.of(scene::isSolid, grid, edges);
     NaiveOccupancyField naive =
-        new NaiveOccupancyField(NaiveThinSlices.of(scene::isSolid, grid, edges), boxes);
+        new NaiveOccupancyField(slices, new NaiveTerraces(slices, grid, edges), boxes);
     for (int n = 0; n < 15; n++) {
       Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
       Vec3 inSeed = new Vec3(near(point.x) + 0.5, near(point.y) + 0.5, near(point.z) + 0.5);
@@ -232,23 +260,44 @@ class OccupancyFieldTest {
   }
 
   private static OccupancyField field(CollisionScene scene, GridMetric metric) {
-    OccupancyField field = OccupancyField.ofBits(metric);
+    OccupancyField field = OccupancyField.ofBitsOverTerraces(metric);
     field.use(scene);
     return field;
   }
 
   private BitCube randomBits(double fraction) {
-    BitCube bits = new BitCube(27, 29, 31);
-    for (int k = 0; k < 31; k++) {
-      for (int j = 0; j < 29; j++) {
-        for (int i = 0; i < 27; i++) {
-          if (random.nextDouble() < fraction) {
+    return fill(new BitCube(27, 29, 31), (i, j, k) -> random.nextDouble() < fraction);
+  }
+
+  /** Returns a solid whose six faces bulge, dent and slope a little, with a few holes and bumps. */
+  private BitCube gentleFaces() {
+    return fill(
+        new BitCube(27, 29, 31),
+        (i, j, k) ->
+            i < 22 - (j - 14) * (j - 14) / 90.0
+                && i > 3 + k / 9.0
+                && j < 23 + (k - 15) * (k - 15) / 80.0
+                && j > 5 + (i + k) / 14.0
+                && k < 24 - (i - 13) * (i - 13) / 70.0 - (j - 14) * (j - 14) / 90.0
+                && k > 6 - j / 8.0
+                && random.nextInt(300) != 0);
+  }
+
+  private static BitCube fill(BitCube bits, Solid solid) {
+    for (int k = 0; k < bits.sizeZ(); k++) {
+      for (int j = 0; j < bits.sizeY(); j++) {
+        for (int i = 0; i < bits.sizeX(); i++) {
+          if (solid.at(i, j, k)) {
             bits.set(i, j, k);
           }
         }
       }
     }
     return bits;
+  }
+
+  private interface Solid {
+    boolean at(int i, int j, int k);
   }
 
   private double coordinate() {
