@@ -237,11 +237,11 @@ public final class SceneLoader implements AutoCloseable {
   private SurfaceJob build(int number, int level) {
     SceneObject object = objects.get(number);
     SurfaceSource source = source(number, level);
-    int urgency = level == 0 ? SurfaceBuilder.FINE : SurfaceBuilder.COARSE;
+    SurfaceBuilder.Kind kind = level == 0 ? SurfaceBuilder.Kind.FINE : SurfaceBuilder.Kind.COARSE;
     return builder.build(
         source,
         occlusionAt(number, level),
-        urgency,
+        kind,
         object.store(level, source.bits()),
         () -> markComplete(object, level));
   }
@@ -290,22 +290,26 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * Rebuilds the surface where an edit changed voxels. The finest level comes before all other
-   * work. The coarser levels come before finest levels that are built for the first time. The bits
-   * must have been changed and published before.
+   * Rebuilds the surface where an edit changed voxels. The finest level comes before the coarser
+   * ones, and both take turns with bricks that are built for the first time. A level whose building
+   * has not started needs nothing. The bits must have been changed and published before.
    *
    * @param segment number of the segment
    * @param voxels a box around the edited voxels
-   * @return the job of each level, the finest first
+   * @return the job of each level whose building has started, the finest first
    */
   public synchronized List<SurfaceJob> remesh(int segment, IntBox voxels) {
     List<SurfaceJob> started = new ArrayList<>();
-    started.add(rebuild(segment, 0, voxels, SurfaceBuilder.EDITED));
+    if (refined) {
+      started.add(rebuild(segment, 0, voxels, SurfaceBuilder.Kind.EDITED));
+    }
     for (int level = 1; level < SceneObject.LEVELS; level++) {
       CoarseVolume copy = coarse(segment, level);
       copy.update(voxels);
-      IntBox box = copy.toCoarse(voxels, new IntBox());
-      started.add(rebuild(segment, level, box, SurfaceBuilder.COARSE));
+      if (refined || level == COARSEST_LEVEL) {
+        IntBox box = copy.toCoarse(voxels, new IntBox());
+        started.add(rebuild(segment, level, box, SurfaceBuilder.Kind.EDITED_COARSE));
+      }
     }
     return started;
   }
@@ -345,13 +349,13 @@ public final class SceneLoader implements AutoCloseable {
     }
   }
 
-  private SurfaceJob rebuild(int segment, int level, IntBox voxels, int urgency) {
+  private SurfaceJob rebuild(int segment, int level, IntBox voxels, SurfaceBuilder.Kind kind) {
     SurfaceSource source = source(segment, level);
     SceneObject object = objects.get(segment);
     return builder.rebuild(
         source,
         occlusionAt(segment, level),
-        urgency,
+        kind,
         voxels,
         object.store(level, source.bits()),
         model::surfaceChanged);

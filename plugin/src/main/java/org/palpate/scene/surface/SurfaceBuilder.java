@@ -1,11 +1,16 @@
 package org.palpate.scene.surface;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.PriorityQueue;
+import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.PriorityBlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -17,6 +22,9 @@ import org.palpate.volume.BitCube;
 /**
  * Extracts surface bricks in the background, on threads of low priority so that the haptic thread
  * is not disturbed. Any thread may request bricks.
+ *
+ * <p>Edits and bricks that are built take turns while there are both. So an edit does not wait
+ * until all is built, and a tool that cuts without a pause does not keep surfaces from being built.
  */
 public final class SurfaceBuilder implements AutoCloseable {
   /** Receives bricks. Several threads of the builder call it at once. */
@@ -40,21 +48,31 @@ public final class SurfaceBuilder implements AutoCloseable {
     Optional<SurfaceBrick> newest(int brick);
   }
 
-  /** Urgency of a brick that was edited and is visible. */
-  public static final int EDITED = 0;
+  /** The kinds of work, the most urgent first. Edits and the others take turns. */
+  public enum Kind {
+    /** An edit at the finest level. */
+    EDITED,
+    /** An edit at a coarse level. */
+    EDITED_COARSE,
+    /** A brick of a coarse level. */
+    COARSE,
+    /** A brick of the finest level. */
+    FINE;
 
-  /** Urgency of the first coarse picture. */
-  public static final int COARSE = 1;
-
-  /** Urgency of everything else. */
-  public static final int FINE = 2;
+    private boolean isEdit() {
+      return this == EDITED || this == EDITED_COARSE;
+    }
+  }
 
   private final ThreadPoolExecutor threads;
   private final ThreadLocal<SurfaceExtractor> extractor =
       ThreadLocal.withInitial(SurfaceExtractor::new);
-  private final AtomicLong order = new AtomicLong();
+  private final TaskQueue tasks = new TaskQueue();
   private final AtomicLong starts = new AtomicLong();
   private final Map<WaitingEdits, Rebuild> waiting = new ConcurrentHashMap<>();
+
+  /** Bricks whose first extraction has not begun. It will see all edits until then. */
+  private final Set<UnbuiltBrick> unbuilt = Collections.synchronizedSet(new HashSet<>());
 
   /** Held while edits are extracted: of two patches of a brick the second needs the first. */
   private final Object patching = new Object();
@@ -72,7 +90,7 @@ public final class SurfaceBuilder implements AutoCloseable {
             threadCount,
             0,
             TimeUnit.SECONDS,
-            new PriorityBlockingQueue<>(),
+            new LinkedBlockingQueue<>(),
             work -> thread(work, number.incrementAndGet()));
   }
 
@@ -91,16 +109,13 @@ public final class SurfaceBuilder implements AutoCloseable {
    * @return the job, which reports progress and failures
    */
   public SurfaceJob build(
-      SurfaceSource source, AmbientOcclusion occlusion, int urgency, Sink sink, Runnable whenDone) {
+      SurfaceSource source, AmbientOcclusion occlusion, Kind kind, Sink sink, Runnable whenDone) {
     int count = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE).count();
     SurfaceJob job = new SurfaceJob(count, whenDone);
     for (int n = 0; n < count; n++) {
       int brick = n;
-      threads.execute(
-          new BrickTask(
-              urgency,
-              order.getAndIncrement(),
-              () -> job.run(() -> extract(source, occlusion, brick, sink))));
+      unbuilt.add(new UnbuiltBrick(source.bits(), brick));
+      execute(kind, () -> job.run(() -> buildBrick(source, occlusion, brick, sink)));
     }
     return job;
   }
@@ -111,30 +126,39 @@ public final class SurfaceBuilder implements AutoCloseable {
    * the queue stays short even if edits come faster than the extraction.
    *
    * @param voxels a box around the edited voxels, copied
-   * @param store the bricks; those that it does not have yet are extracted as a whole
+   * @param store the bricks; those that it does not have are extracted as a whole, unless they wait
+   *     to be built
    * @return the job, which reports progress and failures
    */
   public SurfaceJob rebuild(
       SurfaceSource source,
       AmbientOcclusion occlusion,
-      int urgency,
+      Kind kind,
       IntBox voxels,
       Store store,
       Runnable whenDone) {
     SurfaceJob job = new SurfaceJob(1, whenDone);
-    WaitingEdits key = new WaitingEdits(source.bits(), urgency);
+    WaitingEdits key = new WaitingEdits(source.bits(), kind);
     Rebuild fresh = new Rebuild(key, edited -> patch(source, occlusion, edited, store));
     Rebuild found =
         waiting.compute(key, (same, old) -> old != null && old.join(job, voxels) ? old : fresh);
     if (found == fresh) {
       fresh.join(job, voxels);
-      threads.execute(new BrickTask(urgency, order.getAndIncrement(), fresh));
+      execute(kind, fresh);
     }
     return job;
   }
 
-  /** Edits that wait to be extracted. Cubes are equal only to themselves. */
-  private record WaitingEdits(BitCube bits, int urgency) {}
+  /** A brick that waits to be built. Cubes are equal only to themselves. */
+  private record UnbuiltBrick(BitCube bits, int brick) {}
+
+  private void buildBrick(SurfaceSource source, AmbientOcclusion occlusion, int brick, Sink sink) {
+    unbuilt.remove(new UnbuiltBrick(source.bits(), brick));
+    extract(source, occlusion, brick, sink);
+  }
+
+  /** Edits that wait to be extracted. */
+  private record WaitingEdits(BitCube bits, Kind kind) {}
 
   /** The extraction of edits for every job that asked for it before it began. */
   private final class Rebuild implements Runnable {
@@ -188,7 +212,7 @@ public final class SurfaceBuilder implements AutoCloseable {
     for (int brick : layout.bricksOf(part)) {
       if (store.newest(brick).isPresent()) {
         known.add(brick);
-      } else {
+      } else if (!unbuilt.contains(new UnbuiltBrick(source.bits(), brick))) {
         extract(source, occlusion, brick, store);
       }
     }
@@ -220,17 +244,34 @@ public final class SurfaceBuilder implements AutoCloseable {
     threads.shutdownNow();
   }
 
-  private record BrickTask(int urgency, long order, Runnable work)
-      implements Runnable, Comparable<BrickTask> {
-    @Override
-    public void run() {
-      work.run();
+  private void execute(Kind kind, Runnable work) {
+    tasks.add(kind, work);
+    threads.execute(() -> tasks.take().run());
+  }
+
+  /** The tasks that wait. Of edits and others, it gives one in turn if there are both. */
+  private static final class TaskQueue {
+    private final Queue<Task> edits = new PriorityQueue<>();
+    private final Queue<Task> others = new PriorityQueue<>();
+    private long count;
+    private boolean lastWasEdit;
+
+    synchronized void add(Kind kind, Runnable work) {
+      (kind.isEdit() ? edits : others).add(new Task(kind, count++, work));
     }
 
+    /** Removes a task; there must be one. */
+    synchronized Runnable take() {
+      lastWasEdit = others.isEmpty() || (!edits.isEmpty() && !lastWasEdit);
+      return (lastWasEdit ? edits : others).remove().work;
+    }
+  }
+
+  private record Task(Kind kind, long order, Runnable work) implements Comparable<Task> {
     @Override
-    public int compareTo(BrickTask other) {
-      int byUrgency = Integer.compare(urgency, other.urgency);
-      return byUrgency != 0 ? byUrgency : Long.compare(order, other.order);
+    public int compareTo(Task other) {
+      int byKind = kind.compareTo(other.kind);
+      return byKind != 0 ? byKind : Long.compare(order, other.order);
     }
   }
 }

@@ -47,7 +47,7 @@ class SurfaceBuilderTest {
       try (SurfaceBuilder builder = new SurfaceBuilder(2)) {
         for (int n = 0; n < 12; n++) {
           builder
-              .rebuild(source, light, SurfaceBuilder.EDITED, edit(bits), store, () -> {})
+              .rebuild(source, light, SurfaceBuilder.Kind.EDITED, edit(bits), store, () -> {})
               .await(PATIENCE_MS);
           assertSameBricks(buildAll(source, light, 2), store.bricks());
         }
@@ -114,6 +114,62 @@ class SurfaceBuilderTest {
   }
 
   @Test
+  void aBrickThatWaitsToBeBuiltIsExtractedOnceForItselfAndItsEdits() throws Exception {
+    CountDownLatch mayEnd = new CountDownLatch(1);
+    BitCube bits = Shapes.sphere(20, 6);
+    SurfaceSource source = SurfaceSource.ofBits(bits, Shapes.UNIT);
+    SurfaceSource other = SurfaceSource.ofBits(Shapes.sphere(20, 5), Shapes.UNIT);
+    List<SurfaceBrick> extracted = new CopyOnWriteArrayList<>();
+    SurfaceBuilder.Sink sink = (brick, order, mesh) -> extracted.add(mesh);
+    try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
+      builder.build(
+          other,
+          AmbientOcclusion.NONE,
+          SurfaceBuilder.Kind.COARSE,
+          (brick, order, mesh) -> awaitUnchecked(mayEnd),
+          () -> {});
+      SurfaceJob build =
+          builder.build(source, AmbientOcclusion.NONE, SurfaceBuilder.Kind.FINE, sink, () -> {});
+      bits.clear(10, 10, 15);
+      SurfaceJob edit = rebuild(builder, source, sink, () -> {});
+      mayEnd.countDown();
+      build.await(PATIENCE_MS);
+      edit.await(PATIENCE_MS);
+    }
+    assertEquals(1, extracted.size());
+    SurfaceBrick now = new SurfaceExtractor().extract(source, AmbientOcclusion.NONE, 0);
+    assertArrayEquals(now.positionsMm(), extracted.get(0).positionsMm());
+  }
+
+  @Test
+  void editsWithoutAPauseTakeTurnsWithBricksThatAreBuilt() throws Exception {
+    SurfaceSource edited = SurfaceSource.ofBits(Shapes.sphere(20, 5), Shapes.UNIT);
+    SurfaceSource built = SurfaceSource.ofBits(blobs(), Shapes.UNIT);
+    int bricks = BrickLayout.of(built.bits(), SurfaceExtractor.BRICK_EDGE).count();
+    AtomicInteger edits = new AtomicInteger();
+    AtomicInteger editsAtTheEnd = new AtomicInteger();
+    try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
+      SurfaceBuilder.Sink[] again = new SurfaceBuilder.Sink[1];
+      again[0] =
+          (brick, order, mesh) -> {
+            if (edits.incrementAndGet() < 10 * bricks) {
+              rebuild(builder, edited, again[0], () -> {});
+            }
+          };
+      rebuild(builder, edited, again[0], () -> {});
+      builder
+          .build(
+              built,
+              AmbientOcclusion.NONE,
+              SurfaceBuilder.Kind.FINE,
+              (brick, begun, mesh) -> {},
+              () -> editsAtTheEnd.set(edits.get()))
+          .await(PATIENCE_MS);
+    }
+    assertTrue(editsAtTheEnd.get() < 3 * bricks, editsAtTheEnd + " edits, " + bricks + " bricks");
+  }
+
+  @Test
   void everyJobThatWaitsForABrickHearsThatItFailed() throws Exception {
     SurfaceSource source = SurfaceSource.ofBits(Shapes.sphere(20, 5), Shapes.UNIT);
     CountDownLatch mayEnd = new CountDownLatch(1);
@@ -139,7 +195,12 @@ class SurfaceBuilderTest {
     IntBox middle = new IntBox();
     middle.include(10, 10, 10);
     return builder.rebuild(
-        source, AmbientOcclusion.NONE, SurfaceBuilder.EDITED, middle, new NoStore(sink), whenDone);
+        source,
+        AmbientOcclusion.NONE,
+        SurfaceBuilder.Kind.EDITED,
+        middle,
+        new NoStore(sink),
+        whenDone);
   }
 
   private static void awaitUnchecked(CountDownLatch latch) {
@@ -158,7 +219,7 @@ class SurfaceBuilderTest {
           builder.build(
               source,
               AmbientOcclusion.NONE,
-              SurfaceBuilder.FINE,
+              SurfaceBuilder.Kind.FINE,
               (brick, begun, mesh) -> {
                 throw new IllegalStateException("sink is full");
               },
@@ -280,7 +341,7 @@ class SurfaceBuilderTest {
           builder.build(
               source,
               light,
-              SurfaceBuilder.FINE,
+              SurfaceBuilder.Kind.FINE,
               (brick, begun, mesh) -> put(bricks, brick, mesh),
               () -> {});
       build.await(PATIENCE_MS);
