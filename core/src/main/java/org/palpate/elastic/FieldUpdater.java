@@ -28,7 +28,7 @@ final class FieldUpdater {
   private static final double LEAST_DIRECTED_NEWTON = 0.02;
 
   /** The longest change of the force to prove: this, N, plus so many times the load. */
-  private static final double REACH_NEWTON = 1;
+  private static final double REACH_NEWTON = 4;
 
   private static final double REACH_PER_LOAD = 2.5;
 

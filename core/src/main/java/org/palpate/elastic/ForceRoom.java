@@ -82,8 +82,9 @@ final class ForceRoom {
       }
     }
     if (leastLost == Double.POSITIVE_INFINITY) {
+      boolean moved = change[0] != 0 || change[1] != 0 || change[2] != 0;
       Arrays.fill(change, 0);
-      return true;
+      return moved;
     }
     double kept = from + (t - from) * scale;
     change[0] = kept * axis[0] + x * scale;

@@ -26,13 +26,13 @@ final class RoomProof {
   private static final double USED_PART = 0.9;
 
   /** The part of a cone after which the next one begins. */
-  private static final double NEXT_CONE = 0.9;
+  private static final double NEXT_CONE = 0.6;
 
   /** A shorter step along the axis is not worth a cone, N. */
   private static final double LEAST_STEP_NEWTON = 1e-3;
 
   /** The cones that may lie towards larger forces; the others lie towards smaller ones. */
-  private static final int MOST_UPWARD = 8;
+  private static final int MOST_UPWARD = 10;
 
   /** The twelve edges of a cell, as pairs of corners. */
   private static final int[] EDGES = {

@@ -72,6 +72,18 @@ class ElasticContactTest {
   }
 
   @Test
+  void theFirstPressBeforeAnUpdateIsNotClipped() {
+    ElasticTouch touch = above(100e3, 1, 8, false);
+    touch.moveTo(48.3, 48.4, 48.1, 40);
+    for (int n = 1; n <= 40; n++) {
+      touch.hand.set(48.3, 48.4, 48.1 - 0.1 * n);
+      touch.runWithoutUpdate();
+    }
+    assertTrue(touch.frame.forceNewton().z > 2, "force " + touch.frame.forceNewton().z);
+    assertEquals(0, touch.body.contact().clippedFrames());
+  }
+
+  @Test
   void aStiffSegmentFeelsLikeARigidOne() {
     ElasticTouch touch = above(1e9, 0.5, 8, false);
     touch.moveTo(48.3, 48.4, 44, 400);

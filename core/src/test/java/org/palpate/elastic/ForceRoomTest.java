@@ -40,6 +40,12 @@ class ForceRoomTest {
   }
 
   @Test
+  void noChangeIsNotMovedEvenWithoutACone() {
+    room.begin(0, 0, 1);
+    assertFalse(room.clip(new double[3]));
+  }
+
+  @Test
   void keepsNoChangeThatIsNotFinite() {
     room.begin(0, 0, 1);
     room.add(0, 2, 1);
