@@ -56,6 +56,14 @@ public final class ElasticBody {
     return lattice.untouchableVoxels();
   }
 
+  /**
+   * Returns the number of parts that edits have cut off from all support, and that stand still
+   * therefore; read it after the last update.
+   */
+  public int freeParts() {
+    return lattice.freeParts();
+  }
+
   /** Returns the counters of the updates; read them after the last one. */
   public UpdateCounters counters() {
     return updater.counters();

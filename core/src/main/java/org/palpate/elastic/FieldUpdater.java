@@ -126,6 +126,7 @@ final class FieldUpdater {
    * @return whether there was anything to compute
    */
   boolean compute(ElasticLoad next) {
+    lattice.holdFreeParts();
     patch.place(next.point);
     boolean atRest = isAtRest(next);
     if (atRest) {

@@ -29,6 +29,12 @@ public final class ControlLattice {
 
   private static final double AIR_PER_SOLID = 1e-5;
 
+  /**
+   * The stiffness of the springs that hold a part without support, over that of a cell of the
+   * stiffest segment.
+   */
+  private static final double HOLD_PER_CELL = 10;
+
   /** The share of still voxels around a node that fixes it. */
   private static final double FIXING_SHARE = 0.2;
 
@@ -41,6 +47,13 @@ public final class ControlLattice {
   private final CellMatter matter;
   private final StiffnessOperator stiffness;
   private final MultigridPreconditioner preconditioner;
+  private final FreeParts parts;
+  private final boolean[] free;
+  private final float springNewtonPerMm;
+  private int freeParts;
+
+  /** Whether matter came into an empty cell, or all matter left one, since the last search. */
+  private boolean partsMayDiffer;
 
   /**
    * Creates a lattice.
@@ -69,6 +82,10 @@ public final class ControlLattice {
     System.arraycopy(restModulus, 0, stiffness.modulus(), 0, restModulus.length);
     stiffness.changed();
     preconditioner = new MultigridPreconditioner(stiffness, poisson);
+    parts = new FreeParts(cells, solidModulus);
+    free = new boolean[layout.nodeCount()];
+    springNewtonPerMm = (float) (HOLD_PER_CELL * stiffest(this.segments) * layout.longestEdgeMm());
+    partsMayDiffer = false;
   }
 
   private static double commonPoisson(List<ElasticSegment> segments) {
@@ -208,12 +225,38 @@ public final class ControlLattice {
     }
     double solid = matter.modulus();
     double air = Math.max(0, 1 - matter.share()) * airModulus;
-    solidModulus[listed] = (float) solid;
+    setSolid(listed, (float) solid);
     restModulus[listed] = (float) (solid + air);
     for (int axis = 0; axis < 3; axis++) {
       double moment = (solid * matter.moment(axis) + air) / (solid + air);
       stiffness.moment(axis)[listed] = (float) moment;
     }
+  }
+
+  private void setSolid(int listed, float modulus) {
+    partsMayDiffer |= modulus > 0 != solidModulus[listed] > 0;
+    solidModulus[listed] = modulus;
+  }
+
+  /**
+   * Holds the parts that edits have cut off from all support at their place at rest, so that they
+   * do not drift in air. Call it after edits; it does nothing if no part can differ.
+   */
+  public void holdFreeParts() {
+    if (!partsMayDiffer) {
+      return;
+    }
+    partsMayDiffer = false;
+    freeParts = parts.find(free);
+    for (int node = 0; node < free.length; node++) {
+      stiffness.hold()[node] = free[node] ? springNewtonPerMm : 0;
+    }
+    stiffness.changed();
+  }
+
+  /** Returns the number of parts that {@link #holdFreeParts} holds. */
+  public int freeParts() {
+    return freeParts;
   }
 
   /** Returns the stiffness of the matter in a listed cell; a new object. */
@@ -228,7 +271,7 @@ public final class ControlLattice {
 
   /** Sets the stiffness of the matter in a listed cell, instead of counting its voxels. */
   public void refill(int listed, CellStiffness matterOfCell) {
-    solidModulus[listed] = matterOfCell.solidModulus();
+    setSolid(listed, matterOfCell.solidModulus());
     restModulus[listed] = matterOfCell.restModulus();
     stiffness.moment(0)[listed] = matterOfCell.momentX();
     stiffness.moment(1)[listed] = matterOfCell.momentY();

@@ -64,8 +64,8 @@ final class InverseDiagonal {
     return largestEigenvalue;
   }
 
-  /** Takes the moduli of the listed cells. */
-  void update(float[] modulus) {
+  /** Takes the moduli of the listed cells, and the springs that hold nodes, N/mm. */
+  void update(float[] modulus, float[] hold) {
     Arrays.fill(sums, 0);
     for (int cell = 0; cell < cells.count(); cell++) {
       int first = cells.firstNode(cell);
@@ -75,7 +75,7 @@ final class InverseDiagonal {
     }
     for (int node = 0; node < inverse.length; node++) {
       boolean stands = cells.isFixed(node) || sums[node] == 0;
-      inverse[node] = stands ? 0 : 1 / (sums[node] * largestEntry);
+      inverse[node] = stands ? 0 : 1 / (sums[node] * largestEntry + hold[node]);
     }
   }
 

@@ -126,6 +126,8 @@ final class MultigridPreconditioner implements Preconditioner {
       transfers[n - 1].inject(from, coarse.displacement);
       coarse.stiffness.rotate(coarse.displacement);
       average(levels[n - 1].stiffness, coarse);
+      hold(levels[n - 1].stiffness, coarse.stiffness);
+      coarse.stiffness.changed();
       from = coarse.displacement;
     }
   }
@@ -158,7 +160,15 @@ final class MultigridPreconditioner implements Preconditioner {
       }
     }
     coarse.takeMoments();
-    coarse.stiffness.changed();
+  }
+
+  /** Gives each coarse node the springs of the eight fine nodes that it stands for. */
+  private static void hold(StiffnessOperator fine, StiffnessOperator coarse) {
+    LatticeLayout layout = coarse.cells().layout();
+    for (int node = 0; node < layout.nodeCount(); node++) {
+      float spring = fine.hold()[fine.cells().fineNode(layout, node)];
+      coarse.hold()[node] = LatticeLayout.CORNERS * spring;
+    }
   }
 
   @Override

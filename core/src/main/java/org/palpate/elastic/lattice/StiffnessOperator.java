@@ -17,6 +17,11 @@ public final class StiffnessOperator {
   private final int nodes;
   private final float[] modulus;
   private final float[][] moment = new float[3][];
+
+  /** The stiffness of a spring between each node and its place at rest, N/mm. */
+  private final float[] hold;
+
+  private boolean holds;
   private final CellRotations rotations;
   private final InverseDiagonal diagonal;
   private final CellModes tile;
@@ -37,6 +42,7 @@ public final class StiffnessOperator {
       moment[axis] = new float[cells.count()];
       Arrays.fill(moment[axis], 1);
     }
+    hold = new float[nodes];
     rotations = new CellRotations(cells);
     diagonal = new InverseDiagonal(cells, HexahedronStiffness.of(poisson, cells.layout()));
     tile = new CellModes(poisson, cells.layout());
@@ -74,9 +80,21 @@ public final class StiffnessOperator {
     return moment[axis];
   }
 
-  /** Takes the moduli over after a change. */
+  /**
+   * Returns the stiffness of a spring that holds each node at its place at rest, N/mm, to change
+   * before {@link #changed}. Zero for most.
+   */
+  float[] hold() {
+    return hold;
+  }
+
+  /** Takes moduli and springs over after a change. */
   public void changed() {
-    diagonal.update(modulus);
+    diagonal.update(modulus, hold);
+    holds = false;
+    for (float spring : hold) {
+      holds |= spring > 0;
+    }
   }
 
   InverseDiagonal diagonal() {
@@ -121,7 +139,19 @@ public final class StiffnessOperator {
         scatter(runs[run], runs[run + 1], first, dest);
       }
     }
+    if (holds) {
+      addSprings(from, dest);
+    }
     clearFixed(dest);
+  }
+
+  private void addSprings(float[] from, float[] dest) {
+    for (int axis = 0; axis < 3; axis++) {
+      int at = axis * nodes;
+      for (int node = 0; node < nodes; node++) {
+        dest[at + node] += hold[node] * from[at + node];
+      }
+    }
   }
 
   /** Copies the corners of a run of cells into the tile that begins with a cell. */
